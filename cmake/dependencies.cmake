@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright The scipd authors
+#
+# Everything that is not ours, all of it from Debian 12 (tools/install lists the packages).
+
+find_package(Threads REQUIRED)
+find_package(Boost 1.74 REQUIRED)
+find_package(glm REQUIRED)
+find_package(yaml-cpp REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(sdformat REQUIRED IMPORTED_TARGET sdformat12)
+pkg_check_modules(assimp REQUIRED IMPORTED_TARGET assimp)
+pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
+
+# Embree 4 where there is one, else Embree 3 (Debian 12): sim/backends/embree.cpp builds with both.
+find_package(embree 4 QUIET)
+if(NOT embree_FOUND)
+  find_package(embree 3.13 REQUIRED)
+endif()
+message(STATUS "Embree ${embree_VERSION}")

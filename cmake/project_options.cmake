@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright The scipd authors
+#
+# scipd_library(NAME sources...): one static library per folder, with the project's warnings and its root as the only
+# include path, so that every #include names the folder that it reaches into.
+
+add_library(scipd_options INTERFACE)
+target_include_directories(scipd_options INTERFACE ${CMAKE_SOURCE_DIR})
+target_compile_options(scipd_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                                               -Wno-sign-conversion)
+if(SCIPD_WARNINGS_AS_ERRORS)
+  target_compile_options(scipd_options INTERFACE -Werror)
+endif()
+if(SCIPD_SANITIZE)
+  target_compile_options(scipd_options INTERFACE -fsanitize=${SCIPD_SANITIZE}
+                                                 -fno-omit-frame-pointer)
+  target_link_options(scipd_options INTERFACE -fsanitize=${SCIPD_SANITIZE})
+endif()
+if(SCIPD_FUZZ)
+  # Coverage for everything that a fuzzer drives; only the targets themselves link the engine.
+  target_compile_options(scipd_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
+function(scipd_library name)
+  add_library(${name} STATIC ${ARGN})
+  target_link_libraries(${name} PUBLIC scipd_options)
+endfunction()
+
+function(scipd_program name)
+  add_executable(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE scipd_options)
+endfunction()

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// How rays meet the world. A backend is made for one scene and lives on one thread. The public functions check what
+// they are given and then call the private virtual ones, so that no backend can forget a check.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "sim/backends/fan.h"
+#include "sim/world/scene.h"
+
+namespace scipd::sim {
+
+class RangeBackend {
+  public:
+    explicit RangeBackend(SharedScene scene);
+    RangeBackend(const RangeBackend&) = delete;
+    RangeBackend& operator=(const RangeBackend&) = delete;
+    virtual ~RangeBackend() = default;
+
+    [[nodiscard]] virtual std::string_view name() const = 0;
+    [[nodiscard]] const Scene& scene() const { return *scene_; }
+
+    /// Puts a movable model somewhere else, from the next cast on. Asserts that the model exists and is movable.
+    void move(ModelId model, const Pose& world_from_model);
+
+    /// Fills hits[i] for fan.directions[i]. Asserts that the sizes agree and that there is one pose or one per ray.
+    void cast(const Fan& fan, std::span<Hit> hits);
+
+  private:
+    virtual void do_move(ModelId model, const Pose& world_from_model) = 0;
+    virtual void do_cast(const Fan& fan, std::span<Hit> hits) = 0;
+
+    SharedScene scene_;
+};
+
+}  // namespace scipd::sim

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Poses as text. A TUM file: `t tx ty tz qx qy qz qw` a line, seconds and metres, # begins a comment; stamps are read as
+// integers of nanoseconds, since a double near 1.7e9 s has a step of 238 ns. A pose line: one JSON object or one TUM
+// line, as it comes from a file, stdin or a datagram. Any thread; nothing shared.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "sim/time.h"
+#include "sim/world/pose.h"
+
+namespace scipd::sim {
+
+struct TimedPose {
+    Time time{};  ///< on the sender's clock
+    Pose pose;
+};
+
+/// Stamps strictly growing. Throws LoadError with every fault.
+std::vector<TimedPose> load_tum(const std::filesystem::path& file);
+
+/// What a pose line says. At most one of `robot` and `model` is set; neither: the only robot.
+struct PoseLine {
+    std::string robot;
+    std::string model;
+    std::optional<Time> time;
+    Pose pose;
+};
+
+/// The line, or why it is refused: a sentence that names the field. Never throws on any bytes.
+std::variant<PoseLine, std::string> parse_pose_line(std::string_view line);
+
+}  // namespace scipd::sim

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A scanner without a wire: optics, beams, a way to cast them and an error model. Knows nothing of when to measure or
+// for whom. Lives on the thread of its backend.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "sim/backends/range_backend.h"
+#include "sim/sensor/beam_pattern.h"
+#include "sim/sensor/error_model.h"
+#include "sim/sensor/scan.h"
+#include "sim/sensor/scan_timing.h"
+#include "sim/sensor/sensor_spec.h"
+
+namespace scipd::sim {
+
+class Scanner {
+  public:
+    Scanner(SensorSpec spec, const ErrorModel& errors);
+
+    [[nodiscard]] const SensorSpec& spec() const { return spec_; }
+
+    /// Casts one revolution. `world_from_sensor` holds one pose for the whole sweep or one for each beam.
+    [[nodiscard]] SharedScan measure(RangeBackend& backend, std::int64_t revolution, Time start,
+                                     std::vector<Pose> world_from_sensor) const;
+
+  private:
+    SensorSpec spec_;
+    BeamPattern pattern_;
+    ErrorModel errors_;
+};
+
+}  // namespace scipd::sim

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The geometry of one object in its own frame, as a world file gives it: exact where it is exact. Backends that need
+// triangles call tessellate() (mesh.h); the reference backend intersects the shapes themselves.
+#pragma once
+
+#include <memory>
+#include <variant>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "sim/world/mesh.h"
+
+namespace scipd::sim {
+
+/// Centred on the frame's origin, edges along its axes.
+struct Box {
+    glm::dvec3 size_m;
+};
+
+/// Centred on the origin, axis along z, closed at both ends.
+struct Cylinder {
+    double radius_m;
+    double length_m;
+};
+
+struct Sphere {
+    double radius_m;
+};
+
+/// A rectangle of this size in the plane through the origin that is normal to z; seen from both sides.
+struct Plane {
+    glm::dvec2 size_m;
+};
+
+/// Shared: many objects may show the same file.
+using SharedMesh = std::shared_ptr<const Mesh>;
+
+using Shape = std::variant<Box, Cylinder, Sphere, Plane, SharedMesh>;
+
+/// How far a tessellated surface may lie from the true one.
+inline constexpr double chord_tolerance_m = 1e-4;
+
+/// Triangles within chord_tolerance_m of the shape. Boxes, planes and meshes are exact.
+Mesh tessellate(const Shape& shape);
+
+}  // namespace scipd::sim
