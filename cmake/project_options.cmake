@@ -7,7 +7,7 @@
 add_library(scipd_options INTERFACE)
 target_include_directories(scipd_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_options(scipd_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-                                               -Wno-sign-conversion)
+                                               -Wno-sign-conversion -Wno-missing-field-initializers)
 if(SCIPD_WARNINGS_AS_ERRORS)
   target_compile_options(scipd_options INTERFACE -Werror)
 endif()

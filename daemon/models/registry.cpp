@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/models/registry.h"
+
+#include <stdexcept>
+
+#include "daemon/models/urg_04lx.h"
+#include "daemon/models/ust.h"
+#include "daemon/models/utm_30lx.h"
+
+namespace scipd::daemon {
+namespace {
+
+std::string full_name(const Model& model) {
+    return model.profile.name + "@" + model.profile.release;
+}
+
+std::string choices() {
+    std::string text;
+    for (const Model& model : models())
+        text += (text.empty() ? "" : ", ") + full_name(model);
+    return text;
+}
+
+}  // namespace
+
+const std::vector<Model>& models() {
+    static const std::vector<Model> all = {urg_04lx(), utm_30lx(), ust_10lx(), ust_20lx()};
+    return all;
+}
+
+const Model& find_model(std::string_view name) {
+    for (const Model& model : models()) {
+        if (name == model.profile.name || name == full_name(model)) return model;
+    }
+    throw std::invalid_argument("there is no model \"" + std::string(name) + "\"; the models are " +
+                                choices());
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// All products that scipd can be, by name. The only place that knows them all.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "daemon/models/model.h"
+
+namespace scipd::daemon {
+
+/// Every model, each with the firmware that its texts were seen on.
+const std::vector<Model>& models();
+
+/// MODEL or MODEL@FIRMWARE, as `scipd --list-models` prints them. Throws std::invalid_argument,
+/// naming the choices.
+const Model& find_model(std::string_view name);
+
+}  // namespace scipd::daemon

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// UST-10LX and UST-20LX: one device that differs in its name and how far it sees. Texts of the
+// UST-10LX with firmware 2.23: canned replies of a real unit; limits of the UST-20LX: notes of a
+// session with one.
+#include "daemon/models/ust.h"
+
+namespace scipd::daemon {
+namespace {
+
+Model ust(const std::string& name, const std::string& serial, int dmax_mm) {
+    using namespace std::chrono_literals;
+    const protocol::DeviceProfile profile{
+        .name = name,
+        .release = "2.23.0000",
+        .family = protocol::Family::c,
+
+        .vendor = "Hokuyo Automatic Co., Ltd.",
+        .product = name,
+        .firmware = "2.23.0000",
+        .protocol = "SCIP 2.2",
+        .serial = serial,
+
+        .model = name,
+        .dmin_mm = 20,
+        .dmax_mm = dmax_mm,
+        .ares = 1440,
+        .amin = 0,
+        .amax = 1080,
+        .afrt = 540,
+        .scan_rpm = 2400,
+
+        .motor_speed = "2400",
+        // The same in every state; only LASR tells.
+        .mode_idle = "Measuring by Sensitive Mode",
+        .mode_measuring = "Measuring by Sensitive Mode",
+        .bit_rate = "Ethernet 100[Mbps]",
+        .health = "sensor is working normally",
+        .time_spelling = protocol::TimeSpelling::encoded,
+
+        .last_step = 1080,
+        // UST-10LX data sheet: below 21 mm it sends 4, beyond DMAX or with too weak a return 65533.
+        .nearest_mm = 21,
+        .codes = {.nothing = 65533, .too_near = 4, .too_far = 65533, .not_measured = 65533},
+
+        // Firmware 2.23 answers 0F where the specification says 0E.
+        .unknown_command = protocol::status::unsupported,
+        .scan_period = 25ms,
+        // Replies and scans leave on a tick of 1 ms (urg_stamped and its simulator).
+        .reply_tick = 1ms,
+    };
+    // Data sheet: below 30 mm.
+    return make_model(profile, {{.from_range_m = 0.0, .sigma_m = 0.030, .sigma_share = 0.0}});
+}
+
+}  // namespace
+
+Model ust_10lx() {
+    return ust("UST-10LX", "H1614934", 30000);
+}
+
+// The serial number is made up in the form of the others.
+Model ust_20lx() {
+    return ust("UST-20LX", "H1500001", 60000);
+}
+
+}  // namespace scipd::daemon

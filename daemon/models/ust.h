@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#pragma once
+
+#include "daemon/models/model.h"
+
+namespace scipd::daemon {
+
+Model ust_10lx();
+Model ust_20lx();
+
+}  // namespace scipd::daemon

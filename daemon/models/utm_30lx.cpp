@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// UTM-30LX on USB. Texts, steps and limits: recording of a real unit.
+#include "daemon/models/utm_30lx.h"
+
+namespace scipd::daemon {
+
+Model utm_30lx() {
+    using namespace std::chrono_literals;
+    const protocol::DeviceProfile profile{
+        .name = "UTM-30LX",
+        .release = "P.1.05",
+        .family = protocol::Family::a2,
+
+        .vendor = "Hokuyo Automatic Co.,Ltd.",
+        .product = "SOKUIKI Sensor TOP-URG UTM-30LX",
+        .firmware = "P.1.05(17/Apr./2009)",
+        .protocol = "SCIP 2.0",
+        // Digits only, with a leading 0: hokuyo_node turns that into an H.
+        .serial = "00903971",
+
+        .model = "UTM-30LX(Hokuyo Automatic Co.,Ltd.)",
+        .dmin_mm = 23,
+        .dmax_mm = 60000,
+        .ares = 1440,
+        .amin = 0,
+        .amax = 1080,
+        .afrt = 540,
+        .scan_rpm = 2400,
+
+        .motor_speed = "Initial(2400[rpm])<-Default setting by user",
+        // Recorded with the laser on only; IDLE is what the URG-04LX of the same generation says.
+        .mode_idle = "IDLE",
+        .mode_measuring = "CLASSIC",
+        .bit_rate = "USB Full Speed",
+        .health = "Sensor works well.",
+        .time_spelling = protocol::TimeSpelling::hexadecimal,
+
+        .last_step = 1080,
+        .nearest_mm = 23,
+        // SCIP 2.0 specification, table 4: 1 nothing in range, 2 too near, 5 other; hokuyo_node
+        // reads 1 as +inf and 2 as -inf.
+        .codes = {.nothing = 1, .too_near = 2, .too_far = 1, .not_measured = 5},
+
+        .unknown_command = protocol::status::undefined,
+        .scan_period = 25ms,
+        // Recorded: every reply 25 ms after the one before; a scan 24 ms after its time stamp, 5 ms
+        // after its last step.
+        .reply_tick = 25ms,
+    };
+    // Data sheet, indoors: below 10 mm to 10 m, below 30 mm to 30 m.
+    return make_model(profile, {{.from_range_m = 0.0, .sigma_m = 0.010, .sigma_share = 0.0},
+                                {.from_range_m = 10.0, .sigma_m = 0.030, .sigma_share = 0.0}});
+}
+
+}  // namespace scipd::daemon

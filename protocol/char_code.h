@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// SCIP's numbers: groups of six bits, the most significant first, each made printable by adding
+// '0'.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace scipd::protocol {
+
+/// The largest number that `width` characters hold.
+[[nodiscard]] constexpr std::uint64_t max_encoded(int width) {
+    return (std::uint64_t{1} << (6 * width)) - 1;
+}
+
+/// Appends `value` as `width` characters (1 to 10); higher bits are lost.
+constexpr void append_encoded(std::string& text, std::uint64_t value, int width) {
+    for (int shift = 6 * (width - 1); shift >= 0; shift -= 6) {
+        text.push_back(static_cast<char>(((value >> shift) & 0x3FU) + '0'));
+    }
+}
+
+/// The number; nothing where a character is none of '0' to 'o' or the text is empty or longer
+/// than 10.
+[[nodiscard]] constexpr std::optional<std::uint64_t> decode(std::string_view text) {
+    if (text.empty() || text.size() > 10) return std::nullopt;
+    std::uint64_t value = 0;
+    for (const char c : text) {
+        if (c < '0' || c > 'o') return std::nullopt;
+        value = value << 6U | static_cast<std::uint64_t>(c - '0');
+    }
+    return value;
+}
+
+}  // namespace scipd::protocol

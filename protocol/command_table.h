@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Every command that is understood, as one table: its code, its parameters, what it does, and what
+// each family answers in each state. Arity and state are refused before anything is carried out;
+// tests walk the same table.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "protocol/device_profile.h"
+#include "protocol/status.h"
+
+namespace scipd::protocol {
+
+enum class State {
+    standby,    ///< laser off
+    measuring,  ///< laser on, no stream of this session
+    streaming,  ///< a stream of this session is under way
+    adjust,     ///< time-adjust mode
+};
+inline constexpr std::size_t state_count = 4;
+
+enum class Operation {
+    report_version,
+    report_parameters,
+    report_state,
+    switch_laser_on,
+    quit,
+    reset,
+    single_shot,
+    stream,
+    enter_adjust,
+    report_time,
+    leave_adjust,
+    refuse_digit,  ///< TM with anything but 0, 1 and 2
+};
+
+/// The fixed-width digits after the code.
+enum class Parameters {
+    none,
+    digit,   ///< 1
+    window,  ///< 10: start 4, end 4, cluster 2
+    scans,   ///< 13: a window, interval 1, number of scans 2
+};
+
+[[nodiscard]] constexpr std::size_t width(Parameters parameters) {
+    switch (parameters) {
+        case Parameters::none:
+            return 0;
+        case Parameters::digit:
+            return 1;
+        case Parameters::window:
+            return 10;
+        case Parameters::scans:
+            return 13;
+    }
+    return 0;
+}
+
+/// How the values of a step are written.
+struct DataFormat {
+    int width = 3;           ///< characters a value
+    bool intensity = false;  ///< one more value after each distance
+
+    bool operator==(const DataFormat&) const = default;
+};
+
+/// What one family answers in each state instead of carrying a command out.
+class Gate {
+  public:
+    /// One status per state in the order of State, "--" where the command is carried out: "10 -- --
+    /// 0E".
+    consteval Gate(const char (
+        &row)[12]) {  // NOLINT(google-explicit-constructor): rows are written as literals
+        for (std::size_t i = 0; i < state_count; ++i) {
+            const char code[3] = {row[3 * i], row[3 * i + 1], '\0'};
+            if (code[0] != '-') answers_[i] = Status(code);
+        }
+    }
+    /// The family does not know the command.
+    consteval Gate(std::nullptr_t) : known_(false) {}  // NOLINT(google-explicit-constructor)
+
+    [[nodiscard]] constexpr bool known() const { return known_; }
+    [[nodiscard]] constexpr std::optional<Status> refusal(State state) const {
+        return answers_[static_cast<std::size_t>(state)];
+    }
+
+  private:
+    bool known_ = true;
+    std::array<std::optional<Status>, state_count> answers_{};
+};
+
+struct Command {
+    std::string_view code;
+    Parameters parameters;
+    Operation operation;
+    DataFormat format;
+    std::array<Gate, 4> gates;  ///< in the order of Family
+
+    [[nodiscard]] constexpr const Gate& gate(Family family) const {
+        return gates[static_cast<std::size_t>(family)];
+    }
+};
+
+[[nodiscard]] std::span<const Command> command_table();
+
+/// The command that `line` begins with, the longest code first; null where the family knows none.
+[[nodiscard]] const Command* find_command(std::string_view line, Family family);
+
+}  // namespace scipd::protocol

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What one product says of itself and how it behaves on the wire: pure data, one object per model,
+// filled in by daemon/models/. Its optics are sim::SensorSpec.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "protocol/status.h"
+#include "protocol/uptime.h"
+
+namespace scipd::protocol {
+
+/// Models of a family accept the same commands in the same states.
+enum class Family {
+    a1,  ///< URG-04LX and its kin: SCIP 2.0, two- and three-character distances
+    a2,  ///< UTM-30LX and UXM-30LX-E on USB: SCIP 2.0 with intensity
+    b,   ///< UTM-30LX-EW and UXM-30LX-EW: Ethernet, multi-echo
+    c,   ///< UST: Ethernet, SCIP 2.2, no multi-echo, no two-character distances
+};
+
+/// How II spells the clock.
+enum class TimeSpelling {
+    hexadecimal,  ///< 6A5404
+    encoded,      ///< 0Y\\3, SCIP's own characters; may contain ';'
+};
+
+/// What stands in the place of a distance where there is none.
+struct DistanceCodes {
+    std::uint32_t nothing = 0;   ///< no or too weak a return
+    std::uint32_t too_near = 0;  ///< nearer than nearest_mm
+    std::uint32_t too_far = 0;   ///< farther than DMAX
+    std::uint32_t not_measured =
+        0;  ///< a step outside AMIN to AMAX that the model lets one ask for
+};
+
+struct DeviceProfile {
+    std::string name;     ///< as a user asks for it: NAME or NAME@RELEASE
+    std::string release;  ///< the firmware that the texts and habits are of
+    Family family = Family::c;
+
+    // VV
+    std::string vendor;
+    std::string product;
+    std::string firmware;
+    std::string protocol;
+    std::string serial;
+
+    // PP; lengths in mm, angles in steps
+    std::string model;
+    int dmin_mm = 0;
+    int dmax_mm = 0;
+    int ares = 0;
+    int amin = 0;
+    int amax = 0;
+    int afrt = 0;
+    int scan_rpm = 0;
+
+    // II
+    std::string motor_speed;     ///< SCSP
+    std::string mode_idle;       ///< MESM while the laser is off
+    std::string mode_measuring;  ///< MESM while it is on
+    std::string bit_rate;        ///< SBPS
+    std::string health;          ///< STAT
+    TimeSpelling time_spelling = TimeSpelling::encoded;
+
+    // Distances
+    int last_step = 0;   ///< the last one that may be asked for; beyond AMAX on models that have
+                         ///< steps they cannot measure
+    int nearest_mm = 0;  ///< the smallest distance that is reported as such
+    DistanceCodes codes;
+
+    // Habits
+    Status unknown_command = status::undefined;
+    Uptime scan_period{};  ///< one turn of the mirror
+    Uptime reply_tick{};   ///< replies and scans leave on a grid of this spacing; 0: at once
+
+    /// Whether the value of a step is a distance and not one of the codes.
+    [[nodiscard]] bool is_distance(std::uint32_t value) const {
+        return value >= static_cast<std::uint32_t>(nearest_mm) &&
+               value <= static_cast<std::uint32_t>(dmax_mm);
+    }
+};
+
+}  // namespace scipd::protocol

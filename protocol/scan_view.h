@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// One complete scan in the words of the wire. A view: whoever hands it in keeps the arrays alive
+// for the call.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "protocol/uptime.h"
+
+namespace scipd::protocol {
+
+/// One turn of the mirror.
+struct Turn {
+    Uptime start{};  ///< the instant of step 0: what the time stamp of its scan says
+};
+
+struct ScanView {
+    Turn turn;
+    int first_step = 0;                        ///< the step of element 0
+    std::span<const std::uint32_t> distance;   ///< mm, or one of the model's DistanceCodes
+    std::span<const std::uint32_t> intensity;  ///< as many; 18 bits, relative, no unit
+};
+
+}  // namespace scipd::protocol

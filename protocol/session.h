@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// One conversation with one client, as a machine without sockets, threads or a clock: bytes,
+// finished scans and the time go in, messages come out. Its shell reads, waits and writes, and
+// decides nothing. All sessions of a device live on one thread and share its DeviceState, which
+// must outlive them.
+//
+//   bytes ─► receive() ─► requests wait for their tick ─► advance() ─► replies ─► next_message()
+//                                 turn_complete() ─► take() ─► scans ─────────────┘
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "protocol/action.h"
+#include "protocol/device_profile.h"
+#include "protocol/device_state.h"
+#include "protocol/line_reader.h"
+#include "protocol/request.h"
+#include "protocol/scan_view.h"
+#include "protocol/subscription.h"
+
+namespace scipd::protocol {
+
+class Session {
+  public:
+    Session(const DeviceProfile& profile, DeviceState& device);
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+    /// As close().
+    ~Session();
+
+    /// Bytes in any pieces. Answers what is due at `now`; the rest waits for advance().
+    void receive(std::string_view bytes, Uptime now);
+    /// Too many requests wait for their answers: the shell must not read on until this is over.
+    [[nodiscard]] bool full() const { return requests_.size() >= max_waiting; }
+
+    /// When the next request is due; nothing: only bytes or a scan can get this session on.
+    [[nodiscard]] std::optional<Uptime> wake_at() const;
+    void advance(Uptime now);
+
+    /// Scans are wanted now or later: somebody must tell this session of every turn.
+    [[nodiscard]] bool measuring() const { return streaming() || single_shot_.has_value(); }
+    /// A turn has just fired its last step. To be told once for each while measuring(), in order.
+    /// True: take() must follow.
+    [[nodiscard]] bool turn_complete(const Turn& turn);
+    /// Whether this turn, complete by now, answers the request for the latest one that waits. True:
+    /// take() must follow.
+    [[nodiscard]] bool waits_for(const Turn& turn) const;
+    void take(const ScanView& scan, Uptime now);
+
+    /// The next message for the client, in order; nothing: there is none at present.
+    [[nodiscard]] std::optional<Send> next_message();
+
+    /// The client is gone: its stream ends as by QT; what it asked and what was to be sent is
+    /// forgotten.
+    void close();
+
+  private:
+    static constexpr std::size_t max_waiting = 64;
+
+    struct Waiting {
+        Line line;
+        Uptime arrived;
+    };
+    struct SingleShot {
+        Request request;
+        StepWindow window;
+    };
+
+    [[nodiscard]] bool streaming() const;
+    [[nodiscard]] State state() const;
+    [[nodiscard]] Uptime due(const Waiting& waiting) const;
+    void answer(const Request& request, Uptime now);
+    [[nodiscard]] std::optional<Status> refusal(const Request& request) const;
+    void carry_out(const Request& request, Uptime now);
+
+    void report_version(const Request& request);
+    void report_parameters(const Request& request);
+    void report_state(const Request& request, Uptime now);
+    void report_time(const Request& request, Uptime now);
+    void begin_single_shot(const Request& request);
+    void begin_stream(const Request& request, Uptime now);
+    void quit();
+    void reply(const Request& request, Status status);
+    void send(std::string message, Send::Kind kind = Send::Kind::reply);
+
+    const DeviceProfile& profile_;
+    DeviceState& device_;
+    LineReader reader_;
+    std::deque<Waiting> requests_;
+    Uptime last_answer_ = Uptime::min();
+    std::optional<SingleShot>
+        single_shot_;  ///< GD and its kin, waiting for the latest complete scan
+    std::optional<Subscription> subscription_;
+    DeviceState::StreamId stream_ = 0;
+    bool takes_turn_ = false;  ///< what turn_complete() said last
+    std::deque<Send> messages_;
+};
+
+}  // namespace scipd::protocol

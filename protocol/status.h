@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The two characters after the echo of every reply: what became of the request.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace scipd::protocol {
+
+class Status {
+  public:
+    /// Two characters, checked when compiled.
+    consteval Status(
+        const char (&code)[3])  // NOLINT(google-explicit-constructor): a literal is a status
+        : code_{code[0], code[1]} {
+        if (!valid(code[0]) || !valid(code[1])) throw "a status is two of 0-9 and A-Z";
+    }
+
+    [[nodiscard]] constexpr std::string_view text() const { return {code_.data(), code_.size()}; }
+    constexpr bool operator==(const Status&) const = default;
+
+  private:
+    static constexpr bool valid(char c) { return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z'); }
+
+    std::array<char, 2> code_;
+};
+
+/// The generic ones. What a number between 01 and 07 means depends on the command: see where it is
+/// returned.
+namespace status {
+inline constexpr Status ok{"00"};
+inline constexpr Status scan_follows{"99"};
+inline constexpr Status denied{
+    "10"};  ///< not in the present state; to GD and its kin on old models: laser off
+inline constexpr Status too_short{"0C"};
+inline constexpr Status too_long{"0D"};
+inline constexpr Status undefined{"0E"};
+inline constexpr Status unsupported{"0F"};
+inline constexpr Status string_too_long{"0G"};
+inline constexpr Status string_illegal{"0H"};
+}  // namespace status
+
+}  // namespace scipd::protocol

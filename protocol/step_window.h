@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Which part of a scan a client asks for, and the values that it then gets.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "protocol/command_table.h"
+#include "protocol/device_profile.h"
+#include "protocol/scan_view.h"
+#include "protocol/status.h"
+
+namespace scipd::protocol {
+
+struct StepWindow {
+    int first = 0;  ///< both inclusive
+    int last = 0;
+    int cluster = 1;  ///< so many neighbouring steps give one value
+};
+
+/// The ten digits of a window, or the first thing that is wrong with them in the order of its
+/// status: 01 start, 02 end or 03 cluster is no number, 04 a step that the model does not have, 05
+/// the end lies before the start.
+[[nodiscard]] std::variant<StepWindow, Status> parse_step_window(std::string_view digits,
+                                                                 const DeviceProfile& profile);
+
+/// Digits only; nothing where there is anything else.
+[[nodiscard]] std::optional<int> parse_digits(std::string_view digits);
+
+/// What goes into the data block: one distance for each group of `cluster` steps, the last group
+/// being shorter where the window does not divide evenly (a recorded UTM-30LX sends 271 values for
+/// 1081 steps in fours). A group's value is its nearest distance; codes count only where there is
+/// nothing else. With intensity, the one of the same step follows.
+[[nodiscard]] std::vector<std::uint32_t> values_in(const ScanView& scan, const StepWindow& window,
+                                                   DataFormat format, const DeviceProfile& profile);
+
+}  // namespace scipd::protocol

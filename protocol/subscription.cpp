@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "protocol/subscription.h"
+
+#include <utility>
+
+#include "protocol/reply.h"
+#include "protocol/timestamp.h"
+
+namespace scipd::protocol {
+namespace {
+
+// In the echo, behind the code and the eleven digits of window and interval.
+constexpr std::size_t remaining_position = 13;
+constexpr std::size_t remaining_digits = 2;
+
+}  // namespace
+
+std::variant<Subscription, Status> Subscription::from(const Request& request,
+                                                      const DeviceProfile& profile) {
+    const std::string_view digits = request.parameters();
+    const auto window = parse_step_window(digits, profile);
+    // The order of the statuses is the order of the parameters but for 04 and 05, which need all of
+    // the window's numbers.
+    if (const Status* fault = std::get_if<Status>(&window)) return *fault;
+    const auto interval = parse_digits(digits.substr(10, 1));
+    if (!interval) return Status("06");
+    const auto scans = parse_digits(digits.substr(11, 2));
+    if (!scans) return Status("07");
+
+    Subscription subscription;
+    subscription.echo_ = request.echo;
+    subscription.window_ = std::get<StepWindow>(window);
+    subscription.format_ = request.command->format;
+    subscription.interval_ = *interval;
+    subscription.turns_to_skip_ = *interval;
+    subscription.remaining_ = *scans;
+    subscription.endless_ = *scans == 0;
+    return subscription;
+}
+
+bool Subscription::takes(const Turn& turn, Uptime laser_on_since) {
+    if (turns_to_skip_ > 0) {
+        --turns_to_skip_;
+        return false;
+    }
+    if (turn.start < laser_on_since) return false;
+    turns_to_skip_ = interval_;
+    return true;
+}
+
+std::string Subscription::message(const ScanView& scan, Uptime clock_zero,
+                                  const DeviceProfile& profile) {
+    if (!endless_) --remaining_;
+    std::string echo = echo_;
+    const std::string left = {static_cast<char>('0' + remaining_ / 10),
+                              static_cast<char>('0' + remaining_ % 10)};
+    echo.replace(remaining_position, remaining_digits, left);
+    return Reply(echo, status::scan_follows)
+        .line(encoded_timestamp(scan.turn.start, clock_zero))
+        .data(values_in(scan, window_, format_, profile), format_.width)
+        .finish();
+}
+
+}  // namespace scipd::protocol

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// One running stream of scans: which turns it takes and how its messages look. Knows nothing of
+// laser and modes.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "protocol/device_profile.h"
+#include "protocol/request.h"
+#include "protocol/scan_view.h"
+#include "protocol/status.h"
+#include "protocol/step_window.h"
+
+namespace scipd::protocol {
+
+class Subscription {
+  public:
+    /// From a request of Parameters::scans; or the first thing that is wrong with it:
+    /// what parse_step_window() says, 06 interval and 07 number of scans not numeric.
+    static std::variant<Subscription, Status> from(const Request& request,
+                                                   const DeviceProfile& profile);
+
+    /// To be asked once for every turn whose last step has been fired since the request, in order.
+    /// With interval n the first n ends of turns after the request are passed over, and then n
+    /// between any two: a recorded UTM-30LX with interval 1 sends the turn that begins after its
+    /// acknowledgement. A turn that began before the laser was on has nothing to show.
+    [[nodiscard]] bool takes(const Turn& turn, Uptime laser_on_since);
+
+    /// The message with this scan; counts it.
+    [[nodiscard]] std::string message(const ScanView& scan, Uptime clock_zero,
+                                      const DeviceProfile& profile);
+
+    /// The last of a counted stream has been made.
+    [[nodiscard]] bool finished() const { return !endless_ && remaining_ == 0; }
+
+  private:
+    Subscription() = default;
+
+    std::string echo_;
+    StepWindow window_;
+    DataFormat format_;
+    int interval_ = 0;
+    int turns_to_skip_ = 0;
+    int remaining_ = 0;
+    bool endless_ = false;
+};
+
+}  // namespace scipd::protocol

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The device's clock as the wire shows it: milliseconds in 24 bits, which wrap after 4 h 39 min 37
+// s.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "protocol/char_code.h"
+#include "protocol/uptime.h"
+
+namespace scipd::protocol {
+
+inline constexpr int timestamp_width = 4;
+
+/// `zero` is when the counter was last set to 0: at power-up or by RS. A scan that began before
+/// reads as its wrap.
+[[nodiscard]] constexpr std::uint32_t timestamp_ms(Uptime now, Uptime zero) {
+    const auto ms = std::chrono::floor<std::chrono::milliseconds>(now - zero).count();
+    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(ms) &
+                                      max_encoded(timestamp_width));
+}
+
+[[nodiscard]] constexpr std::string encoded_timestamp(Uptime now, Uptime zero) {
+    std::string text;
+    append_encoded(text, timestamp_ms(now, zero), timestamp_width);
+    return text;
+}
+
+/// Six upper-case hexadecimal digits, as the II reply of the URG-04LX and the UTM-30LX spells it.
+[[nodiscard]] std::string hexadecimal_timestamp(Uptime now, Uptime zero);
+
+}  // namespace scipd::protocol
