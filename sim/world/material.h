@@ -10,7 +10,8 @@ namespace scipd::sim {
 /// Index into Scene::materials.
 using MaterialId = std::uint32_t;
 
-/// What a surface is made of. Scanners tell materials apart by name; the first of a scene is always "default".
+/// What a surface is made of. Scanners tell materials apart by name; the first of a scene is always
+/// "default".
 struct Material {
     std::string name;
 };

@@ -8,8 +8,8 @@
 
 namespace scipd::sim {
 
-/// Triangles in the frame of the object that they belong to. Indices are below vertices_m.size(); winding does not
-/// matter, since a laser sees both sides of a face.
+/// Triangles in the frame of the object that they belong to. Indices are below vertices_m.size();
+/// winding does not matter, since a laser sees both sides of a face.
 struct Mesh {
     std::vector<glm::vec3> vertices_m;
     std::vector<glm::uvec3> triangles;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A rigid transform, in double precision: worlds may lie far from their origin, and only a backend goes down to float.
-// Values; no thread rule.
+// A rigid transform, in double precision: worlds may lie far from their origin, and only a backend
+// goes down to float. Values; no thread rule.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -10,7 +10,8 @@
 
 namespace scipd::sim {
 
-/// Reads target_from_source: p_target = rotation * p_source + translation. Frames: x forward, y left, z up, metres.
+/// Reads target_from_source: p_target = rotation * p_source + translation. Frames: x forward, y
+/// left, z up, metres.
 struct Pose {
     glm::dvec3 translation_m{0.0, 0.0, 0.0};
     glm::dquat rotation{1.0, 0.0, 0.0, 0.0};  ///< unit length; GLM's order is w, x, y, z

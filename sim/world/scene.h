@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What is there: models, the objects that they consist of, and materials, as flat tables that refer to each other by
-// index. A scene is immutable once loaded and shared by everyone who looks at it; where its movable models are at
-// present is kept by whoever moves them.
+// What is there: models, the objects that they consist of, and materials, as flat tables that refer
+// to each other by index. A scene is immutable once loaded and shared by everyone who looks at it;
+// where its movable models are at present is kept by whoever moves them.
 #pragma once
 
 #include <cstddef>
@@ -47,8 +47,8 @@ struct Scene {
     std::vector<Object> objects;
     std::vector<Material> materials{{"default"}};
 
-    /// A point of W near the middle of everything. Backends work in float relative to it, so that a world that lies
-    /// 10 km from its origin is as exact as one around it.
+    /// A point of W near the middle of everything. Backends work in float relative to it, so that a
+    /// world that lies 10 km from its origin is as exact as one around it.
     glm::dvec3 anchor_m{0.0, 0.0, 0.0};
 
     /// Of all objects at load, in W; used to place the anchor.

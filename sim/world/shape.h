@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The geometry of one object in its own frame, as a world file gives it: exact where it is exact. Backends that need
-// triangles call tessellate() (mesh.h); the reference backend intersects the shapes themselves.
+// The geometry of one object in its own frame, as a world file gives it: exact where it is exact.
+// Backends that need triangles call tessellate() (mesh.h); the reference backend intersects the
+// shapes themselves.
 #pragma once
 
 #include <memory>
@@ -30,7 +31,8 @@ struct Sphere {
     double radius_m;
 };
 
-/// A rectangle of this size in the plane through the origin that is normal to z; seen from both sides.
+/// A rectangle of this size in the plane through the origin that is normal to z; seen from both
+/// sides.
 struct Plane {
     glm::dvec2 size_m;
 };
@@ -43,7 +45,9 @@ using Shape = std::variant<Box, Cylinder, Sphere, Plane, SharedMesh>;
 /// How far a tessellated surface may lie from the true one.
 inline constexpr double chord_tolerance_m = 1e-4;
 
-/// Triangles within chord_tolerance_m of the shape. Boxes, planes and meshes are exact.
+/// Triangles within chord_tolerance_m of the shape, some inside it and some outside. Boxes, planes
+/// and meshes are exact. Spheres of more than 20 m radius are left at a million triangles and lie
+/// farther off.
 Mesh tessellate(const Shape& shape);
 
 }  // namespace scipd::sim
