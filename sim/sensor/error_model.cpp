@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/sensor/error_model.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "sim/random.h"
+
+namespace scipd::sim {
+
+void ErrorModel::read(const SensorSpec& spec, std::int64_t revolution, std::span<const Hit> hits,
+                      std::span<float> range_m) const {
+    assert(hits.size() == range_m.size());
+    ChanceKey key{.seed = seed, .sensor = sensor, .scan = static_cast<std::uint64_t>(revolution)};
+    const bool noisy = accuracy == Accuracy::sensor && !spec.noise.empty();
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        range_m[i] = hits[i].range_m;
+        if (!noisy || !hits[i].met()) continue;
+        key.beam = static_cast<std::uint32_t>(i);
+        const double read_m =
+            hits[i].range_m + spec.sigma_m(hits[i].range_m) * standard_normal(key);
+        range_m[i] = static_cast<float>(std::max(0.0, read_m));
+    }
+}
+
+}  // namespace scipd::sim

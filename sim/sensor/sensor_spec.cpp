@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/sensor/sensor_spec.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace scipd::sim {
+
+double SensorSpec::angle_rad(int step) const {
+    return 2.0 * std::numbers::pi * (step - front_step) / steps_per_turn;
+}
+
+double SensorSpec::sigma_m(double range_m) const {
+    const auto after = std::ranges::upper_bound(noise, range_m, {}, &NoiseStep::from_range_m);
+    if (after == noise.begin()) return 0.0;
+    const NoiseStep& step = *std::prev(after);
+    return step.sigma_m + step.sigma_share * range_m;
+}
+
+}  // namespace scipd::sim
