@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What is cast in one go: many directions, and one pose for all of them or one pose each. A planar sweep, a camera's
-// grid and a sonar's cone are all fans. Views only: whoever builds a fan keeps its arrays alive until the cast returns.
+// What is cast in one go: many directions, and one pose for all of them or one pose each. A planar
+// sweep, a camera's grid and a sonar's cone are all fans. Views only: whoever builds a fan keeps
+// its arrays alive until the cast returns.
 #pragma once
 
 #include <limits>
@@ -17,7 +18,8 @@
 namespace scipd::sim {
 
 struct Fan {
-    /// Unit vectors in S. Neighbours in the array should be neighbours in space: packets are cut from it in order.
+    /// Unit vectors in S. Neighbours in the array should be neighbours in space: packets are cut
+    /// from it in order.
     std::span<const glm::vec3> directions;
     /// One for all directions, or exactly one for each.
     std::span<const Pose> world_from_sensor;
@@ -29,8 +31,10 @@ inline constexpr ObjectId no_object = std::numeric_limits<ObjectId>::max();
 
 /// What one ray met first.
 struct Hit {
-    float range_m = std::numeric_limits<float>::infinity();  ///< along the ray, not a depth; infinity: nothing met
-    float cos_incidence = 0.0F;  ///< |cos| of the angle between the ray and the face's normal; 0 where nothing is met
+    float range_m = std::numeric_limits<float>::infinity();  ///< along the ray, not a depth;
+                                                             ///< infinity: nothing met
+    float cos_incidence =
+        0.0F;  ///< |cos| of the angle between the ray and the face's normal; 0 where nothing is met
     MaterialId material = 0;
     ObjectId object = no_object;
 

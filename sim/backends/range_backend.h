@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// How rays meet the world. A backend is made for one scene and lives on one thread. The public functions check what
-// they are given and then call the private virtual ones, so that no backend can forget a check.
+// How rays meet the world. A backend is made for one scene and lives on one thread. The public
+// functions check what they are given and then call the private virtual ones, so that no backend
+// can forget a check.
 #pragma once
 
 #include <memory>
@@ -24,10 +25,12 @@ class RangeBackend {
     [[nodiscard]] virtual std::string_view name() const = 0;
     [[nodiscard]] const Scene& scene() const { return *scene_; }
 
-    /// Puts a movable model somewhere else, from the next cast on. Asserts that the model exists and is movable.
+    /// Puts a movable model somewhere else, from the next cast on. Asserts that the model exists
+    /// and is movable.
     void move(ModelId model, const Pose& world_from_model);
 
-    /// Fills hits[i] for fan.directions[i]. Asserts that the sizes agree and that there is one pose or one per ray.
+    /// Fills hits[i] for fan.directions[i]. Asserts that the sizes agree and that there is one pose
+    /// or one per ray.
     void cast(const Fan& fan, std::span<Hit> hits);
 
   private:

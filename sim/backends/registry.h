@@ -14,10 +14,12 @@ namespace scipd::sim {
 
 struct BackendInfo {
     std::string_view name;
-    std::string_view description;  ///< one line for a person, with the library's version where there is one
+    std::string_view
+        description;  ///< one line for a person, with the library's version where there is one
 };
 
-/// What make_backend() accepts, the preferred one first; "auto" stands for that one and is not listed.
+/// What make_backend() accepts, the preferred one first; "auto" stands for that one and is not
+/// listed.
 std::span<const BackendInfo> backends();
 
 /// Throws std::invalid_argument, naming the choices, where there is no backend of that name.

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// One ray against one shape, both in the frame of the shape, in double precision. Pure.
+#pragma once
+
+#include <limits>
+
+#include <glm/vec3.hpp>
+
+#include "sim/world/shape.h"
+
+namespace scipd::sim {
+
+struct Ray {
+    glm::dvec3 origin_m;
+    glm::dvec3 direction;  ///< unit length
+};
+
+/// The first point of a shape along a ray.
+struct Crossing {
+    double range_m = std::numeric_limits<double>::infinity();
+    glm::dvec3 normal{0.0, 0.0, 0.0};  ///< unit length, to either side
+
+    /// Becomes the other where that one is nearer and not behind the ray's origin.
+    void take_nearer(double other_range_m, const glm::dvec3& other_normal);
+};
+
+Crossing intersect(const Ray& ray, const Shape& shape);
+
+}  // namespace scipd::sim

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/backends/range_backend.h"
+
+#include <cassert>
+#include <utility>
+
+namespace scipd::sim {
+
+RangeBackend::RangeBackend(SharedScene scene) : scene_(std::move(scene)) {
+    assert(scene_);
+}
+
+void RangeBackend::move(ModelId model, const Pose& world_from_model) {
+    assert(model < scene_->models.size() && scene_->models[model].movable);
+    do_move(model, world_from_model);
+}
+
+void RangeBackend::cast(const Fan& fan, std::span<Hit> hits) {
+    assert(hits.size() == fan.directions.size());
+    assert(fan.world_from_sensor.size() == 1 ||
+           fan.world_from_sensor.size() == fan.directions.size());
+    assert(fan.max_range_m >= 0.0F);
+    do_cast(fan, hits);
+}
+
+}  // namespace scipd::sim
