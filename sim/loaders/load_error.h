@@ -8,8 +8,8 @@
 
 namespace scipd::sim {
 
-/// Everything that is wrong with a file, at once; what() has one fault a line, each with file, line where known, and
-/// what to do.
+/// Everything that is wrong with a file, at once; what() has one fault a line, each with file, line
+/// where known, and what to do.
 class LoadError : public std::runtime_error {
   public:
     explicit LoadError(std::vector<std::string> faults);

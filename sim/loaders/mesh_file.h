@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -10,8 +12,19 @@
 
 namespace scipd::sim {
 
-/// OBJ, STL, PLY, DAE and whatever else Assimp reads: all triangles of the file as one mesh, its own transforms
-/// applied. Throws LoadError.
+/// The triangles of one material of a file.
+struct MeshPart {
+    std::string material;  ///< as the file names it; empty where it names none
+    Mesh mesh;
+};
+
+/// OBJ, STL, PLY, DAE and whatever else Assimp reads: all triangles of the file as one mesh, its
+/// own transforms applied, coordinates as they stand in the file (no axis is turned). Throws
+/// LoadError.
 Mesh load_mesh(const std::filesystem::path& file, const glm::dvec3& scale = {1.0, 1.0, 1.0});
+
+/// The same, one part for every material of the file.
+std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& file,
+                                      const glm::dvec3& scale = {1.0, 1.0, 1.0});
 
 }  // namespace scipd::sim

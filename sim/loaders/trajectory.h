@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Poses as text. A TUM file: `t tx ty tz qx qy qz qw` a line, seconds and metres, # begins a comment; stamps are read as
-// integers of nanoseconds, since a double near 1.7e9 s has a step of 238 ns. A pose line: one JSON object or one TUM
-// line, as it comes from a file, stdin or a datagram. Any thread; nothing shared.
+// Poses as text. A TUM file: `t tx ty tz qx qy qz qw` a line, seconds and metres, # begins a
+// comment; stamps are read as integers of nanoseconds, since a double near 1.7e9 s has a step of
+// 238 ns. A pose line: one JSON object or one TUM line, as it comes from a file, stdin or a
+// datagram. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// One geometry of libsdformat as a shape of ours. Meshes are not its business: they come from
+// files. Any thread.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <sdf/Geometry.hh>
+
+#include "sim/world/pose.h"
+#include "sim/world/shape.h"
+
+namespace scipd::sim {
+
+/// A shape, and how it lies in the frame that SDF gives to the geometry: our planes are normal to
+/// z, theirs to anything.
+struct PlacedShape {
+    Shape shape;
+    Pose geometry_from_shape;
+};
+
+/// Nothing for meshes and for what we do not have.
+std::optional<PlacedShape> primitive_of(const sdf::Geometry& geometry);
+
+/// What SDF calls this kind of geometry.
+std::string kind_of(const sdf::Geometry& geometry);
+
+/// Whether every length is above zero and at most 1e7 m; always true for meshes.
+bool has_sane_size(const Shape& shape);
+
+}  // namespace scipd::sim

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/trajectory.h"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include "sim/loaders/load_error.h"
+#include "sim/loaders/tum_line.h"
+
+namespace scipd::sim {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+/// Past this many faults a file is not a trajectory at all, and a list of them helps nobody.
+constexpr std::size_t fault_limit = 100;
+
+std::string read_all(const std::filesystem::path& file) {
+    if (!std::filesystem::exists(file)) {
+        throw LoadError({file.string() + ": no such file; name a TUM trajectory"});
+    }
+    std::ifstream in{file, std::ios::binary};
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (!in || std::filesystem::is_directory(file)) {
+        throw LoadError({file.string() + ": cannot be read; name a TUM trajectory"});
+    }
+    return std::move(text).str();
+}
+
+class TumReader {
+  public:
+    explicit TumReader(const std::filesystem::path& file) : file_(file.string()) {}
+
+    void read_line(std::string_view line) {
+        ++line_number_;
+        if (says_nothing(line)) return;
+        auto parsed = parse_tum_line(line);
+        if (auto* refusal = std::get_if<std::string>(&parsed)) {
+            return add_fault(*refusal);
+        }
+        append(std::get<TimedPose>(parsed));
+    }
+
+    std::vector<TimedPose> finish() && {
+        if (fault_count_ > fault_limit) {
+            faults_.push_back(file_ + ": and " + std::to_string(fault_count_ - fault_limit) +
+                              " more");
+        }
+        if (poses_.empty() && faults_.empty()) {
+            faults_.push_back(file_ + ": holds no pose; a line is t tx ty tz qx qy qz qw");
+        }
+        if (!faults_.empty()) throw LoadError(std::move(faults_));
+        return std::move(poses_);
+    }
+
+  private:
+    void append(const TimedPose& next) {
+        if (!poses_.empty() && next.time <= poses_.back().time) {
+            return add_fault("t must be later than the pose before it");
+        }
+        poses_.push_back(next);
+    }
+
+    void add_fault(const std::string& text) {
+        if (++fault_count_ > fault_limit) return;
+        faults_.push_back(file_ + ':' + std::to_string(line_number_) + ": " + text);
+    }
+
+    std::string file_;
+    std::size_t line_number_ = 0;
+    std::size_t fault_count_ = 0;
+    std::vector<std::string> faults_;
+    std::vector<TimedPose> poses_;
+};
+
+}  // namespace
+
+std::vector<TimedPose> load_tum(const std::filesystem::path& file) {
+    const std::string all = read_all(file);
+    std::string_view rest = all;
+    if (rest.starts_with(byte_order_mark)) rest.remove_prefix(byte_order_mark.size());
+    TumReader reader{file};
+    while (!rest.empty()) {
+        const auto end = std::min(rest.find('\n'), rest.size());
+        reader.read_line(rest.substr(0, end));
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return std::move(reader).finish();
+}
+
+}  // namespace scipd::sim
