@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// An HTTP exchange as routes see it: no sockets, no library's types. Values; no thread rule.
+#pragma once
+
+#include <string>
+
+namespace scipd::daemon {
+
+struct HttpRequest {
+    std::string method;  ///< "GET"
+    std::string path;    ///< decoded, without the query: "/robots/rescue/pose"
+    std::string query;   ///< what followed the question mark, as it was sent
+    std::string body;
+};
+
+struct HttpResponse {
+    int status = 200;
+    std::string content_type = "application/json";
+    std::string body;
+    std::string allow;  ///< of a 405: the methods that the path has
+};
+
+}  // namespace scipd::daemon
