@@ -20,7 +20,8 @@ inline constexpr Uptime adjust_tick = std::chrono::milliseconds(1);
 
 /// The first tick at or after `time`: when a scan that is complete by then leaves.
 [[nodiscard]] constexpr Uptime tick_at_or_after(Uptime time, Uptime tick) {
-    return tick <= Uptime::zero() ? time : next_tick(time - Uptime(1), tick);
+    if (tick <= Uptime::zero() || time % tick == Uptime::zero()) return time;
+    return next_tick(time, tick);
 }
 
 }  // namespace scipd::protocol
