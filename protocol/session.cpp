@@ -25,16 +25,18 @@ void Session::receive(std::string_view bytes, Uptime now) {
 }
 
 std::optional<Uptime> Session::wake_at() const {
+    if (single_shot_ && !device_.laser_on()) return last_answer_;
     if (requests_.empty() || single_shot_) return std::nullopt;
     return due(requests_.front());
 }
 
 void Session::advance(Uptime now) {
+    if (single_shot_ && !device_.laser_on()) refuse_single_shot();
     for (auto at = wake_at(); at && *at <= now; at = wake_at()) {
-        Line line = std::move(requests_.front().line);
+        Waiting waiting = std::move(requests_.front());
         requests_.pop_front();
         last_answer_ = *at;
-        answer(parse_request(std::move(line), profile_.family), *at);
+        answer(parse_request(std::move(waiting.line), profile_.family), waiting.arrived, *at);
     }
 }
 
@@ -48,20 +50,23 @@ Uptime Session::due(const Waiting& waiting) const {
 }
 
 bool Session::turn_complete(const Turn& turn) {
-    takes_turn_ = streaming() && subscription_->takes(turn, device_.laser_on_since());
-    return takes_turn_ || waits_for(turn);
+    const bool taken = streaming() && subscription_->takes(turn, device_.laser_on_since());
+    if (taken) taken_turns_.push_back(turn.start);
+    return taken || waits_for(turn);
 }
 
 bool Session::waits_for(const Turn& turn) const {
-    return single_shot_ && turn.start >= device_.laser_on_since();
+    return single_shot_ && device_.laser_on() && turn.start >= device_.laser_on_since();
 }
 
 void Session::take(const ScanView& scan, Uptime now) {
-    if (std::exchange(takes_turn_, false) && streaming()) {
+    // Before the last counted scan of a stream switches the laser off.
+    const bool answers_single_shot = waits_for(scan.turn);
+    if (std::erase(taken_turns_, scan.turn.start) > 0 && streaming()) {
         send(subscription_->message(scan, device_.clock_zero(), profile_), Send::Kind::scan);
         if (subscription_->finished()) quit();
     }
-    if (waits_for(scan.turn)) {
+    if (answers_single_shot) {
         const SingleShot shot = std::move(*std::exchange(single_shot_, std::nullopt));
         const DataFormat format = shot.request.command->format;
         send(Reply(shot.request.echo, status::ok)
@@ -81,7 +86,10 @@ std::optional<Send> Session::next_message() {
 }
 
 void Session::close() {
-    quit();
+    if (holds_device_) {
+        quit();
+        device_.leave_adjust();
+    }
     requests_.clear();
     single_shot_.reset();
     messages_.clear();
@@ -98,11 +106,11 @@ State Session::state() const {
     return device_.laser_on() ? State::measuring : State::standby;
 }
 
-void Session::answer(const Request& request, Uptime now) {
+void Session::answer(const Request& request, Uptime arrived, Uptime now) {
     if (const auto status = refusal(request)) {
         reply(request, *status);
     } else {
-        carry_out(request, now);
+        carry_out(request, arrived, now);
     }
 }
 
@@ -118,7 +126,7 @@ std::optional<Status> Session::refusal(const Request& request) const {
     return std::nullopt;
 }
 
-void Session::carry_out(const Request& request, Uptime now) {
+void Session::carry_out(const Request& request, Uptime arrived, Uptime now) {
     switch (request.command->operation) {
         case Operation::report_version:
             return report_version(request);
@@ -131,11 +139,12 @@ void Session::carry_out(const Request& request, Uptime now) {
         case Operation::single_shot:
             return begin_single_shot(request);
         case Operation::stream:
-            return begin_stream(request, now);
+            return begin_stream(request, arrived, now);
         case Operation::refuse_digit:
             return reply(request, Status("01"));
         case Operation::switch_laser_on:
             device_.switch_laser_on(now);
+            holds_device_ = true;
             break;
         case Operation::quit:
             quit();
@@ -143,12 +152,15 @@ void Session::carry_out(const Request& request, Uptime now) {
             break;
         case Operation::reset:
             device_.reset(now);
+            holds_device_ = false;
             break;
         case Operation::enter_adjust:
             device_.enter_adjust();
+            holds_device_ = true;
             break;
         case Operation::leave_adjust:
             device_.leave_adjust();
+            holds_device_ = false;
             break;
     }
     reply(request, status::ok);
@@ -205,13 +217,21 @@ void Session::begin_single_shot(const Request& request) {
     single_shot_ = SingleShot{request, std::get<StepWindow>(window)};
 }
 
+// Another client has switched the laser off while this one waited for a turn.
+void Session::refuse_single_shot() {
+    const SingleShot shot = std::move(*std::exchange(single_shot_, std::nullopt));
+    reply(shot.request, refusal(shot.request).value_or(status::denied));
+}
+
 // A request for a stream while one is running replaces it.
-void Session::begin_stream(const Request& request, Uptime now) {
-    auto subscription = Subscription::from(request, profile_);
+void Session::begin_stream(const Request& request, Uptime arrived, Uptime now) {
+    auto subscription = Subscription::from(request, arrived, profile_);
     if (const Status* fault = std::get_if<Status>(&subscription)) return reply(request, *fault);
     const DeviceState::StreamId replaced = std::exchange(stream_, device_.open_stream(now));
     device_.close_stream(replaced);
     subscription_ = std::get<Subscription>(std::move(subscription));
+    taken_turns_.clear();  // the replaced one's
+    holds_device_ = true;
     reply(request, status::ok);
 }
 
@@ -219,6 +239,7 @@ void Session::quit() {
     device_.close_stream(std::exchange(stream_, 0));
     subscription_.reset();
     device_.stop();
+    holds_device_ = false;
 }
 
 void Session::reply(const Request& request, Status status) {

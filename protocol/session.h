@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "protocol/action.h"
 #include "protocol/device_profile.h"
@@ -38,10 +39,12 @@ class Session {
     /// Too many requests wait for their answers: the shell must not read on until this is over.
     [[nodiscard]] bool full() const { return requests_.size() >= max_waiting; }
 
-    /// When the next request is due; nothing: only bytes or a scan can get this session on.
+    /// When the next request is due; nothing: only bytes or a scan can get this session on. What
+    /// other sessions of the device do changes it.
     [[nodiscard]] std::optional<Uptime> wake_at() const;
     void advance(Uptime now);
 
+    [[nodiscard]] bool streaming() const;
     /// Scans are wanted now or later: somebody must tell this session of every turn.
     [[nodiscard]] bool measuring() const { return streaming() || single_shot_.has_value(); }
     /// A turn has just fired its last step. To be told once for each while measuring(), in order.
@@ -55,8 +58,8 @@ class Session {
     /// The next message for the client, in order; nothing: there is none at present.
     [[nodiscard]] std::optional<Send> next_message();
 
-    /// The client is gone: its stream ends as by QT; what it asked and what was to be sent is
-    /// forgotten.
+    /// The client is gone: what it began (stream, laser, adjust mode) ends as by QT and TM2; what
+    /// it asked and what was to be sent is forgotten. What other clients began stays.
     void close();
 
   private:
@@ -71,19 +74,19 @@ class Session {
         StepWindow window;
     };
 
-    [[nodiscard]] bool streaming() const;
     [[nodiscard]] State state() const;
     [[nodiscard]] Uptime due(const Waiting& waiting) const;
-    void answer(const Request& request, Uptime now);
+    void answer(const Request& request, Uptime arrived, Uptime now);
     [[nodiscard]] std::optional<Status> refusal(const Request& request) const;
-    void carry_out(const Request& request, Uptime now);
+    void carry_out(const Request& request, Uptime arrived, Uptime now);
 
     void report_version(const Request& request);
     void report_parameters(const Request& request);
     void report_state(const Request& request, Uptime now);
     void report_time(const Request& request, Uptime now);
     void begin_single_shot(const Request& request);
-    void begin_stream(const Request& request, Uptime now);
+    void refuse_single_shot();
+    void begin_stream(const Request& request, Uptime arrived, Uptime now);
     void quit();
     void reply(const Request& request, Status status);
     void send(std::string message, Send::Kind kind = Send::Kind::reply);
@@ -97,7 +100,8 @@ class Session {
         single_shot_;  ///< GD and its kin, waiting for the latest complete scan
     std::optional<Subscription> subscription_;
     DeviceState::StreamId stream_ = 0;
-    bool takes_turn_ = false;  ///< what turn_complete() said last
+    std::vector<Uptime> taken_turns_;  ///< begins of turns whose scans the stream still waits for
+    bool holds_device_ = false;        ///< this client has the laser on or adjusts
     std::deque<Send> messages_;
 };
 

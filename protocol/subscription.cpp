@@ -16,7 +16,7 @@ constexpr std::size_t remaining_digits = 2;
 
 }  // namespace
 
-std::variant<Subscription, Status> Subscription::from(const Request& request,
+std::variant<Subscription, Status> Subscription::from(const Request& request, Uptime arrived,
                                                       const DeviceProfile& profile) {
     const std::string_view digits = request.parameters();
     const auto window = parse_step_window(digits, profile);
@@ -33,18 +33,19 @@ std::variant<Subscription, Status> Subscription::from(const Request& request,
     subscription.window_ = std::get<StepWindow>(window);
     subscription.format_ = request.command->format;
     subscription.interval_ = *interval;
-    subscription.turns_to_skip_ = *interval;
+    // The turn under way began at most one period before the request.
+    subscription.after_ = arrived + (*interval - 1) * profile.scan_period;
     subscription.remaining_ = *scans;
     subscription.endless_ = *scans == 0;
     return subscription;
 }
 
 bool Subscription::takes(const Turn& turn, Uptime laser_on_since) {
+    if (turn.start <= after_ || turn.start < laser_on_since) return false;
     if (turns_to_skip_ > 0) {
         --turns_to_skip_;
         return false;
     }
-    if (turn.start < laser_on_since) return false;
     turns_to_skip_ = interval_;
     return true;
 }

@@ -18,15 +18,17 @@ namespace scipd::protocol {
 
 class Subscription {
   public:
-    /// From a request of Parameters::scans; or the first thing that is wrong with it:
-    /// what parse_step_window() says, 06 interval and 07 number of scans not numeric.
-    static std::variant<Subscription, Status> from(const Request& request,
+    /// From a request of Parameters::scans that came in at `arrived`; or the first thing that is
+    /// wrong with it: what parse_step_window() says, 06 interval and 07 number of scans not
+    /// numeric.
+    static std::variant<Subscription, Status> from(const Request& request, Uptime arrived,
                                                    const DeviceProfile& profile);
 
-    /// To be asked once for every turn whose last step has been fired since the request, in order.
-    /// With interval n the first n ends of turns after the request are passed over, and then n
-    /// between any two: a recorded UTM-30LX with interval 1 sends the turn that begins after its
-    /// acknowledgement. A turn that began before the laser was on has nothing to show.
+    /// To be asked once for every turn whose last step has been fired since the acknowledgement, in
+    /// order. With interval n, n turns are passed over before every one that is sent, and the first
+    /// of them is the one under way when the request came in: a recorded UTM-30LX answers at the
+    /// end of that turn and with interval 1 sends the very next one, 27 ms after its answer. A turn
+    /// that began before the laser was on has nothing to show.
     [[nodiscard]] bool takes(const Turn& turn, Uptime laser_on_since);
 
     /// The message with this scan; counts it.
@@ -43,6 +45,7 @@ class Subscription {
     StepWindow window_;
     DataFormat format_;
     int interval_ = 0;
+    Uptime after_{};  ///< turns that begin later are taken
     int turns_to_skip_ = 0;
     int remaining_ = 0;
     bool endless_ = false;
