@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "protocol/client/driver.h"
+
+#include <utility>
+#include <variant>
+
+#include "protocol/char_code.h"
+#include "protocol/client/status_text.h"
+#include "protocol/timestamp.h"
+
+namespace scipd::protocol::client {
+namespace {
+
+using Kind = Error::Kind;
+
+/// Somebody who talks on and on without saying what is waited for is no scanner. More than any
+/// system buffers of an old stream.
+constexpr std::size_t max_listened = std::size_t{1} << 20U;
+constexpr std::size_t max_quoted = 32;
+constexpr std::size_t scans_digits = 2;
+
+std::string printable(std::string_view bytes) {
+    std::string text;
+    for (const char c : bytes)
+        text.push_back(c >= ' ' && c <= '~' ? c : '.');
+    return text;
+}
+
+Error damaged(std::string_view what, const std::string& why) {
+    return {Kind::damaged, "the reply to " + std::string(what) + " is damaged: " + why};
+}
+
+/// In the place of a scan: unstable for the moment; going on again after a check.
+bool passing(std::string_view status) {
+    return status == "0M" || status == "98";
+}
+
+/// What a parser made of a reply, or its sentence as an Error.
+template <typename Answer>
+Answer expect(std::variant<Answer, std::string> parsed, std::string_view request) {
+    if (const auto* const why = std::get_if<std::string>(&parsed)) throw damaged(request, *why);
+    return std::get<Answer>(std::move(parsed));
+}
+
+}  // namespace
+
+Driver::Driver(Transport& transport, Patience patience)
+    : transport_(transport), patience_(patience) {}
+
+// As urg_library does it: QT ends whatever runs. An E means SCIP 1.1, 0E or 10 adjust mode.
+void Driver::connect() {
+    Message reply = hello();
+    if (reply.status.size() == 1) {
+        (void)exchange("SCIP2.0");
+        reply = hello();
+    }
+    if (reply.status == "0E" || reply.status == "10") {
+        (void)exchange("TM2");
+        reply = hello();
+    }
+    if (reply.status.size() != 2) {
+        throw Error(Kind::refused, "the scanner speaks SCIP 1.1 and does not switch to 2.0");
+    }
+}
+
+// The empty line ends half a request that an earlier client may have left behind; a scanner passes
+// over it. More than one try: the reply may hang on to the end of half a scan.
+Message Driver::hello() {
+    constexpr int tries = 3;
+    std::optional<Message> reply;
+    begin_listening();
+    for (int i = 0; i < tries && (!reply || reply->damage); ++i) {
+        decoder_.reset();
+        transport_.write("\n");
+        reply = exchange("QT");
+    }
+    if (!reply) give_up("QT");
+    if (reply->damage) throw damaged("QT", describe(*reply->damage));
+    return *std::move(reply);
+}
+
+Version Driver::version() {
+    return expect(parse_version(ask("VV")), "VV");
+}
+
+Parameters Driver::parameters() {
+    return expect(parse_parameters(ask("PP")), "PP");
+}
+
+SensorState Driver::state() {
+    return expect(parse_state(ask("II")), "II");
+}
+
+void Driver::switch_laser_on() {
+    constexpr std::string_view already_on = "02";
+    (void)ask("BM", already_on);
+}
+
+void Driver::reset() {
+    (void)ask("RS");
+}
+
+ScanMessage Driver::single_scan(const ScanRequest& request) {
+    const std::string line = single_scan_line(request);
+    return expect(parse_scan(ask(line)), line);
+}
+
+void Driver::start(const ScanRequest& request) {
+    const std::string line = stream_line(request);
+    (void)ask(line);
+    stream_ = line.substr(0, line.size() - scans_digits);
+}
+
+ScanMessage Driver::next_scan() {
+    begin_listening();
+    while (!exhausted()) {
+        const auto message = receive(patience_.scan);
+        if (!message) break;
+        auto scan = parse_scan(*message);
+        if (auto* const good = std::get_if<ScanMessage>(&scan)) return std::move(*good);
+        if (message->damage || message->status == "99") {
+            ++damaged_scans_;
+        } else if (message->echo.starts_with(stream_) && !passing(message->status)) {
+            throw Error(Kind::refused, "the stream has ended with " + describe_status(*message));
+        }
+    }
+    give_up("a scan");
+}
+
+void Driver::stop() {
+    stream_.clear();
+    (void)ask("QT");
+}
+
+void Driver::enter_adjust() {
+    constexpr std::string_view already_in = "02";
+    (void)ask("TM0", already_in);
+}
+
+std::uint32_t Driver::time_ms() {
+    const Message reply = ask("TM1");
+    const auto time = reply.lines.size() == 1 && reply.lines.front().size() == timestamp_width
+                          ? decode(reply.lines.front())
+                          : std::nullopt;
+    if (!time) throw damaged("TM1", "it has no time");
+    return static_cast<std::uint32_t>(*time);
+}
+
+void Driver::leave_adjust() {
+    constexpr std::string_view not_in = "03";
+    (void)ask("TM2", not_in);
+}
+
+Message Driver::ask(std::string_view request, std::string_view also_fine) {
+    begin_listening();
+    auto reply = exchange(request);
+    if (!reply) give_up(request);
+    if (reply->damage) throw damaged(request, describe(*reply->damage));
+    if (reply->status != "00" && reply->status != also_fine) {
+        throw Error(Kind::refused, "the scanner refused " + std::string(request) + " with " +
+                                       describe_status(*reply));
+    }
+    return *std::move(reply);
+}
+
+/// Scans of a stream and replies to earlier requests may come first.
+std::optional<Message> Driver::exchange(std::string_view request) {
+    transport_.write(std::string(request) + "\n");
+    while (!exhausted()) {
+        auto message = receive(patience_.reply);
+        if (!message || message->echo == request) return message;
+    }
+    return std::nullopt;
+}
+
+std::optional<Message> Driver::receive(std::chrono::milliseconds timeout) {
+    for (;;) {
+        if (auto message = decoder_.next(unread_)) return message;
+        const std::size_t count = exhausted() ? 0 : transport_.read(buffer_, timeout);
+        if (count == 0) return std::nullopt;
+        unread_ = std::string_view(buffer_.data(), count);
+        listened_ += count;
+        heard_.append(unread_.substr(0, max_quoted - heard_.size()));
+    }
+}
+
+bool Driver::exhausted() const {
+    return listened_ > max_listened;
+}
+
+void Driver::begin_listening() {
+    listened_ = 0;
+    heard_.clear();
+}
+
+void Driver::give_up(std::string_view waiting_for) const {
+    const std::string what(waiting_for);
+    if (heard_.empty()) throw Error(Kind::silent, "nothing answers (waited for " + what + ")");
+    throw Error(Kind::foreign, "what answers there does not speak SCIP (waited for " + what +
+                                   ", heard \"" + printable(heard_) + "\")");
+}
+
+}  // namespace scipd::protocol::client

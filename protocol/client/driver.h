@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A small driver for any SCIP scanner: sends a request, waits for its reply, checks it. Everything
+// that goes wrong is an Error. It opens nothing and reads no clock: the transport, which must
+// outlive it, waits. One thread.
+//
+//   connect() ─► version(), parameters(), state() ─► start() ─► next_scan() ... ─► stop()
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "protocol/client/decoder.h"
+#include "protocol/client/device_info.h"
+#include "protocol/client/error.h"
+#include "protocol/client/scan_message.h"
+#include "protocol/client/scan_request.h"
+#include "protocol/client/transport.h"
+
+namespace scipd::protocol::client {
+
+struct Patience {
+    std::chrono::milliseconds reply{1000};  ///< the slowest model answers once in 100 ms
+    std::chrono::milliseconds scan{2000};
+};
+
+class Driver {
+  public:
+    explicit Driver(Transport& transport, Patience patience = {});
+    Driver(const Driver&) = delete;
+    Driver& operator=(const Driver&) = delete;
+
+    /// Finds a scanner at the other end, in whatever state it was left, and brings it to SCIP 2.0,
+    /// not streaming, out of adjust mode, laser off.
+    void connect();
+
+    [[nodiscard]] Version version();
+    [[nodiscard]] Parameters parameters();
+    [[nodiscard]] SensorState state();
+
+    void switch_laser_on();
+    /// RS: as after power-up, the clock at 0.
+    void reset();
+
+    /// The latest complete scan; the laser must be on.
+    [[nodiscard]] ScanMessage single_scan(const ScanRequest& request);
+
+    void start(const ScanRequest& request);
+    /// The next scan of the stream. Damaged ones are passed over and counted.
+    [[nodiscard]] ScanMessage next_scan();
+    [[nodiscard]] std::size_t damaged_scans() const { return damaged_scans_; }
+    /// Ends the stream, if there is one, and switches the laser off.
+    void stop();
+
+    void enter_adjust();
+    /// The scanner's clock; on older models in adjust mode only.
+    [[nodiscard]] std::uint32_t time_ms();
+    void leave_adjust();
+
+  private:
+    [[nodiscard]] Message hello();
+    [[nodiscard]] Message ask(std::string_view request, std::string_view also_fine = "00");
+    [[nodiscard]] std::optional<Message> exchange(std::string_view request);
+    [[nodiscard]] std::optional<Message> receive(std::chrono::milliseconds timeout);
+    [[nodiscard]] bool exhausted() const;
+    void begin_listening();
+    [[noreturn]] void give_up(std::string_view waiting_for) const;
+
+    Transport& transport_;
+    Patience patience_;
+    Decoder decoder_;
+    std::array<char, 8192> buffer_{};
+    std::string_view unread_;   ///< of buffer_
+    std::size_t listened_ = 0;  ///< bytes since begin_listening()
+    std::string heard_;         ///< their beginning
+    std::string stream_;        ///< the request that runs, without its number of scans
+    std::size_t damaged_scans_ = 0;
+};
+
+}  // namespace scipd::protocol::client

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "protocol/client/scan_message.h"
+
+#include <optional>
+#include <string_view>
+
+#include "protocol/char_code.h"
+#include "protocol/client/status_text.h"
+#include "protocol/data_block.h"
+#include "protocol/timestamp.h"
+
+namespace scipd::protocol::client {
+namespace {
+
+constexpr char echo_mark = '&';
+
+/// The data lines as one string; nothing where a line but the last is not full.
+std::optional<std::string> join(const std::vector<std::string>& lines) {
+    std::string data;
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        const bool last = i + 1 == lines.size();
+        const std::size_t length = lines[i].size();
+        if (length > data_line_length || (!last && length < data_line_length)) return std::nullopt;
+        data += lines[i];
+    }
+    return data;
+}
+
+/// Takes echoes off the front of the data, one step after the other.
+class EchoReader {
+  public:
+    EchoReader(std::string_view data, const ScanRequest& request)
+        : data_(data), request_(request), width_(static_cast<std::size_t>(request.width)) {}
+
+    [[nodiscard]] bool at_end() const { return data_.empty(); }
+    [[nodiscard]] std::optional<Echo> first() {
+        const auto distance = value();
+        const auto intensity = request_.intensity ? value() : 0;
+        if (!distance || !intensity) return std::nullopt;
+        return Echo{*distance, *intensity};
+    }
+    /// Only after first(). '&' is below '0', so that no value can begin with it.
+    [[nodiscard]] bool has_further() const {
+        return request_.echoes && data_.starts_with(echo_mark);
+    }
+    [[nodiscard]] std::optional<Echo> further() {
+        data_.remove_prefix(1);
+        return first();
+    }
+
+  private:
+    std::optional<std::uint32_t> value() {
+        if (data_.size() < width_) return std::nullopt;
+        const auto number = decode(data_.substr(0, width_));
+        data_.remove_prefix(width_);
+        return number ? std::optional(static_cast<std::uint32_t>(*number)) : std::nullopt;
+    }
+
+    std::string_view data_;
+    const ScanRequest& request_;
+    std::size_t width_;
+};
+
+/// False where the data ends within a value or holds what is none.
+bool read_echoes(std::string_view data, ScanMessage& scan) {
+    EchoReader reader(data, scan.request);
+    while (!reader.at_end()) {
+        const auto nearest = reader.first();
+        if (!nearest) return false;
+        scan.distances_mm.push_back(nearest->distance_mm);
+        if (scan.request.intensity) scan.intensities.push_back(nearest->intensity);
+        if (scan.request.echoes) scan.further_echoes.emplace_back();
+        while (reader.has_further()) {
+            const auto echo = reader.further();
+            if (!echo) return false;
+            scan.further_echoes.back().push_back(*echo);
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+std::variant<ScanMessage, std::string> parse_scan(const Message& message) {
+    if (message.damage) return describe(*message.damage);
+    const auto request = parse_scan_echo(message.echo);
+    if (!request) return "\"" + message.echo + "\" is no scan";
+    if (message.status != "00" && message.status != "99") return describe_status(message);
+    if (message.lines.empty()) return "it has no time stamp";
+
+    ScanMessage scan{.request = *request, .status = message.status};
+    const auto stamp = decode(message.lines.front());
+    if (!stamp || message.lines.front().size() != timestamp_width) return "its time stamp is none";
+    scan.stamp_ms = static_cast<std::uint32_t>(*stamp);
+
+    const auto data = join(message.lines);
+    if (!data) return "its data is not cut into lines of 64 characters";
+    if (!read_echoes(*data, scan)) return "its data ends within a value or holds what is none";
+    if (scan.distances_mm.size() != request->groups()) {
+        return "it has " + std::to_string(scan.distances_mm.size()) + " values instead of " +
+               std::to_string(request->groups());
+    }
+    return scan;
+}
+
+}  // namespace scipd::protocol::client

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Statuses and damages in words, for people. No thread rule.
+#pragma once
+
+#include <string>
+
+#include "protocol/client/message.h"
+
+namespace scipd::protocol::client {
+
+/// "status 04: the end step does not exist"; what a number means depends on the command.
+[[nodiscard]] std::string describe_status(const Message& message);
+
+/// "line 3 does not match its checksum"
+[[nodiscard]] std::string describe(const Damage& damage);
+
+}  // namespace scipd::protocol::client
