@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Chance as a function: the same key always gives the same number, whatever was drawn before, on whichever thread.
+// Chance as a function: the same key always gives the same number, whatever was drawn before, on
+// whichever thread.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,7 @@ struct ChanceKey {
     Purpose purpose = Purpose::range_noise;
 };
 
-/// Mean 0, standard deviation 1.
+/// One number of the normal distribution with mean 0 and standard deviation 1.
 double standard_normal(const ChanceKey& key);
 
 }  // namespace scipd::sim

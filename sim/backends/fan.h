@@ -31,10 +31,10 @@ inline constexpr ObjectId no_object = std::numeric_limits<ObjectId>::max();
 
 /// What one ray met first.
 struct Hit {
-    float range_m = std::numeric_limits<float>::infinity();  ///< along the ray, not a depth;
-                                                             ///< infinity: nothing met
-    float cos_incidence =
-        0.0F;  ///< |cos| of the angle between the ray and the face's normal; 0 where nothing is met
+    /// Along the ray, not a depth; infinity where nothing is met.
+    float range_m = std::numeric_limits<float>::infinity();
+    /// |cos| of the angle between the ray and the face's normal; 0 where nothing is met.
+    float cos_incidence = 0.0F;
     MaterialId material = 0;
     ObjectId object = no_object;
 

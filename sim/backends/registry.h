@@ -14,8 +14,8 @@ namespace scipd::sim {
 
 struct BackendInfo {
     std::string_view name;
-    std::string_view
-        description;  ///< one line for a person, with the library's version where there is one
+    /// One line for a person, with the library's version where there is one.
+    std::string_view description;
 };
 
 /// What make_backend() accepts, the preferred one first; "auto" stands for that one and is not

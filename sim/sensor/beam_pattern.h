@@ -11,7 +11,8 @@
 
 namespace scipd::sim {
 
-/// The directions of a sensor's beams in S, in step order from first_step on. Computed once per sensor.
+/// The directions of a sensor's beams in S, in step order from first_step on. Computed once per
+/// sensor.
 class BeamPattern {
   public:
     explicit BeamPattern(const SensorSpec& spec);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// One revolution as the sensor saw it: what was true and what was read. Immutable once measured, shared by everyone who
-// sends or inspects it.
+// One revolution as the sensor saw it: what was true and what was read. Immutable once measured,
+// shared by everyone who sends or inspects it.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// When revolution n begins and when its beams are fired. Arithmetic only: the n-th instant is computed from n, never
-// from the one before, so nothing drifts.
+// When revolution n begins and when its beams are fired. Arithmetic only: the n-th instant is
+// computed from n, never from the one before, so nothing drifts.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A scanner without a wire: optics, beams, a way to cast them and an error model. Knows nothing of when to measure or
-// for whom. Lives on the thread of its backend.
+// A scanner without a wire: optics, beams, a way to cast them and an error model. Knows nothing of
+// when to measure or for whom. Lives on the thread of its backend.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,8 @@ class Scanner {
 
     [[nodiscard]] const SensorSpec& spec() const { return spec_; }
 
-    /// Casts one revolution. `world_from_sensor` holds one pose for the whole sweep or one for each beam.
+    /// Casts one revolution. `world_from_sensor` holds one pose for the whole sweep or one for each
+    /// beam.
     [[nodiscard]] SharedScan measure(RangeBackend& backend, std::int64_t revolution, Time start,
                                      std::vector<Pose> world_from_sensor) const;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The optics of one product: where its beams point, when they are fired, how far it sees and how well. No wire facts:
-// those are protocol::DeviceProfile.
+// The optics of one product: where its beams point, when they are fired, how far it sees and how
+// well. No wire facts: those are protocol::DeviceProfile.
 #pragma once
 
 #include <vector>
@@ -22,9 +22,9 @@ struct SensorSpec {
     int steps_per_turn = 0;  ///< ARES
     int first_step = 0;      ///< first and last step that are measured, both inclusive
     int last_step = 0;
-    int front_step = 0;    ///< points along +x of S
-    Time scan_period{};    ///< one turn
-    double max_range_m{};  ///< no beam sees farther
+    int front_step = 0;            ///< points along +x of S
+    Time scan_period{};            ///< one turn
+    double max_range_m{};          ///< no beam sees farther
     std::vector<NoiseStep> noise;  ///< by growing from_range_m, the first at 0; empty: none
 
     [[nodiscard]] int beams() const { return last_step - first_step + 1; }
