@@ -32,6 +32,7 @@ class DeviceState {
     /// When the wire's clock was last set to 0.
     [[nodiscard]] Uptime clock_zero() const { return clock_zero_; }
     [[nodiscard]] bool streams(StreamId stream) const;
+    [[nodiscard]] bool streaming() const { return !open_streams_.empty(); }
 
     void switch_laser_on(Uptime now);
     StreamId open_stream(Uptime now);

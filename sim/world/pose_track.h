@@ -29,6 +29,8 @@ class PoseTrack {
 
     [[nodiscard]] Pose at(Time time) const;
     [[nodiscard]] const Pose& last() const { return entries_.back().pose; }
+    /// Of last(); the least of all times where that is the start pose.
+    [[nodiscard]] Time last_time() const { return entries_.back().time; }
 
     /// Whether the pose is the same at every time between the two: one pose then serves a whole
     /// sweep.

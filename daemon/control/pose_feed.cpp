@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/control/pose_feed.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/ip/udp.hpp>
+#include <boost/asio/posix/stream_descriptor.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <unistd.h>
+
+#include "sim/loaders/trajectory.h"
+
+namespace scipd::daemon {
+
+namespace asio = boost::asio;
+using boost::system::error_code;
+
+namespace {
+
+/// Lines from anywhere into the intake; a person is told of the first refusal and then of every
+/// thousandth.
+class LineSink {
+  public:
+    LineSink(FeedContext context, std::string robot)
+        : context_(std::move(context)), robot_(std::move(robot)) {}
+
+    void take_lines(std::string_view text) {
+        while (!text.empty()) {
+            const std::size_t end = std::min(text.find('\n'), text.size());
+            take(text.substr(0, end));
+            text.remove_prefix(std::min(end + 1, text.size()));
+        }
+    }
+
+    void take(std::string_view line) {
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        if (line.empty()) return;
+        const auto refusal = context_.intake.take_line(line, robot_, sender_, context_.now());
+        if (refusal && refused_++ % 1000 == 0)
+            context_.report("pose of " + robot_ + " refused: " + *refusal);
+    }
+
+    [[nodiscard]] const FeedContext& context() const { return context_; }
+    [[nodiscard]] const std::string& robot() const { return robot_; }
+
+  private:
+    FeedContext context_;
+    std::string robot_;
+    SenderClock sender_;
+    std::uint64_t refused_ = 0;
+};
+
+/// Every datagram holds one line or several.
+class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
+  public:
+    UdpFeed(const FeedContext& context, const std::string& robot, const Address& address)
+        : sink_(context, robot),
+          socket_(context.executor,
+                  {asio::ip::make_address(address.host == "localhost" ? "127.0.0.1" : address.host),
+                   address.port}) {}
+
+    void start() override { receive(); }
+    void stop() override { socket_.close(); }
+
+  private:
+    void receive() {
+        socket_.async_receive(asio::buffer(datagram_),
+                              [self = shared_from_this()](error_code error, std::size_t size) {
+                                  if (error == asio::error::operation_aborted) return;
+                                  if (!error)
+                                      self->sink_.take_lines({self->datagram_.data(), size});
+                                  self->receive();
+                              });
+    }
+
+    LineSink sink_;
+    asio::ip::udp::socket socket_;
+    std::array<char, 65536> datagram_;
+};
+
+class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<StandardInputFeed> {
+  public:
+    StandardInputFeed(const FeedContext& context, const std::string& robot)
+        : sink_(context, robot), input_(context.executor) {
+        error_code error;
+        input_.assign(::dup(STDIN_FILENO), error);
+        // A regular file cannot be waited for, and its poses would all have the same time.
+        if (error)
+            throw std::system_error(
+                error,
+                "poses from standard input need a pipe or a terminal; name a TUM file instead");
+    }
+
+    void start() override { read(); }
+    void stop() override { input_.close(); }
+
+  private:
+    // Longer lines than any pose has are cut here and refused by the parser.
+    static constexpr std::size_t max_line = 8192;
+
+    void read() {
+        input_.async_read_some(
+            asio::buffer(input_buffer_),
+            [self = shared_from_this()](error_code error, std::size_t size) {
+                if (error == asio::error::operation_aborted) return;
+                if (error)
+                    return self->sink_.context().report(
+                        "standard input has ended: " + self->sink_.robot() + " stays where it is");
+                self->take({self->input_buffer_.data(), size});
+                self->read();
+            });
+    }
+
+    void take(std::string_view bytes) {
+        line_.append(bytes);
+        const std::size_t end = line_.rfind('\n');
+        if (end != std::string::npos) {
+            sink_.take_lines(std::string_view(line_).substr(0, end));
+            line_.erase(0, end + 1);
+        } else if (line_.size() > max_line) {
+            sink_.take(line_);
+            line_.clear();
+        }
+    }
+
+    LineSink sink_;
+    asio::posix::stream_descriptor input_;
+    std::array<char, 4096> input_buffer_;
+    std::string line_;
+};
+
+/// Hands the poses on a little ahead of their time, so that every sweep lies between two that are
+/// known.
+class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<TrajectoryFeed> {
+  public:
+    TrajectoryFeed(const FeedContext& context, std::string robot, const std::filesystem::path& file)
+        : context_(context),
+          robot_(std::move(robot)),
+          poses_(sim::load_tum(file)),
+          timer_(context.executor) {}
+
+    void start() override {
+        world_minus_file_ = context_.now() - poses_.front().time;
+        play();
+    }
+
+    void stop() override {
+        stopped_ = true;
+        timer_.cancel();
+    }
+
+  private:
+    static constexpr sim::Time ahead = std::chrono::milliseconds(500);
+
+    void play() {
+        if (stopped_) return;
+        const sim::Time until = context_.now() + 2 * ahead;
+        for (; next_ < poses_.size() && poses_[next_].time + world_minus_file_ <= until; ++next_) {
+            context_.intake.take({.pose = poses_[next_].pose}, robot_,
+                                 poses_[next_].time + world_minus_file_);
+        }
+        if (next_ == poses_.size()) return;
+        timer_.expires_after(ahead);
+        timer_.async_wait([self = shared_from_this()](error_code error) {
+            if (!error) self->play();
+        });
+    }
+
+    FeedContext context_;
+    std::string robot_;
+    std::vector<sim::TimedPose> poses_;
+    asio::steady_timer timer_;
+    sim::Time world_minus_file_{};
+    std::size_t next_ = 0;
+    bool stopped_ = false;
+};
+
+}  // namespace
+
+std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const std::string& robot,
+                                    const PoseSource& source) {
+    switch (source.kind) {
+        case PoseSource::Kind::udp:
+            return std::make_shared<UdpFeed>(context, robot, source.address);
+        case PoseSource::Kind::standard_input:
+            return std::make_shared<StandardInputFeed>(context, robot);
+        case PoseSource::Kind::file:
+            break;
+    }
+    return std::make_shared<TrajectoryFeed>(context, robot, source.file);
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/control/pose_intake.h"
+
+#include <variant>
+
+namespace scipd::daemon {
+namespace {
+
+// A stamp this far before the one ahead of it is no late packet: the sender has been started again.
+constexpr sim::Time restarted = std::chrono::seconds(1);
+
+}  // namespace
+
+sim::Time SenderClock::world_time(std::optional<sim::Time> stamp, sim::Time arrival) {
+    if (!stamp) return arrival;
+    if (!world_minus_sender_ || last_stamp_ - *stamp > restarted)
+        world_minus_sender_ = arrival - *stamp;
+    last_stamp_ = *stamp;
+    return *stamp + *world_minus_sender_;
+}
+
+std::optional<std::string> PoseIntake::take_line(std::string_view line, std::string_view robot,
+                                                 SenderClock& sender, sim::Time arrival) {
+    const auto parsed = sim::parse_pose_line(line);
+    if (const auto* refusal = std::get_if<std::string>(&parsed)) return count(*refusal);
+    const auto& pose_line = std::get<sim::PoseLine>(parsed);
+    return take(pose_line, robot, sender.world_time(pose_line.time, arrival));
+}
+
+std::optional<std::string> PoseIntake::take(const sim::PoseLine& line, std::string_view robot,
+                                            sim::Time time) {
+    if (!line.model.empty()) return count(world_.place_model(line.model, time, line.pose));
+    if (!line.robot.empty()) return count(world_.place_robot(line.robot, time, line.pose));
+    if (!robot.empty()) return count(world_.place_robot(robot, time, line.pose));
+    return count(world_.place_only_robot(time, line.pose));
+}
+
+std::optional<std::string> PoseIntake::count(std::optional<std::string> refusal) {
+    if (refusal) {
+        ++refused_;
+        last_refusal_ = refusal;
+    } else {
+        ++accepted_;
+    }
+    return refusal;
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Where every live pose goes through, whichever way it came: lines are understood, stamped in world
+// time, handed to the world, and counted. What is damaged is refused with a reason; the last good
+// pose stays. Lives on the I/O thread.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "daemon/control/world.h"
+#include "sim/loaders/trajectory.h"
+#include "sim/time.h"
+
+namespace scipd::daemon {
+
+/// World time for the stamps of one sender, whose clock may begin anywhere: its first stamp is the
+/// moment of its arrival, and the spacing of the others is kept. A sender that starts over is taken
+/// up anew.
+class SenderClock {
+  public:
+    [[nodiscard]] sim::Time world_time(std::optional<sim::Time> stamp, sim::Time arrival);
+
+  private:
+    std::optional<sim::Time> world_minus_sender_;
+    sim::Time last_stamp_{};
+};
+
+class PoseIntake {
+  public:
+    /// `world` must outlive this.
+    explicit PoseIntake(World& world) : world_(world) {}
+
+    /// One line of a stream. `robot` is whom a line without a name means; empty: the only one there
+    /// is. Returns why the line was refused.
+    std::optional<std::string> take_line(std::string_view line, std::string_view robot,
+                                         SenderClock& sender, sim::Time arrival);
+    std::optional<std::string> take(const sim::PoseLine& line, std::string_view robot,
+                                    sim::Time time);
+
+    [[nodiscard]] std::uint64_t accepted() const { return accepted_; }
+    [[nodiscard]] std::uint64_t refused() const { return refused_; }
+    [[nodiscard]] const std::optional<std::string>& last_refusal() const { return last_refusal_; }
+
+  private:
+    std::optional<std::string> count(std::optional<std::string> refusal);
+
+    World& world_;
+    std::uint64_t accepted_ = 0;
+    std::uint64_t refused_ = 0;
+    std::optional<std::string> last_refusal_;
+};
+
+}  // namespace scipd::daemon

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Where metres meet steps: the one file that knows both the words of sim/ and those of the wire.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "protocol/device_profile.h"
+#include "protocol/scan_view.h"
+#include "sim/sensor/scan.h"
+#include "sim/sensor/sensor_spec.h"
+#include "sim/time.h"
+
+namespace scipd::daemon {
+
+/// A scan in the words of the wire.
+struct WireScan {
+    protocol::Turn turn;
+    int first_step = 0;
+    std::vector<std::uint32_t> distance;
+    std::vector<std::uint32_t> intensity;
+
+    /// Valid as long as this.
+    [[nodiscard]] protocol::ScanView view() const;
+};
+
+/// `power_up` is the world time of uptime 0.
+[[nodiscard]] WireScan to_wire(const sim::Scan& scan, const sim::SensorSpec& optics,
+                               const protocol::DeviceProfile& profile, sim::Time power_up);
+
+/// Millimetres, or the model's code where there is no distance that it could report.
+[[nodiscard]] std::uint32_t distance_on_wire(float range_m, const protocol::DeviceProfile& profile);
+
+}  // namespace scipd::daemon

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/device/device.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "daemon/device/client.h"
+#include "daemon/models/registry.h"
+#include "protocol/reply_grid.h"
+
+namespace scipd::daemon {
+namespace {
+
+protocol::DeviceProfile profile_of(const SensorConfig& config) {
+    protocol::DeviceProfile profile = find_model(config.model).profile;
+    if (config.timing == Timing::ideal) profile.reply_tick = protocol::Uptime::zero();
+    return profile;
+}
+
+// FNV-1a: the same for the same name in every run, on every machine.
+std::uint64_t number_of(std::string_view name) {
+    std::uint64_t number = 14695981039346656037ULL;
+    for (const char c : name)
+        number = (number ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+    return number;
+}
+
+sim::ErrorModel errors_of(const std::string& robot, const SensorConfig& config,
+                          std::uint64_t seed) {
+    return {
+        .accuracy = config.accuracy, .seed = seed, .sensor = number_of(robot + "/" + config.name)};
+}
+
+}  // namespace
+
+Device::Device(std::string robot, const SensorConfig& config, std::uint64_t seed, World& world,
+               const Clock& clock)
+    : robot_(std::move(robot)),
+      profile_(profile_of(config)),
+      robot_from_sensor_(config.robot_from_sensor),
+      backend_(config.backend),
+      poses_per_sweep_(config.motion),
+      world_(world),
+      clock_(clock),
+      power_up_(clock.now()),
+      scanner_(find_model(config.model).optics, errors_of(robot_, config, seed)),
+      timing_(scanner_.spec(), power_up_) {}
+
+bool Device::wanted() const {
+    return std::ranges::any_of(clients_,
+                               [](const Client* client) { return client->session_.measuring(); });
+}
+
+std::int64_t Device::next_revolution() const {
+    const sim::Time now = clock_.now();
+    std::int64_t revolution = timing_.latest_complete(now);
+    while (revolution < 0 || leaves(revolution) <= now)
+        ++revolution;
+    return revolution;
+}
+
+sim::Time Device::leaves(std::int64_t revolution) const {
+    const protocol::Uptime complete = timing_.complete(revolution) - power_up_;
+    return power_up_ + protocol::tick_at_or_after(complete, profile_.reply_tick);
+}
+
+void Device::turn_complete(std::int64_t revolution) {
+    std::vector<Client*> takers;
+    for (Client* client : clients_) {
+        if (client->session_.turn_complete(turn(revolution))) takers.push_back(client);
+    }
+    if (takers.empty()) return;
+
+    const protocol::ScanView scan = measure(revolution).view();
+    for (Client* client : takers)
+        client->session_.take(scan, uptime());
+    ++scans_sent_;
+    lateness_.add(clock_.now() - leaves(revolution));
+    for (Client* client : takers)
+        client->on_messages_();
+}
+
+void Device::serve_latest(Client& client) {
+    // Each answer may bring a request behind it to the front that wants the latest scan as well.
+    for (std::int64_t revolution = timing_.latest_complete(clock_.now());
+         revolution >= 0 && client.session_.waits_for(turn(revolution));) {
+        client.session_.take(measure(revolution).view(), uptime());
+    }
+    if (client.session_.measuring() && on_wanted_) on_wanted_();
+}
+
+protocol::Turn Device::turn(std::int64_t revolution) const {
+    return {.start = timing_.start(revolution) - power_up_};
+}
+
+const WireScan& Device::measure(std::int64_t revolution) {
+    if (!scan_ || scan_->revolution != revolution) {
+        sim::RangeBackend& backend = world_.backend_at(backend_, timing_.complete(revolution));
+        scan_ = scanner_.measure(backend, revolution, timing_.start(revolution),
+                                 poses_during(revolution));
+        wire_scan_ = to_wire(*scan_, scanner_.spec(), profile_, power_up_);
+    }
+    return wire_scan_;
+}
+
+std::vector<sim::Pose> Device::poses_during(std::int64_t revolution) const {
+    const sim::SensorSpec& spec = scanner_.spec();
+    const sim::PoseTrack& track = *world_.robot(robot_);
+    const auto fired = [&](int step) { return timing_.fired(revolution, step); };
+    if (track.still(fired(spec.first_step), fired(spec.last_step))) {
+        return {track.at(fired(spec.first_step)) * robot_from_sensor_};
+    }
+    const int count = std::clamp(poses_per_sweep_.value_or(spec.beams()), 1, spec.beams());
+    std::vector<sim::Pose> poses;
+    poses.reserve(static_cast<std::size_t>(spec.beams()));
+    for (int i = 0; i < count; ++i) {
+        // The beams first to last - 1 share a pose: that of the middle one.
+        const int first = spec.first_step + i * spec.beams() / count;
+        const int last = spec.first_step + (i + 1) * spec.beams() / count;
+        poses.resize(static_cast<std::size_t>(last - spec.first_step),
+                     track.at(fired(first + (last - first) / 2)) * robot_from_sensor_);
+    }
+    return poses;
+}
+
+}  // namespace scipd::daemon

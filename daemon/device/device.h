@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// One emulated scanner: what its sessions share, its optics in the world, and the scans that it
+// makes for whoever asks. Nobody asks: nothing is cast. Knows no sockets and does not wait:
+// ScanLoop tells it when a turn is complete. Lives on the I/O thread; its clients do not outlive
+// it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "daemon/config.h"
+#include "daemon/control/world.h"
+#include "daemon/device/bridge.h"
+#include "daemon/device/clock.h"
+#include "daemon/device/lateness.h"
+#include "protocol/device_profile.h"
+#include "protocol/device_state.h"
+#include "sim/sensor/scan_timing.h"
+#include "sim/sensor/scanner.h"
+
+namespace scipd::daemon {
+
+class Client;
+
+class Device {
+  public:
+    /// Powered up and booted at this moment. `world` and `clock` must outlive it.
+    Device(std::string robot, const SensorConfig& config, std::uint64_t seed, World& world,
+           const Clock& clock);
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+
+    [[nodiscard]] const protocol::DeviceProfile& profile() const { return profile_; }
+    [[nodiscard]] const protocol::DeviceState& state() const { return state_; }
+    [[nodiscard]] protocol::Uptime uptime() const { return clock_.now() - power_up_; }
+
+    /// Some client waits for scans.
+    [[nodiscard]] bool wanted() const;
+    /// Called when wanted() may have become true.
+    void on_wanted(std::function<void()> callback) { on_wanted_ = std::move(callback); }
+
+    /// The first revolution whose scan has not left yet.
+    [[nodiscard]] std::int64_t next_revolution() const;
+    /// When its scan leaves: at the first tick of the firmware after its last step.
+    [[nodiscard]] sim::Time leaves(std::int64_t revolution) const;
+    /// To be called once for each revolution, in order, at or after leaves(): serves everyone who
+    /// takes it.
+    void turn_complete(std::int64_t revolution);
+
+    [[nodiscard]] std::uint64_t scans_sent() const { return scans_sent_; }
+    [[nodiscard]] const Lateness& lateness() const { return lateness_; }
+    [[nodiscard]] const sim::SharedScan& latest_scan() const { return scan_; }
+    [[nodiscard]] std::size_t clients() const { return clients_.size(); }
+
+  private:
+    friend class Client;
+
+    void add(Client& client) { clients_.push_back(&client); }
+    void remove(Client& client) { std::erase(clients_, &client); }
+    /// Answers a request for the latest scan, if it is complete by now, and sees to those that are
+    /// not.
+    void serve_latest(Client& client);
+
+    [[nodiscard]] protocol::Turn turn(std::int64_t revolution) const;
+    /// Of a revolution that is complete.
+    const WireScan& measure(std::int64_t revolution);
+    [[nodiscard]] std::vector<sim::Pose> poses_during(std::int64_t revolution) const;
+
+    // Constant after construction.
+    std::string robot_;
+    protocol::DeviceProfile profile_;
+    sim::Pose robot_from_sensor_;
+    std::string backend_;
+    std::optional<int> poses_per_sweep_;
+    World& world_;
+    const Clock& clock_;
+    sim::Time power_up_;
+    sim::Scanner scanner_;
+    sim::ScanTiming timing_;
+
+    protocol::DeviceState state_;
+    std::vector<Client*> clients_;
+    std::function<void()> on_wanted_;
+    sim::SharedScan scan_;  ///< the latest that was cast
+    WireScan wire_scan_;    ///< the same
+    std::uint64_t scans_sent_ = 0;
+    Lateness lateness_;
+};
+
+}  // namespace scipd::daemon

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/device/lateness.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scipd::daemon {
+namespace {
+
+using Microseconds = std::chrono::duration<double, std::micro>;
+
+}  // namespace
+
+void Lateness::add(Duration lateness) {
+    const double octave = std::log2(std::max(Microseconds(lateness).count(), 1.0));
+    const auto bucket = static_cast<std::size_t>(octave * buckets_per_octave);
+    ++buckets_[std::min(bucket, buckets_.size() - 1)];
+    ++count_;
+    max_ = std::max(max_, lateness);
+}
+
+std::optional<Lateness::Duration> Lateness::quantile(double share) const {
+    if (count_ == 0) return std::nullopt;
+    std::uint64_t seen = 0;
+    std::size_t bucket = 0;
+    for (; bucket + 1 < buckets_.size(); ++bucket) {
+        seen += buckets_[bucket];
+        if (static_cast<double>(seen) >= share * static_cast<double>(count_)) break;
+    }
+    const Microseconds upper_end(std::exp2(static_cast<double>(bucket + 1) / buckets_per_octave));
+    return std::min(std::chrono::duration_cast<Duration>(upper_end), max_);
+}
+
+std::optional<Lateness::Duration> Lateness::max() const {
+    return count_ == 0 ? std::nullopt : std::optional(max_);
+}
+
+}  // namespace scipd::daemon

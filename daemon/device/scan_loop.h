@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Waits for the ends of a device's turns, as long as somebody wants scans. Every instant is
+// computed from the number of the revolution and waited for as an absolute time, so lateness never
+// adds up. Lives on the I/O thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include <boost/asio/any_io_executor.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include "daemon/device/clock.h"
+#include "daemon/device/device.h"
+
+namespace scipd::daemon {
+
+class ScanLoop : public std::enable_shared_from_this<ScanLoop> {
+  public:
+    /// `device` and `clock` must live until stop().
+    ScanLoop(const boost::asio::any_io_executor& executor, Device& device, const Clock& clock);
+
+    void start();
+    void stop();
+
+    /// Revolutions that could not be served because the machine was too slow or asleep.
+    [[nodiscard]] std::uint64_t missed() const { return missed_; }
+
+  private:
+    void wake();
+    void wait();
+    void serve();
+
+    Device& device_;
+    const Clock& clock_;
+    boost::asio::steady_timer timer_;
+    std::int64_t revolution_ = 0;  ///< the next to be served
+    bool waiting_ = false;
+    bool stopped_ = false;
+    std::uint64_t missed_ = 0;
+};
+
+}  // namespace scipd::daemon

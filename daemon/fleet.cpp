@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/fleet.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <spdlog/spdlog.h>
+
+#include "daemon/run_directory.h"
+#include "sim/backends/registry.h"
+#include "sim/loaders/sdf.h"
+
+namespace scipd::daemon {
+namespace {
+
+std::filesystem::path link_of(const RobotConfig& robot, const SensorConfig& sensor) {
+    const bool is_auto = sensor.pty->link.empty();
+    return is_auto ? run_directory() / (robot.name + "-" + sensor.name) : sensor.pty->link;
+}
+
+// Of a port that the system chooses, only the scanner itself says which one it is.
+std::string key_of(const RobotConfig& robot, const SensorConfig& sensor) {
+    const std::string address = sensor.tcp->host + ":" + std::to_string(sensor.tcp->port);
+    return sensor.tcp->port != 0 ? address : address + " of " + robot.name + "/" + sensor.name;
+}
+
+World::Backends make_backends(const Config& config, const sim::SharedScene& scene) {
+    World::Backends backends;
+    for (const RobotConfig& robot : config.robots) {
+        for (const SensorConfig& sensor : robot.sensors) {
+            auto& backend = backends[sensor.backend];
+            if (!backend) backend = sim::make_backend(sensor.backend, scene);
+        }
+    }
+    return backends;
+}
+
+std::string state_of(const protocol::DeviceState& state) {
+    if (state.adjusting()) return "time adjust";
+    if (state.streaming()) return "streaming";
+    return state.laser_on() ? "measuring" : "standby";
+}
+
+std::optional<LatenessStatus> summary_of(const Lateness& lateness) {
+    if (!lateness.max()) return std::nullopt;
+    return LatenessStatus{*lateness.quantile(0.5), *lateness.quantile(0.99), *lateness.max()};
+}
+
+}  // namespace
+
+void Fleet::apply(const Config& config) {
+    sim::LoadedScene loaded = sim::load_sdf(config.scene);
+    World::Backends backends = make_backends(config, loaded.scene);
+    Ports ports = open_ports(config);
+    std::vector<Feed> feeds = open_feeds(config);
+
+    // From here on nothing can fail.
+    for (const std::string& warning : loaded.warnings)
+        spdlog::warn("{}", warning);
+    scene_file_ = config.scene;
+    world_.replace_scene(std::move(loaded.scene), std::move(backends));
+    std::map<std::string, sim::Pose> robots;
+    for (const RobotConfig& robot : config.robots)
+        robots.emplace(robot.name, robot.world_from_robot);
+    world_.set_robots(robots);
+    replace_stations(config, ports);
+    ports_ = std::move(ports);
+    replace_feeds(std::move(feeds));
+}
+
+void Fleet::stop() {
+    replace_feeds({});
+    replace_stations({}, {});
+    ports_ = {};
+}
+
+Fleet::Ports Fleet::open_ports(const Config& config) const {
+    Ports ports;
+    for (const RobotConfig& robot : config.robots) {
+        for (const SensorConfig& sensor : robot.sensors) {
+            if (sensor.tcp) {
+                const std::string key = key_of(robot, sensor);
+                const auto open = ports_.tcp.find(key);
+                ports.tcp[key] = open != ports_.tcp.end()
+                                     ? open->second
+                                     : std::make_shared<TcpPort>(executor_, *sensor.tcp);
+            }
+            if (sensor.pty) {
+                const std::filesystem::path link = link_of(robot, sensor);
+                const auto open = ports_.pty.find(link);
+                ports.pty[link] = open != ports_.pty.end()
+                                      ? open->second
+                                      : std::make_shared<PtyPort>(executor_, link);
+            }
+        }
+    }
+    return ports;
+}
+
+std::vector<Fleet::Feed> Fleet::open_feeds(const Config& config) {
+    const FeedContext context{
+        .executor = executor_,
+        .intake = intake_,
+        .now = [this] { return clock_.now(); },
+        .report = [](const std::string& message) { spdlog::warn("{}", message); }};
+    std::vector<Feed> feeds;
+    for (const RobotConfig& robot : config.robots) {
+        if (!robot.poses) continue;
+        const auto open = std::ranges::find_if(feeds_, [&](const Feed& feed) {
+            return feed.robot == robot.name && feed.source == *robot.poses;
+        });
+        feeds.push_back(open != feeds_.end() ? *open
+                                             : Feed{robot.name, *robot.poses,
+                                                    make_feed(context, robot.name, *robot.poses)});
+    }
+    return feeds;
+}
+
+void Fleet::replace_stations(const Config& config, const Ports& ports) {
+    Stations stations;
+    for (const RobotConfig& robot : config.robots) {
+        for (const SensorConfig& sensor : robot.sensors) {
+            auto station = take_unchanged(robot.name, sensor, config.seed);
+            stations.push_back(station ? std::move(station)
+                                       : power_up(robot, sensor, config.seed, ports));
+        }
+    }
+    stations.swap(stations_);
+    // Ports that a new device has taken over are served by it already; those that nobody needs any
+    // more go here, before the devices behind them.
+    for (const auto& [key, port] : ports_.tcp) {
+        if (!ports.tcp.contains(key)) port->stop();
+    }
+    for (const auto& [link, port] : ports_.pty) {
+        if (!ports.pty.contains(link)) port->stop();
+    }
+    for (const auto& old : stations)
+        old->loop->stop();
+}
+
+std::unique_ptr<Fleet::Station> Fleet::take_unchanged(const std::string& robot,
+                                                      const SensorConfig& sensor,
+                                                      std::uint64_t seed) {
+    const auto found = std::ranges::find_if(stations_, [&](const auto& station) {
+        return station->robot == robot && station->config == sensor && station->seed == seed;
+    });
+    if (found == stations_.end()) return nullptr;
+    auto station = std::move(*found);
+    stations_.erase(found);
+    return station;
+}
+
+std::unique_ptr<Fleet::Station> Fleet::power_up(const RobotConfig& robot,
+                                                const SensorConfig& sensor, std::uint64_t seed,
+                                                const Ports& ports) {
+    auto station =
+        std::make_unique<Station>(Station{.robot = robot.name, .config = sensor, .seed = seed});
+    station->device = std::make_unique<Device>(robot.name, sensor, seed, world_, clock_);
+    station->loop = std::make_shared<ScanLoop>(executor_, *station->device, clock_);
+    station->loop->start();
+    if (sensor.tcp) station->tcp = ports.tcp.at(key_of(robot, sensor));
+    if (sensor.pty) station->pty = ports.pty.at(link_of(robot, sensor));
+    if (station->tcp) station->tcp->serve(*station->device);
+    if (station->pty) station->pty->serve(*station->device);
+    return station;
+}
+
+void Fleet::replace_feeds(std::vector<Feed> feeds) {
+    const auto in = [](const std::vector<Feed>& list, const Feed& feed) {
+        return std::ranges::any_of(list,
+                                   [&](const Feed& other) { return other.feed == feed.feed; });
+    };
+    for (const Feed& old : feeds_) {
+        if (!in(feeds, old)) old.feed->stop();
+    }
+    for (const Feed& fresh : feeds) {
+        if (!in(feeds_, fresh)) fresh.feed->start();
+    }
+    feeds_ = std::move(feeds);
+}
+
+Status Fleet::status() const {
+    Status status{
+        .uptime = clock_.now(), .clock = "wall", .time = clock_.now(), .scene = scene_file_};
+    status.poses = {intake_.accepted(), intake_.refused(), intake_.last_refusal()};
+    for (const auto& station : stations_)
+        status.sensors.push_back(status_of(*station));
+    return status;
+}
+
+SensorStatus Fleet::status_of(const Station& station) const {
+    const Device& device = *station.device;
+    SensorStatus status{.name = station.robot + "/" + station.config.name,
+                        .model = device.profile().name,
+                        .backend = std::string(world_.backend_name(station.config.backend)),
+                        .state = state_of(device.state()),
+                        .scans = device.scans_sent(),
+                        .lost = station.loop->missed(),
+                        .lateness = summary_of(device.lateness())};
+    if (station.tcp) {
+        status.tcp = station.tcp->address();
+        status.clients += station.tcp->connected() ? 1 : 0;
+        status.lost += station.tcp->lost_scans();
+    }
+    if (station.pty) {
+        status.pty = station.pty->link();
+        status.clients += station.pty->open() ? 1 : 0;
+        status.lost += station.pty->lost_scans();
+    }
+    return status;
+}
+
+std::optional<sim::TimedPose> Fleet::robot_pose(const std::string& robot) const {
+    const sim::PoseTrack* track = world_.robot(robot);
+    if (track == nullptr) return std::nullopt;
+    const sim::Time now = clock_.now();
+    return sim::TimedPose{now, track->at(now)};
+}
+
+std::optional<std::string> Fleet::set_robot_pose(const std::string& robot,
+                                                 std::optional<sim::Time> time,
+                                                 const sim::Pose& world_from_robot) {
+    const sim::Time world_time = api_senders_[robot].world_time(time, clock_.now());
+    return intake_.take({.robot = robot, .pose = world_from_robot}, robot, world_time);
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// All robots and scanners of a configuration, in one world, with their ports and pose feeds. A new
+// configuration is applied as a whole or not at all: everything that can fail is done before
+// anything of the old is touched, and scanners that did not change keep their connections and their
+// scan numbers. Lives on the I/O thread.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <boost/asio/any_io_executor.hpp>
+
+#include "daemon/config.h"
+#include "daemon/control/pose_feed.h"
+#include "daemon/control/pose_intake.h"
+#include "daemon/control/routes.h"
+#include "daemon/control/world.h"
+#include "daemon/device/clock.h"
+#include "daemon/device/device.h"
+#include "daemon/device/scan_loop.h"
+#include "daemon/link/pty_port.h"
+#include "daemon/link/tcp_port.h"
+
+namespace scipd::daemon {
+
+class Fleet : public Api {
+  public:
+    explicit Fleet(boost::asio::any_io_executor executor) : executor_(std::move(executor)) {}
+
+    /// Throws LoadError for the world or a trajectory, std::system_error for a port: then all is as
+    /// before.
+    void apply(const Config& config);
+    void stop();
+
+    [[nodiscard]] Status status() const override;
+    [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string& robot) const override;
+    std::optional<std::string> set_robot_pose(const std::string& robot,
+                                              std::optional<sim::Time> time,
+                                              const sim::Pose& world_from_robot) override;
+
+  private:
+    /// By what the configuration asks for, so that a port outlives a change of the scanner behind
+    /// it.
+    struct Ports {
+        std::map<std::string, std::shared_ptr<TcpPort>> tcp;
+        std::map<std::string, std::shared_ptr<PtyPort>> pty;
+    };
+
+    struct Feed {
+        std::string robot;
+        PoseSource source;
+        std::shared_ptr<PoseFeed> feed;
+    };
+
+    /// One scanner and what it is reached by.
+    struct Station {
+        std::string robot;
+        SensorConfig config;
+        std::uint64_t seed = 0;
+        std::unique_ptr<Device> device;
+        std::shared_ptr<ScanLoop> loop;
+        std::shared_ptr<TcpPort> tcp;
+        std::shared_ptr<PtyPort> pty;
+    };
+    using Stations = std::vector<std::unique_ptr<Station>>;
+
+    [[nodiscard]] Ports open_ports(const Config& config) const;
+    [[nodiscard]] std::vector<Feed> open_feeds(const Config& config);
+    void replace_stations(const Config& config, const Ports& ports);
+    [[nodiscard]] std::unique_ptr<Station> take_unchanged(const std::string& robot,
+                                                          const SensorConfig& sensor,
+                                                          std::uint64_t seed);
+    [[nodiscard]] std::unique_ptr<Station> power_up(const RobotConfig& robot,
+                                                    const SensorConfig& sensor, std::uint64_t seed,
+                                                    const Ports& ports);
+    void replace_feeds(std::vector<Feed> feeds);
+    [[nodiscard]] SensorStatus status_of(const Station& station) const;
+
+    boost::asio::any_io_executor executor_;
+    Clock clock_;
+    World world_;
+    PoseIntake intake_{world_};
+    std::filesystem::path scene_file_;
+    Ports ports_;
+    Stations stations_;
+    std::vector<Feed> feeds_;
+    std::map<std::string, SenderClock>
+        api_senders_;  ///< of robots that are moved through the control API
+};
+
+}  // namespace scipd::daemon

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Bytes in and out between a file descriptor (a connected socket or the master side of a tty) and
+// one client of a device. Reads, writes and waits; decides nothing. Lives on the I/O thread.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <boost/asio/posix/stream_descriptor.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include "daemon/device/client.h"
+#include "daemon/link/outbox.h"
+
+namespace scipd::daemon {
+
+class Connection : public std::enable_shared_from_this<Connection> {
+  public:
+    using Descriptor = boost::asio::posix::stream_descriptor;
+
+    struct Hooks {
+        /// Whether anybody is at the other end: asked before anything is read or queued. Without
+        /// anybody, what is to be sent is dropped.
+        std::function<bool()> somebody_there = [] { return true; };
+        /// Called once, when nothing more will come or go. Not after close().
+        std::function<void()> ended = [] {};
+    };
+
+    /// `device` must live until close() or ended.
+    Connection(Descriptor descriptor, Device& device, Hooks hooks);
+
+    void start();
+    void close();
+    /// Forgets what waits to be sent, also what is half sent.
+    void drop_output();
+
+    /// Scans that the client read too slowly for.
+    [[nodiscard]] std::uint64_t lost() const { return lost_; }
+
+  private:
+    void read();
+    void take_input(std::size_t count);
+    void flush();
+    void write();
+    void wait();
+    void end_of_input();
+    void end_if_done();
+    void end();
+
+    Descriptor descriptor_;
+    boost::asio::steady_timer timer_;
+    Hooks hooks_;
+    std::unique_ptr<Client> client_;  ///< null once closed or ended
+    Outbox outbox_;
+    std::string sending_;  ///< what is being written
+    std::array<char, 4096> input_;
+    bool reading_ = false;
+    bool writing_ = false;
+    bool input_ended_ = false;
+    std::uint64_t lost_ = 0;
+};
+
+}  // namespace scipd::daemon

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/link/pty_port.h"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <stdlib.h>
+#include <sys/inotify.h>
+#include <termios.h>
+#include <unistd.h>
+
+namespace scipd::daemon {
+
+namespace asio = boost::asio;
+using boost::system::error_code;
+
+namespace {
+
+int checked(int result, const std::string& what) {
+    if (result < 0) throw std::system_error(errno, std::generic_category(), what);
+    return result;
+}
+
+int open_master() {
+    const int master =
+        checked(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC), "cannot make a pseudo-terminal");
+    checked(::grantpt(master), "cannot make a pseudo-terminal");
+    checked(::unlockpt(master), "cannot make a pseudo-terminal");
+    return master;
+}
+
+std::string slave_name(int master) {
+    std::array<char, 64> name{};
+    checked(-::ptsname_r(master, name.data(), name.size()), "cannot name the pseudo-terminal");
+    return name.data();
+}
+
+void make_raw(int slave) {
+    termios settings{};
+    checked(::tcgetattr(slave, &settings), "cannot read the settings of the pseudo-terminal");
+    ::cfmakeraw(&settings);
+    checked(::tcsetattr(slave, TCSANOW, &settings), "cannot make the pseudo-terminal raw");
+}
+
+}  // namespace
+
+PtyPort::PtyPort(const asio::any_io_executor& executor, std::filesystem::path link)
+    : executor_(executor),
+      link_(std::move(link)),
+      master_(executor, open_master()),
+      slave_(executor),
+      events_(executor) {
+    device_path_ = slave_name(master_.native_handle());
+    const std::string what = "cannot use " + device_path_.string();
+    slave_.assign(checked(::open(device_path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC), what));
+    make_raw(slave_.native_handle());
+    // Watched from here on, so this open of our own does not count.
+    events_.assign(checked(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC), what));
+    checked(::inotify_add_watch(events_.native_handle(), device_path_.c_str(), IN_OPEN | IN_CLOSE),
+            what);
+    make_link();
+}
+
+void PtyPort::serve(Device& device) {
+    if (connection_) {
+        lost_before_ += connection_->lost();
+        connection_->close();
+    }
+    const int descriptor = checked(::fcntl(master_.native_handle(), F_DUPFD_CLOEXEC, 0),
+                                   "cannot use the pseudo-terminal");
+    connection_ = std::make_shared<Connection>(
+        Connection::Descriptor(executor_, descriptor), device,
+        Connection::Hooks{.somebody_there = [this] { return somebody_there(); }});
+    connection_->start();
+    watch();
+}
+
+void PtyPort::stop() {
+    if (connection_) connection_->close();
+    error_code ignored;
+    events_.close(ignored);
+    std::error_code none;
+    if (std::filesystem::read_symlink(link_, none) == device_path_)
+        std::filesystem::remove(link_, none);
+}
+
+std::uint64_t PtyPort::lost_scans() const {
+    return lost_before_ + (connection_ ? connection_->lost() : 0);
+}
+
+void PtyPort::watch() {
+    events_.async_wait(asio::posix::stream_descriptor::wait_read,
+                       [self = shared_from_this()](error_code error) {
+                           if (error) return;
+                           self->somebody_there();
+                           self->watch();
+                       });
+}
+
+// Asked before each request is looked at: whatever the one before left behind is gone before the
+// new one is answered.
+bool PtyPort::somebody_there() {
+    alignas(inotify_event) std::array<char, 4096> buffer;
+    for (;;) {
+        const ssize_t count = ::read(events_.native_handle(), buffer.data(), buffer.size());
+        if (count <= 0) return opens_ > 0;
+        for (ssize_t at = 0; at < count;) {
+            inotify_event event;
+            std::memcpy(&event, buffer.data() + at, sizeof(event));
+            at += static_cast<ssize_t>(sizeof(event) + event.len);
+            if ((event.mask & IN_OPEN) != 0) ++opens_;
+            if ((event.mask & IN_CLOSE) != 0 && opens_ > 0 && --opens_ == 0) last_one_closed();
+        }
+    }
+}
+
+void PtyPort::last_one_closed() {
+    if (connection_) connection_->drop_output();
+    ::tcflush(slave_.native_handle(), TCIFLUSH);
+    make_raw(slave_.native_handle());
+}
+
+void PtyPort::make_link() const {
+    namespace fs = std::filesystem;
+    if (link_.has_parent_path()) fs::create_directories(link_.parent_path());
+    if (fs::exists(fs::symlink_status(link_)) && !fs::is_symlink(link_)) {
+        throw std::system_error(
+            EEXIST, std::generic_category(),
+            link_.string() +
+                " is there and is no link; remove it or choose another name for the tty");
+    }
+    const fs::path fresh = link_.string() + ".new";
+    fs::remove(fresh);
+    fs::create_symlink(device_path_, fresh);
+    fs::rename(fresh, link_);
+}
+
+}  // namespace scipd::daemon

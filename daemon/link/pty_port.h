@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A scanner's tty: a pseudo-terminal behind a symlink that stays the same. To a driver it looks
+// like the USB scanner's CDC-ACM device: raw from the start, nothing echoed, any line speed
+// accepted; and like that one it goes on existing while nobody has it open, and what is sent then
+// is lost. Lives on the I/O thread.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <boost/asio/any_io_executor.hpp>
+#include <boost/asio/posix/stream_descriptor.hpp>
+
+#include "daemon/device/device.h"
+#include "daemon/link/connection.h"
+
+namespace scipd::daemon {
+
+class PtyPort : public std::enable_shared_from_this<PtyPort> {
+  public:
+    /// Creates the tty and its link, replacing a link that is there but nothing else. Throws
+    /// std::system_error.
+    PtyPort(const boost::asio::any_io_executor& executor, std::filesystem::path link);
+
+    /// As TcpPort::serve() and stop(); the latter takes the link away.
+    void serve(Device& device);
+    void stop();
+
+    [[nodiscard]] const std::filesystem::path& link() const { return link_; }
+    [[nodiscard]] bool open() const { return opens_ > 0; }
+    [[nodiscard]] std::uint64_t lost_scans() const;
+
+  private:
+    void watch();
+    /// Reads what has happened to the tty since last time; whether somebody has it open now.
+    bool somebody_there();
+    void last_one_closed();
+    void make_link() const;
+
+    boost::asio::any_io_executor executor_;
+    std::filesystem::path link_;
+    std::filesystem::path device_path_;  ///< /dev/pts/N
+    boost::asio::posix::stream_descriptor master_;
+    boost::asio::posix::stream_descriptor
+        slave_;  ///< kept open, so that the terminal's settings outlive each driver
+    boost::asio::posix::stream_descriptor events_;
+    std::shared_ptr<Connection> connection_;
+    int opens_ = 0;
+    std::uint64_t lost_before_ = 0;
+};
+
+}  // namespace scipd::daemon

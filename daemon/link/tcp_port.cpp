@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/link/tcp_port.h"
+
+#include <utility>
+
+namespace scipd::daemon {
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+using boost::system::error_code;
+
+namespace {
+
+// Enough for a driver that reconnects before its old connection is gone.
+constexpr int backlog = 4;
+
+tcp::endpoint endpoint_of(const Address& address) {
+    const std::string host = address.host == "localhost" ? "127.0.0.1" : address.host;
+    return {asio::ip::make_address(host), address.port};
+}
+
+}  // namespace
+
+TcpPort::TcpPort(const asio::any_io_executor& executor, const Address& address)
+    : acceptor_(executor) {
+    const tcp::endpoint endpoint = endpoint_of(address);
+    acceptor_.open(endpoint.protocol());
+    acceptor_.set_option(tcp::acceptor::reuse_address(true));
+    acceptor_.bind(endpoint);
+    acceptor_.listen(backlog);
+}
+
+void TcpPort::serve(Device& device) {
+    disconnect();
+    device_ = &device;
+    accept();
+}
+
+void TcpPort::stop() {
+    error_code ignored;
+    acceptor_.close(ignored);
+    disconnect();
+    device_ = nullptr;
+}
+
+std::string TcpPort::address() const {
+    const tcp::endpoint endpoint = acceptor_.local_endpoint();
+    const std::string host = endpoint.address().to_string();
+    return (endpoint.address().is_v6() ? "[" + host + "]" : host) + ":" +
+           std::to_string(endpoint.port());
+}
+
+std::uint64_t TcpPort::lost_scans() const {
+    return lost_before_ + (connection_ ? connection_->lost() : 0);
+}
+
+void TcpPort::accept() {
+    if (accepting_ || connection_) return;
+    accepting_ = true;
+    acceptor_.async_accept([self = shared_from_this()](error_code error, tcp::socket socket) {
+        self->accepting_ = false;
+        if (error == asio::error::operation_aborted || !self->device_) return;
+        if (error) return self->accept();
+        self->connect(std::move(socket));
+    });
+}
+
+void TcpPort::connect(tcp::socket socket) {
+    error_code error;
+    socket.set_option(tcp::no_delay(true), error);
+    const auto executor = socket.get_executor();
+    const int descriptor = socket.release(error);
+    if (error) return accept();
+    connection_ = std::make_shared<Connection>(Connection::Descriptor(executor, descriptor),
+                                               *device_, Connection::Hooks{.ended = [this] {
+                                                   disconnect();
+                                                   accept();
+                                               }});
+    connection_->start();
+}
+
+void TcpPort::disconnect() {
+    if (!connection_) return;
+    lost_before_ += connection_->lost();
+    connection_->close();
+    connection_.reset();
+}
+
+}  // namespace scipd::daemon
