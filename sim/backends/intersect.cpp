@@ -9,37 +9,63 @@
 namespace scipd::sim {
 namespace {
 
-/// Where |a + t b| = radius, for vectors of any dimension; nothing where the line stays outside.
-struct Roots {
-    bool real = false;
-    double first = 0.0;
-    double second = 0.0;
+/// The stretch of a ray that lies within a convex body. The body is what several simple ones have
+/// in common, so the ray is clipped by each of them, and no ray slips through where two faces meet.
+class Inside {
+  public:
+    explicit Inside(const Ray& ray) : ray_(ray) {}
+
+    /// |x| <= half along one axis.
+    void clip_slab(int axis, double half_m) {
+        glm::dvec3 normal{0.0};
+        normal[axis] = 1.0;
+        const double along = ray_.direction[axis];
+        if (along == 0.0) {
+            if (std::abs(ray_.origin_m[axis]) > half_m) nowhere();
+            return;
+        }
+        const double middle_m = -ray_.origin_m[axis] / along;
+        const double reach_m = half_m / std::abs(along);
+        clip({middle_m - reach_m, normal}, {middle_m + reach_m, normal});
+    }
+
+    /// |x| <= radius, over the axes where `axes` is 1.
+    void clip_round(const glm::dvec3& axes, double radius_m) {
+        const glm::dvec3 origin_m = axes * ray_.origin_m;
+        const glm::dvec3 direction = axes * ray_.direction;
+        const double a = glm::dot(direction, direction);
+        const double b = glm::dot(origin_m, direction);
+        const double c = glm::dot(origin_m, origin_m) - radius_m * radius_m;
+        if (a == 0.0) {
+            if (c > 0.0) nowhere();
+            return;
+        }
+        const double discriminant = b * b - a * c;
+        if (discriminant < 0.0) return nowhere();
+        const double root = std::sqrt(discriminant);
+        const auto crossing = [&](double range_m) {
+            return Crossing{range_m, (origin_m + range_m * direction) / radius_m};
+        };
+        clip(crossing((-b - root) / a), crossing((-b + root) / a));
+    }
+
+    /// Where the ray enters, or where it leaves if it begins inside.
+    [[nodiscard]] Crossing first() const {
+        if (enter_.range_m > leave_.range_m || leave_.range_m < 0.0) return {};
+        return enter_.range_m >= 0.0 ? enter_ : leave_;
+    }
+
+  private:
+    void clip(const Crossing& enter, const Crossing& leave) {
+        if (enter.range_m > enter_.range_m) enter_ = enter;
+        if (leave.range_m < leave_.range_m) leave_ = leave;
+    }
+    void nowhere() { enter_.range_m = std::numeric_limits<double>::infinity(); }
+
+    const Ray& ray_;
+    Crossing enter_{-std::numeric_limits<double>::infinity(), {}};
+    Crossing leave_{};
 };
-
-template <typename Vector>
-Roots meet_radius(const Vector& a, const Vector& b, double radius) {
-    const double bb = glm::dot(b, b);
-    const double half = glm::dot(a, b);
-    const double discriminant = half * half - bb * (glm::dot(a, a) - radius * radius);
-    if (bb == 0.0 || discriminant < 0.0) return {};
-    const double root = std::sqrt(discriminant);
-    return {true, (-half - root) / bb, (-half + root) / bb};
-}
-
-/// A rectangle that is normal to `axis`, at `offset` along it, with these half sizes along the
-/// other two axes.
-void meet_rectangle(const Ray& ray, int axis, double offset_m, const glm::dvec3& half_m,
-                    Crossing& nearest) {
-    if (ray.direction[axis] == 0.0) return;
-    const double range_m = (offset_m - ray.origin_m[axis]) / ray.direction[axis];
-    const glm::dvec3 point = ray.origin_m + range_m * ray.direction;
-    const int u = (axis + 1) % 3;
-    const int v = (axis + 2) % 3;
-    if (std::abs(point[u]) > half_m[u] || std::abs(point[v]) > half_m[v]) return;
-    glm::dvec3 normal{0.0};
-    normal[axis] = 1.0;
-    nearest.take_nearer(range_m, normal);
-}
 
 /// Moeller and Trumbore: Fast, minimum storage ray/triangle intersection, 1997.
 void meet_triangle(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
@@ -55,59 +81,41 @@ void meet_triangle(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b, con
     const glm::dvec3 q = glm::cross(from_a, ab);
     const double v = glm::dot(ray.direction, q) / determinant;
     if (!(v >= 0.0 && u + v <= 1.0)) return;
-    nearest.take_nearer(glm::dot(ac, q) / determinant, glm::normalize(glm::cross(ab, ac)));
+    const double range_m = glm::dot(ac, q) / determinant;
+    if (range_m < 0.0 || range_m >= nearest.range_m) return;
+    nearest = {range_m, glm::normalize(glm::cross(ab, ac))};
 }
 
 struct Intersect {
     const Ray& ray;
 
     Crossing operator()(const Box& box) const {
-        Crossing nearest;
-        const glm::dvec3 half_m = 0.5 * box.size_m;
-        for (int axis = 0; axis < 3; ++axis) {
-            meet_rectangle(ray, axis, -half_m[axis], half_m, nearest);
-            meet_rectangle(ray, axis, half_m[axis], half_m, nearest);
-        }
-        return nearest;
+        Inside inside(ray);
+        for (int axis = 0; axis < 3; ++axis)
+            inside.clip_slab(axis, 0.5 * box.size_m[axis]);
+        return inside.first();
     }
 
     Crossing operator()(const Cylinder& cylinder) const {
-        Crossing nearest;
-        const double half_m = 0.5 * cylinder.length_m;
-        const Roots wall =
-            meet_radius(glm::dvec2{ray.origin_m}, glm::dvec2{ray.direction}, cylinder.radius_m);
-        if (wall.real) {
-            for (const double range_m : {wall.first, wall.second}) {
-                const glm::dvec3 point = ray.origin_m + range_m * ray.direction;
-                if (std::abs(point.z) > half_m) continue;
-                nearest.take_nearer(range_m, glm::dvec3{point.x, point.y, 0.0} / cylinder.radius_m);
-            }
-        }
-        for (const double end_m : {-half_m, half_m}) {
-            if (ray.direction.z == 0.0) break;
-            const double range_m = (end_m - ray.origin_m.z) / ray.direction.z;
-            const glm::dvec2 point{ray.origin_m + range_m * ray.direction};
-            if (glm::length(point) > cylinder.radius_m) continue;
-            nearest.take_nearer(range_m, {0.0, 0.0, 1.0});
-        }
-        return nearest;
+        Inside inside(ray);
+        inside.clip_round({1.0, 1.0, 0.0}, cylinder.radius_m);
+        inside.clip_slab(2, 0.5 * cylinder.length_m);
+        return inside.first();
     }
 
     Crossing operator()(const Sphere& sphere) const {
-        Crossing nearest;
-        const Roots surface = meet_radius(ray.origin_m, ray.direction, sphere.radius_m);
-        if (!surface.real) return nearest;
-        for (const double range_m : {surface.first, surface.second}) {
-            nearest.take_nearer(range_m,
-                                (ray.origin_m + range_m * ray.direction) / sphere.radius_m);
-        }
-        return nearest;
+        Inside inside(ray);
+        inside.clip_round({1.0, 1.0, 1.0}, sphere.radius_m);
+        return inside.first();
     }
 
     Crossing operator()(const Plane& plane) const {
-        Crossing nearest;
-        meet_rectangle(ray, 2, 0.0, {0.5 * plane.size_m, 0.0}, nearest);
-        return nearest;
+        if (ray.direction.z == 0.0) return {};
+        const double range_m = -ray.origin_m.z / ray.direction.z;
+        const glm::dvec3 share =
+            (ray.origin_m + range_m * ray.direction) / glm::dvec3{0.5 * plane.size_m, 1.0};
+        if (range_m < 0.0 || std::abs(share.x) > 1.0 || std::abs(share.y) > 1.0) return {};
+        return {range_m, {0.0, 0.0, 1.0}};
     }
 
     Crossing operator()(const SharedMesh& mesh) const {
@@ -121,12 +129,6 @@ struct Intersect {
 };
 
 }  // namespace
-
-void Crossing::take_nearer(double other_range_m, const glm::dvec3& other_normal) {
-    if (other_range_m < 0.0 || other_range_m >= range_m) return;
-    range_m = other_range_m;
-    normal = other_normal;
-}
 
 Crossing intersect(const Ray& ray, const Shape& shape) {
     return std::visit(Intersect{ray}, shape);

@@ -21,9 +21,6 @@ struct Ray {
 struct Crossing {
     double range_m = std::numeric_limits<double>::infinity();
     glm::dvec3 normal{0.0, 0.0, 0.0};  ///< unit length, to either side
-
-    /// Becomes the other where that one is nearer and not behind the ray's origin.
-    void take_nearer(double other_range_m, const glm::dvec3& other_normal);
 };
 
 Crossing intersect(const Ray& ray, const Shape& shape);

@@ -76,33 +76,36 @@ Mesh cylinder_mesh(const Cylinder& cylinder) {
     return mesh;
 }
 
-/// Rings of vertices from pole to pole, `sides` around and half as many down: each piece is as wide
-/// as it is high at the equator, where it is widest. Its corner is seen from its middle under two
-/// half angles, whence the squared cosine.
+/// Vertices 0 and 1 are the poles; then rings from top to bottom. There are half as many rings as
+/// sides, so that a piece at the equator, where it is largest, is as wide as it is high. Its corner
+/// is seen from its middle under two half angles, whence the squared cosine.
 Mesh sphere_mesh(const Sphere& sphere) {
-    unsigned sides =
-        std::min(most_sphere_sides, sides_for(std::sqrt(least_cosine(sphere.radius_m))));
-    sides += sides % 2;
-    const unsigned rings = sides / 2;
+    const unsigned needed = sides_for(std::sqrt(least_cosine(sphere.radius_m)));
+    const unsigned half_sides = (std::min(most_sphere_sides, needed) + 1) / 2;
+    const unsigned sides = 2 * half_sides;
+    const unsigned rings = half_sides - 1;
     const double turn = 2.0 * std::numbers::pi / sides;
     const double radius_m = balanced_radius_m(sphere.radius_m, std::pow(std::cos(0.5 * turn), 2));
     Mesh mesh;
-    for (unsigned ring = 0; ring <= rings; ++ring) {
+    mesh.vertices_m = {{0.0, 0.0, radius_m}, {0.0, 0.0, -radius_m}};
+    for (unsigned ring = 0; ring < rings; ++ring) {
+        const double down_rad = (ring + 1) * turn;
         for (unsigned side = 0; side < sides; ++side) {
-            const double flat = radius_m * std::sin(ring * turn);
-            mesh.vertices_m.emplace_back(flat * std::cos(side * turn), flat * std::sin(side * turn),
-                                         radius_m * std::cos(ring * turn));
+            mesh.vertices_m.emplace_back(radius_m * std::sin(down_rad) * std::cos(side * turn),
+                                         radius_m * std::sin(down_rad) * std::sin(side * turn),
+                                         radius_m * std::cos(down_rad));
         }
     }
-    for (unsigned ring = 0; ring < rings; ++ring) {
-        for (unsigned side = 0; side < sides; ++side) {
-            const unsigned above = ring * sides;
+    for (unsigned side = 0; side < sides; ++side) {
+        const unsigned next = (side + 1) % sides;
+        unsigned above = 2;
+        mesh.triangles.emplace_back(0, above + side, above + next);
+        for (unsigned ring = 1; ring < rings; ++ring, above += sides) {
             const unsigned below = above + sides;
-            const unsigned next = (side + 1) % sides;
-            if (ring > 0) mesh.triangles.emplace_back(above + side, below + side, above + next);
-            if (ring + 1 < rings)
-                mesh.triangles.emplace_back(above + next, below + side, below + next);
+            mesh.triangles.emplace_back(above + side, below + side, above + next);
+            mesh.triangles.emplace_back(above + next, below + side, below + next);
         }
+        mesh.triangles.emplace_back(1, above + next, above + side);
     }
     return mesh;
 }
