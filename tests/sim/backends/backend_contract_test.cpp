@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What every backend owes, against geometry that can be computed by hand.
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/sim/backends/contract.h"
+
+namespace scipd::sim {
+namespace {
+
+constexpr double cos_tolerance = 1e-4;
+
+const glm::vec3 forward{1, 0, 0};
+const glm::vec3 backward{-1, 0, 0};
+const glm::vec3 leftward{0, 1, 0};
+
+Pose at(double x, double y = 0.0, double z = 0.0) {
+    return {{x, y, z}, Pose{}.rotation};
+}
+
+Pose yawed(double yaw_rad) {
+    return pose_from_rpy({0, 0, 0}, {0, 0, yaw_rad});
+}
+
+/// The pose of a plane that makes it a wall normal to x.
+Pose wall_at(double x) {
+    return pose_from_rpy({x, 0, 0}, {0, std::numbers::pi / 2, 0});
+}
+
+/// Level directions, evenly from -half to half.
+std::vector<glm::vec3> sweep(std::size_t beams, double half_rad) {
+    std::vector<glm::vec3> directions;
+    for (std::size_t i = 0; i < beams; ++i) {
+        const double share = beams == 1 ? 0.5 : double(i) / double(beams - 1);
+        const double angle_rad = half_rad * (2.0 * share - 1.0);
+        directions.emplace_back(std::cos(angle_rad), std::sin(angle_rad), 0.0);
+    }
+    return directions;
+}
+
+void expect_nothing(const Hit& hit) {
+    EXPECT_EQ(hit.range_m, nothing);
+    EXPECT_EQ(hit.cos_incidence, 0.0F);
+    EXPECT_EQ(hit.material, 0U);
+    EXPECT_EQ(hit.object, no_object);
+    EXPECT_FALSE(hit.met());
+}
+
+using BackendContract = Contract;
+INSTANTIATE_TEST_SUITE_P(All, BackendContract, every_backend_everywhere(), contract_name);
+
+TEST_P(BackendContract, MeetsNothingInAnEmptyWorld) {
+    load(scene());
+    expect_nothing(cast_one(forward));
+    EXPECT_TRUE(cast({}, {Pose{}}).empty());
+    EXPECT_TRUE(cast({}, {}).empty());
+}
+
+TEST_P(BackendContract, MeetsNothingBehindOrBeside) {
+    load(scene().add(Box{{1, 1, 1}}, at(5)));
+    expect_nothing(cast_one(backward));
+    expect_nothing(cast_one(leftward));
+}
+
+TEST_P(BackendContract, MeasuresAlongTheRayUpTo60Metres) {
+    for (const double wall_m : {0.02, 0.5, 3.0, 30.0, 60.0}) {
+        load(scene().add(Plane{{200, 200}}, wall_at(wall_m)));
+        for (const double angle_rad : {-1.2, -0.3, 0.0, 0.7, 1.2}) {
+            const double range_m = wall_m / std::cos(angle_rad);
+            if (range_m > 60.0) continue;
+            const Hit hit = cast_one(forward, yawed(angle_rad));
+            EXPECT_NEAR(hit.range_m, range_m, range_tolerance_m);
+            EXPECT_NEAR(hit.cos_incidence, std::cos(angle_rad), cos_tolerance);
+        }
+    }
+}
+
+// From one ray over a full packet to many and a rest: each is filled with its own answer.
+TEST_P(BackendContract, AnswersEveryRayOfAFanOfAnySize) {
+    load(scene().add(Plane{{200, 200}}, wall_at(4)));
+    for (const std::size_t beams : {1U, 2U, 15U, 16U, 17U, 31U, 32U, 33U, 1081U}) {
+        const std::vector<glm::vec3> directions = sweep(beams, 1.3);
+        const std::vector<Hit> hits = cast(directions, {Pose{}});
+        for (std::size_t i = 0; i < beams; ++i) {
+            ASSERT_NEAR(hits[i].range_m, 4.0 / double{directions[i].x}, range_tolerance_m)
+                << "ray " << i << " of " << beams;
+        }
+    }
+}
+
+TEST_P(BackendContract, TakesAPoseForEachRay) {
+    load(scene().add(Plane{{200, 200}}, wall_at(50)));
+    std::vector<Pose> poses;
+    for (int i = 0; i < 100; ++i)
+        poses.push_back(at(0.3 * i, 0.1 * i) * yawed(0.01 * i));
+    const std::vector<Hit> hits = cast(std::vector<glm::vec3>(100, forward), poses);
+    for (int i = 0; i < 100; ++i) {
+        const double cosine = std::cos(0.01 * i);
+        EXPECT_NEAR(hits[i].range_m, (50 - 0.3 * i) / cosine, range_tolerance_m) << i;
+        EXPECT_NEAR(hits[i].cos_incidence, cosine, cos_tolerance) << i;
+    }
+}
+
+TEST_P(BackendContract, AnswersTheSameForOnePoseAndForEqualOnes) {
+    load(scene().add(Sphere{1.0}, at(6)).add(Plane{{200, 200}}, wall_at(9)));
+    const std::vector<glm::vec3> directions = sweep(101, 0.8);
+    const Pose pose = pose_from_rpy({1, 0.5, 0.2}, {0.1, 0.05, -0.2});
+    const std::vector<Hit> one = cast(directions, {pose});
+    const std::vector<Hit> each = cast(directions, std::vector<Pose>(101, pose));
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        EXPECT_NEAR(one[i].range_m, each[i].range_m, 1e-5);
+        EXPECT_EQ(one[i].object, each[i].object);
+    }
+}
+
+TEST_P(BackendContract, SeesTheNearestOfSeveral) {
+    load(scene()
+             .add(Box{{1, 1, 1}}, at(10), 1)
+             .add(Box{{1, 1, 1}}, at(5), 2)
+             .add(Box{{1, 1, 1}}, at(20), 3));
+    const Hit hit = cast_one(forward);
+    EXPECT_NEAR(hit.range_m, 4.5, range_tolerance_m);
+    EXPECT_EQ(hit.object, 1U);
+    EXPECT_EQ(hit.material, 2U);
+}
+
+TEST_P(BackendContract, TellsObjectAndMaterialOfEveryRay) {
+    load(scene().add(Box{{1, 1, 1}}, at(5, -2), 3).add(Box{{1, 1, 1}}, at(5, 2), 1));
+    const std::vector<Hit> hits =
+        cast({glm::normalize(glm::vec3{5, -2, 0}), forward, glm::normalize(glm::vec3{5, 2, 0})},
+             {Pose{}});
+    EXPECT_EQ(hits[0].object, 0U);
+    EXPECT_EQ(hits[0].material, 3U);
+    expect_nothing(hits[1]);
+    EXPECT_EQ(hits[2].object, 1U);
+    EXPECT_EQ(hits[2].material, 1U);
+}
+
+TEST_P(BackendContract, SeesBothFaces) {
+    load(scene().add(Plane{{10, 10}}, wall_at(0)));
+    const Hit front = cast_one(forward, at(-2));
+    const Hit back = cast_one(backward, at(3));
+    EXPECT_NEAR(front.range_m, 2.0, range_tolerance_m);
+    EXPECT_NEAR(back.range_m, 3.0, range_tolerance_m);
+    EXPECT_NEAR(front.cos_incidence, 1.0, cos_tolerance);
+    EXPECT_NEAR(back.cos_incidence, 1.0, cos_tolerance);
+}
+
+TEST_P(BackendContract, SeesTheNearAndTheFarFaceOfABox) {
+    load(scene().add(Box{{2, 4, 6}}, at(5)));
+    EXPECT_NEAR(cast_one(forward).range_m, 4.0, range_tolerance_m);
+    EXPECT_NEAR(cast_one(forward, at(5)).range_m, 1.0, range_tolerance_m);
+    EXPECT_NEAR(cast_one(leftward, at(5)).range_m, 2.0, range_tolerance_m);
+}
+
+TEST_P(BackendContract, ReportsNothingBeyondTheMaximum) {
+    load(scene().add(Plane{{10, 10}}, wall_at(5)).add(Plane{{10, 10}}, wall_at(8)));
+    EXPECT_NEAR(cast_one(forward, {}, 5.01F).range_m, 5.0, range_tolerance_m);
+    expect_nothing(cast_one(forward, {}, 4.99F));
+    expect_nothing(cast_one(forward, {}, 0.0F));
+}
+
+TEST_P(BackendContract, MovesWhatIsMovable) {
+    load(scene().add(Plane{{20, 20}}, wall_at(10), 1).movable(at(3)).with(Box{{1, 1, 1}}, {}, 2));
+    EXPECT_NEAR(cast_one(forward).range_m, 2.5, range_tolerance_m);
+    move(1, at(6));
+    const Hit hit = cast_one(forward);
+    EXPECT_NEAR(hit.range_m, 5.5, range_tolerance_m);
+    EXPECT_EQ(hit.object, 1U);
+    EXPECT_EQ(hit.material, 2U);
+    move(1, at(6, 5));
+    EXPECT_EQ(cast_one(forward).object, 0U);
+    EXPECT_NEAR(cast_one(forward).range_m, 10.0, range_tolerance_m);
+    move(1, at(12));  // behind the wall
+    EXPECT_EQ(cast_one(forward).object, 0U);
+}
+
+TEST_P(BackendContract, TurnsWhatIsMovable) {
+    load(scene().add(Plane{{20, 20}}, wall_at(10)).movable({}).with(Plane{{4, 4}}, {}));
+    for (const double yaw_rad : {0.0, 0.3, -1.0, 2.5}) {
+        move(1, at(3) * yawed(yaw_rad) * wall_at(0));
+        const Hit hit = cast_one(forward);
+        EXPECT_EQ(hit.object, 1U);
+        EXPECT_NEAR(hit.range_m, 3.0, range_tolerance_m);
+        EXPECT_NEAR(hit.cos_incidence, std::abs(std::cos(yaw_rad)), cos_tolerance);
+    }
+}
+
+TEST_P(BackendContract, MovesAllObjectsOfAModelAndNoOther) {
+    load(scene()
+             .movable(at(0, -2))
+             .with(Box{{1, 1, 1}}, at(0, 0, 0))
+             .with(Sphere{0.5}, at(0, 0, 2))
+             .movable(at(0, 2))
+             .with(Box{{1, 1, 1}}, at(0, 0, 0)));
+    move(0, at(8, -2));
+    EXPECT_NEAR(cast_one(forward, at(-4, -2, 0)).range_m, 11.5, range_tolerance_m);
+    EXPECT_NEAR(cast_one(forward, at(-4, -2, 2)).range_m, 11.5, range_tolerance_m);
+    EXPECT_EQ(cast_one(forward, at(-4, -2, 2)).object, 1U);
+    EXPECT_NEAR(cast_one(forward, at(-4, 2, 0)).range_m, 3.5, range_tolerance_m);
+    EXPECT_EQ(cast_one(forward, at(-4, 2, 0)).object, 2U);
+}
+
+TEST_P(BackendContract, PlacesObjectsInTheirModels) {
+    load(scene().movable(at(5) * yawed(std::numbers::pi / 2)).with(Box{{1, 1, 1}}, at(0, 2)));
+    // The model's left is our back: the box is 2 m nearer than the model.
+    EXPECT_NEAR(cast_one(forward).range_m, 2.5, range_tolerance_m);
+}
+
+TEST_P(BackendContract, HoldsToTheMaximumForMovablesToo) {
+    load(scene().movable(at(5)).with(Box{{1, 1, 1}}, {}));
+    EXPECT_TRUE(cast_one(forward, {}, 4.51F).met());
+    expect_nothing(cast_one(forward, {}, 4.49F));
+}
+
+TEST_P(BackendContract, HasNoGapWhereFacesMeet) {
+    load(scene().add(Box{{10, 10, 10}}, Pose{}));
+    std::vector<glm::vec3> at_edges;
+    for (int i = 0; i <= 1000; ++i) {
+        const auto along = static_cast<float>(-5.0 + 0.01 * i);
+        at_edges.push_back(glm::normalize(glm::vec3{5, 5, along}));
+        at_edges.push_back(glm::normalize(glm::vec3{along, 5, -5}));
+        at_edges.push_back(glm::normalize(glm::vec3{-5, along, along}));  // a diagonal of a face
+    }
+    for (const Hit& hit : cast(at_edges, {Pose{}}))
+        EXPECT_TRUE(hit.met());
+}
+
+}  // namespace
+}  // namespace scipd::sim

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/backends/registry.h"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "tests/support/scene_builder.h"
+
+namespace scipd::sim {
+namespace {
+
+using testing::ThrowsMessage;
+
+TEST(Registry, MakesEveryBackendThatItLists) {
+    ASSERT_FALSE(backends().empty());
+    for (const BackendInfo& info : backends()) {
+        const auto backend = make_backend(info.name, SceneBuilder().build());
+        EXPECT_EQ(backend->name(), info.name);
+        EXPECT_FALSE(info.description.empty());
+    }
+}
+
+TEST(Registry, TakesThePreferredOneForAuto) {
+    EXPECT_EQ(make_backend("auto", SceneBuilder().build())->name(), backends().front().name);
+}
+
+TEST(Registry, NamesTheChoicesWhereThereIsNoSuchBackend) {
+    EXPECT_THAT(
+        ([] { make_backend("radar", SceneBuilder().build()); }),
+        ThrowsMessage<std::invalid_argument>("no backend 'radar': choose auto, embree, reference"));
+}
+
+TEST(Registry, HandsTheSceneOn) {
+    const SharedScene scene = SceneBuilder().add(Sphere{1.0}, {}).build();
+    for (const BackendInfo& info : backends()) {
+        EXPECT_EQ(&make_backend(info.name, scene)->scene(), scene.get());
+    }
+}
+
+#ifndef NDEBUG
+TEST(RangeBackendDeathTest, RefusesWhatDoesNotFit) {
+    const auto backend = make_backend(
+        "reference", SceneBuilder().add(Sphere{1.0}, {}).movable({}).with(Sphere{1.0}, {}).build());
+    const std::vector<glm::vec3> directions(3, glm::vec3{1, 0, 0});
+    const std::vector<Pose> poses(2);
+    std::vector<Hit> hits(3);
+    EXPECT_DEATH(backend->cast({directions, poses}, hits), "world_from_sensor");
+    EXPECT_DEATH(backend->cast({directions, {poses.data(), 1}}, {hits.data(), 2}), "hits.size");
+    EXPECT_DEATH(backend->move(0, {}), "movable");
+    EXPECT_DEATH(backend->move(2, {}), "models.size");
+}
+#endif
+
+}  // namespace
+}  // namespace scipd::sim

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/world/pose_track.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace scipd::sim {
+namespace {
+
+using namespace std::chrono_literals;
+
+Pose at_x(double x, double yaw_rad = 0.0) {
+    return pose_from_rpy({x, 0, 0}, {0, 0, yaw_rad});
+}
+
+double x_of(const Pose& pose) {
+    return pose.translation_m.x;
+}
+
+TEST(PoseTrack, HoldsTheStartForever) {
+    const PoseTrack track(at_x(7));
+    EXPECT_EQ(track.at(-1h), at_x(7));
+    EXPECT_EQ(track.at(0s), at_x(7));
+    EXPECT_EQ(track.at(100h), at_x(7));
+    EXPECT_TRUE(track.still(-1h, 100h));
+}
+
+// The start pose has no time, so there is nothing to interpolate from.
+TEST(PoseTrack, HoldsTheStartUntilTheFirstPose) {
+    PoseTrack track(at_x(7));
+    ASSERT_TRUE(track.append(10s, at_x(1)));
+    EXPECT_EQ(track.at(10s - 1ns), at_x(7));
+    EXPECT_EQ(track.at(10s), at_x(1));
+}
+
+TEST(PoseTrack, InterpolatesHalfWay) {
+    PoseTrack track(at_x(0));
+    track.append(1s, at_x(0, 0.0));
+    track.append(2s, at_x(4, 1.0));
+    const Pose half_way = track.at(1500ms);
+    EXPECT_NEAR(x_of(half_way), 2.0, 1e-12);
+    const glm::dvec3 forward = half_way.rotation * glm::dvec3{1, 0, 0};
+    EXPECT_NEAR(std::atan2(forward.y, forward.x), 0.5, 1e-12);
+}
+
+TEST(PoseTrack, GivesAppendedPosesExactly) {
+    PoseTrack track(at_x(0));
+    for (int i = 1; i < 10; ++i)
+        track.append(i * 10ms, at_x(i, 0.3 * i));
+    for (int i = 1; i < 10; ++i)
+        EXPECT_NEAR(x_of(track.at(i * 10ms)), i, 1e-12);
+}
+
+TEST(PoseTrack, HoldsTheLast) {
+    PoseTrack track(at_x(0));
+    track.append(1s, at_x(1));
+    track.append(2s, at_x(2));
+    EXPECT_EQ(track.at(2s), at_x(2));
+    EXPECT_EQ(track.at(1h), at_x(2));
+    EXPECT_EQ(track.last(), at_x(2));
+}
+
+TEST(PoseTrack, RefusesWhatIsNotLater) {
+    PoseTrack track(at_x(0));
+    ASSERT_TRUE(track.append(2s, at_x(2)));
+    EXPECT_FALSE(track.append(2s, at_x(9)));
+    EXPECT_FALSE(track.append(1s, at_x(9)));
+    EXPECT_EQ(track.last(), at_x(2));
+    EXPECT_EQ(track.at(2s), at_x(2));
+}
+
+TEST(PoseTrack, TakesTimesBeforeTheEpoch) {
+    PoseTrack track(at_x(0));
+    EXPECT_TRUE(track.append(-2s, at_x(1)));
+    EXPECT_TRUE(track.append(-1s, at_x(3)));
+    EXPECT_NEAR(x_of(track.at(-1500ms)), 2.0, 1e-12);
+}
+
+// Stamps of a pose stream may be seconds since 1970: half a second there must still be half a
+// second.
+TEST(PoseTrack, IsExactFarFromTheEpoch) {
+    PoseTrack track(at_x(0));
+    const Time now = 1'760'000'000s;
+    track.append(now, at_x(0));
+    track.append(now + 1ms, at_x(1));
+    EXPECT_NEAR(x_of(track.at(now + 250us)), 0.25, 1e-12);
+}
+
+TEST(PoseTrack, DoesNotInterpolateAcrossAJump) {
+    PoseTrack track(at_x(0));
+    track.append(1s, at_x(1));
+    track.jump(3s, at_x(100));
+    EXPECT_EQ(track.at(2s), at_x(1));
+    EXPECT_EQ(track.at(3s - 1ns), at_x(1));
+    EXPECT_EQ(track.at(3s), at_x(100));
+    EXPECT_EQ(track.at(4s), at_x(100));
+}
+
+TEST(PoseTrack, KeepsWhatWasUnderWayBeforeAJump) {
+    PoseTrack track(at_x(0));
+    track.append(1s, at_x(0));
+    track.append(3s, at_x(2));
+    track.jump(2s, at_x(50));
+    EXPECT_NEAR(x_of(track.at(1500ms)), 0.5, 1e-8);
+    EXPECT_EQ(track.at(2s), at_x(50));
+    EXPECT_EQ(track.at(3s), at_x(50));  // what was appended for later is gone
+}
+
+TEST(PoseTrack, JumpsBeforeEverythingItKnows) {
+    PoseTrack track(at_x(0), 2);
+    track.append(10s, at_x(1));
+    track.append(11s, at_x(2));
+    track.jump(1s, at_x(3));
+    EXPECT_EQ(track.at(0s), at_x(3));
+    EXPECT_EQ(track.at(20s), at_x(3));
+}
+
+TEST(PoseTrack, AppendsAfterAJump) {
+    PoseTrack track(at_x(0));
+    track.jump(1s, at_x(10));
+    EXPECT_TRUE(track.append(2s, at_x(20)));
+    EXPECT_NEAR(x_of(track.at(1500ms)), 15.0, 1e-12);
+    EXPECT_EQ(track.at(999ms), at_x(0));
+}
+
+TEST(PoseTrack, ForgetsTheOldestFirst) {
+    PoseTrack track(at_x(0), 3);
+    for (int i = 1; i <= 10; ++i)
+        track.append(i * 1s, at_x(i));
+    EXPECT_EQ(track.at(10s), at_x(10));
+    EXPECT_NEAR(x_of(track.at(8500ms)), 8.5, 1e-12);
+    EXPECT_EQ(track.at(1s), at_x(8));  // holds the oldest that it still knows
+}
+
+TEST(PoseTrack, IsStillWhereNothingChanges) {
+    PoseTrack track(at_x(0));
+    track.append(1s, at_x(1));
+    track.append(2s, at_x(1));
+    track.append(3s, at_x(2));
+    EXPECT_TRUE(track.still(1s, 2s));
+    EXPECT_TRUE(track.still(1200ms, 1900ms));
+    EXPECT_TRUE(track.still(3s, 1h));
+    EXPECT_TRUE(track.still(4s, 5s));
+    EXPECT_FALSE(track.still(1500ms, 2500ms));
+    EXPECT_FALSE(track.still(2100ms, 2200ms));  // under way the whole time
+    EXPECT_FALSE(track.still(500ms, 1500ms));   // the jump from the start
+    EXPECT_TRUE(track.still(0s, 999ms));
+}
+
+TEST(PoseTrack, IsNotStillAcrossAJumpAndBack) {
+    PoseTrack track(at_x(1));
+    track.jump(1s, at_x(2));
+    track.jump(2s, at_x(1));
+    EXPECT_FALSE(track.still(500ms, 2500ms));
+    EXPECT_TRUE(track.still(2s, 3s));
+}
+
+}  // namespace
+}  // namespace scipd::sim
