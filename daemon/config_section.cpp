@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/config_section.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "daemon/config.h"
+#include "sim/loaders/quote.h"
+
+namespace scipd::daemon {
+namespace {
+
+constexpr std::size_t most_faults = 100;
+constexpr std::size_t most_entries = 4096;
+
+std::string joined(std::span<const std::string_view> keys) {
+    std::string text;
+    for (const auto key : keys)
+        text += (text.empty() ? "" : ", ") + std::string{key};
+    return text;
+}
+
+/// Levenshtein: how many letters to insert, drop or change.
+std::size_t edits_between(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0]++;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
+        }
+    }
+    return row[b.size()];
+}
+
+/// What somebody who misspelt a key is told.
+std::string unknown_key(std::string_view key, std::span<const std::string_view> known) {
+    const auto edits = [key](std::string_view other) { return edits_between(key, other); };
+    const auto nearest = std::min_element(known.begin(), known.end(),
+                                          [&](auto a, auto b) { return edits(a) < edits(b); });
+    if (key.size() < 32 && edits(*nearest) <= std::max<std::size_t>(1, nearest->size() / 3)) {
+        return "unknown key; did you mean " + std::string{*nearest} + "?";
+    }
+    return "unknown key; known here are " + joined(known);
+}
+
+std::string path_of(const Field& map, std::string_view key) {
+    const auto shown = sim::printable(key, 64);
+    return map.path.empty() ? shown : map.path + "." + shown;
+}
+
+}  // namespace
+
+void Faults::add(int line, std::string_view path, std::string_view sentence) {
+    std::string fault = file_ + ":" + std::to_string(line) + ": ";
+    if (!path.empty()) fault.append(path).append(": ");
+    by_line_.emplace_back(line, fault.append(sentence));
+    if (by_line_.size() < most_faults) return;
+    by_line_.emplace_back(line, file_ + ":" + std::to_string(line) +
+                                    ": too many faults; there may be more from here on");
+    throw_if_any();
+}
+
+void Faults::throw_if_any() const {
+    if (by_line_.empty()) return;
+    auto ordered = by_line_;
+    std::stable_sort(ordered.begin(), ordered.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<std::string> faults;
+    for (auto& [line, fault] : ordered)
+        faults.push_back(std::move(fault));
+    throw ConfigError(std::move(faults));
+}
+
+std::vector<Field> entries(const Field& map, Faults& faults) {
+    if (!map.value.IsMap()) {
+        faults.add(map, "must be a map of keys and values");
+        return {};
+    }
+    if (map.value.size() > most_entries) {
+        faults.add(map, "has more than 4096 entries; split it into several daemons");
+        return {};
+    }
+    std::vector<Field> fields;
+    std::map<std::string, int> line_of;
+    for (const auto& entry : map.value) {
+        const int line = entry.first.Mark().line + 1;
+        if (!entry.first.IsScalar()) {
+            faults.add(line, map.path, "a key must be a plain name");
+            continue;
+        }
+        Field field{entry.first.Scalar(), path_of(map, entry.first.Scalar()), line, entry.second};
+        const auto [first, is_new] = line_of.emplace(field.key, line);
+        if (!is_new) {
+            faults.add(field, "given twice, first in line " + std::to_string(first->second) +
+                                  "; keep one");
+            continue;
+        }
+        fields.push_back(std::move(field));
+    }
+    return fields;
+}
+
+std::string text_of(const YAML::Node& value) {
+    if (value.IsScalar()) return value.Scalar();
+    if (value.IsNull()) throw std::invalid_argument("has no value; give one or leave the key out");
+    throw std::invalid_argument(std::string{"must be a single value, not a "} +
+                                (value.IsMap() ? "map" : "list"));
+}
+
+Section::Section(const Field& map, const Keys& keys, Faults& faults) : faults_(faults) {
+    const auto has = [](std::span<const std::string_view> list, const std::string& key) {
+        return std::find(list.begin(), list.end(), key) != list.end();
+    };
+    for (auto& field : entries(map, faults)) {
+        if (has(keys.known, field.key)) {
+            fields_.push_back(std::move(field));
+        } else if (has(keys.later, field.key)) {
+            faults.add(field, "is not supported by this version; leave it out");
+        } else {
+            faults.add(field, unknown_key(field.key, keys.known));
+        }
+    }
+}
+
+const Field* Section::find(std::string_view key) const {
+    const auto found = std::find_if(fields_.begin(), fields_.end(),
+                                    [key](const Field& field) { return field.key == key; });
+    return found == fields_.end() ? nullptr : &*found;
+}
+
+void Section::read_vector(std::string_view key, glm::dvec3& target,
+                          double (*parse)(std::string_view)) const {
+    const Field* field = find(key);
+    if (!field) return;
+    faults_.guard(*field, [&] {
+        if (!field->value.IsSequence() || field->value.size() != 3) {
+            throw std::invalid_argument("must be a list of three numbers, such as [1, 2, 0]");
+        }
+        for (int i = 0; i < 3; ++i)
+            target[i] = parse(text_of(field->value[i]));
+    });
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The world that scipd shows when nobody names one. Any thread; nothing shared.
+#pragma once
+
+#include <filesystem>
+
+#include "sim/world/pose.h"
+
+namespace scipd::daemon {
+
+/// The rescue maze: where it was installed beside this program, else in the sources that it was
+/// built from. Throws std::invalid_argument, saying where it was sought.
+std::filesystem::path demo_scene();
+
+/// Where the maze begins, and a scanner on a robot's deck: high enough to look over its own base.
+sim::Pose demo_start();
+sim::Pose demo_mount();
+
+}  // namespace scipd::daemon

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/options.h"
+
+#include <functional>
+#include <stdexcept>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+
+#include "daemon/config_values.h"
+#include "daemon/demo_world.h"
+#include "daemon/models/registry.h"
+#include "sim/backends/registry.h"
+
+namespace scipd::daemon {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* description =
+    "scipd is a Hokuyo laser scanner as far as any program can tell: it speaks SCIP over TCP and "
+    "a\n"
+    "tty, and its ranges come from a 3D world. Without options: a UST-10LX in the demo world.\n"
+    "When everything listens, one line of JSON on standard output tells where.";
+
+constexpr const char* examples = R"(Examples:
+  scipd
+        a UST-10LX at the start of the rescue maze, on 127.0.0.1:10940 and a tty
+  scipd --scene room.sdf --model URG-04LX --tcp none --pty /tmp/urg
+        a URG-04LX on a tty alone, for a driver that opens /tmp/urg
+  scipd --scene room.sdf --pose 2,1.5,3.14 --poses udp:127.0.0.1:14550
+        starts at x 2 m, y 1.5 m, looking along -x, and then follows the poses sent by UDP
+  scipd --poses scenes/rescue_maze.tum --accuracy ideal
+        drives through the maze, without noise
+  scipd --config fleet.yaml
+        any number of robots and scanners; scipd --check fleet.yaml tells every fault in it
+
+Lengths are metres, angles radians; x is forward, y left, z up.
+Exit codes: 0 ended as asked, 1 failed while running, 2 wrong options, configuration or world.)";
+
+SensorConfig default_sensor() {
+    SensorConfig sensor;
+    sensor.name = "scanner";
+    sensor.model = "UST-10LX";
+    sensor.tcp = Address{"127.0.0.1", 10940};
+    sensor.pty = PtyConfig{};
+    return sensor;
+}
+
+/// What the options say before it is known whether they count.
+struct Said {
+    Options options;
+    RobotConfig robot;
+    SensorConfig sensor = default_sensor();
+    bool start_given = false;
+    bool mount_given = false;
+    fs::path config;
+    fs::path check;
+    bool list_models = false;
+    bool list_backends = false;
+    bool probe = false;
+};
+
+/// Adds options of one group; the text of each goes through one of config_values' parsers.
+class Group {
+  public:
+    Group(CLI::App& app, std::string title) : app_(app), title_(std::move(title)) {}
+
+    CLI::Option* add(const std::string& name, const std::string& value, const std::string& help,
+                     std::function<void(const std::string&)> take) {
+        const auto callback = [name, take = std::move(take)](const CLI::results_t& said) {
+            try {
+                take(said.front());
+            } catch (const std::invalid_argument& refusal) {
+                throw CLI::ValidationError(name, refusal.what());
+            }
+            return true;
+        };
+        return app_.add_option(name, callback, help)->type_name(value)->group(title_);
+    }
+
+    CLI::Option* add_flag(const std::string& name, bool& flag, const std::string& help) {
+        return app_.add_flag(name, flag, help)->group(title_);
+    }
+
+  private:
+    CLI::App& app_;
+    std::string title_;
+};
+
+void add_world(CLI::App& app, Said& said) {
+    Group group{app, "World"};
+    Config& config = said.options.config;
+    group.add("--scene", "FILE.sdf", "the world; default: the rescue maze",
+              [&](const auto& text) { config.scene = parse_file(text, fs::current_path()); });
+    group.add("--clock", "wall", "what time follows", check_clock);
+    group.add("--seed", "N", "of all chance; the same seed gives the same noise; default: 1",
+              [&](const auto& text) { config.seed = parse_seed(text); });
+}
+
+void add_robot(CLI::App& app, Said& said) {
+    Group group{app, "Robot"};
+    group.add("--name", "ROBOT/SENSOR", "default: robot/scanner", [&](const std::string& text) {
+        const auto slash = text.find('/');
+        if (slash == text.npos) throw std::invalid_argument("must be ROBOT/SENSOR");
+        said.robot.name = parse_name(text.substr(0, slash));
+        said.sensor.name = parse_name(text.substr(slash + 1));
+    });
+    group.add(
+        "--pose", "X,Y,YAW",
+        "or X,Y,Z,ROLL,PITCH,YAW: where the robot starts; default: 1,1,0 in the maze, else 0,0,0",
+        [&](const auto& text) {
+            said.robot.world_from_robot = parse_pose(text);
+            said.start_given = true;
+        });
+    group.add(
+        "--poses", "SOURCE",
+        "live poses: udp:ADDR:PORT, a file FILE.tum played in real time, or - for stdin",
+        [&](const auto& text) { said.robot.poses = parse_pose_source(text, fs::current_path()); });
+}
+
+void add_scanner(CLI::App& app, Said& said) {
+    Group group{app, "Scanner"};
+    SensorConfig& sensor = said.sensor;
+    group.add("--model", "MODEL", "MODEL or MODEL@FIRMWARE of --list-models; default: UST-10LX",
+              [&](const auto& text) { sensor.model = parse_model(text); });
+    group.add("--mount", "X,Y,Z,R,P,Y",
+              "where it sits; default: 0.25 m up in the maze, else at the origin",
+              [&](const auto& text) {
+                  sensor.robot_from_sensor = parse_pose(text);
+                  said.mount_given = true;
+              });
+    group.add("--tcp", "ADDR:PORT", "or none; port 0 takes a free one; default: 127.0.0.1:10940",
+              [&](const auto& text) { sensor.tcp = parse_listener(text); });
+    group.add("--pty", "LINK", "a tty under this name, auto or none; default: auto",
+              [&](const auto& text) { sensor.pty = parse_pty(text, fs::current_path()); });
+    group.add("--backend", "NAME", "auto or one of --list-backends; default: auto",
+              [&](const auto& text) { sensor.backend = parse_backend(text); });
+    group.add("--accuracy", "ideal|sensor",
+              "without or with the noise of the data sheet; "
+              "default: sensor",
+              [&](const auto& text) { sensor.accuracy = parse_accuracy(text); });
+    group.add("--timing", "real|ideal", "replies on the firmware's grid, or at once; default: real",
+              [&](const auto& text) { sensor.timing = parse_timing(text); });
+}
+
+void add_daemon(CLI::App& app, Said& said) {
+    Group group{app, "Daemon"};
+    Config& config = said.options.config;
+    group.add("--control", "SOCKET",
+              "of the control API; default: control.sock in the run directory",
+              [&](const auto& text) { config.control = parse_socket(text, fs::current_path()); });
+    group.add("--http", "ADDR:PORT", "the control API on TCP too, or none; default: none",
+              [&](const auto& text) { config.http = parse_listener(text); });
+}
+
+constexpr const char* alone_title = "Instead of the above";
+constexpr const char* general_title = "General";
+
+void add_alone(CLI::App& app, Said& said) {
+    Group group{app, alone_title};
+    group.add("--config", "FILE.yaml", "run what the file says",
+              [&](const auto& text) { said.config = text; });
+    group.add("--check", "FILE.yaml", "tell every fault of the file and end",
+              [&](const auto& text) { said.check = text; });
+    group.add_flag("--list-models", said.list_models, "the scanners that it can be");
+    group.add_flag("--list-backends", said.list_backends, "what this build computes ranges with");
+    group.add_flag("--probe", said.probe, "what this machine offers to a depth backend");
+}
+
+/// Not CLI11's excludes(): it would list every pair in the help.
+void check_alone(const CLI::App& app) {
+    for (const CLI::Option* alone : app.get_options()) {
+        if (alone->get_group() != alone_title || alone->count() == 0) continue;
+        for (const CLI::Option* other : app.get_options()) {
+            if (other == alone || other->get_group() == general_title || other->count() == 0) {
+                continue;
+            }
+            throw std::invalid_argument(alone->get_name() + " stands alone: leave " +
+                                        other->get_name() + " out");
+        }
+    }
+}
+
+/// Those that go with all others.
+void add_general(CLI::App& app, Said& said) {
+    app.add_option("--log-level", said.options.log_level, "how much goes to standard error")
+        ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "critical", "off"}))
+        ->capture_default_str()
+        ->group(general_title);
+    app.set_version_flag("--version", "scipd " SCIPD_VERSION, "which scipd this is")
+        ->group(general_title);
+    app.set_help_flag();
+    app.set_help_flag("-h,--help", "this text")->group(general_title);
+}
+
+Answer refusal(const std::string& sentence) {
+    return {2, sentence + "\n"};
+}
+
+Answer model_list() {
+    std::string text;
+    for (const Model& model : models()) {
+        const auto& profile = model.profile;
+        text += profile.name + "@" + profile.release + "\n";
+    }
+    return {0, text};
+}
+
+Answer backend_list() {
+    std::string text;
+    for (const auto& backend : sim::backends())
+        text += std::string{backend.name} + "  " + std::string{backend.description} + "\n";
+    return {0, text};
+}
+
+Answer check(const fs::path& file) {
+    const auto config = load_config(file);
+    std::size_t sensors = 0;
+    for (const auto& robot : config.robots)
+        sensors += robot.sensors.size();
+    return {0, file.string() + ": no faults; robots: " + std::to_string(config.robots.size()) +
+                   ", sensors: " + std::to_string(sensors) + "\n"};
+}
+
+/// What was left out becomes what design and help say.
+void complete(Said& said) {
+    Config& config = said.options.config;
+    const bool demo = config.scene.empty();
+    if (demo) config.scene = demo_scene();
+    if (demo && !said.start_given) said.robot.world_from_robot = demo_start();
+    if (demo && !said.mount_given) said.sensor.robot_from_sensor = demo_mount();
+
+    if (!said.sensor.tcp && !said.sensor.pty) {
+        throw std::invalid_argument("--tcp none and --pty none: nobody could reach the scanner");
+    }
+    said.robot.sensors = {said.sensor};
+    config.robots = {said.robot};
+}
+
+std::variant<Options, Answer> act(Said& said) {
+    if (said.list_models) return model_list();
+    if (said.list_backends) return backend_list();
+    if (said.probe) return refusal("scipd: --probe: this build has no depth backend to probe for");
+    if (!said.check.empty()) return check(said.check);
+    if (said.config.empty()) {
+        complete(said);
+    } else {
+        said.options.config = load_config(said.config);
+        said.options.config_file = fs::absolute(said.config);
+    }
+    return std::move(said.options);
+}
+
+}  // namespace
+
+std::variant<Options, Answer> parse_options(int argc, const char* const* argv) {
+    CLI::App app{description, "scipd"};
+    app.footer(examples);
+    Said said;
+    said.robot.name = "robot";
+    add_world(app, said);
+    add_robot(app, said);
+    add_scanner(app, said);
+    add_daemon(app, said);
+    add_alone(app, said);
+    add_general(app, said);
+    try {
+        app.parse(argc, argv);
+        check_alone(app);
+        return act(said);
+    } catch (const CLI::CallForHelp&) {
+        return Answer{0, app.help()};
+    } catch (const CLI::CallForVersion& version) {
+        return Answer{0, std::string{version.what()} + "\n"};
+    } catch (const ConfigError& error) {
+        return refusal(error.what());
+    } catch (const std::exception& error) {
+        return refusal(std::string{"scipd: "} + error.what() + "; see scipd --help");
+    }
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The command line of scipd: what is to run, or an answer after which there is nothing to do. Any
+// thread; nothing shared.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "daemon/config.h"
+
+namespace scipd::daemon {
+
+/// What is to run.
+struct Options {
+    Config config;
+    /// Where the configuration came from, to be read again at SIGHUP; nothing: from options.
+    std::optional<std::filesystem::path> config_file;
+    /// trace, debug, info, warn, error, critical or off.
+    std::string log_level = "info";
+};
+
+/// The end of the program: --help, --version, the lists, a checked configuration, wrong options.
+struct Answer {
+    int exit_code = 0;  ///< 0: the text is for standard output; 2: for standard error
+    std::string text;   ///< with its last line end
+};
+
+/// Never throws on any arguments; argv[0] is the program.
+std::variant<Options, Answer> parse_options(int argc, const char* const* argv);
+
+}  // namespace scipd::daemon
