@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// How all the small programs read their options and end: 0 as asked, 1 failed while running, 2
+// wrong options.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace scipd::tools {
+
+/// Reads the options, carries out the command and tells what went wrong on standard error. Returns
+/// the exit code.
+int run(CLI::App& program, int argc, char** argv);
+
+}  // namespace scipd::tools

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#pragma once
+
+#include <string>
+
+#include "tools/scipcat/scan_writer.h"
+
+namespace scipd::tools {
+
+/// Comments that explain the columns, then numbers only: numpy.loadtxt and gnuplot read it as it is
+/// (with echoes, a cell is empty where there is no echo).
+class CsvFormat final : public ScanFormat {
+  public:
+    [[nodiscard]] std::string head(const RecordedScanner& scanner) const override;
+    [[nodiscard]] std::string line(const RecordedScanner& scanner,
+                                   const protocol::client::ScanMessage& scan,
+                                   HostTime received) const override;
+};
+
+}  // namespace scipd::tools

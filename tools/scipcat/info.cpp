@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tools/scipcat/info.h"
+
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <numbers>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/scipcat/scan_options.h"
+
+namespace scipd::tools {
+namespace {
+
+using protocol::client::Parameters;
+using protocol::client::SensorState;
+using protocol::client::Version;
+
+struct InfoOptions {
+    ConnectionOptions connection;
+    bool json = false;
+};
+
+template <typename... Values>
+std::string format(const char* pattern, Values... values) {
+    char text[160];
+    std::snprintf(text, sizeof text, pattern, values...);
+    return text;
+}
+
+void line(const char* key, const std::string& value) {
+    if (!value.empty()) std::cout << format("  %-10s", key) << value << '\n';
+}
+
+std::string angles(const Parameters& parameters) {
+    constexpr double degrees = 180.0 / std::numbers::pi;
+    return format("%.2f to %.2f degrees, every %.4g (steps %d to %d, %d looks forward)",
+                  parameters.angle_rad(parameters.amin) * degrees,
+                  parameters.angle_rad(parameters.amax) * degrees, 360.0 / parameters.ares,
+                  parameters.amin, parameters.amax, parameters.afrt);
+}
+
+std::string turns(const Parameters& parameters) {
+    if (parameters.scan_rpm == 0) return "0 rpm";
+    return format("%d rpm, a turn in %.4g ms", parameters.scan_rpm, 60000.0 / parameters.scan_rpm);
+}
+
+std::string clock(const SensorState& state) {
+    if (!state.time_ms) return state.time;
+    return format("%.3f s", *state.time_ms / 1000.0);
+}
+
+void print(const Scanner& scanner, const SensorState& state) {
+    const Parameters& parameters = scanner.parameters();
+    const Version& version = scanner.version();
+    std::cout << scanner.model() << '\n';
+    line("product", version.product);
+    line("vendor", version.vendor);
+    line("serial", version.serial);
+    line("firmware", version.firmware);
+    line("protocol", version.protocol);
+    line("range", format("%.3f to %.3f m", parameters.dmin_mm / 1e3, parameters.dmax_mm / 1e3));
+    line("angles", angles(parameters));
+    line("motor", turns(parameters));
+    line("speed", state.motor_speed);
+    line("laser", state.laser);
+    line("mode", state.mode);
+    line("link", state.bit_rate);
+    line("clock", clock(state));
+    line("health", state.health);
+}
+
+nlohmann::ordered_json as_json(const Scanner& scanner, const SensorState& state) {
+    using Json = nlohmann::ordered_json;
+    const Parameters& parameters = scanner.parameters();
+    const Version& version = scanner.version();
+    return {
+        {"model", scanner.model()},
+        {"vendor", version.vendor},
+        {"product", version.product},
+        {"firmware", version.firmware},
+        {"protocol", version.protocol},
+        {"serial", version.serial},
+        {"dmin_mm", parameters.dmin_mm},
+        {"dmax_mm", parameters.dmax_mm},
+        {"ares", parameters.ares},
+        {"amin", parameters.amin},
+        {"amax", parameters.amax},
+        {"afrt", parameters.afrt},
+        {"scan_rpm", parameters.scan_rpm},
+        {"motor_speed", state.motor_speed},
+        {"laser", state.laser},
+        {"mode", state.mode},
+        {"bit_rate", state.bit_rate},
+        {"time", state.time},
+        {"time_ms", state.time_ms ? Json(*state.time_ms) : Json(nullptr)},
+        {"health", state.health},
+    };
+}
+
+void show(const InfoOptions& options) {
+    Scanner scanner = options.connection.open();
+    const SensorState state = scanner.driver().state();
+    if (!options.json) return print(scanner, state);
+    std::cout << as_json(scanner, state).dump(2) << '\n';
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& program) {
+    auto* const command = program.add_subcommand("info", "what the scanner says of itself");
+    const auto options = std::make_shared<InfoOptions>();
+    options->connection.add_to(*command);
+    command->add_flag("--json", options->json, "as a JSON document");
+    command->callback([options] { show(*options); });
+    command->footer(
+        "Example:\n"
+        "  scipcat info tcp://192.168.0.10:10940\n"
+        "  scipcat info /dev/ttyACM0 --json | jq .serial");
+}
+
+}  // namespace scipd::tools

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// scipcat: talks to any SCIP scanner, real or emulated, over TCP or a tty.
+#include <CLI/CLI.hpp>
+
+#include "tools/options.h"
+#include "tools/scipcat/info.h"
+#include "tools/scipcat/plot.h"
+#include "tools/scipcat/record.h"
+
+int main(int argc, char** argv) {
+    CLI::App program("Talks to any SCIP scanner, real or emulated, over TCP or a tty.", "scipcat");
+    program.require_subcommand(1);
+    program.footer("scipcat COMMAND --help tells more.");
+    scipd::tools::add_info_command(program);
+    scipd::tools::add_record_command(program);
+    scipd::tools::add_plot_command(program);
+    return scipd::tools::run(program, argc, argv);
+}

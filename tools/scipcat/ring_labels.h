@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#pragma once
+
+#include "tools/scipcat/sheet.h"
+#include "tools/scipcat/top_view.h"
+
+namespace scipd::tools {
+
+/// The distance of each ring, all along one direction: the one where most of them are visible and
+/// farthest from everything that was measured.
+void draw_ring_labels(const Sheet& sheet, const TopView& view);
+
+}  // namespace scipd::tools

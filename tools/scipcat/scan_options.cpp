@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tools/scipcat/scan_options.h"
+
+#include <chrono>
+#include <filesystem>
+#include <stdexcept>
+
+#include "tools/target.h"
+
+namespace scipd::tools {
+namespace {
+
+constexpr int max_step = 9999;
+constexpr int max_cluster = 99;
+
+std::string why_no_target(const std::string& text) {
+    try {
+        (void)parse_target(text);
+        return {};
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+}
+
+}  // namespace
+
+void ConnectionOptions::add_to(CLI::App& command) {
+    command
+        .add_option("TARGET", target, "the scanner: tcp://HOST:PORT, or a tty such as /dev/ttyACM0")
+        ->required()
+        ->check(CLI::Validator(why_no_target, "", "target"));
+    command.add_option("--baud", baud, "rate of a tty; USB scanners do not care")
+        ->check(CLI::IsMember({9600, 19200, 38400, 57600, 115200, 230400, 460800, 500000}))
+        ->capture_default_str();
+    command.add_option("--timeout", timeout_s, "seconds to wait for each answer")
+        ->check(CLI::Range(0.01, 3600.0))
+        ->capture_default_str();
+}
+
+// A scan takes up to a tenth of a second longer than an answer.
+Scanner ConnectionOptions::open() const {
+    using std::chrono::duration;
+    using std::chrono::milliseconds;
+    const auto answer = std::chrono::duration_cast<milliseconds>(duration<double>(timeout_s));
+    const OpenOptions open_options{.connect_timeout = 3 * answer, .baud = baud};
+    return {parse_target(target), open_options, {.reply = answer, .scan = 2 * answer}};
+}
+
+void ScanOptions::add_to(CLI::App& command) {
+    const CLI::Range steps(0, max_step);
+    command
+        .add_option("--start", start, "first step (default: the first that the scanner measures)")
+        ->check(steps);
+    command.add_option("--end", end, "last step (default: the last that the scanner measures)")
+        ->check(steps);
+    command.add_option("--cluster", cluster, "so many neighbouring steps give one value")
+        ->check(CLI::Range(1, max_cluster))
+        ->capture_default_str();
+    command.add_flag("--intensity", intensity, "ask for intensities as well");
+}
+
+protocol::client::ScanRequest ScanOptions::request(
+    const protocol::client::Parameters& parameters) const {
+    return {
+        .first_step = start.value_or(parameters.amin),
+        .last_step = end.value_or(parameters.amax),
+        .cluster = cluster,
+        .intensity = intensity,
+        .echoes = echoes,
+    };
+}
+
+CLI::Validator ends_in(const std::string& first, const std::string& second) {
+    const auto why_not = [=](const std::string& file) -> std::string {
+        const std::string ending = std::filesystem::path(file).extension();
+        if (ending == first || ending == second) return {};
+        return "\"" + file + "\" ends in neither " + first + " nor " + second;
+    };
+    return {why_not, "FILE" + first + "|FILE" + second, "ending"};
+}
+
+}  // namespace scipd::tools

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A scanner that answers, and what it has said of itself. One thread.
+#pragma once
+
+#include <memory>
+
+#include "protocol/client/device_info.h"
+#include "protocol/client/driver.h"
+#include "tools/scip_transport.h"
+#include "tools/target.h"
+
+namespace scipd::tools {
+
+class Scanner {
+  public:
+    /// Connects. Throws protocol::client::Error.
+    Scanner(const Target& target, const OpenOptions& open_options,
+            protocol::client::Patience patience);
+
+    [[nodiscard]] protocol::client::Driver& driver() { return driver_; }
+    [[nodiscard]] ScipTransport& transport() { return *transport_; }
+    [[nodiscard]] const protocol::client::Version& version() const { return version_; }
+    [[nodiscard]] const protocol::client::Parameters& parameters() const { return parameters_; }
+    /// MODL without what some models append: "URG-04LX(Hokuyo Automatic Co.,Ltd.)".
+    [[nodiscard]] std::string model() const;
+
+  private:
+    std::unique_ptr<ScipTransport> transport_;
+    protocol::client::Driver driver_;
+    protocol::client::Parameters parameters_;
+    protocol::client::Version version_;
+};
+
+}  // namespace scipd::tools

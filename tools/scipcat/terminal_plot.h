@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#pragma once
+
+#include <string>
+
+#include "tools/scipcat/plot_text.h"
+#include "tools/scipcat/top_view.h"
+#include "tools/terminal.h"
+
+namespace scipd::tools {
+
+/// The view in Braille dots with a scale below, no wider and no higher than the terminal.
+[[nodiscard]] std::string terminal_plot(const TopView& view, const PlotText& text,
+                                        TerminalSize size);
+
+}  // namespace scipd::tools

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A scan seen from above, in the scanner's frame: x forward, y left, metres, the scanner at the
+// origin. Not a picture yet: the plots put it on paper or into the terminal. A value.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "protocol/client/device_info.h"
+#include "protocol/client/scan_message.h"
+
+namespace scipd::tools {
+
+struct ViewPoint {
+    double x_m = 0.0;
+    double y_m = 0.0;
+    double range_m = 0.0;
+    std::uint32_t intensity = 0;
+    bool adjacent = false;  ///< the direction just before has a point as well
+    bool joined = false;    ///< and both seem to be on one surface
+};
+
+/// Of everything to be shown; never empty.
+struct Bounds {
+    double min_x_m = 0.0;
+    double max_x_m = 0.0;
+    double min_y_m = 0.0;
+    double max_y_m = 0.0;
+
+    void include(double x_m, double y_m);
+    void widen(double margin_m);
+    [[nodiscard]] double height_m() const { return max_x_m - min_x_m; }
+    [[nodiscard]] double width_m() const { return max_y_m - min_y_m; }
+};
+
+struct TopView {
+    std::vector<ViewPoint> points;  ///< only where something returned
+    std::size_t directions = 0;     ///< with and without a return
+    double first_angle_rad = 0.0;   ///< the field of view
+    double last_angle_rad = 0.0;
+    bool has_intensity = false;
+    Bounds bounds;  ///< the points, the scanner and a margin
+};
+
+/// What is not within the scanner's DMIN and DMAX is no distance and leaves no point.
+[[nodiscard]] TopView make_top_view(const protocol::client::ScanMessage& scan,
+                                    const protocol::client::Parameters& parameters);
+
+/// 1, 2 or 5 times a power of ten: so that `length_m` holds at most `most` of it.
+[[nodiscard]] double round_step_m(double length_m, double most);
+
+}  // namespace scipd::tools

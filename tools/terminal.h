@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#pragma once
+
+namespace scipd::tools {
+
+/// In characters.
+struct TerminalSize {
+    int columns = 80;
+    int rows = 40;
+};
+
+/// Of standard output; where that is no terminal, $COLUMNS if set, else the values above.
+[[nodiscard]] TerminalSize terminal_size();
+
+}  // namespace scipd::tools
