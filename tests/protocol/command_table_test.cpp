@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "protocol/command_table.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace scipd::protocol {
+namespace {
+
+TEST(CommandTable, HasNoCodeTwice) {
+    std::set<std::string_view> codes;
+    for (const Command& command : command_table())
+        EXPECT_TRUE(codes.insert(command.code).second) << command.code;
+}
+
+TEST(CommandTable, ParametersHaveTheWidthsOfTheWire) {
+    EXPECT_EQ(width(Parameters::none), 0U);
+    EXPECT_EQ(width(Parameters::digit), 1U);
+    EXPECT_EQ(width(Parameters::window), std::string_view("0000108001").size());
+    EXPECT_EQ(width(Parameters::scans), std::string_view("0000108001100").size());
+}
+
+// Drivers tell urg_library's and UrgBenri's "in adjust mode" from any other answer by this.
+TEST(CommandTable, OldModelsRefuseAllButTmInAdjustMode) {
+    for (const Command& command : command_table()) {
+        for (const Family family : {Family::a1, Family::a2}) {
+            if (!command.gate(family).known() || command.code.starts_with("TM")) continue;
+            EXPECT_EQ(command.gate(family).refusal(State::adjust), status::undefined)
+                << command.code;
+        }
+    }
+}
+
+TEST(CommandTable, NoModelMeasuresWithoutLaserOnARequestForOneScan) {
+    for (const Command& command : command_table()) {
+        if (command.operation != Operation::single_shot) continue;
+        for (const Gate& gate : command.gates) {
+            if (!gate.known()) continue;
+            EXPECT_EQ(gate.refusal(State::standby), status::denied) << command.code;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace scipd::protocol

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "protocol/request.h"
+
+#include <gtest/gtest.h>
+
+namespace scipd::protocol {
+namespace {
+
+Request request(const std::string& text, Family family = Family::c, bool overlong = false) {
+    return parse_request({text, overlong}, family);
+}
+
+TEST(Request, IsCodeParametersAndString) {
+    const Request md = request("MD0000108001100;left wheel");
+    ASSERT_NE(md.command, nullptr);
+    EXPECT_EQ(md.command->code, "MD");
+    EXPECT_EQ(md.parameters(), "0000108001100");
+    EXPECT_EQ(md.echo, "MD0000108001100;left wheel");
+    EXPECT_FALSE(md.fault);
+}
+
+TEST(Request, TakesTheLongestCode) {
+    EXPECT_EQ(request("TM1").command->operation, Operation::report_time);
+    EXPECT_EQ(request("TM10").parameters(), "0");
+    EXPECT_EQ(request("TM3").command->operation, Operation::refuse_digit);
+    EXPECT_EQ(request("TM").command->operation, Operation::refuse_digit);
+    EXPECT_EQ(request("TM").parameters(), "");
+}
+
+TEST(Request, KnowsOnlyTheFamilysCommands) {
+    EXPECT_EQ(request("GS0044072501", Family::c).command, nullptr);
+    EXPECT_NE(request("GS0044072501", Family::a1).command, nullptr);
+    EXPECT_EQ(request("GE0044072501", Family::a1).command, nullptr);
+    EXPECT_NE(request("GE0000108001", Family::a2).command, nullptr);
+    EXPECT_EQ(request("RT", Family::a2).command, nullptr);
+}
+
+TEST(Request, OfNoKnownCodeHasNoCommand) {
+    for (const char* text : {"XX", "V", "vv", "SCIP2.0", " VV", "%ST", ";VV"})
+        EXPECT_EQ(request(text).command, nullptr) << text;
+}
+
+TEST(Request, MayCarrySixteenCharactersOfString) {
+    EXPECT_FALSE(request("VV;").fault);
+    EXPECT_FALSE(request("VV;0123456789 ._+@Z").fault);
+    EXPECT_EQ(request("VV;0123456789 ._+@Zz").fault, status::string_too_long);
+    EXPECT_EQ(request("VV;a;b").fault, status::string_illegal);
+    EXPECT_EQ(request("VV;a-b").fault, status::string_illegal);
+    EXPECT_EQ(request("VV;\xe4").fault, status::string_illegal);
+    EXPECT_EQ(request("VV;aaaaaaaaaaaaaaaa-").fault, status::string_too_long);
+}
+
+TEST(Request, ThatWasCutIsTooLongWhateverItSays) {
+    EXPECT_EQ(request("VV;" + std::string(125, '-'), Family::c, true).fault, status::too_long);
+}
+
+}  // namespace
+}  // namespace scipd::protocol

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The dullest possible shell around sessions of one device: turns the clock by hand, hands in
+// synthetic scans and keeps what is sent, each message with its instant. Turn n passes step 0 at n
+// scan periods; its scan leaves on the reply grid after its last step, as the scanner that it
+// stands for would send it.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "protocol/session.h"
+
+namespace scipd::protocol {
+
+struct Sent {
+    Uptime at{};
+    std::string bytes;
+    Send::Kind kind = Send::Kind::reply;
+};
+
+class Shell {
+  public:
+    explicit Shell(DeviceProfile profile, int clients = 1);
+
+    /// The client's bytes come in at now().
+    void receive(std::string_view bytes, int client = 0);
+    /// Does everything that is due until then, in the order of time; scans before replies of the
+    /// same instant.
+    void advance_to(Uptime time);
+
+    /// Of turn n, counted from 0.
+    [[nodiscard]] Uptime complete(std::int64_t turn) const;
+    [[nodiscard]] Uptime now() const { return now_; }
+    [[nodiscard]] Session& session(int client = 0) { return *sessions_[client]; }
+    [[nodiscard]] DeviceState& device() { return device_; }
+    /// All that has been sent since the last call.
+    std::vector<Sent> take_sent(int client = 0);
+    /// The same as one string.
+    std::string take_text(int client = 0);
+
+    /// What the scanner sees at a step.
+    std::function<std::uint32_t(int step)> distance = [](int) { return 1000; };
+    std::function<std::uint32_t(int step)> intensity = [](int) { return 500; };
+    int scans_made = 0;
+
+  private:
+    struct Leaving {
+        int client;
+        std::int64_t turn;
+    };
+
+    [[nodiscard]] Uptime start(std::int64_t turn) const;
+    [[nodiscard]] Uptime leaves(std::int64_t turn) const;
+    [[nodiscard]] Uptime next_event();
+    [[nodiscard]] int clients() const { return static_cast<int>(sessions_.size()); }
+    void complete_turn();
+    void hand_out(const Leaving& leaving);
+    void settle(int client);
+
+    DeviceProfile profile_;
+    DeviceState device_;
+    std::vector<std::unique_ptr<Session>> sessions_;
+    std::vector<std::vector<Sent>> sent_;
+    std::deque<Leaving> leaving_;
+    std::int64_t next_turn_ = 0;  ///< the first one that has not been completed
+    Uptime now_{};
+};
+
+}  // namespace scipd::protocol

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "protocol/status.h"
+
+#include <gtest/gtest.h>
+
+namespace scipd::protocol {
+namespace {
+
+TEST(Status, IsItsTwoCharacters) {
+    EXPECT_EQ(status::ok.text(), "00");
+    EXPECT_EQ(status::scan_follows.text(), "99");
+    EXPECT_EQ(status::denied.text(), "10");
+    EXPECT_EQ(status::too_short.text(), "0C");
+    EXPECT_EQ(status::too_long.text(), "0D");
+    EXPECT_EQ(status::undefined.text(), "0E");
+    EXPECT_EQ(status::unsupported.text(), "0F");
+    EXPECT_EQ(status::string_too_long.text(), "0G");
+    EXPECT_EQ(status::string_illegal.text(), "0H");
+}
+
+TEST(Status, ComparesByText) {
+    EXPECT_EQ(Status("00"), status::ok);
+    EXPECT_NE(Status("01"), status::ok);
+}
+
+}  // namespace
+}  // namespace scipd::protocol
