@@ -10,7 +10,7 @@ namespace scipd::daemon {
 
 struct HttpRequest {
     std::string method;  ///< "GET"
-    std::string path;    ///< decoded, without the query: "/robots/rescue/pose"
+    std::string path;    ///< as it was sent, without the query: "/robots/rescue/pose"
     std::string query;   ///< what followed the question mark, as it was sent
     std::string body;
 };

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// HTTP/1.1 on Unix sockets and TCP addresses: reads requests, hands each to one function, writes
+// what it answers. Knows no paths and no JSON. Lives on the I/O thread; any number of clients, and
+// whatever they send ends at most their own connection.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <boost/asio/any_io_executor.hpp>
+
+#include "daemon/config.h"
+#include "daemon/control/http_message.h"
+
+namespace scipd::daemon {
+
+struct HttpLimits {
+    std::uint32_t header_bytes = 16 * 1024;
+    std::uint64_t body_bytes = 1024 * 1024;
+    std::chrono::milliseconds idle{60'000};  ///< without a whole request: the connection ends
+};
+
+class HttpServer {
+  public:
+    using Handler = std::function<HttpResponse(const HttpRequest&)>;
+
+    /// The handler is called on the executor, and no more once this is closed.
+    HttpServer(boost::asio::any_io_executor executor, Handler handler,
+               const HttpLimits& limits = {});
+    ~HttpServer();
+    HttpServer(const HttpServer&) = delete;
+    HttpServer& operator=(const HttpServer&) = delete;
+
+    /// For this user alone (mode 0600). A socket that nobody listens on any more is replaced.
+    /// Throws std::runtime_error, as the next one does.
+    void listen(const std::filesystem::path& socket);
+
+    /// Answers with the port that was really taken.
+    Address listen(const Address& address);
+
+    /// Ends all connections and removes the sockets.
+    void close();
+
+  private:
+    struct State;
+
+    template <class Acceptor>
+    void accept_from(Acceptor acceptor);
+
+    boost::asio::any_io_executor executor_;
+    std::shared_ptr<State> state_;  ///< shared with the connections, which may end later
+    std::vector<std::filesystem::path> sockets_;
+};
+
+}  // namespace scipd::daemon
