@@ -11,7 +11,8 @@ import math
 import pathlib
 import sys
 
-import make_rescue_maze as maze
+sys.dont_write_bytecode = True
+import make_rescue_maze as maze  # noqa: E402
 
 TURN_RATE = math.radians(90)  # per second
 

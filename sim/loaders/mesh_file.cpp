@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "sim/loaders/mesh_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -25,7 +26,16 @@ constexpr int unwanted = aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGEN
 
 constexpr unsigned int steps = aiProcess_Triangulate | aiProcess_RemoveComponent |
                                aiProcess_PreTransformVertices | aiProcess_SortByPType |
-                               aiProcess_JoinIdenticalVertices | aiProcess_ValidateDataStructure;
+                               aiProcess_ValidateDataStructure;
+
+std::span<aiMesh* const> meshes_of(const aiScene& scene) {
+    return {scene.mMeshes, scene.mNumMeshes};
+}
+
+bool is_finite(const aiMesh* mesh) {
+    return std::ranges::all_of(std::span{mesh->mVertices, mesh->mNumVertices},
+                               [](const aiVector3D& v) { return std::isfinite(v.x + v.y + v.z); });
+}
 
 const aiScene& read(Assimp::Importer& importer, const std::filesystem::path& file) {
     if (!std::filesystem::is_regular_file(file)) {
@@ -37,6 +47,11 @@ const aiScene& read(Assimp::Importer& importer, const std::filesystem::path& fil
     // Otherwise a COLLADA file that says Z_UP would be turned to y up: robots live in z up.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
     const aiScene* scene = importer.ReadFile(file.string(), steps);
+    if (scene != nullptr && !std::ranges::all_of(meshes_of(*scene), is_finite)) {
+        throw LoadError({file.string() + ": has a vertex that is not finite"});
+    }
+    // Last, since it takes a NaN for identical to any vertex and would hide it.
+    if (scene != nullptr) scene = importer.ApplyPostProcessing(aiProcess_JoinIdenticalVertices);
     if (scene == nullptr) {
         throw LoadError({file.string() +
                          ": cannot be read as a mesh: " + printable(importer.GetErrorString())});
@@ -44,7 +59,7 @@ const aiScene& read(Assimp::Importer& importer, const std::filesystem::path& fil
     return *scene;
 }
 
-/// Appends; false where a vertex is not finite.
+/// Appends; false where a vertex does not stay finite.
 bool append(const aiMesh& from, const glm::dvec3& scale, Mesh& to) {
     const auto first = static_cast<glm::uint>(to.vertices_m.size());
     for (const aiVector3D& vertex : std::span{from.mVertices, from.mNumVertices}) {
@@ -80,9 +95,9 @@ std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& file, const g
     Assimp::Importer importer;
     const aiScene& scene = read(importer, file);
     std::vector<MeshPart> parts;
-    for (const aiMesh* mesh : std::span{scene.mMeshes, scene.mNumMeshes}) {
+    for (const aiMesh* mesh : meshes_of(scene)) {
         if (!append(*mesh, scale, part_of(material_name(scene, *mesh), parts).mesh)) {
-            throw LoadError({file.string() + ": has a vertex that is not finite"});
+            throw LoadError({file.string() + ": has a vertex that is not finite once scaled"});
         }
     }
     std::erase_if(parts, [](const MeshPart& part) { return part.mesh.triangles.empty(); });

@@ -48,9 +48,9 @@ std::string material_of(const sdf::Visual& visual) {
 
 /// Walks from the root to the visuals and collects: objects, and everything that is wrong, so that
 /// one run tells all.
-class SceneBuilder {
+class SceneCollector {
   public:
-    explicit SceneBuilder(fs::path file) : file_(std::move(file)) {}
+    explicit SceneCollector(fs::path file) : file_(std::move(file)) {}
 
     void add_root(const sdf::Root& root);
     void add_warning(std::string text);
@@ -73,7 +73,7 @@ class SceneBuilder {
     std::map<std::tuple<fs::path, double, double, double>, std::vector<SharedPart>> meshes_;
 };
 
-void SceneBuilder::add_root(const sdf::Root& root) {
+void SceneCollector::add_root(const sdf::Root& root) {
     if (const auto* model = root.Model()) {
         scene_.name = model->Name();
         return add_model(*model);
@@ -92,20 +92,20 @@ void SceneBuilder::add_root(const sdf::Root& root) {
         add_model(*world->ModelByIndex(i));
 }
 
-void SceneBuilder::add_warning(std::string text) {
+void SceneCollector::add_warning(std::string text) {
     if (std::find(warnings_.begin(), warnings_.end(), text) == warnings_.end()) {
         warnings_.push_back(std::move(text));
     }
 }
 
-void SceneBuilder::add_model(const sdf::Model& model) {
+void SceneCollector::add_model(const sdf::Model& model) {
     scene_.models.push_back(
         {model.Name(), !model.Static(), resolve(model.SemanticPose(), model.Name())});
     add_links(model, Pose{}, model.Name());
 }
 
-void SceneBuilder::add_links(const sdf::Model& model, const Pose& top_from_model,
-                             const std::string& name) {
+void SceneCollector::add_links(const sdf::Model& model, const Pose& top_from_model,
+                               const std::string& name) {
     for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
         const auto& link = *model.LinkByIndex(i);
         const auto link_name = name + "::" + link.Name();
@@ -126,8 +126,8 @@ void SceneBuilder::add_links(const sdf::Model& model, const Pose& top_from_model
     }
 }
 
-void SceneBuilder::add_visual(const sdf::Visual& visual, const Pose& top_from_link,
-                              const std::string& link) {
+void SceneCollector::add_visual(const sdf::Visual& visual, const Pose& top_from_link,
+                                const std::string& link) {
     Object object;
     object.name = link + "::" + visual.Name();
     object.model = static_cast<ModelId>(scene_.models.size() - 1);
@@ -155,7 +155,7 @@ void SceneBuilder::add_visual(const sdf::Visual& visual, const Pose& top_from_li
     scene_.objects.push_back(std::move(object));
 }
 
-void SceneBuilder::add_mesh(const sdf::Visual& visual, Object object) {
+void SceneCollector::add_mesh(const sdf::Visual& visual, Object object) {
     const auto& mesh = *visual.Geom()->MeshShape();
     const auto place = place_of(visual.Element(), file_) + ": " + object.name;
     const auto folder = (mesh.FilePath().empty() ? file_ : fs::path{mesh.FilePath()}).parent_path();
@@ -183,7 +183,7 @@ void SceneBuilder::add_mesh(const sdf::Visual& visual, Object object) {
     }
 }
 
-Pose SceneBuilder::resolve(const sdf::SemanticPose& pose, const std::string& name) {
+Pose SceneCollector::resolve(const sdf::SemanticPose& pose, const std::string& name) {
     ignition::math::Pose3d resolved;
     for (const auto& error : pose.Resolve(resolved)) {
         faults_.push_back(file_.string() + ": " + name + ": " + error.Message());
@@ -191,19 +191,18 @@ Pose SceneBuilder::resolve(const sdf::SemanticPose& pose, const std::string& nam
     return to_pose(resolved);
 }
 
-const std::vector<SharedPart>& SceneBuilder::mesh_parts(const fs::path& file,
-                                                        const glm::dvec3& scale) {
-    const auto [entry, is_new] = meshes_.try_emplace({file, scale.x, scale.y, scale.z});
-    if (is_new) {
-        for (auto& part : load_mesh_parts(file, scale)) {
-            entry->second.push_back(
-                {part.material, std::make_shared<const Mesh>(std::move(part.mesh))});
-        }
+const std::vector<SharedPart>& SceneCollector::mesh_parts(const fs::path& file,
+                                                          const glm::dvec3& scale) {
+    const std::tuple key{file, scale.x, scale.y, scale.z};
+    if (const auto known = meshes_.find(key); known != meshes_.end()) return known->second;
+    std::vector<SharedPart> parts;
+    for (auto& part : load_mesh_parts(file, scale)) {
+        parts.push_back({part.material, std::make_shared<const Mesh>(std::move(part.mesh))});
     }
-    return entry->second;
+    return meshes_.emplace(key, std::move(parts)).first->second;
 }
 
-MaterialId SceneBuilder::material_id(const std::string& name) {
+MaterialId SceneCollector::material_id(const std::string& name) {
     auto& all = scene_.materials;
     const auto same = [&](const Material& known) { return known.name == name; };
     auto found = name.empty() ? all.begin() : std::find_if(all.begin(), all.end(), same);
@@ -211,7 +210,7 @@ MaterialId SceneBuilder::material_id(const std::string& name) {
     return static_cast<MaterialId>(found - all.begin());
 }
 
-LoadedScene SceneBuilder::finish() && {
+LoadedScene SceneCollector::finish() && {
     if (scene_.objects.empty() && faults_.empty()) {
         // What was left out is now the reason, not a remark.
         faults_ = std::move(warnings_);
@@ -236,7 +235,7 @@ LoadedScene load_sdf(const fs::path& given) {
     }
     auto read = read_sdf_file(file);
     if (!read.faults.empty()) throw LoadError(std::move(read.faults));
-    SceneBuilder builder{file};
+    SceneCollector builder{file};
     for (auto& warning : read.warnings)
         builder.add_warning(std::move(warning));
     builder.add_root(read.root);

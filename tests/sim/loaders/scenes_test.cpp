@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The worlds of scenes/ are what their comments and the README say, and the drives through them hit
+// nothing.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/backends/registry.h"
+#include "sim/loaders/sdf.h"
+#include "sim/loaders/trajectory.h"
+
+namespace scipd::sim {
+namespace {
+
+using ::testing::Contains;
+using ::testing::Field;
+using ::testing::IsEmpty;
+
+std::filesystem::path scene_file(const std::string& name) {
+    return std::filesystem::path{SCIPD_SCENES} / name;
+}
+
+/// Horizontal ranges all around, every degree from -180 on, from a scanner 0.3 m above a robot.
+std::vector<float> sweep_m(RangeBackend& backend, const Pose& world_from_robot) {
+    std::vector<glm::vec3> directions;
+    for (int degree = -180; degree < 180; ++degree) {
+        const float angle_rad = static_cast<float>(degree) * std::numbers::pi_v<float> / 180.F;
+        directions.emplace_back(std::cos(angle_rad), std::sin(angle_rad), 0.F);
+    }
+    const Pose world_from_sensor = world_from_robot * Pose{{0.0, 0.0, 0.3}, {1.0, 0.0, 0.0, 0.0}};
+    std::vector<Hit> hits(directions.size());
+    backend.cast({.directions = directions, .world_from_sensor = {&world_from_sensor, 1}}, hits);
+    std::vector<float> ranges_m(hits.size());
+    std::transform(hits.begin(), hits.end(), ranges_m.begin(),
+                   [](const Hit& hit) { return hit.range_m; });
+    return ranges_m;
+}
+
+float nearest_m(RangeBackend& backend, const Pose& world_from_robot) {
+    return std::ranges::min(sweep_m(backend, world_from_robot));
+}
+
+std::size_t triangle_count(const Scene& scene) {
+    std::size_t count = 0;
+    for (const auto& object : scene.objects)
+        count += tessellate(object.shape).triangles.size();
+    return count;
+}
+
+class Worlds : public ::testing::TestWithParam<const char*> {
+  protected:
+    std::string name_ = GetParam();
+    LoadedScene loaded_ = load_sdf(scene_file(name_ + ".sdf"));
+};
+
+TEST_P(Worlds, loadWithoutAWarning) {
+    EXPECT_THAT(loaded_.warnings, IsEmpty());
+    EXPECT_EQ(loaded_.scene->name, name_);
+    EXPECT_THAT(loaded_.scene->models, Contains(Field(&Model::movable, true)));
+}
+
+TEST_P(Worlds, nameAMaterialForEverySurface) {
+    for (const auto& object : loaded_.scene->objects)
+        EXPECT_NE(object.material, 0U) << object.name;
+}
+
+TEST_P(Worlds, areClosedToAScannerInside) {
+    auto backend = make_backend("reference", loaded_.scene);
+    const auto drive = load_tum(scene_file(name_ + ".tum"));
+    for (const auto& end : {drive.front(), drive.back()}) {
+        EXPECT_TRUE(std::isfinite(std::ranges::max(sweep_m(*backend, end.pose))));
+    }
+}
+
+TEST_P(Worlds, leaveTheirDriveFree) {
+    auto backend = make_backend("reference", loaded_.scene);
+    const auto drive = load_tum(scene_file(name_ + ".tum"));
+    for (std::size_t i = 0; i < drive.size(); i += 5) {
+        ASSERT_GT(nearest_m(*backend, drive[i].pose), 0.3F) << "pose " << i;
+    }
+}
+
+TEST_P(Worlds, areDrivenThroughAtASteadyRate) {
+    const auto drive = load_tum(scene_file(name_ + ".tum"));
+    EXPECT_EQ(drive.front().time, Time{0});
+    for (std::size_t i = 1; i < drive.size(); ++i) {
+        const auto step = drive[i].time - drive[i - 1].time;
+        EXPECT_GE(step, std::chrono::milliseconds{20});
+        EXPECT_LE(step, std::chrono::milliseconds{50});
+        EXPECT_LT(glm::length(drive[i].pose.translation_m - drive[i - 1].pose.translation_m), 0.06);
+    }
+    EXPECT_LT(std::filesystem::file_size(scene_file(name_ + ".tum")), 60'000U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Worlds,
+                         ::testing::Values("rescue_maze", "square_room", "corridor"),
+                         [](const auto& instance) { return std::string{instance.param}; });
+
+TEST(RescueMaze, hasSeveralThousandTriangles) {
+    const auto scene = load_sdf(scene_file("rescue_maze.sdf")).scene;
+    EXPECT_GT(triangle_count(*scene), 4000U);
+    EXPECT_LT(triangle_count(*scene), 6000U);
+    EXPECT_GE(scene->materials.size(), 6U);
+}
+
+TEST(RescueMaze, leavesTheStartFree) {
+    auto backend = make_backend("reference", load_sdf(scene_file("rescue_maze.sdf")).scene);
+    const float nearest = nearest_m(*backend, {{1.0, 1.0, 0.0}, {1.0, 0.0, 0.0, 0.0}});
+    EXPECT_GT(nearest, 0.99F);
+    // The outer walls, whose inner faces are the axes.
+    EXPECT_NEAR(nearest, 1.0F, 1e-4F);
+}
+
+TEST(SquareRoom, hasTheRangesThatItsCommentLists) {
+    auto backend = make_backend("reference", load_sdf(scene_file("square_room.sdf")).scene);
+    const auto range_m = sweep_m(*backend, Pose{});
+    const auto at = [&](int degree) { return range_m.at(static_cast<std::size_t>(degree + 180)); };
+    const float root_2 = std::numbers::sqrt2_v<float>;
+    EXPECT_NEAR(at(0), 3.F, 1e-4F);
+    EXPECT_NEAR(at(90), 2.F, 1e-4F);
+    EXPECT_NEAR(at(-90), 2.F, 1e-4F);
+    EXPECT_NEAR(at(-180), 3.F, 1e-4F);
+    EXPECT_NEAR(at(45), 1.5F * root_2 - 0.25F, 1e-4F);
+    EXPECT_NEAR(at(-45), 1.5F * root_2, 1e-4F);
+    EXPECT_NEAR(at(135), 2.F * root_2, 1e-4F);
+    EXPECT_NEAR(at(-135), 2.F * root_2, 1e-4F);
+    // Between them, where only one wall can be seen.
+    for (int degree = -15; degree <= 15; ++degree) {
+        const float angle_rad = static_cast<float>(degree) * std::numbers::pi_v<float> / 180.F;
+        EXPECT_NEAR(at(degree), 3.F / std::cos(angle_rad), 1e-4F) << degree;
+    }
+}
+
+TEST(Corridor, isTwoMetresWideBetweenItsDoors) {
+    auto backend = make_backend("reference", load_sdf(scene_file("corridor.sdf")).scene);
+    const auto range_m = sweep_m(*backend, {{1.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}});
+    EXPECT_NEAR(range_m[0], 1.F, 1e-4F);
+    EXPECT_NEAR(range_m[90], 1.F, 1e-4F);
+    EXPECT_NEAR(range_m[180], 29.F, 1e-3F);
+    EXPECT_NEAR(range_m[270], 1.F, 1e-4F);
+}
+
+}  // namespace
+}  // namespace scipd::sim
