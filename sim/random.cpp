@@ -16,7 +16,7 @@ std::uint64_t mixed(std::uint64_t bits) {
     return bits ^ (bits >> 31U);
 }
 
-std::uint64_t absorb(std::uint64_t state, std::uint64_t word) {
+std::uint64_t absorbed(std::uint64_t state, std::uint64_t word) {
     constexpr std::uint64_t golden_gamma = 0x9e3779b97f4a7c15U;  // keeps zeros from staying zeros
     return mixed((state ^ word) + golden_gamma);
 }
@@ -45,14 +45,14 @@ double normal_quantile(double q) {
 
 }  // namespace
 
-double standard_normal(const ChanceKey& key) {
-    std::uint64_t state = absorb(0, key.seed);
-    state = absorb(state, key.sensor);
-    state = absorb(state, key.scan);
-    state = absorb(state, std::uint64_t{static_cast<std::uint32_t>(key.purpose)} << 32U | key.beam);
+Chance::Chance(const ChanceKey& key)
+    : state_(absorbed(absorbed(absorbed(absorbed(0, key.seed), key.sensor), key.scan),
+                      static_cast<std::uint64_t>(key.purpose))) {}
+
+double Chance::standard_normal(std::uint32_t beam) const {
     // 53 random bits and a half: the middle of one of 2^53 equal intervals, so never 0 or 1.
-    const auto signed_bits = static_cast<double>(static_cast<std::int64_t>(state) >> 11);
-    return normal_quantile((signed_bits + 0.5) * 0x1p-53);
+    const auto bits = static_cast<std::int64_t>(absorbed(state_, beam)) >> 11;
+    return normal_quantile((static_cast<double>(bits) + 0.5) * 0x1p-53);
 }
 
 }  // namespace scipd::sim

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Chance as a function: the same key always gives the same number, whatever was drawn before, on
-// whichever thread.
+// Chance as a function: the same key and beam always give the same number, whatever was drawn
+// before, on whichever thread.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,20 @@ struct ChanceKey {
     std::uint64_t seed = 0;    ///< of the whole run
     std::uint64_t sensor = 0;  ///< stable over runs: derived from the sensor's name
     std::uint64_t scan = 0;
-    std::uint32_t beam = 0;
     Purpose purpose = Purpose::range_noise;
 };
 
-/// One number of the normal distribution with mean 0 and standard deviation 1.
-double standard_normal(const ChanceKey& key);
+/// All the numbers of one key, one for each beam. What the beams of a scan share is worked out
+/// once.
+class Chance {
+  public:
+    explicit Chance(const ChanceKey& key);
+
+    /// Of the normal distribution with mean 0 and standard deviation 1.
+    [[nodiscard]] double standard_normal(std::uint32_t beam) const;
+
+  private:
+    std::uint64_t state_;
+};
 
 }  // namespace scipd::sim

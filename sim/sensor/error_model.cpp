@@ -12,14 +12,14 @@ namespace scipd::sim {
 void ErrorModel::read(const SensorSpec& spec, std::int64_t revolution, std::span<const Hit> hits,
                       std::span<float> range_m) const {
     assert(hits.size() == range_m.size());
-    ChanceKey key{.seed = seed, .sensor = sensor, .scan = static_cast<std::uint64_t>(revolution)};
+    const Chance chance(
+        {.seed = seed, .sensor = sensor, .scan = static_cast<std::uint64_t>(revolution)});
     const bool noisy = accuracy == Accuracy::sensor && !spec.noise.empty();
     for (std::size_t i = 0; i < hits.size(); ++i) {
         range_m[i] = hits[i].range_m;
         if (!noisy || !hits[i].met()) continue;
-        key.beam = static_cast<std::uint32_t>(i);
-        const double read_m =
-            hits[i].range_m + spec.sigma_m(hits[i].range_m) * standard_normal(key);
+        const double noise = chance.standard_normal(static_cast<std::uint32_t>(i));
+        const double read_m = hits[i].range_m + spec.sigma_m(hits[i].range_m) * noise;
         range_m[i] = static_cast<float>(std::max(0.0, read_m));
     }
 }

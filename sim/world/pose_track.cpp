@@ -63,7 +63,12 @@ bool PoseTrack::still(Time from, Time to) const {
 }
 
 PoseTrack::Entries::const_iterator PoseTrack::first_later_than(Time time) const {
-    return std::ranges::upper_bound(entries_, time, {}, &Entry::time);
+    // It is mostly the last moments that are asked for: look there first, then ever farther back.
+    std::size_t back = 1;
+    while (back < entries_.size() && entries_[entries_.size() - back].time > time)
+        back *= 2;
+    const auto from = entries_.end() - static_cast<std::ptrdiff_t>(std::min(back, entries_.size()));
+    return std::ranges::upper_bound(from, entries_.end(), time, {}, &Entry::time);
 }
 
 void PoseTrack::push(Time time, const Pose& pose) {

@@ -13,29 +13,29 @@
 namespace scipd::sim {
 namespace {
 
-/// All of one kind: `draws` numbers that differ in one field of the key.
-template <typename SetField>
-std::vector<double> draw(int draws, SetField set_field) {
-    std::vector<double> numbers;
-    for (int i = 0; i < draws; ++i) {
-        ChanceKey key{.seed = 1, .sensor = 2, .scan = 3, .beam = 4};
-        set_field(key, i);
-        numbers.push_back(standard_normal(key));
-    }
-    return numbers;
+/// The number of one draw among many that differ in one part of what they depend on.
+double by_beam(int i) {
+    return Chance({.seed = 1, .sensor = 2, .scan = 3})
+        .standard_normal(static_cast<std::uint32_t>(i));
+}
+double by_scan(int i) {
+    return Chance({.seed = 1, .sensor = 2, .scan = static_cast<std::uint64_t>(i)})
+        .standard_normal(4);
+}
+double by_sensor(int i) {
+    return Chance({.seed = 1, .sensor = static_cast<std::uint64_t>(i), .scan = 3})
+        .standard_normal(4);
+}
+double by_seed(int i) {
+    return Chance({.seed = static_cast<std::uint64_t>(i), .sensor = 2, .scan = 3})
+        .standard_normal(4);
 }
 
-void by_beam(ChanceKey& key, int i) {
-    key.beam = static_cast<std::uint32_t>(i);
-}
-void by_scan(ChanceKey& key, int i) {
-    key.scan = static_cast<std::uint64_t>(i);
-}
-void by_sensor(ChanceKey& key, int i) {
-    key.sensor = static_cast<std::uint64_t>(i);
-}
-void by_seed(ChanceKey& key, int i) {
-    key.seed = static_cast<std::uint64_t>(i);
+std::vector<double> draw(int draws, double (*one)(int)) {
+    std::vector<double> numbers;
+    for (int i = 0; i < draws; ++i)
+        numbers.push_back(one(i));
+    return numbers;
 }
 
 double mean_of(const std::vector<double>& numbers) {
@@ -57,12 +57,12 @@ double normal_below(double x) {
     return 0.5 * std::erfc(-x / std::numbers::sqrt2);
 }
 
-class EveryField : public testing::TestWithParam<void (*)(ChanceKey&, int)> {};
+class EveryPart : public testing::TestWithParam<double (*)(int)> {};
 
 constexpr int draws = 100'000;
 const double standard_error = 1.0 / std::sqrt(draws);
 
-TEST_P(EveryField, GivesMeanZeroAndDeviationOne) {
+TEST_P(EveryPart, GivesMeanZeroAndDeviationOne) {
     const std::vector<double> numbers = draw(draws, GetParam());
     EXPECT_NEAR(mean_of(numbers), 0.0, 5 * standard_error);
     EXPECT_NEAR(correlation(numbers, numbers), 1.0, 5 * std::sqrt(2.0) * standard_error);
@@ -70,7 +70,7 @@ TEST_P(EveryField, GivesMeanZeroAndDeviationOne) {
 
 // Kolmogorov and Smirnov: the largest distance between the two distributions exceeds 2.2 / sqrt(n)
 // once in 8000 times.
-TEST_P(EveryField, FollowsTheNormalDistribution) {
+TEST_P(EveryPart, FollowsTheNormalDistribution) {
     std::vector<double> numbers = draw(draws, GetParam());
     std::ranges::sort(numbers);
     double farthest = 0.0;
@@ -81,7 +81,7 @@ TEST_P(EveryField, FollowsTheNormalDistribution) {
     EXPECT_LT(farthest, 2.2 * standard_error);
 }
 
-TEST_P(EveryField, GivesNeighboursThatKnowNothingOfEachOther) {
+TEST_P(EveryPart, GivesNeighboursThatKnowNothingOfEachOther) {
     const std::vector<double> numbers = draw(draws, GetParam());
     for (const int lag : {1, 2, 16, 1081}) {
         std::vector<double> later(numbers.begin() + lag, numbers.end());
@@ -89,24 +89,26 @@ TEST_P(EveryField, GivesNeighboursThatKnowNothingOfEachOther) {
     }
 }
 
-TEST_P(EveryField, NeverRepeats) {
+TEST_P(EveryPart, NeverRepeats) {
     const std::vector<double> numbers = draw(draws, GetParam());
     EXPECT_EQ(std::set<double>(numbers.begin(), numbers.end()).size(), numbers.size());
 }
 
-INSTANTIATE_TEST_SUITE_P(Key, EveryField, testing::Values(by_beam, by_scan, by_sensor, by_seed));
+INSTANTIATE_TEST_SUITE_P(Chance, EveryPart, testing::Values(by_beam, by_scan, by_sensor, by_seed));
 
-TEST(StandardNormal, IsAFunctionOfItsKey) {
-    const ChanceKey key{.seed = 42, .sensor = 7, .scan = 1'000'000'007, .beam = 540};
-    const double first = standard_normal(key);
-    standard_normal({.seed = 42, .sensor = 7, .scan = 8, .beam = 1});
-    EXPECT_EQ(standard_normal(key), first);
+TEST(StandardNormal, IsAFunctionOfKeyAndBeam) {
+    const Chance chance({.seed = 42, .sensor = 7, .scan = 1'000'000'007});
+    const double first = chance.standard_normal(540);
+    EXPECT_NE(chance.standard_normal(541), first);
+    EXPECT_EQ(chance.standard_normal(540), first);
+    EXPECT_EQ(Chance({.seed = 42, .sensor = 7, .scan = 1'000'000'007}).standard_normal(540), first);
 }
 
 TEST(StandardNormal, TellsTheFieldsApart) {
-    const std::set<double> numbers{standard_normal({.seed = 1}), standard_normal({.sensor = 1}),
-                                   standard_normal({.scan = 1}), standard_normal({.beam = 1}),
-                                   standard_normal({})};
+    const std::set<double> numbers{Chance({.seed = 1}).standard_normal(0),
+                                   Chance({.sensor = 1}).standard_normal(0),
+                                   Chance({.scan = 1}).standard_normal(0),
+                                   Chance({}).standard_normal(1), Chance({}).standard_normal(0)};
     EXPECT_EQ(numbers.size(), 5U);
 }
 

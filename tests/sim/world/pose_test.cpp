@@ -83,6 +83,20 @@ TEST(Interpolate, TakesTheShorterArcWhateverTheSign) {
     }
 }
 
+// Nearly equal rotations take a short cut; neither its use nor its border may show.
+TEST(Interpolate, TurnsEvenlyOverSmallAndLargeAngles) {
+    for (const double turn_rad : {1e-9, 0.01, 0.06, 0.0632, 0.0633, 0.07, 0.5, 3.0}) {
+        const Pose a = pose_from_rpy({0, 0, 0}, {0, 0, 1.0});
+        const Pose b = pose_from_rpy({0, 0, 0}, {0, 0, 1.0 + turn_rad});
+        for (const double share : {0.1, 0.2113, 0.5, 0.7887, 0.9}) {
+            const glm::dvec3 forward = interpolate(a, b, share).rotation * glm::dvec3{1, 0, 0};
+            EXPECT_NEAR(std::atan2(forward.y, forward.x),
+                        std::remainder(1.0 + share * turn_rad, 4 * quarter_turn), 2e-6)
+                << turn_rad;
+        }
+    }
+}
+
 TEST(Interpolate, KeepsUnitLengthBetweenNearlyEqualRotations) {
     const Pose a = pose_from_rpy({0, 0, 0}, {0, 0, 0});
     const Pose b = pose_from_rpy({0, 0, 0}, {0, 0, 1e-4});

@@ -134,6 +134,16 @@ TEST(PoseTrack, ForgetsTheOldestFirst) {
     EXPECT_EQ(track.at(1s), at_x(8));  // holds the oldest that it still knows
 }
 
+TEST(PoseTrack, FindsOldTimesAsWellAsNewOnes) {
+    PoseTrack track(at_x(0));
+    for (int i = 1; i <= 1000; ++i)
+        track.append(i * 1s, at_x(i));
+    for (int i = 1; i < 1000; ++i) {
+        EXPECT_NEAR(x_of(track.at(i * 1s)), i, 1e-12);
+        EXPECT_NEAR(x_of(track.at(i * 1s + 250ms)), i + 0.25, 1e-12);
+    }
+}
+
 TEST(PoseTrack, IsStillWhereNothingChanges) {
     PoseTrack track(at_x(0));
     track.append(1s, at_x(1));
