@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <variant>
+
+#include <spdlog/spdlog.h>
+
+#include "daemon/logging.h"
+#include "daemon/options.h"
+#include "daemon/server.h"
+
+namespace {
+
+// Standard output carries the ready line and answers to questions; nothing else.
+void print(const std::string& text, std::FILE* stream = stdout) {
+    std::fputs(text.c_str(), stream);
+    std::fflush(stream);
+}
+
+enum ExitCode { ended_as_asked = 0, failed_while_running = 1, cannot_start = 2 };
+
+int run(scipd::daemon::Options options) {
+    std::optional<scipd::daemon::Server> server;
+    try {
+        scipd::daemon::start_logging(options.log_level);
+        server.emplace(std::move(options));
+    } catch (const std::exception& error) {
+        print(std::string(error.what()) + "\n", stderr);
+        return cannot_start;
+    }
+    print(server->ready_line() + "\n");
+    try {
+        server->run();
+    } catch (const std::exception& error) {
+        spdlog::critical("{}", error.what());
+        return failed_while_running;
+    }
+    return ended_as_asked;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // A client that goes away is an error of one write, not the end of the program.
+    std::signal(SIGPIPE, SIG_IGN);
+    auto parsed = scipd::daemon::parse_options(argc, argv);
+    if (const auto* answer = std::get_if<scipd::daemon::Answer>(&parsed)) {
+        print(answer->text, answer->exit_code == ended_as_asked ? stdout : stderr);
+        return answer->exit_code;
+    }
+    return run(std::get<scipd::daemon::Options>(std::move(parsed)));
+}

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/server.h"
+
+#include <csignal>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+#include "daemon/config.h"
+#include "daemon/run_directory.h"
+
+namespace scipd::daemon {
+namespace {
+
+std::filesystem::path control_socket(const Config& config) {
+    return config.control.empty() ? run_directory() / "control.sock" : config.control;
+}
+
+// A folder that is made here is for this user alone, as the socket in it is.
+void make_folder(const std::filesystem::path& folder) {
+    if (!folder.empty() && std::filesystem::create_directories(folder)) {
+        std::filesystem::permissions(folder, std::filesystem::perms::owner_all);
+    }
+}
+
+std::string text_of(const Address& address) {
+    const bool v6 = address.host.find(':') != std::string::npos;
+    return (v6 ? "[" + address.host + "]" : address.host) + ":" + std::to_string(address.port);
+}
+
+}  // namespace
+
+Server::Server(Options options)
+    : options_(std::move(options)),
+      signals_(io_, SIGINT, SIGTERM, SIGHUP),
+      fleet_(io_.get_executor()),
+      control_(io_.get_executor(),
+               [this](const HttpRequest& request) { return route(fleet_, request); }) {
+    // The control socket first: if another scipd has it, its ttys are not touched either.
+    make_folder(control_socket(options_.config).parent_path());
+    control_.listen(control_socket(options_.config));
+    if (options_.config.http) http_ = text_of(control_.listen(*options_.config.http));
+    fleet_.apply(options_.config);
+    wait_for_signal();
+}
+
+std::string Server::ready_line() const {
+    nlohmann::ordered_json line{{"ready", true}, {"sensors", nlohmann::json::array()}};
+    const auto or_null = [](const std::optional<std::string>& text) {
+        return text ? nlohmann::json(*text) : nullptr;
+    };
+    for (const SensorStatus& sensor : fleet_.status().sensors) {
+        line["sensors"].push_back(nlohmann::ordered_json{{"name", sensor.name},
+                                                         {"model", sensor.model},
+                                                         {"tcp", or_null(sensor.tcp)},
+                                                         {"pty", or_null(sensor.pty)}});
+    }
+    line["control"] = control_socket(options_.config);
+    line["http"] = or_null(http_);
+    return line.dump();
+}
+
+void Server::run() {
+    io_.run();
+}
+
+void Server::wait_for_signal() {
+    signals_.async_wait([this](const boost::system::error_code& error, int signal) {
+        if (error) return;
+        if (signal == SIGHUP) {
+            reload();
+            return wait_for_signal();
+        }
+        spdlog::info("ended by signal {}", signal);
+        stop();
+    });
+}
+
+void Server::reload() {
+    if (!options_.config_file) {
+        spdlog::warn("SIGHUP: started from options, so there is no configuration to read again");
+        return;
+    }
+    try {
+        Config config = load_config(*options_.config_file);
+        if (config.control != options_.config.control || config.http != options_.config.http) {
+            spdlog::warn("SIGHUP: control and http stay as they are until scipd is started again");
+        }
+        fleet_.apply(config);
+        options_.config = std::move(config);
+        spdlog::info("SIGHUP: {} is running now", options_.config_file->string());
+    } catch (const std::exception& error) {
+        spdlog::error("SIGHUP: nothing was changed, since\n{}", error.what());
+    }
+}
+
+void Server::stop() {
+    control_.close();
+    fleet_.stop();
+}
+
+}  // namespace scipd::daemon

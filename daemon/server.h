@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The running program: one thread, one io_context, a fleet of scanners, the control API and
+// signals. SIGINT and SIGTERM end it cleanly; SIGHUP reads the configuration again, and a faulty
+// one changes nothing.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+
+#include "daemon/control/http_server.h"
+#include "daemon/fleet.h"
+#include "daemon/options.h"
+
+namespace scipd::daemon {
+
+class Server {
+  public:
+    /// Everything listens when this returns. Throws what Fleet::apply() and HttpServer throw.
+    explicit Server(Options options);
+
+    /// One JSON document without line end: where everything listens.
+    [[nodiscard]] std::string ready_line() const;
+
+    /// Until a signal ends it.
+    void run();
+
+  private:
+    void wait_for_signal();
+    void reload();
+    void stop();
+
+    Options options_;
+    boost::asio::io_context io_{1};
+    boost::asio::signal_set signals_;
+    Fleet fleet_;
+    HttpServer control_;
+    std::optional<std::string> http_;  ///< where the control API is reached by TCP
+};
+
+}  // namespace scipd::daemon
