@@ -36,6 +36,11 @@ constexpr std::array<std::string_view, 5> later_sensor_keys{"echo", "power_up", 
                                                             "profile"};
 constexpr std::array<std::string_view, 2> pose_keys{"xyz", "rpy"};
 
+/// What is no map at all is told elsewhere.
+bool is_empty(const Field* map) {
+    return !map || (map->value.IsMap() && map->value.size() == 0);
+}
+
 /// Reads one document; what cannot be shared is remembered by who has it.
 class Reader {
   public:
@@ -125,7 +130,7 @@ RobotConfig Reader::read_robot(const Field& field) {
         faults_.add(field, "more than 4096 sensors in all; split them over several daemons");
         return robot;
     }
-    if (!sensors || (sensors->value.IsMap() && fields.empty())) {
+    if (is_empty(sensors)) {
         faults_.add(field, "needs at least one sensor, under sensors");
     }
     for (const Field& sensor : fields)
@@ -152,7 +157,7 @@ Config Reader::read(const YAML::Node& document) {
 
     const Field* robots = section.find("robots");
     const auto fields = robots ? entries(*robots, faults_) : std::vector<Field>{};
-    if (document.IsMap() && (!robots || (robots->value.IsMap() && fields.empty()))) {
+    if (document.IsMap() && is_empty(robots)) {
         faults_.add(robots ? *robots : whole, "needs at least one robot, under robots");
     }
     for (const Field& robot : fields)

@@ -42,7 +42,9 @@ std::string unknown_key(std::string_view key, std::span<const std::string_view> 
     const auto edits = [key](std::string_view other) { return edits_between(key, other); };
     const auto nearest = std::min_element(known.begin(), known.end(),
                                           [&](auto a, auto b) { return edits(a) < edits(b); });
-    if (key.size() < 32 && edits(*nearest) <= std::max<std::size_t>(1, nearest->size() / 3)) {
+    // Two letters swapped are two edits.
+    const std::size_t most_edits = nearest->size() > 3 ? 2 : 1;
+    if (key.size() < 32 && edits(*nearest) <= most_edits) {
         return "unknown key; did you mean " + std::string{*nearest} + "?";
     }
     return "unknown key; known here are " + joined(known);

@@ -242,7 +242,9 @@ void complete(Said& said) {
 std::variant<Options, Answer> act(Said& said) {
     if (said.list_models) return model_list();
     if (said.list_backends) return backend_list();
-    if (said.probe) return refusal("scipd: --probe: this build has no depth backend to probe for");
+    if (said.probe)
+        return refusal(
+            "scipd: --probe: this build has no depth backend to probe for; see scipd --help");
     if (!said.check.empty()) return check(said.check);
     if (said.config.empty()) {
         complete(said);

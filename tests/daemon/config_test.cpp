@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What a configuration means, and the literal words of every fault in a broken one.
+#include "daemon/config.h"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/world/pose.h"
+#include "tests/support/temp_dir.h"
+
+namespace scipd::daemon {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class ConfigTest : public testing::Test {
+  protected:
+    ConfigTest() {
+        dir_.write("room.sdf", "");
+        dir_.write("walk.tum", "");
+    }
+
+    Config parse(const std::string& text) const {
+        return parse_config(text, dir_.path() / "fleet.yaml");
+    }
+
+    /// Without the folder, which differs from run to run.
+    std::vector<std::string> faults(const std::string& text) const {
+        try {
+            parse(text);
+        } catch (const ConfigError& error) {
+            auto faults = error.faults();
+            const std::string folder = dir_.path().string() + "/";
+            for (auto& fault : faults) {
+                for (auto at = fault.find(folder); at != fault.npos; at = fault.find(folder))
+                    fault.erase(at, folder.size());
+            }
+            return faults;
+        }
+        return {};
+    }
+
+    /// The faults of a sensor that is whole but for this line.
+    std::vector<std::string> sensor_faults(const std::string& line) const {
+        return faults(
+            "scene: room.sdf\n"
+            "robots: {r: {sensors: {s: {model: UST-10LX, pty: auto,\n" +
+            line + "}}}}\n");
+    }
+
+    tests::TempDir dir_;
+};
+
+constexpr const char* whole = R"(scene: room.sdf
+seed: 42
+clock: wall
+robots:
+  rescue:
+    pose: {xyz: [1, -1.5, 0], rpy: [0, 0, 3.14159]}
+    poses: udp:127.0.0.1:14550
+    sensors:
+      front:
+        model: UST-10LX
+        mount: {xyz: [0.2, 0, 0.25]}
+        tcp: 127.0.0.1:10940
+        pty: link/front
+      rear:
+        model: URG-04LX@3.1.04
+        pty: auto
+        backend: reference
+        accuracy: ideal
+        motion: 12
+        timing: ideal
+  other:
+    poses: walk.tum
+    sensors:
+      only: {model: UTM-30LX, tcp: "[::1]:0", motion: beam}
+control: control.sock
+http: localhost:8080
+)";
+
+TEST_F(ConfigTest, HoldsWhatTheFileSays) {
+    const Config config = parse(whole);
+    EXPECT_EQ(config.scene, dir_.path() / "room.sdf");
+    EXPECT_EQ(config.seed, 42u);
+    EXPECT_EQ(config.control, dir_.path() / "control.sock");
+    EXPECT_EQ(config.http, (Address{"127.0.0.1", 8080}));
+    ASSERT_EQ(config.robots.size(), 2u);
+
+    const RobotConfig& rescue = config.robots[0];
+    EXPECT_EQ(rescue.name, "rescue");
+    EXPECT_EQ(rescue.world_from_robot, sim::pose_from_rpy({1.0, -1.5, 0.0}, {0.0, 0.0, 3.14159}));
+    EXPECT_EQ(rescue.poses->kind, PoseSource::Kind::udp);
+    EXPECT_EQ(rescue.poses->address, (Address{"127.0.0.1", 14550}));
+    ASSERT_EQ(rescue.sensors.size(), 2u);
+
+    const SensorConfig& front = rescue.sensors[0];
+    EXPECT_EQ(front.name, "front");
+    EXPECT_EQ(front.model, "UST-10LX");
+    EXPECT_EQ(front.robot_from_sensor.translation_m, glm::dvec3(0.2, 0.0, 0.25));
+    EXPECT_EQ(front.tcp, (Address{"127.0.0.1", 10940}));
+    EXPECT_EQ(front.pty->link, dir_.path() / "link/front");
+    EXPECT_EQ(front.backend, "auto");
+    EXPECT_EQ(front.accuracy, sim::Accuracy::sensor);
+    EXPECT_EQ(front.motion, std::nullopt);
+    EXPECT_EQ(front.timing, Timing::real);
+
+    const SensorConfig& rear = rescue.sensors[1];
+    EXPECT_EQ(rear.tcp, std::nullopt);
+    EXPECT_EQ(rear.pty, PtyConfig{});
+    EXPECT_EQ(rear.backend, "reference");
+    EXPECT_EQ(rear.accuracy, sim::Accuracy::ideal);
+    EXPECT_EQ(rear.motion, 12);
+    EXPECT_EQ(rear.timing, Timing::ideal);
+
+    const RobotConfig& other = config.robots[1];
+    EXPECT_EQ(other.world_from_robot, sim::Pose{});
+    EXPECT_EQ(other.poses->kind, PoseSource::Kind::file);
+    EXPECT_EQ(other.poses->file, dir_.path() / "walk.tum");
+    EXPECT_EQ(other.sensors[0].tcp, (Address{"::1", 0}));
+}
+
+TEST_F(ConfigTest, TellsEveryFaultAtOnceInTheOrderOfLines) {
+    EXPECT_THAT(
+        faults(R"(scene: nowhere.sdf
+seed: -1
+materials: wood.yaml
+sceen: room.sdf
+robots:
+  rescue:
+    pose: {xyz: [1, 2], rpy: [0, north, .inf], yaw: 1}
+    body: tank
+    poses: udp:somewhere
+    sensors:
+      front:
+        modle: UST-10LX
+        tcp: 127.0.0.1:70000
+        tcp: 127.0.0.1:10940
+        backend: opengl
+        accuracy: material
+        motion: 0
+        link: {baud: 19200}
+      rear/left:
+        model: UST-99
+        timing: fast
+  empty: {sensors: {}}
+clock: poses
+http: 8080
+)"),
+        ElementsAre("fleet.yaml:1: scene: there is no file 'nowhere.sdf'",
+                    "fleet.yaml:2: seed: must be a whole number from 0 to 18446744073709551615, "
+                    "not '-1'",
+                    "fleet.yaml:3: materials: is not supported by this version; leave it out",
+                    "fleet.yaml:4: sceen: unknown key; did you mean scene?",
+                    "fleet.yaml:7: robots.rescue.pose.yaw: unknown key; known here are xyz, rpy",
+                    "fleet.yaml:7: robots.rescue.pose.xyz: must be a list of three numbers, such "
+                    "as [1, 2, 0]",
+                    "fleet.yaml:7: robots.rescue.pose.rpy: must be a number, not 'north'",
+                    "fleet.yaml:8: robots.rescue.body: is not supported by this version; leave it "
+                    "out",
+                    "fleet.yaml:9: robots.rescue.poses: must be ADDRESS:PORT such as "
+                    "127.0.0.1:10940, [::1]:10940 or localhost:0, not 'somewhere'",
+                    "fleet.yaml:11: robots.rescue.sensors.front: needs a model; `scipd "
+                    "--list-models` tells them",
+                    "fleet.yaml:12: robots.rescue.sensors.front.modle: unknown key; did you mean "
+                    "model?",
+                    "fleet.yaml:13: robots.rescue.sensors.front.tcp: must be ADDRESS:PORT such as "
+                    "127.0.0.1:10940, [::1]:10940 or localhost:0, not '127.0.0.1:70000'",
+                    "fleet.yaml:14: robots.rescue.sensors.front.tcp: given twice, first in line "
+                    "13; keep one",
+                    "fleet.yaml:15: robots.rescue.sensors.front.backend: this build has no "
+                    "backend 'opengl'; use auto, embree, reference",
+                    "fleet.yaml:16: robots.rescue.sensors.front.accuracy: material is not built "
+                    "yet; use sensor or ideal",
+                    "fleet.yaml:17: robots.rescue.sensors.front.motion: must be beam or a number "
+                    "of poses per sweep, 1 to 100000, not '0'",
+                    "fleet.yaml:18: robots.rescue.sensors.front.link: is not supported by this "
+                    "version; leave it out",
+                    "fleet.yaml:19: robots.rescue.sensors.rear/left: 'rear/left' is no name: use "
+                    "up to 64 letters, digits, _ - and ., not beginning with a dot",
+                    "fleet.yaml:19: robots.rescue.sensors.rear/left: nobody can reach it; give "
+                    "tcp or pty, such as `pty: auto`",
+                    "fleet.yaml:20: robots.rescue.sensors.rear/left.model: there is no model "
+                    "\"UST-99\"; the models are URG-04LX@3.1.04, UTM-30LX@P.1.05, "
+                    "UST-10LX@2.23.0000, UST-20LX@2.23.0000",
+                    "fleet.yaml:21: robots.rescue.sensors.rear/left.timing: must be real or "
+                    "ideal, not 'fast'",
+                    "fleet.yaml:22: robots.empty: needs at least one sensor, under sensors",
+                    "fleet.yaml:23: clock: poses is not built yet; use wall",
+                    "fleet.yaml:24: http: must be ADDRESS:PORT such as 127.0.0.1:10940, "
+                    "[::1]:10940 or localhost:0, not '8080'"));
+}
+
+TEST_F(ConfigTest, RefusesWhatTwoCannotShare) {
+    EXPECT_THAT(
+        faults(R"(scene: room.sdf
+http: 127.0.0.1:1002
+robots:
+  a:
+    poses: "-"
+    sensors:
+      one: {model: UST-10LX, tcp: 127.0.0.1:1001, pty: link}
+      two: {model: UST-10LX, tcp: 127.0.0.1:0, pty: auto}
+  b:
+    poses: "-"
+    sensors:
+      one: {model: UST-10LX, tcp: localhost:1001, pty: auto}
+      two: {model: UST-10LX, tcp: 127.0.0.1:0, pty: x/../link}
+      three: {model: UST-10LX, tcp: 127.0.0.1:1002}
+)"),
+        ElementsAre(
+            "fleet.yaml:10: robots.b.poses: standard input is taken by robots.a.poses; use another",
+            "fleet.yaml:12: robots.b.sensors.one.tcp: 127.0.0.1:1001 is taken by "
+            "robots.a.sensors.one.tcp; use another",
+            "fleet.yaml:13: robots.b.sensors.two.pty: link is taken by robots.a.sensors.one.pty; "
+            "use another",
+            "fleet.yaml:14: robots.b.sensors.three.tcp: 127.0.0.1:1002 is taken by http; use "
+            "another"));
+}
+
+TEST_F(ConfigTest, NeedsARobotWithASensor) {
+    const std::string start = "scene: room.sdf\n";
+    EXPECT_THAT(faults(start), ElementsAre("fleet.yaml:1: needs at least one robot, under robots"));
+    EXPECT_THAT(faults(start + "robots: {}"),
+                ElementsAre("fleet.yaml:2: robots: needs at least one robot, under robots"));
+    EXPECT_THAT(faults(start + "robots:"),
+                ElementsAre("fleet.yaml:2: robots: must be a map of keys and values"));
+    EXPECT_THAT(faults(start + "robots: {r: {}}"),
+                ElementsAre("fleet.yaml:2: robots.r: needs at least one sensor, under sensors"));
+    EXPECT_THAT(faults(start + "robots: {r: {sensors: [a]}}"),
+                ElementsAre("fleet.yaml:2: robots.r.sensors: must be a map of keys and values"));
+}
+
+TEST_F(ConfigTest, SaysWhatAValueMayBe) {
+    EXPECT_THAT(sensor_faults("backend:"),
+                ElementsAre("fleet.yaml:3: robots.r.sensors.s.backend: has no value; give one or "
+                            "leave the key out"));
+    EXPECT_THAT(sensor_faults("backend: [auto]"),
+                ElementsAre("fleet.yaml:3: robots.r.sensors.s.backend: must be a single value, "
+                            "not a list"));
+    EXPECT_THAT(sensor_faults("mount: [1, 2, 3]"),
+                ElementsAre("fleet.yaml:3: robots.r.sensors.s.mount: must be a map of keys and "
+                            "values"));
+    EXPECT_THAT(sensor_faults("mount: {xyz: [1e8, 0, 0]}"),
+                ElementsAre("fleet.yaml:3: robots.r.sensors.s.mount.xyz: must lie within 1e7 m, "
+                            "not '1e8'"));
+    EXPECT_THAT(sensor_faults("mount: {rpy: [nan, 0, 0]}"),
+                ElementsAre("fleet.yaml:3: robots.r.sensors.s.mount.rpy: must be a number, not "
+                            "'nan'"));
+    EXPECT_THAT(sensor_faults("accuracy: best"),
+                ElementsAre("fleet.yaml:3: robots.r.sensors.s.accuracy: must be sensor or ideal, "
+                            "not 'best'"));
+    EXPECT_THAT(sensor_faults("{a: b}: c"),
+                ElementsAre("fleet.yaml:3: robots.r.sensors.s: a key must be a plain name"));
+    EXPECT_THAT(sensor_faults("tcp: none"), ElementsAre());
+}
+
+TEST_F(ConfigTest, RefusesEveryKeyThatComesLater) {
+    for (const std::string key : {"echo", "power_up", "clock", "link", "profile"}) {
+        EXPECT_THAT(sensor_faults(key + ": x"),
+                    ElementsAre("fleet.yaml:3: robots.r.sensors.s." + key +
+                                ": is not supported by this version; leave it out"));
+    }
+    EXPECT_THAT(faults(std::string{whole} + "map: {z: [0, 2]}"),
+                ElementsAre("fleet.yaml:27: map: is not supported by this version; leave it out"));
+}
+
+TEST_F(ConfigTest, SaysWhereTheTextIsNotYaml) {
+    EXPECT_THAT(faults("scene: room.sdf\nrobots: {r: [}\n"),
+                ElementsAre(HasSubstr("fleet.yaml:2: not YAML: ")));
+    EXPECT_THAT(faults("scene: room.sdf\n\tseed: 1\n"),
+                ElementsAre(HasSubstr("fleet.yaml:2: not YAML: ")));
+    EXPECT_THAT(faults("just words"),
+                ElementsAre("fleet.yaml:1: must be a map of keys and values"));
+    EXPECT_THAT(faults(std::string{whole} + "---\nscene: room.sdf\n"),
+                ElementsAre("fleet.yaml:28: a second YAML document; keep one"));
+}
+
+TEST_F(ConfigTest, BoundsWhatAHostileFileCosts) {
+    EXPECT_THAT(faults(std::string(500'000, '[')),
+                ElementsAre("fleet.yaml:1: nested too deeply to be a configuration"));
+    EXPECT_THAT(faults(std::string((1 << 20) + 1, ' ')),
+                ElementsAre("fleet.yaml:1: larger than 1 MiB; split it"));
+
+    std::string many = "scene: room.sdf\nrobots:\n";
+    for (int i = 0; i < 5000; ++i)
+        many += "  r" + std::to_string(i) + ": {}\n";
+    EXPECT_THAT(faults(many), ElementsAre("fleet.yaml:2: robots: has more than 4096 entries; "
+                                          "split it into several daemons"));
+
+    // One alias a robot, and every robot would have a hundred sensors.
+    std::string aliases = "scene: room.sdf\nrobots:\n  r: &r\n    sensors:\n";
+    for (int i = 0; i < 100; ++i)
+        aliases += "      s" + std::to_string(i) + ": {model: UST-10LX, pty: auto}\n";
+    for (int i = 0; i < 4000; ++i)
+        aliases += "  r" + std::to_string(i) + ": *r\n";
+    const auto told = faults(aliases);
+    ASSERT_EQ(told.size(), 101u);
+    EXPECT_EQ(told.front(),
+              "fleet.yaml:144: robots.r39: more than 4096 sensors in all; split them "
+              "over several daemons");
+    EXPECT_THAT(told.back(), HasSubstr("too many faults"));
+}
+
+TEST_F(ConfigTest, AnAliasIsWhatItStandsFor) {
+    const Config config = parse(R"(scene: room.sdf
+robots:
+  r:
+    sensors:
+      a: {model: UST-10LX, tcp: 127.0.0.1:0, mount: &front {xyz: [0.2, 0, 0]}}
+      b: {model: UST-20LX, tcp: 127.0.0.1:0, mount: *front}
+)");
+    EXPECT_EQ(config.robots[0].sensors[1].robot_from_sensor.translation_m,
+              glm::dvec3(0.2, 0.0, 0.0));
+}
+
+TEST_F(ConfigTest, LoadsAFileRelativeToItself) {
+    const auto file = dir_.write("fleet.yaml", whole);
+    EXPECT_EQ(load_config(file), parse(whole));
+    EXPECT_EQ(load_config(file).scene, dir_.path() / "room.sdf");
+}
+
+TEST_F(ConfigTest, NamesAFileThatCannotBeRead) {
+    const auto missing = (dir_.path() / "missing.yaml").string();
+    try {
+        load_config(missing);
+        FAIL();
+    } catch (const ConfigError& error) {
+        EXPECT_EQ(error.what(), missing + ": cannot be read; is it there, and a file?");
+    }
+    EXPECT_THROW(load_config(dir_.path()), ConfigError);
+}
+
+}  // namespace
+}  // namespace scipd::daemon

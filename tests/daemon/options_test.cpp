@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What a command line means, and the literal words for one that is wrong.
+#include "daemon/options.h"
+
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/temp_dir.h"
+
+namespace scipd::daemon {
+namespace {
+
+using testing::HasSubstr;
+
+/// As a shell would cut it at blanks.
+std::variant<Options, Answer> parse(const std::string& line) {
+    std::istringstream words{"scipd " + line};
+    std::vector<std::string> storage;
+    for (std::string word; words >> word;)
+        storage.push_back(word);
+    std::vector<const char*> arguments;
+    for (const auto& word : storage)
+        arguments.push_back(word.c_str());
+    return parse_options(static_cast<int>(arguments.size()), arguments.data());
+}
+
+Options run(const std::string& line) {
+    const auto parsed = parse(line);
+    if (const auto* answer = std::get_if<Answer>(&parsed)) {
+        throw std::runtime_error("an answer: " + answer->text);
+    }
+    return std::get<Options>(parsed);
+}
+
+Answer answer(const std::string& line) {
+    const auto parsed = parse(line);
+    if (std::holds_alternative<Options>(parsed)) throw std::runtime_error("no answer");
+    return std::get<Answer>(parsed);
+}
+
+const SensorConfig& sensor(const Options& options) {
+    return options.config.robots.at(0).sensors.at(0);
+}
+
+class OptionsTest : public testing::Test {
+  protected:
+    OptionsTest() { dir_.write("room.sdf", ""); }
+
+    std::string scene() const { return "--scene " + (dir_.path() / "room.sdf").string() + " "; }
+
+    tests::TempDir dir_;
+};
+
+TEST_F(OptionsTest, WithoutAnyIsAScannerInTheMaze) {
+    const Options options = run("");
+    const Config& config = options.config;
+    EXPECT_EQ(config.scene.filename(), "rescue_maze.sdf");
+    EXPECT_TRUE(std::filesystem::exists(config.scene));
+    EXPECT_EQ(config.seed, 1u);
+    EXPECT_EQ(config.control, "");
+    EXPECT_EQ(config.http, std::nullopt);
+    EXPECT_EQ(options.config_file, std::nullopt);
+    EXPECT_EQ(options.log_level, "info");
+
+    ASSERT_EQ(config.robots.size(), 1u);
+    const RobotConfig& robot = config.robots[0];
+    EXPECT_EQ(robot.name, "robot");
+    // Where scenes/rescue_maze.sdf says that it starts.
+    EXPECT_EQ(robot.world_from_robot, sim::pose_from_rpy({1.0, 1.0, 0.0}, {0.0, 0.0, 0.0}));
+    EXPECT_EQ(robot.poses, std::nullopt);
+
+    ASSERT_EQ(robot.sensors.size(), 1u);
+    SensorConfig expected;
+    expected.name = "scanner";
+    expected.model = "UST-10LX";
+    expected.robot_from_sensor = sim::pose_from_rpy({0.0, 0.0, 0.25}, {0.0, 0.0, 0.0});
+    expected.tcp = Address{"127.0.0.1", 10940};
+    expected.pty = PtyConfig{};
+    EXPECT_EQ(robot.sensors[0], expected);
+}
+
+TEST_F(OptionsTest, AnotherSceneStartsAtItsOrigin) {
+    const Options options = run(scene());
+    EXPECT_EQ(options.config.scene, dir_.path() / "room.sdf");
+    EXPECT_EQ(options.config.robots[0].world_from_robot, sim::Pose{});
+    EXPECT_EQ(sensor(options).robot_from_sensor, sim::Pose{});
+}
+
+TEST_F(OptionsTest, EachOptionHasItsPlace) {
+    const std::string base = scene();
+    EXPECT_EQ(sensor(run(base + "--model URG-04LX@3.1.04")).model, "URG-04LX@3.1.04");
+    EXPECT_EQ(sensor(run(base + "--tcp [::1]:0")).tcp, (Address{"::1", 0}));
+    EXPECT_EQ(sensor(run(base + "--tcp none")).tcp, std::nullopt);
+    EXPECT_EQ(sensor(run(base + "--pty none")).pty, std::nullopt);
+    EXPECT_EQ(sensor(run(base + "--pty auto")).pty, PtyConfig{});
+    EXPECT_EQ(sensor(run(base + "--pty /run/x")).pty, PtyConfig{"/run/x"});
+    EXPECT_EQ(sensor(run(base + "--pty x")).pty, PtyConfig{std::filesystem::current_path() / "x"});
+    EXPECT_EQ(sensor(run(base + "--backend reference")).backend, "reference");
+    EXPECT_EQ(sensor(run(base + "--accuracy ideal")).accuracy, sim::Accuracy::ideal);
+    EXPECT_EQ(sensor(run(base + "--timing ideal")).timing, Timing::ideal);
+    EXPECT_EQ(sensor(run(base + "--mount 0.1,0,0.2,0,0,3")).robot_from_sensor,
+              sim::pose_from_rpy({0.1, 0.0, 0.2}, {0.0, 0.0, 3.0}));
+    EXPECT_EQ(sensor(run(base + "--name tank/top")).name, "top");
+    EXPECT_EQ(run(base + "--name tank/top").config.robots[0].name, "tank");
+    EXPECT_EQ(run(base + "--seed 18446744073709551615").config.seed, ~std::uint64_t{0});
+    EXPECT_EQ(run(base + "--control /run/c").config.control, "/run/c");
+    EXPECT_EQ(run(base + "--http 127.0.0.1:8080").config.http, (Address{"127.0.0.1", 8080}));
+    EXPECT_EQ(run(base + "--http none").config.http, std::nullopt);
+    EXPECT_EQ(run(base + "--clock wall").config, run(base).config);
+    EXPECT_EQ(run(base + "--log-level debug").log_level, "debug");
+}
+
+TEST_F(OptionsTest, APoseMayBeginWithAMinus) {
+    EXPECT_EQ(run("--pose -1,2,-0.5").config.robots[0].world_from_robot,
+              sim::pose_from_rpy({-1.0, 2.0, 0.0}, {0.0, 0.0, -0.5}));
+    EXPECT_EQ(run("--pose=-1,2,3,+0.1,0.2,1e-3").config.robots[0].world_from_robot,
+              sim::pose_from_rpy({-1.0, 2.0, 3.0}, {0.1, 0.2, 1e-3}));
+}
+
+TEST_F(OptionsTest, PosesComeFromThreeKindsOfSources) {
+    using Kind = PoseSource::Kind;
+    const auto source = [](const std::string& line) {
+        return run(line).config.robots[0].poses.value();
+    };
+    EXPECT_EQ(source("--poses -").kind, Kind::standard_input);
+    EXPECT_EQ(source("--poses udp:127.0.0.1:9").kind, Kind::udp);
+    EXPECT_EQ(source("--poses udp:127.0.0.1:9").address, (Address{"127.0.0.1", 9}));
+    const auto walk = dir_.write("walk.tum", "");
+    EXPECT_EQ(source("--poses " + walk.string()).kind, Kind::file);
+    EXPECT_EQ(source("--poses " + walk.string()).file, walk);
+}
+
+TEST_F(OptionsTest, AConfigurationStandsAlone) {
+    const auto file = dir_.write("one.yaml",
+                                 "scene: room.sdf\n"
+                                 "robots: {r: {sensors: {s: {model: UST-20LX, pty: auto}}}}\n");
+    const Options options = run("--log-level warn --config " + file.string());
+    EXPECT_EQ(options.config, load_config(file));
+    EXPECT_EQ(options.config_file, file);
+    EXPECT_EQ(options.log_level, "warn");
+
+    const Answer both = answer("--seed 3 --config " + file.string());
+    EXPECT_EQ(both.exit_code, 2);
+    EXPECT_EQ(both.text, "scipd: --config stands alone: leave --seed out; see scipd --help\n");
+    EXPECT_EQ(answer("--list-models --check x").exit_code, 2);
+}
+
+TEST_F(OptionsTest, CheckTellsAllFaultsOrNone) {
+    const auto whole = dir_.write("whole.yaml",
+                                  "scene: room.sdf\n"
+                                  "robots: {r: {sensors: {s: {model: UST-20LX, pty: auto}}}}\n");
+    EXPECT_EQ(answer("--check " + whole.string()).exit_code, 0);
+    EXPECT_EQ(answer("--check " + whole.string()).text,
+              whole.string() + ": no faults; robots: 1, sensors: 1\n");
+
+    const auto broken = dir_.write("broken.yaml", "scene: room.sdf\nrobot: {}\nseed: x\n");
+    EXPECT_EQ(answer("--check " + broken.string()).exit_code, 2);
+    EXPECT_EQ(answer("--check " + broken.string()).text,
+              broken.string() + ":1: needs at least one robot, under robots\n" + broken.string() +
+                  ":2: robot: unknown key; did you mean robots?\n" + broken.string() +
+                  ":3: seed: must be a whole number from 0 to 18446744073709551615, not 'x'\n");
+    EXPECT_EQ(answer("--config " + broken.string()).text,
+              answer("--check " + broken.string()).text);
+}
+
+TEST(Options, AnswersQuestionsOnStandardOutput) {
+    EXPECT_EQ(answer("--list-models").exit_code, 0);
+    EXPECT_EQ(answer("--list-models").text,
+              "URG-04LX@3.1.04\nUTM-30LX@P.1.05\nUST-10LX@2.23.0000\nUST-20LX@2.23.0000\n");
+    EXPECT_EQ(answer("--list-backends").exit_code, 0);
+    EXPECT_THAT(answer("--list-backends").text, HasSubstr("embree"));
+    EXPECT_THAT(answer("--list-backends").text, HasSubstr("\nreference"));
+    EXPECT_EQ(answer("--version").exit_code, 0);
+    EXPECT_THAT(answer("--version").text, testing::StartsWith("scipd 0."));
+    EXPECT_EQ(answer("--help").exit_code, 0);
+    for (const char* said : {"Examples:", "--scene", "--poses", "--list-models", "Exit codes"})
+        EXPECT_THAT(answer("--help").text, HasSubstr(said));
+}
+
+TEST(Options, SaysInOneSentenceWhatIsWrong) {
+    const std::pair<const char*, const char*> table[] = {
+        {"--scene /nowhere.sdf", "--scene: there is no file '/nowhere.sdf'"},
+        {"--scene /", "--scene: '/' is a directory; name a file"},
+        {"--tcp 10940",
+         "--tcp: must be ADDRESS:PORT such as 127.0.0.1:10940, [::1]:10940 or localhost:0, not "
+         "'10940'"},
+        {"--tcp none --pty none", "--tcp none and --pty none: nobody could reach the scanner"},
+        {"--name robot", "--name: must be ROBOT/SENSOR"},
+        {"--name a/..",
+         "--name: '..' is no name: use up to 64 letters, digits, _ - and ., not beginning with a "
+         "dot"},
+        {"--pose 1,2", "--pose: must be X,Y,YAW or X,Y,Z,ROLL,PITCH,YAW, not '1,2'"},
+        {"--pose 1,2,x", "--pose: must be a number, not 'x'"},
+        {"--pose 1,,2", "--pose: must be a number, not ''"},
+        {"--clock poses", "--clock: poses is not built yet; use wall"},
+        {"--accuracy material", "--accuracy: material is not built yet; use sensor or ideal"},
+        {"--backend depth",
+         "--backend: this build has no backend 'depth'; use auto, embree, reference"},
+        {"--probe", "--probe: this build has no depth backend to probe for"},
+        {"--seed 1.5", "--seed: must be a whole number from 0 to 18446744073709551615, not '1.5'"},
+    };
+    for (const auto& [line, sentence] : table) {
+        const Answer refused = answer(line);
+        EXPECT_EQ(refused.exit_code, 2) << line;
+        EXPECT_EQ(refused.text, std::string{"scipd: "} + sentence + "; see scipd --help\n");
+    }
+    for (const char* line : {"--sceen x", "extra", "--tcp", "--seed 1 --seed 2", "--log-level x"})
+        EXPECT_EQ(answer(line).exit_code, 2) << line;
+}
+
+TEST(Options, ASocketPathMustFitTheSystem) {
+    EXPECT_EQ(answer("--control /" + std::string(200, 'x')).text,
+              "scipd: --control: must be shorter: a socket's path has at most 107 bytes, this has "
+              "201; see scipd --help\n");
+}
+
+}  // namespace
+}  // namespace scipd::daemon
