@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace scipd::tools {
+
+/// What all commands of scipctl share.
+struct ControlOptions {
+    std::string socket;
+};
+
+/// `scipctl status` and `scipctl sensors`. The options must outlive the program's parsing, here and
+/// in the others.
+void add_status_commands(CLI::App& program, const ControlOptions& control);
+
+/// `scipctl pose get|set|play|stream`
+void add_pose_commands(CLI::App& program, const ControlOptions& control);
+void add_pose_play_command(CLI::App& pose, const ControlOptions& control);
+void add_pose_stream_command(CLI::App& pose, const ControlOptions& control);
+
+}  // namespace scipd::tools

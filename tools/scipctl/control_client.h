@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Talks to a running scipd: HTTP/1.1 with JSON over its Unix socket, one connection for all
+// requests. Each call waits for its answer. One thread.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace scipd::tools {
+
+/// scipd refused a request, or cannot be reached (status 0); what() is a sentence.
+class ControlError : public std::runtime_error {
+  public:
+    ControlError(int status, const std::string& sentence)
+        : std::runtime_error(sentence), status_(status) {}
+
+    [[nodiscard]] int status() const { return status_; }
+
+  private:
+    int status_;
+};
+
+class ControlClient {
+  public:
+    using Json = nlohmann::ordered_json;
+
+    /// Connects with the first request.
+    explicit ControlClient(std::filesystem::path socket);
+    ~ControlClient();
+
+    /// Both throw ControlError.
+    [[nodiscard]] Json get(const std::string& path);
+    void put(const std::string& path, const Json& body);
+
+  private:
+    struct Connection;
+
+    std::string exchange(bool is_put, const std::string& path, const std::string& body);
+    [[nodiscard]] ControlError unreachable(const std::string& why) const;
+
+    std::filesystem::path socket_;
+    std::unique_ptr<Connection> connection_;  ///< null: none yet, or the last one has ended
+};
+
+/// One part of a path, with everything but letters, digits and -._~ escaped.
+[[nodiscard]] std::string path_segment(const std::string& text);
+
+}  // namespace scipd::tools

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// scipctl: speaks to a running scipd over its control socket.
+#include <CLI/CLI.hpp>
+
+#include "daemon/run_directory.h"
+#include "tools/options.h"
+#include "tools/scipctl/commands.h"
+
+int main(int argc, char** argv) {
+    using namespace scipd::tools;
+    ControlOptions control{.socket = scipd::daemon::run_directory() / "control.sock"};
+    CLI::App program("Speaks to a running scipd.", "scipctl");
+    program.require_subcommand(1);
+    program.fallthrough();
+    program.add_option("--control", control.socket, "scipd's control socket")
+        ->capture_default_str();
+    add_status_commands(program, control);
+    add_pose_commands(program, control);
+    program.footer(
+        "Examples:\n"
+        "  scipctl status\n"
+        "  scipctl pose set 1.5,2,0\n"
+        "  scipctl pose play lap.tum --speed 2 --loop\n"
+        "scipctl COMMAND --help tells more.");
+    return run(program, argc, argv);
+}

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include <iostream>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/loaders/trajectory.h"
+#include "tools/scipctl/commands.h"
+#include "tools/scipctl/control_client.h"
+#include "tools/scipctl/pose_text.h"
+#include "tools/scipctl/robots.h"
+
+namespace scipd::tools {
+namespace {
+
+struct GetOptions {
+    std::string robot;
+    bool json = false;
+};
+
+/// The last word is the pose; a robot may come before it.
+struct SetOptions {
+    std::vector<std::string> words;
+};
+
+void get_pose(const ControlOptions& control, const GetOptions& options) {
+    ControlClient client(control.socket);
+    const auto document = client.get(pose_path(choose_robot(client, options.robot)));
+    if (options.json) {
+        std::cout << document.dump() << '\n';
+        return;
+    }
+    // The answer is a pose line.
+    const auto line = sim::parse_pose_line(document.dump());
+    if (const auto* const why = std::get_if<std::string>(&line)) {
+        throw ControlError(0, "scipd's answer is no pose: " + *why);
+    }
+    std::cout << pose_text(std::get<sim::PoseLine>(line).pose) << '\n';
+}
+
+void set_pose(const ControlOptions& control, const SetOptions& options) {
+    ControlClient client(control.socket);
+    const std::string wanted = options.words.size() == 2 ? options.words.front() : std::string();
+    const auto pose = *parse_pose_text(options.words.back());
+    client.put(pose_path(choose_robot(client, wanted)), pose_body(pose, std::nullopt));
+}
+
+void add_get_command(CLI::App& pose, const ControlOptions& control) {
+    auto* const command = pose.add_subcommand("get", "where a robot is, as X,Y,Z,R,P,Y");
+    const auto options = std::make_shared<GetOptions>();
+    command->add_option("ROBOT", options->robot, "may be left out where there is one only");
+    command->add_flag("--json", options->json, "as a pose line");
+    command->callback([&control, options] { get_pose(control, *options); });
+}
+
+void add_set_command(CLI::App& pose, const ControlOptions& control) {
+    auto* const command = pose.add_subcommand("set", "put a robot somewhere");
+    const auto options = std::make_shared<SetOptions>();
+    command
+        ->add_option("[ROBOT] POSE", options->words,
+                     "POSE is X,Y,YAW or X,Y,Z,R,P,Y in metres and radians")
+        ->required()
+        ->expected(1, 2)
+        ->allow_extra_args(false);
+    command->callback([&control, options] {
+        if (!parse_pose_text(options->words.back())) {
+            throw CLI::ValidationError("\"" + options->words.back() +
+                                       "\" is no pose: write X,Y,YAW or X,Y,Z,R,P,Y");
+        }
+        set_pose(control, *options);
+    });
+    command->footer(
+        "Examples:\n"
+        "  scipctl pose set 1.5,2,3.14159\n"
+        "  scipctl pose set rescue 1.5,2,0,0,0,3.14159");
+}
+
+}  // namespace
+
+void add_pose_commands(CLI::App& program, const ControlOptions& control) {
+    auto* const pose = program.add_subcommand("pose", "where robots are");
+    pose->require_subcommand(1);
+    add_get_command(*pose, control);
+    add_set_command(*pose, control);
+    add_pose_play_command(*pose, control);
+    add_pose_stream_command(*pose, control);
+}
+
+}  // namespace scipd::tools

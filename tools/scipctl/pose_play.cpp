@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Each pose leaves at its own instant, reckoned from the start and not from the pose before, so
+// that nothing adds up.
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "sim/loaders/trajectory.h"
+#include "tools/scipctl/commands.h"
+#include "tools/scipctl/control_client.h"
+#include "tools/scipctl/pose_text.h"
+#include "tools/scipctl/robots.h"
+
+namespace scipd::tools {
+namespace {
+
+struct PlayOptions {
+    std::string file;
+    std::string robot;
+    double speed = 1.0;
+    bool loop = false;
+};
+
+/// Where the stamps that are sent begin. In lockstep they are the time, and must be the same each
+/// time that the file is played; else the host's clock gives stamps that always grow.
+sim::Time first_stamp(ControlClient& client, const std::vector<sim::TimedPose>& poses) {
+    const auto clock = client.get("/status").value("clock", std::string("wall"));
+    if (clock == "poses") return poses.front().time;
+    return std::chrono::system_clock::now().time_since_epoch();
+}
+
+/// From the first pose to the same one of the next round: the way back takes as long as an average
+/// step.
+sim::Time round_time(const std::vector<sim::TimedPose>& poses) {
+    const auto length = poses.back().time - poses.front().time;
+    const auto steps = static_cast<sim::Time::rep>(poses.size()) - 1;
+    return steps > 0 ? length + length / steps : std::chrono::seconds(1);
+}
+
+void play(const ControlOptions& control, const PlayOptions& options) {
+    const auto poses = sim::load_tum(options.file);
+    if (poses.empty()) throw ControlError(0, options.file + " has no poses");
+    ControlClient client(control.socket);
+    const std::string path = pose_path(choose_robot(client, options.robot));
+    const sim::Time stamp = first_stamp(client, poses);
+    const auto start = std::chrono::steady_clock::now();
+    sim::Time round{};
+    do {
+        for (const sim::TimedPose& pose : poses) {
+            const std::chrono::duration<double, std::nano> played =
+                (round + pose.time - poses.front().time) / options.speed;
+            const auto offset = std::chrono::round<sim::Time>(played);
+            std::this_thread::sleep_until(start + offset);
+            client.put(path, pose_body(pose.pose, stamp + offset));
+        }
+        round += round_time(poses);
+    } while (options.loop);
+}
+
+}  // namespace
+
+void add_pose_play_command(CLI::App& pose, const ControlOptions& control) {
+    auto* const command = pose.add_subcommand("play", "move a robot along a recorded trajectory");
+    const auto options = std::make_shared<PlayOptions>();
+    command->add_option("FILE", options->file, "in TUM's form: t x y z qx qy qz qw, a pose a line")
+        ->required()
+        ->check(CLI::ExistingFile);
+    command->add_option("--robot", options->robot, "may be left out where there is one only");
+    command->add_option("--speed", options->speed, "2 plays twice as fast")
+        ->check(CLI::Range(1e-3, 1e3))
+        ->capture_default_str();
+    command->add_flag("--loop", options->loop, "again and again, until Ctrl-C");
+    command->callback([&control, options] { play(control, *options); });
+    command->footer("Example:\n  scipctl pose play scenes/rescue_maze.tum --robot rescue --loop");
+}
+
+}  // namespace scipd::tools

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A line that is refused, here or by scipd, is told and counted; the stream goes on.
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "sim/loaders/trajectory.h"
+#include "tools/scipctl/commands.h"
+#include "tools/scipctl/control_client.h"
+#include "tools/scipctl/pose_text.h"
+#include "tools/scipctl/robots.h"
+
+namespace scipd::tools {
+namespace {
+
+struct StreamOptions {
+    std::string robot;
+};
+
+class PoseForwarder {
+  public:
+    PoseForwarder(ControlClient& client, std::string robot)
+        : client_(client), robot_(std::move(robot)) {}
+
+    /// Throws ControlError.
+    void forward(const std::string& text) {
+        const auto parsed = sim::parse_pose_line(text);
+        if (const auto* const why = std::get_if<std::string>(&parsed)) {
+            throw ControlError(400, *why);
+        }
+        const auto& line = std::get<sim::PoseLine>(parsed);
+        client_.put(path_of(line), pose_body(line.pose, line.time));
+    }
+
+  private:
+    std::string path_of(const sim::PoseLine& line) {
+        if (!line.model.empty()) return "/scene/models/" + path_segment(line.model) + "/pose";
+        if (!line.robot.empty()) return pose_path(line.robot);
+        robot_ = choose_robot(client_, robot_);
+        return pose_path(robot_);
+    }
+
+    ControlClient& client_;
+    std::string robot_;
+};
+
+void stream(const ControlOptions& control, const StreamOptions& options) {
+    ControlClient client(control.socket);
+    PoseForwarder forwarder(client, options.robot);
+    std::uint64_t number = 0;
+    std::uint64_t refused = 0;
+    for (std::string line; std::getline(std::cin, line);) {
+        ++number;
+        if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+        try {
+            forwarder.forward(line);
+        } catch (const ControlError& error) {
+            if (error.status() == 0) throw;
+            ++refused;
+            std::cerr << "line " << number << ": " << error.what() << '\n';
+        }
+    }
+    if (refused == 0) return;
+    throw ControlError(
+        0, std::to_string(refused) + " of " + std::to_string(number) + " lines were refused");
+}
+
+}  // namespace
+
+void add_pose_stream_command(CLI::App& pose, const ControlOptions& control) {
+    auto* const command = pose.add_subcommand("stream", "pose lines from standard input");
+    const auto options = std::make_shared<StreamOptions>();
+    command->add_option("--robot", options->robot, "whom lines without a name mean");
+    command->callback([&control, options] { stream(control, *options); });
+    command->footer(
+        "A line is {\"robot\":\"rescue\",\"t\":12.345,\"xyz\":[1,2,0],\"q\":[0,0,0,1]} (rpy may "
+        "stand for q; robot and t may be left out) or t x y z qx qy qz qw.\n"
+        "Example:\n"
+        "  my_simulator | scipctl pose stream");
+}
+
+}  // namespace scipd::tools

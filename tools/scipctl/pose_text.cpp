@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tools/scipctl/pose_text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace scipd::tools {
+namespace {
+
+/// Roll, pitch, yaw about the fixed axes, as pose_from_rpy() takes them.
+glm::dvec3 rpy_rad(const glm::dquat& q) {
+    const double sine = std::clamp(2.0 * (q.w * q.y - q.z * q.x), -1.0, 1.0);
+    return {std::atan2(2.0 * (q.w * q.x + q.y * q.z), 1.0 - 2.0 * (q.x * q.x + q.y * q.y)),
+            std::asin(sine),
+            std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))};
+}
+
+}  // namespace
+
+std::optional<sim::Pose> parse_pose_text(std::string_view text) {
+    std::vector<double> numbers;
+    const char* place = text.data();
+    const char* const end = text.data() + text.size();
+    for (;;) {
+        double number = 0.0;
+        const auto [stop, error] = std::from_chars(place, end, number);
+        if (error != std::errc{} || !std::isfinite(number)) return std::nullopt;
+        numbers.push_back(number);
+        if (stop == end) break;
+        if (*stop != ',') return std::nullopt;
+        place = stop + 1;
+    }
+    if (numbers.size() == 3) {
+        return sim::pose_from_rpy({numbers[0], numbers[1], 0.0}, {0.0, 0.0, numbers[2]});
+    }
+    if (numbers.size() != 6) return std::nullopt;
+    return sim::pose_from_rpy({numbers[0], numbers[1], numbers[2]},
+                              {numbers[3], numbers[4], numbers[5]});
+}
+
+std::string pose_text(const sim::Pose& pose) {
+    const auto& at = pose.translation_m;
+    const glm::dvec3 rpy = rpy_rad(pose.rotation);
+    char text[160];
+    std::snprintf(text, sizeof text, "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g", at.x, at.y, at.z, rpy.x,
+                  rpy.y, rpy.z);
+    return text;
+}
+
+nlohmann::ordered_json pose_body(const sim::Pose& pose, std::optional<sim::Time> time) {
+    const auto& at = pose.translation_m;
+    const auto& q = pose.rotation;
+    nlohmann::ordered_json body{{"xyz", {at.x, at.y, at.z}}, {"q", {q.x, q.y, q.z, q.w}}};
+    if (time) body["t"] = std::chrono::duration<double>(*time).count();
+    return body;
+}
+
+}  // namespace scipd::tools

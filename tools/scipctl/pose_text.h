@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Poses as a user types them, and as the control API has them. No thread rule.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "sim/time.h"
+#include "sim/world/pose.h"
+
+namespace scipd::tools {
+
+/// X,Y,YAW or X,Y,Z,R,P,Y in metres and radians; nothing where it is neither.
+[[nodiscard]] std::optional<sim::Pose> parse_pose_text(std::string_view text);
+
+/// X,Y,Z,R,P,Y: what parse_pose_text() reads.
+[[nodiscard]] std::string pose_text(const sim::Pose& pose);
+
+/// The body of PUT .../pose.
+[[nodiscard]] nlohmann::ordered_json pose_body(const sim::Pose& pose,
+                                               std::optional<sim::Time> time);
+
+}  // namespace scipd::tools

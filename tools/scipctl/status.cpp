@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tools/scipctl/commands.h"
+#include "tools/scipctl/control_client.h"
+#include "tools/scipctl/table.h"
+
+namespace scipd::tools {
+namespace {
+
+using Json = ControlClient::Json;
+
+/// A field for people: a dash for null and for what an older scipd does not send.
+std::string text(const Json& object, const char* key) {
+    if (!object.is_object() || !object.contains(key) || object[key].is_null()) return "-";
+    const Json& value = object[key];
+    if (value.is_string()) return value.get<std::string>();
+    if (!value.is_number_float()) return value.dump();
+    char number[32];
+    std::snprintf(number, sizeof number, "%.2f", value.get<double>());
+    return number;
+}
+
+std::string lateness(const Json& sensor) {
+    const Json late = sensor.value("lateness_ms", Json());
+    return text(late, "p50") + " / " + text(late, "p99") + " / " + text(late, "max");
+}
+
+void print_sensors(const Json& sensors) {
+    std::vector<Row> rows{{"SENSOR", "MODEL", "BACKEND", "STATE", "CLIENTS", "SCANS", "LOST",
+                           "LATE p50/p99/max ms", "TCP", "TTY"}};
+    for (const Json& sensor : sensors) {
+        rows.push_back({text(sensor, "name"), text(sensor, "model"), text(sensor, "backend"),
+                        text(sensor, "state"), text(sensor, "clients"), text(sensor, "scans"),
+                        text(sensor, "lost"), lateness(sensor), text(sensor, "tcp"),
+                        text(sensor, "pty")});
+    }
+    print_table(std::cout, rows);
+}
+
+void print_status(const Json& status) {
+    const Json poses = status.value("poses", Json());
+    std::cout << "scene   " << text(status, "scene") << '\n'
+              << "clock   " << text(status, "clock") << ", " << text(status, "time_s")
+              << " s; up for " << text(status, "uptime_s") << " s\n"
+              << "poses   " << text(poses, "accepted") << " accepted, " << text(poses, "refused")
+              << " refused";
+    if (const std::string why = text(poses, "last_refusal"); why != "-") {
+        std::cout << " (the last: " << why << ")";
+    }
+    std::cout << "\n\n";
+    print_sensors(status.value("sensors", Json::array()));
+}
+
+/// `scipctl NAME`, which shows the document at /NAME.
+void add_command(CLI::App& program, const ControlOptions& control, const std::string& name,
+                 const std::string& description, void (*print)(const Json&)) {
+    auto* const command = program.add_subcommand(name, description);
+    const auto json = std::make_shared<bool>(false);
+    command->add_flag("--json", *json, "as a JSON document");
+    command->callback([=, &control] {
+        ControlClient client(control.socket);
+        const Json document = client.get("/" + name);
+        if (!*json) return print(document);
+        std::cout << document.dump(2) << '\n';
+    });
+}
+
+}  // namespace
+
+void add_status_commands(CLI::App& program, const ControlOptions& control) {
+    add_command(program, control, "status", "how scipd is doing", print_status);
+    add_command(program, control, "sensors", "which scanners there are", print_sensors);
+}
+
+}  // namespace scipd::tools

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace scipd::tools {
+
+using Row = std::vector<std::string>;
+
+/// Columns as wide as their widest cell, two blanks apart. All rows have as many cells.
+void print_table(std::ostream& out, const std::vector<Row>& rows);
+
+}  // namespace scipd::tools
