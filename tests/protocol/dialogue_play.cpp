@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <optional>
+
+#include "tests/protocol/dialogue.h"
+#include "tests/protocol/shell.h"
+
+namespace scipd::protocol {
+namespace {
+
+std::string shown(std::string_view bytes) {
+    std::string text = "\"";
+    for (const char c : bytes) {
+        if (std::isprint(static_cast<unsigned char>(c)) != 0) {
+            text += c;
+        } else {
+            char code[8];
+            std::snprintf(code, sizeof code, "\\x%02X",
+                          static_cast<unsigned>(static_cast<unsigned char>(c)));
+            text += code;
+        }
+    }
+    return text + "\"";
+}
+
+std::string milliseconds(Uptime time) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g ms",
+                  std::chrono::duration<double, std::milli>(time).count());
+    return text;
+}
+
+/// Takes a line off the front, without its end; the rest where it has none.
+std::string_view take_line(std::string_view& bytes) {
+    const std::string_view line = bytes.substr(0, bytes.find('\n'));
+    bytes.remove_prefix(std::min(line.size() + 1, bytes.size()));
+    return line;
+}
+
+class Player {
+  public:
+    Player(const Dialogue& dialogue, const DeviceProfile& profile)
+        : dialogue_(dialogue), shell_(profile) {
+        shell_.distance = [this](int step) { return seen(false, step); };
+        shell_.intensity = [this](int step) { return seen(true, step); };
+    }
+
+    std::string play() {
+        for (const Step& step : dialogue_.steps) {
+            const std::string fault =
+                std::visit([&](const auto& what) { return act(what, step.line); }, step.what);
+            if (!fault.empty()) return fault;
+        }
+        return unasked(dialogue_.steps.empty() ? 1 : dialogue_.steps.back().line);
+    }
+
+  private:
+    std::uint32_t seen(bool intensity, int step) const {
+        for (auto sight = sights_.rbegin(); sight != sights_.rend(); ++sight) {
+            if (sight->intensity == intensity && sight->first <= step && step <= sight->last)
+                return sight->value(step);
+        }
+        return 0;
+    }
+
+    [[nodiscard]] std::string fault(int line, const std::string& what) const {
+        return dialogue_.name + ":" + std::to_string(line) + ": " + what;
+    }
+
+    std::string unasked(int line) {
+        for (const Sent& sent : shell_.take_sent())
+            return fault(line, "at " + milliseconds(sent.at) +
+                                   " nothing is expected, but there came " + shown(sent.bytes));
+        return {};
+    }
+
+    std::string act(const Sight& sight, int) {
+        sights_.push_back(sight);
+        return {};
+    }
+
+    std::string act(const Wait& wait, int line) {
+        if (wait.until <= shell_.now())
+            return fault(line, "it is " + milliseconds(shell_.now()) + " already");
+        if (std::string early = unasked(line); !early.empty()) return early;
+        shell_.advance_to(wait.until - Uptime(1));
+        if (std::string early = unasked(line); !early.empty()) return early;
+        shell_.advance_to(wait.until);
+        return {};
+    }
+
+    std::string act(const Say& say, int line) {
+        std::string early = unasked(line);
+        shell_.receive(say.bytes);
+        return early;
+    }
+
+    std::string act(const Hear& hear, int) {
+        const std::string all = shell_.take_text();
+        std::string_view expected = hear.bytes;
+        std::string_view heard = all;
+        for (const int line : hear.lines) {
+            const std::string_view wanted = take_line(expected);
+            if (heard.empty())
+                return fault(line, "expected " + shown(wanted) + ", but nothing more came");
+            const std::string_view got = take_line(heard);
+            if (got != wanted)
+                return fault(line, "expected " + shown(wanted) + ", but there came " + shown(got));
+        }
+        if (all != hear.bytes)
+            return fault(hear.lines.back(), "more came than expected: " + shown(heard));
+        return {};
+    }
+
+    std::string act(const Hang&, int line) {
+        std::string early = unasked(line);
+        shell_.session().close();
+        return early;
+    }
+
+    const Dialogue& dialogue_;
+    Shell shell_;
+    std::vector<Sight> sights_;
+};
+
+}  // namespace
+
+std::string play(const Dialogue& dialogue, const DeviceProfile& profile) {
+    DeviceProfile played = profile;
+    if (dialogue.ideal) played.reply_tick = Uptime::zero();
+    return Player(dialogue, played).play();
+}
+
+}  // namespace scipd::protocol
