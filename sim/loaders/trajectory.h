@@ -35,6 +35,10 @@ struct PoseLine {
     Pose pose;
 };
 
+/// Whether a line is empty or a comment, and so neither a pose nor damaged: readers of streams skip
+/// those, to parse_pose_line() they are refusals.
+bool says_nothing(std::string_view line);
+
 /// The line, or why it is refused: a sentence that names the field. Never throws on any bytes.
 std::variant<PoseLine, std::string> parse_pose_line(std::string_view line);
 

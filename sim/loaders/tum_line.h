@@ -22,9 +22,6 @@ inline constexpr double position_limit_m = 1e7;
 /// Stamps beyond this many seconds do not fit into nanoseconds of 64 bits (9.2e9 s).
 inline constexpr double time_limit_s = 9e9;
 
-/// Whether the line is empty or a comment, and so neither a pose nor damaged.
-bool says_nothing(std::string_view line);
-
 /// Without the blanks, tabs and carriage returns around it.
 std::string_view trimmed(std::string_view text);
 
