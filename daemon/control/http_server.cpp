@@ -79,7 +79,8 @@ Response to_beast(const HttpResponse& plain, bool keep_alive) {
     if (!plain.allow.empty()) response.set(http::field::allow, plain.allow);
     response.body() = plain.body;
     response.keep_alive(keep_alive);
-    response.prepare_payload();
+    // A 204 has no length, not even 0 (RFC 9110, 8.6).
+    if (plain.status != 204) response.prepare_payload();
     return response;
 }
 

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The control API's documents, literally, against a daemon that is a few fields.
+#include "daemon/control/routes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace scipd::daemon {
+namespace {
+
+using nlohmann::json;
+using namespace std::chrono_literals;
+
+class FakeApi : public Api {
+  public:
+    [[nodiscard]] Status status() const override { return status_; }
+
+    [[nodiscard]] std::optional<sim::TimedPose> robot_pose(
+        const std::string& robot) const override {
+        if (robot != "rescue") return {};
+        return now_;
+    }
+
+    std::optional<std::string> set_robot_pose(const std::string& robot,
+                                              std::optional<sim::Time> time,
+                                              const sim::Pose& pose) override {
+        if (refusal_) return refusal_;
+        robot_ = robot;
+        time_ = time;
+        now_.pose = pose;
+        return {};
+    }
+
+    Status status_;
+    sim::TimedPose now_;
+    std::optional<std::string> refusal_;
+    std::string robot_;
+    std::optional<sim::Time> time_;
+};
+
+class RoutesTest : public testing::Test {
+  protected:
+    HttpResponse get(const std::string& path) { return route(api_, {"GET", path, "", ""}); }
+    HttpResponse put(const std::string& path, const std::string& body) {
+        return route(api_, {"PUT", path, "", body});
+    }
+
+    FakeApi api_;
+};
+
+json document(const HttpResponse& response) {
+    return json::parse(response.body);
+}
+
+/// The status, and that it is a problem document of that status.
+int problem_status(const HttpResponse& response) {
+    EXPECT_EQ(response.content_type, "application/problem+json");
+    const json said = document(response);
+    EXPECT_EQ(said["type"], "about:blank");
+    EXPECT_EQ(said["status"], response.status);
+    EXPECT_FALSE(said["title"].get<std::string>().empty());
+    EXPECT_FALSE(said["detail"].get<std::string>().empty());
+    return response.status;
+}
+
+Status busy_status() {
+    SensorStatus front;
+    front.name = "rescue/front";
+    front.model = "UST-10LX";
+    front.backend = "embree";
+    front.state = "measuring";
+    front.tcp = "127.0.0.1:10940";
+    front.clients = 1;
+    front.scans = 4000;
+    front.lost = 2;
+    front.lateness = LatenessStatus{0.125ms, 0.5ms, 2ms};
+    SensorStatus rear;
+    rear.name = "rescue/rear";
+    rear.model = "URG-04LX";
+    rear.backend = "reference";
+    rear.state = "idle";
+    rear.pty = "/run/scipd/rear";
+
+    Status status;
+    status.uptime = 100.5s;
+    status.clock = "wall";
+    status.time = 100250ms;
+    status.scene = "/scenes/room.sdf";
+    status.poses = {7, 1, "q must be a quaternion"};
+    status.sensors = {front, rear};
+    return status;
+}
+
+constexpr const char* front_text =
+    R"({"name":"rescue/front","model":"UST-10LX","backend":"embree","state":"measuring",)"
+    R"("tcp":"127.0.0.1:10940","pty":null,"clients":1,"scans":4000,"lost":2,)"
+    R"("lateness_ms":{"p50":0.125,"p99":0.5,"max":2.0}})";
+constexpr const char* rear_text =
+    R"({"name":"rescue/rear","model":"URG-04LX","backend":"reference","state":"idle",)"
+    R"("tcp":null,"pty":"/run/scipd/rear","clients":0,"scans":0,"lost":0,)"
+    R"("lateness_ms":{"p50":null,"p99":null,"max":null}})";
+
+TEST_F(RoutesTest, StatusIsTheWholeDocument) {
+    api_.status_ = busy_status();
+    const auto response = get("/status");
+    EXPECT_EQ(response.status, 200);
+    EXPECT_EQ(response.content_type, "application/json");
+    EXPECT_EQ(response.body,
+              std::string{R"({"uptime_s":100.5,"clock":"wall","time_s":100.25,)"
+                          R"("scene":"/scenes/room.sdf","poses":{"accepted":7,"refused":1,)"
+                          R"("last_refusal":"q must be a quaternion"},"sensors":[)"} +
+                  front_text + "," + rear_text + "]}\n");
+}
+
+TEST_F(RoutesTest, WhatIsUnknownIsNull) {
+    const json said = document(get("/status"));
+    EXPECT_EQ(said["poses"]["last_refusal"], nullptr);
+    EXPECT_EQ(said["sensors"], json::array());
+}
+
+TEST_F(RoutesTest, SensorsAreListedAndFoundByName) {
+    api_.status_ = busy_status();
+    EXPECT_EQ(get("/sensors").body, std::string{"["} + front_text + "," + rear_text + "]\n");
+    EXPECT_EQ(get("/sensors/rescue/front").body, std::string{front_text} + "\n");
+    EXPECT_EQ(get("/sensors/rescue/rear").body, std::string{rear_text} + "\n");
+    EXPECT_EQ(problem_status(get("/sensors/rescue/top")), 404);
+    EXPECT_EQ(document(get("/sensors/rescue/top"))["detail"], "there is no sensor \"rescue/top\"");
+}
+
+TEST_F(RoutesTest, APoseIsToldInTheWordsOfAPoseLine) {
+    api_.now_ = {1500ms, {{1.0, -2.0, 0.25}, {0.0, 0.0, 0.0, 1.0}}};
+    const auto response = get("/robots/rescue/pose");
+    EXPECT_EQ(response.body, R"({"robot":"rescue","t":1.5,"xyz":[1.0,-2.0,0.25],)"
+                             R"("q":[0.0,0.0,1.0,0.0]})"
+                             "\n");
+    EXPECT_EQ(put("/robots/rescue/pose", response.body).status, 204);
+    EXPECT_EQ(api_.time_, 1500ms);
+}
+
+TEST_F(RoutesTest, APoseIsSetFromQuaternionOrAngles) {
+    const auto response =
+        put("/robots/rescue/pose", R"( {"xyz":[1,2,3],"q":[0,0,2,0],"t":0.000000001})");
+    EXPECT_EQ(response.status, 204);
+    EXPECT_EQ(response.body, "");
+    EXPECT_EQ(api_.robot_, "rescue");
+    EXPECT_EQ(api_.time_, 1ns);
+    EXPECT_EQ(api_.now_.pose.translation_m, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(api_.now_.pose.rotation, glm::dquat(0, 0, 0, 1));
+
+    EXPECT_EQ(put("/robots/rescue/pose", R"({"xyz":[0,0,0],"rpy":[0,0,1.5]})").status, 204);
+    EXPECT_EQ(api_.time_, std::nullopt);
+    EXPECT_EQ(api_.now_.pose, sim::pose_from_rpy({0, 0, 0}, {0, 0, 1.5}));
+}
+
+TEST_F(RoutesTest, AWrongPoseNamesItsField) {
+    const std::pair<const char*, const char*> table[] = {
+        {R"({"xyz":[1,2]})", "xyz"},
+        {R"({"xyz":"here"})", "xyz"},
+        {R"({})", "xyz"},
+        {R"({"xyz":[1,2,3],"q":[0,0,0,0]})", "q"},
+        {R"({"xyz":[1,2,3],"q":[0,0,0,1],"rpy":[0,0,0]})", "q"},
+        {R"({"xyz":[1,2,3],"rpy":[0,0]})", "rpy"},
+        {R"({"xyz":[1,2,3],"t":"now"})", "t"},
+        {R"({"xyz":[1,2,3],"yaw":1})", "yaw"},
+        {R"({"xyz":[1,2,3],"robot":"other"})", "robot"},
+        {R"({"xyz":[1,2,3],"model":"door"})", "model"},
+    };
+    for (const auto& [body, field] : table) {
+        const auto response = put("/robots/rescue/pose", body);
+        EXPECT_EQ(problem_status(response), 400) << body;
+        EXPECT_EQ(document(response)["field"], field) << body;
+    }
+    for (const char* body : {"", "  ", "1 1 2 3 0 0 0 1", "[1]", "{\"xyz\":[1,2,3]", "{\xff}"}) {
+        const auto response = put("/robots/rescue/pose", body);
+        EXPECT_EQ(problem_status(response), 400) << body;
+        EXPECT_FALSE(document(response).contains("field")) << body;
+    }
+    EXPECT_EQ(api_.robot_, "");
+}
+
+TEST_F(RoutesTest, APoseThatDoesNotFitNowIsAConflict) {
+    api_.refusal_ = "t lies before the last pose";
+    const auto response = put("/robots/rescue/pose", R"({"xyz":[1,2,3],"t":1})");
+    EXPECT_EQ(problem_status(response), 409);
+    EXPECT_EQ(document(response)["detail"], "t lies before the last pose");
+}
+
+TEST_F(RoutesTest, NoSuchRobotIsNotFoundForAllMethods) {
+    EXPECT_EQ(problem_status(get("/robots/nobody/pose")), 404);
+    EXPECT_EQ(problem_status(put("/robots/nobody/pose", R"({"xyz":[1,2,3]})")), 404);
+    EXPECT_EQ(api_.robot_, "");
+}
+
+TEST_F(RoutesTest, AWrongMethodIsToldTheRightOnes) {
+    api_.status_ = busy_status();
+    const std::pair<const char*, const char*> table[] = {
+        {"/status", "GET"},
+        {"/sensors", "GET"},
+        {"/sensors/rescue/front", "GET"},
+        {"/robots/rescue/pose", "GET, PUT"},
+    };
+    for (const auto& [path, allow] : table) {
+        const auto response = route(api_, {"DELETE", path, "", ""});
+        EXPECT_EQ(problem_status(response), 405) << path;
+        EXPECT_EQ(response.allow, allow) << path;
+    }
+}
+
+TEST_F(RoutesTest, UnknownPathsAreNotFound) {
+    for (const char* path : {"", "/", "//", "status", "/status/", "/Status", "/sensors/rescue",
+                             "/robots", "/robots/rescue", "/robots/rescue/pose/x", "*"}) {
+        EXPECT_EQ(problem_status(get(path)), 404) << path;
+    }
+}
+
+TEST_F(RoutesTest, WhatComesLaterSaysSo) {
+    for (const std::string path :
+         {"/scene", "/scene/models", "/scene/models/door/pose", "/sensors/rescue/front/truth",
+          "/sensors/rescue/front/faults", "/poses", "/stream"}) {
+        EXPECT_EQ(problem_status(get(path)), 404);
+        EXPECT_EQ(document(get(path))["detail"], path + " is not in this version");
+    }
+}
+
+TEST_F(RoutesTest, BytesThatAreNoTextStillGiveJson) {
+    EXPECT_EQ(problem_status(get("/robots/\xff\xfe/pose")), 404);
+    EXPECT_EQ(problem_status(get("/\x80")), 404);
+}
+
+}  // namespace
+}  // namespace scipd::daemon
