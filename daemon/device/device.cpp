@@ -71,15 +71,19 @@ void Device::turn_complete(std::int64_t revolution) {
     for (Client* client : clients_) {
         if (client->session_.turn_complete(turn(revolution))) takers.push_back(client);
     }
-    if (takers.empty()) return;
-
-    const protocol::ScanView scan = measure(revolution).view();
-    for (Client* client : takers)
-        client->session_.take(scan, uptime());
-    ++scans_sent_;
-    lateness_.add(clock_.now() - leaves(revolution));
-    for (Client* client : takers)
+    if (!takers.empty()) {
+        const protocol::ScanView scan = measure(revolution).view();
+        for (Client* client : takers)
+            client->session_.take(scan, uptime());
+        ++scans_sent_;
+        lateness_.add(clock_.now() - leaves(revolution));
+    }
+    // Those that have not taken it may have waited in vain, since another client has switched the
+    // laser off.
+    for (Client* client : clients_) {
+        client->session_.advance(uptime());
         client->on_messages_();
+    }
 }
 
 void Device::serve_latest(Client& client) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <boost/asio/buffer.hpp>
+#include <boost/asio/post.hpp>
 #include <boost/asio/write.hpp>
 
 namespace scipd::daemon {
@@ -102,8 +103,12 @@ void Connection::end_of_input() {
     end_if_done();
 }
 
+// Not at once: this may be called from within a call of the client's, which end() takes away.
 void Connection::end_if_done() {
-    if (input_ended_ && client_ && !client_->busy() && outbox_.empty() && !writing_) end();
+    if (!input_ended_ || client_->busy() || !outbox_.empty() || writing_) return;
+    asio::post(descriptor_.get_executor(), [self = shared_from_this()] {
+        if (self->client_) self->end();
+    });
 }
 
 void Connection::end() {

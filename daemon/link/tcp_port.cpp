@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/link/tcp_port.h"
 
+#include <stdexcept>
 #include <utility>
 
 namespace scipd::daemon {
@@ -24,11 +25,17 @@ tcp::endpoint endpoint_of(const Address& address) {
 
 TcpPort::TcpPort(const asio::any_io_executor& executor, const Address& address)
     : acceptor_(executor) {
-    const tcp::endpoint endpoint = endpoint_of(address);
-    acceptor_.open(endpoint.protocol());
-    acceptor_.set_option(tcp::acceptor::reuse_address(true));
-    acceptor_.bind(endpoint);
-    acceptor_.listen(backlog);
+    try {
+        const tcp::endpoint endpoint = endpoint_of(address);
+        acceptor_.open(endpoint.protocol());
+        acceptor_.set_option(tcp::acceptor::reuse_address(true));
+        acceptor_.bind(endpoint);
+        acceptor_.listen(backlog);
+    } catch (const boost::system::system_error& error) {
+        throw std::runtime_error("cannot listen on " + address.host + ":" +
+                                 std::to_string(address.port) + ": " + error.code().message() +
+                                 "; choose another address, or port 0 for any");
+    }
 }
 
 void TcpPort::serve(Device& device) {

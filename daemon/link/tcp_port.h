@@ -20,7 +20,7 @@ namespace scipd::daemon {
 
 class TcpPort : public std::enable_shared_from_this<TcpPort> {
   public:
-    /// Binds and listens. Throws boost::system::system_error.
+    /// Binds and listens. Throws std::runtime_error.
     TcpPort(const boost::asio::any_io_executor& executor, const Address& address);
 
     /// Whoever connects from now on talks to this device; who is connected is cut off. It must live
