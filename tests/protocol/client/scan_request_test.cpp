@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "protocol/client/scan_request.h"
+
+#include <gtest/gtest.h>
+
+namespace scipd::protocol::client {
+namespace {
+
+TEST(ScanRequest, IsSpeltAsTheSpecificationHasIt) {
+    const ScanRequest whole{.first_step = 0, .last_step = 1080};
+    EXPECT_EQ(single_scan_line(whole), "GD0000108001");
+    EXPECT_EQ(stream_line(whole), "MD0000108001000");
+
+    const ScanRequest narrow{
+        .first_step = 44, .last_step = 725, .cluster = 3, .interval = 9, .scans = 42};
+    EXPECT_EQ(stream_line(narrow), "MD0044072503942");
+}
+
+TEST(ScanRequest, HasACommandForEachKindOfData) {
+    EXPECT_EQ(stream_line({.last_step = 9, .intensity = true}), "ME0000000901000");
+    EXPECT_EQ(stream_line({.last_step = 9, .width = 2}), "MS0000000901000");
+    EXPECT_EQ(stream_line({.last_step = 9, .echoes = true}), "ND0000000901000");
+    EXPECT_EQ(stream_line({.last_step = 9, .intensity = true, .echoes = true}), "NE0000000901000");
+    EXPECT_EQ(single_scan_line({.last_step = 9, .width = 2}), "GS0000000901");
+    EXPECT_EQ(single_scan_line({.last_step = 9, .intensity = true}), "GE0000000901");
+    EXPECT_EQ(single_scan_line({.last_step = 9, .echoes = true}), "HD0000000901");
+    EXPECT_EQ(single_scan_line({.last_step = 9, .intensity = true, .echoes = true}),
+              "HE0000000901");
+}
+
+TEST(ScanRequest, IsReadBackFromItsEcho) {
+    for (const bool intensity : {false, true}) {
+        for (const bool echoes : {false, true}) {
+            ScanRequest request{.first_step = 1,
+                                .last_step = 2345,
+                                .cluster = 12,
+                                .intensity = intensity,
+                                .echoes = echoes,
+                                .interval = 3,
+                                .scans = 45};
+            EXPECT_EQ(parse_scan_echo(stream_line(request)), request);
+            request.interval = request.scans = 0;
+            EXPECT_EQ(parse_scan_echo(single_scan_line(request)), request);
+        }
+    }
+    EXPECT_EQ(parse_scan_echo("MS0000000901000")->width, 2);
+}
+
+TEST(ScanRequest, TakesClusterZeroAsOneAndPassesOverAString) {
+    EXPECT_EQ(parse_scan_echo("MD0000072500100")->cluster, 1);
+    EXPECT_EQ(parse_scan_echo("MD0000108001000;left one")->last_step, 1080);
+}
+
+TEST(ScanRequest, IsNothingElse) {
+    for (const char* const echo :
+         {"", "QT", "MD000010800100", "GD00001080010", "XD0000108001", "HS0000108001",
+          "NS0000108001000", "MF0000108001000", "GDx000108001", "GD0009000001"}) {
+        EXPECT_EQ(parse_scan_echo(echo), std::nullopt) << echo;
+    }
+}
+
+// A recorded UTM-30LX sends 271 values for its 1081 steps in fours.
+TEST(ScanRequest, CountsAShorterLastGroup) {
+    EXPECT_EQ((ScanRequest{.last_step = 1080, .cluster = 4}.groups()), 271U);
+    EXPECT_EQ((ScanRequest{.last_step = 1079, .cluster = 4}.groups()), 270U);
+    EXPECT_EQ((ScanRequest{.first_step = 7, .last_step = 7}.groups()), 1U);
+}
+
+}  // namespace
+}  // namespace scipd::protocol::client
