@@ -40,8 +40,7 @@ class LineSink {
     }
 
     void take(std::string_view line) {
-        if (line.ends_with('\r')) line.remove_suffix(1);
-        if (line.empty()) return;
+        if (sim::says_nothing(line)) return;
         const auto refusal = context_.intake.take_line(line, robot_, sender_, context_.now());
         if (refusal && refused_++ % 1000 == 0)
             context_.report("pose of " + robot_ + " refused: " + *refusal);

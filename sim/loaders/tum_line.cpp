@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
 
 #include "sim/loaders/quote.h"
 
@@ -21,16 +22,39 @@ bool all_digits(std::string_view text) {
     return std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Seconds as plain decimals, exactly; digits past the ninth are rounded into it. No exponent:
-/// files that carry one were written from a double and have lost their nanoseconds already.
+/// The power of ten that a stamp ends in, as evo writes it (1.70e+09); 0 where there is none.
+/// Nothing where it is no number or would move the point out of any sensible stamp.
+std::optional<int> take_exponent(std::string_view& text) {
+    const auto e = text.find_first_of("eE");
+    if (e == text.npos) return 0;
+    std::string_view digits = text.substr(e + 1);
+    text = text.substr(0, e);
+    if (digits.starts_with('+')) digits.remove_prefix(1);
+    int exponent = 0;
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+    if (error != std::errc{} || end != digits.data() + digits.size()) return {};
+    if (std::abs(exponent) > 30) return {};
+    return exponent;
+}
+
+/// Seconds as decimals, exactly; digits past the ninth behind the point are rounded into it.
 std::optional<Time> parse_stamp(std::string_view text) {
     const bool negative = text.starts_with('-');
     if (negative) text.remove_prefix(1);
-    const auto point = text.find('.');
-    const auto whole = text.substr(0, point);
-    const auto fraction = point == text.npos ? std::string_view{} : text.substr(point + 1);
-    if (whole.size() + fraction.size() == 0) return {};
-    if (!all_digits(whole) || !all_digits(fraction)) return {};
+    const auto exponent = take_exponent(text);
+    if (!exponent) return {};
+    const auto given_point = std::min(text.find('.'), text.size());
+    std::string digits{text};
+    if (given_point < digits.size()) digits.erase(given_point, 1);
+    if (digits.empty() || !all_digits(digits)) return {};
+
+    const int point = static_cast<int>(given_point) + *exponent;
+    if (point < 0) digits.insert(0, static_cast<std::size_t>(-point), '0');
+    const auto split = static_cast<std::size_t>(std::max(point, 0));
+    digits.resize(std::max(digits.size(), split), '0');
+    const auto whole = std::string_view(digits).substr(0, split);
+    const auto fraction = std::string_view(digits).substr(split);
 
     std::int64_t seconds = 0;
     for (const char digit : whole) {
@@ -102,8 +126,7 @@ std::variant<TimedPose, std::string> parse_tum_line(std::string_view line) {
     }
     const auto time = parse_stamp(columns.text[0]);
     if (!time) {
-        return "t must be seconds as plain decimals below 9e9, without an exponent, not " +
-               quote(columns.text[0]);
+        return "t must be seconds as decimals below 9e9, not " + quote(columns.text[0]);
     }
     std::array<double, column_names.size()> value{};
     for (std::size_t i = 1; i < value.size(); ++i) {
