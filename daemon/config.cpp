@@ -8,9 +8,11 @@
 #include <array>
 #include <fstream>
 #include <map>
+#include <sstream>
 #include <utility>
 
 #include <yaml-cpp/depthguard.h>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include "daemon/config_section.h"
@@ -39,6 +41,10 @@ constexpr std::array<std::string_view, 2> pose_keys{"xyz", "rpy"};
 /// What is no map at all is told elsewhere.
 bool is_empty(const Field* map) {
     return !map || (map->value.IsMap() && map->value.size() == 0);
+}
+
+bool is_none(const Field* listener) {
+    return !listener || (listener->value.IsScalar() && listener->value.Scalar() == "none");
 }
 
 /// Reads one document; what cannot be shared is remembered by who has it.
@@ -108,7 +114,7 @@ SensorConfig Reader::read_sensor(const Field& field) {
     section.read("timing", sensor.timing, parse_timing);
     claim(section.find("tcp"), sensor.tcp);
     if (sensor.pty && !sensor.pty->link.empty()) claim(section.find("pty"), sensor.pty->link);
-    if (!section.find("tcp") && !section.find("pty")) {
+    if (is_none(section.find("tcp")) && is_none(section.find("pty"))) {
         faults_.add(field, "nobody can reach it; give tcp or pty, such as `pty: auto`");
     }
     return sensor;
@@ -165,14 +171,42 @@ Config Reader::read(const YAML::Node& document) {
     return config;
 }
 
+/// Hears a document and keeps only where it began.
+class DocumentStart : public YAML::EventHandler {
+  public:
+    int line = 0;
+
+  private:
+    using Text = const std::string&;
+    using Style = YAML::EmitterStyle::value;
+    using Anchor = YAML::anchor_t;
+    void OnDocumentStart(const YAML::Mark& mark) override { line = mark.line + 1; }
+    void OnDocumentEnd() override {}
+    void OnNull(const YAML::Mark&, Anchor) override {}
+    void OnAlias(const YAML::Mark&, Anchor) override {}
+    void OnScalar(const YAML::Mark&, Text, Anchor, Text) override {}
+    void OnSequenceStart(const YAML::Mark&, Text, Anchor, Style) override {}
+    void OnSequenceEnd() override {}
+    void OnMapStart(const YAML::Mark&, Text, Anchor, Style) override {}
+    void OnMapEnd() override {}
+};
+
+/// Not by YAML::LoadAll(): in yaml-cpp 0.7 it never ends on `!tag,`.
+void refuse_second_document(const std::string& text, Faults& faults) {
+    std::istringstream stream{text};
+    YAML::Parser parser{stream};
+    DocumentStart start;
+    if (parser.HandleNextDocument(start) && parser.HandleNextDocument(start)) {
+        faults.add(start.line, {}, "a second YAML document; keep one");
+    }
+}
+
 /// The one document of the file; no text at all is an empty map.
 YAML::Node parse_yaml(const std::string& text, Faults& faults) {
     try {
-        const auto documents = YAML::LoadAll(text);
-        if (documents.size() > 1) {
-            faults.add(documents[1].Mark().line + 1, {}, "a second YAML document; keep one");
-        }
-        return documents.empty() ? YAML::Node{YAML::NodeType::Map} : documents.front();
+        auto document = YAML::Load(text);
+        refuse_second_document(text, faults);
+        return document.IsNull() ? YAML::Node{YAML::NodeType::Map} : document;
     } catch (const YAML::DeepRecursion& error) {
         faults.add(error.mark.line + 1, {}, "nested too deeply to be a configuration");
     } catch (const YAML::Exception& error) {

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t most_faults = 100;
 constexpr std::size_t most_entries = 4096;
+constexpr std::size_t longest_sentence = 400;
 
 std::string joined(std::span<const std::string_view> keys) {
     std::string text;
@@ -60,7 +61,8 @@ std::string path_of(const Field& map, std::string_view key) {
 void Faults::add(int line, std::string_view path, std::string_view sentence) {
     std::string fault = file_ + ":" + std::to_string(line) + ": ";
     if (!path.empty()) fault.append(path).append(": ");
-    by_line_.emplace_back(line, fault.append(sentence));
+    // Sentences may hold what a library quotes as it is: a fault stays one line that can be shown.
+    by_line_.emplace_back(line, fault.append(sim::printable(sentence, longest_sentence)));
     if (by_line_.size() < most_faults) return;
     by_line_.emplace_back(line, file_ + ":" + std::to_string(line) +
                                     ": too many faults; there may be more from here on");

@@ -258,6 +258,10 @@ TEST_F(ConfigTest, SaysWhatAValueMayBe) {
     EXPECT_THAT(sensor_faults("{a: b}: c"),
                 ElementsAre("fleet.yaml:3: robots.r.sensors.s: a key must be a plain name"));
     EXPECT_THAT(sensor_faults("tcp: none"), ElementsAre());
+    EXPECT_THAT(faults("scene: room.sdf\n"
+                       "robots: {r: {sensors: {s: {model: UST-10LX, tcp: none, pty: none}}}}"),
+                ElementsAre("fleet.yaml:2: robots.r.sensors.s: nobody can reach it; give tcp or "
+                            "pty, such as `pty: auto`"));
 }
 
 TEST_F(ConfigTest, RefusesEveryKeyThatComesLater) {
@@ -278,7 +282,23 @@ TEST_F(ConfigTest, SaysWhereTheTextIsNotYaml) {
     EXPECT_THAT(faults("just words"),
                 ElementsAre("fleet.yaml:1: must be a map of keys and values"));
     EXPECT_THAT(faults(std::string{whole} + "---\nscene: room.sdf\n"),
-                ElementsAre("fleet.yaml:28: a second YAML document; keep one"));
+                ElementsAre("fleet.yaml:27: a second YAML document; keep one"));
+    // On which the library's own way to read all documents never ends.
+    EXPECT_THAT(faults("!tag,"),
+                testing::Contains("fleet.yaml:1: a second YAML document; keep one"));
+}
+
+TEST_F(ConfigTest, AFaultIsALineThatCanBeShown) {
+    EXPECT_THAT(sensor_faults("\"a\\n\\x1b\": 1"),
+                ElementsAre("fleet.yaml:3: robots.r.sensors.s.a??: unknown key; known here are "
+                            "model, mount, tcp, pty, backend, accuracy, motion, timing"));
+    const auto told = faults(
+        "scene: room.sdf\nrobots: {r: {sensors: {s: "
+        "{pty: auto, model: \"UST\\n10\"}}}}");
+    EXPECT_THAT(told, ElementsAre(HasSubstr("there is no model \"UST?10\"")));
+    // The library quotes the byte that it stumbles over.
+    EXPECT_THAT(faults("\"\\\x01\""),
+                ElementsAre("fleet.yaml:1: not YAML: unknown escape character: ?"));
 }
 
 TEST_F(ConfigTest, BoundsWhatAHostileFileCosts) {
