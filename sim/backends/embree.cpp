@@ -50,7 +50,6 @@ class DenormalsAsZero {
         _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
     }
     DenormalsAsZero(const DenormalsAsZero&) = delete;
-    DenormalsAsZero& operator=(const DenormalsAsZero&) = delete;
     ~DenormalsAsZero() { _mm_setcsr(before_); }
 
   private:
@@ -59,30 +58,25 @@ class DenormalsAsZero {
 
 /// Traces packets whose rays are neighbours: two to three times as fast as rays that nothing is
 /// known about.
-class CoherentTracer {
-  public:
+struct CoherentTracer {
 #if SCIPD_EMBREE_MAJOR == 3
+    RTCIntersectContext context;
     CoherentTracer() {
-        rtcInitIntersectContext(&context_);
-        context_.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+        rtcInitIntersectContext(&context);
+        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     }
     void trace(const int* valid, RTCScene scene, RTCRayHit16& packet) {
-        rtcIntersect16(valid, scene, &context_, &packet);
+        rtcIntersect16(valid, scene, &context, &packet);
     }
-
-  private:
-    RTCIntersectContext context_;
 #else
+    RTCIntersectArguments arguments;
     CoherentTracer() {
-        rtcInitIntersectArguments(&arguments_);
-        arguments_.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+        rtcInitIntersectArguments(&arguments);
+        arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
     }
     void trace(const int* valid, RTCScene scene, RTCRayHit16& packet) {
-        rtcIntersect16(valid, scene, &packet, &arguments_);
+        rtcIntersect16(valid, scene, &packet, &arguments);
     }
-
-  private:
-    RTCIntersectArguments arguments_;
 #endif
 };
 
@@ -99,10 +93,12 @@ SceneHandle new_scene(RTCDevice device) {
     return scene;
 }
 
+/// Embree owns what it returns.
 template <typename Element>
 Element* new_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t count) {
-    return static_cast<Element*>(
-        rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Element), count));
+    void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Element), count);
+    if (!buffer) throw std::runtime_error("Embree has no memory for the scene");
+    return static_cast<Element*>(buffer);
 }
 
 /// The triangles of one object, at this pose in the frame of `scene`, under the object's own id.
@@ -115,7 +111,6 @@ void attach(RTCDevice device, RTCScene scene, ObjectId id, const Object& object,
                                            RTC_FORMAT_FLOAT3, mesh.vertices_m.size());
     auto* triangles = new_buffer<glm::uvec3>(geometry.get(), RTC_BUFFER_TYPE_INDEX,
                                              RTC_FORMAT_UINT3, mesh.triangles.size());
-    if (!vertices || !triangles) throw std::runtime_error("no memory for " + object.name);
     std::ranges::transform(mesh.vertices_m, vertices, [&](const glm::vec3& vertex) {
         return glm::vec3{here_from_object * glm::dvec3{vertex}};
     });
@@ -234,8 +229,7 @@ void EmbreeBackend::do_cast(const Fan& fan, std::span<Hit> hits) {
         aim(fan, first, count, packet);
         tracer.trace(valid, still_.get(), packet);
         if (!movables_.empty()) {
-            // What the first call hit has shortened the rays: only what stands before it can be met
-            // now.
+            // The hits so far have shortened the rays: only what stands before them is met.
             tracer.trace(valid, moving_.get(), packet);
             turn_normals_of_movables(packet);
         }
@@ -287,8 +281,9 @@ void EmbreeBackend::read(const RTCRayHit16& packet, std::span<Hit> hits) const {
     }
     for (std::size_t k = 0; k < hits.size(); ++k) {
         const ObjectId object = hit.geomID[k];
-        hits[k] =
-            object == no_object ? Hit{} : Hit{ray.tfar[k], cosine[k], material_of_[object], object};
+        hits[k] = {};
+        if (object == no_object) continue;
+        hits[k] = {ray.tfar[k], cosine[k], material_of_[object], object};
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include <limits>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -31,6 +32,11 @@ inline std::vector<std::string> backend_names() {
 }
 
 enum class Place { origin, far_away };
+
+/// For GoogleTest, which names tests by what it prints.
+inline void PrintTo(Place place, std::ostream* out) {  // NOLINT(readability-identifier-naming)
+    *out << (place == Place::origin ? "at the origin" : "far away");
+}
 
 class Contract : public testing::TestWithParam<std::tuple<std::string, Place>> {
   protected:

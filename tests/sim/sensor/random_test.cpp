@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ostream>
 #include <set>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -29,6 +31,16 @@ double by_sensor(int i) {
 double by_seed(int i) {
     return Chance({.seed = static_cast<std::uint64_t>(i), .sensor = 2, .scan = 3})
         .standard_normal(4);
+}
+
+struct Part {
+    const char* name;
+    double (*one)(int);
+};
+
+/// For GoogleTest, which names tests by what it prints.
+void PrintTo(const Part& part, std::ostream* out) {  // NOLINT(readability-identifier-naming)
+    *out << part.name;
 }
 
 std::vector<double> draw(int draws, double (*one)(int)) {
@@ -57,13 +69,13 @@ double normal_below(double x) {
     return 0.5 * std::erfc(-x / std::numbers::sqrt2);
 }
 
-class EveryPart : public testing::TestWithParam<double (*)(int)> {};
+class EveryPart : public testing::TestWithParam<Part> {};
 
 constexpr int draws = 100'000;
 const double standard_error = 1.0 / std::sqrt(draws);
 
 TEST_P(EveryPart, GivesMeanZeroAndDeviationOne) {
-    const std::vector<double> numbers = draw(draws, GetParam());
+    const std::vector<double> numbers = draw(draws, GetParam().one);
     EXPECT_NEAR(mean_of(numbers), 0.0, 5 * standard_error);
     EXPECT_NEAR(correlation(numbers, numbers), 1.0, 5 * std::sqrt(2.0) * standard_error);
 }
@@ -71,7 +83,7 @@ TEST_P(EveryPart, GivesMeanZeroAndDeviationOne) {
 // Kolmogorov and Smirnov: the largest distance between the two distributions exceeds 2.2 / sqrt(n)
 // once in 8000 times.
 TEST_P(EveryPart, FollowsTheNormalDistribution) {
-    std::vector<double> numbers = draw(draws, GetParam());
+    std::vector<double> numbers = draw(draws, GetParam().one);
     std::ranges::sort(numbers);
     double farthest = 0.0;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -82,7 +94,7 @@ TEST_P(EveryPart, FollowsTheNormalDistribution) {
 }
 
 TEST_P(EveryPart, GivesNeighboursThatKnowNothingOfEachOther) {
-    const std::vector<double> numbers = draw(draws, GetParam());
+    const std::vector<double> numbers = draw(draws, GetParam().one);
     for (const int lag : {1, 2, 16, 1081}) {
         std::vector<double> later(numbers.begin() + lag, numbers.end());
         EXPECT_NEAR(correlation(later, numbers), 0.0, 5 * standard_error) << "lag " << lag;
@@ -90,11 +102,14 @@ TEST_P(EveryPart, GivesNeighboursThatKnowNothingOfEachOther) {
 }
 
 TEST_P(EveryPart, NeverRepeats) {
-    const std::vector<double> numbers = draw(draws, GetParam());
+    const std::vector<double> numbers = draw(draws, GetParam().one);
     EXPECT_EQ(std::set<double>(numbers.begin(), numbers.end()).size(), numbers.size());
 }
 
-INSTANTIATE_TEST_SUITE_P(Chance, EveryPart, testing::Values(by_beam, by_scan, by_sensor, by_seed));
+INSTANTIATE_TEST_SUITE_P(Chance, EveryPart,
+                         testing::Values(Part{"beam", by_beam}, Part{"scan", by_scan},
+                                         Part{"sensor", by_sensor}, Part{"seed", by_seed}),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 TEST(StandardNormal, IsAFunctionOfKeyAndBeam) {
     const Chance chance({.seed = 42, .sensor = 7, .scan = 1'000'000'007});
