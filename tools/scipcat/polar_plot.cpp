@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "tools/scipcat/colours.h"
 #include "tools/scipcat/ring_labels.h"
@@ -17,20 +20,29 @@ namespace {
 
 constexpr double turn_rad = 2.0 * std::numbers::pi;
 
+/// Logarithmic, since returns fade with the square of their distance; without the few strongest and
+/// weakest, since a reflector would leave one colour to everything else.
 struct IntensityScale {
-    std::uint32_t least = 0;
-    std::uint32_t most = 0;
+    std::uint32_t least = 1;
+    std::uint32_t most = 1;
 
     [[nodiscard]] Colour colour(std::uint32_t intensity) const {
-        const double span = std::max(1.0, static_cast<double>(most) - least);
-        return viridis((static_cast<double>(intensity) - least) / span);
+        const double span = std::log(static_cast<double>(most) / least);
+        const double place = std::log(std::max(1.0, static_cast<double>(intensity)) / least);
+        return viridis(span > 0.0 ? place / span : 1.0);
     }
 };
 
 IntensityScale scale_of(const TopView& view) {
     if (view.points.empty()) return {};
-    const auto [least, most] = std::ranges::minmax(view.points, {}, &ViewPoint::intensity);
-    return {least.intensity, most.intensity};
+    std::vector<std::uint32_t> intensities;
+    for (const ViewPoint& point : view.points)
+        intensities.push_back(point.intensity);
+    std::ranges::sort(intensities);
+    const std::size_t left_out = intensities.size() / 20;
+    const std::uint32_t weakest = 1;
+    return {std::max(weakest, intensities[left_out]),
+            std::max(weakest, intensities[intensities.size() - 1 - left_out])};
 }
 
 void square(const Sheet& sheet) {
@@ -119,7 +131,7 @@ void draw_arrow(const Sheet& sheet, Spot from, double across, double down) {
 /// Which way is x, which way is y.
 void draw_axes(const Sheet& sheet) {
     constexpr double text_size = 15.0;
-    const Spot origin{Sheet::margin + 62.0, Sheet::top + Sheet::side - 22.0};
+    const Spot origin{Sheet::margin + Sheet::side - 16.0, Sheet::top - 16.0};
     draw_arrow(sheet, origin, 0.0, -1.0);
     draw_arrow(sheet, origin, -1.0, 0.0);
     sheet.write_label("x", {origin.x + 12.0, origin.y - 30.0}, text_size);
@@ -130,18 +142,28 @@ void draw_legend(const Sheet& sheet, const TopView& view) {
     constexpr double width = 220.0;
     constexpr double height = 12.0;
     constexpr double text_size = 14.0;
-    const double right = Sheet::margin + Sheet::side;
+    constexpr double of_axes = 84.0;
+    const double right = Sheet::margin + Sheet::side - of_axes;
     const double left = right - width;
-    const double bar = Sheet::top - 48.0;
-    for (int i = 0; i < static_cast<int>(width); ++i) {
-        cairo_rectangle(sheet.context(), left + i, bar, 1.0, height);
-        sheet.fill(viridis(i / width));
+    const double bar = Sheet::top - 46.0;
+    const std::unique_ptr<cairo_pattern_t, decltype(&cairo_pattern_destroy)> gradient(
+        cairo_pattern_create_linear(left, 0.0, right, 0.0), cairo_pattern_destroy);
+    constexpr int stops = 20;
+    for (int i = 0; i <= stops; ++i) {
+        const double share = static_cast<double>(i) / stops;
+        const Colour colour = viridis(share);
+        cairo_pattern_add_color_stop_rgb(gradient.get(), share, colour.red, colour.green,
+                                         colour.blue);
     }
+    cairo_rectangle(sheet.context(), left, bar, width, height);
+    cairo_set_source(sheet.context(), gradient.get());
+    cairo_fill(sheet.context());
+
     const IntensityScale scale = scale_of(view);
     const double below = bar + height + 18.0;
     sheet.write(std::to_string(scale.least), {left, below}, text_size, colours::faint_ink);
     sheet.write(std::to_string(scale.most), {right, below}, text_size, colours::faint_ink, 1.0);
-    sheet.write("intensity", {left, bar - 8.0}, text_size, colours::faint_ink);
+    sheet.write("intensity, logarithmic", {left, bar - 8.0}, text_size, colours::faint_ink);
 }
 
 void draw_header(const Sheet& sheet, const PlotText& text) {
@@ -171,12 +193,12 @@ void draw_polar_plot(cairo_t* context, const TopView& view, const PlotText& text
     draw_points(sheet, view);
     draw_scanner(sheet);
     draw_ring_labels(sheet, view);
-    draw_axes(sheet);
     cairo_restore(context);
 
     square(sheet);
     sheet.stroke(colours::frame, 1.0);
     draw_header(sheet, text);
+    draw_axes(sheet);
     if (view.has_intensity) draw_legend(sheet, view);
 }
 

@@ -15,10 +15,16 @@ namespace {
 constexpr double border = 26.0;
 constexpr double room = 30.0;  ///< as far from any point a label is as good as alone
 
+/// What labels keep away from: the points and the edges of the field of view.
 std::vector<Spot> spots_of(const TopView& view, const Sheet& sheet) {
-    std::vector<Spot> spots{sheet.at(0.0, 0.0)};
+    std::vector<Spot> spots;
     for (const ViewPoint& point : view.points)
         spots.push_back(sheet.at(point.x_m, point.y_m));
+    const double step_m = sheet.ring_m() / 10.0;
+    for (const double angle_rad : {view.first_angle_rad, view.last_angle_rad}) {
+        for (double range_m = 0.0; range_m < sheet.reach_m(); range_m += step_m)
+            spots.push_back(sheet.at_polar(range_m, angle_rad));
+    }
     return spots;
 }
 

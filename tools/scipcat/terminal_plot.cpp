@@ -64,12 +64,14 @@ std::string scale_bar(double dots_per_m, int columns) {
 
 std::string terminal_plot(const TopView& view, const PlotText& text, TerminalSize size) {
     constexpr int lines_of_text = 5;
+    constexpr int least_rows = 4;
     constexpr double cell_height = 2.0;  // of its width
-    const double wanted_rows =
-        size.columns / cell_height * view.bounds.height_m() / view.bounds.width_m();
-    const int most_rows = std::max(size.rows - lines_of_text, 4);
-    const int rows = std::clamp(static_cast<int>(std::ceil(wanted_rows)), 4, most_rows);
-    BrailleCanvas canvas(size.columns, rows);
+    const double shape = view.bounds.width_m() / view.bounds.height_m() * cell_height;
+    const int most_rows = std::max(size.rows - lines_of_text, least_rows);
+    const int wanted_rows = static_cast<int>(std::ceil(size.columns / shape));
+    const int rows = std::clamp(wanted_rows, least_rows, most_rows);
+    const int columns = std::min(size.columns, static_cast<int>(std::ceil(rows * shape)));
+    BrailleCanvas canvas(std::max(columns, 1), rows);
     const Projection projection(view.bounds, canvas);
     draw(view, projection, canvas);
 
@@ -77,7 +79,7 @@ std::string terminal_plot(const TopView& view, const PlotText& text, TerminalSiz
     out << text.title << "\n";
     for (const std::string& line : canvas.lines())
         out << line << '\n';
-    out << scale_bar(projection.dots_per_m(), size.columns) << '\n'
+    out << scale_bar(projection.dots_per_m(), columns) << '\n'
         << text.scanner << '\n'
         << text.scan << '\n';
     return out.str();

@@ -62,8 +62,7 @@ void add_set_command(CLI::App& pose, const ControlOptions& control) {
         ->add_option("[ROBOT] POSE", options->words,
                      "POSE is X,Y,YAW or X,Y,Z,R,P,Y in metres and radians")
         ->required()
-        ->expected(1, 2)
-        ->allow_extra_args(false);
+        ->expected(1, 2);
     command->callback([&control, options] {
         if (!parse_pose_text(options->words.back())) {
             throw CLI::ValidationError("\"" + options->words.back() +

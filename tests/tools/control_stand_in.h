@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The daemon's control socket with nothing behind it: the real server and routes over two robots
+// that go wherever they are put, at once. Lives on a thread of its own.
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <boost/asio/io_context.hpp>
+
+#include "daemon/control/http_server.h"
+#include "daemon/control/routes.h"
+#include "tests/support/temp_dir.h"
+
+namespace scipd::tests {
+
+struct Put {
+    std::string robot;
+    std::optional<sim::Time> time;
+    sim::Pose pose;
+};
+
+class ControlStandIn : daemon::Api {
+  public:
+    explicit ControlStandIn(std::vector<std::string> robots, std::string clock = "wall");
+    ~ControlStandIn() override;
+    ControlStandIn(const ControlStandIn&) = delete;
+    ControlStandIn& operator=(const ControlStandIn&) = delete;
+
+    [[nodiscard]] std::string socket() const { return directory_.path() / "control.sock"; }
+    /// Everything that has been put, in order.
+    [[nodiscard]] std::vector<Put> puts() const;
+
+  private:
+    [[nodiscard]] daemon::Status status() const override;
+    [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string& robot) const override;
+    std::optional<std::string> set_robot_pose(const std::string& robot,
+                                              std::optional<sim::Time> time,
+                                              const sim::Pose& world_from_robot) override;
+
+    TempDir directory_;
+    std::string clock_;
+    mutable std::mutex mutex_;
+    std::map<std::string, sim::Pose> poses_;
+    std::vector<Put> puts_;
+    boost::asio::io_context io_;
+    daemon::HttpServer server_;
+    std::thread thread_;
+};
+
+}  // namespace scipd::tests

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/support/child.h"
+
+namespace scipd::tests {
+
+/// The program's own path and these words.
+inline std::vector<std::string> scipcat(std::vector<std::string> words) {
+    words.insert(words.begin(), SCIPCAT);
+    return words;
+}
+
+inline Outcome run_scipcat(std::vector<std::string> words) {
+    return run(scipcat(std::move(words)));
+}
+
+}  // namespace scipd::tests
