@@ -61,9 +61,24 @@ PtyPort::PtyPort(const asio::any_io_executor& executor, std::filesystem::path li
     make_raw(slave_.native_handle());
     // Watched from here on, so this open of our own does not count.
     events_.assign(checked(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC), what));
-    checked(::inotify_add_watch(events_.native_handle(), device_path_.c_str(), IN_OPEN | IN_CLOSE),
-            what);
+    watch_for_clients(what);
     make_link();
+}
+
+PtyPort::~PtyPort() {
+    remove_link();
+}
+
+// The kernel merges an event with an equal one right before it: of two drivers that open the tty
+// while this thread is busy one would be missed. So each of them is told twice, by the folder and
+// by the tty, and none is like the one before it.
+void PtyPort::watch_for_clients(const std::string& what) {
+    const auto watch = [&](const std::filesystem::path& path) {
+        return checked(
+            ::inotify_add_watch(events_.native_handle(), path.c_str(), IN_OPEN | IN_CLOSE), what);
+    };
+    tty_watch_ = watch(device_path_);
+    watch(device_path_.parent_path());
 }
 
 void PtyPort::serve(Device& device) {
@@ -84,9 +99,7 @@ void PtyPort::stop() {
     if (connection_) connection_->close();
     error_code ignored;
     events_.close(ignored);
-    std::error_code none;
-    if (std::filesystem::read_symlink(link_, none) == device_path_)
-        std::filesystem::remove(link_, none);
+    remove_link();
 }
 
 std::uint64_t PtyPort::lost_scans() const {
@@ -113,6 +126,7 @@ bool PtyPort::somebody_there() {
             inotify_event event;
             std::memcpy(&event, buffer.data() + at, sizeof(event));
             at += static_cast<ssize_t>(sizeof(event) + event.len);
+            if (event.wd != tty_watch_) continue;
             if ((event.mask & IN_OPEN) != 0) ++opens_;
             if ((event.mask & IN_CLOSE) != 0 && opens_ > 0 && --opens_ == 0) last_one_closed();
         }
@@ -138,6 +152,12 @@ void PtyPort::make_link() const {
     fs::remove(fresh);
     fs::create_symlink(device_path_, fresh);
     fs::rename(fresh, link_);
+}
+
+void PtyPort::remove_link() const {
+    std::error_code none;
+    if (std::filesystem::read_symlink(link_, none) == device_path_)
+        std::filesystem::remove(link_, none);
 }
 
 }  // namespace scipd::daemon

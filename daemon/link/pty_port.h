@@ -25,6 +25,10 @@ class PtyPort : public std::enable_shared_from_this<PtyPort> {
     /// Creates the tty and its link, replacing a link that is there but nothing else. Throws
     /// std::system_error.
     PtyPort(const boost::asio::any_io_executor& executor, std::filesystem::path link);
+    PtyPort(const PtyPort&) = delete;
+    PtyPort& operator=(const PtyPort&) = delete;
+    /// Takes the link away.
+    ~PtyPort();
 
     /// As TcpPort::serve() and stop(); the latter takes the link away.
     void serve(Device& device);
@@ -39,7 +43,9 @@ class PtyPort : public std::enable_shared_from_this<PtyPort> {
     /// Reads what has happened to the tty since last time; whether somebody has it open now.
     bool somebody_there();
     void last_one_closed();
+    void watch_for_clients(const std::string& what);
     void make_link() const;
+    void remove_link() const;
 
     boost::asio::any_io_executor executor_;
     std::filesystem::path link_;
@@ -48,6 +54,7 @@ class PtyPort : public std::enable_shared_from_this<PtyPort> {
     boost::asio::posix::stream_descriptor
         slave_;  ///< kept open, so that the terminal's settings outlive each driver
     boost::asio::posix::stream_descriptor events_;
+    int tty_watch_ = -1;  ///< what its own events are marked with
     std::shared_ptr<Connection> connection_;
     int opens_ = 0;
     std::uint64_t lost_before_ = 0;
