@@ -29,9 +29,6 @@ class World {
     /// are, movable models start where the new scene has them.
     void replace_scene(sim::SharedScene scene, Backends backends);
     [[nodiscard]] const sim::Scene& scene() const { return *scene_; }
-    /// Another scene in place of this one. Robots stay where they are, movable models start where
-    /// the new scene has them.
-    void replace_scene(sim::SharedScene scene);
 
     /// The robots are these from now on, with where they start; one that was there before stays
     /// where it is unless its start is another now.
