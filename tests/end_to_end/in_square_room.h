@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What the tests of a running scipd have in common.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/daemon_process.h"
+#include "tests/support/scanner_wire.h"
+
+namespace scipd::tests {
+
+using Arguments = std::vector<std::string>;
+
+/// Ranges from the origin: 3000 mm ahead (step 540 of a UST-10LX).
+inline Arguments in_square_room(Arguments more) {
+    Arguments arguments{"--scene", scene("square_room.sdf"), "--mount", "0,0,0.3,0,0,0"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+inline Arguments on_tcp(Arguments more = {"--accuracy", "ideal"}) {
+    more.insert(more.end(), {"--tcp", "127.0.0.1:0", "--pty", "none"});
+    return in_square_room(std::move(more));
+}
+
+inline Arguments on_tty(Arguments more = {"--accuracy", "ideal"}) {
+    more.insert(more.end(), {"--tcp", "none", "--pty", "auto"});
+    return in_square_room(std::move(more));
+}
+
+/// Looks again and again, for longer than scipd takes on a machine that is busy with other things.
+inline bool eventually(const std::function<bool()>& condition) {
+    using namespace std::chrono_literals;
+    const auto end = std::chrono::steady_clock::now() + 20s;
+    while (!condition()) {
+        if (std::chrono::steady_clock::now() > end) return false;
+        std::this_thread::sleep_for(10ms);
+    }
+    return true;
+}
+
+/// Of the beam that looks ahead, for ever; each scan is about 40 bytes.
+inline const std::string stream_of_one_beam = "MD0540054000000";
+inline const std::string stream_of_all_beams = "MD0000108000000";
+
+}  // namespace scipd::tests

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include <csignal>
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/end_to_end/in_square_room.h"
+
+namespace scipd::tests {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+namespace fs = std::filesystem;
+
+class Startup : public testing::Test {
+  protected:
+    /// That scipd ends with 2, says why on standard error alone, and leaves nothing behind.
+    std::string refusal(const Arguments& arguments) {
+        DaemonProcess daemon(directory_, arguments);
+        EXPECT_EQ(daemon.wait(), 2);
+        EXPECT_EQ(daemon.standard_output(), "");
+        EXPECT_THAT(daemon.standard_error(), EndsWith("\n"));
+        return daemon.standard_error();
+    }
+
+    [[nodiscard]] fs::path run_directory() const { return directory_.path() / "scipd"; }
+
+    TempDir directory_;
+};
+
+TEST_F(Startup, TellsEveryFaultOfABrokenConfiguration) {
+    const fs::path file = directory_.write("bad.yaml", R"(scene: nowhere.sdf
+robots:
+  rescue:
+    speed: 3
+    sensors:
+      front: {model: UST-99LX, tcp: 127.0.0.1:99999}
+)");
+    const std::string faults = refusal({"--config", file});
+    const std::string name = file.string();
+    EXPECT_THAT(faults, StartsWith(name + ":1: scene: "));
+    EXPECT_THAT(faults, HasSubstr("\n" + name + ":4: robots.rescue.speed: "));
+    EXPECT_THAT(faults, HasSubstr("\n" + name + ":6: robots.rescue.sensors.front.model: "));
+    EXPECT_THAT(faults, HasSubstr("\n" + name + ":6: robots.rescue.sensors.front.tcp: "));
+    EXPECT_FALSE(fs::exists(run_directory()));
+}
+
+TEST_F(Startup, TellsEveryFaultOfABrokenWorld) {
+    const fs::path world = directory_.write("bad.sdf", R"(<sdf version="1.9"><world name="bad">
+<model name="a"><link name="l"><visual name="v">
+<geometry><mesh><uri>gone.obj</uri></mesh></geometry></visual></link></model>
+<model name="b"><link name="l"><visual name="v">
+<geometry><mesh><uri>lost.stl</uri></mesh></geometry></visual></link></model>
+</world></sdf>)");
+    const std::string faults = refusal({"--scene", world, "--tcp", "127.0.0.1:0", "--pty", "auto"});
+    EXPECT_THAT(faults, HasSubstr(world.string() + ":"));
+    EXPECT_THAT(faults, HasSubstr("gone.obj"));
+    EXPECT_THAT(faults, HasSubstr("lost.stl"));
+    EXPECT_FALSE(fs::exists(run_directory() / "robot-scanner"));
+    EXPECT_FALSE(fs::exists(run_directory() / "control.sock"));
+}
+
+TEST_F(Startup, SaysWhichPortIsInUse) {
+    const TempDir elsewhere;
+    DaemonProcess first(elsewhere, on_tcp());
+    const std::string address = "127.0.0.1:" + std::to_string(first.port());
+    const fs::path file =
+        directory_.write("ports.yaml", "scene: " + scene("square_room.sdf").string() + R"(
+robots:
+  rescue:
+    sensors:
+      front: {model: UST-10LX, pty: auto}
+      rear: {model: UST-10LX, tcp: ")" + address +
+                                           "\"}\n");
+    EXPECT_THAT(refusal({"--config", file}),
+                HasSubstr("cannot listen on " + address + ": Address already in use"));
+    // What had been opened before it failed is gone.
+    EXPECT_FALSE(fs::is_symlink(run_directory() / "rescue-front"));
+    EXPECT_FALSE(fs::exists(run_directory() / "control.sock"));
+    EXPECT_EQ(ScannerWire::tcp(first.port()).ask("VV"), "00");
+}
+
+TEST_F(Startup, LeavesAnotherScipdAlone) {
+    DaemonProcess first(directory_, on_tty());
+    EXPECT_THAT(refusal(on_tty()), HasSubstr("control.sock"));
+    EXPECT_EQ(ScannerWire::tty(first.tty()).ask("VV"), "00");
+    EXPECT_EQ(first.get("/status").at("sensors").size(), 1U);
+}
+
+TEST_F(Startup, ReplacesWhatAKilledOneLeftBehind) {
+    {
+        DaemonProcess killed(directory_, on_tty());
+        killed.signal(SIGKILL);
+        EXPECT_EQ(killed.wait(), 128 + SIGKILL);
+    }
+    ASSERT_TRUE(fs::is_symlink(run_directory() / "robot-scanner"));
+    DaemonProcess next(directory_, on_tty());
+    ASSERT_NE(next.ready_line(), "") << next.standard_error();
+    EXPECT_EQ(ScannerWire::tty(next.tty()).ask("VV"), "00");
+}
+
+TEST_F(Startup, SaysWhereItListensAndNothingElse) {
+    DaemonProcess daemon(directory_, in_square_room({"--tcp", "127.0.0.1:0", "--name", "r2/top"}));
+    const std::string port = std::to_string(daemon.port());
+    const std::string run = run_directory().string();
+    EXPECT_EQ(daemon.ready_line(),
+              R"({"ready":true,"sensors":[{"name":"r2/top","model":"UST-10LX","tcp":"127.0.0.1:)" +
+                  port + R"(","pty":")" + run + R"(/r2-top"}],"control":")" + run +
+                  R"(/control.sock","http":null})");
+    ScannerWire wire = ScannerWire::tcp(daemon.port());
+    EXPECT_EQ(wire.ask(stream_of_one_beam), "00");
+    (void)wire.next_scan();
+    daemon.signal(SIGHUP);  // warns, since there is no configuration to read again
+    EXPECT_TRUE(
+        eventually([&] { return daemon.standard_error().find("SIGHUP") != std::string::npos; }));
+    daemon.signal(SIGTERM);
+    EXPECT_EQ(daemon.wait(), 0);
+    EXPECT_EQ(daemon.standard_output(), daemon.ready_line() + "\n");
+}
+
+class Ending : public testing::TestWithParam<int> {};
+
+TEST_P(Ending, LeavesNothingBehind) {
+    const TempDir directory;
+    DaemonProcess daemon(directory, in_square_room({"--tcp", "127.0.0.1:0"}));
+    ASSERT_TRUE(fs::is_symlink(daemon.tty()));
+    ASSERT_TRUE(fs::is_socket(daemon.control()));
+    ScannerWire tcp = ScannerWire::tcp(daemon.port());
+    ScannerWire tty = ScannerWire::tty(daemon.tty());
+    EXPECT_EQ(tcp.ask(stream_of_all_beams), "00");
+    EXPECT_EQ(tty.ask(stream_of_all_beams), "00");
+
+    daemon.signal(GetParam());
+    EXPECT_EQ(daemon.wait(), 0);
+    EXPECT_FALSE(fs::is_symlink(daemon.tty()));
+    EXPECT_FALSE(fs::exists(daemon.control()));
+    EXPECT_TRUE(tcp.ends());
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, Ending, testing::Values(SIGINT, SIGTERM));
+
+}  // namespace
+}  // namespace scipd::tests
