@@ -7,7 +7,7 @@
 #pragma once
 
 #include <chrono>
-#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -19,6 +19,9 @@
 #include "daemon/control/http_message.h"
 
 namespace scipd::daemon {
+
+class HttpPort;
+struct HttpService;
 
 struct HttpLimits {
     std::uint32_t header_bytes = 16 * 1024;
@@ -48,13 +51,9 @@ class HttpServer {
     void close();
 
   private:
-    struct State;
-
-    template <class Acceptor>
-    void accept_from(Acceptor acceptor);
-
     boost::asio::any_io_executor executor_;
-    std::shared_ptr<State> state_;  ///< shared with the connections, which may end later
+    std::shared_ptr<HttpService> service_;  ///< shared with the connections, which may end later
+    std::vector<std::shared_ptr<HttpPort>> ports_;
     std::vector<std::filesystem::path> sockets_;
 };
 
