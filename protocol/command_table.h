@@ -73,17 +73,18 @@ struct DataFormat {
 /// What one family answers in each state instead of carrying a command out.
 class Gate {
   public:
-    /// One status per state in the order of State, "--" where the command is carried out: "10 -- --
-    /// 0E".
-    consteval Gate(const char (
-        &row)[12]) {  // NOLINT(google-explicit-constructor): rows are written as literals
+    /// One status per state in the order of State, "--" where the command is carried out, as in
+    /// "10 -- -- 0E". Implicit: rows are written as literals.
+    // NOLINTNEXTLINE(google-explicit-constructor)
+    consteval Gate(const char (&row)[12]) {
         for (std::size_t i = 0; i < state_count; ++i) {
             const char code[3] = {row[3 * i], row[3 * i + 1], '\0'};
             if (code[0] != '-') answers_[i] = Status(code);
         }
     }
     /// The family does not know the command.
-    consteval Gate(std::nullptr_t) : known_(false) {}  // NOLINT(google-explicit-constructor)
+    // NOLINTNEXTLINE(google-explicit-constructor)
+    consteval Gate(std::nullptr_t) : known_(false) {}
 
     [[nodiscard]] constexpr bool known() const { return known_; }
     [[nodiscard]] constexpr std::optional<Status> refusal(State state) const {

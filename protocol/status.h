@@ -11,10 +11,9 @@ namespace scipd::protocol {
 
 class Status {
   public:
-    /// Two characters, checked when compiled.
-    consteval Status(
-        const char (&code)[3])  // NOLINT(google-explicit-constructor): a literal is a status
-        : code_{code[0], code[1]} {
+    /// Two characters, checked when compiled. Implicit: a literal is a status.
+    // NOLINTNEXTLINE(google-explicit-constructor)
+    consteval Status(const char (&code)[3]) : code_{code[0], code[1]} {
         if (!valid(code[0]) || !valid(code[1])) throw "a status is two of 0-9 and A-Z";
     }
 
