@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Noise as a client sees it: of the size that the data sheet says, and the same for the same seed.
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/end_to_end/in_square_room.h"
+
+namespace scipd::tests {
+namespace {
+
+/// Distances by the stamp of their scan, which counts from power-up and so tells its number.
+using Recording = std::map<std::uint32_t, std::vector<std::uint32_t>>;
+
+Recording record(const Arguments& accuracy, int scans) {
+    const TempDir directory;
+    const DaemonProcess daemon(directory, on_tcp(accuracy));
+    ScannerWire wire = ScannerWire::tcp(daemon.port());
+    // 50 beams left and right of the front wall's middle: 3 m away, not more than 2.5 % slanted.
+    EXPECT_EQ(wire.ask("MD0490059000000"), "00");
+    Recording recording;
+    for (int i = 0; i < scans; ++i) {
+        auto scan = wire.next_scan();
+        recording.emplace(scan.stamp_ms, std::move(scan.distances_mm));
+    }
+    return recording;
+}
+
+/// How many scans both have, and in how many of these they are the same.
+struct Agreement {
+    int common = 0;
+    int equal = 0;
+};
+
+Agreement compare(const Recording& a, const Recording& b) {
+    Agreement agreement;
+    for (const auto& [stamp_ms, distances] : a) {
+        const auto other = b.find(stamp_ms);
+        if (other == b.end()) continue;
+        ++agreement.common;
+        if (other->second == distances) ++agreement.equal;
+    }
+    return agreement;
+}
+
+TEST(Noise, IsAsLargeAsTheDataSheetSays) {
+    constexpr double sigma_mm = 30.0;
+    constexpr int scans = 40;
+    const Recording recording = record({"--accuracy", "sensor"}, scans);
+    double sum = 0.0;
+    double sum_of_squares = 0.0;
+    for (const auto& [stamp_ms, distances] : recording) {
+        for (std::size_t i = 0; i < distances.size(); ++i) {
+            const double bearing_rad = (static_cast<double>(i) - 50.0) * 2.0 * M_PI / 1440.0;
+            const double error_mm = distances[i] - 3000.0 / std::cos(bearing_rad);
+            sum += error_mm;
+            sum_of_squares += error_mm * error_mm;
+        }
+    }
+    constexpr double count = scans * 101.0;
+    // Four standard errors of the mean and of the deviation.
+    EXPECT_NEAR(sum / count, 0.0, 4.0 * sigma_mm / std::sqrt(count));
+    EXPECT_NEAR(std::sqrt(sum_of_squares / count), sigma_mm,
+                4.0 * sigma_mm / std::sqrt(2.0 * count));
+}
+
+TEST(Noise, IsTheSameForTheSameSeed) {
+    const Recording first = record({"--seed", "7"}, 60);
+    const auto [common, equal] = compare(first, record({"--seed", "7"}, 60));
+    EXPECT_GT(common, 10);
+    EXPECT_EQ(equal, common);
+    const Agreement with_other = compare(first, record({"--seed", "8"}, 60));
+    EXPECT_GT(with_other.common, 10);
+    EXPECT_EQ(with_other.equal, 0);
+}
+
+TEST(Noise, IsAnotherInEachScanAndNoneInIdealOnes) {
+    const Recording noisy = record({"--accuracy", "sensor"}, 2);
+    EXPECT_NE(noisy.begin()->second, noisy.rbegin()->second);
+    const Recording ideal = record({"--accuracy", "ideal"}, 2);
+    EXPECT_EQ(ideal.begin()->second, ideal.rbegin()->second);
+    EXPECT_EQ(ideal.begin()->second[50], 3000U);
+}
+
+}  // namespace
+}  // namespace scipd::tests

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// SIGHUP: another configuration for a running scipd.
+#include <csignal>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/end_to_end/in_square_room.h"
+
+namespace scipd::tests {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+class Reload : public testing::Test {
+  protected:
+    Reload() : daemon_(directory_, {"--config", write(front + rear)}) {
+        EXPECT_NE(daemon_.ready_line(), "") << daemon_.standard_error();
+    }
+
+    /// Of the same file each time.
+    std::string write(const std::string& sensors,
+                      const fs::path& world = scene("square_room.sdf")) {
+        return directory_.write("fleet.yaml", "scene: " + world.string() +
+                                                  "\nrobots:\n  rescue:\n    sensors:\n" + sensors);
+    }
+
+    void reload_and_wait_for(const std::string& word) {
+        daemon_.signal(SIGHUP);
+        ASSERT_TRUE(eventually([&] {
+            return daemon_.standard_error().find(word) != std::string::npos;
+        })) << daemon_.standard_error();
+    }
+
+    static void expect_no_gap(ScannerWire& wire, std::uint32_t& stamp_ms) {
+        for (int i = 0; i < 20; ++i, stamp_ms += 25)
+            ASSERT_EQ(wire.next_scan().stamp_ms, stamp_ms + 25);
+    }
+
+    static inline const std::string front =
+        "      front: {model: UST-10LX, mount: {xyz: [0, 0, 0.3]}, accuracy: ideal, "
+        "tcp: \"127.0.0.1:0\"}\n";
+    static inline const std::string rear =
+        "      rear: {model: UTM-30LX, mount: {xyz: [0, 0, 0.3]}, accuracy: ideal, "
+        "tcp: \"127.0.0.1:0\", pty: auto}\n";
+    static inline const std::string top =
+        "      top: {model: URG-04LX, mount: {xyz: [0, 0, 0.3]}, accuracy: ideal, pty: auto}\n";
+
+    TempDir directory_;
+    DaemonProcess daemon_;
+};
+
+TEST_F(Reload, OfAFaultyFileChangesNothing) {
+    ScannerWire wire = ScannerWire::tcp(daemon_.port());
+    EXPECT_EQ(wire.ask(stream_of_one_beam), "00");
+    std::uint32_t stamp_ms = wire.next_scan().stamp_ms;
+
+    const std::string file = write(front + "      rear: {model: UST-99LX, pty: auto}\n");
+    reload_and_wait_for("nothing was changed");
+    EXPECT_THAT(daemon_.standard_error(), HasSubstr(file + ":6: robots.rescue.sensors.rear.model"));
+    expect_no_gap(wire, stamp_ms);
+    EXPECT_EQ(ScannerWire::tty(daemon_.tty(1)).ask("VV"), "00");
+}
+
+TEST_F(Reload, OfAFileWithAPortInUseChangesNothing) {
+    ScannerWire wire = ScannerWire::tcp(daemon_.port(0));
+    EXPECT_EQ(wire.ask(stream_of_one_beam), "00");
+    std::uint32_t stamp_ms = wire.next_scan().stamp_ms;
+
+    const TempDir elsewhere;
+    const DaemonProcess other(elsewhere, on_tcp());
+    const std::string taken = "127.0.0.1:" + std::to_string(other.port());
+    write(top + "      front: {model: UST-10LX, tcp: \"" + taken + "\"}\n");
+    reload_and_wait_for("nothing was changed");
+    EXPECT_THAT(daemon_.standard_error(), HasSubstr("cannot listen on " + taken));
+    expect_no_gap(wire, stamp_ms);
+    EXPECT_FALSE(fs::is_symlink(directory_.path() / "scipd" / "rescue-top"));
+    EXPECT_EQ(daemon_.get("/sensors").size(), 2U);
+}
+
+TEST_F(Reload, KeepsWhatDidNotChange) {
+    ScannerWire kept = ScannerWire::tcp(daemon_.port(0));
+    ScannerWire removed = ScannerWire::tcp(daemon_.port(1));
+    EXPECT_EQ(kept.ask(stream_of_one_beam), "00");
+    EXPECT_EQ(removed.ask(stream_of_one_beam), "00");
+    std::uint32_t stamp_ms = kept.next_scan().stamp_ms;
+
+    write(top + front);
+    reload_and_wait_for("is running now");
+    expect_no_gap(kept, stamp_ms);
+    EXPECT_TRUE(removed.ends());
+    EXPECT_FALSE(fs::is_symlink(daemon_.tty(1)));
+
+    const auto sensors = daemon_.get("/status").at("sensors");
+    ASSERT_EQ(sensors.size(), 2U);
+    EXPECT_EQ(sensors[0].at("name"), "rescue/top");
+    EXPECT_EQ(sensors[1].at("name"), "rescue/front");
+    EXPECT_EQ(sensors[1].at("tcp"), "127.0.0.1:" + std::to_string(daemon_.port(0)));
+    ScannerWire added = ScannerWire::tty(sensors[0].at("pty").get<std::string>());
+    EXPECT_EQ(added.ask("VV"), "00");
+    EXPECT_EQ(kept.ask("QT"), "00");
+}
+
+TEST_F(Reload, CutsOffTheClientOfAChangedScannerOnly) {
+    ScannerWire kept = ScannerWire::tcp(daemon_.port(0));
+    ScannerWire cut = ScannerWire::tcp(daemon_.port(1));
+    ScannerWire tty = ScannerWire::tty(daemon_.tty(1));
+    EXPECT_EQ(kept.ask(stream_of_one_beam), "00");
+    EXPECT_EQ(cut.ask(stream_of_one_beam), "00");
+    EXPECT_EQ(tty.ask("VV"), "00");
+    std::uint32_t stamp_ms = kept.next_scan().stamp_ms;
+
+    std::string turned = rear;
+    turned.replace(turned.find("[0, 0, 0.3]"), 11, "[1, 0, 0.3]");
+    write(front + turned);
+    reload_and_wait_for("is running now");
+    expect_no_gap(kept, stamp_ms);
+    EXPECT_TRUE(cut.ends());
+
+    // On the same port and the same tty there is the changed one now, 1 m nearer to the front wall.
+    ScannerWire again = ScannerWire::tcp(daemon_.port(1));
+    EXPECT_EQ(again.ask(stream_of_one_beam), "00");
+    EXPECT_EQ(again.next_scan().distances_mm.front(), 2000U);
+    EXPECT_EQ(tty.ask("VV"), "00");
+}
+
+TEST_F(Reload, ShowsAnotherWorldToThoseWhoStay) {
+    ScannerWire wire = ScannerWire::tcp(daemon_.port());
+    EXPECT_EQ(wire.ask(stream_of_one_beam), "00");
+    auto scan = wire.next_scan();
+    EXPECT_EQ(scan.distances_mm.front(), 3000U);
+
+    const auto other = directory_.write("wall.sdf", R"(<sdf version="1.9"><world name="wall">
+        <model name="wall"><static>true</static><link name="link"><visual name="wall">
+        <pose>4.5 0 0.5 0 0 0</pose><geometry><box><size>1 2 2</size></box></geometry>
+        </visual></link></model></world></sdf>)");
+    write(front + rear, other);
+    reload_and_wait_for("is running now");
+    for (int i = 0; i < 100 && scan.distances_mm.front() == 3000; ++i)
+        scan = wire.next_scan();
+    EXPECT_EQ(scan.distances_mm.front(), 4000U);
+}
+
+}  // namespace
+}  // namespace scipd::tests
