@@ -74,7 +74,7 @@ TEST(Scipctl, SetsAndGetsAPose) {
 TEST(Scipctl, ReadsAllSixNumbersAndWritesThemBack) {
     const ControlStandIn daemon({"rescue"});
     ASSERT_EQ(run_scipctl(daemon, {"pose", "set", "rescue", "1,2,3,0.2,0.4,0.6"}).exit_code, 0);
-    const auto& q = daemon.puts().front().pose.rotation;
+    const glm::dquat q = daemon.puts().front().pose.rotation;
     const double cr = std::cos(0.1), sr = std::sin(0.1);
     const double cp = std::cos(0.2), sp = std::sin(0.2);
     const double cy = std::cos(0.3), sy = std::sin(0.3);
