@@ -65,8 +65,8 @@ class StreamTransport final : public ScipTransport {
         io_.run_one_for(timeout);
         if (!done) {
             stream_.cancel();
-            while (!done)
-                io_.run_one();
+            while (!done && io_.run_one() > 0) {
+            }
         }
         // What was read is handed over first: the end of a scan must not be lost.
         if (count == 0 && std::exchange(interrupted_, false)) throw Interrupted();
