@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// One revolution of a UST-10LX in the rescue maze, from the poses of the sweep to the message for a
+// client: everything but the waiting and the socket.
+//
+//   build/release/bin/revolution_bench
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include <benchmark/benchmark.h>
+
+#include "daemon/control/world.h"
+#include "daemon/device/client.h"
+#include "daemon/device/clock.h"
+#include "daemon/device/device.h"
+#include "sim/backends/registry.h"
+#include "sim/loaders/sdf.h"
+
+namespace {
+
+using namespace scipd;
+using namespace std::chrono_literals;
+
+daemon::SensorConfig scanner(sim::Accuracy accuracy) {
+    daemon::SensorConfig config;
+    config.name = "scanner";
+    config.model = "UST-10LX";
+    config.robot_from_sensor = sim::pose_from_rpy({0, 0, 0.25}, {0, 0, 0});
+    config.accuracy = accuracy;
+    return config;
+}
+
+/// At the start of the maze, turning at 1 rad/s.
+sim::Pose turning_at(sim::Time time) {
+    const double seconds = std::chrono::duration<double>(time).count();
+    return sim::pose_from_rpy({1, 1, 0}, {0, 0, std::remainder(seconds, 2 * std::numbers::pi)});
+}
+
+class Revolutions {
+  public:
+    explicit Revolutions(sim::Accuracy accuracy) {
+        sim::SharedScene scene = sim::load_sdf(SCIPD_SCENES "/rescue_maze.sdf").scene;
+        daemon::World::Backends backends;
+        backends["auto"] = sim::make_backend("auto", scene);
+        world_.replace_scene(scene, std::move(backends));
+        world_.set_robots({{"robot", turning_at(0s)}});
+        device_.emplace("robot", scanner(accuracy), 1, world_, clock_);
+        client_.emplace(*device_, [] {});
+        client_->receive("MD0000108000000\n");
+        while (!client_->streaming())
+            client_->wake();
+        while (client_->next_message()) {
+        }
+        revolution_ = device_->next_revolution();
+        // The stream begins with the first whole turn.
+        while (turn() == 0) {
+        }
+    }
+
+    void move(sim::Time time) { (void)world_.place_robot("robot", time, turning_at(time)); }
+
+    /// When the next one is complete.
+    [[nodiscard]] sim::Time leaves() const { return device_->leaves(revolution_); }
+
+    /// The bytes of its message.
+    std::size_t turn() {
+        device_->turn_complete(revolution_++);
+        std::size_t bytes = 0;
+        while (const auto message = client_->next_message())
+            bytes += message->bytes.size();
+        return bytes;
+    }
+
+  private:
+    daemon::Clock clock_;
+    daemon::World world_;
+    std::optional<daemon::Device> device_;
+    std::optional<daemon::Client> client_;
+    std::int64_t revolution_ = 0;
+};
+
+void run(benchmark::State& state, sim::Accuracy accuracy, bool moving) {
+    Revolutions revolutions(accuracy);
+    std::size_t bytes = 0;
+    for (auto _ : state) {
+        // A pose each 25 ms; the sweep lies between two of them.
+        if (moving) revolutions.move(revolutions.leaves() + 1ms);
+        bytes += revolutions.turn();
+    }
+    if (bytes / static_cast<std::size_t>(state.iterations()) < 3000) {
+        state.SkipWithError("a scan is missing");
+    }
+}
+BENCHMARK_CAPTURE(run, still_ideal, sim::Accuracy::ideal, false)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(run, still_sensor, sim::Accuracy::sensor, false)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(run, moving_sensor, sim::Accuracy::sensor, true)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();
