@@ -33,8 +33,8 @@ class Fleet : public Api {
   public:
     explicit Fleet(boost::asio::any_io_executor executor) : executor_(std::move(executor)) {}
 
-    /// Throws LoadError for the world or a trajectory, std::system_error for a port: then all is as
-    /// before.
+    /// Throws LoadError for the world or a trajectory, std::runtime_error for a port or a source of
+    /// poses: then all is as before.
     void apply(const Config& config);
     void stop();
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -60,10 +61,19 @@ class LineSink {
 class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
   public:
     UdpFeed(const FeedContext& context, const std::string& robot, const Address& address)
-        : sink_(context, robot),
-          socket_(context.executor,
-                  {asio::ip::make_address(address.host == "localhost" ? "127.0.0.1" : address.host),
-                   address.port}) {}
+        : sink_(context, robot), socket_(context.executor) {
+        try {
+            const asio::ip::udp::endpoint endpoint(asio::ip::make_address(address.host),
+                                                   address.port);
+            socket_.open(endpoint.protocol());
+            socket_.bind(endpoint);
+        } catch (const boost::system::system_error& error) {
+            throw std::runtime_error("cannot receive the poses of " + robot + " on " +
+                                     address.host + ":" + std::to_string(address.port) + ": " +
+                                     error.code().message() +
+                                     "; each robot needs an address of its own");
+        }
+    }
 
     void start() override { receive(); }
     void stop() override { socket_.close(); }

@@ -34,7 +34,7 @@ struct FeedContext {
     std::function<void(const std::string&)> report;
 };
 
-/// Opens the source. Throws std::system_error, or LoadError for a trajectory that cannot be read.
+/// Opens the source. Throws std::runtime_error, or LoadError for a trajectory that cannot be read.
 std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const std::string& robot,
                                     const PoseSource& source);
 

@@ -16,17 +16,12 @@ namespace {
 // Enough for a driver that reconnects before its old connection is gone.
 constexpr int backlog = 4;
 
-tcp::endpoint endpoint_of(const Address& address) {
-    const std::string host = address.host == "localhost" ? "127.0.0.1" : address.host;
-    return {asio::ip::make_address(host), address.port};
-}
-
 }  // namespace
 
 TcpPort::TcpPort(const asio::any_io_executor& executor, const Address& address)
     : acceptor_(executor) {
     try {
-        const tcp::endpoint endpoint = endpoint_of(address);
+        const tcp::endpoint endpoint(asio::ip::make_address(address.host), address.port);
         acceptor_.open(endpoint.protocol());
         acceptor_.set_option(tcp::acceptor::reuse_address(true));
         acceptor_.bind(endpoint);
