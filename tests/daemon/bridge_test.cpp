@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/device/bridge.h"
+
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "daemon/models/registry.h"
+
+namespace scipd::daemon {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+struct Expected {
+    const char* model;
+    std::vector<std::pair<float, std::uint32_t>> distances;
+};
+
+// Data sheets and the specification's tables of codes.
+const std::vector<Expected> all_models = {
+    {"UST-10LX", {{0.0F, 4}, {0.0204F, 4}, {0.0206F, 21}, {30.0004F, 30000}, {30.0006F, 65533}}},
+    {"UST-20LX", {{0.0204F, 4}, {0.0206F, 21}, {60.0F, 60000}, {60.001F, 65533}}},
+    {"UTM-30LX", {{0.0224F, 2}, {0.0226F, 23}, {60.0F, 60000}, {60.001F, 1}}},
+    {"URG-04LX", {{0.0194F, 10}, {0.0196F, 20}, {5.6F, 5600}, {5.601F, 0}}},
+};
+
+TEST(Bridge, RoundsToMillimetresAndTellsCodes) {
+    for (const auto& [model, distances] : all_models) {
+        const protocol::DeviceProfile& profile = find_model(model).profile;
+        for (const auto& [range_m, distance] : distances)
+            EXPECT_EQ(distance_on_wire(range_m, profile), distance) << model << " " << range_m;
+        EXPECT_EQ(distance_on_wire(1.0004F, profile), 1000U);
+        EXPECT_EQ(distance_on_wire(1.0006F, profile), 1001U);
+        // Noise may make a range negative.
+        EXPECT_EQ(distance_on_wire(-0.5F, profile), profile.codes.too_near);
+    }
+}
+
+TEST(Bridge, TellsWhatDidNotReturn) {
+    EXPECT_EQ(distance_on_wire(infinity, find_model("UST-10LX").profile), 65533U);
+    EXPECT_EQ(distance_on_wire(infinity, find_model("UTM-30LX").profile), 1U);
+    EXPECT_EQ(distance_on_wire(infinity, find_model("URG-04LX").profile), 0U);
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(distance_on_wire(nan, find_model("URG-04LX").profile), 0U);
+}
+
+TEST(Bridge, TurnsAScanIntoTheWordsOfTheWire) {
+    const Model& model = find_model("URG-04LX");
+    sim::Scan scan;
+    scan.start = 350ms;
+    // What intensities show is the truth, not what was read.
+    scan.hits = {{.range_m = 2.0F, .cos_incidence = 1.0F, .object = 0},
+                 {.range_m = 1.0F, .cos_incidence = 0.5F, .object = 0},
+                 {.range_m = 0.1F, .cos_incidence = 1.0F, .object = 0},
+                 {.range_m = infinity, .cos_incidence = 0.0F}};
+    scan.range_m = {2.001F, 0.999F, 0.1F, infinity};
+
+    const WireScan wire = to_wire(scan, model.optics, model.profile, 50ms);
+    EXPECT_EQ(wire.turn.start, 300ms);
+    EXPECT_EQ(wire.first_step, 44);
+    EXPECT_EQ(wire.distance, (std::vector<std::uint32_t>{2001, 999, 100, 0}));
+    EXPECT_EQ(wire.intensity, (std::vector<std::uint32_t>{2500, 5000, 40000, 0}));
+
+    const protocol::ScanView view = wire.view();
+    EXPECT_EQ(view.turn.start, 300ms);
+    EXPECT_EQ(view.first_step, 44);
+    EXPECT_EQ(view.distance.data(), wire.distance.data());
+    EXPECT_EQ(view.intensity.size(), 4U);
+}
+
+}  // namespace
+}  // namespace scipd::daemon

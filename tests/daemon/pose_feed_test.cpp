@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/control/pose_feed.h"
+
+#include <filesystem>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "daemon/device/clock.h"
+#include "sim/loaders/load_error.h"
+#include "tests/daemon/wall_world.h"
+#include "tests/support/temp_dir.h"
+#include "tests/support/udp_sender.h"
+
+namespace scipd::daemon {
+namespace {
+
+using namespace std::chrono_literals;
+
+class PoseFeedTest : public testing::Test {
+  protected:
+    std::shared_ptr<PoseFeed> feed(const PoseSource& source) {
+        return make_feed({.executor = io_.get_executor(),
+                          .intake = intake_,
+                          .now = [this] { return now_; },
+                          .report = [this](const std::string& text) { reports_.push_back(text); }},
+                         "robot", source);
+    }
+
+    [[nodiscard]] PoseSource udp() const {
+        return {.kind = PoseSource::Kind::udp, .address = {"127.0.0.1", sender_.port()}};
+    }
+
+    [[nodiscard]] static PoseSource trajectory(const std::filesystem::path& file) {
+        PoseSource source;
+        source.kind = PoseSource::Kind::file;
+        source.file = file;
+        return source;
+    }
+
+    [[nodiscard]] double robot_x(sim::Time time) const {
+        return world_.robot("robot")->at(time).translation_m.x;
+    }
+
+    [[nodiscard]] bool taken(std::uint64_t accepted, std::uint64_t refused = 0) {
+        return run_until(
+            io_, [&] { return intake_.accepted() >= accepted && intake_.refused() >= refused; });
+    }
+
+    boost::asio::io_context io_;
+    World world_ = wall_world();
+    PoseIntake intake_{world_};
+    sim::Time now_ = 10s;
+    std::vector<std::string> reports_;
+    tests::UdpSender sender_;
+};
+
+TEST_F(PoseFeedTest, TakesDatagramsOfOneLineOrSeveral) {
+    const auto poses = feed(udp());
+    poses->start();
+    sender_.send(R"({"xyz":[1,0,0]})");
+    ASSERT_TRUE(taken(1));
+    EXPECT_DOUBLE_EQ(robot_x(10s), 1.0);
+    sender_.send("{\"t\":1,\"xyz\":[2,0,0]}\r\n\n{\"t\":1.5,\"xyz\":[3,0,0]}\n");
+    now_ = 11s;
+    ASSERT_TRUE(taken(3));
+    EXPECT_DOUBLE_EQ(robot_x(11s), 2.0);
+    EXPECT_DOUBLE_EQ(robot_x(11500ms), 3.0);
+    EXPECT_TRUE(reports_.empty());
+    poses->stop();
+}
+
+TEST_F(PoseFeedTest, ReportsTheFirstRefusalAndNotEveryOne) {
+    const auto poses = feed(udp());
+    poses->start();
+    for (int i = 0; i < 50; ++i)
+        sender_.send("rubbish");
+    ASSERT_TRUE(taken(0, 50));
+    ASSERT_EQ(reports_.size(), 1U);
+    EXPECT_EQ(reports_[0].rfind("pose of robot refused: ", 0), 0U) << reports_[0];
+    poses->stop();
+}
+
+TEST_F(PoseFeedTest, TakesNothingOnceStopped) {
+    const auto poses = feed(udp());
+    poses->start();
+    poses->stop();
+    sender_.send(R"({"xyz":[1,0,0]})");
+    io_.run_for(50ms);
+    EXPECT_EQ(intake_.accepted(), 0U);
+    // The port is free again.
+    feed(udp())->stop();
+}
+
+TEST_F(PoseFeedTest, SaysThatAPortIsInUse) {
+    const auto first = feed(udp());
+    EXPECT_THROW(feed(udp()), std::runtime_error);
+    first->stop();
+}
+
+TEST_F(PoseFeedTest, PlaysATrajectoryFromTheMomentOfItsStart) {
+    const tests::TempDir directory;
+    const auto file = directory.write("drive.tum",
+                                      "500.0 1 0 0 0 0 0 1\n"
+                                      "500.5 2 0 0 0 0 0 1\n"
+                                      "503.0 3 0 0 0 0 0 1\n");
+    const auto poses = feed(trajectory(file));
+    EXPECT_EQ(intake_.accepted(), 0U);
+    poses->start();
+    // Of what lies within the next second the sweeps need to know now.
+    EXPECT_EQ(intake_.accepted(), 2U);
+    EXPECT_DOUBLE_EQ(robot_x(10s), 1.0);
+    EXPECT_DOUBLE_EQ(robot_x(10250ms), 1.5);
+    now_ = 12s;
+    ASSERT_TRUE(taken(3));
+    EXPECT_DOUBLE_EQ(robot_x(13s), 3.0);
+    poses->stop();
+}
+
+TEST_F(PoseFeedTest, RefusesATrajectoryThatIsNone) {
+    const tests::TempDir directory;
+    const auto file = directory.write("drive.tum", "1 2 3\n");
+    EXPECT_THROW(feed(trajectory(file)), sim::LoadError);
+}
+
+}  // namespace
+}  // namespace scipd::daemon

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/control/pose_intake.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/daemon/wall_world.h"
+
+namespace scipd::daemon {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(SenderClock, TakesTheTimeOfArrivalWhereThereIsNoStamp) {
+    SenderClock sender;
+    EXPECT_EQ(sender.world_time(std::nullopt, 3s), 3s);
+    EXPECT_EQ(sender.world_time(std::nullopt, 5s), 5s);
+}
+
+TEST(SenderClock, KeepsTheSpacingOfStampsWhateverTheyBeginWith) {
+    SenderClock sender;
+    EXPECT_EQ(sender.world_time(1'700'000'000s, 3s), 3s);
+    // Arrivals jitter.
+    EXPECT_EQ(sender.world_time(1'700'000'000s + 100ms, 3s + 170ms), 3100ms);
+    EXPECT_EQ(sender.world_time(1'700'000'000s + 200ms, 3s + 201ms), 3200ms);
+    // A late packet keeps its place.
+    EXPECT_EQ(sender.world_time(1'700'000'000s + 150ms, 3s + 300ms), 3150ms);
+}
+
+TEST(SenderClock, TakesUpAnewASenderThatStartsOver) {
+    SenderClock sender;
+    EXPECT_EQ(sender.world_time(100s, 3s), 3s);
+    EXPECT_EQ(sender.world_time(0s, 10s), 10s);
+    EXPECT_EQ(sender.world_time(1s, 12s), 11s);
+}
+
+class PoseIntakeTest : public testing::Test {
+  protected:
+    std::optional<std::string> take(const char* line, sim::Time arrival,
+                                    const char* robot = "robot") {
+        return intake_.take_line(line, robot, sender_, arrival);
+    }
+    [[nodiscard]] double robot_x() const { return world_.robot("robot")->last().translation_m.x; }
+
+    World world_ = wall_world();
+    PoseIntake intake_{world_};
+    SenderClock sender_;
+};
+
+TEST_F(PoseIntakeTest, CountsWhatItTakesAndWhatItRefuses) {
+    EXPECT_FALSE(take(R"({"xyz":[1,0,0]})", 1s));
+    EXPECT_TRUE(take("rubbish", 2s));
+    EXPECT_TRUE(take(R"({"xyz":[1,0]})", 2s));
+    EXPECT_FALSE(take("0 2 0 0 0 0 0 1", 3s));
+    EXPECT_EQ(take(R"({"xyz":[9,0,0]})", 3s), "t: not later than the pose before it");
+    EXPECT_EQ(intake_.accepted(), 2U);
+    EXPECT_EQ(intake_.refused(), 3U);
+    EXPECT_EQ(intake_.last_refusal(), "t: not later than the pose before it");
+    EXPECT_DOUBLE_EQ(robot_x(), 2.0);
+}
+
+TEST_F(PoseIntakeTest, KnowsWhomALineMeans) {
+    world_.set_robots({{"robot", {}}, {"second", {}}});
+    EXPECT_FALSE(take(R"({"robot":"second","xyz":[5,0,0]})", 1s));
+    EXPECT_DOUBLE_EQ(robot_x(), 0.0);
+    EXPECT_DOUBLE_EQ(world_.robot("second")->last().translation_m.x, 5.0);
+    EXPECT_FALSE(take(R"({"model":"model 1","xyz":[6,0,0]})", 1s));
+    EXPECT_DOUBLE_EQ(robot_x(), 0.0);
+    EXPECT_FALSE(take(R"({"xyz":[7,0,0]})", 1s));
+    EXPECT_DOUBLE_EQ(robot_x(), 7.0);
+    EXPECT_EQ(take(R"({"xyz":[8,0,0]})", 2s, ""), "robot: say which; robots are robot, second");
+}
+
+}  // namespace
+}  // namespace scipd::daemon

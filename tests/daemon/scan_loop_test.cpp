@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/device/scan_loop.h"
+
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "daemon/device/client.h"
+#include "tests/daemon/wall_world.h"
+
+namespace scipd::daemon {
+namespace {
+
+using namespace std::chrono_literals;
+
+class ScanLoopTest : public testing::Test {
+  protected:
+    ScanLoopTest() { loop_->start(); }
+    ~ScanLoopTest() override { loop_->stop(); }
+
+    boost::asio::io_context io_;
+    Clock clock_;
+    World world_ = wall_world();
+    Device device_{"robot", ideal_sensor(), 1, world_, clock_};
+    std::shared_ptr<ScanLoop> loop_ =
+        std::make_shared<ScanLoop>(io_.get_executor(), device_, clock_);
+};
+
+TEST_F(ScanLoopTest, WaitsForNothingWhereNobodyWantsScans) {
+    Client client(device_, [] {});
+    client.receive("VV\n");
+    EXPECT_EQ(io_.run_for(100ms), 0U);
+}
+
+TEST_F(ScanLoopTest, ServesEveryTurnOnceAndNoneTooEarly) {
+    std::vector<std::int64_t> revolutions;
+    Client client(device_, [&] {
+        if (device_.scans_sent() == revolutions.size()) return;  // a turn that nobody took
+        EXPECT_GE(clock_.now(), device_.leaves(device_.latest_scan()->revolution));
+        revolutions.push_back(device_.latest_scan()->revolution);
+    });
+    client.receive("MD0540054000008\n");
+    ASSERT_TRUE(run_until(io_, [&] { return !device_.wanted(); }));
+    // Nobody wants more: there is nothing to wait for.
+    EXPECT_EQ(device_.scans_sent(), 8U);
+    ASSERT_EQ(revolutions.size(), 8U);
+    for (std::size_t i = 1; i < revolutions.size(); ++i)
+        EXPECT_EQ(revolutions[i], revolutions[i - 1] + 1);
+    EXPECT_EQ(loop_->missed(), 0U);
+    io_.restart();
+    EXPECT_EQ(io_.run_for(100ms), 0U);
+}
+
+TEST_F(ScanLoopTest, ServesTurnsThatAreALittleLate) {
+    Client client(device_, [] {});
+    client.receive("MD0540054000000\n");
+    ASSERT_TRUE(run_until(io_, [&] { return device_.scans_sent() >= 1; }));
+    const std::int64_t first = device_.latest_scan()->revolution;
+    const auto sent = static_cast<std::int64_t>(device_.scans_sent());
+    std::this_thread::sleep_for(300ms);
+    ASSERT_TRUE(run_until(io_, [&] { return device_.latest_scan()->revolution > first + 12; }));
+    EXPECT_EQ(static_cast<std::int64_t>(device_.scans_sent()) - sent,
+              device_.latest_scan()->revolution - first);
+    EXPECT_EQ(loop_->missed(), 0U);
+}
+
+TEST_F(ScanLoopTest, CountsTurnsThatItSleptThrough) {
+    Client client(device_, [] {});
+    client.receive("MD0540054000000\n");
+    ASSERT_TRUE(run_until(io_, [&] { return device_.scans_sent() >= 1; }));
+    const std::int64_t first = device_.latest_scan()->revolution;
+    const auto sent = static_cast<std::int64_t>(device_.scans_sent());
+    std::this_thread::sleep_for(1300ms);
+    ASSERT_TRUE(run_until(io_, [&] { return device_.latest_scan()->revolution > first; }));
+    EXPECT_GT(loop_->missed(), 40U);
+    // What was not served was missed.
+    EXPECT_EQ(static_cast<std::int64_t>(device_.scans_sent()) - sent +
+                  static_cast<std::int64_t>(loop_->missed()),
+              device_.latest_scan()->revolution - first);
+}
+
+TEST_F(ScanLoopTest, EndsWhenItIsStopped) {
+    Client client(device_, [] {});
+    client.receive("MD0540054000000\n");
+    loop_->stop();
+    io_.run_for(100ms);
+    EXPECT_EQ(device_.scans_sent(), 0U);
+    client.receive("MD0540054000000\n");
+    io_.restart();
+    EXPECT_EQ(io_.run_for(100ms), 0U);
+}
+
+}  // namespace
+}  // namespace scipd::daemon
