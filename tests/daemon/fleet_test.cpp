@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/fleet.h"
+
+#include <array>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "sim/loaders/load_error.h"
+#include "tests/daemon/wall_world.h"
+#include "tests/support/scanner_wire.h"
+#include "tests/support/temp_dir.h"
+#include "tests/support/udp_sender.h"
+
+namespace scipd::daemon {
+namespace {
+
+using namespace std::chrono_literals;
+using tests::ScannerWire;
+namespace fs = std::filesystem;
+
+class FleetTest : public testing::Test {
+  protected:
+    ~FleetTest() override {
+        fleet_.stop();
+        io_.restart();
+        io_.run_for(10ms);
+    }
+
+    static SensorConfig on_tcp(const std::string& name) {
+        SensorConfig sensor = ideal_sensor();
+        sensor.name = name;
+        sensor.tcp = Address{"127.0.0.1", 0};
+        return sensor;
+    }
+
+    SensorConfig on_tty(const std::string& name) const {
+        SensorConfig sensor = ideal_sensor();
+        sensor.name = name;
+        sensor.pty = PtyConfig{directory_.path() / name};
+        return sensor;
+    }
+
+    static Config of(std::vector<SensorConfig> sensors, const std::string& robot = "rescue") {
+        Config config;
+        config.scene = SCIPD_SCENES "/square_room.sdf";
+        config.robots.push_back({.name = robot, .sensors = std::move(sensors)});
+        return config;
+    }
+
+    [[nodiscard]] SensorStatus sensor(std::size_t index = 0) const {
+        return fleet_.status().sensors.at(index);
+    }
+
+    [[nodiscard]] ScannerWire connect(std::size_t index = 0) const {
+        const std::string address = *sensor(index).tcp;
+        return ScannerWire::tcp(
+            static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1))));
+    }
+
+    bool streams(ScannerWire& wire) {
+        const std::uint64_t before = sensor().scans;
+        wire.write("MD0540054000000\n");
+        return run_until(io_, [&] { return sensor().scans >= before + 3; });
+    }
+
+    boost::asio::io_context io_;
+    tests::TempDir directory_;
+    Fleet fleet_{io_.get_executor()};
+};
+
+TEST_F(FleetTest, TellsWhatThereIs) {
+    fleet_.apply(of({on_tcp("front"), on_tty("rear")}));
+    const Status status = fleet_.status();
+    ASSERT_EQ(status.sensors.size(), 2U);
+    EXPECT_EQ(status.clock, "wall");
+    EXPECT_EQ(status.sensors[0].name, "rescue/front");
+    EXPECT_EQ(status.sensors[0].model, "UST-10LX");
+    EXPECT_EQ(status.sensors[0].backend, "embree");
+    EXPECT_EQ(status.sensors[0].state, "standby");
+    EXPECT_FALSE(status.sensors[0].pty);
+    EXPECT_FALSE(status.sensors[0].lateness);
+    EXPECT_EQ(status.sensors[1].pty, directory_.path() / "rear");
+    EXPECT_FALSE(status.sensors[1].tcp);
+
+    ScannerWire wire = connect();
+    ASSERT_TRUE(streams(wire));
+    EXPECT_EQ(sensor().state, "streaming");
+    EXPECT_EQ(sensor().clients, 1U);
+    ASSERT_TRUE(sensor().lateness);
+    EXPECT_LE(sensor().lateness->p50, sensor().lateness->max);
+}
+
+TEST_F(FleetTest, KeepsWhatDidNotChange) {
+    const SensorConfig front = on_tcp("front");
+    fleet_.apply(of({front, on_tty("rear")}));
+    const std::string address = *sensor().tcp;
+    ScannerWire wire = connect();
+    ASSERT_TRUE(streams(wire));
+    const std::uint64_t scans = sensor().scans;
+
+    fleet_.apply(of({front, on_tty("top")}));
+    EXPECT_EQ(sensor().tcp, address);
+    EXPECT_EQ(sensor().clients, 1U);
+    EXPECT_GE(sensor().scans, scans);
+    EXPECT_TRUE(run_until(io_, [&] { return sensor().scans > scans + 3; }));
+    EXPECT_FALSE(fs::is_symlink(directory_.path() / "rear"));
+    EXPECT_TRUE(fs::is_symlink(directory_.path() / "top"));
+
+    // Another seed is another scanner.
+    Config reseeded = of({front});
+    reseeded.seed = 99;
+    fleet_.apply(reseeded);
+    EXPECT_EQ(sensor().scans, 0U);
+    EXPECT_EQ(sensor().clients, 0U);
+}
+
+TEST_F(FleetTest, ChangesNothingWhereSomethingFails) {
+    fleet_.apply(of({on_tcp("front")}));
+    ScannerWire wire = connect();
+    ASSERT_TRUE(streams(wire));
+    const std::uint64_t scans = sensor().scans;
+
+    Config lost_world = of({on_tty("rear")});
+    lost_world.scene = directory_.path() / "nowhere.sdf";
+    EXPECT_THROW(fleet_.apply(lost_world), sim::LoadError);
+
+    SensorConfig taken = on_tcp("taken");
+    const std::string address = *sensor().tcp;
+    taken.tcp->port =
+        static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1)));
+    EXPECT_THROW(fleet_.apply(of({on_tty("rear"), taken})), std::runtime_error);
+
+    EXPECT_FALSE(fs::is_symlink(directory_.path() / "rear"));
+    EXPECT_EQ(fleet_.status().sensors.size(), 1U);
+    EXPECT_TRUE(run_until(io_, [&] { return sensor().scans > scans + 3; }));
+}
+
+TEST_F(FleetTest, HandsAPortToAnotherScanner) {
+    SensorConfig front = on_tty("tty");
+    fleet_.apply(of({front}));
+    ScannerWire wire = ScannerWire::tty(*sensor().pty);
+    const fs::path target = fs::read_symlink(*sensor().pty);
+
+    SensorConfig rear = front;
+    rear.name = "rear";
+    rear.model = "UTM-30LX";
+    fleet_.apply(of({rear}));
+    EXPECT_EQ(fs::read_symlink(*sensor().pty), target);
+    wire.write("VV\n");
+    std::string received;
+    EXPECT_TRUE(run_until(io_, [&] {
+        std::array<char, 1024> buffer;
+        received.append(buffer.data(), wire.read(buffer, 0ms));
+        return received.find("PROD:SOKUIKI Sensor TOP-URG UTM-30LX") != std::string::npos;
+    }));
+}
+
+TEST_F(FleetTest, MovesRobotsForTheControlApi) {
+    fleet_.apply(of({on_tcp("front")}));
+    EXPECT_FALSE(fleet_.robot_pose("nobody"));
+    EXPECT_EQ(fleet_.robot_pose("rescue")->pose, sim::Pose{});
+    const sim::Pose there = sim::pose_from_rpy({1, 2, 0}, {0, 0, 0});
+    EXPECT_FALSE(fleet_.set_robot_pose("rescue", std::nullopt, there));
+    EXPECT_EQ(fleet_.robot_pose("rescue")->pose, there);
+    EXPECT_EQ(fleet_.status().poses.accepted, 1U);
+    // Stamps of the sender begin anywhere but must grow.
+    EXPECT_FALSE(fleet_.set_robot_pose("rescue", 500s, there));
+    EXPECT_EQ(fleet_.set_robot_pose("rescue", 500s, there), "t: not later than the pose before it");
+    EXPECT_EQ(fleet_.status().poses.refused, 1U);
+}
+
+TEST_F(FleetTest, KeepsThePoseFeedsThatStay) {
+    const tests::UdpSender sender;
+    Config config = of({on_tcp("front")});
+    PoseSource source;
+    source.address = Address{"127.0.0.1", sender.port()};
+    config.robots[0].poses = source;
+    fleet_.apply(config);
+    sender.send(R"({"xyz":[1,0,0]})");
+    EXPECT_TRUE(run_until(io_, [&] { return fleet_.status().poses.accepted == 1; }));
+    config.seed = 5;
+    fleet_.apply(config);
+    sender.send(R"({"xyz":[2,0,0]})");
+    EXPECT_TRUE(run_until(io_, [&] { return fleet_.status().poses.accepted == 2; }));
+    EXPECT_EQ(fleet_.robot_pose("rescue")->pose.translation_m.x, 2.0);
+
+    config.robots[0].poses.reset();
+    fleet_.apply(config);
+    sender.send(R"({"xyz":[3,0,0]})");
+    io_.restart();
+    io_.run_for(50ms);
+    EXPECT_EQ(fleet_.status().poses.accepted, 2U);
+}
+
+TEST_F(FleetTest, LeavesNothingBehind) {
+    fleet_.apply(of({on_tcp("front"), on_tty("rear")}));
+    fleet_.stop();
+    EXPECT_TRUE(fleet_.status().sensors.empty());
+    EXPECT_FALSE(fs::is_symlink(directory_.path() / "rear"));
+    // Nothing is waited for any more.
+    EXPECT_TRUE(run_until(io_, [&] { return io_.stopped(); }));
+}
+
+}  // namespace
+}  // namespace scipd::daemon

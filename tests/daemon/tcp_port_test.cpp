@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/link/tcp_port.h"
+
+#include <array>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/daemon/wall_world.h"
+#include "tests/support/scanner_wire.h"
+
+namespace scipd::daemon {
+namespace {
+
+using namespace std::chrono_literals;
+using tests::ScannerWire;
+
+class TcpPortTest : public testing::Test {
+  protected:
+    ~TcpPortTest() override {
+        port_->stop();
+        io_.restart();
+        io_.run_for(10ms);
+    }
+
+    [[nodiscard]] ScannerWire connect() const {
+        const std::string address = port_->address();
+        return ScannerWire::tcp(
+            static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1))));
+    }
+
+    /// Whether the answer to VV comes from this model: the end of its PROD.
+    bool is_answered_by(ScannerWire& wire, const std::string& model) {
+        wire.write("VV\n");
+        return comes(wire, model + ";");
+    }
+
+    bool comes(ScannerWire& wire, const std::string& text) {
+        std::string received;
+        return run_until(io_, [&] {
+            std::array<char, 1024> buffer;
+            received.append(buffer.data(), wire.read(buffer, 0ms));
+            return received.find(text) != std::string::npos;
+        });
+    }
+
+    bool is_cut_off(ScannerWire& wire) {
+        return run_until(io_, [&] {
+            try {
+                std::array<char, 1024> buffer;
+                (void)wire.read(buffer, 0ms);
+                return false;
+            } catch (const std::runtime_error&) {
+                return true;
+            }
+        });
+    }
+
+    boost::asio::io_context io_;
+    Clock clock_;
+    World world_ = wall_world();
+    Device device_{"robot", ideal_sensor(), 1, world_, clock_};
+    Device other_{"robot", ideal_sensor("UTM-30LX"), 1, world_, clock_};
+    std::shared_ptr<TcpPort> port_ =
+        std::make_shared<TcpPort>(io_.get_executor(), Address{"127.0.0.1", 0});
+};
+
+TEST_F(TcpPortTest, TellsThePortThatItTook) {
+    EXPECT_EQ(port_->address().rfind("127.0.0.1:", 0), 0U);
+    EXPECT_NE(port_->address(), "127.0.0.1:0");
+    const TcpPort six(io_.get_executor(), Address{"::1", 0});
+    EXPECT_EQ(six.address().rfind("[::1]:", 0), 0U);
+}
+
+TEST_F(TcpPortTest, RefusesAPortThatIsTaken) {
+    const std::string taken = port_->address();
+    const auto number = static_cast<std::uint16_t>(std::stoul(taken.substr(taken.rfind(':') + 1)));
+    try {
+        const TcpPort second(io_.get_executor(), Address{"127.0.0.1", number});
+        FAIL() << "it was taken twice";
+    } catch (const std::runtime_error& error) {
+        EXPECT_EQ(std::string(error.what()).rfind("cannot listen on " + taken + ": ", 0), 0U)
+            << error.what();
+    }
+}
+
+TEST_F(TcpPortTest, ServesOneClientAtATime) {
+    port_->serve(device_);
+    ScannerWire first = connect();
+    EXPECT_TRUE(is_answered_by(first, "UST-10LX"));
+    EXPECT_TRUE(port_->connected());
+    ScannerWire second = connect();
+    second.write("VV\n");
+    io_.restart();
+    io_.run_for(100ms);
+    EXPECT_EQ(device_.clients(), 1U);
+
+    first.close();
+    EXPECT_TRUE(comes(second, "PROD:UST-10LX;"));
+    EXPECT_EQ(device_.clients(), 1U);
+}
+
+TEST_F(TcpPortTest, LetsAClientWaitUntilThereIsADevice) {
+    ScannerWire early = connect();
+    early.write("VV\n");
+    io_.run_for(20ms);
+    port_->serve(device_);
+    EXPECT_TRUE(comes(early, "PROD:UST-10LX;"));
+}
+
+TEST_F(TcpPortTest, CutsOffTheClientOfTheDeviceBefore) {
+    port_->serve(device_);
+    ScannerWire wire = connect();
+    EXPECT_TRUE(is_answered_by(wire, "UST-10LX"));
+    port_->serve(other_);
+    EXPECT_TRUE(is_cut_off(wire));
+    ScannerWire next = connect();
+    EXPECT_TRUE(is_answered_by(next, "UTM-30LX"));
+    EXPECT_EQ(device_.clients(), 0U);
+}
+
+TEST_F(TcpPortTest, EndsWithItsClient) {
+    port_->serve(device_);
+    ScannerWire wire = connect();
+    EXPECT_TRUE(is_answered_by(wire, "UST-10LX"));
+    const std::string address = port_->address();
+    port_->stop();
+    EXPECT_TRUE(is_cut_off(wire));
+    EXPECT_FALSE(port_->connected());
+    EXPECT_EQ(device_.clients(), 0U);
+}
+
+}  // namespace
+}  // namespace scipd::daemon
