@@ -7,16 +7,22 @@
 namespace scipd::daemon {
 namespace {
 
+// In floating point: stamps may lie farther apart than a Time can tell.
+using Seconds = std::chrono::duration<double>;
+
 // A stamp this far before the one ahead of it is no late packet: the sender has been started again.
-constexpr sim::Time restarted = std::chrono::seconds(1);
+// One that has gained as much on our clock since then is damaged, or the sender's clock was set.
+constexpr Seconds leap{1.0};
 
 }  // namespace
 
 sim::Time SenderClock::world_time(std::optional<sim::Time> stamp, sim::Time arrival) {
     if (!stamp) return arrival;
-    if (!world_minus_sender_ || last_stamp_ - *stamp > restarted)
-        world_minus_sender_ = arrival - *stamp;
+    const Seconds passed = Seconds(*stamp) - Seconds(last_stamp_);
+    const bool leapt = passed < -leap || passed - Seconds(arrival - last_arrival_) > leap;
+    if (!world_minus_sender_ || leapt) world_minus_sender_ = arrival - *stamp;
     last_stamp_ = *stamp;
+    last_arrival_ = arrival;
     return *stamp + *world_minus_sender_;
 }
 

@@ -18,8 +18,8 @@
 namespace scipd::daemon {
 
 /// World time for the stamps of one sender, whose clock may begin anywhere: its first stamp is the
-/// moment of its arrival, and the spacing of the others is kept. A sender that starts over is taken
-/// up anew.
+/// moment of its arrival, and the spacing of the others is kept. A sender that starts over, or
+/// whose clock leaps, is taken up anew.
 class SenderClock {
   public:
     [[nodiscard]] sim::Time world_time(std::optional<sim::Time> stamp, sim::Time arrival);
@@ -27,6 +27,7 @@ class SenderClock {
   private:
     std::optional<sim::Time> world_minus_sender_;
     sim::Time last_stamp_{};
+    sim::Time last_arrival_{};
 };
 
 class PoseIntake {

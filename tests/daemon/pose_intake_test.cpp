@@ -34,6 +34,28 @@ TEST(SenderClock, TakesUpAnewASenderThatStartsOver) {
     EXPECT_EQ(sender.world_time(1s, 12s), 11s);
 }
 
+TEST(SenderClock, TakesUpAnewASenderWhoseClockLeaps) {
+    SenderClock sender;
+    EXPECT_EQ(sender.world_time(10s, 3s), 3s);
+    // A clock that is set, and one damaged stamp.
+    EXPECT_EQ(sender.world_time(1'700'000'000s, 3100ms), 3100ms);
+    EXPECT_EQ(sender.world_time(1'700'000'000s + 100ms, 3205ms), 3200ms);
+    EXPECT_EQ(sender.world_time(9'000'000'000s, 3300ms), 3300ms);
+    EXPECT_EQ(sender.world_time(-9'000'000'000s, 3400ms), 3400ms);
+    EXPECT_EQ(sender.world_time(9'000'000'000s, 3500ms), 3500ms);
+    EXPECT_EQ(sender.world_time(1'700'000'000s + 500ms, 3600ms), 3600ms);
+}
+
+TEST(SenderClock, LetsASenderPauseAndSendAhead) {
+    SenderClock sender;
+    EXPECT_EQ(sender.world_time(0s, 3s), 3s);
+    EXPECT_EQ(sender.world_time(3600s, 3603s), 3603s);
+    // A whole drive at once.
+    EXPECT_EQ(sender.world_time(3601s, 3603s), 3604s);
+    EXPECT_EQ(sender.world_time(3602s, 3603s), 3605s);
+    EXPECT_EQ(sender.world_time(3603s, 3603s), 3606s);
+}
+
 class PoseIntakeTest : public testing::Test {
   protected:
     std::optional<std::string> take(const char* line, sim::Time arrival,
