@@ -11,6 +11,7 @@
 #include <fcntl.h>
 #include <stdlib.h>
 #include <sys/inotify.h>
+#include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -40,11 +41,11 @@ std::string slave_name(int master) {
     return name.data();
 }
 
-void make_raw(int slave) {
+int make_raw(int slave) {
     termios settings{};
-    checked(::tcgetattr(slave, &settings), "cannot read the settings of the pseudo-terminal");
+    if (::tcgetattr(slave, &settings) < 0) return -1;
     ::cfmakeraw(&settings);
-    checked(::tcsetattr(slave, TCSANOW, &settings), "cannot make the pseudo-terminal raw");
+    return ::tcsetattr(slave, TCSANOW, &settings);
 }
 
 }  // namespace
@@ -58,7 +59,7 @@ PtyPort::PtyPort(const asio::any_io_executor& executor, std::filesystem::path li
     device_path_ = slave_name(master_.native_handle());
     const std::string what = "cannot use " + device_path_.string();
     slave_.assign(checked(::open(device_path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC), what));
-    make_raw(slave_.native_handle());
+    checked(make_raw(slave_.native_handle()), what);
     // Watched from here on, so this open of our own does not count.
     events_.assign(checked(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC), what));
     watch_for_clients(what);
@@ -133,10 +134,15 @@ bool PtyPort::somebody_there() {
     }
 }
 
+// A tty forgets its settings with its last close; this one is still open here, so that it is for us
+// to undo what a driver did. Errors are ignored: a hang-up (vhangup) has left nothing to undo.
 void PtyPort::last_one_closed() {
     if (connection_) connection_->drop_output();
-    ::tcflush(slave_.native_handle(), TCIFLUSH);
-    make_raw(slave_.native_handle());
+    const int slave = slave_.native_handle();
+    ::tcflush(slave, TCIFLUSH);
+    ::tcflow(slave, TCOON);
+    ::ioctl(slave, TIOCNXCL);
+    make_raw(slave);
 }
 
 void PtyPort::make_link() const {

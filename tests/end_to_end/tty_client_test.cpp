@@ -8,6 +8,7 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <sys/ioctl.h>
 #include <termios.h>
 
 #include "tests/end_to_end/in_square_room.h"
@@ -68,11 +69,16 @@ TEST_F(TtyClient, FindsItRawAfterOneWhoChangedEverything) {
         settings.c_oflag |= OPOST | ONLCR;
         ::cfsetspeed(&settings, B9600);
         EXPECT_EQ(::tcsetattr(wire.descriptor(), TCSANOW, &settings), 0);
+        EXPECT_EQ(::tcflow(wire.descriptor(), TCOOFF), 0);
+        EXPECT_EQ(::ioctl(wire.descriptor(), TIOCEXCL), 0);
         ASSERT_TRUE(eventually([&] { return seen_open(); }));
     }
     ASSERT_TRUE(eventually([&] { return !seen_open(); }));
     ScannerWire wire = open();
     expect_raw(wire);
+    int exclusive = -1;
+    EXPECT_EQ(::ioctl(wire.descriptor(), TIOCGEXCL, &exclusive), 0);
+    EXPECT_EQ(exclusive, 0);
     wire.write("QT\n");
     EXPECT_EQ(read_for(wire, 500ms), "QT\n00P\n\n");
 }
