@@ -10,7 +10,6 @@
 
 #include "daemon/run_directory.h"
 #include "sim/backends/registry.h"
-#include "sim/loaders/sdf.h"
 
 namespace scipd::daemon {
 namespace {
@@ -50,9 +49,14 @@ std::optional<LatenessStatus> summary_of(const Lateness& lateness) {
 
 }  // namespace
 
-void Fleet::apply(const Config& config) {
+FleetPlan make_plan(Config config) {
     sim::LoadedScene loaded = sim::load_sdf(config.scene);
     World::Backends backends = make_backends(config, loaded.scene);
+    return {std::move(config), std::move(loaded), std::move(backends)};
+}
+
+void Fleet::apply(FleetPlan plan) {
+    auto& [config, loaded, backends] = plan;
     Ports ports = open_ports(config);
     std::vector<Feed> feeds = open_feeds(config);
 

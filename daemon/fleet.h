@@ -26,16 +26,29 @@
 #include "daemon/device/scan_loop.h"
 #include "daemon/link/pty_port.h"
 #include "daemon/link/tcp_port.h"
+#include "sim/loaders/sdf.h"
 
 namespace scipd::daemon {
+
+/// A configuration with its world loaded and ready to be cast into.
+struct FleetPlan {
+    Config config;
+    sim::LoadedScene loaded;
+    World::Backends backends;
+};
+
+/// What of a change takes time: touches nothing that runs, so that any thread may do it. Throws
+/// LoadError.
+FleetPlan make_plan(Config config);
 
 class Fleet : public Api {
   public:
     explicit Fleet(boost::asio::any_io_executor executor) : executor_(std::move(executor)) {}
 
-    /// Throws LoadError for the world or a trajectory, std::runtime_error for a port or a source of
-    /// poses: then all is as before.
-    void apply(const Config& config);
+    /// Throws LoadError for a trajectory, std::runtime_error for a port or a source of poses: then
+    /// all is as before.
+    void apply(FleetPlan plan);
+    void apply(const Config& config) { apply(make_plan(config)); }
     void stop();
 
     [[nodiscard]] Status status() const override;

@@ -3,8 +3,10 @@
 #include "daemon/server.h"
 
 #include <csignal>
+#include <memory>
 #include <utility>
 
+#include <boost/asio/post.hpp>
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
@@ -12,6 +14,9 @@
 #include "daemon/run_directory.h"
 
 namespace scipd::daemon {
+
+namespace asio = boost::asio;
+
 namespace {
 
 std::filesystem::path control_socket(const Config& config) {
@@ -83,20 +88,36 @@ void Server::reload() {
         spdlog::warn("SIGHUP: started from options, so there is no configuration to read again");
         return;
     }
+    asked_again_ = std::exchange(loading_, true);
+    if (asked_again_) return;
+    const auto task = std::make_shared<std::packaged_task<FleetPlan()>>(
+        [file = *options_.config_file] { return make_plan(load_config(file)); });
+    asio::post(loader_, [this, task] {
+        (*task)();
+        asio::post(io_, [this, task] { take_up(task->get_future()); });
+    });
+}
+
+void Server::take_up(std::future<FleetPlan> plan) {
+    loading_ = false;
+    if (stopped_) return;
     try {
-        Config config = load_config(*options_.config_file);
+        FleetPlan next = plan.get();
+        Config config = next.config;
         if (config.control != options_.config.control || config.http != options_.config.http) {
             spdlog::warn("SIGHUP: control and http stay as they are until scipd is started again");
         }
-        fleet_.apply(config);
+        fleet_.apply(std::move(next));
         options_.config = std::move(config);
         spdlog::info("SIGHUP: {} is running now", options_.config_file->string());
     } catch (const std::exception& error) {
         spdlog::error("SIGHUP: nothing was changed, since\n{}", error.what());
     }
+    if (asked_again_) reload();
 }
 
 void Server::stop() {
+    stopped_ = true;
     control_.close();
     fleet_.stop();
 }

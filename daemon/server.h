@@ -2,15 +2,17 @@
 // Copyright The scipd authors
 //
 // The running program: one thread, one io_context, a fleet of scanners, the control API and
-// signals. SIGINT and SIGTERM end it cleanly; SIGHUP reads the configuration again, and a faulty
-// one changes nothing.
+// signals. SIGINT and SIGTERM end it cleanly; SIGHUP reads the configuration again, on a
+// thread of its own so that no stream waits for it, and a faulty one changes nothing.
 #pragma once
 
+#include <future>
 #include <optional>
 #include <string>
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
+#include <boost/asio/thread_pool.hpp>
 
 #include "daemon/control/http_server.h"
 #include "daemon/fleet.h"
@@ -32,6 +34,7 @@ class Server {
   private:
     void wait_for_signal();
     void reload();
+    void take_up(std::future<FleetPlan> plan);
     void stop();
 
     Options options_;
@@ -40,6 +43,10 @@ class Server {
     Fleet fleet_;
     HttpServer control_;
     std::optional<std::string> http_;  ///< where the control API is reached by TCP
+    bool stopped_ = false;
+    bool loading_ = false;
+    bool asked_again_ = false;            ///< while loading
+    boost::asio::thread_pool loader_{1};  ///< so that no stream waits for a world to be loaded
 };
 
 }  // namespace scipd::daemon

@@ -2,10 +2,12 @@
 // Copyright The scipd authors
 //
 // SIGHUP: another configuration for a running scipd.
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -105,6 +107,20 @@ TEST_F(Reload, KeepsWhatDidNotChange) {
     ScannerWire added = ScannerWire::tty(sensors[0].at("pty").get<std::string>());
     EXPECT_EQ(added.ask("VV"), "00");
     EXPECT_EQ(kept.ask("QT"), "00");
+}
+
+TEST_F(Reload, AskedForOverAndOverCostsNoScan) {
+    ScannerWire wire = ScannerWire::tcp(daemon_.port());
+    EXPECT_EQ(wire.ask(stream_of_one_beam), "00");
+    std::uint32_t stamp_ms = wire.next_scan().stamp_ms;
+    // To load this world as often would take seconds.
+    for (int i = 0; i < 100; ++i) {
+        daemon_.signal(SIGHUP);
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    for (int i = 0; i < 3; ++i)
+        expect_no_gap(wire, stamp_ms);
+    EXPECT_EQ(wire.ask("QT"), "00");
 }
 
 TEST_F(Reload, CutsOffTheClientOfAChangedScannerOnly) {
