@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -83,7 +84,7 @@ void add_record_command(CLI::App& program) {
         ->required()
         ->check(ends_in(".csv", ".jsonl"));
     command->add_option("-n,--scans", options->scans, "so many scans (default: until Ctrl-C)")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, std::numeric_limits<int>::max()));
     options->scan.add_to(*command);
     command->add_flag("--echoes", options->scan.echoes,
                       "ask for every echo (UTM-30LX-EW, UXM-30LX)");
