@@ -62,10 +62,12 @@ struct ControlClient::Connection {
         const stream_protocol::endpoint endpoint(socket.string());
         return complete([&](auto done) { stream.async_connect(endpoint, done); });
     }
-    error_code exchange(const Request& request, Response& response) {
-        const auto error = complete([&](auto done) { http::async_write(stream, request, done); });
-        if (error) return error;
-        return complete([&](auto done) { http::async_read(stream, buffer, response, done); });
+    Response exchange(const Request& request, error_code& error) {
+        Response response;
+        error = complete([&](auto done) { http::async_write(stream, request, done); });
+        if (error) return response;
+        error = complete([&](auto done) { http::async_read(stream, buffer, response, done); });
+        return response;
     }
 };
 
@@ -94,13 +96,12 @@ std::string ControlClient::exchange(bool is_put, const std::string& path, const 
 
     Response response;
     error_code error;
-    if (connection_) error = connection_->exchange(request, response);
+    if (connection_) response = connection_->exchange(request, error);
     if (!connection_ || error) {
         connection_ = std::make_unique<Connection>();
         error = connection_->connect(socket_);
         if (error) throw unreachable(error.message());
-        response = {};
-        error = connection_->exchange(request, response);
+        response = connection_->exchange(request, error);
     }
     if (error) throw unreachable(error.message());
     if (!response.keep_alive()) connection_.reset();
