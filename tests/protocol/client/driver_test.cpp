@@ -20,7 +20,6 @@ namespace {
 
 using namespace std::chrono_literals;
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 /// A scanner of a model, its clock turned by whoever waits for it. Sends in pieces.
 class ModelTransport : public Transport {
