@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/link/tcp_port.h"
 
+#include <chrono>
 #include <stdexcept>
 #include <utility>
 
@@ -16,10 +17,13 @@ namespace {
 // Enough for a driver that reconnects before its old connection is gone.
 constexpr int backlog = 4;
 
+// After a failed accept, as when all descriptors are taken: not at once again.
+constexpr std::chrono::milliseconds accept_pause{100};
+
 }  // namespace
 
 TcpPort::TcpPort(const asio::any_io_executor& executor, const Address& address)
-    : acceptor_(executor) {
+    : acceptor_(executor), pause_(executor) {
     try {
         const tcp::endpoint endpoint(asio::ip::make_address(address.host), address.port);
         acceptor_.open(endpoint.protocol());
@@ -42,6 +46,7 @@ void TcpPort::serve(Device& device) {
 void TcpPort::stop() {
     error_code ignored;
     acceptor_.close(ignored);
+    pause_.cancel();
     disconnect();
     device_ = nullptr;
 }
@@ -63,8 +68,15 @@ void TcpPort::accept() {
     acceptor_.async_accept([self = shared_from_this()](error_code error, tcp::socket socket) {
         self->accepting_ = false;
         if (error == asio::error::operation_aborted || !self->device_) return;
-        if (error) return self->accept();
+        if (error) return self->accept_later();
         self->connect(std::move(socket));
+    });
+}
+
+void TcpPort::accept_later() {
+    pause_.expires_after(accept_pause);
+    pause_.async_wait([self = shared_from_this()](error_code error) {
+        if (!error && self->device_) self->accept();
     });
 }
 

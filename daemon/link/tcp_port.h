@@ -11,6 +11,7 @@
 
 #include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
 
 #include "daemon/config.h"
 #include "daemon/device/device.h"
@@ -35,10 +36,12 @@ class TcpPort : public std::enable_shared_from_this<TcpPort> {
 
   private:
     void accept();
+    void accept_later();
     void connect(boost::asio::ip::tcp::socket socket);
     void disconnect();
 
     boost::asio::ip::tcp::acceptor acceptor_;
+    boost::asio::steady_timer pause_;
     Device* device_ = nullptr;
     std::shared_ptr<Connection> connection_;
     std::uint64_t lost_before_ = 0;  ///< by connections that have ended

@@ -7,6 +7,7 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "tests/daemon/wall_world.h"
 #include "tests/support/scanner_wire.h"
@@ -100,6 +101,19 @@ TEST_F(TcpPortTest, ServesOneClientAtATime) {
     first.close();
     EXPECT_TRUE(comes(second, "PROD:UST-10LX;"));
     EXPECT_EQ(device_.clients(), 1U);
+}
+
+TEST_F(TcpPortTest, WaitsWithoutHasteForADescriptor) {
+    port_->serve(device_);
+    ScannerWire wire = connect();
+    rlimit limit{};
+    ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &limit), 0);
+    const rlimit none{.rlim_cur = 0, .rlim_max = limit.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &none), 0);
+    io_.restart();
+    EXPECT_LT(io_.run_for(300ms), 20U);
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &limit), 0);
+    EXPECT_TRUE(is_answered_by(wire, "UST-10LX"));
 }
 
 TEST_F(TcpPortTest, LetsAClientWaitUntilThereIsADevice) {
