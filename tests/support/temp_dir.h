@@ -29,8 +29,10 @@ class TempDir {
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
+    /// Writes a file, and the folders above it.
     std::filesystem::path write(std::string_view name, std::string_view text) const {
         const auto file = path_ / name;
+        std::filesystem::create_directories(file.parent_path());
         std::ofstream{file, std::ios::binary} << text;
         return file;
     }

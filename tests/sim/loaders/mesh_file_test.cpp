@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/sim/loaders/temp_folder.h"
+#include "tests/sim/loaders/faults_of.h"
 
 namespace scipd::sim {
 namespace {
@@ -49,7 +49,7 @@ glm::dvec3 extent(const Mesh& mesh) {
 }
 
 TEST(MeshFile, quadsBecomeTriangles) {
-    const TempFolder folder;
+    const TempDir folder;
     const auto mesh = load_mesh(folder.write("a.obj", two_materials_obj));
     EXPECT_EQ(mesh.triangles.size(), 4U);
     EXPECT_EQ(extent(mesh), glm::dvec3(2.0, 1.0, 3.0));
@@ -60,7 +60,7 @@ TEST(MeshFile, quadsBecomeTriangles) {
 }
 
 TEST(MeshFile, materialsStayApartByName) {
-    const TempFolder folder;
+    const TempDir folder;
     const auto parts = load_mesh_parts(folder.write("a.obj", two_materials_obj));
     ASSERT_EQ(parts.size(), 2U);
     EXPECT_EQ(parts[0].material, "oak");
@@ -70,7 +70,7 @@ TEST(MeshFile, materialsStayApartByName) {
 }
 
 TEST(MeshFile, noMaterialIsNoName) {
-    const TempFolder folder;
+    const TempDir folder;
     const auto parts =
         load_mesh_parts(folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
     ASSERT_EQ(parts.size(), 1U);
@@ -78,7 +78,7 @@ TEST(MeshFile, noMaterialIsNoName) {
 }
 
 TEST(MeshFile, verticesAreSharedAndScaled) {
-    const TempFolder folder;
+    const TempDir folder;
     const auto mesh = load_mesh(
         folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"), {2.0, 3.0, 4.0});
     EXPECT_EQ(mesh.vertices_m.size(), 4U);
@@ -86,7 +86,7 @@ TEST(MeshFile, verticesAreSharedAndScaled) {
 }
 
 TEST(MeshFile, readsBinaryStl) {
-    const TempFolder folder;
+    const TempDir folder;
     const auto mesh = load_mesh(folder.write("a.stl", binary_stl(1.F)));
     ASSERT_EQ(mesh.triangles.size(), 1U);
     EXPECT_THAT(mesh.vertices_m, ::testing::UnorderedElementsAre(
@@ -94,7 +94,7 @@ TEST(MeshFile, readsBinaryStl) {
 }
 
 TEST(MeshFile, readsPly) {
-    const TempFolder folder;
+    const TempDir folder;
     const auto mesh =
         load_mesh(folder.write("a.ply",
                                "ply\nformat ascii 1.0\nelement vertex 3\nproperty float "
@@ -106,7 +106,7 @@ TEST(MeshFile, readsPly) {
 }
 
 TEST(MeshFile, colladaKeepsItsAxesAndAppliesItsTransforms) {
-    const TempFolder folder;
+    const TempDir folder;
     // A triangle in a file that says z up, inside a node moved by 10 m along z.
     const auto mesh = load_mesh(folder.write("a.dae", R"(<?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
@@ -127,7 +127,7 @@ TEST(MeshFile, colladaKeepsItsAxesAndAppliesItsTransforms) {
 }
 
 TEST(MeshFile, refusesWhatIsNoMesh) {
-    const TempFolder folder;
+    const TempDir folder;
     const auto faults = [&](const std::string& name, std::string_view text) {
         return faults_of([&] { load_mesh(folder.write(name, text)); }, folder);
     };
@@ -144,7 +144,7 @@ TEST(MeshFile, refusesWhatIsNoMesh) {
 }
 
 TEST(MeshFile, refusesVerticesThatAreNotFinite) {
-    const TempFolder folder;
+    const TempDir folder;
     for (const float bad :
          {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         const auto file = folder.write("a.stl", binary_stl(bad));

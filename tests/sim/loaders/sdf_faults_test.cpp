@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/loaders/sdf.h"
+#include "tests/sim/loaders/faults_of.h"
 #include "tests/sim/loaders/sdf_text.h"
-#include "tests/sim/loaders/temp_folder.h"
 
 namespace scipd::sim {
 namespace {
@@ -22,7 +22,7 @@ class SdfFaults : public ::testing::Test {
         const auto file = folder_.write("a.sdf", text);
         return faults_of([&] { load_sdf(file); }, folder_);
     }
-    TempFolder folder_;
+    TempDir folder_;
 };
 
 const std::string nothing_seen =

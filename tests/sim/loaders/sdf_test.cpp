@@ -9,8 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/sim/loaders/faults_of.h"
 #include "tests/sim/loaders/sdf_text.h"
-#include "tests/sim/loaders/temp_folder.h"
 
 namespace scipd::sim {
 namespace {
@@ -37,7 +37,7 @@ class Sdf : public ::testing::Test {
         return scene.materials.at(scene.objects.at(object).material).name;
     }
 
-    TempFolder folder_;
+    TempDir folder_;
     std::vector<std::string> warnings_;
 };
 

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/sim/loaders/temp_folder.h"
+#include "tests/sim/loaders/faults_of.h"
 
 namespace scipd::sim {
 namespace {
@@ -23,7 +23,7 @@ class Tum : public ::testing::Test {
     std::vector<std::string> faults(std::string_view text) {
         return faults_of([&] { load(text); }, folder_);
     }
-    TempFolder folder_;
+    TempDir folder_;
 };
 
 TEST_F(Tum, stampsAreExactToTheNanosecond) {
