@@ -63,6 +63,8 @@ class StreamTransport final : public ScipTransport {
                                 });
         io_.restart();
         io_.run_one_for(timeout);
+        // Time passes for a stopped process as well: what has come meanwhile still counts.
+        if (!done) io_.poll_one();
         if (!done) {
             stream_.cancel();
             while (!done && io_.run_one() > 0) {
