@@ -117,12 +117,14 @@ std::vector<Fleet::Feed> Fleet::open_feeds(const Config& config) {
     std::vector<Feed> feeds;
     for (const RobotConfig& robot : config.robots) {
         if (!robot.poses) continue;
+        // A port or the standard input can change hands; a trajectory is played by each robot anew.
         const auto open = std::ranges::find_if(feeds_, [&](const Feed& feed) {
-            return feed.robot == robot.name && feed.source == *robot.poses;
+            const bool can_serve =
+                feed.robot == robot.name || feed.source.kind != PoseSource::Kind::file;
+            return can_serve && feed.source == *robot.poses;
         });
-        feeds.push_back(open != feeds_.end() ? *open
-                                             : Feed{robot.name, *robot.poses,
-                                                    make_feed(context, robot.name, *robot.poses)});
+        feeds.push_back({robot.name, *robot.poses,
+                         open != feeds_.end() ? open->feed : make_feed(context, *robot.poses)});
     }
     return feeds;
 }
@@ -184,9 +186,8 @@ void Fleet::replace_feeds(std::vector<Feed> feeds) {
     for (const Feed& old : feeds_) {
         if (!in(feeds, old)) old.feed->stop();
     }
-    for (const Feed& fresh : feeds) {
-        if (!in(feeds_, fresh)) fresh.feed->start();
-    }
+    for (const Feed& feed : feeds)
+        feed.feed->serve(feed.robot);
     feeds_ = std::move(feeds);
 }
 

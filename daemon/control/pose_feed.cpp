@@ -29,8 +29,9 @@ namespace {
 /// thousandth.
 class LineSink {
   public:
-    LineSink(FeedContext context, std::string robot)
-        : context_(std::move(context)), robot_(std::move(robot)) {}
+    /// `robot` is the feed's own, whichever it is at the time.
+    LineSink(FeedContext context, const std::string& robot)
+        : context_(std::move(context)), robot_(robot) {}
 
     void take_lines(std::string_view text) {
         while (!text.empty()) {
@@ -48,11 +49,10 @@ class LineSink {
     }
 
     [[nodiscard]] const FeedContext& context() const { return context_; }
-    [[nodiscard]] const std::string& robot() const { return robot_; }
 
   private:
     FeedContext context_;
-    std::string robot_;
+    const std::string& robot_;
     SenderClock sender_;
     std::uint64_t refused_ = 0;
 };
@@ -60,25 +60,25 @@ class LineSink {
 /// Every datagram holds one line or several.
 class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
   public:
-    UdpFeed(const FeedContext& context, const std::string& robot, const Address& address)
-        : sink_(context, robot), socket_(context.executor) {
+    UdpFeed(const FeedContext& context, const Address& address)
+        : sink_(context, robot()), socket_(context.executor) {
         try {
             const asio::ip::udp::endpoint endpoint(asio::ip::make_address(address.host),
                                                    address.port);
             socket_.open(endpoint.protocol());
             socket_.bind(endpoint);
         } catch (const boost::system::system_error& error) {
-            throw std::runtime_error("cannot receive the poses of " + robot + " on " +
-                                     address.host + ":" + std::to_string(address.port) + ": " +
-                                     error.code().message() +
+            throw std::runtime_error("cannot receive poses on " + address.host + ":" +
+                                     std::to_string(address.port) + ": " + error.code().message() +
                                      "; each robot needs an address of its own");
         }
     }
 
-    void start() override { receive(); }
     void stop() override { socket_.close(); }
 
   private:
+    void begin() override { receive(); }
+
     void receive() {
         socket_.async_receive(asio::buffer(datagram_),
                               [self = shared_from_this()](error_code error, std::size_t size) {
@@ -96,8 +96,8 @@ class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
 
 class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<StandardInputFeed> {
   public:
-    StandardInputFeed(const FeedContext& context, const std::string& robot)
-        : sink_(context, robot), input_(context.executor) {
+    explicit StandardInputFeed(const FeedContext& context)
+        : sink_(context, robot()), input_(context.executor) {
         error_code error;
         input_.assign(::dup(STDIN_FILENO), error);
         // A regular file cannot be waited for, and its poses would all have the same time.
@@ -107,12 +107,13 @@ class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<S
                 "poses from standard input need a pipe or a terminal; name a TUM file instead");
     }
 
-    void start() override { read(); }
     void stop() override { input_.close(); }
 
   private:
     // Longer lines than any pose has are cut here and refused by the parser.
     static constexpr std::size_t max_line = 8192;
+
+    void begin() override { read(); }
 
     void read() {
         input_.async_read_some(
@@ -121,7 +122,7 @@ class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<S
                 if (error == asio::error::operation_aborted) return;
                 if (error)
                     return self->sink_.context().report(
-                        "standard input has ended: " + self->sink_.robot() + " stays where it is");
+                        "standard input has ended: " + self->robot() + " stays where it is");
                 self->take({self->input_buffer_.data(), size});
                 self->read();
             });
@@ -149,16 +150,8 @@ class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<S
 /// known.
 class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<TrajectoryFeed> {
   public:
-    TrajectoryFeed(const FeedContext& context, std::string robot, const std::filesystem::path& file)
-        : context_(context),
-          robot_(std::move(robot)),
-          poses_(sim::load_tum(file)),
-          timer_(context.executor) {}
-
-    void start() override {
-        world_minus_file_ = context_.now() - poses_.front().time;
-        play();
-    }
+    TrajectoryFeed(const FeedContext& context, const std::filesystem::path& file)
+        : context_(context), poses_(sim::load_tum(file)), timer_(context.executor) {}
 
     void stop() override {
         stopped_ = true;
@@ -168,11 +161,16 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
   private:
     static constexpr sim::Time ahead = std::chrono::milliseconds(500);
 
+    void begin() override {
+        world_minus_file_ = context_.now() - poses_.front().time;
+        play();
+    }
+
     void play() {
         if (stopped_) return;
         const sim::Time until = context_.now() + 2 * ahead;
         for (; next_ < poses_.size() && poses_[next_].time + world_minus_file_ <= until; ++next_) {
-            context_.intake.take({.pose = poses_[next_].pose}, robot_,
+            context_.intake.take({.pose = poses_[next_].pose}, robot(),
                                  poses_[next_].time + world_minus_file_);
         }
         if (next_ == poses_.size()) return;
@@ -183,7 +181,6 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
     }
 
     FeedContext context_;
-    std::string robot_;
     std::vector<sim::TimedPose> poses_;
     asio::steady_timer timer_;
     sim::Time world_minus_file_{};
@@ -193,17 +190,16 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
 
 }  // namespace
 
-std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const std::string& robot,
-                                    const PoseSource& source) {
+std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const PoseSource& source) {
     switch (source.kind) {
         case PoseSource::Kind::udp:
-            return std::make_shared<UdpFeed>(context, robot, source.address);
+            return std::make_shared<UdpFeed>(context, source.address);
         case PoseSource::Kind::standard_input:
-            return std::make_shared<StandardInputFeed>(context, robot);
+            return std::make_shared<StandardInputFeed>(context);
         case PoseSource::Kind::file:
             break;
     }
-    return std::make_shared<TrajectoryFeed>(context, robot, source.file);
+    return std::make_shared<TrajectoryFeed>(context, source.file);
 }
 
 }  // namespace scipd::daemon

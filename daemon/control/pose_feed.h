@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <boost/asio/any_io_executor.hpp>
 
@@ -20,9 +21,22 @@ namespace scipd::daemon {
 class PoseFeed {
   public:
     virtual ~PoseFeed() = default;
-    /// Poses come from now on.
-    virtual void start() = 0;
+
+    /// Poses come from now on, for this robot; called again, for another one.
+    void serve(const std::string& robot) {
+        robot_ = robot;
+        if (!std::exchange(begun_, true)) begin();
+    }
     virtual void stop() = 0;
+
+  protected:
+    [[nodiscard]] const std::string& robot() const { return robot_; }
+
+  private:
+    virtual void begin() = 0;
+
+    std::string robot_;
+    bool begun_ = false;
 };
 
 /// What a feed needs of its surroundings; all must outlive it.
@@ -35,7 +49,6 @@ struct FeedContext {
 };
 
 /// Opens the source. Throws std::runtime_error, or LoadError for a trajectory that cannot be read.
-std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const std::string& robot,
-                                    const PoseSource& source);
+std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const PoseSource& source);
 
 }  // namespace scipd::daemon

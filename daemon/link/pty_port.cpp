@@ -147,17 +147,20 @@ void PtyPort::last_one_closed() {
 
 void PtyPort::make_link() const {
     namespace fs = std::filesystem;
-    if (link_.has_parent_path()) fs::create_directories(link_.parent_path());
+    const std::string other_name = "; choose another name for the tty";
     if (fs::exists(fs::symlink_status(link_)) && !fs::is_symlink(link_)) {
-        throw std::system_error(
-            EEXIST, std::generic_category(),
-            link_.string() +
-                " is there and is no link; remove it or choose another name for the tty");
+        throw std::runtime_error(link_.string() + " is there and is no link" + other_name);
     }
-    const fs::path fresh = link_.string() + ".new";
-    fs::remove(fresh);
-    fs::create_symlink(device_path_, fresh);
-    fs::rename(fresh, link_);
+    try {
+        if (link_.has_parent_path()) fs::create_directories(link_.parent_path());
+        const fs::path fresh = link_.string() + ".new";
+        fs::remove(fresh);
+        fs::create_symlink(device_path_, fresh);
+        fs::rename(fresh, link_);
+    } catch (const fs::filesystem_error& error) {
+        throw std::runtime_error("cannot make the link " + link_.string() + ": " +
+                                 error.code().message() + other_name);
+    }
 }
 
 void PtyPort::remove_link() const {

@@ -23,7 +23,7 @@ namespace scipd::daemon {
 class PtyPort : public std::enable_shared_from_this<PtyPort> {
   public:
     /// Creates the tty and its link, replacing a link that is there but nothing else. Throws
-    /// std::system_error.
+    /// std::runtime_error.
     PtyPort(const boost::asio::any_io_executor& executor, std::filesystem::path link);
     PtyPort(const PtyPort&) = delete;
     PtyPort& operator=(const PtyPort&) = delete;

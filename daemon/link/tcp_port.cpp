@@ -17,6 +17,10 @@ namespace {
 // Enough for a driver that reconnects before its old connection is gone.
 constexpr int backlog = 4;
 
+// A scanner has little memory: without a bound the kernel would keep minutes of scans for a client
+// that does not read, and hand it all of them, long out of date.
+constexpr int kernel_buffer_bytes = 64 * 1024;
+
 // After a failed accept, as when all descriptors are taken: not at once again.
 constexpr std::chrono::milliseconds accept_pause{100};
 
@@ -83,6 +87,7 @@ void TcpPort::accept_later() {
 void TcpPort::connect(tcp::socket socket) {
     error_code error;
     socket.set_option(tcp::no_delay(true), error);
+    socket.set_option(tcp::socket::send_buffer_size(kernel_buffer_bytes), error);
     const auto executor = socket.get_executor();
     const int descriptor = socket.release(error);
     if (error) return accept();

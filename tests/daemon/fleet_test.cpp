@@ -196,6 +196,21 @@ TEST_F(FleetTest, KeepsThePoseFeedsThatStay) {
     EXPECT_EQ(fleet_.status().poses.accepted, 2U);
 }
 
+TEST_F(FleetTest, HandsAPoseAddressOnToARenamedRobot) {
+    const tests::UdpSender sender;
+    PoseSource source;
+    source.address = Address{"127.0.0.1", sender.port()};
+    Config config = of({on_tcp("front")});
+    config.robots[0].poses = source;
+    fleet_.apply(config);
+    config.robots[0].name = "transport";
+    fleet_.apply(config);
+    sender.send(R"({"xyz":[1,0,0]})");
+    EXPECT_TRUE(run_until(io_, [&] { return fleet_.status().poses.accepted == 1; }));
+    EXPECT_EQ(fleet_.robot_pose("transport")->pose.translation_m.x, 1.0);
+    EXPECT_FALSE(fleet_.robot_pose("rescue"));
+}
+
 TEST_F(FleetTest, LeavesNothingBehind) {
     fleet_.apply(of({on_tcp("front"), on_tty("rear")}));
     fleet_.stop();

@@ -26,7 +26,7 @@ class PoseFeedTest : public testing::Test {
                           .intake = intake_,
                           .now = [this] { return now_; },
                           .report = [this](const std::string& text) { reports_.push_back(text); }},
-                         "robot", source);
+                         source);
     }
 
     [[nodiscard]] PoseSource udp() const {
@@ -59,7 +59,7 @@ class PoseFeedTest : public testing::Test {
 
 TEST_F(PoseFeedTest, TakesDatagramsOfOneLineOrSeveral) {
     const auto poses = feed(udp());
-    poses->start();
+    poses->serve("robot");
     sender_.send(R"({"xyz":[1,0,0]})");
     ASSERT_TRUE(taken(1));
     EXPECT_DOUBLE_EQ(robot_x(10s), 1.0);
@@ -74,7 +74,7 @@ TEST_F(PoseFeedTest, TakesDatagramsOfOneLineOrSeveral) {
 
 TEST_F(PoseFeedTest, ReportsTheFirstRefusalAndNotEveryOne) {
     const auto poses = feed(udp());
-    poses->start();
+    poses->serve("robot");
     for (int i = 0; i < 50; ++i)
         sender_.send("rubbish");
     ASSERT_TRUE(taken(0, 50));
@@ -85,7 +85,7 @@ TEST_F(PoseFeedTest, ReportsTheFirstRefusalAndNotEveryOne) {
 
 TEST_F(PoseFeedTest, TakesNothingOnceStopped) {
     const auto poses = feed(udp());
-    poses->start();
+    poses->serve("robot");
     poses->stop();
     sender_.send(R"({"xyz":[1,0,0]})");
     io_.run_for(50ms);
@@ -108,7 +108,7 @@ TEST_F(PoseFeedTest, PlaysATrajectoryFromTheMomentOfItsStart) {
                                       "503.0 3 0 0 0 0 0 1\n");
     const auto poses = feed(trajectory(file));
     EXPECT_EQ(intake_.accepted(), 0U);
-    poses->start();
+    poses->serve("robot");
     // Of what lies within the next second the sweeps need to know now.
     EXPECT_EQ(intake_.accepted(), 2U);
     EXPECT_DOUBLE_EQ(robot_x(10s), 1.0);
