@@ -55,7 +55,7 @@ FleetPlan make_plan(Config config) {
     return {std::move(config), std::move(loaded), std::move(backends)};
 }
 
-void Fleet::apply(FleetPlan plan) {
+void Fleet::apply(FleetPlan&& plan) {
     auto& [config, loaded, backends] = plan;
     Ports ports = open_ports(config);
     std::vector<Feed> feeds = open_feeds(config);

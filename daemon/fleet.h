@@ -47,7 +47,7 @@ class Fleet : public Api {
 
     /// Throws LoadError for a trajectory, std::runtime_error for a port or a source of poses: then
     /// all is as before.
-    void apply(FleetPlan plan);
+    void apply(FleetPlan&& plan);
     void apply(const Config& config) { apply(make_plan(config)); }
     void stop();
 
