@@ -19,7 +19,6 @@ namespace {
 
 using namespace std::chrono_literals;
 using testing::HasSubstr;
-using testing::StartsWith;
 
 std::vector<std::string> scipctl(const ControlStandIn& daemon, std::vector<std::string> words) {
     words.insert(words.begin(), {SCIPCTL, "--control", daemon.socket()});
