@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "protocol/status.h"
 #include "protocol/uptime.h"
@@ -25,6 +26,13 @@ enum class Family {
 enum class TimeSpelling {
     hexadecimal,  ///< 6A5404
     encoded,      ///< 0Y\\3, SCIP's own characters; may contain ';'
+};
+
+/// Whether a model has what came with some firmware only.
+enum class Support {
+    never,           ///< the model has not got it
+    later_firmware,  ///< this firmware is older
+    yes,
 };
 
 /// What stands in the place of a distance where there is none.
@@ -62,8 +70,13 @@ struct DeviceProfile {
     std::string motor_speed;     ///< SCSP
     std::string mode_idle;       ///< MESM while the laser is off
     std::string mode_measuring;  ///< MESM while it is on
+    std::string mode_streaming;  ///< MESM in a stream; empty: as mode_measuring
+    std::string mode_sensitive;  ///< MESM while it is on in high-sensitivity mode
+    std::string mode_booting;    ///< MESM while booting; empty: as mode_idle
     std::string bit_rate;        ///< SBPS
     std::string health;          ///< STAT
+    std::string health_unstable;
+    std::string health_failed;
     TimeSpelling time_spelling = TimeSpelling::encoded;
 
     // Distances
@@ -72,10 +85,19 @@ struct DeviceProfile {
     int nearest_mm = 0;  ///< the smallest distance that is reported as such
     DistanceCodes codes;
 
+    // What can be set
+    std::vector<int> bit_rates;  ///< of SS, the one of power-up first; empty: no serial line
+    bool motor_levels = false;   ///< CR
+    Support sensitivity = Support::never;  ///< HS
+    Support rehearsals = Support::never;   ///< DB
+
     // Habits
     Status unknown_command = status::undefined;
     Uptime scan_period{};  ///< one turn of the mirror
     Uptime reply_tick{};   ///< replies and scans leave on a grid of this spacing; 0: at once
+    Uptime boot_time{};
+    bool answers_while_booting = false;  ///< else what is asked then waits until it is up
+    Uptime wake_time{};                  ///< until the motor is up to speed again
 
     /// Whether the value of a step is a distance and not one of the codes.
     [[nodiscard]] bool is_distance(std::uint32_t value) const {

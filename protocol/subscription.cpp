@@ -4,14 +4,13 @@
 
 #include <utility>
 
-#include "protocol/reply.h"
 #include "protocol/timestamp.h"
 
 namespace scipd::protocol {
 namespace {
 
-// In the echo, behind the code and the eleven digits of window and interval.
-constexpr std::size_t remaining_position = 13;
+// In the echo, behind the code and as many digits of window and interval.
+constexpr std::size_t window_and_interval_digits = 11;
 constexpr std::size_t remaining_digits = 2;
 
 }  // namespace
@@ -30,6 +29,7 @@ std::variant<Subscription, Status> Subscription::from(const Request& request, Up
 
     Subscription subscription;
     subscription.echo_ = request.echo;
+    subscription.remaining_position_ = request.command->code.size() + window_and_interval_digits;
     subscription.window_ = std::get<StepWindow>(window);
     subscription.format_ = request.command->format;
     subscription.interval_ = *interval;
@@ -53,14 +53,25 @@ bool Subscription::takes(const Turn& turn, Uptime laser_on_since) {
 std::string Subscription::message(const ScanView& scan, Uptime clock_zero,
                                   const DeviceProfile& profile) {
     if (!endless_) --remaining_;
-    std::string echo = echo_;
-    const std::string left = {static_cast<char>('0' + remaining_ / 10),
-                              static_cast<char>('0' + remaining_ % 10)};
-    echo.replace(remaining_position, remaining_digits, left);
-    return Reply(echo, status::scan_follows)
+    ++sent_;
+    return head(status::scan_follows)
         .line(encoded_timestamp(scan.turn.start, clock_zero))
         .data(values_in(scan, window_, format_, profile), format_.width)
         .finish();
+}
+
+std::string Subscription::interruption(Status status) {
+    ++interruptions_;
+    return head(status).finish();
+}
+
+// The echo says how many scans are still to come.
+Reply Subscription::head(Status status) const {
+    std::string echo = echo_;
+    const std::string left = {static_cast<char>('0' + remaining_ / 10),
+                              static_cast<char>('0' + remaining_ % 10)};
+    echo.replace(remaining_position_, remaining_digits, left);
+    return {echo, status};
 }
 
 }  // namespace scipd::protocol

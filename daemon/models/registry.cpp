@@ -7,6 +7,7 @@
 #include "daemon/models/urg_04lx.h"
 #include "daemon/models/ust.h"
 #include "daemon/models/utm_30lx.h"
+#include "daemon/models/utm_30lx_ew.h"
 
 namespace scipd::daemon {
 namespace {
@@ -25,7 +26,9 @@ std::string choices() {
 }  // namespace
 
 const std::vector<Model>& models() {
-    static const std::vector<Model> all = {urg_04lx(), utm_30lx(), ust_10lx(), ust_20lx()};
+    static const std::vector<Model> all = {
+        urg_04lx_3_1_04(), urg_04lx_3_3_00(), utm_30lx(), utm_30lx_ew(), ust_10lx(), ust_20lx(),
+    };
     return all;
 }
 

@@ -6,6 +6,7 @@
 
 namespace scipd::daemon {
 
-Model urg_04lx();
+Model urg_04lx_3_1_04();
+Model urg_04lx_3_3_00();
 
 }  // namespace scipd::daemon

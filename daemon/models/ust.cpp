@@ -37,6 +37,9 @@ Model ust(const std::string& name, const std::string& serial, int dmax_mm) {
         .mode_measuring = "Measuring by Sensitive Mode",
         .bit_rate = "Ethernet 100[Mbps]",
         .health = "sensor is working normally",
+        // Deduced: no unit in trouble was seen.
+        .health_unstable = "sensor is unstable",
+        .health_failed = "sensor is out of order",
         .time_spelling = protocol::TimeSpelling::encoded,
 
         .last_step = 1080,
@@ -49,6 +52,10 @@ Model ust(const std::string& name, const std::string& serial, int dmax_mm) {
         .scan_period = 25ms,
         // Replies and scans leave on a tick of 1 ms (urg_stamped and its simulator).
         .reply_tick = 1ms,
+        // UST-10LX data sheet: up to 10 s; it takes connections then, but does not answer
+        // (urg_stamped). Waking: assumed.
+        .boot_time = 10s,
+        .wake_time = 3s,
     };
     // Data sheet: below 30 mm.
     return make_model(profile, {{.from_range_m = 0.0, .sigma_m = 0.030, .sigma_share = 0.0}});

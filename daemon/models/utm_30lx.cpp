@@ -35,6 +35,9 @@ Model utm_30lx() {
         .mode_measuring = "CLASSIC",
         .bit_rate = "USB Full Speed",
         .health = "Sensor works well.",
+        // Failed: seen on a unit with firmware 1.16.01. Unstable: deduced.
+        .health_unstable = "Sensor is verifying an error.",
+        .health_failed = "Trouble!! Error No. =[00->33]",
         .time_spelling = protocol::TimeSpelling::hexadecimal,
 
         .last_step = 1080,
@@ -48,6 +51,7 @@ Model utm_30lx() {
         // Recorded: every reply 25 ms after the one before; a scan 24 ms after its time stamp, 5 ms
         // after its last step.
         .reply_tick = 25ms,
+        .boot_time = 1s,  // assumed
     };
     // Data sheet, indoors: below 10 mm to 10 m, below 30 mm to 30 m.
     return make_model(profile, {{.from_range_m = 0.0, .sigma_m = 0.010, .sigma_share = 0.0},

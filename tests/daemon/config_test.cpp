@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "daemon/models/registry.h"
 #include "sim/world/pose.h"
 #include "tests/support/temp_dir.h"
 
@@ -55,6 +56,13 @@ class ConfigTest : public testing::Test {
 
     tests::TempDir dir_;
 };
+
+std::string all_models() {
+    std::string names;
+    for (const auto& model : models())
+        names += (names.empty() ? "" : ", ") + model.profile.name + "@" + model.profile.release;
+    return names;
+}
 
 constexpr const char* whole = R"(scene: room.sdf
 seed: 42
@@ -186,8 +194,8 @@ http: 8080
                     "fleet.yaml:19: robots.rescue.sensors.rear/left: nobody can reach it; give "
                     "tcp or pty, such as `pty: auto`",
                     "fleet.yaml:20: robots.rescue.sensors.rear/left.model: there is no model "
-                    "\"UST-99\"; the models are URG-04LX@3.1.04, UTM-30LX@P.1.05, "
-                    "UST-10LX@2.23.0000, UST-20LX@2.23.0000",
+                    "\"UST-99\"; the models are " +
+                        all_models(),
                     "fleet.yaml:21: robots.rescue.sensors.rear/left.timing: must be real or "
                     "ideal, not 'fast'",
                     "fleet.yaml:22: robots.empty: needs at least one sensor, under sensors",

@@ -169,8 +169,8 @@ TEST_F(OptionsTest, CheckTellsAllFaultsOrNone) {
 
 TEST(Options, AnswersQuestionsOnStandardOutput) {
     EXPECT_EQ(answer("--list-models").exit_code, 0);
-    EXPECT_EQ(answer("--list-models").text,
-              "URG-04LX@3.1.04\nUTM-30LX@P.1.05\nUST-10LX@2.23.0000\nUST-20LX@2.23.0000\n");
+    EXPECT_THAT(answer("--list-models").text, testing::StartsWith("URG-04LX@3.1.04\n"));
+    EXPECT_THAT(answer("--list-models").text, HasSubstr("\nUST-10LX@2.23.0000\n"));
     EXPECT_EQ(answer("--list-backends").exit_code, 0);
     EXPECT_THAT(answer("--list-backends").text, HasSubstr("embree"));
     EXPECT_THAT(answer("--list-backends").text, HasSubstr("\nreference"));

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <regex>
 #include <stdexcept>
 #include <utility>
@@ -62,8 +63,9 @@ class Parser {
         if (line.starts_with("> ")) return add(Say{unescaped(line.substr(2)) + "\n"});
         if (line == ">") return add(Say{"\n"});
         if (line == "hang up") return add(Hang{});
+        if (line == "link drops") return add(Expect{DropLink{}});
         if (line.empty() || line.starts_with("#")) return;
-        if (!time(line) && !sight(line) && !header(line))
+        if (!time(line) && !sight(line) && !rate(line) && !trouble(line) && !header(line))
             throw std::invalid_argument("not understood: " + line);
     }
 
@@ -112,12 +114,35 @@ class Parser {
         return true;
     }
 
+    bool rate(const std::string& line) {
+        static const std::regex form(R"(rate (\d+))");
+        std::smatch match;
+        if (!std::regex_match(line, match, form)) return false;
+        add(Expect{SetBitRate{std::stoi(match[1])}});
+        return true;
+    }
+
+    bool trouble(const std::string& line) {
+        static const std::map<std::string, Trouble> named = {
+            {"trouble: none", Trouble::none},
+            {"trouble: unstable", Trouble::unstable},
+            {"trouble: laser", Trouble::laser},
+            {"trouble: abnormal", Trouble::abnormal},
+        };
+        const auto found = named.find(line);
+        if (found == named.end()) return false;
+        add(Suffer{found->second});
+        return true;
+    }
+
     bool header(const std::string& line) {
         if (!dialogue_.steps.empty()) return false;
         if (line.starts_with("model: ")) {
             dialogue_.model = line.substr(7);
         } else if (line == "timing: ideal" || line == "timing: real") {
             dialogue_.ideal = line.ends_with("ideal");
+        } else if (line == "power-up: boot") {
+            dialogue_.boot = true;
         } else {
             return false;
         }

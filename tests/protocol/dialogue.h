@@ -12,7 +12,9 @@
 #include <variant>
 #include <vector>
 
+#include "protocol/action.h"
 #include "protocol/device_profile.h"
+#include "protocol/device_state.h"
 #include "protocol/uptime.h"
 
 namespace scipd::protocol {
@@ -46,9 +48,19 @@ struct Hear {
 
 struct Hang {};
 
+/// What the shell is asked to do besides sending: a part of what happens at the present instant.
+struct Expect {
+    Action action;
+};
+
+/// Something happens to the device.
+struct Suffer {
+    Trouble trouble = Trouble::none;
+};
+
 struct Step {
     int line = 0;
-    std::variant<Sight, Wait, Say, Hear, Hang> what;
+    std::variant<Sight, Wait, Say, Hear, Hang, Expect, Suffer> what;
 };
 
 struct Dialogue {
@@ -56,6 +68,7 @@ struct Dialogue {
     std::string source;  ///< where its bytes are known from
     std::string model;
     bool ideal = false;  ///< no reply grid
+    bool boot = false;   ///< power comes at 0; else the device is up
     std::vector<Step> steps;
 };
 

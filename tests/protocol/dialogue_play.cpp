@@ -40,10 +40,16 @@ std::string_view take_line(std::string_view& bytes) {
     return line;
 }
 
+DeviceState powered_up(const Dialogue& dialogue, const DeviceProfile& profile) {
+    DeviceState device;
+    if (dialogue.boot) device.boot(Uptime::zero(), profile.boot_time);
+    return device;
+}
+
 class Player {
   public:
     Player(const Dialogue& dialogue, const DeviceProfile& profile)
-        : dialogue_(dialogue), shell_(profile) {
+        : dialogue_(dialogue), shell_(profile, 1, powered_up(dialogue, profile)) {
         shell_.distance = [this](int step) { return seen(false, step); };
         shell_.intensity = [this](int step) { return seen(true, step); };
     }
@@ -74,6 +80,9 @@ class Player {
         for (const Sent& sent : shell_.take_sent())
             return fault(line, "at " + milliseconds(sent.at) +
                                    " nothing is expected, but there came " + shown(sent.bytes));
+        if (!shell_.take_other_actions().empty())
+            return fault(line, "at " + milliseconds(shell_.now()) +
+                                   " the link drops or changes its rate, which nothing said");
         return {};
     }
 
@@ -118,6 +127,19 @@ class Player {
     std::string act(const Hang&, int line) {
         std::string early = unasked(line);
         shell_.session().close();
+        return early;
+    }
+
+    std::string act(const Expect& expect, int line) {
+        const std::vector<Action> actions = shell_.take_other_actions();
+        if (actions == std::vector<Action>{expect.action}) return {};
+        return fault(line, "the link does " + std::to_string(actions.size()) +
+                               " things, which are not just this");
+    }
+
+    std::string act(const Suffer& suffer, int line) {
+        std::string early = unasked(line);
+        shell_.device().set_trouble(suffer.trouble);
         return early;
     }
 

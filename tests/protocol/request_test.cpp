@@ -37,7 +37,7 @@ TEST(Request, KnowsOnlyTheFamilysCommands) {
 }
 
 TEST(Request, OfNoKnownCodeHasNoCommand) {
-    for (const char* text : {"XX", "V", "vv", "SCIP2.0", " VV", "%ST", ";VV"})
+    for (const char* text : {"XX", "V", "vv", "SCIP2", " VV", "%SX", ";VV"})
         EXPECT_EQ(request(text).command, nullptr) << text;
 }
 

@@ -26,7 +26,8 @@ struct Sent {
 
 class Shell {
   public:
-    explicit Shell(DeviceProfile profile, int clients = 1);
+    /// `device`: as it is at 0.
+    explicit Shell(DeviceProfile profile, int clients = 1, DeviceState device = {});
 
     /// The client's bytes come in at now().
     void receive(std::string_view bytes, int client = 0);
@@ -41,7 +42,9 @@ class Shell {
     [[nodiscard]] DeviceState& device() { return device_; }
     /// All that has been sent since the last call.
     std::vector<Sent> take_sent(int client = 0);
-    /// The same as one string.
+    /// What it was asked to do besides sending since the last call.
+    std::vector<Action> take_other_actions(int client = 0);
+    /// The same as take_sent() as one string.
     std::string take_text(int client = 0);
 
     /// What the scanner sees at a step.
@@ -67,6 +70,7 @@ class Shell {
     DeviceState device_;
     std::vector<std::unique_ptr<Session>> sessions_;
     std::vector<std::vector<Sent>> sent_;
+    std::vector<std::vector<Action>> other_actions_;
     std::deque<Leaving> leaving_;
     std::int64_t next_turn_ = 0;  ///< the first one that has not been completed
     Uptime now_{};
