@@ -12,6 +12,8 @@ constexpr DataFormat no_data{.width = 0};
 constexpr DataFormat two_char{.width = 2};
 constexpr DataFormat three_char{.width = 3};
 constexpr DataFormat intensity{.width = 3, .intensity = true};
+constexpr DataFormat echoes{.width = 3, .echoes = true};
+constexpr DataFormat both{.width = 3, .intensity = true, .echoes = true};
 constexpr std::nullptr_t unknown = nullptr;
 
 // Standby, measuring and streaming: recordings of a URG-04LX, a UTM-30LX and a UST-10LX, and
@@ -44,6 +46,10 @@ constexpr Command table[] = {
     {"MD",      scans,  stream,              three_char, {"-- -- -- 0E -- 50 --", "-- -- -- 0E -- 50 --", "-- -- -- 10 10 0L 10", "-- -- -- 10 10 0L 10"}},
     {"MS",      scans,  stream,              two_char,   {"-- -- -- 0E -- 50 --", unknown,                unknown,                unknown}},
     {"ME",      scans,  stream,              intensity,  {unknown,                "-- -- -- 0E -- 50 --", "-- -- -- 10 10 0L 10", "-- -- -- 10 10 0L 10"}},
+    {"HD",      window, single_shot,         echoes,     {unknown,                "10 -- -- 0E -- 50 --", "10 -- 10 10 10 0L 10", unknown}, Feature::multi_echo},
+    {"HE",      window, single_shot,         both,       {unknown,                "10 -- -- 0E -- 50 --", "10 -- 10 10 10 0L 10", unknown}, Feature::multi_echo},
+    {"ND",      scans,  stream,              echoes,     {unknown,                "-- -- -- 0E -- 50 --", "-- -- -- 10 10 0L 10", unknown}, Feature::multi_echo},
+    {"NE",      scans,  stream,              both,       {unknown,                "-- -- -- 0E -- 50 --", "-- -- -- 10 10 0L 10", unknown}, Feature::multi_echo},
     {"TM0",     none,   enter_adjust,        no_data,    {"-- -- -- 02 -- 50 --", "-- -- -- 02 -- 50 --", "-- -- 10 -- 10 0L 10", "-- -- 10 02 10 0L 10"}},
     {"TM1",     none,   report_time,         no_data,    {"04 04 04 -- -- 04 --", "04 04 04 -- -- 04 --", "-- -- -- -- -- 0L --", "-- -- -- -- -- 0L --"}},
     {"TM2",     none,   leave_adjust,        no_data,    {"03 03 03 -- -- 03 --", "03 03 03 -- -- 03 --", "03 10 10 -- 10 0L 10", "03 10 10 -- 10 0L 10"}},
@@ -64,11 +70,12 @@ std::span<const Command> command_table() {
     return table;
 }
 
-const Command* find_command(std::string_view line, Family family) {
+const Command* find_command(std::string_view line, const DeviceProfile& profile) {
     const Command* found = nullptr;
     for (const Command& command : table) {
         const bool longer = found == nullptr || command.code.size() > found->code.size();
-        if (longer && line.starts_with(command.code) && command.gate(family).known())
+        if (longer && line.starts_with(command.code) && command.gate(profile.family).known() &&
+            profile.has(command.needs))
             found = &command;
     }
     return found;

@@ -88,6 +88,7 @@ enum class Parameters {
 struct DataFormat {
     int width = 3;           ///< characters a value
     bool intensity = false;  ///< one more value after each distance
+    bool echoes = false;     ///< every echo of a step, '&' between them
 
     bool operator==(const DataFormat&) const = default;
 };
@@ -124,6 +125,7 @@ struct Command {
     Operation operation;
     DataFormat format;
     std::array<Gate, 4> gates;  ///< in the order of Family
+    Feature needs = Feature::common;
 
     [[nodiscard]] constexpr const Gate& gate(Family family) const {
         return gates[static_cast<std::size_t>(family)];
@@ -132,7 +134,7 @@ struct Command {
 
 [[nodiscard]] std::span<const Command> command_table();
 
-/// The command that `line` begins with, the longest code first; null where the family knows none.
-[[nodiscard]] const Command* find_command(std::string_view line, Family family);
+/// The command that `line` begins with, the longest code first; null where the model knows none.
+[[nodiscard]] const Command* find_command(std::string_view line, const DeviceProfile& profile);
 
 }  // namespace scipd::protocol

@@ -35,6 +35,12 @@ enum class Support {
     yes,
 };
 
+/// What some models of a family have and others have not.
+enum class Feature {
+    common,      ///< all have it
+    multi_echo,  ///< HD HE ND NE
+};
+
 /// What stands in the place of a distance where there is none.
 struct DistanceCodes {
     std::uint32_t nothing = 0;   ///< no or too weak a return
@@ -85,6 +91,8 @@ struct DeviceProfile {
     int nearest_mm = 0;  ///< the smallest distance that is reported as such
     DistanceCodes codes;
 
+    bool multi_echo = false;
+
     // What can be set
     std::vector<int> bit_rates;  ///< of SS, the one of power-up first; empty: no serial line
     bool motor_levels = false;   ///< CR
@@ -98,6 +106,16 @@ struct DeviceProfile {
     Uptime boot_time{};
     bool answers_while_booting = false;  ///< else what is asked then waits until it is up
     Uptime wake_time{};                  ///< until the motor is up to speed again
+
+    [[nodiscard]] constexpr bool has(Feature feature) const {
+        switch (feature) {
+            case Feature::common:
+                return true;
+            case Feature::multi_echo:
+                return multi_echo;
+        }
+        return false;
+    }
 
     /// Whether the value of a step is a distance and not one of the codes.
     [[nodiscard]] bool is_distance(std::uint32_t value) const {

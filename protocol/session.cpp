@@ -10,7 +10,7 @@
 #include "protocol/reply.h"
 #include "protocol/reply_grid.h"
 #include "protocol/reports.h"
-#include "protocol/timestamp.h"
+#include "protocol/scan_block.h"
 
 namespace scipd::protocol {
 
@@ -121,7 +121,7 @@ void Session::answer_next(Uptime now) {
     requests_.pop_front();
     last_answer_ = now;
     const int bit_rate = bit_rate_of(device_.settings(), profile_);
-    const Request request = parse_request(waiting.line, profile_.family);
+    const Request request = parse_request(waiting.line, profile_);
     if (const auto status = refusal(request, now)) {
         reply(request, *status);
     } else {
@@ -140,7 +140,8 @@ std::optional<Status> Session::refusal(const Request& request, Uptime now) const
     const bool ethernet = profile_.family == Family::b || profile_.family == Family::c;
     const bool no_laser =
         device_.trouble() == Trouble::unstable || device_.trouble() == Trouble::laser;
-    if (command.operation == Operation::switch_laser_on && ethernet && no_laser) return Status("01");
+    if (command.operation == Operation::switch_laser_on && ethernet && no_laser)
+        return Status("01");
     if (const auto status = command.gate(profile_.family).refusal(state(now))) return status;
     const std::size_t expected = width(command.parameters);
     if (request.parameters_length < expected) return status::too_short;
@@ -212,11 +213,10 @@ void Session::refuse_single_shot(Uptime now) {
 
 void Session::answer_single_shot(const ScanView& scan, Uptime now) {
     const SingleShot shot = std::move(*std::exchange(single_shot_, std::nullopt));
-    const DataFormat format = shot.request.command->format;
-    send(Reply(shot.request.echo, status::ok)
-             .line(encoded_timestamp(scan.turn.start, device_.clock_zero()))
-             .data(values_in(scan, shot.window, format, profile_), format.width)
-             .finish());
+    Reply reply(shot.request.echo, status::ok);
+    add_scan(reply, scan, shot.window, shot.request.command->format, device_.clock_zero(),
+             profile_);
+    send(reply.finish());
     last_answer_ = std::max(last_answer_, now);
     advance(now);
 }

@@ -9,27 +9,20 @@
 namespace scipd::protocol {
 namespace {
 
-struct StepValue {
-    std::uint32_t distance;
-    std::uint32_t intensity;
-};
-
-StepValue value_at(const ScanView& scan, int step, const DeviceProfile& profile) {
+std::optional<std::size_t> index_of(const ScanView& scan, int step) {
     const int index = step - scan.first_step;
-    if (index < 0 || index >= static_cast<int>(scan.distance.size()))
-        return {profile.codes.not_measured, 0};
-    return {scan.distance[index], scan.intensity[index]};
+    if (index < 0 || index >= static_cast<int>(scan.distance.size())) return std::nullopt;
+    return static_cast<std::size_t>(index);
 }
 
-StepValue nearest_of(const ScanView& scan, int first, int last, const DeviceProfile& profile) {
-    StepValue nearest = value_at(scan, first, profile);
-    for (int step = first + 1; step <= last; ++step) {
-        const StepValue value = value_at(scan, step, profile);
-        if (!profile.is_distance(value.distance)) continue;
-        if (!profile.is_distance(nearest.distance) || value.distance < nearest.distance)
-            nearest = value;
-    }
-    return nearest;
+std::uint32_t distance_at(const ScanView& scan, int step, const DeviceProfile& profile) {
+    const auto index = index_of(scan, step);
+    return index ? scan.distance[*index] : profile.codes.not_measured;
+}
+
+std::uint32_t intensity_at(const ScanView& scan, int step) {
+    const auto index = index_of(scan, step);
+    return index ? scan.intensity[*index] : 0;
 }
 
 // Nearly every client asks for every distance of steps that are all measured: a plain copy, a tenth
@@ -69,6 +62,23 @@ std::variant<StepWindow, Status> parse_step_window(std::string_view digits,
     return StepWindow{.first = *first, .last = *last, .cluster = std::max(*cluster, 1)};
 }
 
+int nearest_step(const ScanView& scan, int first, int last, bool echoes,
+                 const DeviceProfile& profile) {
+    const auto distance = [&](int step) {
+        const auto index = index_of(scan, step);
+        if (echoes && index && !scan.echoes.empty())
+            return scan.echoes[*index].echo.front().distance;
+        return distance_at(scan, step, profile);
+    };
+    int nearest = first;
+    for (int step = first + 1; step <= last; ++step) {
+        if (!profile.is_distance(distance(step))) continue;
+        if (!profile.is_distance(distance(nearest)) || distance(step) < distance(nearest))
+            nearest = step;
+    }
+    return nearest;
+}
+
 std::vector<std::uint32_t> values_in(const ScanView& scan, const StepWindow& window,
                                      DataFormat format, const DeviceProfile& profile) {
     const int steps = window.last - window.first + 1;
@@ -80,9 +90,9 @@ std::vector<std::uint32_t> values_in(const ScanView& scan, const StepWindow& win
     values.reserve(static_cast<std::size_t>(2 * (steps / window.cluster + 1)));
     for (int first = window.first; first <= window.last; first += window.cluster) {
         const int last = std::min(first + window.cluster - 1, window.last);
-        const StepValue value = nearest_of(scan, first, last, profile);
-        values.push_back(fitting(value.distance, format.width, profile));
-        if (format.intensity) values.push_back(value.intensity);
+        const int step = nearest_step(scan, first, last, false, profile);
+        values.push_back(fitting(distance_at(scan, step, profile), format.width, profile));
+        if (format.intensity) values.push_back(intensity_at(scan, step));
     }
     return values;
 }

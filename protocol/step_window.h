@@ -32,6 +32,11 @@ struct StepWindow {
 /// Digits only; nothing where there is anything else.
 [[nodiscard]] std::optional<int> parse_digits(std::string_view digits);
 
+/// The step of a group that speaks for it: the one with the nearest distance, of several such the
+/// first; where there is no distance, the first of the group.
+[[nodiscard]] int nearest_step(const ScanView& scan, int first, int last, bool echoes,
+                               const DeviceProfile& profile);
+
 /// What goes into the data block: one distance for each group of `cluster` steps, the last group
 /// being shorter where the window does not divide evenly (a recorded UTM-30LX sends 271 values for
 /// 1081 steps in fours). A group's value is its nearest distance; codes count only where there is

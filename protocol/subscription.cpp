@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "protocol/timestamp.h"
+#include "protocol/scan_block.h"
 
 namespace scipd::protocol {
 namespace {
@@ -54,10 +54,9 @@ std::string Subscription::message(const ScanView& scan, Uptime clock_zero,
                                   const DeviceProfile& profile) {
     if (!endless_) --remaining_;
     ++sent_;
-    return head(status::scan_follows)
-        .line(encoded_timestamp(scan.turn.start, clock_zero))
-        .data(values_in(scan, window_, format_, profile), format_.width)
-        .finish();
+    Reply reply = head(status::scan_follows);
+    add_scan(reply, scan, window_, format_, clock_zero, profile);
+    return reply.finish();
 }
 
 std::string Subscription::interruption(Status status) {

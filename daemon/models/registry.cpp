@@ -8,6 +8,7 @@
 #include "daemon/models/ust.h"
 #include "daemon/models/utm_30lx.h"
 #include "daemon/models/utm_30lx_ew.h"
+#include "daemon/models/uxm_30lx.h"
 
 namespace scipd::daemon {
 namespace {
@@ -27,7 +28,8 @@ std::string choices() {
 
 const std::vector<Model>& models() {
     static const std::vector<Model> all = {
-        urg_04lx_3_1_04(), urg_04lx_3_3_00(), utm_30lx(), utm_30lx_ew(), ust_10lx(), ust_20lx(),
+        urg_04lx_3_1_04(), urg_04lx_3_3_00(), utm_30lx(), utm_30lx_ew(),
+        uxm_30lx_e(),      ust_10lx(),        ust_20lx(),
     };
     return all;
 }

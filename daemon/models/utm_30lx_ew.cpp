@@ -46,6 +46,8 @@ Model utm_30lx_ew() {
         // Undocumented: those of the UTM-30LX.
         .codes = {.nothing = 1, .too_near = 2, .too_far = 1, .not_measured = 5},
 
+        .multi_echo = true,
+
         .unknown_command = protocol::status::undefined,
         .scan_period = 25ms,
         // A scan is sent right after its last step (urg_stamped's simulator).

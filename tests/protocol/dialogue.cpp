@@ -65,7 +65,8 @@ class Parser {
         if (line == "hang up") return add(Hang{});
         if (line == "link drops") return add(Expect{DropLink{}});
         if (line.empty() || line.starts_with("#")) return;
-        if (!time(line) && !sight(line) && !rate(line) && !trouble(line) && !header(line))
+        if (!time(line) && !sight(line) && !echoes(line) && !rate(line) && !trouble(line) &&
+            !header(line))
             throw std::invalid_argument("not understood: " + line);
     }
 
@@ -110,6 +111,24 @@ class Parser {
         if (match[3].matched) seen.last = std::stoi(match[3]);
         seen.base = std::stoll(match[4]);
         if (match[6].matched) seen.slope = std::stoll(match[5].str() + match[6].str());
+        add(seen);
+        return true;
+    }
+
+    bool echoes(const std::string& line) {
+        static const std::regex form(R"(echoes (\d+)(?:\.\.(\d+))?:((?: \d+/\d+){1,3}))");
+        static const std::regex pair(R"((\d+)/(\d+))");
+        std::smatch match;
+        if (!std::regex_match(line, match, form)) return false;
+        Echoes seen{.first = std::stoi(match[1]),
+                    .last = std::stoi(match[match[2].matched ? 2 : 1])};
+        const std::string pairs = match[3];
+        seen.echoes.count = 0;
+        for (std::sregex_iterator at(pairs.begin(), pairs.end(), pair), end; at != end; ++at) {
+            seen.echoes.echo[seen.echoes.count++] = {
+                static_cast<std::uint32_t>(std::stoul((*at)[1])),
+                static_cast<std::uint32_t>(std::stoul((*at)[2]))};
+        }
         add(seen);
         return true;
     }

@@ -15,6 +15,7 @@
 #include "protocol/action.h"
 #include "protocol/device_profile.h"
 #include "protocol/device_state.h"
+#include "protocol/scan_view.h"
 #include "protocol/uptime.h"
 
 namespace scipd::protocol {
@@ -30,6 +31,13 @@ struct Sight {
     [[nodiscard]] std::uint32_t value(int step) const {
         return static_cast<std::uint32_t>(base + slope * step);
     }
+};
+
+/// All that comes back from a step, near to far, from here on.
+struct Echoes {
+    int first = 0;
+    int last = 0;
+    StepEchoes echoes;
 };
 
 struct Wait {
@@ -60,7 +68,7 @@ struct Suffer {
 
 struct Step {
     int line = 0;
-    std::variant<Sight, Wait, Say, Hear, Hang, Expect, Suffer> what;
+    std::variant<Sight, Echoes, Wait, Say, Hear, Hang, Expect, Suffer> what;
 };
 
 struct Dialogue {

@@ -72,6 +72,13 @@ class Player {
         return 0;
     }
 
+    StepEchoes echoes_at(int step) const {
+        for (auto echoes = several_.rbegin(); echoes != several_.rend(); ++echoes) {
+            if (echoes->first <= step && step <= echoes->last) return echoes->echoes;
+        }
+        return {.echo = {Echo{seen(false, step), seen(true, step)}}};
+    }
+
     [[nodiscard]] std::string fault(int line, const std::string& what) const {
         return dialogue_.name + ":" + std::to_string(line) + ": " + what;
     }
@@ -88,6 +95,12 @@ class Player {
 
     std::string act(const Sight& sight, int) {
         sights_.push_back(sight);
+        return {};
+    }
+
+    std::string act(const Echoes& echoes, int) {
+        several_.push_back(echoes);
+        shell_.echoes = [this](int step) { return echoes_at(step); };
         return {};
     }
 
@@ -146,6 +159,7 @@ class Player {
     const Dialogue& dialogue_;
     Shell shell_;
     std::vector<Sight> sights_;
+    std::vector<Echoes> several_;
 };
 
 }  // namespace

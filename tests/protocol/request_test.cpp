@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/protocol/test_profile.h"
+
 namespace scipd::protocol {
 namespace {
 
 Request request(const std::string& text, Family family = Family::c, bool overlong = false) {
-    return parse_request({text, overlong}, family);
+    return parse_request({text, overlong}, test_profile(family));
 }
 
 TEST(Request, IsCodeParametersAndString) {

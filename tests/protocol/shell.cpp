@@ -75,13 +75,15 @@ void Shell::complete_turn() {
 void Shell::hand_out(const Leaving& leaving) {
     std::vector<std::uint32_t> distances;
     std::vector<std::uint32_t> intensities;
+    std::vector<StepEchoes> all_echoes;
     for (int step = profile_.amin; step <= profile_.amax; ++step) {
         distances.push_back(distance(step));
         intensities.push_back(intensity(step));
+        if (echoes) all_echoes.push_back(echoes(step));
     }
     ++scans_made;
-    sessions_[leaving.client]->take({{start(leaving.turn)}, profile_.amin, distances, intensities},
-                                    now_);
+    sessions_[leaving.client]->take(
+        {{start(leaving.turn)}, profile_.amin, distances, intensities, all_echoes}, now_);
     settle(leaving.client);
 }
 

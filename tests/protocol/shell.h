@@ -50,6 +50,8 @@ class Shell {
     /// What the scanner sees at a step.
     std::function<std::uint32_t(int step)> distance = [](int) { return 1000; };
     std::function<std::uint32_t(int step)> intensity = [](int) { return 500; };
+    /// All that comes back from it; empty: the one above.
+    std::function<StepEchoes(int step)> echoes;
     int scans_made = 0;
 
   private:
