@@ -14,6 +14,11 @@ constexpr DataFormat three_char{.width = 3};
 constexpr DataFormat intensity{.width = 3, .intensity = true};
 constexpr DataFormat echoes{.width = 3, .echoes = true};
 constexpr DataFormat both{.width = 3, .intensity = true, .echoes = true};
+constexpr DataFormat io_distance{.width = 3, .io_lines = true};
+constexpr DataFormat io_both{.width = 3, .intensity = true, .io_lines = true};
+constexpr DataFormat us_time{.width = 0, .stamp = Stamp::microseconds};
+constexpr DataFormat us_distance{.width = 3, .stamp = Stamp::microseconds};
+constexpr DataFormat us_both{.width = 3, .intensity = true, .stamp = Stamp::microseconds};
 constexpr std::nullptr_t unknown = nullptr;
 
 // Standby, measuring and streaming: recordings of a URG-04LX, a UTM-30LX and a UST-10LX, and
@@ -54,6 +59,15 @@ constexpr Command table[] = {
     {"TM1",     none,   report_time,         no_data,    {"04 04 04 -- -- 04 --", "04 04 04 -- -- 04 --", "-- -- -- -- -- 0L --", "-- -- -- -- -- 0L --"}},
     {"TM2",     none,   leave_adjust,        no_data,    {"03 03 03 -- -- 03 --", "03 03 03 -- -- 03 --", "03 10 10 -- 10 0L 10", "03 10 10 -- 10 0L 10"}},
     {"TM",      digit,  refuse_digit,        no_data,    {"-- -- -- -- -- -- --", "-- -- -- -- -- -- --", "-- -- -- -- -- -- --", "-- -- -- -- -- -- --"}},
+    // Newest firmware: urg_stamped's simulator, where %TM enters no mode; inputs and outputs: urg_library.
+    {"%MD",     scans,  stream,              us_distance, {unknown, unknown, unknown, "-- -- -- 10 10 0L 10"}, Feature::microseconds},
+    {"%ME",     scans,  stream,              us_both,    {unknown, unknown, unknown, "-- -- -- 10 10 0L 10"}, Feature::microseconds},
+    {"%TM1",    none,   report_time,         us_time,    {unknown, unknown, unknown, "-- -- -- -- -- 0L --"}, Feature::microseconds},
+    {"%TM",     digit,  refuse_digit,        no_data,    {unknown, unknown, unknown, "-- -- -- -- -- -- --"}, Feature::microseconds},
+    {"GF",      window, single_shot,         io_distance, {unknown, unknown, unknown, "10 -- 10 10 10 0L 10"}, Feature::io_lines},
+    {"GG",      window, single_shot,         io_both,    {unknown, unknown, unknown, "10 -- 10 10 10 0L 10"}, Feature::io_lines},
+    {"MF",      scans,  stream,              io_distance, {unknown, unknown, unknown, "-- -- -- 10 10 0L 10"}, Feature::io_lines},
+    {"MG",      scans,  stream,              io_both,    {unknown, unknown, unknown, "-- -- -- 10 10 0L 10"}, Feature::io_lines},
     // What can be set. On Ethernet SS is 0F (the rate of urg_library's dummy serial line), CR and HS are unknown.
     {"SS",      rate,   set_bit_rate,        no_data,    {"-- -- -- 0E -- -- --", "-- -- -- 0E -- -- --", "0F 0F 0F 0F 0F 0F 0F", "0F 0F 0F 0F 0F 0F 0F"}},
     {"CR",      number, set_motor_level,     no_data,    {"-- -- -- 0E -- -- --", "-- -- -- 0E -- -- --", unknown,                unknown}},

@@ -84,11 +84,19 @@ enum class Parameters {
     return 0;
 }
 
-/// How the values of a step are written.
+/// How the clock is written.
+enum class Stamp {
+    milliseconds,  ///< 4 characters, 24 bits
+    microseconds,  ///< 11 characters, 64 bits
+};
+
+/// What stands behind the status line, and how the values of a step are written.
 struct DataFormat {
     int width = 3;           ///< characters a value
     bool intensity = false;  ///< one more value after each distance
     bool echoes = false;     ///< every echo of a step, '&' between them
+    bool io_lines = false;   ///< a line with the inputs and outputs of the device goes first
+    Stamp stamp = Stamp::milliseconds;
 
     bool operator==(const DataFormat&) const = default;
 };

@@ -37,8 +37,10 @@ enum class Support {
 
 /// What some models of a family have and others have not.
 enum class Feature {
-    common,      ///< all have it
-    multi_echo,  ///< HD HE ND NE
+    common,        ///< all have it
+    multi_echo,    ///< HD HE ND NE
+    microseconds,  ///< %TM %MD %ME
+    io_lines,      ///< GF GG MF MG
 };
 
 /// What stands in the place of a distance where there is none.
@@ -91,7 +93,11 @@ struct DeviceProfile {
     int nearest_mm = 0;  ///< the smallest distance that is reported as such
     DistanceCodes codes;
 
+    // What it can that others of its family cannot
     bool multi_echo = false;
+    bool microseconds = false;
+    bool io_lines = false;
+    bool intensity_codes = false;  ///< a cluster of FF, FE, FD, ... asks for intensity and gain
 
     // What can be set
     std::vector<int> bit_rates;  ///< of SS, the one of power-up first; empty: no serial line
@@ -113,6 +119,10 @@ struct DeviceProfile {
                 return true;
             case Feature::multi_echo:
                 return multi_echo;
+            case Feature::microseconds:
+                return microseconds;
+            case Feature::io_lines:
+                return io_lines;
         }
         return false;
     }

@@ -33,6 +33,12 @@ enum class Trouble {
     abnormal,  ///< failed otherwise
 };
 
+/// The wires beside the link, as GF and its kin show them: 18 bits each.
+struct IoWords {
+    std::uint32_t inputs = 0;
+    std::uint32_t outputs = 0;
+};
+
 class DeviceState {
   public:
     /// Names a stream; never used twice.
@@ -91,6 +97,9 @@ class DeviceState {
     [[nodiscard]] Settings& settings() { return settings_; }
     [[nodiscard]] const Settings& settings() const { return settings_; }
 
+    [[nodiscard]] IoWords& io() { return io_; }
+    [[nodiscard]] const IoWords& io() const { return io_; }
+
     // Trouble.
 
     [[nodiscard]] Trouble trouble() const { return trouble_; }
@@ -118,6 +127,7 @@ class DeviceState {
     Uptime motor_up_at_{};
     Uptime clock_zero_{};
     Settings settings_;
+    IoWords io_;
     Trouble trouble_ = Trouble::none;
     int rehearsal_ = 0;
 };

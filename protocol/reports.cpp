@@ -97,8 +97,12 @@ std::string state_number_report(std::string_view echo, const DeviceState& device
     return Reply(echo, status::ok).line(state_number(device, now)).finish();
 }
 
-std::string time_report(std::string_view echo, const DeviceState& device, Uptime now) {
-    return Reply(echo, status::ok).line(encoded_timestamp(now, device.clock_zero())).finish();
+std::string time_report(std::string_view echo, const DeviceState& device, Uptime now, Stamp stamp) {
+    const Uptime zero = device.clock_zero();
+    return Reply(echo, status::ok)
+        .line(stamp == Stamp::microseconds ? encoded_microseconds(now, zero)
+                                           : encoded_timestamp(now, zero))
+        .finish();
 }
 
 }  // namespace scipd::protocol

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "protocol/command_table.h"
 #include "protocol/device_profile.h"
 #include "protocol/device_state.h"
 #include "protocol/uptime.h"
@@ -22,6 +23,7 @@ namespace scipd::protocol {
 [[nodiscard]] std::string state_number_report(std::string_view echo, const DeviceState& device,
                                               Uptime now);
 /// TM1.
-[[nodiscard]] std::string time_report(std::string_view echo, const DeviceState& device, Uptime now);
+[[nodiscard]] std::string time_report(std::string_view echo, const DeviceState& device, Uptime now,
+                                      Stamp stamp);
 
 }  // namespace scipd::protocol

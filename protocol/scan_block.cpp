@@ -40,11 +40,22 @@ std::string echoes_in(const ScanView& scan, const StepWindow& window, DataFormat
     return characters;
 }
 
+std::string io_words(const IoWords& io) {
+    constexpr int word_width = 3;
+    std::string characters;
+    append_encoded(characters, io.inputs, word_width);
+    append_encoded(characters, io.outputs, word_width);
+    return characters;
+}
+
 }  // namespace
 
 void add_scan(Reply& reply, const ScanView& scan, const StepWindow& window, DataFormat format,
-              Uptime clock_zero, const DeviceProfile& profile) {
-    reply.line(encoded_timestamp(scan.turn.start, clock_zero));
+              const DeviceState& device, const DeviceProfile& profile) {
+    if (format.io_lines) reply.line(io_words(device.io()));
+    reply.line(format.stamp == Stamp::microseconds
+                   ? encoded_microseconds(scan.turn.start, device.clock_zero())
+                   : encoded_timestamp(scan.turn.start, device.clock_zero()));
     if (format.echoes) {
         reply.data(echoes_in(scan, window, format, profile));
     } else {

@@ -160,7 +160,7 @@ void Session::carry_out(const Request& request, Uptime arrived, Uptime now) {
         case Operation::report_state_number:
             return send(state_number_report(request.echo, device_, now));
         case Operation::report_time:
-            return send(time_report(request.echo, device_, now));
+            return send(time_report(request.echo, device_, now, request.command->format.stamp));
         case Operation::single_shot:
             return begin_single_shot(request);
         case Operation::stream:
@@ -214,7 +214,7 @@ void Session::refuse_single_shot(Uptime now) {
 void Session::answer_single_shot(const ScanView& scan, Uptime now) {
     const SingleShot shot = std::move(*std::exchange(single_shot_, std::nullopt));
     Reply reply(shot.request.echo, status::ok);
-    add_scan(reply, scan, shot.window, shot.request.command->format, device_.clock_zero(),
+    add_scan(reply, scan, shot.window, shot.request.command->format, device_,
              profile_);
     send(reply.finish());
     last_answer_ = std::max(last_answer_, now);
@@ -241,7 +241,7 @@ void Session::send_scan(const ScanView& scan) {
         if (device_.failed()) quit();
         return;
     }
-    send(subscription_->message(scan, device_.clock_zero(), profile_), Send::Kind::scan);
+    send(subscription_->message(scan, device_, profile_), Send::Kind::scan);
     if (subscription_->finished()) quit();
 }
 

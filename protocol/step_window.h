@@ -17,10 +17,21 @@
 
 namespace scipd::protocol {
 
+/// What stands in the place of distances where the cluster of a URG-04LX is one of its undocumented
+/// codes (qrk's c_urg). Two neighbouring steps show two things about the first of them.
+enum class Contents {
+    distances,
+    distance_and_intensity,  ///< FF FE FD: the mean of two receivers, the second, the first
+    intensity,               ///< EF EE ED: of every step, nothing else
+    intensity_and_gain,      ///< DF DE DD
+    gain,                    ///< DC DB: of every step
+};
+
 struct StepWindow {
     int first = 0;  ///< both inclusive
     int last = 0;
     int cluster = 1;  ///< so many neighbouring steps give one value
+    Contents contents = Contents::distances;
 };
 
 /// The ten digits of a window, or the first thing that is wrong with them in the order of its

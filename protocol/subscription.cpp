@@ -50,12 +50,12 @@ bool Subscription::takes(const Turn& turn, Uptime laser_on_since) {
     return true;
 }
 
-std::string Subscription::message(const ScanView& scan, Uptime clock_zero,
+std::string Subscription::message(const ScanView& scan, const DeviceState& device,
                                   const DeviceProfile& profile) {
     if (!endless_) --remaining_;
     ++sent_;
     Reply reply = head(status::scan_follows);
-    add_scan(reply, scan, window_, format_, clock_zero, profile);
+    add_scan(reply, scan, window_, format_, device, profile);
     return reply.finish();
 }
 

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "protocol/device_profile.h"
+#include "protocol/device_state.h"
 #include "protocol/reply.h"
 #include "protocol/request.h"
 #include "protocol/scan_view.h"
@@ -34,7 +35,7 @@ class Subscription {
     [[nodiscard]] bool takes(const Turn& turn, Uptime laser_on_since);
 
     /// The message with this scan; counts it.
-    [[nodiscard]] std::string message(const ScanView& scan, Uptime clock_zero,
+    [[nodiscard]] std::string message(const ScanView& scan, const DeviceState& device,
                                       const DeviceProfile& profile);
 
     /// A message without a scan, where there is none to send; does not count.

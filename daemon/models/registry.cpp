@@ -6,6 +6,7 @@
 
 #include "daemon/models/urg_04lx.h"
 #include "daemon/models/ust.h"
+#include "daemon/models/ust_30lc.h"
 #include "daemon/models/utm_30lx.h"
 #include "daemon/models/utm_30lx_ew.h"
 #include "daemon/models/uxm_30lx.h"
@@ -28,8 +29,9 @@ std::string choices() {
 
 const std::vector<Model>& models() {
     static const std::vector<Model> all = {
-        urg_04lx_3_1_04(), urg_04lx_3_3_00(), utm_30lx(), utm_30lx_ew(),
-        uxm_30lx_e(),      ust_10lx(),        ust_20lx(),
+        urg_04lx_3_1_04(),   urg_04lx_3_3_00(), utm_30lx(),           utm_30lx_ew(),
+        uxm_30lx_e(),        ust_10lx(),        ust_20lx(),           ust_30lc("1.0.1"),
+        ust_30lc("4.0.2-A"), ust_30lc("4.0.3"), ust_30lc("4.1.0b-A"),
     };
     return all;
 }

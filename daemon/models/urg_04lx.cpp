@@ -50,6 +50,7 @@ protocol::DeviceProfile firmware_3_1_04() {
         // as far away.
         .codes = {.nothing = 0, .too_near = 10, .too_far = 0, .not_measured = 19},
 
+        .intensity_codes = true,  // undocumented; qrk's c_urg
         // SCIP 2.0 specification: SS; CR. HS came with 3.2.00 and DB with 3.3.00; recorded: CR00 is
         // 03, HS0 is 0C.
         .bit_rates = {19200, 38400, 57600, 115200, 250000, 500000, 750000},

@@ -7,11 +7,10 @@
 #include "daemon/models/ust.h"
 
 namespace scipd::daemon {
-namespace {
 
-Model ust(const std::string& name, const std::string& serial, int dmax_mm) {
+protocol::DeviceProfile ust_profile(const std::string& name, const std::string& serial) {
     using namespace std::chrono_literals;
-    const protocol::DeviceProfile profile{
+    return {
         .name = name,
         .release = "2.23.0000",
         .family = protocol::Family::c,
@@ -24,7 +23,7 @@ Model ust(const std::string& name, const std::string& serial, int dmax_mm) {
 
         .model = name,
         .dmin_mm = 20,
-        .dmax_mm = dmax_mm,
+        .dmax_mm = 30000,
         .ares = 1440,
         .amin = 0,
         .amax = 1080,
@@ -57,6 +56,13 @@ Model ust(const std::string& name, const std::string& serial, int dmax_mm) {
         .boot_time = 10s,
         .wake_time = 3s,
     };
+}
+
+namespace {
+
+Model ust(const std::string& name, const std::string& serial, int dmax_mm) {
+    protocol::DeviceProfile profile = ust_profile(name, serial);
+    profile.dmax_mm = dmax_mm;
     // Data sheet: below 30 mm.
     return make_model(profile, {{.from_range_m = 0.0, .sigma_m = 0.030, .sigma_share = 0.0}});
 }

@@ -69,6 +69,7 @@ protocol::DeviceProfile profile_of(std::uint8_t choice) {
         profile.family = protocol::Family::b;
         profile.multi_echo = true;
     }
+    profile.microseconds = profile.io_lines = profile.family == protocol::Family::c;
     if ((choice & 0x80U) != 0) profile.reply_tick = 0ms;
     return profile;
 }

@@ -65,8 +65,8 @@ class Parser {
         if (line == "hang up") return add(Hang{});
         if (line == "link drops") return add(Expect{DropLink{}});
         if (line.empty() || line.starts_with("#")) return;
-        if (!time(line) && !sight(line) && !echoes(line) && !rate(line) && !trouble(line) &&
-            !header(line))
+        if (!time(line) && !sight(line) && !echoes(line) && !rate(line) && !io(line) &&
+            !trouble(line) && !header(line))
             throw std::invalid_argument("not understood: " + line);
     }
 
@@ -141,6 +141,15 @@ class Parser {
         return true;
     }
 
+    bool io(const std::string& line) {
+        static const std::regex form(R"(io: (\d+) (\d+))");
+        std::smatch match;
+        if (!std::regex_match(line, match, form)) return false;
+        add(IoWords{static_cast<std::uint32_t>(std::stoul(match[1])),
+                    static_cast<std::uint32_t>(std::stoul(match[2]))});
+        return true;
+    }
+
     bool trouble(const std::string& line) {
         static const std::map<std::string, Trouble> named = {
             {"trouble: none", Trouble::none},
@@ -160,6 +169,8 @@ class Parser {
             dialogue_.model = line.substr(7);
         } else if (line == "timing: ideal" || line == "timing: real") {
             dialogue_.ideal = line.ends_with("ideal");
+        } else if (line == "with: io_lines") {
+            dialogue_.io_lines = true;
         } else if (line == "power-up: boot") {
             dialogue_.boot = true;
         } else {

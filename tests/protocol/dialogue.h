@@ -68,15 +68,16 @@ struct Suffer {
 
 struct Step {
     int line = 0;
-    std::variant<Sight, Echoes, Wait, Say, Hear, Hang, Expect, Suffer> what;
+    std::variant<Sight, Echoes, Wait, Say, Hear, Hang, Expect, Suffer, IoWords> what;
 };
 
 struct Dialogue {
     std::string name;    ///< of the file
     std::string source;  ///< where its bytes are known from
     std::string model;
-    bool ideal = false;  ///< no reply grid
-    bool boot = false;   ///< power comes at 0; else the device is up
+    bool ideal = false;     ///< no reply grid
+    bool io_lines = false;  ///< the model has GF and its kin, which none of the real ones has
+    bool boot = false;      ///< power comes at 0; else the device is up
     std::vector<Step> steps;
 };
 

@@ -156,6 +156,11 @@ class Player {
         return early;
     }
 
+    std::string act(const IoWords& io, int) {
+        shell_.device().io() = io;
+        return {};
+    }
+
     const Dialogue& dialogue_;
     Shell shell_;
     std::vector<Sight> sights_;
@@ -166,6 +171,7 @@ class Player {
 
 std::string play(const Dialogue& dialogue, const DeviceProfile& profile) {
     DeviceProfile played = profile;
+    played.io_lines |= dialogue.io_lines;
     if (dialogue.ideal) played.reply_tick = Uptime::zero();
     return Player(dialogue, played).play();
 }

@@ -126,7 +126,8 @@ INSTANTIATE_TEST_SUITE_P(All, DialogueFile, ::testing::ValuesIn(dialogue_files()
                          });
 
 std::set<std::string_view> commands_said(const Dialogue& dialogue) {
-    const DeviceProfile& profile = daemon::find_model(dialogue.model).profile;
+    DeviceProfile profile = daemon::find_model(dialogue.model).profile;
+    profile.io_lines |= dialogue.io_lines;
     std::set<std::string_view> commands;
     for (const Step& step : dialogue.steps) {
         const auto* say = std::get_if<Say>(&step.what);
