@@ -52,6 +52,14 @@ struct DistanceCodes {
         0;  ///< a step outside AMIN to AMAX that the model lets one ask for
 };
 
+/// What V says in SCIP 1.1, besides what VV says too.
+struct Scip1Texts {
+    std::string firmware;  ///< FIRM; empty: the model never spoke SCIP 1.1
+    std::string protocol;  ///< PROT
+    std::string health;    ///< STAT
+    std::string health_failed;
+};
+
 struct DeviceProfile {
     std::string name;     ///< as a user asks for it: NAME or NAME@RELEASE
     std::string release;  ///< the firmware that the texts and habits are of
@@ -63,6 +71,8 @@ struct DeviceProfile {
     std::string firmware;
     std::string protocol;
     std::string serial;
+
+    Scip1Texts scip1;
 
     // PP; lengths in mm, angles in steps
     std::string model;
@@ -127,6 +137,7 @@ struct DeviceProfile {
         return false;
     }
 
+    [[nodiscard]] bool speaks_scip1() const { return !scip1.firmware.empty(); }
     /// Whether the value of a step is a distance and not one of the codes.
     [[nodiscard]] bool is_distance(std::uint32_t value) const {
         return value >= static_cast<std::uint32_t>(nearest_mm) &&

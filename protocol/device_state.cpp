@@ -24,11 +24,19 @@ void DeviceState::advance(Uptime now) {
 void DeviceState::boot(Uptime now, Uptime boot_time) {
     const StreamId last_stream = last_stream_;
     const int boots = boots_;
+    const bool scip1 = powers_up_in_scip1_;
     *this = {};
+    if (scip1) power_up_in_scip1(now + boot_time);
     last_stream_ = last_stream;
     boots_ = boots + 1;
     clock_zero_ = now;
     booted_at_ = now + boot_time;
+}
+
+void DeviceState::power_up_in_scip1(Uptime now) {
+    powers_up_in_scip1_ = true;
+    speak_scip1();
+    switch_laser_on(now);
 }
 
 bool DeviceState::ask_reboot(Uptime now, Uptime boot_time) {
@@ -61,6 +69,15 @@ void DeviceState::close_stream(StreamId stream) {
 
 void DeviceState::stop() {
     if (open_streams_.empty()) laser_on_ = false;
+}
+
+void DeviceState::speak_scip1() {
+    speaks_scip1_ = true;
+}
+
+void DeviceState::speak_scip2() {
+    speaks_scip1_ = false;
+    laser_on_ = false;
 }
 
 void DeviceState::enter_adjust() {

@@ -56,6 +56,8 @@ class DeviceState {
     [[nodiscard]] Uptime booted_at() const { return booted_at_; }
     /// How many times it has booted: a session that sees another number has lost its link.
     [[nodiscard]] int boots() const { return boots_; }
+    /// SCIP 1.1 from here on and after each boot, with the laser on: clients ask for scans at once.
+    void power_up_in_scip1(Uptime now);
     /// RB. True: it was the second within a second, and the device will boot a second later.
     bool ask_reboot(Uptime now, Uptime boot_time);
     [[nodiscard]] std::optional<Uptime> reboots_at() const { return reboots_at_; }
@@ -77,6 +79,10 @@ class DeviceState {
 
     // Modes.
 
+    [[nodiscard]] bool speaks_scip1() const { return speaks_scip1_; }
+    void speak_scip1();
+    /// The laser goes off (a recorded URG-04LX).
+    void speak_scip2();
     [[nodiscard]] bool adjusting() const { return adjusting_; }
     void enter_adjust();
     void leave_adjust();
@@ -122,6 +128,8 @@ class DeviceState {
     StreamId last_stream_ = 0;
     std::vector<StreamId> open_streams_;
 
+    bool powers_up_in_scip1_ = false;
+    bool speaks_scip1_ = false;
     bool adjusting_ = false;
     bool asleep_ = false;
     Uptime motor_up_at_{};

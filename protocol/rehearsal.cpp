@@ -38,8 +38,10 @@ Status rehearse(DeviceState& device, std::string_view digits, const DeviceProfil
     if (under_way == nothing && device.trouble() != Trouble::none) return "05";
     if (*number == under_way) return "02";
     if (*number == the_end && under_way == nothing) return "03";
-    if (*number == malfunction_in_scip1) return "04";
-    device.set_trouble(*number == malfunction ? Trouble::abnormal : Trouble::none);
+    if (*number == malfunction_in_scip1 && !profile.speaks_scip1()) return "04";
+    const bool at_once = *number == malfunction_in_scip1 || *number == malfunction;
+    device.set_trouble(at_once ? Trouble::abnormal : Trouble::none);
+    if (*number == malfunction_in_scip1) device.speak_scip1();
     device.set_rehearsal(*number == the_end ? nothing : *number);
     return status::ok;
 }

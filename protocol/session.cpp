@@ -11,6 +11,7 @@
 #include "protocol/reply_grid.h"
 #include "protocol/reports.h"
 #include "protocol/scan_block.h"
+#include "protocol/scip1.h"
 
 namespace scipd::protocol {
 
@@ -121,14 +122,33 @@ void Session::answer_next(Uptime now) {
     requests_.pop_front();
     last_answer_ = now;
     const int bit_rate = bit_rate_of(device_.settings(), profile_);
-    const Request request = parse_request(waiting.line, profile_);
-    if (const auto status = refusal(request, now)) {
-        reply(request, *status);
+    if (device_.speaks_scip1()) {
+        answer_scip1(waiting.line.text, now);
     } else {
-        carry_out(request, waiting.arrived, now);
+        answer(parse_request(waiting.line, profile_), waiting.arrived, now);
     }
     const int new_rate = bit_rate_of(device_.settings(), profile_);
     if (new_rate != bit_rate) actions_.emplace_back(SetBitRate{new_rate});
+}
+
+void Session::answer_scip1(const std::string& line, Uptime now) {
+    const Scip1Request request = parse_scip1(line, profile_);
+    const char status = operate_scip1(device_, request, now);
+    if (request.kind == Scip1Request::Kind::version) {
+        send(scip1_version(line, profile_, device_));
+    } else if (request.kind == Scip1Request::Kind::scan && status == scip1_status::ok) {
+        single_shot_ = SingleShot{{.echo = line}, request.window};
+    } else {
+        send(scip1_reply(line, status));
+    }
+}
+
+void Session::answer(const Request& request, Uptime arrived, Uptime now) {
+    if (const auto status = refusal(request, now)) {
+        reply(request, *status);
+    } else {
+        carry_out(request, arrived, now);
+    }
 }
 
 // The state is looked at before the parameters: a bare GD with the laser off is 10 on a UST-10LX,
@@ -208,15 +228,20 @@ void Session::begin_single_shot(const Request& request) {
 // The laser has gone off or the device has failed while this one waited for a turn.
 void Session::refuse_single_shot(Uptime now) {
     const SingleShot shot = std::move(*std::exchange(single_shot_, std::nullopt));
+    if (shot.request.command == nullptr)
+        return send(scip1_reply(shot.request.echo, scip1_status::unknown));
     reply(shot.request, refusal(shot.request, now).value_or(status::denied));
 }
 
 void Session::answer_single_shot(const ScanView& scan, Uptime now) {
     const SingleShot shot = std::move(*std::exchange(single_shot_, std::nullopt));
-    Reply reply(shot.request.echo, status::ok);
-    add_scan(reply, scan, shot.window, shot.request.command->format, device_,
-             profile_);
-    send(reply.finish());
+    if (shot.request.command == nullptr) {
+        send(scip1_scan(shot.request.echo, scan, shot.window, profile_));
+    } else {
+        Reply reply(shot.request.echo, status::ok);
+        add_scan(reply, scan, shot.window, shot.request.command->format, device_, profile_);
+        send(reply.finish());
+    }
     last_answer_ = std::max(last_answer_, now);
     advance(now);
 }

@@ -70,7 +70,7 @@ class Session {
         Uptime arrived;
     };
     struct SingleShot {
-        Request request;
+        Request request;  ///< without a command: in SCIP 1.1
         StepWindow window;
     };
 
@@ -80,6 +80,8 @@ class Session {
     [[nodiscard]] Uptime due(const Waiting& waiting) const;
     [[nodiscard]] bool single_shot_in_vain() const;
     void answer_next(Uptime now);
+    void answer_scip1(const std::string& line, Uptime now);
+    void answer(const Request& request, Uptime arrived, Uptime now);
     [[nodiscard]] std::optional<Status> refusal(const Request& request, Uptime now) const;
     void carry_out(const Request& request, Uptime arrived, Uptime now);
     [[nodiscard]] Status change(const Request& request, Uptime now);

@@ -22,6 +22,12 @@ protocol::DeviceProfile firmware_3_1_04() {
         .protocol = "SCIP 2.0",
         .serial = "H0706400",
 
+        // The same unit's V, recorded before it was told SCIP2.0. Failed: deduced.
+        .scip1 = {.firmware = "3.1.04,07/08/02(20-4095[mm],240[deg],44-725[step],600[rpm])",
+                  .protocol = "00003,(SCIP 1.0)",
+                  .health = "FW Normal[FinalDist with shadow  ]",
+                  .health_failed = "FW Error[FinalDist with shadow  ]"},
+
         .model = "URG-04LX(Hokuyo Automatic Co.,Ltd.)",
         .dmin_mm = 20,
         .dmax_mm = 5600,
@@ -71,6 +77,7 @@ protocol::DeviceProfile firmware_3_3_00() {
     profile.release = "3.3.00";
     // Spelled as 3.1.04 spells it; the recording has the SCIP 1.1 form 3.3.00,08/04/16.
     profile.firmware = "3.3.00(16/Apr./2008)";
+    profile.scip1.firmware = "3.3.00,08/04/16(20-4095[mm],240[deg],44-725[step],600[rpm])";
     profile.serial = "H0713090";
     // Seen on a URG-04LX-UG01 with 3.3.01.
     profile.mode_measuring = "Measuring by Normal Mode";

@@ -43,6 +43,11 @@ void demand_framed(std::string_view message) {
     demand(message.size() <= head + protocol::data_block_size(std::size_t{20} * 1081, 1));
     demand(!take_line(message).empty());
     const std::string_view status = take_line(message);
+    if (status == "0" || status == "E") {  // SCIP 1.1, which has no sums
+        while (!take_line(message).empty()) {
+        }
+        return demand(message.empty());
+    }
     demand(status.size() == 3 && protocol::checksum(status.substr(0, 2)) == status[2]);
     for (std::string_view line = take_line(message); !line.empty(); line = take_line(message)) {
         demand(line.size() <= longest_line);

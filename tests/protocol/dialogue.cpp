@@ -173,6 +173,8 @@ class Parser {
             dialogue_.io_lines = true;
         } else if (line == "power-up: boot") {
             dialogue_.boot = true;
+        } else if (line == "power-up: scip1.1") {
+            dialogue_.scip1 = true;
         } else {
             return false;
         }

@@ -78,6 +78,7 @@ struct Dialogue {
     bool ideal = false;     ///< no reply grid
     bool io_lines = false;  ///< the model has GF and its kin, which none of the real ones has
     bool boot = false;      ///< power comes at 0; else the device is up
+    bool scip1 = false;     ///< it is up and speaks SCIP 1.1
     std::vector<Step> steps;
 };
 

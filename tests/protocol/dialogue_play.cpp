@@ -43,6 +43,7 @@ std::string_view take_line(std::string_view& bytes) {
 DeviceState powered_up(const Dialogue& dialogue, const DeviceProfile& profile) {
     DeviceState device;
     if (dialogue.boot) device.boot(Uptime::zero(), profile.boot_time);
+    if (dialogue.scip1) device.power_up_in_scip1(Uptime::zero());
     return device;
 }
 
