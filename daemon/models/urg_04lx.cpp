@@ -3,13 +3,12 @@
 //
 // URG-04LX, in SCIP 2.0 from the start. Texts, steps and limits of firmware 3.1.04: recording of a
 // real unit. 3.3.00: version and serial number from a SCIP 1.1 recording of another.
-#include "daemon/models/urg_04lx.h"
+#include "daemon/models/kin.h"
+#include "daemon/models/products.h"
 
 namespace scipd::daemon {
 
-namespace {
-
-protocol::DeviceProfile firmware_3_1_04() {
+protocol::DeviceProfile urg_profile() {
     using namespace std::chrono_literals;
     return {
         .name = "URG-04LX",
@@ -72,8 +71,14 @@ protocol::DeviceProfile firmware_3_1_04() {
     };
 }
 
-protocol::DeviceProfile firmware_3_3_00() {
-    protocol::DeviceProfile profile = firmware_3_1_04();
+Model urg_04lx_3_1_04() {
+    return make_model(
+        urg_profile(), urg_noise(),
+        {.texts = Evidence::seen, .steps = Evidence::seen, .noise = Evidence::documented});
+}
+
+Model urg_04lx_3_3_00() {
+    protocol::DeviceProfile profile = urg_profile();
     profile.release = "3.3.00";
     // Spelled as 3.1.04 spells it; the recording has the SCIP 1.1 form 3.3.00,08/04/16.
     profile.firmware = "3.3.00(16/Apr./2008)";
@@ -84,23 +89,9 @@ protocol::DeviceProfile firmware_3_3_00() {
     profile.mode_sensitive = "Measuring by Sensitive Mode";
     profile.sensitivity = protocol::Support::yes;
     profile.rehearsals = protocol::Support::yes;
-    return profile;
-}
-
-Model urg_04lx(const protocol::DeviceProfile& profile) {
-    // Data sheet: 10 mm to 1 m, then 1 % of the distance.
-    return make_model(profile, {{.from_range_m = 0.0, .sigma_m = 0.010, .sigma_share = 0.0},
-                                {.from_range_m = 1.0, .sigma_m = 0.0, .sigma_share = 0.01}});
-}
-
-}  // namespace
-
-Model urg_04lx_3_1_04() {
-    return urg_04lx(firmware_3_1_04());
-}
-
-Model urg_04lx_3_3_00() {
-    return urg_04lx(firmware_3_3_00());
+    return make_model(
+        profile, urg_noise(),
+        {.texts = Evidence::deduced, .steps = Evidence::seen, .noise = Evidence::documented});
 }
 
 }  // namespace scipd::daemon

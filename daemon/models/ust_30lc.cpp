@@ -3,9 +3,8 @@
 //
 // UST-30LC. Limits and firmware as urg_stamped and its simulator have them, whose author had units;
 // 4.0.3 is known as the one that mended the 5 ms tick of 4.0.0 to 4.0.2.
-#include "daemon/models/ust_30lc.h"
-
-#include "daemon/models/ust.h"
+#include "daemon/models/kin.h"
+#include "daemon/models/products.h"
 
 namespace scipd::daemon {
 
@@ -21,8 +20,9 @@ Model ust_30lc(const std::string& firmware) {
     profile.microseconds = firmware.starts_with("4.1");
     // Its simulator answers so; 0F is known of firmware 2.23 only.
     profile.unknown_command = protocol::status::undefined;
-    // Assumed: as the UST-10LX.
-    return make_model(profile, {{.from_range_m = 0.0, .sigma_m = 0.030, .sigma_share = 0.0}});
+    return make_model(
+        profile, ust_noise(),
+        {.texts = Evidence::documented, .steps = Evidence::documented, .noise = Evidence::deduced});
 }
 
 }  // namespace scipd::daemon

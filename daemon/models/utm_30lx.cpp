@@ -2,7 +2,8 @@
 // Copyright The scipd authors
 //
 // UTM-30LX on USB. Texts, steps and limits: recording of a real unit.
-#include "daemon/models/utm_30lx.h"
+#include "daemon/models/kin.h"
+#include "daemon/models/products.h"
 
 namespace scipd::daemon {
 
@@ -53,9 +54,9 @@ Model utm_30lx() {
         .reply_tick = 25ms,
         .boot_time = 1s,  // assumed
     };
-    // Data sheet, indoors: below 10 mm to 10 m, below 30 mm to 30 m.
-    return make_model(profile, {{.from_range_m = 0.0, .sigma_m = 0.010, .sigma_share = 0.0},
-                                {.from_range_m = 10.0, .sigma_m = 0.030, .sigma_share = 0.0}});
+    return make_model(
+        profile, utm_noise(),
+        {.texts = Evidence::seen, .steps = Evidence::seen, .noise = Evidence::documented});
 }
 
 }  // namespace scipd::daemon

@@ -3,24 +3,25 @@
 //
 // UTM-30LX-EW, firmware 1.1.0. Texts and limits as urg_stamped's simulator and urg_library have
 // them, whose authors had units; no recording was seen.
-#include "daemon/models/utm_30lx_ew.h"
+#include "daemon/models/kin.h"
+#include "daemon/models/products.h"
 
 namespace scipd::daemon {
 
-Model utm_30lx_ew() {
+protocol::DeviceProfile ew_profile(const std::string& name, const std::string& serial) {
     using namespace std::chrono_literals;
-    const protocol::DeviceProfile profile{
-        .name = "UTM-30LX-EW",
+    return {
+        .name = name,
         .release = "1.1.0",
         .family = protocol::Family::b,
 
         .vendor = "Hokuyo Automatic Co., Ltd.",
-        .product = "UTM-30LX-EW",
+        .product = name,
         .firmware = "1.1.0 (2011-09-30)",
         .protocol = "SCIP 2.2",
-        .serial = "H0123456",  // made up in the form of the others
+        .serial = serial,
 
-        .model = "UTM-30LX-EW",
+        .model = name,
         .dmin_mm = 23,
         .dmax_mm = 60000,
         .ares = 1440,
@@ -57,9 +58,14 @@ Model utm_30lx_ew() {
         .answers_while_booting = true,
         .wake_time = 3s,
     };
-    // Data sheet of the UTM-30LX, indoors: below 10 mm to 10 m, below 30 mm to 30 m.
-    return make_model(profile, {{.from_range_m = 0.0, .sigma_m = 0.010, .sigma_share = 0.0},
-                                {.from_range_m = 10.0, .sigma_m = 0.030, .sigma_share = 0.0}});
+}
+
+// The serial number is made up in the form of the others.
+Model utm_30lx_ew() {
+    return make_model(ew_profile("UTM-30LX-EW", "H0123456"), utm_noise(),
+                      {.texts = Evidence::documented,
+                       .steps = Evidence::documented,
+                       .noise = Evidence::documented});
 }
 
 }  // namespace scipd::daemon

@@ -40,7 +40,7 @@ std::string_view take_line(std::string_view& text) {
 void demand_framed(std::string_view message) {
     constexpr std::size_t longest_line = 71;  // what urg_library has room for
     constexpr std::size_t head = protocol::LineReader::max_length + 20;
-    demand(message.size() <= head + protocol::data_block_size(std::size_t{20} * 1081, 1));
+    demand(message.size() <= head + protocol::data_block_size(std::size_t{20} * 2161, 1));
     demand(!take_line(message).empty());
     const std::string_view status = take_line(message);
     if (status == "0" || status == "E") {  // SCIP 1.1, which has no sums

@@ -2,7 +2,8 @@
 // Copyright The scipd authors
 //
 // UXM-30LX-E on USB. Texts, steps and limits: recording of a real unit.
-#include "daemon/models/uxm_30lx.h"
+#include "daemon/models/kin.h"
+#include "daemon/models/products.h"
 
 namespace scipd::daemon {
 
@@ -52,8 +53,9 @@ Model uxm_30lx_e() {
         .reply_tick = 100ms,
         .boot_time = 1s,  // assumed
     };
-    // Data sheet, from memory: below 30 mm.
-    return make_model(profile, {{.from_range_m = 0.0, .sigma_m = 0.030, .sigma_share = 0.0}});
+    return make_model(
+        profile, ust_noise(),
+        {.texts = Evidence::seen, .steps = Evidence::seen, .noise = Evidence::deduced});
 }
 
 }  // namespace scipd::daemon

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// UST-10LX and UST-20LX: one device that differs in its name and how far it sees. Texts of the
-// UST-10LX with firmware 2.23: canned replies of a real unit; limits of the UST-20LX: notes of a
-// session with one.
-#include "daemon/models/ust.h"
+// UST-10LX, and what all UST have of it. Texts with firmware 2.23: canned replies of a real unit.
+#include "daemon/models/kin.h"
+#include "daemon/models/products.h"
 
 namespace scipd::daemon {
 
@@ -58,24 +57,10 @@ protocol::DeviceProfile ust_profile(const std::string& name, const std::string& 
     };
 }
 
-namespace {
-
-Model ust(const std::string& name, const std::string& serial, int dmax_mm) {
-    protocol::DeviceProfile profile = ust_profile(name, serial);
-    profile.dmax_mm = dmax_mm;
-    // Data sheet: below 30 mm.
-    return make_model(profile, {{.from_range_m = 0.0, .sigma_m = 0.030, .sigma_share = 0.0}});
-}
-
-}  // namespace
-
 Model ust_10lx() {
-    return ust("UST-10LX", "H1614934", 30000);
-}
-
-// The serial number is made up in the form of the others.
-Model ust_20lx() {
-    return ust("UST-20LX", "H1500001", 60000);
+    return make_model(
+        ust_profile("UST-10LX", "H1614934"), ust_noise(),
+        {.texts = Evidence::seen, .steps = Evidence::seen, .noise = Evidence::documented});
 }
 
 }  // namespace scipd::daemon
