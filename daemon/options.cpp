@@ -201,10 +201,8 @@ Answer refusal(const std::string& sentence) {
 
 Answer model_list() {
     std::string text;
-    for (const Model& model : models()) {
-        const auto& profile = model.profile;
-        text += profile.name + "@" + profile.release + "\n";
-    }
+    for (const Model& model : models())
+        text += describe(model) + "\n";
     return {0, text};
 }
 

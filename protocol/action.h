@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What a session asks its shell to do.
+// What a session asks its shell to do, in order.
 #pragma once
 
 #include <string>
+#include <variant>
 
 namespace scipd::protocol {
 
@@ -19,5 +20,19 @@ struct Send {
 
     bool operator==(const Send&) const = default;
 };
+
+/// The device boots: the connection is lost, on a tty whatever is under way.
+struct DropLink {
+    bool operator==(const DropLink&) const = default;
+};
+
+/// The serial line runs at another rate as soon as everything earlier has been sent.
+struct SetBitRate {
+    int bits_per_second = 0;
+
+    bool operator==(const SetBitRate&) const = default;
+};
+
+using Action = std::variant<Send, DropLink, SetBitRate>;
 
 }  // namespace scipd::protocol

@@ -17,7 +17,7 @@ namespace scipd::protocol {
     return (std::uint64_t{1} << (6 * width)) - 1;
 }
 
-/// Appends `value` as `width` characters (1 to 10); higher bits are lost.
+/// Appends `value` as `width` characters (1 to 11); higher bits are lost.
 constexpr void append_encoded(std::string& text, std::uint64_t value, int width) {
     for (int shift = 6 * (width - 1); shift >= 0; shift -= 6) {
         text.push_back(static_cast<char>(((value >> shift) & 0x3FU) + '0'));

@@ -22,30 +22,46 @@ enum class State {
     measuring,  ///< laser on, no stream of this session
     streaming,  ///< a stream of this session is under way
     adjust,     ///< time-adjust mode
+    booting,    ///< only seen on models that answer then
+    error,      ///< laser trouble or abnormal
+    asleep,     ///< motor stopped
 };
-inline constexpr std::size_t state_count = 4;
+inline constexpr std::size_t state_count = 7;
 
 enum class Operation {
     report_version,
     report_parameters,
     report_state,
+    report_state_number,
     switch_laser_on,
     quit,
+    sleep,
     reset,
+    partial_reset,
+    reboot,
     single_shot,
     stream,
     enter_adjust,
     report_time,
     leave_adjust,
     refuse_digit,  ///< TM with anything but 0, 1 and 2
+    set_bit_rate,
+    set_motor_level,
+    set_sensitivity,
+    rehearse,
+    set_address,
+    choose_scip2,
 };
 
 /// The fixed-width digits after the code.
 enum class Parameters {
     none,
-    digit,   ///< 1
-    window,  ///< 10: start 4, end 4, cluster 2
-    scans,   ///< 13: a window, interval 1, number of scans 2
+    digit,      ///< 1
+    number,     ///< 2
+    rate,       ///< 6
+    window,     ///< 10: start 4, end 4, cluster 2
+    scans,      ///< 13: a window, interval 1, number of scans 2
+    addresses,  ///< 36: address, mask and gateway, 3 for each octet
 };
 
 [[nodiscard]] constexpr std::size_t width(Parameters parameters) {
@@ -54,18 +70,33 @@ enum class Parameters {
             return 0;
         case Parameters::digit:
             return 1;
+        case Parameters::number:
+            return 2;
+        case Parameters::rate:
+            return 6;
         case Parameters::window:
             return 10;
         case Parameters::scans:
             return 13;
+        case Parameters::addresses:
+            return 36;
     }
     return 0;
 }
 
-/// How the values of a step are written.
+/// How the clock is written.
+enum class Stamp {
+    milliseconds,  ///< 4 characters, 24 bits
+    microseconds,  ///< 11 characters, 64 bits
+};
+
+/// What stands behind the status line, and how the values of a step are written.
 struct DataFormat {
     int width = 3;           ///< characters a value
     bool intensity = false;  ///< one more value after each distance
+    bool echoes = false;     ///< every echo of a step, '&' between them
+    bool io_lines = false;   ///< a line with the inputs and outputs of the device goes first
+    Stamp stamp = Stamp::milliseconds;
 
     bool operator==(const DataFormat&) const = default;
 };
@@ -74,9 +105,9 @@ struct DataFormat {
 class Gate {
   public:
     /// One status per state in the order of State, "--" where the command is carried out, as in
-    /// "10 -- -- 0E". Implicit: rows are written as literals.
+    /// "10 -- -- 0E -- 50 --". Implicit: rows are written as literals.
     // NOLINTNEXTLINE(google-explicit-constructor)
-    consteval Gate(const char (&row)[12]) {
+    consteval Gate(const char (&row)[3 * state_count]) {
         for (std::size_t i = 0; i < state_count; ++i) {
             const char code[3] = {row[3 * i], row[3 * i + 1], '\0'};
             if (code[0] != '-') answers_[i] = Status(code);
@@ -102,6 +133,7 @@ struct Command {
     Operation operation;
     DataFormat format;
     std::array<Gate, 4> gates;  ///< in the order of Family
+    Feature needs = Feature::common;
 
     [[nodiscard]] constexpr const Gate& gate(Family family) const {
         return gates[static_cast<std::size_t>(family)];
@@ -110,7 +142,7 @@ struct Command {
 
 [[nodiscard]] std::span<const Command> command_table();
 
-/// The command that `line` begins with, the longest code first; null where the family knows none.
-[[nodiscard]] const Command* find_command(std::string_view line, Family family);
+/// The command that `line` begins with, the longest code first; null where the model knows none.
+[[nodiscard]] const Command* find_command(std::string_view line, const DeviceProfile& profile);
 
 }  // namespace scipd::protocol

@@ -7,6 +7,8 @@
 #include <bit>
 #include <cstring>
 
+#include "protocol/checksum.h"
+
 namespace scipd::protocol {
 namespace {
 
@@ -78,6 +80,15 @@ void append_data_block(std::string& message, std::span<const std::uint32_t> valu
         write_block<2>(message.data() + begin, values);
     } else {
         write_block<3>(message.data() + begin, values);
+    }
+}
+
+void append_data_block(std::string& message, std::string_view characters) {
+    while (!characters.empty()) {
+        const std::string_view line = characters.substr(0, data_line_length);
+        message.append(line).push_back(checksum(line));
+        message.push_back('\n');
+        characters.remove_prefix(line.size());
     }
 }
 

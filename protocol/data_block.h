@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace scipd::protocol {
 
@@ -16,6 +17,9 @@ inline constexpr std::size_t data_line_length = 64;
 
 /// Appends the values, each as `width` characters (2 or 3) and none larger than those can hold.
 void append_data_block(std::string& message, std::span<const std::uint32_t> values, int width);
+
+/// Appends characters that are values already.
+void append_data_block(std::string& message, std::string_view characters);
 
 /// The characters that append_data_block() appends.
 [[nodiscard]] constexpr std::size_t data_block_size(std::size_t values, int width) {

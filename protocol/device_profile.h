@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "protocol/status.h"
 #include "protocol/uptime.h"
@@ -27,6 +28,21 @@ enum class TimeSpelling {
     encoded,      ///< 0Y\\3, SCIP's own characters; may contain ';'
 };
 
+/// Whether a model has what came with some firmware only.
+enum class Support {
+    never,           ///< the model has not got it
+    later_firmware,  ///< this firmware is older
+    yes,
+};
+
+/// What some models of a family have and others have not.
+enum class Feature {
+    common,        ///< all have it
+    multi_echo,    ///< HD HE ND NE
+    microseconds,  ///< %TM %MD %ME
+    io_lines,      ///< GF GG MF MG
+};
+
 /// What stands in the place of a distance where there is none.
 struct DistanceCodes {
     std::uint32_t nothing = 0;   ///< no or too weak a return
@@ -34,6 +50,14 @@ struct DistanceCodes {
     std::uint32_t too_far = 0;   ///< farther than DMAX
     std::uint32_t not_measured =
         0;  ///< a step outside AMIN to AMAX that the model lets one ask for
+};
+
+/// What V says in SCIP 1.1, besides what VV says too.
+struct Scip1Texts {
+    std::string firmware;  ///< FIRM; empty: the model never spoke SCIP 1.1
+    std::string protocol;  ///< PROT
+    std::string health;    ///< STAT
+    std::string health_failed;
 };
 
 struct DeviceProfile {
@@ -47,6 +71,8 @@ struct DeviceProfile {
     std::string firmware;
     std::string protocol;
     std::string serial;
+
+    Scip1Texts scip1;
 
     // PP; lengths in mm, angles in steps
     std::string model;
@@ -62,8 +88,13 @@ struct DeviceProfile {
     std::string motor_speed;     ///< SCSP
     std::string mode_idle;       ///< MESM while the laser is off
     std::string mode_measuring;  ///< MESM while it is on
+    std::string mode_streaming;  ///< MESM in a stream; empty: as mode_measuring
+    std::string mode_sensitive;  ///< MESM while it is on in high-sensitivity mode
+    std::string mode_booting;    ///< MESM while booting; empty: as mode_idle
     std::string bit_rate;        ///< SBPS
     std::string health;          ///< STAT
+    std::string health_unstable;
+    std::string health_failed;
     TimeSpelling time_spelling = TimeSpelling::encoded;
 
     // Distances
@@ -72,11 +103,41 @@ struct DeviceProfile {
     int nearest_mm = 0;  ///< the smallest distance that is reported as such
     DistanceCodes codes;
 
+    // What it can that others of its family cannot
+    bool multi_echo = false;
+    bool microseconds = false;
+    bool io_lines = false;
+    bool intensity_codes = false;  ///< a cluster of FF, FE, FD, ... asks for intensity and gain
+
+    // What can be set
+    std::vector<int> bit_rates;  ///< of SS, the one of power-up first; empty: no serial line
+    bool motor_levels = false;   ///< CR
+    Support sensitivity = Support::never;  ///< HS
+    Support rehearsals = Support::never;   ///< DB
+
     // Habits
     Status unknown_command = status::undefined;
     Uptime scan_period{};  ///< one turn of the mirror
     Uptime reply_tick{};   ///< replies and scans leave on a grid of this spacing; 0: at once
+    Uptime boot_time{};
+    bool answers_while_booting = false;  ///< else what is asked then waits until it is up
+    Uptime wake_time{};                  ///< until the motor is up to speed again
 
+    [[nodiscard]] constexpr bool has(Feature feature) const {
+        switch (feature) {
+            case Feature::common:
+                return true;
+            case Feature::multi_echo:
+                return multi_echo;
+            case Feature::microseconds:
+                return microseconds;
+            case Feature::io_lines:
+                return io_lines;
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool speaks_scip1() const { return !scip1.firmware.empty(); }
     /// Whether the value of a step is a distance and not one of the codes.
     [[nodiscard]] bool is_distance(std::uint32_t value) const {
         return value >= static_cast<std::uint32_t>(nearest_mm) &&

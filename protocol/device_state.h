@@ -1,39 +1,74 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What all sessions of one device share: laser, clock, mode, and which sessions stream. Changed by
-// sessions only, on the one thread that all of them live on.
+// What all sessions of one device share: laser, motor, clock, mode, trouble, and which sessions
+// stream. Changed by sessions on the one thread that all of them live on; power and trouble also by
+// whoever owns the device.
 //
 //              BM                     M*
 //   standby ────────► measuring ────────────► streaming      QT, the last counted scan: the stream
 //   ends, and with
 //      ▲ ◄──── QT ────    │  ▲ ◄── QT while others stream ─   the last stream the laser goes off
 //      │                  │
-//      └──── TM2 ── time adjust ◄── TM0: ends all streams, laser off           RS, RT: to standby
-//      from anywhere
+//      ├──── TM2 ── time adjust ◄── TM0: ends all streams, laser off           RS, RT: to standby
+//      │                                                                       from anywhere
+//      ├── QT, RS, RT, (BM: to measuring) ── asleep ◄── %SL: laser off, motor stopped
+//      └── boot_time ── booting ◄── RB twice, power
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "protocol/settings.h"
 #include "protocol/uptime.h"
 
 namespace scipd::protocol {
+
+/// What is the matter with the device.
+enum class Trouble {
+    none,
+    unstable,  ///< for a while: streams pause
+    laser,     ///< it cannot be switched on: failed
+    abnormal,  ///< failed otherwise
+};
+
+/// The wires beside the link, as GF and its kin show them: 18 bits each.
+struct IoWords {
+    std::uint32_t inputs = 0;
+    std::uint32_t outputs = 0;
+};
 
 class DeviceState {
   public:
     /// Names a stream; never used twice.
     using StreamId = std::uint64_t;
 
+    /// What the passing of time brings: a reboot that was asked for. Goes before anything else that
+    /// happens at `now`.
+    void advance(Uptime now);
+
+    // Power. A new device is up and has booted.
+
+    /// Everything is as at power-up, the links to all clients are lost.
+    void boot(Uptime now, Uptime boot_time);
+    [[nodiscard]] bool booting(Uptime now) const { return now < booted_at_; }
+    [[nodiscard]] Uptime booted_at() const { return booted_at_; }
+    /// How many times it has booted: a session that sees another number has lost its link.
+    [[nodiscard]] int boots() const { return boots_; }
+    /// SCIP 1.1 from here on and after each boot, with the laser on: clients ask for scans at once.
+    void power_up_in_scip1(Uptime now);
+    /// RB. True: it was the second within a second, and the device will boot a second later.
+    bool ask_reboot(Uptime now, Uptime boot_time);
+    [[nodiscard]] std::optional<Uptime> reboots_at() const { return reboots_at_; }
+
+    // Laser and streams.
+
     [[nodiscard]] bool laser_on() const { return laser_on_; }
     /// Scans that began earlier do not exist. Meaningless while the laser is off.
     [[nodiscard]] Uptime laser_on_since() const { return laser_on_since_; }
-    [[nodiscard]] bool adjusting() const { return adjusting_; }
-    /// When the wire's clock was last set to 0.
-    [[nodiscard]] Uptime clock_zero() const { return clock_zero_; }
     [[nodiscard]] bool streams(StreamId stream) const;
     [[nodiscard]] bool streaming() const { return !open_streams_.empty(); }
-
     void switch_laser_on(Uptime now);
     StreamId open_stream(Uptime now);
     /// The laser goes off with the last stream, also where BM had switched it on before. No effect
@@ -41,18 +76,68 @@ class DeviceState {
     void close_stream(StreamId stream);
     /// QT of a session that does not stream: the laser goes off unless others stream.
     void stop();
+
+    // Modes.
+
+    [[nodiscard]] bool speaks_scip1() const { return speaks_scip1_; }
+    void speak_scip1();
+    /// The laser goes off (a recorded URG-04LX).
+    void speak_scip2();
+    [[nodiscard]] bool adjusting() const { return adjusting_; }
     void enter_adjust();
     void leave_adjust();
-    /// RS and RT: laser off, no streams, no adjust mode, clock 0.
+    /// The motor stands still.
+    [[nodiscard]] bool asleep() const { return asleep_; }
+    /// It is getting up to speed.
+    [[nodiscard]] bool waking(Uptime now) const { return now < motor_up_at_; }
+    void sleep();
+    /// No effect unless asleep.
+    void wake(Uptime now, Uptime wake_time);
+
+    /// RS: laser off, no streams, no adjust mode, clock 0, settings as at power-up.
     void reset(Uptime now);
+    /// RT: the same, but the speed of the motor and the rate of the line stay.
+    void partial_reset(Uptime now);
+    /// When the wire's clock was last set to 0.
+    [[nodiscard]] Uptime clock_zero() const { return clock_zero_; }
+    [[nodiscard]] Settings& settings() { return settings_; }
+    [[nodiscard]] const Settings& settings() const { return settings_; }
+
+    [[nodiscard]] IoWords& io() { return io_; }
+    [[nodiscard]] const IoWords& io() const { return io_; }
+
+    // Trouble.
+
+    [[nodiscard]] Trouble trouble() const { return trouble_; }
+    /// Nothing works but to ask and to boot.
+    [[nodiscard]] bool failed() const { return trouble_ >= Trouble::laser; }
+    void set_trouble(Trouble trouble) { trouble_ = trouble; }
+    /// The number of DB that is under way; 0: none.
+    [[nodiscard]] int rehearsal() const { return rehearsal_; }
+    void set_rehearsal(int number) { rehearsal_ = number; }
 
   private:
+    Uptime booted_at_{};
+    int boots_ = 0;
+    std::optional<Uptime> reboot_asked_at_;  ///< a first RB
+    std::optional<Uptime> reboots_at_;
+    Uptime boot_time_{};  ///< of that reboot
+
     bool laser_on_ = false;
     Uptime laser_on_since_{};
-    bool adjusting_ = false;
-    Uptime clock_zero_{};
     StreamId last_stream_ = 0;
     std::vector<StreamId> open_streams_;
+
+    bool powers_up_in_scip1_ = false;
+    bool speaks_scip1_ = false;
+    bool adjusting_ = false;
+    bool asleep_ = false;
+    Uptime motor_up_at_{};
+    Uptime clock_zero_{};
+    Settings settings_;
+    IoWords io_;
+    Trouble trouble_ = Trouble::none;
+    int rehearsal_ = 0;
 };
 
 }  // namespace scipd::protocol

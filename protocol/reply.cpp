@@ -39,6 +39,11 @@ Reply& Reply::data(std::span<const std::uint32_t> values, int width) {
     return *this;
 }
 
+Reply& Reply::data(std::string_view characters) {
+    append_data_block(text_, characters);
+    return *this;
+}
+
 std::string Reply::finish() {
     text_.push_back('\n');
     return std::move(text_);

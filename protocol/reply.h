@@ -25,6 +25,7 @@ class Reply {
     Reply& entry(std::string_view key, std::string_view value);
     Reply& entry(std::string_view key, int value);
     Reply& data(std::span<const std::uint32_t> values, int width);
+    Reply& data(std::string_view characters);
 
     /// The whole message.
     [[nodiscard]] std::string finish();

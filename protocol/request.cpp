@@ -25,12 +25,12 @@ std::optional<Status> fault_of_string(std::string_view string) {
 
 }  // namespace
 
-Request parse_request(Line line, Family family) {
+Request parse_request(Line line, const DeviceProfile& profile) {
     Request request{.echo = std::move(line.text)};
     const std::string_view text = request.echo;
     const std::size_t semicolon = std::min(text.find(';'), text.size());
 
-    request.command = find_command(text.substr(0, semicolon), family);
+    request.command = find_command(text.substr(0, semicolon), profile);
     if (request.command != nullptr)
         request.parameters_length = semicolon - request.command->code.size();
     if (line.overlong) {

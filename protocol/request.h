@@ -15,7 +15,7 @@ namespace scipd::protocol {
 /// One line of a client, taken apart: CODE PARAMETERS [;STRING].
 struct Request {
     std::string echo;                  ///< the whole line, as every reply to it begins
-    const Command* command = nullptr;  ///< null: this family does not know it
+    const Command* command = nullptr;  ///< null: this model does not know it
     std::size_t parameters_length = 0;
     std::optional<Status>
         fault;  ///< wrong whatever the command and the state: an overlong line, a bad string
@@ -25,6 +25,6 @@ struct Request {
     }
 };
 
-[[nodiscard]] Request parse_request(Line line, Family family);
+[[nodiscard]] Request parse_request(Line line, const DeviceProfile& profile);
 
 }  // namespace scipd::protocol

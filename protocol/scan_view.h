@@ -5,6 +5,7 @@
 // for the call.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -17,11 +18,25 @@ struct Turn {
     Uptime start{};  ///< the instant of step 0: what the time stamp of its scan says
 };
 
+inline constexpr int max_echoes = 3;
+
+struct Echo {
+    std::uint32_t distance = 0;
+    std::uint32_t intensity = 0;
+};
+
+/// What came back at one step.
+struct StepEchoes {
+    std::array<Echo, max_echoes> echo{};  ///< near to far
+    int count = 1;                        ///< without any, one that holds the model's code
+};
+
 struct ScanView {
     Turn turn;
     int first_step = 0;                        ///< the step of element 0
     std::span<const std::uint32_t> distance;   ///< mm, or one of the model's DistanceCodes
     std::span<const std::uint32_t> intensity;  ///< as many; 18 bits, relative, no unit
+    std::span<const StepEchoes> echoes;        ///< as many; or empty: one each, the above
 };
 
 }  // namespace scipd::protocol

@@ -5,14 +5,18 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/operations.h"
+#include "protocol/rehearsal.h"
 #include "protocol/reply.h"
 #include "protocol/reply_grid.h"
-#include "protocol/timestamp.h"
+#include "protocol/reports.h"
+#include "protocol/scan_block.h"
+#include "protocol/scip1.h"
 
 namespace scipd::protocol {
 
 Session::Session(const DeviceProfile& profile, DeviceState& device)
-    : profile_(profile), device_(device) {}
+    : profile_(profile), device_(device), boots_seen_(device.boots()) {}
 
 Session::~Session() {
     close();
@@ -25,18 +29,25 @@ void Session::receive(std::string_view bytes, Uptime now) {
 }
 
 std::optional<Uptime> Session::wake_at() const {
-    if (single_shot_ && !device_.laser_on()) return last_answer_;
-    if (requests_.empty() || single_shot_) return std::nullopt;
-    return due(requests_.front());
+    if (link_lost() || single_shot_in_vain()) return last_answer_;
+    std::optional<Uptime> at = device_.reboots_at();
+    if (!requests_.empty() && !single_shot_) {
+        const Uptime answer = due(requests_.front());
+        at = std::min(at.value_or(answer), answer);
+    }
+    return at;
 }
 
 void Session::advance(Uptime now) {
-    if (single_shot_ && !device_.laser_on()) refuse_single_shot();
     for (auto at = wake_at(); at && *at <= now; at = wake_at()) {
-        Waiting waiting = std::move(requests_.front());
-        requests_.pop_front();
-        last_answer_ = *at;
-        answer(parse_request(std::move(waiting.line), profile_.family), waiting.arrived, *at);
+        device_.advance(*at);
+        if (link_lost()) {
+            lose_link();
+        } else if (single_shot_in_vain()) {
+            refuse_single_shot(now);
+        } else {
+            answer_next(*at);
+        }
     }
 }
 
@@ -46,7 +57,8 @@ void Session::advance(Uptime now) {
 Uptime Session::due(const Waiting& waiting) const {
     const Uptime tick =
         device_.adjusting() ? std::min(profile_.reply_tick, adjust_tick) : profile_.reply_tick;
-    return next_tick(std::max(waiting.arrived, last_answer_), tick);
+    const Uptime due = next_tick(std::max(waiting.arrived, last_answer_), tick);
+    return profile_.answers_while_booting ? due : std::max(due, device_.booted_at());
 }
 
 bool Session::turn_complete(const Turn& turn) {
@@ -62,27 +74,15 @@ bool Session::waits_for(const Turn& turn) const {
 void Session::take(const ScanView& scan, Uptime now) {
     // Before the last counted scan of a stream switches the laser off.
     const bool answers_single_shot = waits_for(scan.turn);
-    if (std::erase(taken_turns_, scan.turn.start) > 0 && streaming()) {
-        send(subscription_->message(scan, device_.clock_zero(), profile_), Send::Kind::scan);
-        if (subscription_->finished()) quit();
-    }
-    if (answers_single_shot) {
-        const SingleShot shot = std::move(*std::exchange(single_shot_, std::nullopt));
-        const DataFormat format = shot.request.command->format;
-        send(Reply(shot.request.echo, status::ok)
-                 .line(encoded_timestamp(scan.turn.start, device_.clock_zero()))
-                 .data(values_in(scan, shot.window, format, profile_), format.width)
-                 .finish());
-        last_answer_ = std::max(last_answer_, now);
-        advance(now);
-    }
+    if (std::erase(taken_turns_, scan.turn.start) > 0 && streaming()) send_scan(scan);
+    if (answers_single_shot) answer_single_shot(scan, now);
 }
 
-std::optional<Send> Session::next_message() {
-    if (messages_.empty()) return std::nullopt;
-    Send message = std::move(messages_.front());
-    messages_.pop_front();
-    return message;
+std::optional<Action> Session::next_action() {
+    if (actions_.empty()) return std::nullopt;
+    Action action = std::move(actions_.front());
+    actions_.pop_front();
+    return action;
 }
 
 void Session::close() {
@@ -92,22 +92,59 @@ void Session::close() {
     }
     requests_.clear();
     single_shot_.reset();
-    messages_.clear();
+    actions_.clear();
     reader_ = {};
+}
+
+void Session::lose_link() {
+    boots_seen_ = device_.boots();
+    holds_device_ = false;
+    subscription_.reset();
+    close();
+    actions_.emplace_back(DropLink{});
 }
 
 bool Session::streaming() const {
     return subscription_ && device_.streams(stream_);
 }
 
-State Session::state() const {
+State Session::state(Uptime now) const {
+    if (device_.booting(now)) return State::booting;
+    if (device_.failed()) return State::error;
+    if (device_.asleep()) return State::asleep;
     if (device_.adjusting()) return State::adjust;
     if (streaming()) return State::streaming;
     return device_.laser_on() ? State::measuring : State::standby;
 }
 
+void Session::answer_next(Uptime now) {
+    const Waiting waiting = std::move(requests_.front());
+    requests_.pop_front();
+    last_answer_ = now;
+    const int bit_rate = bit_rate_of(device_.settings(), profile_);
+    if (device_.speaks_scip1()) {
+        answer_scip1(waiting.line.text, now);
+    } else {
+        answer(parse_request(waiting.line, profile_), waiting.arrived, now);
+    }
+    const int new_rate = bit_rate_of(device_.settings(), profile_);
+    if (new_rate != bit_rate) actions_.emplace_back(SetBitRate{new_rate});
+}
+
+void Session::answer_scip1(const std::string& line, Uptime now) {
+    const Scip1Request request = parse_scip1(line, profile_);
+    const char status = operate_scip1(device_, request, now);
+    if (request.kind == Scip1Request::Kind::version) {
+        send(scip1_version(line, profile_, device_));
+    } else if (request.kind == Scip1Request::Kind::scan && status == scip1_status::ok) {
+        single_shot_ = SingleShot{{.echo = line}, request.window};
+    } else {
+        send(scip1_reply(line, status));
+    }
+}
+
 void Session::answer(const Request& request, Uptime arrived, Uptime now) {
-    if (const auto status = refusal(request)) {
+    if (const auto status = refusal(request, now)) {
         reply(request, *status);
     } else {
         carry_out(request, arrived, now);
@@ -116,11 +153,17 @@ void Session::answer(const Request& request, Uptime arrived, Uptime now) {
 
 // The state is looked at before the parameters: a bare GD with the laser off is 10 on a UST-10LX,
 // not 0C.
-std::optional<Status> Session::refusal(const Request& request) const {
+std::optional<Status> Session::refusal(const Request& request, Uptime now) const {
     if (request.fault) return request.fault;
     if (request.command == nullptr) return profile_.unknown_command;
-    if (const auto status = request.command->gate(profile_.family).refusal(state())) return status;
-    const std::size_t expected = width(request.command->parameters);
+    const Command& command = *request.command;
+    const bool ethernet = profile_.family == Family::b || profile_.family == Family::c;
+    const bool no_laser =
+        device_.trouble() == Trouble::unstable || device_.trouble() == Trouble::laser;
+    if (command.operation == Operation::switch_laser_on && ethernet && no_laser)
+        return Status("01");
+    if (const auto status = command.gate(profile_.family).refusal(state(now))) return status;
+    const std::size_t expected = width(command.parameters);
     if (request.parameters_length < expected) return status::too_short;
     if (request.parameters_length > expected) return status::too_long;
     return std::nullopt;
@@ -129,86 +172,51 @@ std::optional<Status> Session::refusal(const Request& request) const {
 void Session::carry_out(const Request& request, Uptime arrived, Uptime now) {
     switch (request.command->operation) {
         case Operation::report_version:
-            return report_version(request);
+            return send(version_report(request.echo, profile_));
         case Operation::report_parameters:
-            return report_parameters(request);
+            return send(parameter_report(request.echo, profile_));
         case Operation::report_state:
-            return report_state(request, now);
+            return send(state_report(request.echo, profile_, device_, now));
+        case Operation::report_state_number:
+            return send(state_number_report(request.echo, device_, now));
         case Operation::report_time:
-            return report_time(request, now);
+            return send(time_report(request.echo, device_, now, request.command->format.stamp));
         case Operation::single_shot:
             return begin_single_shot(request);
         case Operation::stream:
             return begin_stream(request, arrived, now);
-        case Operation::refuse_digit:
-            return reply(request, Status("01"));
-        case Operation::switch_laser_on:
-            device_.switch_laser_on(now);
-            holds_device_ = true;
-            break;
+        default:
+            return reply(request, change(request, now));
+    }
+}
+
+// What a client begins ends with it: the device is told from the rest of what requests change.
+Status Session::change(const Request& request, Uptime now) {
+    switch (request.command->operation) {
         case Operation::quit:
             quit();
-            device_.leave_adjust();
             break;
-        case Operation::reset:
-            device_.reset(now);
-            holds_device_ = false;
-            break;
+        case Operation::switch_laser_on:
         case Operation::enter_adjust:
-            device_.enter_adjust();
             holds_device_ = true;
             break;
-        case Operation::leave_adjust:
-            device_.leave_adjust();
+        case Operation::sleep:
+            if (device_.streaming()) return status::denied;  // to another client
             holds_device_ = false;
             break;
+        case Operation::reset:
+        case Operation::partial_reset:
+        case Operation::leave_adjust:
+            holds_device_ = false;
+            break;
+        default:
+            break;
     }
-    reply(request, status::ok);
+    return operate(device_, request, profile_, now);
 }
 
-void Session::report_version(const Request& request) {
-    send(Reply(request.echo, status::ok)
-             .entry("VEND", profile_.vendor)
-             .entry("PROD", profile_.product)
-             .entry("FIRM", profile_.firmware)
-             .entry("PROT", profile_.protocol)
-             .entry("SERI", profile_.serial)
-             .finish());
-}
-
-void Session::report_parameters(const Request& request) {
-    send(Reply(request.echo, status::ok)
-             .entry("MODL", profile_.model)
-             .entry("DMIN", profile_.dmin_mm)
-             .entry("DMAX", profile_.dmax_mm)
-             .entry("ARES", profile_.ares)
-             .entry("AMIN", profile_.amin)
-             .entry("AMAX", profile_.amax)
-             .entry("AFRT", profile_.afrt)
-             .entry("SCAN", profile_.scan_rpm)
-             .finish());
-}
-
-void Session::report_state(const Request& request, Uptime now) {
-    const bool on = device_.laser_on();
-    const Uptime zero = device_.clock_zero();
-    send(Reply(request.echo, status::ok)
-             .entry("MODL", profile_.model)
-             .entry("LASR", on ? "ON" : "OFF")
-             .entry("SCSP", profile_.motor_speed)
-             .entry("MESM", on ? profile_.mode_measuring : profile_.mode_idle)
-             .entry("SBPS", profile_.bit_rate)
-             .entry("TIME", profile_.time_spelling == TimeSpelling::hexadecimal
-                                ? hexadecimal_timestamp(now, zero)
-                                : encoded_timestamp(now, zero))
-             .entry("STAT", profile_.health)
-             .finish());
-}
-
-void Session::report_time(const Request& request, Uptime now) {
-    send(Reply(request.echo, status::ok)
-             .line(encoded_timestamp(now, device_.clock_zero()))
-             .finish());
+bool Session::single_shot_in_vain() const {
+    return single_shot_ && (!device_.laser_on() || device_.failed());
 }
 
 void Session::begin_single_shot(const Request& request) {
@@ -217,10 +225,25 @@ void Session::begin_single_shot(const Request& request) {
     single_shot_ = SingleShot{request, std::get<StepWindow>(window)};
 }
 
-// Another client has switched the laser off while this one waited for a turn.
-void Session::refuse_single_shot() {
+// The laser has gone off or the device has failed while this one waited for a turn.
+void Session::refuse_single_shot(Uptime now) {
     const SingleShot shot = std::move(*std::exchange(single_shot_, std::nullopt));
-    reply(shot.request, refusal(shot.request).value_or(status::denied));
+    if (shot.request.command == nullptr)
+        return send(scip1_reply(shot.request.echo, scip1_status::unknown));
+    reply(shot.request, refusal(shot.request, now).value_or(status::denied));
+}
+
+void Session::answer_single_shot(const ScanView& scan, Uptime now) {
+    const SingleShot shot = std::move(*std::exchange(single_shot_, std::nullopt));
+    if (shot.request.command == nullptr) {
+        send(scip1_scan(shot.request.echo, scan, shot.window, profile_));
+    } else {
+        Reply reply(shot.request.echo, status::ok);
+        add_scan(reply, scan, shot.window, shot.request.command->format, device_, profile_);
+        send(reply.finish());
+    }
+    last_answer_ = std::max(last_answer_, now);
+    advance(now);
 }
 
 // A request for a stream while one is running replaces it.
@@ -231,8 +254,30 @@ void Session::begin_stream(const Request& request, Uptime arrived, Uptime now) {
     device_.close_stream(replaced);
     subscription_ = std::get<Subscription>(std::move(subscription));
     taken_turns_.clear();  // the replaced one's
+    interrupted_ = false;
     holds_device_ = true;
     reply(request, status::ok);
+}
+
+void Session::send_scan(const ScanView& scan) {
+    rehearse_in_stream(device_, *subscription_);
+    if (const auto status = interruption()) {
+        send(subscription_->interruption(*status), Send::Kind::scan);
+        if (device_.failed()) quit();
+        return;
+    }
+    send(subscription_->message(scan, device_, profile_), Send::Kind::scan);
+    if (subscription_->finished()) quit();
+}
+
+// What stands in the place of a scan while there is trouble. Old models say too when it is over.
+std::optional<Status> Session::interruption() {
+    const bool old = profile_.family == Family::a1 || profile_.family == Family::a2;
+    const bool interrupted = std::exchange(interrupted_, device_.trouble() != Trouble::none);
+    if (device_.failed()) return old ? status::broken : status::abnormal;
+    if (interrupted_) return old ? status::verifying : status::unstable;
+    if (interrupted && old) return status::resumed;
+    return std::nullopt;
 }
 
 void Session::quit() {
@@ -247,7 +292,7 @@ void Session::reply(const Request& request, Status status) {
 }
 
 void Session::send(std::string message, Send::Kind kind) {
-    messages_.push_back({std::move(message), kind});
+    actions_.emplace_back(Send{std::move(message), kind});
 }
 
 }  // namespace scipd::protocol

@@ -2,11 +2,11 @@
 // Copyright The scipd authors
 //
 // One conversation with one client, as a machine without sockets, threads or a clock: bytes,
-// finished scans and the time go in, messages come out. Its shell reads, waits and writes, and
+// finished scans and the time go in, actions come out. Its shell reads, waits and writes, and
 // decides nothing. All sessions of a device live on one thread and share its DeviceState, which
 // must outlive them.
 //
-//   bytes ─► receive() ─► requests wait for their tick ─► advance() ─► replies ─► next_message()
+//   bytes ─► receive() ─► requests wait for their tick ─► advance() ─► replies ─► next_action()
 //                                 turn_complete() ─► take() ─► scans ─────────────┘
 #pragma once
 
@@ -55,8 +55,8 @@ class Session {
     [[nodiscard]] bool waits_for(const Turn& turn) const;
     void take(const ScanView& scan, Uptime now);
 
-    /// The next message for the client, in order; nothing: there is none at present.
-    [[nodiscard]] std::optional<Send> next_message();
+    /// The next thing to be done, in order; nothing: there is none at present.
+    [[nodiscard]] std::optional<Action> next_action();
 
     /// The client is gone: what it began (stream, laser, adjust mode) ends as by QT and TM2; what
     /// it asked and what was to be sent is forgotten. What other clients began stays.
@@ -70,23 +70,28 @@ class Session {
         Uptime arrived;
     };
     struct SingleShot {
-        Request request;
+        Request request;  ///< without a command: in SCIP 1.1
         StepWindow window;
     };
 
-    [[nodiscard]] State state() const;
+    [[nodiscard]] State state(Uptime now) const;
+    [[nodiscard]] bool link_lost() const { return boots_seen_ != device_.boots(); }
+    void lose_link();
     [[nodiscard]] Uptime due(const Waiting& waiting) const;
+    [[nodiscard]] bool single_shot_in_vain() const;
+    void answer_next(Uptime now);
+    void answer_scip1(const std::string& line, Uptime now);
     void answer(const Request& request, Uptime arrived, Uptime now);
-    [[nodiscard]] std::optional<Status> refusal(const Request& request) const;
+    [[nodiscard]] std::optional<Status> refusal(const Request& request, Uptime now) const;
     void carry_out(const Request& request, Uptime arrived, Uptime now);
+    [[nodiscard]] Status change(const Request& request, Uptime now);
 
-    void report_version(const Request& request);
-    void report_parameters(const Request& request);
-    void report_state(const Request& request, Uptime now);
-    void report_time(const Request& request, Uptime now);
     void begin_single_shot(const Request& request);
-    void refuse_single_shot();
+    void refuse_single_shot(Uptime now);
+    void answer_single_shot(const ScanView& scan, Uptime now);
     void begin_stream(const Request& request, Uptime arrived, Uptime now);
+    void send_scan(const ScanView& scan);
+    [[nodiscard]] std::optional<Status> interruption();
     void quit();
     void reply(const Request& request, Status status);
     void send(std::string message, Send::Kind kind = Send::Kind::reply);
@@ -102,7 +107,9 @@ class Session {
     DeviceState::StreamId stream_ = 0;
     std::vector<Uptime> taken_turns_;  ///< begins of turns whose scans the stream still waits for
     bool holds_device_ = false;        ///< this client has the laser on or adjusts
-    std::deque<Send> messages_;
+    bool interrupted_ = false;         ///< the stream has paused for trouble
+    int boots_seen_;
+    std::deque<Action> actions_;
 };
 
 }  // namespace scipd::protocol

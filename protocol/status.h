@@ -33,12 +33,18 @@ inline constexpr Status ok{"00"};
 inline constexpr Status scan_follows{"99"};
 inline constexpr Status denied{
     "10"};  ///< not in the present state; to GD and its kin on old models: laser off
+/// In the place of 99: the stream pauses to verify an error, goes on, ends for good (old models).
+inline constexpr Status verifying{"21"};
+inline constexpr Status broken{"50"};
+inline constexpr Status resumed{"98"};
 inline constexpr Status too_short{"0C"};
 inline constexpr Status too_long{"0D"};
 inline constexpr Status undefined{"0E"};
 inline constexpr Status unsupported{"0F"};
 inline constexpr Status string_too_long{"0G"};
 inline constexpr Status string_illegal{"0H"};
+inline constexpr Status abnormal{"0L"};
+inline constexpr Status unstable{"0M"};  ///< of a scan: this one is left out
 }  // namespace status
 
 }  // namespace scipd::protocol

@@ -17,10 +17,21 @@
 
 namespace scipd::protocol {
 
+/// What stands in the place of distances where the cluster of a URG-04LX is one of its undocumented
+/// codes (qrk's c_urg). Two neighbouring steps show two things about the first of them.
+enum class Contents {
+    distances,
+    distance_and_intensity,  ///< FF FE FD: the mean of two receivers, the second, the first
+    intensity,               ///< EF EE ED: of every step, nothing else
+    intensity_and_gain,      ///< DF DE DD
+    gain,                    ///< DC DB: of every step
+};
+
 struct StepWindow {
     int first = 0;  ///< both inclusive
     int last = 0;
     int cluster = 1;  ///< so many neighbouring steps give one value
+    Contents contents = Contents::distances;
 };
 
 /// The ten digits of a window, or the first thing that is wrong with them in the order of its
@@ -31,6 +42,11 @@ struct StepWindow {
 
 /// Digits only; nothing where there is anything else.
 [[nodiscard]] std::optional<int> parse_digits(std::string_view digits);
+
+/// The step of a group that speaks for it: the one with the nearest distance, of several such the
+/// first; where there is no distance, the first of the group.
+[[nodiscard]] int nearest_step(const ScanView& scan, int first, int last, bool echoes,
+                               const DeviceProfile& profile);
 
 /// What goes into the data block: one distance for each group of `cluster` steps, the last group
 /// being shorter where the window does not divide evenly (a recorded UTM-30LX sends 271 values for

@@ -4,14 +4,13 @@
 
 #include <utility>
 
-#include "protocol/reply.h"
-#include "protocol/timestamp.h"
+#include "protocol/scan_block.h"
 
 namespace scipd::protocol {
 namespace {
 
-// In the echo, behind the code and the eleven digits of window and interval.
-constexpr std::size_t remaining_position = 13;
+// In the echo, behind the code and as many digits of window and interval.
+constexpr std::size_t window_and_interval_digits = 11;
 constexpr std::size_t remaining_digits = 2;
 
 }  // namespace
@@ -30,6 +29,7 @@ std::variant<Subscription, Status> Subscription::from(const Request& request, Up
 
     Subscription subscription;
     subscription.echo_ = request.echo;
+    subscription.remaining_position_ = request.command->code.size() + window_and_interval_digits;
     subscription.window_ = std::get<StepWindow>(window);
     subscription.format_ = request.command->format;
     subscription.interval_ = *interval;
@@ -50,17 +50,27 @@ bool Subscription::takes(const Turn& turn, Uptime laser_on_since) {
     return true;
 }
 
-std::string Subscription::message(const ScanView& scan, Uptime clock_zero,
+std::string Subscription::message(const ScanView& scan, const DeviceState& device,
                                   const DeviceProfile& profile) {
     if (!endless_) --remaining_;
+    ++sent_;
+    Reply reply = head(status::scan_follows);
+    add_scan(reply, scan, window_, format_, device, profile);
+    return reply.finish();
+}
+
+std::string Subscription::interruption(Status status) {
+    ++interruptions_;
+    return head(status).finish();
+}
+
+// The echo says how many scans are still to come.
+Reply Subscription::head(Status status) const {
     std::string echo = echo_;
     const std::string left = {static_cast<char>('0' + remaining_ / 10),
                               static_cast<char>('0' + remaining_ % 10)};
-    echo.replace(remaining_position, remaining_digits, left);
-    return Reply(echo, status::scan_follows)
-        .line(encoded_timestamp(scan.turn.start, clock_zero))
-        .data(values_in(scan, window_, format_, profile), format_.width)
-        .finish();
+    echo.replace(remaining_position_, remaining_digits, left);
+    return {echo, status};
 }
 
 }  // namespace scipd::protocol

@@ -5,10 +5,13 @@
 // laser and modes.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <variant>
 
 #include "protocol/device_profile.h"
+#include "protocol/device_state.h"
+#include "protocol/reply.h"
 #include "protocol/request.h"
 #include "protocol/scan_view.h"
 #include "protocol/status.h"
@@ -32,22 +35,34 @@ class Subscription {
     [[nodiscard]] bool takes(const Turn& turn, Uptime laser_on_since);
 
     /// The message with this scan; counts it.
-    [[nodiscard]] std::string message(const ScanView& scan, Uptime clock_zero,
+    [[nodiscard]] std::string message(const ScanView& scan, const DeviceState& device,
                                       const DeviceProfile& profile);
 
+    /// A message without a scan, where there is none to send; does not count.
+    [[nodiscard]] std::string interruption(Status status);
+
+    [[nodiscard]] int sent() const { return sent_; }
+    [[nodiscard]] int interruptions() const { return interruptions_; }
+    [[nodiscard]] bool has_at_least(int scans) const {
+        return endless_ || sent_ + remaining_ >= scans;
+    }
     /// The last of a counted stream has been made.
     [[nodiscard]] bool finished() const { return !endless_ && remaining_ == 0; }
 
   private:
     Subscription() = default;
+    [[nodiscard]] Reply head(Status status) const;
 
     std::string echo_;
+    std::size_t remaining_position_ = 0;  ///< in the echo: two digits
     StepWindow window_;
     DataFormat format_;
     int interval_ = 0;
     Uptime after_{};  ///< turns that begin later are taken
     int turns_to_skip_ = 0;
     int remaining_ = 0;
+    int sent_ = 0;
+    int interruptions_ = 0;
     bool endless_ = false;
 };
 

@@ -30,6 +30,15 @@ inline constexpr int timestamp_width = 4;
     return text;
 }
 
+/// The clock of the newest firmware: microseconds in 64 bits, which do not wrap.
+inline constexpr int microsecond_stamp_width = 11;
+[[nodiscard]] constexpr std::string encoded_microseconds(Uptime now, Uptime zero) {
+    const auto us = std::chrono::floor<std::chrono::microseconds>(now - zero).count();
+    std::string text;
+    append_encoded(text, static_cast<std::uint64_t>(us), microsecond_stamp_width);
+    return text;
+}
+
 /// Six upper-case hexadecimal digits, as the II reply of the URG-04LX and the UTM-30LX spells it.
 [[nodiscard]] std::string hexadecimal_timestamp(Uptime now, Uptime zero);
 

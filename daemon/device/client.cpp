@@ -6,10 +6,10 @@
 
 namespace scipd::daemon {
 
-Client::Client(Device& device, std::function<void()> on_messages)
+Client::Client(Device& device, std::function<void()> on_actions)
     : device_(device),
       session_(device.profile_, device.state_),
-      on_messages_(std::move(on_messages)) {
+      on_actions_(std::move(on_actions)) {
     device_.add(*this);
 }
 

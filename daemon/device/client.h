@@ -18,9 +18,9 @@ namespace scipd::daemon {
 
 class Client {
   public:
-    /// `on_messages` is called whenever next_message() may have something, but not from within a
+    /// `on_actions` is called whenever next_action() may have something, but not from within a
     /// call of this client's.
-    Client(Device& device, std::function<void()> on_messages);
+    Client(Device& device, std::function<void()> on_actions);
     Client(const Client&) = delete;
     Client& operator=(const Client&) = delete;
     ~Client();
@@ -38,14 +38,14 @@ class Client {
     [[nodiscard]] std::optional<Clock::Steady::time_point> wake_at() const;
     void wake();
 
-    [[nodiscard]] std::optional<protocol::Send> next_message() { return session_.next_message(); }
+    [[nodiscard]] std::optional<protocol::Action> next_action() { return session_.next_action(); }
 
   private:
     friend class Device;
 
     Device& device_;
     protocol::Session session_;
-    std::function<void()> on_messages_;
+    std::function<void()> on_actions_;
 };
 
 }  // namespace scipd::daemon

@@ -82,7 +82,7 @@ void Device::turn_complete(std::int64_t revolution) {
     // laser off.
     for (Client* client : clients_) {
         client->session_.advance(uptime());
-        client->on_messages_();
+        client->on_actions_();
     }
 }
 
@@ -93,6 +93,17 @@ void Device::serve_latest(Client& client) {
         client.session_.take(measure(revolution).view(), uptime());
     }
     if (client.session_.measuring() && on_wanted_) on_wanted_();
+    if (state_.boots() != boots_told_) tell_of_boot(client);
+}
+
+// The client whose call has come upon it knows; the others may be waiting for something else.
+void Device::tell_of_boot(const Client& knows) {
+    boots_told_ = state_.boots();
+    for (Client* client : clients_) {
+        if (client == &knows) continue;
+        client->session_.advance(uptime());
+        client->on_actions_();
+    }
 }
 
 protocol::Turn Device::turn(std::int64_t revolution) const {

@@ -65,6 +65,7 @@ class Device {
     /// Answers a request for the latest scan, if it is complete by now, and sees to those that are
     /// not.
     void serve_latest(Client& client);
+    void tell_of_boot(const Client& knows);
 
     [[nodiscard]] protocol::Turn turn(std::int64_t revolution) const;
     /// Of a revolution that is complete.
@@ -84,6 +85,7 @@ class Device {
     sim::ScanTiming timing_;
 
     protocol::DeviceState state_;
+    int boots_told_ = 0;  ///< all clients know of so many
     std::vector<Client*> clients_;
     std::function<void()> on_wanted_;
     sim::SharedScan scan_;  ///< the latest that was cast

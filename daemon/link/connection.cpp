@@ -63,8 +63,10 @@ void Connection::take_input(std::size_t count) {
 
 void Connection::flush() {
     const bool somebody_there = hooks_.somebody_there();
-    while (auto message = client_->next_message()) {
-        if (somebody_there && !outbox_.push(std::move(*message))) ++lost_;
+    while (auto action = client_->next_action()) {
+        if (std::holds_alternative<protocol::DropLink>(*action)) return drop();
+        auto* message = std::get_if<protocol::Send>(&*action);
+        if (message != nullptr && somebody_there && !outbox_.push(std::move(*message))) ++lost_;
     }
     write();
     wait();
@@ -101,6 +103,13 @@ void Connection::end_of_input() {
     input_ended_ = true;
     if (client_->streaming()) return end();
     end_if_done();
+}
+
+// The device boots. A tty outlives that: only what was under way is lost.
+void Connection::drop() {
+    drop_output();
+    if (!hooks_.survives_boot) input_ended_ = true;
+    flush();
 }
 
 // Not at once: this may be called from within a call of the client's, which end() takes away.

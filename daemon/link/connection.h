@@ -27,6 +27,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
         /// Whether anybody is at the other end: asked before anything is read or queued. Without
         /// anybody, what is to be sent is dropped.
         std::function<bool()> somebody_there = [] { return true; };
+        /// Whether the link stays where the device boots.
+        bool survives_boot = false;
         /// Called once, when nothing more will come or go. Not after close().
         std::function<void()> ended = [] {};
     };
@@ -49,6 +51,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     void write();
     void wait();
     void end_of_input();
+    void drop();
     void end_if_done();
     void end();
 

@@ -91,7 +91,8 @@ void PtyPort::serve(Device& device) {
                                    "cannot use the pseudo-terminal");
     connection_ = std::make_shared<Connection>(
         Connection::Descriptor(executor_, descriptor), device,
-        Connection::Hooks{.somebody_there = [this] { return somebody_there(); }});
+        Connection::Hooks{.somebody_there = [this] { return somebody_there(); },
+                          .survives_boot = true});
     connection_->start();
     watch();
 }

@@ -4,9 +4,7 @@
 
 #include <stdexcept>
 
-#include "daemon/models/urg_04lx.h"
-#include "daemon/models/ust.h"
-#include "daemon/models/utm_30lx.h"
+#include "daemon/models/products.h"
 
 namespace scipd::daemon {
 namespace {
@@ -15,17 +13,29 @@ std::string full_name(const Model& model) {
     return model.profile.name + "@" + model.profile.release;
 }
 
+// Each product once, whatever its firmwares.
 std::string choices() {
     std::string text;
-    for (const Model& model : models())
-        text += (text.empty() ? "" : ", ") + full_name(model);
+    std::string_view last;
+    for (const Model& model : models()) {
+        if (model.profile.name == last) continue;
+        last = model.profile.name;
+        text += (text.empty() ? "" : ", ") + model.profile.name;
+    }
     return text;
 }
 
 }  // namespace
 
 const std::vector<Model>& models() {
-    static const std::vector<Model> all = {urg_04lx(), utm_30lx(), ust_10lx(), ust_20lx()};
+    static const std::vector<Model> all = {
+        urg_04lx_3_1_04(),    urg_04lx_3_3_00(), urg_04lx_ug01(),     ubg_04lx_f01(),
+        uhg_08lx(),           utm_30lx(),        utm_30lx_ew(),       uxm_30lx_e(),
+        uxm_30lx_ew(),        uxm_30lxh_ewa(),   ust_05lx(),          ust_10lx(),
+        ust_10lx_h01(),       ust_10lx_h02(),    ust_20lx(),          ust_20lx_h01(),
+        ust_30lx(),           ust_30lc("1.0.1"), ust_30lc("4.0.2-A"), ust_30lc("4.0.3"),
+        ust_30lc("4.1.0b-A"),
+    };
     return all;
 }
 
@@ -34,7 +44,7 @@ const Model& find_model(std::string_view name) {
         if (name == model.profile.name || name == full_name(model)) return model;
     }
     throw std::invalid_argument("there is no model \"" + std::string(name) + "\"; the models are " +
-                                choices());
+                                choices() + "; `scipd --list-models` tells their firmware");
 }
 
 }  // namespace scipd::daemon

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// URG-04LX, firmware 3.1.04, in SCIP 2.0 from the start. Texts, steps and limits: recording of a
-// real unit.
-#include "daemon/models/urg_04lx.h"
+// URG-04LX, in SCIP 2.0 from the start. Texts, steps and limits of firmware 3.1.04: recording of a
+// real unit. 3.3.00: version and serial number from a SCIP 1.1 recording of another.
+#include "daemon/models/kin.h"
+#include "daemon/models/products.h"
 
 namespace scipd::daemon {
 
-Model urg_04lx() {
+protocol::DeviceProfile urg_profile() {
     using namespace std::chrono_literals;
-    const protocol::DeviceProfile profile{
+    return {
         .name = "URG-04LX",
         .release = "3.1.04",
         .family = protocol::Family::a1,
@@ -19,6 +20,12 @@ Model urg_04lx() {
         .firmware = "3.1.04(02/Aug./2007)",
         .protocol = "SCIP 2.0",
         .serial = "H0706400",
+
+        // The same unit's V, recorded before it was told SCIP2.0. Failed: deduced.
+        .scip1 = {.firmware = "3.1.04,07/08/02(20-4095[mm],240[deg],44-725[step],600[rpm])",
+                  .protocol = "00003,(SCIP 1.0)",
+                  .health = "FW Normal[FinalDist with shadow  ]",
+                  .health_failed = "FW Error[FinalDist with shadow  ]"},
 
         .model = "URG-04LX(Hokuyo Automatic Co.,Ltd.)",
         .dmin_mm = 20,
@@ -31,10 +38,12 @@ Model urg_04lx() {
 
         .motor_speed = "Initial(600[rpm])<-Default setting by user",
         .mode_idle = "IDLE",
-        // 3.3 says "Measuring by Normal Mode" instead.
         .mode_measuring = "CLASSIC",
         .bit_rate = "19200[bps]<-Default setting by user",
         .health = "Sensor works well.",
+        // Deduced: the form is that of a UTM-30LX in trouble.
+        .health_unstable = "Sensor is verifying an error.",
+        .health_failed = "Trouble!! Error No. =[00->50]",
         .time_spelling = protocol::TimeSpelling::hexadecimal,
 
         // Steps 0 to 768 exist and may be asked for (SCIP 2.0 specification, table of models; a
@@ -46,14 +55,43 @@ Model urg_04lx() {
         // as far away.
         .codes = {.nothing = 0, .too_near = 10, .too_far = 0, .not_measured = 19},
 
+        .intensity_codes = true,  // undocumented; qrk's c_urg
+        // SCIP 2.0 specification: SS; CR. HS came with 3.2.00 and DB with 3.3.00; recorded: CR00 is
+        // 03, HS0 is 0C.
+        .bit_rates = {19200, 38400, 57600, 115200, 250000, 500000, 750000},
+        .motor_levels = true,
+        .sensitivity = protocol::Support::later_firmware,
+        .rehearsals = protocol::Support::later_firmware,
+
         .unknown_command = protocol::status::undefined,
         .scan_period = 100ms,
         // One reply a turn: requests sent right after a reply were answered 98 to 100 ms later.
         .reply_tick = 100ms,
+        .boot_time = 1s,  // assumed
     };
-    // Data sheet: 10 mm to 1 m, then 1 % of the distance.
-    return make_model(profile, {{.from_range_m = 0.0, .sigma_m = 0.010, .sigma_share = 0.0},
-                                {.from_range_m = 1.0, .sigma_m = 0.0, .sigma_share = 0.01}});
+}
+
+Model urg_04lx_3_1_04() {
+    return make_model(
+        urg_profile(), urg_noise(),
+        {.texts = Evidence::seen, .steps = Evidence::seen, .noise = Evidence::documented});
+}
+
+Model urg_04lx_3_3_00() {
+    protocol::DeviceProfile profile = urg_profile();
+    profile.release = "3.3.00";
+    // Spelled as 3.1.04 spells it; the recording has the SCIP 1.1 form 3.3.00,08/04/16.
+    profile.firmware = "3.3.00(16/Apr./2008)";
+    profile.scip1.firmware = "3.3.00,08/04/16(20-4095[mm],240[deg],44-725[step],600[rpm])";
+    profile.serial = "H0713090";
+    // Seen on a URG-04LX-UG01 with 3.3.01.
+    profile.mode_measuring = "Measuring by Normal Mode";
+    profile.mode_sensitive = "Measuring by Sensitive Mode";
+    profile.sensitivity = protocol::Support::yes;
+    profile.rehearsals = protocol::Support::yes;
+    return make_model(
+        profile, urg_noise(),
+        {.texts = Evidence::deduced, .steps = Evidence::seen, .noise = Evidence::documented});
 }
 
 }  // namespace scipd::daemon

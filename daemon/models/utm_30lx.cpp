@@ -2,7 +2,8 @@
 // Copyright The scipd authors
 //
 // UTM-30LX on USB. Texts, steps and limits: recording of a real unit.
-#include "daemon/models/utm_30lx.h"
+#include "daemon/models/kin.h"
+#include "daemon/models/products.h"
 
 namespace scipd::daemon {
 
@@ -35,6 +36,9 @@ Model utm_30lx() {
         .mode_measuring = "CLASSIC",
         .bit_rate = "USB Full Speed",
         .health = "Sensor works well.",
+        // Failed: seen on a unit with firmware 1.16.01. Unstable: deduced.
+        .health_unstable = "Sensor is verifying an error.",
+        .health_failed = "Trouble!! Error No. =[00->33]",
         .time_spelling = protocol::TimeSpelling::hexadecimal,
 
         .last_step = 1080,
@@ -48,10 +52,11 @@ Model utm_30lx() {
         // Recorded: every reply 25 ms after the one before; a scan 24 ms after its time stamp, 5 ms
         // after its last step.
         .reply_tick = 25ms,
+        .boot_time = 1s,  // assumed
     };
-    // Data sheet, indoors: below 10 mm to 10 m, below 30 mm to 30 m.
-    return make_model(profile, {{.from_range_m = 0.0, .sigma_m = 0.010, .sigma_share = 0.0},
-                                {.from_range_m = 10.0, .sigma_m = 0.030, .sigma_share = 0.0}});
+    return make_model(
+        profile, utm_noise(),
+        {.texts = Evidence::seen, .steps = Evidence::seen, .noise = Evidence::documented});
 }
 
 }  // namespace scipd::daemon

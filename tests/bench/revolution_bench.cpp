@@ -52,7 +52,7 @@ class Revolutions {
         client_->receive("MD0000108000000\n");
         while (!client_->streaming())
             client_->wake();
-        while (client_->next_message()) {
+        while (client_->next_action()) {
         }
         revolution_ = device_->next_revolution();
         // The stream begins with the first whole turn.
@@ -69,8 +69,8 @@ class Revolutions {
     std::size_t turn() {
         device_->turn_complete(revolution_++);
         std::size_t bytes = 0;
-        while (const auto message = client_->next_message())
-            bytes += message->bytes.size();
+        while (const auto action = client_->next_action())
+            bytes += std::get<protocol::Send>(*action).bytes.size();
         return bytes;
     }
 

@@ -186,8 +186,10 @@ http: 8080
                     "fleet.yaml:19: robots.rescue.sensors.rear/left: nobody can reach it; give "
                     "tcp or pty, such as `pty: auto`",
                     "fleet.yaml:20: robots.rescue.sensors.rear/left.model: there is no model "
-                    "\"UST-99\"; the models are URG-04LX@3.1.04, UTM-30LX@P.1.05, "
-                    "UST-10LX@2.23.0000, UST-20LX@2.23.0000",
+                    "\"UST-99\"; the models are URG-04LX, URG-04LX-UG01, UBG-04LX-F01, "
+                    "UHG-08LX, UTM-30LX, UTM-30LX-EW, UXM-30LX-E, UXM-30LX-EW, UXM-30LXH-EWA, "
+                    "UST-05LX, UST-10LX, UST-10LX-H01, UST-10LX-H02, UST-20LX, UST-20LX-H01, "
+                    "UST-30LX, UST-30LC; `scipd --list-models` tells their firmware",
                     "fleet.yaml:21: robots.rescue.sensors.rear/left.timing: must be real or "
                     "ideal, not 'fast'",
                     "fleet.yaml:22: robots.empty: needs at least one sensor, under sensors",

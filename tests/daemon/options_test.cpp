@@ -169,8 +169,14 @@ TEST_F(OptionsTest, CheckTellsAllFaultsOrNone) {
 
 TEST(Options, AnswersQuestionsOnStandardOutput) {
     EXPECT_EQ(answer("--list-models").exit_code, 0);
-    EXPECT_EQ(answer("--list-models").text,
-              "URG-04LX@3.1.04\nUTM-30LX@P.1.05\nUST-10LX@2.23.0000\nUST-20LX@2.23.0000\n");
+    EXPECT_THAT(answer("--list-models").text,
+                testing::StartsWith("URG-04LX@3.1.04  20-5600 mm, steps 44-725 of 1024, 10 Hz; "
+                                    "USB, RS-232; VV PP II BM"));
+    EXPECT_THAT(
+        answer("--list-models").text,
+        HasSubstr("\nUST-10LX@2.23.0000  20-30000 mm, steps 0-1080 of 1440, 40 Hz; Ethernet; VV"));
+    EXPECT_THAT(answer("--list-models").text,
+                HasSubstr("texts seen, steps seen, noise documented\n"));
     EXPECT_EQ(answer("--list-backends").exit_code, 0);
     EXPECT_THAT(answer("--list-backends").text, HasSubstr("embree"));
     EXPECT_THAT(answer("--list-backends").text, HasSubstr("\nreference"));

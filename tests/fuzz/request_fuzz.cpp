@@ -35,14 +35,19 @@ std::string_view take_line(std::string_view& text) {
     return line;
 }
 
-// Echo, lines with their sums, an empty line at the end and nowhere else; never more than two
-// values for each step.
+// Echo, lines with their sums, an empty line at the end and nowhere else; never more than three
+// echoes with intensity for each step.
 void demand_framed(std::string_view message) {
     constexpr std::size_t longest_line = 71;  // what urg_library has room for
     constexpr std::size_t head = protocol::LineReader::max_length + 20;
-    demand(message.size() <= head + protocol::data_block_size(std::size_t{2} * 1081, 3));
+    demand(message.size() <= head + protocol::data_block_size(std::size_t{20} * 2161, 1));
     demand(!take_line(message).empty());
     const std::string_view status = take_line(message);
+    if (status == "0" || status == "E") {  // SCIP 1.1, which has no sums
+        while (!take_line(message).empty()) {
+        }
+        return demand(message.empty());
+    }
     demand(status.size() == 3 && protocol::checksum(status.substr(0, 2)) == status[2]);
     for (std::string_view line = take_line(message); !line.empty(); line = take_line(message)) {
         demand(line.size() <= longest_line);
@@ -65,7 +70,11 @@ protocol::DeviceProfile profile_of(std::uint8_t choice) {
         for (int* steps : {&profile.ares, &profile.amin, &profile.amax, &profile.last_step})
             *steps /= 12;
     }
-    if ((choice & 0x40U) != 0) profile.family = protocol::Family::b;
+    if ((choice & 0x40U) != 0) {
+        profile.family = protocol::Family::b;
+        profile.multi_echo = true;
+    }
+    profile.microseconds = profile.io_lines = profile.family == protocol::Family::c;
     if ((choice & 0x80U) != 0) profile.reply_tick = 0ms;
     return profile;
 }
@@ -75,6 +84,11 @@ constexpr auto longest_conversation = 3s;
 std::string conversation(std::string_view script, bool byte_by_byte) {
     protocol::Shell shell(profile_of(static_cast<std::uint8_t>(script.front())));
     shell.distance = [](int step) { return static_cast<std::uint32_t>(step * 37 % 65536); };
+    shell.echoes = [](int step) {
+        const auto near = static_cast<std::uint32_t>(step * 37 % 65536);
+        return protocol::StepEchoes{.echo = {{{near, 1}, {near + 1000, 2}, {near + 2000, 3}}},
+                                    .count = 1 + step % 3};
+    };
     script.remove_prefix(1);
     while (!script.empty()) {
         const auto instruction = static_cast<std::uint8_t>(script.front());

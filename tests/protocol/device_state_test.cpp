@@ -91,5 +91,63 @@ TEST(DeviceState, ResetEndsEverythingAndSetsTheClockToZero) {
     EXPECT_FALSE(device.adjusting());
 }
 
+TEST(DeviceState, BootsAsIfNew) {
+    DeviceState device;
+    const auto stream = device.open_stream(1ms);
+    device.set_trouble(Trouble::abnormal);
+    device.settings().motor_level = 3;
+    device.boot(1s, 5s);
+    EXPECT_EQ(device.boots(), 1);
+    EXPECT_FALSE(device.streams(stream));
+    EXPECT_FALSE(device.laser_on());
+    EXPECT_FALSE(device.failed());
+    EXPECT_EQ(device.settings(), Settings{});
+    EXPECT_EQ(device.clock_zero(), 1s);
+    EXPECT_TRUE(device.booting(6s - 1ns));
+    EXPECT_FALSE(device.booting(6s));
+    EXPECT_NE(device.open_stream(7s), stream);
+}
+
+TEST(DeviceState, RebootsASecondAfterTheSecondRequest) {
+    DeviceState device;
+    EXPECT_FALSE(device.ask_reboot(1s, 5s));
+    EXPECT_FALSE(device.ask_reboot(2s + 1ns, 5s));
+    EXPECT_TRUE(device.ask_reboot(3s, 5s));
+    EXPECT_EQ(device.reboots_at(), 4s);
+    device.advance(4s - 1ns);
+    EXPECT_EQ(device.boots(), 0);
+    device.advance(9s);  // late: it booted when it should have
+    EXPECT_EQ(device.boots(), 1);
+    EXPECT_EQ(device.booted_at(), 9s);
+    EXPECT_EQ(device.reboots_at(), std::nullopt);
+    EXPECT_FALSE(device.ask_reboot(10s, 5s));
+}
+
+TEST(DeviceState, AsleepItHasNoLaserAndWakesSlowly) {
+    DeviceState device;
+    device.switch_laser_on(1ms);
+    device.sleep();
+    EXPECT_TRUE(device.asleep());
+    EXPECT_FALSE(device.laser_on());
+    device.wake(1s, 3s);
+    device.switch_laser_on(1s);
+    EXPECT_FALSE(device.asleep());
+    EXPECT_TRUE(device.waking(4s - 1ns));
+    EXPECT_FALSE(device.waking(4s));
+    EXPECT_EQ(device.laser_on_since(), 4s);
+    device.wake(10s, 3s);  // it is awake
+    EXPECT_FALSE(device.waking(11s));
+}
+
+TEST(DeviceState, APartialResetKeepsSpeedAndRate) {
+    DeviceState device;
+    device.settings() = {.bit_rate = 57600, .motor_level = 4, .sensitive = true};
+    device.partial_reset(1s);
+    EXPECT_EQ(device.settings(), (Settings{.bit_rate = 57600, .motor_level = 4}));
+    EXPECT_EQ(device.clock_zero(), 1s);
+    device.reset(2s);
+    EXPECT_EQ(device.settings(), Settings{});
+}
+
 }  // namespace
 }  // namespace scipd::protocol

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <regex>
 #include <stdexcept>
 #include <utility>
@@ -62,8 +63,10 @@ class Parser {
         if (line.starts_with("> ")) return add(Say{unescaped(line.substr(2)) + "\n"});
         if (line == ">") return add(Say{"\n"});
         if (line == "hang up") return add(Hang{});
+        if (line == "link drops") return add(Expect{DropLink{}});
         if (line.empty() || line.starts_with("#")) return;
-        if (!time(line) && !sight(line) && !header(line))
+        if (!time(line) && !sight(line) && !echoes(line) && !rate(line) && !io(line) &&
+            !trouble(line) && !header(line))
             throw std::invalid_argument("not understood: " + line);
     }
 
@@ -112,12 +115,66 @@ class Parser {
         return true;
     }
 
+    bool echoes(const std::string& line) {
+        static const std::regex form(R"(echoes (\d+)(?:\.\.(\d+))?:((?: \d+/\d+){1,3}))");
+        static const std::regex pair(R"((\d+)/(\d+))");
+        std::smatch match;
+        if (!std::regex_match(line, match, form)) return false;
+        Echoes seen{.first = std::stoi(match[1]),
+                    .last = std::stoi(match[match[2].matched ? 2 : 1])};
+        const std::string pairs = match[3];
+        seen.echoes.count = 0;
+        for (std::sregex_iterator at(pairs.begin(), pairs.end(), pair), end; at != end; ++at) {
+            seen.echoes.echo[seen.echoes.count++] = {
+                static_cast<std::uint32_t>(std::stoul((*at)[1])),
+                static_cast<std::uint32_t>(std::stoul((*at)[2]))};
+        }
+        add(seen);
+        return true;
+    }
+
+    bool rate(const std::string& line) {
+        static const std::regex form(R"(rate (\d+))");
+        std::smatch match;
+        if (!std::regex_match(line, match, form)) return false;
+        add(Expect{SetBitRate{std::stoi(match[1])}});
+        return true;
+    }
+
+    bool io(const std::string& line) {
+        static const std::regex form(R"(io: (\d+) (\d+))");
+        std::smatch match;
+        if (!std::regex_match(line, match, form)) return false;
+        add(IoWords{static_cast<std::uint32_t>(std::stoul(match[1])),
+                    static_cast<std::uint32_t>(std::stoul(match[2]))});
+        return true;
+    }
+
+    bool trouble(const std::string& line) {
+        static const std::map<std::string, Trouble> named = {
+            {"trouble: none", Trouble::none},
+            {"trouble: unstable", Trouble::unstable},
+            {"trouble: laser", Trouble::laser},
+            {"trouble: abnormal", Trouble::abnormal},
+        };
+        const auto found = named.find(line);
+        if (found == named.end()) return false;
+        add(Suffer{found->second});
+        return true;
+    }
+
     bool header(const std::string& line) {
         if (!dialogue_.steps.empty()) return false;
         if (line.starts_with("model: ")) {
             dialogue_.model = line.substr(7);
         } else if (line == "timing: ideal" || line == "timing: real") {
             dialogue_.ideal = line.ends_with("ideal");
+        } else if (line == "with: io_lines") {
+            dialogue_.io_lines = true;
+        } else if (line == "power-up: boot") {
+            dialogue_.boot = true;
+        } else if (line == "power-up: scip1.1") {
+            dialogue_.scip1 = true;
         } else {
             return false;
         }

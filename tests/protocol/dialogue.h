@@ -12,7 +12,10 @@
 #include <variant>
 #include <vector>
 
+#include "protocol/action.h"
 #include "protocol/device_profile.h"
+#include "protocol/device_state.h"
+#include "protocol/scan_view.h"
 #include "protocol/uptime.h"
 
 namespace scipd::protocol {
@@ -28,6 +31,13 @@ struct Sight {
     [[nodiscard]] std::uint32_t value(int step) const {
         return static_cast<std::uint32_t>(base + slope * step);
     }
+};
+
+/// All that comes back from a step, near to far, from here on.
+struct Echoes {
+    int first = 0;
+    int last = 0;
+    StepEchoes echoes;
 };
 
 struct Wait {
@@ -46,16 +56,29 @@ struct Hear {
 
 struct Hang {};
 
+/// What the shell is asked to do besides sending: a part of what happens at the present instant.
+struct Expect {
+    Action action;
+};
+
+/// Something happens to the device.
+struct Suffer {
+    Trouble trouble = Trouble::none;
+};
+
 struct Step {
     int line = 0;
-    std::variant<Sight, Wait, Say, Hear, Hang> what;
+    std::variant<Sight, Echoes, Wait, Say, Hear, Hang, Expect, Suffer, IoWords> what;
 };
 
 struct Dialogue {
     std::string name;    ///< of the file
     std::string source;  ///< where its bytes are known from
     std::string model;
-    bool ideal = false;  ///< no reply grid
+    bool ideal = false;     ///< no reply grid
+    bool io_lines = false;  ///< the model has GF and its kin, which none of the real ones has
+    bool boot = false;      ///< power comes at 0; else the device is up
+    bool scip1 = false;     ///< it is up and speaks SCIP 1.1
     std::vector<Step> steps;
 };
 

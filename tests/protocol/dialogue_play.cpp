@@ -40,10 +40,17 @@ std::string_view take_line(std::string_view& bytes) {
     return line;
 }
 
+DeviceState powered_up(const Dialogue& dialogue, const DeviceProfile& profile) {
+    DeviceState device;
+    if (dialogue.boot) device.boot(Uptime::zero(), profile.boot_time);
+    if (dialogue.scip1) device.power_up_in_scip1(Uptime::zero());
+    return device;
+}
+
 class Player {
   public:
     Player(const Dialogue& dialogue, const DeviceProfile& profile)
-        : dialogue_(dialogue), shell_(profile) {
+        : dialogue_(dialogue), shell_(profile, 1, powered_up(dialogue, profile)) {
         shell_.distance = [this](int step) { return seen(false, step); };
         shell_.intensity = [this](int step) { return seen(true, step); };
     }
@@ -66,6 +73,13 @@ class Player {
         return 0;
     }
 
+    StepEchoes echoes_at(int step) const {
+        for (auto echoes = several_.rbegin(); echoes != several_.rend(); ++echoes) {
+            if (echoes->first <= step && step <= echoes->last) return echoes->echoes;
+        }
+        return {.echo = {Echo{seen(false, step), seen(true, step)}}};
+    }
+
     [[nodiscard]] std::string fault(int line, const std::string& what) const {
         return dialogue_.name + ":" + std::to_string(line) + ": " + what;
     }
@@ -74,11 +88,20 @@ class Player {
         for (const Sent& sent : shell_.take_sent())
             return fault(line, "at " + milliseconds(sent.at) +
                                    " nothing is expected, but there came " + shown(sent.bytes));
+        if (!shell_.take_other_actions().empty())
+            return fault(line, "at " + milliseconds(shell_.now()) +
+                                   " the link drops or changes its rate, which nothing said");
         return {};
     }
 
     std::string act(const Sight& sight, int) {
         sights_.push_back(sight);
+        return {};
+    }
+
+    std::string act(const Echoes& echoes, int) {
+        several_.push_back(echoes);
+        shell_.echoes = [this](int step) { return echoes_at(step); };
         return {};
     }
 
@@ -121,15 +144,35 @@ class Player {
         return early;
     }
 
+    std::string act(const Expect& expect, int line) {
+        const std::vector<Action> actions = shell_.take_other_actions();
+        if (actions == std::vector<Action>{expect.action}) return {};
+        return fault(line, "the link does " + std::to_string(actions.size()) +
+                               " things, which are not just this");
+    }
+
+    std::string act(const Suffer& suffer, int line) {
+        std::string early = unasked(line);
+        shell_.device().set_trouble(suffer.trouble);
+        return early;
+    }
+
+    std::string act(const IoWords& io, int) {
+        shell_.device().io() = io;
+        return {};
+    }
+
     const Dialogue& dialogue_;
     Shell shell_;
     std::vector<Sight> sights_;
+    std::vector<Echoes> several_;
 };
 
 }  // namespace
 
 std::string play(const Dialogue& dialogue, const DeviceProfile& profile) {
     DeviceProfile played = profile;
+    played.io_lines |= dialogue.io_lines;
     if (dialogue.ideal) played.reply_tick = Uptime::zero();
     return Player(dialogue, played).play();
 }

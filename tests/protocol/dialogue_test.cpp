@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -72,6 +73,14 @@ TEST(DialoguePlayer, HoldsEveryByteToItsInstant) {
                 HasSubstr("at 18.75 ms nothing is expected"));
 }
 
+TEST(DialoguePlayer, HoldsTheLinkToWhatIsSaid) {
+    const std::string reboot = "> RB\n< RB\n< 01Q\n<\n> RB\n< RB\n< 00P\n<\nat 1000 ms\n";
+    EXPECT_THAT(played(reboot + "link drops\n"), IsEmpty());
+    EXPECT_THAT(played(reboot), HasSubstr("the link drops or changes its rate"));
+    EXPECT_THAT(played(reboot + "rate 19200\n"), HasSubstr("which are not just this"));
+    EXPECT_THAT(played("link drops\n"), HasSubstr("it:4: the link does 0 things"));
+}
+
 TEST(DialogueParser, DemandsASource) {
     EXPECT_THAT(refused(""), HasSubstr("it:1: "));
     EXPECT_THAT(refused("model: TEST\n"), HasSubstr("it:1: the first line must say"));
@@ -116,27 +125,80 @@ INSTANTIATE_TEST_SUITE_P(All, DialogueFile, ::testing::ValuesIn(dialogue_files()
                              return name;
                          });
 
+std::set<std::string_view> commands_said(const Dialogue& dialogue) {
+    DeviceProfile profile = daemon::find_model(dialogue.model).profile;
+    profile.io_lines |= dialogue.io_lines;
+    std::set<std::string_view> commands;
+    for (const Step& step : dialogue.steps) {
+        const auto* say = std::get_if<Say>(&step.what);
+        const Command* command = say == nullptr ? nullptr : find_command(say->bytes, profile);
+        if (command != nullptr) commands.insert(command->code);
+    }
+    return commands;
+}
+
 TEST(Dialogues, MissNoModelAndNoCommandOfAnyFamily) {
     std::set<std::string> models;
-    std::set<std::pair<Family, std::string_view>> commands;
+    std::map<Family, std::set<std::string_view>> commands;
     for (const auto& file : dialogue_files()) {
         const Dialogue dialogue = read_dialogue(file);
-        const Family family = daemon::find_model(dialogue.model).profile.family;
-        models.insert(dialogue.model);
-        for (const Step& step : dialogue.steps) {
-            const auto* say = std::get_if<Say>(&step.what);
-            const Command* command = say == nullptr ? nullptr : find_command(say->bytes, family);
-            if (command != nullptr) commands.insert({family, command->code});
-        }
+        const DeviceProfile& profile = daemon::find_model(dialogue.model).profile;
+        models.insert(profile.name + "@" + profile.release);
+        commands[profile.family].merge(commands_said(dialogue));
     }
     for (const daemon::Model& model : daemon::models()) {
-        EXPECT_TRUE(models.contains(model.profile.name))
-            << model.profile.name << " is in no dialogue";
+        const std::string name = model.profile.name + "@" + model.profile.release;
+        EXPECT_TRUE(models.contains(name)) << name << " is in no dialogue";
         for (const Command& command : command_table()) {
             const Family family = model.profile.family;
             if (!command.gate(family).known()) continue;
-            EXPECT_TRUE(commands.contains({family, command.code}))
-                << command.code << " is in no dialogue with a kin of " << model.profile.name;
+            EXPECT_TRUE(commands[family].contains(command.code))
+                << command.code << " is in no dialogue with a kin of " << name;
+        }
+    }
+}
+
+TEST(Dialogues, MissNoStatus) {
+    std::set<std::string> missing = {"00", "01", "02", "03", "04", "05", "06",
+                                     "07", "10", "21", "50", "98", "99", "0C",
+                                     "0D", "0E", "0F", "0G", "0H", "0L", "0M"};
+    for (const auto& file : dialogue_files()) {
+        const Dialogue dialogue = read_dialogue(file);
+        for (const Step& step : dialogue.steps) {
+            const auto* hear = std::get_if<Hear>(&step.what);
+            if (hear == nullptr) continue;
+            std::string_view rest = hear->bytes;
+            while (!rest.empty()) {
+                const std::size_t status = rest.find('\n') + 1;
+                missing.erase(std::string(rest.substr(status, 2)));
+                rest.remove_prefix(std::min(rest.find("\n\n"), rest.size() - 2) + 2);
+            }
+        }
+    }
+    EXPECT_THAT(missing, IsEmpty());
+}
+
+// A row of the table in the files of a state, whose names say what family and what state.
+TEST(Dialogues, MissNoStateOfAnyCommand) {
+    constexpr std::pair<Family, std::string_view> families[] = {
+        {Family::a1, "a1"}, {Family::a2, "a2"}, {Family::b, "b"}, {Family::c, "c"}};
+    constexpr std::string_view states[] = {"standby", "measuring", "streaming", "adjust",
+                                           "booting", "error",     "asleep"};
+    for (const auto& [family, letters] : families) {
+        for (const std::string_view state : states) {
+            const bool old = family == Family::a1 || family == Family::a2;
+            // Only family B answers while it boots, and old models cannot sleep.
+            if ((state == "booting" && family != Family::b) || (state == "asleep" && old)) continue;
+            const std::string name = "states_" + std::string(letters) + "_" + std::string(state);
+            std::set<std::string_view> said;
+            for (const auto& file : dialogue_files()) {
+                if (file.stem().string().starts_with(name))
+                    said.merge(commands_said(read_dialogue(file)));
+            }
+            for (const Command& command : command_table()) {
+                if (!command.gate(family).known()) continue;
+                EXPECT_TRUE(said.contains(command.code)) << command.code << " in " << name;
+            }
         }
     }
 }

@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/protocol/test_profile.h"
+
 namespace scipd::protocol {
 namespace {
 
 Request request(const std::string& text, Family family = Family::c, bool overlong = false) {
-    return parse_request({text, overlong}, family);
+    return parse_request({text, overlong}, test_profile(family));
 }
 
 TEST(Request, IsCodeParametersAndString) {
@@ -37,7 +39,7 @@ TEST(Request, KnowsOnlyTheFamilysCommands) {
 }
 
 TEST(Request, OfNoKnownCodeHasNoCommand) {
-    for (const char* text : {"XX", "V", "vv", "SCIP2.0", " VV", "%ST", ";VV"})
+    for (const char* text : {"XX", "V", "vv", "SCIP2", " VV", "%SX", ";VV"})
         EXPECT_EQ(request(text).command, nullptr) << text;
 }
 

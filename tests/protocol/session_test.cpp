@@ -40,6 +40,10 @@ std::string ask(Shell& shell, const std::string& request, int client = 0) {
     return shell.take_text(client);
 }
 
+std::string next_bytes(Session& session) {
+    return std::get<Send>(session.next_action().value()).bytes;
+}
+
 TEST(Session, AnswersOneRequestATick) {
     Shell shell(test_profile());
     shell.advance_to(300us);
@@ -114,7 +118,7 @@ TEST(Session, TimeIsThatOfTheTickAndNotOfALateShell) {
     Session session(profile, device);
     session.receive("TM1\n", 4'500us);
     session.advance(900ms);
-    EXPECT_EQ(session.next_message()->bytes, "TM1\n00P\n00055\n\n");
+    EXPECT_EQ(next_bytes(session), "TM1\n00P\n00055\n\n");
 }
 
 // Streams.
@@ -224,9 +228,9 @@ TEST(Session, TheReplacedStreamsScanIsNotHandedToItsSuccessor) {
     ASSERT_TRUE(session.turn_complete({0ms}));
     session.receive("MD0002000301900\n", 20ms);  // while the scan is being made
     session.take({{0ms}, 2, scan, scan}, 21ms);
-    EXPECT_EQ(session.next_message()->bytes, "MD0002000301000\n00P\n\n");
-    EXPECT_EQ(session.next_message()->bytes, "MD0002000301900\n00P\n\n");
-    EXPECT_EQ(session.next_message(), std::nullopt);
+    EXPECT_EQ(next_bytes(session), "MD0002000301000\n00P\n\n");
+    EXPECT_EQ(next_bytes(session), "MD0002000301900\n00P\n\n");
+    EXPECT_EQ(session.next_action(), std::nullopt);
 }
 
 TEST(Session, TwoScansMayBeUnderWayAtOnce) {
@@ -239,9 +243,9 @@ TEST(Session, TwoScansMayBeUnderWayAtOnce) {
     ASSERT_TRUE(session.turn_complete({25ms}));
     session.take({{0ms}, 2, scan, scan}, 45ms);
     session.take({{25ms}, 2, scan, scan}, 46ms);
-    ASSERT_TRUE(session.next_message());  // the acknowledgement
-    EXPECT_THAT(session.next_message()->bytes, StartsWith("MD0002000301000\n99b\n"));
-    EXPECT_EQ(session.next_message(), std::nullopt);  // only one was asked for
+    ASSERT_TRUE(session.next_action());  // the acknowledgement
+    EXPECT_THAT(next_bytes(session), StartsWith("MD0002000301000\n99b\n"));
+    EXPECT_EQ(session.next_action(), std::nullopt);  // only one was asked for
 }
 
 TEST(Session, QuitEndsTheStreamAtOnce) {
@@ -398,11 +402,74 @@ TEST(Session, ClosingForgetsWhatWasAskedAndWhatWasToBeSent) {
     session.receive("VV\nPP\nBM", 0ms);
     session.advance(1ms);
     session.close();
-    EXPECT_EQ(session.next_message(), std::nullopt);
+    EXPECT_EQ(session.next_action(), std::nullopt);
     EXPECT_EQ(session.wake_at(), std::nullopt);
     session.receive("VV\n", 5ms);  // the half of BM is forgotten too
     session.advance(6ms);
-    EXPECT_THAT(session.next_message()->bytes, StartsWith("VV\n00P\n"));
+    EXPECT_THAT(next_bytes(session), StartsWith("VV\n00P\n"));
+}
+
+// The device's power and trouble.
+
+TEST(Session, ARebootDropsEveryLinkAfterAllThatWasSent) {
+    Shell shell(prompt(), 2);
+    ask(shell, "MD0002000301000", 0);
+    shell.advance_to(20ms);
+    ask(shell, "RB\nRB", 1);
+    shell.advance_to(1019ms);
+    EXPECT_THAT(shell.take_other_actions(0), IsEmpty());
+    shell.advance_to(1020ms);
+    EXPECT_THAT(shell.take_other_actions(0), ElementsAre(Action(DropLink{})));
+    EXPECT_THAT(shell.take_other_actions(1), ElementsAre(Action(DropLink{})));
+    EXPECT_FALSE(shell.session(0).measuring());
+    shell.take_text(0);
+    shell.advance_to(10s);
+    EXPECT_THAT(told(shell, 0), IsEmpty());
+    EXPECT_EQ(ask(shell, "BM", 0), "BM\n00P\n\n");
+}
+
+TEST(Session, ASessionThatBeginsAfterABootHasLostNothing) {
+    DeviceState device;
+    device.boot(0ms, 5s);
+    const DeviceProfile profile = prompt();
+    Session session(profile, device);
+    session.receive("VV\n", 1ms);
+    EXPECT_EQ(session.wake_at(), 5s);
+    session.advance(5s);
+    EXPECT_THAT(next_bytes(session), StartsWith("VV\n00P\n"));
+}
+
+TEST(Session, TheRateOfTheLineChangesAfterTheReply) {
+    DeviceState device;
+    DeviceProfile profile = prompt(Family::a1);
+    profile.bit_rates = {19200, 115200};
+    Session session(profile, device);
+    session.receive("SS115200\nRS\n", 0ms);
+    EXPECT_EQ(next_bytes(session), "SS115200\n00P\n\n");
+    EXPECT_EQ(session.next_action(), Action(SetBitRate{115200}));
+    EXPECT_EQ(next_bytes(session), "RS\n00P\n\n");
+    EXPECT_EQ(session.next_action(), Action(SetBitRate{19200}));
+    EXPECT_EQ(session.next_action(), std::nullopt);
+}
+
+TEST(Session, TheMotorSleepsForAllButNotUnderAStream) {
+    Shell shell(prompt(), 2);
+    ask(shell, "MD0002000301000", 0);
+    EXPECT_EQ(ask(shell, "%SL", 1), "%SL\n10Q\n\n");
+    ask(shell, "QT", 0);
+    EXPECT_EQ(ask(shell, "%SL", 1), "%SL\n00P\n\n");
+    EXPECT_EQ(ask(shell, "MD0002000301000", 0), "MD0002000301000\n10Q\n\n");
+}
+
+TEST(Session, AFailureEndsEveryStreamWithAMessage) {
+    Shell shell(prompt(), 2);
+    ask(shell, "MD0002000301000", 0);
+    ask(shell, "ME0002000301000", 1);
+    shell.device().set_trouble(Trouble::abnormal);
+    shell.advance_to(100ms);
+    EXPECT_EQ(shell.take_text(0), "MD0002000301000\n0Ll\n\n");
+    EXPECT_EQ(shell.take_text(1), "ME0002000301000\n0Ll\n\n");
+    EXPECT_FALSE(shell.device().laser_on());
 }
 
 TEST(Session, ItsEndIsAsClosing) {

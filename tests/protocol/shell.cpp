@@ -9,7 +9,11 @@
 
 namespace scipd::protocol {
 
-Shell::Shell(DeviceProfile profile, int clients) : profile_(std::move(profile)), sent_(clients) {
+Shell::Shell(DeviceProfile profile, int clients, DeviceState device)
+    : profile_(std::move(profile)),
+      device_(std::move(device)),
+      sent_(clients),
+      other_actions_(clients) {
     for (int client = 0; client < clients; ++client)
         sessions_.push_back(std::make_unique<Session>(profile_, device_));
 }
@@ -71,13 +75,15 @@ void Shell::complete_turn() {
 void Shell::hand_out(const Leaving& leaving) {
     std::vector<std::uint32_t> distances;
     std::vector<std::uint32_t> intensities;
+    std::vector<StepEchoes> all_echoes;
     for (int step = profile_.amin; step <= profile_.amax; ++step) {
         distances.push_back(distance(step));
         intensities.push_back(intensity(step));
+        if (echoes) all_echoes.push_back(echoes(step));
     }
     ++scans_made;
-    sessions_[leaving.client]->take({{start(leaving.turn)}, profile_.amin, distances, intensities},
-                                    now_);
+    sessions_[leaving.client]->take(
+        {{start(leaving.turn)}, profile_.amin, distances, intensities, all_echoes}, now_);
     settle(leaving.client);
 }
 
@@ -88,12 +94,20 @@ void Shell::settle(int client) {
         const std::int64_t latest = (now_ - complete(0)) / profile_.scan_period;
         if (session.waits_for({start(latest)})) hand_out({client, latest});
     }
-    while (auto message = session.next_message())
-        sent_[client].push_back({now_, std::move(message->bytes), message->kind});
+    while (auto action = session.next_action()) {
+        if (auto* message = std::get_if<Send>(&*action))
+            sent_[client].push_back({now_, std::move(message->bytes), message->kind});
+        else
+            other_actions_[client].push_back(*action);
+    }
 }
 
 std::vector<Sent> Shell::take_sent(int client) {
     return std::exchange(sent_[client], {});
+}
+
+std::vector<Action> Shell::take_other_actions(int client) {
+    return std::exchange(other_actions_[client], {});
 }
 
 std::string Shell::take_text(int client) {

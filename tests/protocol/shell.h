@@ -26,7 +26,8 @@ struct Sent {
 
 class Shell {
   public:
-    explicit Shell(DeviceProfile profile, int clients = 1);
+    /// `device`: as it is at 0.
+    explicit Shell(DeviceProfile profile, int clients = 1, DeviceState device = {});
 
     /// The client's bytes come in at now().
     void receive(std::string_view bytes, int client = 0);
@@ -41,12 +42,16 @@ class Shell {
     [[nodiscard]] DeviceState& device() { return device_; }
     /// All that has been sent since the last call.
     std::vector<Sent> take_sent(int client = 0);
-    /// The same as one string.
+    /// What it was asked to do besides sending since the last call.
+    std::vector<Action> take_other_actions(int client = 0);
+    /// The same as take_sent() as one string.
     std::string take_text(int client = 0);
 
     /// What the scanner sees at a step.
     std::function<std::uint32_t(int step)> distance = [](int) { return 1000; };
     std::function<std::uint32_t(int step)> intensity = [](int) { return 500; };
+    /// All that comes back from it; empty: the one above.
+    std::function<StepEchoes(int step)> echoes;
     int scans_made = 0;
 
   private:
@@ -67,6 +72,7 @@ class Shell {
     DeviceState device_;
     std::vector<std::unique_ptr<Session>> sessions_;
     std::vector<std::vector<Sent>> sent_;
+    std::vector<std::vector<Action>> other_actions_;
     std::deque<Leaving> leaving_;
     std::int64_t next_turn_ = 0;  ///< the first one that has not been completed
     Uptime now_{};

@@ -36,6 +36,10 @@ inline DeviceProfile test_profile(Family family = Family::c) {
     profile.unknown_command = status::undefined;
     profile.scan_period = std::chrono::milliseconds(25);
     profile.reply_tick = std::chrono::milliseconds(1);
+    profile.multi_echo = family == Family::b;
+    profile.boot_time = std::chrono::seconds(5);
+    profile.answers_while_booting = family == Family::b;
+    profile.wake_time = std::chrono::seconds(3);
     return profile;
 }
 

@@ -41,5 +41,11 @@ TEST(Timestamp, IsSpelledAsRecorded) {
     EXPECT_EQ(encoded_timestamp(wrap, 0ms), "0000");
 }
 
+TEST(Timestamp, OfTheNewestFirmwareCountsMicroseconds) {
+    EXPECT_EQ(encoded_microseconds(7ms, 7ms), "00000000000");
+    EXPECT_EQ(encoded_microseconds(7ms + 1234us + 999ns, 7ms), "000000000CB");
+    EXPECT_EQ(encoded_microseconds(wrap, 0ms), "00000?X0000");  // 16777216000 us
+}
+
 }  // namespace
 }  // namespace scipd::protocol

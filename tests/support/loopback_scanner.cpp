@@ -43,8 +43,10 @@ class Door {
         session_.close();
     }
     void send_messages() {
-        while (const auto message = session_.next_message())
-            write_all(message->bytes);
+        while (const auto action = session_.next_action()) {
+            if (const auto* message = std::get_if<protocol::Send>(&*action))
+                write_all(message->bytes);
+        }
     }
 
   private:

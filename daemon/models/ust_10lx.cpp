@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// UST-10LX and UST-20LX: one device that differs in its name and how far it sees. Texts of the
-// UST-10LX with firmware 2.23: canned replies of a real unit; limits of the UST-20LX: notes of a
-// session with one.
-#include "daemon/models/ust.h"
+// UST-10LX, and what all UST have of it. Texts with firmware 2.23: canned replies of a real unit.
+#include "daemon/models/kin.h"
+#include "daemon/models/products.h"
 
 namespace scipd::daemon {
-namespace {
 
-Model ust(const std::string& name, const std::string& serial, int dmax_mm) {
+protocol::DeviceProfile ust_profile(const std::string& name, const std::string& serial) {
     using namespace std::chrono_literals;
-    const protocol::DeviceProfile profile{
+    return {
         .name = name,
         .release = "2.23.0000",
         .family = protocol::Family::c,
@@ -24,7 +22,7 @@ Model ust(const std::string& name, const std::string& serial, int dmax_mm) {
 
         .model = name,
         .dmin_mm = 20,
-        .dmax_mm = dmax_mm,
+        .dmax_mm = 30000,
         .ares = 1440,
         .amin = 0,
         .amax = 1080,
@@ -37,6 +35,9 @@ Model ust(const std::string& name, const std::string& serial, int dmax_mm) {
         .mode_measuring = "Measuring by Sensitive Mode",
         .bit_rate = "Ethernet 100[Mbps]",
         .health = "sensor is working normally",
+        // Deduced: no unit in trouble was seen.
+        .health_unstable = "sensor is unstable",
+        .health_failed = "sensor is out of order",
         .time_spelling = protocol::TimeSpelling::encoded,
 
         .last_step = 1080,
@@ -49,20 +50,17 @@ Model ust(const std::string& name, const std::string& serial, int dmax_mm) {
         .scan_period = 25ms,
         // Replies and scans leave on a tick of 1 ms (urg_stamped and its simulator).
         .reply_tick = 1ms,
+        // UST-10LX data sheet: up to 10 s; it takes connections then, but does not answer
+        // (urg_stamped). Waking: assumed.
+        .boot_time = 10s,
+        .wake_time = 3s,
     };
-    // Data sheet: below 30 mm.
-    return make_model(profile, {{.from_range_m = 0.0, .sigma_m = 0.030, .sigma_share = 0.0}});
 }
-
-}  // namespace
 
 Model ust_10lx() {
-    return ust("UST-10LX", "H1614934", 30000);
-}
-
-// The serial number is made up in the form of the others.
-Model ust_20lx() {
-    return ust("UST-20LX", "H1500001", 60000);
+    return make_model(
+        ust_profile("UST-10LX", "H1614934"), ust_noise(),
+        {.texts = Evidence::seen, .steps = Evidence::seen, .noise = Evidence::documented});
 }
 
 }  // namespace scipd::daemon

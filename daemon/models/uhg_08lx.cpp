@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// UHG-08LX. Steps: SCIP 2.0 specification C-42-03320B; range and speed: as UrgBenri has them; the
+// other texts are those of a URG-04LX of its time, the serial number is made up.
+#include "daemon/models/kin.h"
+#include "daemon/models/products.h"
+
+namespace scipd::daemon {
+
+Model uhg_08lx() {
+    using namespace std::chrono_literals;
+    protocol::DeviceProfile profile = urg_profile();
+    profile.name = "UHG-08LX";
+    profile.release = "3.3.00";
+    profile.product = "SOKUIKI Sensor UHG-08LX";
+    profile.firmware = "3.3.00(16/Apr./2008)";
+    profile.serial = "H0800002";
+    profile.scip1 = {};
+    profile.model = "UHG-08LX(Hokuyo Automatic Co.,Ltd.)";
+    profile.dmin_mm = 100;
+    profile.dmax_mm = 8000;
+    profile.amin = 0;
+    profile.amax = 768;
+    profile.scan_rpm = 900;
+    profile.nearest_mm = 100;
+    profile.motor_speed = "Initial(900[rpm])<-Default setting by user";
+    profile.mode_measuring = "Measuring by Normal Mode";
+    profile.mode_sensitive = "Measuring by Sensitive Mode";
+    profile.intensity_codes = false;
+    profile.sensitivity = protocol::Support::yes;
+    profile.rehearsals = protocol::Support::yes;
+    profile.scan_period = 66'667us;
+    profile.reply_tick = 66'667us;
+    return make_model(
+        profile, urg_noise(),
+        {.texts = Evidence::deduced, .steps = Evidence::documented, .noise = Evidence::deduced});
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// URG-04LX-UG01, the "Simple-URG": USB only. VV: notes of a session with a real unit,
+// firmware 3.4.03; PP and MODL are the URG-04LX's, as seen on one with 3.3.01, MESM too.
+#include "daemon/models/kin.h"
+#include "daemon/models/products.h"
+
+namespace scipd::daemon {
+
+Model urg_04lx_ug01() {
+    protocol::DeviceProfile profile = urg_profile();
+    profile.name = "URG-04LX-UG01";
+    profile.release = "3.4.03";
+    profile.product = "SOKUIKI Sensor URG-04LX-UG01(Simple-URG)";
+    profile.firmware = "3.4.03(17/Dec./2012)";
+    profile.serial = "H1510998";
+    profile.scip1 = {};
+    profile.mode_measuring = "Measuring by Normal Mode";
+    profile.mode_sensitive = "Measuring by Sensitive Mode";
+    profile.bit_rate = "USB only";  // one of the texts that hokuyoaist reads
+    profile.bit_rates = {};
+    profile.sensitivity = protocol::Support::yes;
+    profile.rehearsals = protocol::Support::yes;
+    return make_model(
+        profile, urg_noise(),
+        {.texts = Evidence::seen, .steps = Evidence::seen, .noise = Evidence::deduced});
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// UST-05LX: half the steps. Limits: 0.5 degrees and 270, 25 ms; 15 m at most from a public source;
+// the texts are those of a UST-10LX, the serial number is made up.
+#include "daemon/models/kin.h"
+#include "daemon/models/products.h"
+
+namespace scipd::daemon {
+
+Model ust_05lx() {
+    protocol::DeviceProfile profile = ust_profile("UST-05LX", "H1500005");
+    profile.dmax_mm = 15000;
+    profile.ares = 720;
+    profile.amax = 540;
+    profile.last_step = 540;
+    profile.afrt = 270;
+    return make_model(
+        profile, ust_noise(),
+        {.texts = Evidence::deduced, .steps = Evidence::deduced, .noise = Evidence::documented});
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// UST-10LX-H01: specification C-42-04213 for steps and range; the texts are those of a
+// UST-10LX, the serial number is made up.
+#include "daemon/models/kin.h"
+#include "daemon/models/products.h"
+
+namespace scipd::daemon {
+
+Model ust_10lx_h01() {
+    protocol::DeviceProfile profile = ust_profile("UST-10LX-H01", "H1700001");
+    double_resolution(profile);
+    return make_model(
+        profile, ust_noise(),
+        {.texts = Evidence::deduced, .steps = Evidence::documented, .noise = Evidence::documented});
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// UST-20LX. PP: notes of a session with a real unit; the other texts are those of a UST-10LX, the
+// serial number is made up.
+#include "daemon/models/kin.h"
+#include "daemon/models/products.h"
+
+namespace scipd::daemon {
+
+Model ust_20lx() {
+    protocol::DeviceProfile profile = ust_profile("UST-20LX", "H1500001");
+    profile.dmax_mm = 60000;
+    return make_model(
+        profile, ust_noise(),
+        {.texts = Evidence::deduced, .steps = Evidence::seen, .noise = Evidence::documented});
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// UST-20LX-H01: to the UST-20LX as the UST-10LX-H01 is to the UST-10LX.
+#include "daemon/models/kin.h"
+#include "daemon/models/products.h"
+
+namespace scipd::daemon {
+
+Model ust_20lx_h01() {
+    protocol::DeviceProfile profile = ust_profile("UST-20LX-H01", "H1700003");
+    profile.dmax_mm = 60000;
+    double_resolution(profile);
+    return make_model(
+        profile, ust_noise(),
+        {.texts = Evidence::deduced, .steps = Evidence::deduced, .noise = Evidence::deduced});
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// UST-30LC. Limits and firmware as urg_stamped and its simulator have them, whose author had units;
+// 4.0.3 is known as the one that mended the 5 ms tick of 4.0.0 to 4.0.2.
+#include "daemon/models/kin.h"
+#include "daemon/models/products.h"
+
+namespace scipd::daemon {
+
+Model ust_30lc(const std::string& firmware) {
+    // The serial number is made up in the form of the others.
+    protocol::DeviceProfile profile = ust_profile("UST-30LC", "H2200001");
+    profile.release = firmware;
+    profile.firmware = firmware;
+    profile.dmin_mm = 23;
+    profile.nearest_mm = 23;
+    profile.dmax_mm = 60000;
+    // urg_stamped uses %TM and %ME from 4.1 of this line on.
+    profile.microseconds = firmware.starts_with("4.1");
+    // Its simulator answers so; 0F is known of firmware 2.23 only.
+    profile.unknown_command = protocol::status::undefined;
+    return make_model(
+        profile, ust_noise(),
+        {.texts = Evidence::documented, .steps = Evidence::documented, .noise = Evidence::deduced});
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// UST-30LX. hokuyolx names it; all else is that of the UST-20LX, the serial number is made up.
+#include "daemon/models/kin.h"
+#include "daemon/models/products.h"
+
+namespace scipd::daemon {
+
+Model ust_30lx() {
+    protocol::DeviceProfile profile = ust_profile("UST-30LX", "H1900001");
+    profile.dmax_mm = 60000;
+    return make_model(
+        profile, ust_noise(),
+        {.texts = Evidence::deduced, .steps = Evidence::deduced, .noise = Evidence::deduced});
+}
+
+}  // namespace scipd::daemon

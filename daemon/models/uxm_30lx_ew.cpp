@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// UXM-30LX-EW. Nothing of a real unit was seen: 190 degrees in steps of 0.25 and 50 ms a turn give
+// its limits, the rest is the UTM-30LX-EW. The serial number is made up.
+#include "daemon/models/kin.h"
+#include "daemon/models/products.h"
+
+namespace scipd::daemon {
+
+Model uxm_30lx_ew() {
+    using namespace std::chrono_literals;
+    protocol::DeviceProfile profile = ew_profile("UXM-30LX-EW", "H1200001");
+    profile.dmin_mm = 100;
+    profile.nearest_mm = 100;
+    profile.dmax_mm = 100000;
+    profile.amax = 760;
+    profile.last_step = 760;
+    profile.afrt = 380;
+    profile.scan_rpm = 1200;
+    profile.motor_speed = "1200";
+    profile.scan_period = 50ms;
+    return make_model(
+        profile, ust_noise(),
+        {.texts = Evidence::deduced, .steps = Evidence::deduced, .noise = Evidence::deduced});
+}
+
+}  // namespace scipd::daemon

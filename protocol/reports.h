@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Whole replies that say what the device is and how it does: VV, PP, II, %ST, TM1.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "protocol/command_table.h"
+#include "protocol/device_profile.h"
+#include "protocol/device_state.h"
+#include "protocol/uptime.h"
+
+namespace scipd::protocol {
+
+[[nodiscard]] std::string version_report(std::string_view echo, const DeviceProfile& profile);
+[[nodiscard]] std::string parameter_report(std::string_view echo, const DeviceProfile& profile);
+/// Seven lines; two of a device that has failed.
+[[nodiscard]] std::string state_report(std::string_view echo, const DeviceProfile& profile,
+                                       const DeviceState& device, Uptime now);
+/// The state as a number of three digits.
+[[nodiscard]] std::string state_number_report(std::string_view echo, const DeviceState& device,
+                                              Uptime now);
+/// TM1.
+[[nodiscard]] std::string time_report(std::string_view echo, const DeviceState& device, Uptime now,
+                                      Stamp stamp);
+
+}  // namespace scipd::protocol
