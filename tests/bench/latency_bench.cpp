@@ -21,6 +21,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/write.hpp>
+#include <sched.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -135,9 +136,22 @@ void time_requests() {
     }
 }
 
+/// Everything on one processor: the kernel puts a process that was forked beside its client and one
+/// that was started on its own on different ones, and waking an idle processor of a virtual machine
+/// takes 45 us, three times as long as either server needs.
+void stay_on_this_processor() {
+    cpu_set_t processors;
+    CPU_ZERO(&processors);
+    CPU_SET(::sched_getcpu(), &processors);
+    if (::sched_setaffinity(0, sizeof(processors), &processors) != 0) {
+        std::puts("cannot stay on one processor: the ratio says nothing");
+    }
+}
+
 }  // namespace
 
 int main() {
+    stay_on_this_processor();
     compare_with_echo();
     time_requests();
 }

@@ -23,8 +23,8 @@ using protocol::client::ScanMessage;
 
 std::string all_messages(Client& client) {
     std::string bytes;
-    while (const auto message = client.next_message())
-        bytes += message->bytes;
+    while (const auto action = client.next_action())
+        bytes += std::get<protocol::Send>(*action).bytes;
     return bytes;
 }
 
