@@ -36,7 +36,11 @@ World::Backends make_backends(const Config& config, const sim::SharedScene& scen
     return backends;
 }
 
-std::string state_of(const protocol::DeviceState& state) {
+std::string state_of(const Device& device) {
+    const protocol::DeviceState& state = device.state();
+    if (state.booting(device.uptime())) return "booting";
+    if (state.failed()) return "error";
+    if (state.asleep()) return "asleep";
     if (state.adjusting()) return "time adjust";
     if (state.streaming()) return "streaming";
     return state.laser_on() ? "measuring" : "standby";
@@ -205,7 +209,7 @@ SensorStatus Fleet::status_of(const Station& station) const {
     SensorStatus status{.name = station.robot + "/" + station.config.name,
                         .model = device.profile().name,
                         .backend = std::string(world_.backend_name(station.config.backend)),
-                        .state = state_of(device.state()),
+                        .state = state_of(device),
                         .scans = device.scans_sent(),
                         .lost = station.loop->missed(),
                         .lateness = summary_of(device.lateness())};

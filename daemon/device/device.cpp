@@ -80,10 +80,7 @@ void Device::turn_complete(std::int64_t revolution) {
     }
     // Those that have not taken it may have waited in vain, since another client has switched the
     // laser off.
-    for (Client* client : clients_) {
-        client->session_.advance(uptime());
-        client->on_actions_();
-    }
+    tell_clients();
 }
 
 void Device::serve_latest(Client& client) {
@@ -93,14 +90,12 @@ void Device::serve_latest(Client& client) {
         client.session_.take(measure(revolution).view(), uptime());
     }
     if (client.session_.measuring() && on_wanted_) on_wanted_();
-    if (state_.boots() != boots_told_) tell_of_boot(client);
+    if (std::exchange(boots_told_, state_.boots()) != state_.boots()) tell_clients(&client);
 }
 
-// The client whose call has come upon it knows; the others may be waiting for something else.
-void Device::tell_of_boot(const Client& knows) {
-    boots_told_ = state_.boots();
+void Device::tell_clients(const Client* knows) {
     for (Client* client : clients_) {
-        if (client == &knows) continue;
+        if (client == knows) continue;
         client->session_.advance(uptime());
         client->on_actions_();
     }

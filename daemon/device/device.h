@@ -65,7 +65,8 @@ class Device {
     /// Answers a request for the latest scan, if it is complete by now, and sees to those that are
     /// not.
     void serve_latest(Client& client);
-    void tell_of_boot(const Client& knows);
+    /// Something has happened to the device that its clients may be waiting for.
+    void tell_clients(const Client* knows = nullptr);
 
     [[nodiscard]] protocol::Turn turn(std::int64_t revolution) const;
     /// Of a revolution that is complete.

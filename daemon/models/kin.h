@@ -17,6 +17,8 @@ namespace scipd::daemon {
 protocol::DeviceProfile urg_profile();
 /// The UTM-30LX-EW, under another name.
 protocol::DeviceProfile ew_profile(const std::string& name, const std::string& serial);
+/// The UXM-30LX-EW, under another name.
+protocol::DeviceProfile uxm_ew_profile(const std::string& name, const std::string& serial);
 /// The UST-10LX with firmware 2.23, under another name.
 protocol::DeviceProfile ust_profile(const std::string& name, const std::string& serial);
 

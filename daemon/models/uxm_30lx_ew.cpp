@@ -8,9 +8,9 @@
 
 namespace scipd::daemon {
 
-Model uxm_30lx_ew() {
+protocol::DeviceProfile uxm_ew_profile(const std::string& name, const std::string& serial) {
     using namespace std::chrono_literals;
-    protocol::DeviceProfile profile = ew_profile("UXM-30LX-EW", "H1200001");
+    protocol::DeviceProfile profile = ew_profile(name, serial);
     profile.dmin_mm = 100;
     profile.nearest_mm = 100;
     profile.dmax_mm = 100000;
@@ -20,8 +20,12 @@ Model uxm_30lx_ew() {
     profile.scan_rpm = 1200;
     profile.motor_speed = "1200";
     profile.scan_period = 50ms;
+    return profile;
+}
+
+Model uxm_30lx_ew() {
     return make_model(
-        profile, ust_noise(),
+        uxm_ew_profile("UXM-30LX-EW", "H1200001"), ust_noise(),
         {.texts = Evidence::deduced, .steps = Evidence::deduced, .noise = Evidence::deduced});
 }
 

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // UXM-30LXH-EWA. Nothing of a real unit was seen: 190 degrees in steps of 0.125 and 50 ms a turn
-// give its limits, 80 m is from memory of the data sheet, the rest is the UTM-30LX-EW. The serial
+// give its limits, 80 m is from memory of the data sheet, the rest is the UXM-30LX-EW. The serial
 // number is made up.
 #include "daemon/models/kin.h"
 #include "daemon/models/products.h"
@@ -10,17 +10,8 @@
 namespace scipd::daemon {
 
 Model uxm_30lxh_ewa() {
-    using namespace std::chrono_literals;
-    protocol::DeviceProfile profile = ew_profile("UXM-30LXH-EWA", "H1300001");
-    profile.dmin_mm = 100;
-    profile.nearest_mm = 100;
+    protocol::DeviceProfile profile = uxm_ew_profile("UXM-30LXH-EWA", "H1300001");
     profile.dmax_mm = 80000;
-    profile.amax = 760;
-    profile.last_step = 760;
-    profile.afrt = 380;
-    profile.scan_rpm = 1200;
-    profile.motor_speed = "1200";
-    profile.scan_period = 50ms;
     double_resolution(profile);
     return make_model(
         profile, ust_noise(),
