@@ -6,6 +6,7 @@
 // names can be opened by the paths here. Nothing has been opened or bound yet.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -38,6 +39,38 @@ enum class Timing {
     ideal,  ///< at once
 };
 
+/// How the daemon finds the device.
+enum class PowerUp {
+    scip2,  ///< powered and booted
+    scip1,  ///< the same, in SCIP 1.1: only models that spoke it
+    boot,   ///< just switched on: its boot time has begun
+};
+
+/// The device's own clock.
+struct DeviceClockConfig {
+    double ppm = 0.0;            ///< how much too fast it runs
+    std::uint32_t start_ms = 0;  ///< what it shows at the start
+
+    bool operator==(const DeviceClockConfig&) const = default;
+};
+
+/// What lies between the device and its client.
+struct LinkConfig {
+    /// Each way, on every message; and by how much it varies, evenly, to either side.
+    std::chrono::nanoseconds latency{};
+    std::chrono::nanoseconds jitter{};
+    /// The tty is a serial line that starts at this rate; nothing: USB, whose rate means nothing.
+    std::optional<int> baud;
+    /// Messages leave in pieces of at most so many bytes, each in a write of its own; 0: whole.
+    int split_bytes = 0;
+    /// What is sent within so long leaves in one write.
+    std::chrono::nanoseconds coalesce{};
+    /// A tty's close ends the streams that were begun on it; else they go on unheard.
+    bool stop_on_close = false;
+
+    bool operator==(const LinkConfig&) const = default;
+};
+
 struct SensorConfig {
     std::string name;  ///< of the sensor alone: "front"
     std::string model;
@@ -49,6 +82,9 @@ struct SensorConfig {
     /// Poses per sweep; nothing: one for each beam.
     std::optional<int> motion;
     Timing timing = Timing::real;
+    PowerUp power_up = PowerUp::scip2;
+    DeviceClockConfig clock;
+    LinkConfig link;
 
     bool operator==(const SensorConfig&) const = default;
 };
