@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "daemon/models/model.h"
 #include "sim/sensor/error_model.h"
 #include "sim/world/pose.h"
 
@@ -73,7 +74,7 @@ struct LinkConfig {
 
 struct SensorConfig {
     std::string name;  ///< of the sensor alone: "front"
-    std::string model;
+    Model model;       ///< with what the configuration overrides
     sim::Pose robot_from_sensor;
     std::optional<Address> tcp;
     std::optional<PtyConfig> pty;

@@ -94,8 +94,8 @@ std::string parse_name(std::string_view text) {
     return std::string{text};
 }
 
-std::string parse_model(std::string_view text) {
-    return find_model(text), std::string{text};
+Model parse_model(std::string_view text) {
+    return find_model(text);
 }
 
 std::string parse_backend(std::string_view text) {

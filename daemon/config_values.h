@@ -20,7 +20,7 @@ namespace scipd::daemon {
 std::string parse_name(std::string_view text);
 
 /// One that the registry of models knows.
-std::string parse_model(std::string_view text);
+Model parse_model(std::string_view text);
 
 /// auto, or one that this build has.
 std::string parse_backend(std::string_view text);

@@ -42,7 +42,7 @@ Exit codes: 0 ended as asked, 1 failed while running, 2 wrong options, configura
 SensorConfig default_sensor() {
     SensorConfig sensor;
     sensor.name = "scanner";
-    sensor.model = "UST-10LX";
+    sensor.model = find_model("UST-10LX");
     sensor.tcp = Address{"127.0.0.1", 10940};
     sensor.pty = PtyConfig{};
     return sensor;

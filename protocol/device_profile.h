@@ -50,6 +50,8 @@ struct DistanceCodes {
     std::uint32_t too_far = 0;   ///< farther than DMAX
     std::uint32_t not_measured =
         0;  ///< a step outside AMIN to AMAX that the model lets one ask for
+
+    bool operator==(const DistanceCodes&) const = default;
 };
 
 /// What V says in SCIP 1.1, besides what VV says too.
@@ -58,6 +60,8 @@ struct Scip1Texts {
     std::string protocol;  ///< PROT
     std::string health;    ///< STAT
     std::string health_failed;
+
+    bool operator==(const Scip1Texts&) const = default;
 };
 
 struct DeviceProfile {
@@ -122,6 +126,8 @@ struct DeviceProfile {
     Uptime boot_time{};
     bool answers_while_booting = false;  ///< else what is asked then waits until it is up
     Uptime wake_time{};                  ///< until the motor is up to speed again
+
+    bool operator==(const DeviceProfile&) const = default;
 
     [[nodiscard]] constexpr bool has(Feature feature) const {
         switch (feature) {

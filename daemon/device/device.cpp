@@ -7,14 +7,13 @@
 #include <utility>
 
 #include "daemon/device/client.h"
-#include "daemon/models/registry.h"
 #include "protocol/reply_grid.h"
 
 namespace scipd::daemon {
 namespace {
 
 protocol::DeviceProfile profile_of(const SensorConfig& config) {
-    protocol::DeviceProfile profile = find_model(config.model).profile;
+    protocol::DeviceProfile profile = config.model.profile;
     if (config.timing == Timing::ideal) profile.reply_tick = protocol::Uptime::zero();
     return profile;
 }
@@ -45,7 +44,7 @@ Device::Device(std::string robot, const SensorConfig& config, std::uint64_t seed
       world_(world),
       clock_(clock),
       power_up_(clock.now()),
-      scanner_(find_model(config.model).optics, errors_of(robot_, config, seed)),
+      scanner_(config.model.optics, errors_of(robot_, config, seed)),
       timing_(scanner_.spec(), power_up_) {}
 
 bool Device::wanted() const {

@@ -26,12 +26,16 @@ struct Sureness {
     Evidence texts = Evidence::deduced;  ///< what VV and II say
     Evidence steps = Evidence::deduced;  ///< PP: angles, range and speed
     Evidence noise = Evidence::deduced;
+
+    bool operator==(const Sureness&) const = default;
 };
 
 struct Model {
     protocol::DeviceProfile profile;
     sim::SensorSpec optics;
     Sureness sureness;
+
+    bool operator==(const Model&) const = default;
 };
 
 /// The optics follow from what the device says of itself (PP) but for how well it sees.

@@ -16,6 +16,8 @@ struct NoiseStep {
     double from_range_m;
     double sigma_m;
     double sigma_share;
+
+    bool operator==(const NoiseStep&) const = default;
 };
 
 struct SensorSpec {
@@ -26,6 +28,8 @@ struct SensorSpec {
     Time scan_period{};            ///< one turn
     double max_range_m{};          ///< no beam sees farther
     std::vector<NoiseStep> noise;  ///< by growing from_range_m, the first at 0; empty: none
+
+    bool operator==(const SensorSpec&) const = default;
 
     [[nodiscard]] int beams() const { return last_step - first_step + 1; }
     /// Counter-clockwise positive seen from above, 0 at the front.

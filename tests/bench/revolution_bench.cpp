@@ -16,6 +16,7 @@
 #include "daemon/device/client.h"
 #include "daemon/device/clock.h"
 #include "daemon/device/device.h"
+#include "daemon/models/registry.h"
 #include "sim/backends/registry.h"
 #include "sim/loaders/sdf.h"
 
@@ -27,7 +28,7 @@ using namespace std::chrono_literals;
 daemon::SensorConfig scanner(sim::Accuracy accuracy) {
     daemon::SensorConfig config;
     config.name = "scanner";
-    config.model = "UST-10LX";
+    config.model = daemon::find_model("UST-10LX");
     config.robot_from_sensor = sim::pose_from_rpy({0, 0, 0.25}, {0, 0, 0});
     config.accuracy = accuracy;
     return config;

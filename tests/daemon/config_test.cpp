@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "daemon/models/registry.h"
 #include "sim/world/pose.h"
 #include "tests/support/temp_dir.h"
 
@@ -101,7 +102,7 @@ TEST_F(ConfigTest, HoldsWhatTheFileSays) {
 
     const SensorConfig& front = rescue.sensors[0];
     EXPECT_EQ(front.name, "front");
-    EXPECT_EQ(front.model, "UST-10LX");
+    EXPECT_EQ(front.model, find_model("UST-10LX"));
     EXPECT_EQ(front.robot_from_sensor.translation_m, glm::dvec3(0.2, 0.0, 0.25));
     EXPECT_EQ(front.tcp, (Address{"127.0.0.1", 10940}));
     EXPECT_EQ(front.pty->link, dir_.path() / "link/front");

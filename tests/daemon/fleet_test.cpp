@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "daemon/models/registry.h"
 #include "sim/loaders/load_error.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/scanner_wire.h"
@@ -147,7 +148,7 @@ TEST_F(FleetTest, HandsAPortToAnotherScanner) {
 
     SensorConfig rear = front;
     rear.name = "rear";
-    rear.model = "UTM-30LX";
+    rear.model = find_model("UTM-30LX");
     fleet_.apply(of({rear}));
     EXPECT_EQ(fs::read_symlink(*sensor().pty), target);
     wire.write("VV\n");

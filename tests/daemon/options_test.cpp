@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "daemon/models/registry.h"
 #include "tests/support/temp_dir.h"
 
 namespace scipd::daemon {
@@ -76,7 +77,7 @@ TEST_F(OptionsTest, WithoutAnyIsAScannerInTheMaze) {
     ASSERT_EQ(robot.sensors.size(), 1u);
     SensorConfig expected;
     expected.name = "scanner";
-    expected.model = "UST-10LX";
+    expected.model = find_model("UST-10LX");
     expected.robot_from_sensor = sim::pose_from_rpy({0.0, 0.0, 0.25}, {0.0, 0.0, 0.0});
     expected.tcp = Address{"127.0.0.1", 10940};
     expected.pty = PtyConfig{};
@@ -92,7 +93,7 @@ TEST_F(OptionsTest, AnotherSceneStartsAtItsOrigin) {
 
 TEST_F(OptionsTest, EachOptionHasItsPlace) {
     const std::string base = scene();
-    EXPECT_EQ(sensor(run(base + "--model URG-04LX@3.1.04")).model, "URG-04LX@3.1.04");
+    EXPECT_EQ(sensor(run(base + "--model URG-04LX@3.1.04")).model, find_model("URG-04LX@3.1.04"));
     EXPECT_EQ(sensor(run(base + "--tcp [::1]:0")).tcp, (Address{"::1", 0}));
     EXPECT_EQ(sensor(run(base + "--tcp none")).tcp, std::nullopt);
     EXPECT_EQ(sensor(run(base + "--pty none")).pty, std::nullopt);

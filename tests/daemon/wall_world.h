@@ -12,6 +12,7 @@
 
 #include "daemon/config.h"
 #include "daemon/control/world.h"
+#include "daemon/models/registry.h"
 #include "sim/backends/registry.h"
 #include "tests/support/scene_builder.h"
 
@@ -38,7 +39,7 @@ inline World wall_world() {
 inline SensorConfig ideal_sensor(const std::string& model = "UST-10LX") {
     SensorConfig config;
     config.name = "scanner";
-    config.model = model;
+    config.model = find_model(model);
     config.accuracy = sim::Accuracy::ideal;
     config.timing = Timing::ideal;
     return config;

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "daemon/config.h"
-#include "daemon/models/registry.h"
 
 namespace {
 
@@ -26,7 +25,7 @@ void check(const Config& config) {
         require(!robot.name.empty() && !robot.sensors.empty());
         for (const auto& sensor : robot.sensors) {
             require(!sensor.name.empty());
-            find_model(sensor.model);
+            require(!sensor.model.profile.name.empty());
         }
     }
 }
