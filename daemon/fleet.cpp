@@ -151,8 +151,6 @@ void Fleet::replace_stations(const Config& config, const Ports& ports) {
     for (const auto& [link, port] : ports_.pty) {
         if (!ports.pty.contains(link)) port->stop();
     }
-    for (const auto& old : stations)
-        old->loop->stop();
 }
 
 std::unique_ptr<Fleet::Station> Fleet::take_unchanged(const std::string& robot,
@@ -173,8 +171,7 @@ std::unique_ptr<Fleet::Station> Fleet::power_up(const RobotConfig& robot,
     auto station =
         std::make_unique<Station>(Station{.robot = robot.name, .config = sensor, .seed = seed});
     station->device = std::make_unique<Device>(robot.name, sensor, seed, world_, clock_);
-    station->loop = std::make_shared<ScanLoop>(executor_, *station->device, clock_);
-    station->loop->start();
+    station->loop = std::make_unique<ScanLoop>(*station->device, clock_);
     if (sensor.tcp) station->tcp = ports.tcp.at(key_of(robot, sensor));
     if (sensor.pty) station->pty = ports.pty.at(link_of(robot, sensor));
     if (station->tcp) station->tcp->serve(*station->device);

@@ -21,9 +21,9 @@
 #include "daemon/control/pose_intake.h"
 #include "daemon/control/routes.h"
 #include "daemon/control/world.h"
-#include "daemon/device/clock.h"
 #include "daemon/device/device.h"
 #include "daemon/device/scan_loop.h"
+#include "daemon/device/wall_clock.h"
 #include "daemon/link/pty_port.h"
 #include "daemon/link/tcp_port.h"
 #include "sim/loaders/sdf.h"
@@ -43,7 +43,8 @@ FleetPlan make_plan(Config config);
 
 class Fleet : public Api {
   public:
-    explicit Fleet(boost::asio::any_io_executor executor) : executor_(std::move(executor)) {}
+    explicit Fleet(const boost::asio::any_io_executor& executor)
+        : executor_(executor), clock_(executor) {}
 
     /// Throws LoadError for a trajectory, std::runtime_error for a port or a source of poses: then
     /// all is as before.
@@ -77,7 +78,7 @@ class Fleet : public Api {
         SensorConfig config;
         std::uint64_t seed = 0;
         std::unique_ptr<Device> device;
-        std::shared_ptr<ScanLoop> loop;
+        std::unique_ptr<ScanLoop> loop;
         std::shared_ptr<TcpPort> tcp;
         std::shared_ptr<PtyPort> pty;
     };
@@ -96,7 +97,7 @@ class Fleet : public Api {
     [[nodiscard]] SensorStatus status_of(const Station& station) const;
 
     boost::asio::any_io_executor executor_;
-    Clock clock_;
+    WallClock clock_;
     World world_;
     PoseIntake intake_{world_};
     std::filesystem::path scene_file_;

@@ -38,9 +38,9 @@ std::uint32_t distance_on_wire(float range_m, const protocol::DeviceProfile& pro
     return static_cast<std::uint32_t>(distance_mm);
 }
 
-WireScan to_wire(const sim::Scan& scan, const sim::SensorSpec& optics,
-                 const protocol::DeviceProfile& profile, sim::Time power_up) {
-    WireScan wire{.turn = {.start = scan.start - power_up}, .first_step = optics.first_step};
+WireScan to_wire(const sim::Scan& scan, const protocol::Turn& turn, const sim::SensorSpec& optics,
+                 const protocol::DeviceProfile& profile) {
+    WireScan wire{.turn = turn, .first_step = optics.first_step};
     wire.distance.reserve(scan.range_m.size());
     wire.intensity.reserve(scan.hits.size());
     for (const float range_m : scan.range_m)

@@ -11,7 +11,6 @@
 #include "protocol/scan_view.h"
 #include "sim/sensor/scan.h"
 #include "sim/sensor/sensor_spec.h"
-#include "sim/time.h"
 
 namespace scipd::daemon {
 
@@ -26,9 +25,10 @@ struct WireScan {
     [[nodiscard]] protocol::ScanView view() const;
 };
 
-/// `power_up` is the world time of uptime 0.
-[[nodiscard]] WireScan to_wire(const sim::Scan& scan, const sim::SensorSpec& optics,
-                               const protocol::DeviceProfile& profile, sim::Time power_up);
+/// `turn`: the scan's, on the device's own clock.
+[[nodiscard]] WireScan to_wire(const sim::Scan& scan, const protocol::Turn& turn,
+                               const sim::SensorSpec& optics,
+                               const protocol::DeviceProfile& profile);
 
 /// Millimetres, or the model's code where there is no distance that it could report.
 [[nodiscard]] std::uint32_t distance_on_wire(float range_m, const protocol::DeviceProfile& profile);

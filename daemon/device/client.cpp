@@ -22,10 +22,10 @@ void Client::receive(std::string_view bytes) {
     device_.serve_latest(*this);
 }
 
-std::optional<Clock::Steady::time_point> Client::wake_at() const {
+std::optional<sim::Time> Client::wake_at() const {
     const auto at = session_.wake_at();
     if (!at) return std::nullopt;
-    return device_.clock_.when(device_.power_up_ + *at);
+    return device_.device_clock_.world_time(*at);
 }
 
 void Client::wake() {

@@ -35,7 +35,7 @@ class Client {
     }
 
     /// When wake() is due; nothing: not before something else happens.
-    [[nodiscard]] std::optional<Clock::Steady::time_point> wake_at() const;
+    [[nodiscard]] std::optional<sim::Time> wake_at() const;
     void wake();
 
     [[nodiscard]] std::optional<protocol::Action> next_action() { return session_.next_action(); }

@@ -1,25 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
+//
+// World time for everything that waits for it: what time it is, and calls at given times. On the
+// wall clock (WallClock) or stepped from outside (SteppedClock); nothing else in the simulation
+// reads a clock or sets a timer. One thread.
 #pragma once
 
-#include <chrono>
+#include <functional>
+#include <memory>
 
 #include "sim/time.h"
 
 namespace scipd::daemon {
 
-/// The wall clock as world time: 0 where it was made. The only place that reads a clock for the
-/// simulation.
 class Clock {
   public:
-    using Steady = std::chrono::steady_clock;
+    using Call = std::function<void()>;
 
-    [[nodiscard]] sim::Time now() const { return Steady::now() - epoch_; }
-    /// What a timer has to wait for.
-    [[nodiscard]] Steady::time_point when(sim::Time time) const { return epoch_ + time; }
+    /// One call to come at most. Nothing is called once it is gone; the clock must outlive it.
+    class Alarm {
+      public:
+        Alarm() = default;
+        Alarm(const Alarm&) = delete;
+        Alarm& operator=(const Alarm&) = delete;
+        virtual ~Alarm() = default;
 
-  private:
-    Steady::time_point epoch_ = Steady::now();
+        /// In the place of what was set before. Called as soon as the clock goes on where `at` has
+        /// passed already, never from within set().
+        virtual void set(sim::Time at, Call call) = 0;
+        virtual void cancel() = 0;
+    };
+
+    Clock() = default;
+    Clock(const Clock&) = delete;
+    Clock& operator=(const Clock&) = delete;
+    virtual ~Clock() = default;
+
+    [[nodiscard]] virtual sim::Time now() const = 0;
+    [[nodiscard]] virtual std::unique_ptr<Alarm> make_alarm() = 0;
 };
 
 }  // namespace scipd::daemon

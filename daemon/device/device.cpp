@@ -35,7 +35,7 @@ sim::ErrorModel errors_of(const std::string& robot, const SensorConfig& config,
 }  // namespace
 
 Device::Device(std::string robot, const SensorConfig& config, std::uint64_t seed, World& world,
-               const Clock& clock)
+               Clock& clock)
     : robot_(std::move(robot)),
       profile_(profile_of(config)),
       robot_from_sensor_(config.robot_from_sensor),
@@ -43,9 +43,9 @@ Device::Device(std::string robot, const SensorConfig& config, std::uint64_t seed
       poses_per_sweep_(config.motion),
       world_(world),
       clock_(clock),
-      power_up_(clock.now()),
+      device_clock_(clock.now(), config.clock.ppm),
       scanner_(config.model.optics, errors_of(robot_, config, seed)),
-      timing_(scanner_.spec(), power_up_) {}
+      timing_(scanner_.spec(), sim::Time::zero()) {}
 
 bool Device::wanted() const {
     return std::ranges::any_of(clients_,
@@ -54,15 +54,15 @@ bool Device::wanted() const {
 
 std::int64_t Device::next_revolution() const {
     const sim::Time now = clock_.now();
-    std::int64_t revolution = timing_.latest_complete(now);
+    std::int64_t revolution = timing_.latest_complete(uptime());
     while (revolution < 0 || leaves(revolution) <= now)
         ++revolution;
     return revolution;
 }
 
 sim::Time Device::leaves(std::int64_t revolution) const {
-    const protocol::Uptime complete = timing_.complete(revolution) - power_up_;
-    return power_up_ + protocol::tick_at_or_after(complete, profile_.reply_tick);
+    return device_clock_.world_time(
+        protocol::tick_at_or_after(timing_.complete(revolution), profile_.reply_tick));
 }
 
 void Device::turn_complete(std::int64_t revolution) {
@@ -84,7 +84,7 @@ void Device::turn_complete(std::int64_t revolution) {
 
 void Device::serve_latest(Client& client) {
     // Each answer may bring a request behind it to the front that wants the latest scan as well.
-    for (std::int64_t revolution = timing_.latest_complete(clock_.now());
+    for (std::int64_t revolution = timing_.latest_complete(uptime());
          revolution >= 0 && client.session_.waits_for(turn(revolution));) {
         client.session_.take(measure(revolution).view(), uptime());
     }
@@ -101,15 +101,17 @@ void Device::tell_clients(const Client* knows) {
 }
 
 protocol::Turn Device::turn(std::int64_t revolution) const {
-    return {.start = timing_.start(revolution) - power_up_};
+    return {.start = timing_.start(revolution)};
 }
 
 const WireScan& Device::measure(std::int64_t revolution) {
     if (!scan_ || scan_->revolution != revolution) {
-        sim::RangeBackend& backend = world_.backend_at(backend_, timing_.complete(revolution));
-        scan_ = scanner_.measure(backend, revolution, timing_.start(revolution),
+        sim::RangeBackend& backend =
+            world_.backend_at(backend_, device_clock_.world_time(timing_.complete(revolution)));
+        scan_ = scanner_.measure(backend, revolution,
+                                 device_clock_.world_time(timing_.start(revolution)),
                                  poses_during(revolution));
-        wire_scan_ = to_wire(*scan_, scanner_.spec(), profile_, power_up_);
+        wire_scan_ = to_wire(*scan_, turn(revolution), scanner_.spec(), profile_);
     }
     return wire_scan_;
 }
@@ -117,7 +119,9 @@ const WireScan& Device::measure(std::int64_t revolution) {
 std::vector<sim::Pose> Device::poses_during(std::int64_t revolution) const {
     const sim::SensorSpec& spec = scanner_.spec();
     const sim::PoseTrack& track = *world_.robot(robot_);
-    const auto fired = [&](int step) { return timing_.fired(revolution, step); };
+    const auto fired = [&](int step) {
+        return device_clock_.world_time(timing_.fired(revolution, step));
+    };
     if (track.still(fired(spec.first_step), fired(spec.last_step))) {
         return {track.at(fired(spec.first_step)) * robot_from_sensor_};
     }

@@ -20,6 +20,7 @@
 #include "daemon/device/lateness.h"
 #include "protocol/device_profile.h"
 #include "protocol/device_state.h"
+#include "sim/sensor/device_clock.h"
 #include "sim/sensor/scan_timing.h"
 #include "sim/sensor/scanner.h"
 
@@ -29,15 +30,20 @@ class Client;
 
 class Device {
   public:
-    /// Powered up and booted at this moment. `world` and `clock` must outlive it.
+    /// Powered up at this moment. `world` and `clock` must outlive it.
     Device(std::string robot, const SensorConfig& config, std::uint64_t seed, World& world,
-           const Clock& clock);
+           Clock& clock);
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
 
     [[nodiscard]] const protocol::DeviceProfile& profile() const { return profile_; }
     [[nodiscard]] const protocol::DeviceState& state() const { return state_; }
-    [[nodiscard]] protocol::Uptime uptime() const { return clock_.now() - power_up_; }
+    /// On its own clock.
+    [[nodiscard]] protocol::Uptime uptime() const {
+        return device_clock_.device_time(clock_.now());
+    }
+    /// That of the world, which its clients wait by.
+    [[nodiscard]] Clock& clock() { return clock_; }
 
     /// Some client waits for scans.
     [[nodiscard]] bool wanted() const;
@@ -80,10 +86,10 @@ class Device {
     std::string backend_;
     std::optional<int> poses_per_sweep_;
     World& world_;
-    const Clock& clock_;
-    sim::Time power_up_;
+    Clock& clock_;
+    sim::DeviceClock device_clock_;
     sim::Scanner scanner_;
-    sim::ScanTiming timing_;
+    sim::ScanTiming timing_;  ///< in device time: the crystal drives the mirror as well
 
     protocol::DeviceState state_;
     int boots_told_ = 0;  ///< all clients know of so many

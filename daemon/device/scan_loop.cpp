@@ -11,32 +11,26 @@ constexpr sim::Time too_late = std::chrono::seconds(1);
 
 }  // namespace
 
-ScanLoop::ScanLoop(const boost::asio::any_io_executor& executor, Device& device, const Clock& clock)
-    : device_(device), clock_(clock), timer_(executor) {}
-
-void ScanLoop::start() {
-    device_.on_wanted([self = weak_from_this()] {
-        if (const auto loop = self.lock()) loop->wake();
-    });
+ScanLoop::ScanLoop(Device& device, Clock& clock)
+    : device_(device), clock_(clock), alarm_(clock.make_alarm()) {
+    device_.on_wanted([this] { wake(); });
 }
 
-void ScanLoop::stop() {
-    stopped_ = true;
-    timer_.cancel();
+ScanLoop::~ScanLoop() {
+    device_.on_wanted(nullptr);
 }
 
 void ScanLoop::wake() {
-    if (waiting_ || stopped_) return;
+    if (waiting_) return;
     revolution_ = device_.next_revolution();
     wait();
 }
 
 void ScanLoop::wait() {
     waiting_ = true;
-    timer_.expires_at(clock_.when(device_.leaves(revolution_)));
-    timer_.async_wait([self = shared_from_this()](const boost::system::error_code& error) {
-        self->waiting_ = false;
-        if (!error && !self->stopped_) self->serve();
+    alarm_->set(device_.leaves(revolution_), [this] {
+        waiting_ = false;
+        serve();
     });
 }
 

@@ -9,21 +9,18 @@
 #include <cstdint>
 #include <memory>
 
-#include <boost/asio/any_io_executor.hpp>
-#include <boost/asio/steady_timer.hpp>
-
 #include "daemon/device/clock.h"
 #include "daemon/device/device.h"
 
 namespace scipd::daemon {
 
-class ScanLoop : public std::enable_shared_from_this<ScanLoop> {
+class ScanLoop {
   public:
-    /// `device` and `clock` must live until stop().
-    ScanLoop(const boost::asio::any_io_executor& executor, Device& device, const Clock& clock);
-
-    void start();
-    void stop();
+    /// `device` and `clock` must outlive it.
+    ScanLoop(Device& device, Clock& clock);
+    ScanLoop(const ScanLoop&) = delete;
+    ScanLoop& operator=(const ScanLoop&) = delete;
+    ~ScanLoop();
 
     /// Revolutions that could not be served because the machine was too slow or asleep.
     [[nodiscard]] std::uint64_t missed() const { return missed_; }
@@ -35,10 +32,9 @@ class ScanLoop : public std::enable_shared_from_this<ScanLoop> {
 
     Device& device_;
     const Clock& clock_;
-    boost::asio::steady_timer timer_;
+    std::unique_ptr<Clock::Alarm> alarm_;
     std::int64_t revolution_ = 0;  ///< the next to be served
     bool waiting_ = false;
-    bool stopped_ = false;
     std::uint64_t missed_ = 0;
 };
 

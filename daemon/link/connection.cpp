@@ -15,9 +15,9 @@ using boost::system::error_code;
 
 Connection::Connection(Descriptor descriptor, Device& device, Hooks hooks)
     : descriptor_(std::move(descriptor)),
-      timer_(descriptor_.get_executor()),
       hooks_(std::move(hooks)),
-      client_(std::make_unique<Client>(device, [this] { flush(); })) {}
+      client_(std::make_unique<Client>(device, [this] { flush(); })),
+      alarm_(device.clock().make_alarm()) {}
 
 void Connection::start() {
     read();
@@ -25,7 +25,7 @@ void Connection::start() {
 
 void Connection::close() {
     client_.reset();
-    timer_.cancel();
+    alarm_->cancel();
     error_code ignored;
     descriptor_.close(ignored);
 }
@@ -89,10 +89,10 @@ void Connection::write() {
 
 void Connection::wait() {
     const auto at = client_->wake_at();
-    if (!at) return;
-    timer_.expires_at(*at);
-    timer_.async_wait([self = shared_from_this()](error_code error) {
-        if (error || !self->client_) return;
+    if (!at) return alarm_->cancel();
+    alarm_->set(*at, [weak = weak_from_this()] {
+        const auto self = weak.lock();
+        if (!self) return;
         self->client_->wake();
         self->flush();
     });

@@ -12,9 +12,9 @@
 #include <string>
 
 #include <boost/asio/posix/stream_descriptor.hpp>
-#include <boost/asio/steady_timer.hpp>
 
 #include "daemon/device/client.h"
+#include "daemon/device/clock.h"
 #include "daemon/link/outbox.h"
 
 namespace scipd::daemon {
@@ -56,9 +56,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
     void end();
 
     Descriptor descriptor_;
-    boost::asio::steady_timer timer_;
     Hooks hooks_;
     std::unique_ptr<Client> client_;  ///< null once closed or ended
+    std::unique_ptr<Clock::Alarm> alarm_;
     Outbox outbox_;
     std::string sending_;  ///< what is being written
     std::array<char, 4096> input_;

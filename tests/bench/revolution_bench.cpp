@@ -14,7 +14,7 @@
 
 #include "daemon/control/world.h"
 #include "daemon/device/client.h"
-#include "daemon/device/clock.h"
+#include "daemon/device/stepped_clock.h"
 #include "daemon/device/device.h"
 #include "daemon/models/registry.h"
 #include "sim/backends/registry.h"
@@ -76,7 +76,7 @@ class Revolutions {
     }
 
   private:
-    daemon::Clock clock_;
+    daemon::SteppedClock clock_;
     daemon::World world_;
     std::optional<daemon::Device> device_;
     std::optional<daemon::Client> client_;

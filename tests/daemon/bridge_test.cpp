@@ -60,7 +60,7 @@ TEST(Bridge, TurnsAScanIntoTheWordsOfTheWire) {
                  {.range_m = infinity, .cos_incidence = 0.0F}};
     scan.range_m = {2.001F, 0.999F, 0.1F, infinity};
 
-    const WireScan wire = to_wire(scan, model.optics, model.profile, 50ms);
+    const WireScan wire = to_wire(scan, {.start = 300ms}, model.optics, model.profile);
     EXPECT_EQ(wire.turn.start, 300ms);
     EXPECT_EQ(wire.first_step, 44);
     EXPECT_EQ(wire.distance, (std::vector<std::uint32_t>{2001, 999, 100, 0}));

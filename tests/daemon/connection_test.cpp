@@ -12,6 +12,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "daemon/device/wall_clock.h"
 #include "tests/daemon/wall_world.h"
 
 namespace scipd::daemon {
@@ -60,7 +61,7 @@ class ConnectionTest : public testing::Test {
     void close_client() { ::close(std::exchange(client_, -1)); }
 
     boost::asio::io_context io_;
-    Clock clock_;
+    WallClock clock_{io_.get_executor()};
     World world_ = wall_world();
     Device device_{"robot", ideal_sensor(), 1, world_, clock_};
     bool somebody_there_ = true;

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "daemon/device/client.h"
+#include "daemon/device/stepped_clock.h"
 #include "protocol/client/decoder.h"
 #include "protocol/client/scan_message.h"
 #include "tests/daemon/wall_world.h"
@@ -42,12 +43,13 @@ class DeviceTest : public testing::Test {
     /// Turns until this client has a message.
     std::string next_of(Client& client) {
         for (;;) {
+            clock_.advance_to(device_.leaves(revolution_));
             device_.turn_complete(revolution_++);
             if (std::string bytes = all_messages(client); !bytes.empty()) return bytes;
         }
     }
 
-    Clock clock_;
+    SteppedClock clock_;
     World world_ = wall_world();
     Device device_{"robot", ideal_sensor(), 1, world_, clock_};
     std::int64_t revolution_ = device_.next_revolution();
@@ -115,12 +117,10 @@ TEST_F(DeviceTest, TellsWhoeverWaitsThatItIsWanted) {
 TEST_F(DeviceTest, LetsScansLeaveOnTheTickAfterTheLastStep) {
     SensorConfig real = ideal_sensor();
     real.timing = Timing::real;
-    const sim::Time before = clock_.now();
-    const Device device("robot", real, 1, world_, clock_);
-    const sim::Time after = clock_.now();
+    clock_.advance_to(3s);
+    Device device("robot", real, 1, world_, clock_);
     // Step 1080 of 1440 is fired 18.75 ms after step 0.
-    EXPECT_GE(device.leaves(0), before + 19ms);
-    EXPECT_LE(device.leaves(0), after + 19ms);
+    EXPECT_EQ(device.leaves(0), 3s + 19ms);
     EXPECT_EQ(device.leaves(1'000'000) - device.leaves(0), 25'000s);
     // Without the firmware's tick.
     EXPECT_EQ(device_.leaves(4) - device_.leaves(0), 100ms);

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "daemon/device/wall_clock.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/scanner_wire.h"
 #include "tests/support/temp_dir.h"
@@ -42,7 +43,7 @@ class PtyPortTest : public testing::Test {
     }
 
     boost::asio::io_context io_;
-    Clock clock_;
+    WallClock clock_{io_.get_executor()};
     World world_ = wall_world();
     Device device_{"robot", ideal_sensor(), 1, world_, clock_};
     tests::TempDir directory_;

@@ -2,13 +2,14 @@
 // Copyright The scipd authors
 #include "daemon/device/scan_loop.h"
 
-#include <memory>
+#include <optional>
 #include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "daemon/device/client.h"
+#include "daemon/device/wall_clock.h"
 #include "tests/daemon/wall_world.h"
 
 namespace scipd::daemon {
@@ -18,15 +19,11 @@ using namespace std::chrono_literals;
 
 class ScanLoopTest : public testing::Test {
   protected:
-    ScanLoopTest() { loop_->start(); }
-    ~ScanLoopTest() override { loop_->stop(); }
-
     boost::asio::io_context io_;
-    Clock clock_;
+    WallClock clock_{io_.get_executor()};
     World world_ = wall_world();
     Device device_{"robot", ideal_sensor(), 1, world_, clock_};
-    std::shared_ptr<ScanLoop> loop_ =
-        std::make_shared<ScanLoop>(io_.get_executor(), device_, clock_);
+    std::optional<ScanLoop> loop_{std::in_place, device_, clock_};
 };
 
 TEST_F(ScanLoopTest, WaitsForNothingWhereNobodyWantsScans) {
@@ -82,10 +79,10 @@ TEST_F(ScanLoopTest, CountsTurnsThatItSleptThrough) {
               device_.latest_scan()->revolution - first);
 }
 
-TEST_F(ScanLoopTest, EndsWhenItIsStopped) {
+TEST_F(ScanLoopTest, ServesNobodyOnceItIsGone) {
     Client client(device_, [] {});
     client.receive("MD0540054000000\n");
-    loop_->stop();
+    loop_.reset();
     io_.run_for(100ms);
     EXPECT_EQ(device_.scans_sent(), 0U);
     client.receive("MD0540054000000\n");

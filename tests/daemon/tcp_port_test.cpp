@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include "daemon/device/wall_clock.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/scanner_wire.h"
 
@@ -60,7 +61,7 @@ class TcpPortTest : public testing::Test {
     }
 
     boost::asio::io_context io_;
-    Clock clock_;
+    WallClock clock_{io_.get_executor()};
     World world_ = wall_world();
     Device device_{"robot", ideal_sensor(), 1, world_, clock_};
     Device other_{"robot", ideal_sensor("UTM-30LX"), 1, world_, clock_};
