@@ -45,7 +45,11 @@ Device::Device(std::string robot, const SensorConfig& config, std::uint64_t seed
       clock_(clock),
       device_clock_(clock.now(), config.clock.ppm),
       scanner_(config.model.optics, errors_of(robot_, config, seed)),
-      timing_(scanner_.spec(), sim::Time::zero()) {}
+      timing_(scanner_.spec(), sim::Time::zero()) {
+    if (config.power_up == PowerUp::scip1) state_.power_up_in_scip1(uptime());
+    if (config.power_up == PowerUp::boot) state_.boot(uptime(), profile_.boot_time);
+    boots_told_ = state_.boots();
+}
 
 bool Device::wanted() const {
     return std::ranges::any_of(clients_,

@@ -12,8 +12,10 @@
 
 #include "daemon/device/client.h"
 #include "daemon/device/stepped_clock.h"
+#include "protocol/char_code.h"
 #include "protocol/client/decoder.h"
 #include "protocol/client/scan_message.h"
+#include "protocol/timestamp.h"
 #include "tests/daemon/wall_world.h"
 
 namespace scipd::daemon {
@@ -124,6 +126,55 @@ TEST_F(DeviceTest, LetsScansLeaveOnTheTickAfterTheLastStep) {
     EXPECT_EQ(device.leaves(1'000'000) - device.leaves(0), 25'000s);
     // Without the firmware's tick.
     EXPECT_EQ(device_.leaves(4) - device_.leaves(0), 100ms);
+}
+
+TEST_F(DeviceTest, IsFoundAsItWasPoweredUp) {
+    SensorConfig cold = ideal_sensor();
+    cold.timing = Timing::real;
+    cold.power_up = PowerUp::boot;
+    Device booting("robot", cold, 1, world_, clock_);
+    Client early(booting, [] {});
+    early.receive("VV\n");
+    EXPECT_TRUE(booting.state().booting(booting.uptime()));
+    EXPECT_EQ(all_messages(early), "");
+    // UST-10LX: up to ten seconds, in which it takes connections but does not answer.
+    ASSERT_TRUE(early.wake_at());
+    EXPECT_EQ(*early.wake_at(), 10s);
+    clock_.advance_to(*early.wake_at());
+    early.wake();
+    EXPECT_NE(all_messages(early).find("PROD:UST-10LX"), std::string::npos);
+
+    SensorConfig old = ideal_sensor("URG-04LX");
+    old.power_up = PowerUp::scip1;
+    Device ancient("robot", old, 1, world_, clock_);
+    Client client(ancient, [] {});
+    client.receive("QT\n");
+    EXPECT_EQ(all_messages(client), "QT\nE\n\n");
+    client.receive("SCIP2.0\n");
+    EXPECT_EQ(all_messages(client), "SCIP2.0\n0\n\n");
+    client.receive("QT\n");
+    EXPECT_EQ(all_messages(client), "QT\n00P\n\n");
+}
+
+TEST_F(DeviceTest, LivesByItsOwnClock) {
+    SensorConfig fast = ideal_sensor();
+    fast.timing = Timing::real;
+    fast.clock.ppm = 200.0;
+    Device device("robot", fast, 1, world_, clock_);
+    Client client(device, [] {});
+    clock_.advance_to(1000s);
+    client.receive("TM1\n");
+    ASSERT_TRUE(client.wake_at());
+    clock_.advance_to(*client.wake_at());
+    client.wake();
+    // 1000.2 s on its clock, and the next tick.
+    std::string stamp;
+    protocol::append_encoded(stamp, 1'000'201, protocol::timestamp_width);
+    EXPECT_EQ(all_messages(client).substr(8, 4), stamp);
+    // The mirror hangs on the same crystal.
+    const std::chrono::duration<double> turns = device.leaves(40'000) - device.leaves(0);
+    const std::chrono::duration<double> periods = 40'000 * device.profile().scan_period;
+    EXPECT_NEAR(turns / periods, 1.0 / 1.0002, 2e-6);
 }
 
 TEST_F(DeviceTest, SweepsFromPosesAtTheTimeOfEachBeam) {
