@@ -50,9 +50,13 @@ Chance::Chance(const ChanceKey& key)
                       static_cast<std::uint64_t>(key.purpose))) {}
 
 double Chance::standard_normal(std::uint32_t beam) const {
-    // 53 random bits and a half: the middle of one of 2^53 equal intervals, so never 0 or 1.
+    return normal_quantile(0.5 * even(beam));
+}
+
+double Chance::even(std::uint32_t beam) const {
+    // 53 random bits and a half: the middle of one of 2^53 equal intervals, so never an end.
     const auto bits = static_cast<std::int64_t>(absorbed(state_, beam)) >> 11;
-    return normal_quantile((static_cast<double>(bits) + 0.5) * 0x1p-53);
+    return (static_cast<double>(bits) + 0.5) * 0x1p-52;
 }
 
 }  // namespace scipd::sim

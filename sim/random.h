@@ -10,7 +10,7 @@
 namespace scipd::sim {
 
 /// What a number is for, so that two uses with the same key do not share their chance.
-enum class Purpose : std::uint32_t { range_noise };
+enum class Purpose : std::uint32_t { range_noise, latency_to_client, latency_to_device };
 
 struct ChanceKey {
     std::uint64_t seed = 0;    ///< of the whole run
@@ -27,6 +27,8 @@ class Chance {
 
     /// Of the normal distribution with mean 0 and standard deviation 1.
     [[nodiscard]] double standard_normal(std::uint32_t beam) const;
+    /// Even between -1 and 1, never either.
+    [[nodiscard]] double even(std::uint32_t beam) const;
 
   private:
     std::uint64_t state_;

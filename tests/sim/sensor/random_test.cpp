@@ -138,5 +138,21 @@ TEST(StandardNormal, ReachesTheTails) {
     EXPECT_EQ(beyond(9.0), 0);
 }
 
+// By Kolmogorov and Smirnov, as above.
+TEST(Even, IsEvenBetweenItsEnds) {
+    std::vector<double> numbers = draw(draws, [](int i) {
+        return Chance({.seed = 1, .scan = static_cast<std::uint64_t>(i)}).even(0);
+    });
+    std::ranges::sort(numbers);
+    EXPECT_GT(numbers.front(), -1.0);
+    EXPECT_LT(numbers.back(), 1.0);
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const double share = (static_cast<double>(i) + 0.5) / draws;
+        farthest = std::max(farthest, std::abs(share - 0.5 * (numbers[i] + 1.0)));
+    }
+    EXPECT_LT(farthest, 2.2 * standard_error);
+}
+
 }  // namespace
 }  // namespace scipd::sim
