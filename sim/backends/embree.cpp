@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The only file that knows Embree; it builds with versions 3 and 4. All scenes are robust: without,
-// rays that aim at shared edges slip through a few times in a million.
+// All scenes are robust: without, rays that aim at shared edges slip through a few times in a
+// million.
 #include "sim/backends/embree.h"
 
 #include <algorithm>
@@ -12,86 +12,16 @@
 #include <utility>
 #include <vector>
 
-#include <pmmintrin.h>
-#include <xmmintrin.h>
-
-#if SCIPD_EMBREE_MAJOR == 3
-#include <embree3/rtcore.h>
-#else
-#include <embree4/rtcore.h>
-#endif
-
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x3.hpp>
 
+#include "sim/backends/embree_api.h"
+
 namespace scipd::sim {
 namespace {
 
-constexpr std::size_t packet_size = 16;
-
 static_assert(no_object == RTC_INVALID_GEOMETRY_ID, "a geometry's id is the object's");
-
-struct Release {
-    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-    void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
-};
-using DeviceHandle = std::unique_ptr<RTCDeviceTy, Release>;
-using SceneHandle = std::unique_ptr<RTCSceneTy, Release>;
-using GeometryHandle = std::unique_ptr<RTCGeometryTy, Release>;
-
-/// Embree is several times slower where denormal numbers are kept. They are kept again when this
-/// goes.
-class DenormalsAsZero {
-  public:
-    DenormalsAsZero() {
-        _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
-        _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
-    }
-    DenormalsAsZero(const DenormalsAsZero&) = delete;
-    ~DenormalsAsZero() { _mm_setcsr(before_); }
-
-  private:
-    unsigned before_ = _mm_getcsr();
-};
-
-/// Traces packets whose rays are neighbours: two to three times as fast as rays that nothing is
-/// known about.
-struct CoherentTracer {
-#if SCIPD_EMBREE_MAJOR == 3
-    RTCIntersectContext context;
-    CoherentTracer() {
-        rtcInitIntersectContext(&context);
-        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    }
-    void trace(const int* valid, RTCScene scene, RTCRayHit16& packet) {
-        rtcIntersect16(valid, scene, &context, &packet);
-    }
-#else
-    RTCIntersectArguments arguments;
-    CoherentTracer() {
-        rtcInitIntersectArguments(&arguments);
-        arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
-    }
-    void trace(const int* valid, RTCScene scene, RTCRayHit16& packet) {
-        rtcIntersect16(valid, scene, &packet, &arguments);
-    }
-#endif
-};
-
-DeviceHandle new_device() {
-    // One thread: the commits after each move are small, and more threads only wait for each other.
-    DeviceHandle device{rtcNewDevice("threads=1")};
-    if (!device) throw std::runtime_error("Embree does not start on this machine");
-    return device;
-}
-
-SceneHandle new_scene(RTCDevice device) {
-    SceneHandle scene{rtcNewScene(device)};
-    rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
-    return scene;
-}
 
 /// Embree owns what it returns.
 template <typename Element>
@@ -103,7 +33,7 @@ Element* new_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, 
 
 /// The triangles of one object, at this pose in the frame of `scene`, under the object's own id.
 void attach(RTCDevice device, RTCScene scene, ObjectId id, const Object& object,
-            const Pose& here_from_object) {
+            const Pose& here_from_object, RTCFilterFunctionN filter = nullptr) {
     const Mesh mesh = tessellate(object.shape);
     if (mesh.triangles.empty()) return;
     const GeometryHandle geometry{rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE)};
@@ -115,6 +45,7 @@ void attach(RTCDevice device, RTCScene scene, ObjectId id, const Object& object,
         return glm::vec3{here_from_object * glm::dvec3{vertex}};
     });
     std::ranges::copy(mesh.triangles, triangles);
+    rtcSetGeometryIntersectFilterFunction(geometry.get(), filter);
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometryByID(scene, geometry.get(), id);
 }
@@ -190,7 +121,7 @@ void EmbreeBackend::add_movable_models() {
         if (!models[object.model].movable) continue;
         SceneHandle& body = bodies[object.model];
         if (!body) body = new_scene(device_.get());
-        attach(device_.get(), body.get(), id, object, object.model_from_object);
+        attach(device_.get(), body.get(), id, object, object.model_from_object, look_through);
     }
     movables_.resize(models.size());
     for (ModelId id = 0; id < models.size(); ++id) {
@@ -219,7 +150,7 @@ void EmbreeBackend::do_move(ModelId model, const Pose& world_from_model) {
 void EmbreeBackend::do_cast(const Fan& fan, std::span<Hit> hits) {
     const DenormalsAsZero while_casting;
     if (std::exchange(moved_, false)) rtcCommitScene(moving_.get());
-    CoherentTracer tracer;
+    CoherentTracer tracer{fan.unseen};
     RTCRayHit16 packet{};
     std::ranges::fill(packet.ray.mask, ~0U);
     for (std::size_t first = 0; first < hits.size(); first += packet_size) {

@@ -25,6 +25,8 @@ struct Fan {
     std::span<const Pose> world_from_sensor;
     /// Nothing beyond is reported.
     float max_range_m = std::numeric_limits<float>::infinity();
+    /// A movable model that is looked through: the body that carries the sensor.
+    ModelId unseen = no_model;
 };
 
 inline constexpr ObjectId no_object = std::numeric_limits<ObjectId>::max();

@@ -21,6 +21,8 @@ void RangeBackend::cast(const Fan& fan, std::span<Hit> hits) {
     assert(fan.world_from_sensor.size() == 1 ||
            fan.world_from_sensor.size() == fan.directions.size());
     assert(fan.max_range_m >= 0.0F);
+    assert(fan.unseen == no_model ||
+           (fan.unseen < scene_->models.size() && scene_->models[fan.unseen].movable));
     do_cast(fan, hits);
 }
 

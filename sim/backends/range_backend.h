@@ -30,7 +30,7 @@ class RangeBackend {
     void move(ModelId model, const Pose& world_from_model);
 
     /// Fills hits[i] for fan.directions[i]. Asserts that the sizes agree and that there is one pose
-    /// or one per ray.
+    /// or one per ray, and that what is unseen is movable.
     void cast(const Fan& fan, std::span<Hit> hits);
 
   private:

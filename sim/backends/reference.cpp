@@ -63,14 +63,15 @@ class ReferenceBackend final : public RangeBackend {
         for (std::size_t i = 0; i < hits.size(); ++i) {
             const Pose& pose = fan.world_from_sensor[one_pose ? 0 : i];
             hits[i] = first_hit({pose.translation_m, pose.rotation * glm::dvec3{fan.directions[i]}},
-                                fan.max_range_m);
+                                fan.max_range_m, fan.unseen);
         }
     }
 
-    [[nodiscard]] Hit first_hit(const Ray& ray, double max_range_m) const {
+    [[nodiscard]] Hit first_hit(const Ray& ray, double max_range_m, ModelId unseen) const {
         Hit hit;
         double nearest_m = max_range_m;
         for (const Placed& placed : objects_) {
+            if (placed.object->model == unseen) continue;
             if (!within_reach(ray, placed, nearest_m)) continue;
             const Pose object_from_world = inverse(placed.world_from_object);
             const Ray local{object_from_world * ray.origin_m,

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ namespace scipd::sim {
 using ObjectId = std::uint32_t;
 /// Index into Scene::models.
 using ModelId = std::uint32_t;
+inline constexpr ModelId no_model = std::numeric_limits<ModelId>::max();
 
 /// What moves as one body.
 struct Model {

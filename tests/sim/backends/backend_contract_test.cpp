@@ -218,6 +218,27 @@ TEST_P(BackendContract, HoldsToTheMaximumForMovablesToo) {
     expect_nothing(cast_one(forward, {}, 4.49F));
 }
 
+// A sensor within a body of two pieces, with another robot's body ahead and a wall behind that.
+TEST_P(BackendContract, LooksThroughTheBodyThatCarriesTheSensorAndNoOther) {
+    load(scene()
+             .add(Plane{{20, 20}}, wall_at(10))
+             .movable({})
+             .with(Sphere{0.5}, {})
+             .with(Box{{1, 1, 1}}, at(2))
+             .movable(at(6))
+             .with(Box{{1, 1, 1}}, {}));
+    const auto ahead = [&](ModelId unseen) {
+        return cast({forward}, {Pose{}}, nothing, unseen).front();
+    };
+    EXPECT_NEAR(ahead(no_model).range_m, 0.5, range_tolerance_m);
+    EXPECT_NEAR(ahead(1).range_m, 5.5, range_tolerance_m);
+    EXPECT_EQ(ahead(1).object, 3U);
+    EXPECT_NEAR(ahead(2).range_m, 0.5, range_tolerance_m);
+    move(2, at(6, 5));
+    EXPECT_NEAR(ahead(1).range_m, 10.0, range_tolerance_m);
+    EXPECT_EQ(ahead(1).object, 0U);
+}
+
 TEST_P(BackendContract, HasNoGapWhereFacesMeet) {
     load(scene().add(Box{{10, 10, 10}}, Pose{}));
     std::vector<glm::vec3> at_edges;

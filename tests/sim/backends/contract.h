@@ -53,11 +53,11 @@ class Contract : public testing::TestWithParam<std::tuple<std::string, Place>> {
     }
 
     std::vector<Hit> cast(const std::vector<glm::vec3>& directions, std::vector<Pose> poses,
-                          float max_range_m = nothing) {
+                          float max_range_m = nothing, ModelId unseen = no_model) {
         for (Pose& pose : poses)
             pose = world_from_test_ * pose;
         std::vector<Hit> hits(directions.size());
-        backend_->cast({directions, poses, max_range_m}, hits);
+        backend_->cast({directions, poses, max_range_m, unseen}, hits);
         return hits;
     }
 
