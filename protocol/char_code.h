@@ -12,9 +12,10 @@
 
 namespace scipd::protocol {
 
-/// The largest number that `width` characters hold.
+/// The largest number that `width` characters hold, and 64 bits too.
 [[nodiscard]] constexpr std::uint64_t max_encoded(int width) {
-    return (std::uint64_t{1} << (6 * width)) - 1;
+    constexpr int widest = 10;
+    return width > widest ? ~std::uint64_t{0} : (std::uint64_t{1} << (6 * width)) - 1;
 }
 
 /// Appends `value` as `width` characters (1 to 11); higher bits are lost.
@@ -24,13 +25,14 @@ constexpr void append_encoded(std::string& text, std::uint64_t value, int width)
     }
 }
 
-/// The number; nothing where a character is none of '0' to 'o' or the text is empty or longer
-/// than 10.
+/// The number; nothing where a character is none of '0' to 'o', the text is empty or the number
+/// does not fit.
 [[nodiscard]] constexpr std::optional<std::uint64_t> decode(std::string_view text) {
-    if (text.empty() || text.size() > 10) return std::nullopt;
+    if (text.empty()) return std::nullopt;
     std::uint64_t value = 0;
     for (const char c : text) {
-        if (c < '0' || c > 'o') return std::nullopt;
+        const bool fits = value >> 58U == 0;
+        if (c < '0' || c > 'o' || !fits) return std::nullopt;
         value = value << 6U | static_cast<std::uint64_t>(c - '0');
     }
     return value;

@@ -39,15 +39,6 @@ std::uint32_t fitting(std::uint32_t distance, int width, const DeviceProfile& pr
     return distance <= max_encoded(width) ? distance : profile.codes.nothing;
 }
 
-std::optional<Contents> parse_contents(std::string_view code, const DeviceProfile& profile) {
-    if (!profile.intensity_codes) return std::nullopt;
-    if (code == "FF" || code == "FE" || code == "FD") return Contents::distance_and_intensity;
-    if (code == "EF" || code == "EE" || code == "ED") return Contents::intensity;
-    if (code == "DF" || code == "DE" || code == "DD") return Contents::intensity_and_gain;
-    if (code == "DC" || code == "DB") return Contents::gain;
-    return std::nullopt;
-}
-
 // The emulated receivers are alike, so their mean is either of them. How the gain follows is
 // assumed: the weaker the return, the higher.
 std::uint32_t gain_for(std::uint32_t intensity) {
@@ -88,13 +79,23 @@ std::optional<int> parse_digits(std::string_view digits) {
     return value;
 }
 
+std::optional<Contents> parse_contents(std::string_view cluster) {
+    if (cluster == "FF" || cluster == "FE" || cluster == "FD")
+        return Contents::distance_and_intensity;
+    if (cluster == "EF" || cluster == "EE" || cluster == "ED") return Contents::intensity;
+    if (cluster == "DF" || cluster == "DE" || cluster == "DD") return Contents::intensity_and_gain;
+    if (cluster == "DC" || cluster == "DB") return Contents::gain;
+    return std::nullopt;
+}
+
 std::variant<StepWindow, Status> parse_step_window(std::string_view digits,
                                                    const DeviceProfile& profile) {
     const auto first = parse_digits(digits.substr(0, 4));
     if (!first) return Status("01");
     const auto last = parse_digits(digits.substr(4, 4));
     if (!last) return Status("02");
-    const auto contents = parse_contents(digits.substr(8, 2), profile);
+    const auto contents =
+        profile.intensity_codes ? parse_contents(digits.substr(8, 2)) : std::nullopt;
     const auto cluster = contents ? 1 : parse_digits(digits.substr(8, 2));
     if (!cluster) return Status("03");
     if (*last > profile.last_step) return Status("04");

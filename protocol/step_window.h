@@ -27,6 +27,9 @@ enum class Contents {
     gain,                    ///< DC DB: of every step
 };
 
+/// What a cluster of these two characters asks for; nothing where they are none of the codes.
+[[nodiscard]] std::optional<Contents> parse_contents(std::string_view cluster);
+
 struct StepWindow {
     int first = 0;  ///< both inclusive
     int last = 0;

@@ -3,6 +3,7 @@
 #include "protocol/client/scan_message.h"
 
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "protocol/char_code.h"
@@ -15,16 +16,46 @@ namespace {
 
 constexpr char echo_mark = '&';
 
+using Lines = std::span<const std::string>;
+
 /// The data lines as one string; nothing where a line but the last is not full.
-std::optional<std::string> join(const std::vector<std::string>& lines) {
+std::optional<std::string> join(Lines lines) {
     std::string data;
-    for (std::size_t i = 1; i < lines.size(); ++i) {
-        const bool last = i + 1 == lines.size();
-        const std::size_t length = lines[i].size();
-        if (length > data_line_length || (!last && length < data_line_length)) return std::nullopt;
-        data += lines[i];
+    for (const std::string& line : lines) {
+        const bool last = &line == &lines.back();
+        if (line.size() > data_line_length || (!last && line.size() < data_line_length))
+            return std::nullopt;
+        data += line;
     }
     return data;
+}
+
+/// Takes the line of inputs and outputs off the front.
+bool take_io(Lines& lines, ScanMessage& scan) {
+    constexpr std::size_t width = 3;
+    if (lines.empty() || lines.front().size() != 2 * width) return false;
+    const std::string_view words = lines.front();
+    const auto inputs = decode(words.substr(0, width));
+    const auto outputs = decode(words.substr(width));
+    if (!inputs || !outputs) return false;
+    scan.inputs = static_cast<std::uint32_t>(*inputs);
+    scan.outputs = static_cast<std::uint32_t>(*outputs);
+    lines = lines.subspan(1);
+    return true;
+}
+
+bool take_stamp(Lines& lines, ScanMessage& scan) {
+    const bool microseconds = scan.request.microseconds;
+    const std::size_t width = microseconds ? microsecond_stamp_width : timestamp_width;
+    const auto stamp = lines.front().size() == width ? decode(lines.front()) : std::nullopt;
+    if (!stamp) return false;
+    if (microseconds) {
+        scan.stamp_us = *stamp;
+    } else {
+        scan.stamp_ms = static_cast<std::uint32_t>(*stamp);
+    }
+    lines = lines.subspan(1);
+    return true;
 }
 
 /// Takes echoes off the front of the data, one step after the other.
@@ -87,14 +118,13 @@ std::variant<ScanMessage, std::string> parse_scan(const Message& message) {
     const auto request = parse_scan_echo(message.echo);
     if (!request) return "\"" + message.echo + "\" is no scan";
     if (message.status != "00" && message.status != "99") return describe_status(message);
-    if (message.lines.empty()) return "it has no time stamp";
 
     ScanMessage scan{.request = *request, .status = message.status};
-    const auto stamp = decode(message.lines.front());
-    if (!stamp || message.lines.front().size() != timestamp_width) return "its time stamp is none";
-    scan.stamp_ms = static_cast<std::uint32_t>(*stamp);
-
-    const auto data = join(message.lines);
+    Lines lines = message.lines;
+    if (request->io_lines && !take_io(lines, scan)) return "its inputs and outputs are missing";
+    if (lines.empty()) return "it has no time stamp";
+    if (!take_stamp(lines, scan)) return "its time stamp is none";
+    const auto data = join(lines);
     if (!data) return "its data is not cut into lines of 64 characters";
     if (!read_echoes(*data, scan)) return "its data ends within a value or holds what is none";
     if (scan.distances_mm.size() != request->groups()) {

@@ -22,11 +22,17 @@ struct Echo {
 };
 
 struct ScanMessage {
-    ScanRequest request;         ///< as the echo has it: `scans` is how many are still to come
-    std::string status;          ///< 00 a single scan, 99 one of a stream
-    std::uint32_t stamp_ms = 0;  ///< the device's clock, 24 bits, at step 0
+    ScanRequest request;  ///< as the echo has it: `scans` is how many are still to come
+    std::string status;   ///< 00 a single scan, 99 one of a stream
+    // The device's clock at step 0: one of the two.
+    std::uint32_t stamp_ms = 0;  ///< 24 bits
+    std::uint64_t stamp_us = 0;  ///< %MD and %ME
+    // The wires beside the link, where they were asked for.
+    std::uint32_t inputs = 0;
+    std::uint32_t outputs = 0;
     // One element for each group of `cluster` steps.
-    std::vector<std::uint32_t> distances_mm;        ///< of the first echo; may be a model's code
+    std::vector<std::uint32_t> distances_mm;        ///< of the first echo; may be a model's code;
+                                                    ///< else what `contents` says, as it comes
     std::vector<std::uint32_t> intensities;         ///< of the first echo; empty: not asked for
     std::vector<std::vector<Echo>> further_echoes;  ///< near to far; empty: not asked for
 };

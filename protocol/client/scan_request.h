@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "protocol/step_window.h"
+
 namespace scipd::protocol::client {
 
 struct ScanRequest {
@@ -18,9 +20,13 @@ struct ScanRequest {
     int cluster = 1;  ///< so many neighbouring steps give one value
     int width = 3;    ///< characters a value; 2 only with neither intensity nor echoes
     bool intensity = false;
-    bool echoes = false;  ///< every echo of a step, not one only
-    int interval = 0;     ///< scans passed over between two; streams only
-    int scans = 0;        ///< 0: until told to stop; streams only
+    bool echoes = false;        ///< every echo of a step, not one only
+    bool io_lines = false;      ///< with the scanner's inputs and outputs; not with echoes
+    bool microseconds = false;  ///< the stamp is in these; streams without echoes only
+    int interval = 0;           ///< scans passed over between two; streams only
+    int scans = 0;              ///< 0: until told to stop; streams only
+    /// In an echo only: what the values are where the cluster is one of a URG-04LX's codes.
+    Contents contents = Contents::distances;
 
     /// The last group is shorter where the window does not divide evenly.
     [[nodiscard]] std::size_t groups() const;
@@ -28,9 +34,9 @@ struct ScanRequest {
     bool operator==(const ScanRequest&) const = default;
 };
 
-/// GD, GS, GE, HD, HE: the latest complete scan.
+/// GD, GS, GE, HD, HE, GF, GG: the latest complete scan.
 [[nodiscard]] std::string single_scan_line(const ScanRequest& request);
-/// MD, MS, ME, ND, NE: scan after scan.
+/// MD, MS, ME, ND, NE, MF, MG, %MD, %ME: scan after scan.
 [[nodiscard]] std::string stream_line(const ScanRequest& request);
 
 /// What the echo of a scan message says; `scans` is how many are still to come. Nothing where it is

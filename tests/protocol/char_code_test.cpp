@@ -30,11 +30,36 @@ TEST(CharCode, KeepsTheLowBitsOfWhatDoesNotFit) {
     EXPECT_EQ(encoded(4096 + 1234, 2), "CB");
 }
 
-TEST(CharCode, ReadsBackWhatItWrote) {
-    for (const int width : {1, 2, 3, 4, 10}) {
-        for (std::uint64_t value = 0; value < max_encoded(width); value = value * 5 + 3)
-            EXPECT_EQ(decode(encoded(value, width)), value) << "width " << width;
-        EXPECT_EQ(decode(encoded(max_encoded(width), width)), max_encoded(width));
+TEST(CharCode, ReadsBackEverySmallNumber) {
+    for (const int width : {1, 2, 3, 4}) {
+        // All of 1, 2 and 3 characters; of 4, every 61st.
+        const std::uint64_t stride = width < 4 ? 1 : 61;
+        for (std::uint64_t value = 0; value <= max_encoded(width); value += stride)
+            ASSERT_EQ(decode(encoded(value, width)), value) << "width " << width;
+    }
+}
+
+TEST(CharCode, ReadsBackWhatItWroteInAnyWidth) {
+    for (int width = 4; width <= 11; ++width) {
+        std::uint64_t value = 1;
+        for (int i = 0; i < 10'000; ++i) {
+            value = value * 6364136223846793005U + 1442695040888963407U;  // Knuth's MMIX
+            const std::uint64_t fitting = value & max_encoded(width);
+            ASSERT_EQ(decode(encoded(fitting, width)), fitting) << "width " << width;
+        }
+        for (const std::uint64_t edge : {std::uint64_t{0}, max_encoded(width)})
+            EXPECT_EQ(decode(encoded(edge, width)), edge) << "width " << width;
+    }
+}
+
+// Every text of two characters is a number of its own, so that writing and reading are each other's
+// inverse and not only the one the other's.
+TEST(CharCode, WritesBackWhatItRead) {
+    for (char first = '0'; first <= 'o'; ++first) {
+        for (char second = '0'; second <= 'o'; ++second) {
+            const std::string text = {first, second};
+            EXPECT_EQ(encoded(decode(text).value(), 2), text);
+        }
     }
 }
 
@@ -43,7 +68,15 @@ TEST(CharCode, RefusesOtherCharacters) {
     EXPECT_EQ(decode("0/"), std::nullopt);
     EXPECT_EQ(decode("p0"), std::nullopt);
     EXPECT_EQ(decode("\xff"), std::nullopt);
-    EXPECT_EQ(decode("00000000000"), std::nullopt);  // 11 do not fit into 64 bits
+}
+
+// Eleven characters are 66 bits.
+TEST(CharCode, RefusesWhatDoesNotFitInto64Bits) {
+    EXPECT_EQ(decode("00000000001"), 1U);
+    EXPECT_EQ(decode("?oooooooooo"), max_encoded(11));
+    EXPECT_EQ(decode("@0000000000"), std::nullopt);
+    EXPECT_EQ(decode("000000000001"), 1U);
+    EXPECT_EQ(decode("@00000000000"), std::nullopt);
 }
 
 }  // namespace

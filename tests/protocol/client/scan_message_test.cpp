@@ -79,6 +79,36 @@ TEST(ScanMessage, ReadsEchoesWithIntensity) {
     EXPECT_THAT(scan.further_echoes, ElementsAre(ElementsAre(Echo{2000, 1780}), IsEmpty()));
 }
 
+// The stamp: 10^12 in base 64.
+TEST(ScanMessage, ReadsMicroseconds) {
+    Reply reply("%MD0000000001000", status::scan_follows);
+    const ScanMessage scan = scan_in(reply.line("0000>SDYA00").line("1Dh").finish());
+    EXPECT_EQ(scan.stamp_us, 1'000'000'000'000U);
+    EXPECT_THAT(scan.distances_mm, ElementsAre(5432));
+}
+
+TEST(ScanMessage, ReadsInputsAndOutputs) {
+    Reply reply("GG0000000001", status::ok);
+    const ScanMessage scan = scan_in(reply.line("0050oo").line("m2@0").line("1Dh00a").finish());
+    EXPECT_EQ(scan.inputs, 5U);
+    EXPECT_EQ(scan.outputs, 4095U);
+    EXPECT_EQ(scan.stamp_ms, 16000000U);
+    EXPECT_THAT(scan.distances_mm, ElementsAre(5432));
+    EXPECT_THAT(scan.intensities, ElementsAre(49));
+}
+
+TEST(ScanMessage, RefusesAWrongStampOrNoInputsAndOutputs) {
+    const auto message = [](const std::string& echo, std::string_view first) {
+        return Reply(echo, status::ok).line(first).line("m2@0").line("1Dh").finish();
+    };
+    EXPECT_EQ(fault_in(message("GF0000000001", "00500")), "its inputs and outputs are missing");
+    EXPECT_EQ(fault_in(message("GF0000000001", "00500~")), "its inputs and outputs are missing");
+    EXPECT_EQ(fault_in(message("%MD0000000001000", "m2@0")), "its time stamp is none");
+    EXPECT_EQ(fault_in(message("GD0000000001", "0000000m2@0")), "its time stamp is none");
+    EXPECT_EQ(fault_in(Reply("GF0000000001", status::ok).line("005000").finish()),
+              "it has no time stamp");
+}
+
 TEST(ScanMessage, JoinsLinesThatCutThroughValues) {
     // 64 characters are 21 values of three and a third.
     std::string data;

@@ -27,6 +27,15 @@ TEST(ScanRequest, HasACommandForEachKindOfData) {
     EXPECT_EQ(single_scan_line({.last_step = 9, .echoes = true}), "HD0000000901");
     EXPECT_EQ(single_scan_line({.last_step = 9, .intensity = true, .echoes = true}),
               "HE0000000901");
+    EXPECT_EQ(single_scan_line({.last_step = 9, .io_lines = true}), "GF0000000901");
+    EXPECT_EQ(single_scan_line({.last_step = 9, .intensity = true, .io_lines = true}),
+              "GG0000000901");
+    EXPECT_EQ(stream_line({.last_step = 9, .io_lines = true}), "MF0000000901000");
+    EXPECT_EQ(stream_line({.last_step = 9, .intensity = true, .io_lines = true}),
+              "MG0000000901000");
+    EXPECT_EQ(stream_line({.last_step = 9, .microseconds = true}), "%MD0000000901000");
+    EXPECT_EQ(stream_line({.last_step = 9, .intensity = true, .microseconds = true}),
+              "%ME0000000901000");
 }
 
 TEST(ScanRequest, IsReadBackFromItsEcho) {
@@ -45,6 +54,13 @@ TEST(ScanRequest, IsReadBackFromItsEcho) {
         }
     }
     EXPECT_EQ(parse_scan_echo("MS0000000901000")->width, 2);
+    for (const bool intensity : {false, true}) {
+        const ScanRequest wires{.last_step = 9, .intensity = intensity, .io_lines = true};
+        EXPECT_EQ(parse_scan_echo(single_scan_line(wires)), wires);
+        EXPECT_EQ(parse_scan_echo(stream_line(wires)), wires);
+        const ScanRequest precise{.last_step = 9, .intensity = intensity, .microseconds = true};
+        EXPECT_EQ(parse_scan_echo(stream_line(precise)), precise);
+    }
 }
 
 TEST(ScanRequest, TakesClusterZeroAsOneAndPassesOverAString) {
@@ -52,10 +68,19 @@ TEST(ScanRequest, TakesClusterZeroAsOneAndPassesOverAString) {
     EXPECT_EQ(parse_scan_echo("MD0000108001000;left one")->last_step, 1080);
 }
 
+TEST(ScanRequest, KnowsTheCodesInThePlaceOfACluster) {
+    const auto request = parse_scan_echo("MD00000009FF000");
+    EXPECT_EQ(request->contents, Contents::distance_and_intensity);
+    EXPECT_EQ(request->groups(), 10U);
+    EXPECT_EQ(parse_scan_echo("GD00000009DC")->contents, Contents::gain);
+    EXPECT_EQ(parse_scan_echo("GD00000009FA"), std::nullopt);
+}
+
 TEST(ScanRequest, IsNothingElse) {
     for (const char* const echo :
          {"", "QT", "MD000010800100", "GD00001080010", "XD0000108001", "HS0000108001",
-          "NS0000108001000", "MF0000108001000", "GDx000108001", "GD0009000001"}) {
+          "NS0000108001000", "NF0000108001000", "%ND0000108001000", "%MF0000108001000",
+          "%GD0000108001", "%%MD0000108001000", "GDx000108001", "GD0009000001"}) {
         EXPECT_EQ(parse_scan_echo(echo), std::nullopt) << echo;
     }
 }
