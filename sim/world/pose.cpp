@@ -26,6 +26,25 @@ Pose pose_from_rpy(const glm::dvec3& xyz_m, const glm::dvec3& rpy_rad) {
     return {xyz_m, yaw * pitch * roll};
 }
 
+Pose moved(const Pose& pose, const Velocity& velocity, double seconds) {
+    const double speed_radps = glm::length(velocity.angular_radps);
+    const glm::dquat turn = speed_radps > 0.0 ? glm::angleAxis(speed_radps * seconds,
+                                                               velocity.angular_radps / speed_radps)
+                                              : glm::dquat{1.0, 0.0, 0.0, 0.0};
+    return {pose.translation_m + velocity.linear_mps * seconds,
+            glm::normalize(turn * pose.rotation)};
+}
+
+Velocity velocity_between(const Pose& a, const Pose& b, double seconds) {
+    glm::dquat turn = b.rotation * glm::conjugate(a.rotation);
+    if (turn.w < 0.0) turn = -turn;  // the shorter way
+    const glm::dvec3 axis{turn.x, turn.y, turn.z};
+    const double sine = glm::length(axis);
+    const double angle_rad = 2.0 * std::atan2(sine, turn.w);
+    return {(b.translation_m - a.translation_m) / seconds,
+            sine > 0.0 ? axis * (angle_rad / sine / seconds) : glm::dvec3{0.0}};
+}
+
 Pose interpolate(const Pose& a, const Pose& b, double share) {
     const double cosine = glm::dot(a.rotation, b.rotation);
     const glm::dquat to = cosine < 0.0 ? -b.rotation : b.rotation;  // -q turns as q does

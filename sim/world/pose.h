@@ -30,6 +30,18 @@ Pose inverse(const Pose& target_from_source);
 /// Roll, pitch, yaw in radians about the fixed x, y, z axes, in that order (as in SDF and URDF).
 Pose pose_from_rpy(const glm::dvec3& xyz_m, const glm::dvec3& rpy_rad);
 
+/// Of a body, both in W.
+struct Velocity {
+    glm::dvec3 linear_mps{0.0, 0.0, 0.0};
+    glm::dvec3 angular_radps{0.0, 0.0, 0.0};  ///< about its own origin
+
+    bool operator==(const Velocity&) const = default;
+};
+
+/// Where a body is after so long at this velocity, and which velocity brings it from a to b.
+Pose moved(const Pose& pose, const Velocity& velocity, double seconds);
+Velocity velocity_between(const Pose& a, const Pose& b, double seconds);
+
 /// Linear in translation, slerp along the shorter arc in rotation; share 0 gives a, 1 gives b.
 Pose interpolate(const Pose& a, const Pose& b, double share);
 

@@ -5,53 +5,105 @@
 #include <algorithm>
 #include <cassert>
 
+#include <glm/geometric.hpp>
+
 namespace scipd::sim {
 namespace {
 
 /// Of the start pose, which has no time of its own.
 constexpr Time ever_since = Time::min();
 
+using Seconds = std::chrono::duration<double>;
+
 /// The shortest time there is: what changes within it is a jump.
 constexpr Time instant{1};
 
 }  // namespace
 
-PoseTrack::PoseTrack(const Pose& start, std::size_t capacity)
-    : entries_{{ever_since, start}}, capacity_(capacity) {
-    assert(capacity >= 2);  // a jump takes two
+PoseTrack::PoseTrack(const Pose& start, const PosePolicy& policy, std::size_t capacity)
+    : policy_(policy), entries_{{ever_since, start}}, capacity_(capacity) {
+    assert(capacity >= 4);  // a jump takes three
+}
+
+bool PoseTrack::place(Time time, const Pose& pose, const std::optional<Velocity>& velocity) {
+    if (time <= last_time()) return false;
+    // In floating point: the start pose may be farther back than a Time can tell.
+    const Seconds gap = Seconds(time) - Seconds(last_time());
+    const double distance_m = glm::distance(pose.translation_m, last().translation_m);
+    const bool one_movement =
+        gap <= policy_.longest_gap && distance_m <= policy_.fastest_mps * gap.count();
+    if (one_movement) {
+        append(time, pose);
+    } else {
+        jump(time, pose);
+    }
+    if (velocity) velocity_ = *velocity;
+    return true;
 }
 
 bool PoseTrack::append(Time time, const Pose& pose) {
-    if (time <= entries_.back().time) return false;
-    if (entries_.back().time == ever_since) {
+    if (time <= last_time()) return false;
+    if (!first_time_) {
         jump(time, pose);  // nobody knows when the start pose was left
     } else {
+        velocity_ = velocity_between(last(), pose, Seconds(time - last_time()).count());
         push(time, pose);
     }
     return true;
 }
 
 void PoseTrack::jump(Time time, const Pose& pose) {
+    if (!first_time_ || time < *first_time_) first_time_ = time;
     const Pose before = at(time - instant);
+    const bool stopped_before = moves_on() && last_time() + policy_.stale_after < time - instant;
+    if (stopped_before) push(last_time() + policy_.stale_after, before);
     while (!entries_.empty() && entries_.back().time >= time - instant)
         entries_.pop_back();
     if (!entries_.empty()) push(time - instant, before);
     push(time, pose);
+    velocity_ = {};
 }
 
 Pose PoseTrack::at(Time time) const {
     const auto after = first_later_than(time);
     if (after == entries_.begin()) return after->pose;
+    if (after == entries_.end()) return after_last(time);
     const auto before = std::prev(after);
     // Equal poses are not interpolated: a robot at rest gives the same pose to the last bit, and
     // the age of the start pose, which does not fit into a Time, is never asked for.
-    if (after == entries_.end() || before->pose == after->pose) return before->pose;
-    const std::chrono::duration<double> since = time - before->time;
-    const std::chrono::duration<double> span = after->time - before->time;
+    if (before->pose == after->pose) return before->pose;
+    const Seconds since = time - before->time;
+    const Seconds span = after->time - before->time;
     return interpolate(before->pose, after->pose, since / span);
 }
 
+bool PoseTrack::moves_on() const {
+    return policy_.after == PosePolicy::After::extrapolate && velocity_ != Velocity{};
+}
+
+Pose PoseTrack::after_last(Time time) const {
+    if (!moves_on()) return last();
+    const Seconds since = std::min(time - last_time(), policy_.stale_after);
+    return moved(last(), velocity_, since.count());
+}
+
+bool PoseTrack::absent(Time time) const {
+    if (!first_time_ || time < *first_time_) return policy_.absent_before;
+    if (policy_.after != PosePolicy::After::absent) return false;
+    const auto after = first_later_than(time);
+    if (after == entries_.begin()) return false;
+    const auto before = std::prev(after);
+    const bool gap = after == entries_.end() || after->time - before->time > policy_.longest_gap;
+    return gap && time - before->time > policy_.stale_after;
+}
+
+bool PoseTrack::live(Time time) const {
+    return first_time_ && time <= last_time() + policy_.stale_after;
+}
+
 bool PoseTrack::still(Time from, Time to) const {
+    const bool goes_on = moves_on() && to > last_time() && from < last_time() + policy_.stale_after;
+    if (goes_on) return false;
     auto entry = first_later_than(from);
     if (entry != entries_.begin()) --entry;
     const Pose& held = entry->pose;

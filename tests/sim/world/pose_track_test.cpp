@@ -109,9 +109,9 @@ TEST(PoseTrack, KeepsWhatWasUnderWayBeforeAJump) {
 }
 
 TEST(PoseTrack, JumpsBeforeEverythingItKnows) {
-    PoseTrack track(at_x(0), 2);
-    track.append(10s, at_x(1));
-    track.append(11s, at_x(2));
+    PoseTrack track(at_x(0), {}, 4);
+    for (int i = 0; i < 5; ++i)
+        track.append(10s + i * 1s, at_x(i));
     track.jump(1s, at_x(3));
     EXPECT_EQ(track.at(0s), at_x(3));
     EXPECT_EQ(track.at(20s), at_x(3));
@@ -126,12 +126,12 @@ TEST(PoseTrack, AppendsAfterAJump) {
 }
 
 TEST(PoseTrack, ForgetsTheOldestFirst) {
-    PoseTrack track(at_x(0), 3);
+    PoseTrack track(at_x(0), {}, 4);
     for (int i = 1; i <= 10; ++i)
         track.append(i * 1s, at_x(i));
     EXPECT_EQ(track.at(10s), at_x(10));
     EXPECT_NEAR(x_of(track.at(8500ms)), 8.5, 1e-12);
-    EXPECT_EQ(track.at(1s), at_x(8));  // holds the oldest that it still knows
+    EXPECT_EQ(track.at(1s), at_x(7));  // holds the oldest that it still knows
 }
 
 TEST(PoseTrack, FindsOldTimesAsWellAsNewOnes) {
@@ -165,6 +165,89 @@ TEST(PoseTrack, IsNotStillAcrossAJumpAndBack) {
     track.jump(2s, at_x(1));
     EXPECT_FALSE(track.still(500ms, 2500ms));
     EXPECT_TRUE(track.still(2s, 3s));
+}
+
+TEST(PoseTrack, JumpsWhereNothingMovesSoFast) {
+    PoseTrack track(at_x(0), {.fastest_mps = 5.0});
+    ASSERT_TRUE(track.place(1s, at_x(1)));
+    ASSERT_TRUE(track.place(1100ms, at_x(1.5)));  // 5 m/s
+    EXPECT_NEAR(x_of(track.at(1050ms)), 1.25, 1e-9);
+    ASSERT_TRUE(track.place(1200ms, at_x(2.1)));  // 6 m/s
+    EXPECT_EQ(track.at(1200ms - 1ns), at_x(1.5));
+    EXPECT_EQ(track.at(1200ms), at_x(2.1));
+    EXPECT_FALSE(track.place(1200ms, at_x(3)));
+}
+
+TEST(PoseTrack, JumpsWherePosesAreTooFarApartInTime) {
+    PoseTrack track(at_x(0), {.longest_gap = 200ms});
+    track.place(1s, at_x(1));
+    track.place(1200ms, at_x(2));
+    track.place(1401ms, at_x(3));
+    EXPECT_NEAR(x_of(track.at(1100ms)), 1.5, 1e-9);
+    EXPECT_EQ(track.at(1400ms), at_x(2));
+}
+
+TEST(PoseTrack, GoesOnAsItMovedUntilItIsStale) {
+    PoseTrack track(at_x(0), {.after = PosePolicy::After::extrapolate, .stale_after = 300ms});
+    track.place(1s, at_x(0, 0.0));
+    track.place(1100ms, at_x(0.2, 0.1));  // 2 m/s, 1 rad/s
+    const Pose ahead = track.at(1300ms);
+    EXPECT_NEAR(x_of(ahead), 0.6, 1e-9);
+    const glm::dvec3 forward = ahead.rotation * glm::dvec3{1, 0, 0};
+    EXPECT_NEAR(std::atan2(forward.y, forward.x), 0.3, 1e-9);
+    EXPECT_NEAR(x_of(track.at(5s)), 0.8, 1e-9);
+    EXPECT_FALSE(track.still(1200ms, 1210ms));
+    EXPECT_FALSE(track.still(1390ms, 1410ms));
+    EXPECT_TRUE(track.still(1400ms, 2s));
+}
+
+TEST(PoseTrack, GoesOnWithTheVelocityThatItIsTold) {
+    PoseTrack track(at_x(0), {.after = PosePolicy::After::extrapolate, .stale_after = 10s});
+    track.place(1s, at_x(1), Velocity{{0, 3, 0}, {0, 0, -2}});
+    const Pose ahead = track.at(1500ms);
+    EXPECT_NEAR(x_of(ahead), 1.0, 1e-12);
+    EXPECT_NEAR(ahead.translation_m.y, 1.5, 1e-12);
+    const glm::dvec3 forward = ahead.rotation * glm::dvec3{1, 0, 0};
+    EXPECT_NEAR(std::atan2(forward.y, forward.x), -1.0, 1e-12);
+}
+
+// What it had assumed stays what it was: a scan that is made later is made of the same poses.
+TEST(PoseTrack, KeepsWhatItHadAssumedBeforeAJump) {
+    PoseTrack track(at_x(0), {.after = PosePolicy::After::extrapolate, .stale_after = 200ms});
+    track.place(1s, at_x(0));
+    track.place(1100ms, at_x(0.1));
+    const double soon = x_of(track.at(1200ms));
+    const double later = x_of(track.at(2s));
+    track.place(5s, at_x(40));
+    EXPECT_NEAR(x_of(track.at(1200ms)), soon, 1e-9);
+    EXPECT_NEAR(x_of(track.at(2s)), later, 1e-9);
+    EXPECT_EQ(track.at(5s), at_x(40));
+}
+
+TEST(PoseTrack, IsNowhereBeforeTheFirstPoseIfToldSo) {
+    PoseTrack track(at_x(7), {.absent_before = true});
+    EXPECT_TRUE(track.absent(0s));
+    EXPECT_FALSE(track.live(0s));
+    track.place(10s, at_x(1));
+    EXPECT_TRUE(track.absent(10s - 1ns));
+    EXPECT_FALSE(track.absent(10s));
+    EXPECT_FALSE(track.absent(1h));
+    EXPECT_TRUE(track.live(10s));
+}
+
+TEST(PoseTrack, IsNowhereWhileItsStreamIsStaleIfToldSo) {
+    PoseTrack track(at_x(7), {.after = PosePolicy::After::absent, .stale_after = 300ms});
+    EXPECT_FALSE(track.absent(0s));
+    track.place(1s, at_x(1));
+    EXPECT_FALSE(track.absent(1300ms));
+    EXPECT_TRUE(track.absent(1301ms));
+    EXPECT_FALSE(track.live(1301ms));
+    track.place(5s, at_x(2));
+    EXPECT_FALSE(track.absent(1300ms));
+    EXPECT_TRUE(track.absent(3s));
+    EXPECT_FALSE(track.absent(5s));
+    track.place(5900ms, at_x(3));  // a slow stream is none that has ended
+    EXPECT_FALSE(track.absent(5800ms));
 }
 
 }  // namespace
