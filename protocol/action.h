@@ -26,7 +26,8 @@ struct DropLink {
     bool operator==(const DropLink&) const = default;
 };
 
-/// The serial line runs at another rate as soon as everything earlier has been sent.
+/// The serial line runs at another rate as soon as everything earlier has been sent, whichever
+/// session the change was asked of. Told once; the first rate is the model's.
 struct SetBitRate {
     int bits_per_second = 0;
 

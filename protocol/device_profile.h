@@ -121,28 +121,20 @@ struct DeviceProfile {
 
     // Habits
     Status unknown_command = status::undefined;
-    Uptime scan_period{};  ///< one turn of the mirror
-    Uptime reply_tick{};   ///< replies and scans leave on a grid of this spacing; 0: at once
+    Uptime scan_period{};     ///< one turn of the mirror, as measured; nominally what scan_rpm says
+    int turns_per_reply = 0;  ///< replies and scans leave once in so many turns; 0: on reply_tick
+    Uptime reply_tick{};      ///< replies and scans leave on a grid of this spacing; 0: at once
+    Uptime scan_tick{};       ///< scans and TM1 leave on a wider one of this spacing; 0: as replies
+    Uptime reply_delay{};     ///< at least so long after its request a reply leaves
+    Uptime state_report_delay{};  ///< so long at least the reply to II
     Uptime boot_time{};
     bool answers_while_booting = false;  ///< else what is asked then waits until it is up
     Uptime wake_time{};                  ///< until the motor is up to speed again
 
     bool operator==(const DeviceProfile&) const = default;
 
-    [[nodiscard]] constexpr bool has(Feature feature) const {
-        switch (feature) {
-            case Feature::common:
-                return true;
-            case Feature::multi_echo:
-                return multi_echo;
-            case Feature::microseconds:
-                return microseconds;
-            case Feature::io_lines:
-                return io_lines;
-        }
-        return false;
-    }
-
+    [[nodiscard]] bool has(Feature feature) const;
+    [[nodiscard]] Uptime nominal_scan_period() const;
     [[nodiscard]] bool speaks_scip1() const { return !scip1.firmware.empty(); }
     /// Whether the value of a step is a distance and not one of the codes.
     [[nodiscard]] bool is_distance(std::uint32_t value) const {
@@ -150,5 +142,9 @@ struct DeviceProfile {
                value <= static_cast<std::uint32_t>(dmax_mm);
     }
 };
+
+/// The same product as its data sheet has it: turns take their nominal time, nothing waits for a
+/// tick, boots or wakes.
+[[nodiscard]] DeviceProfile ideal(DeviceProfile profile);
 
 }  // namespace scipd::protocol

@@ -30,6 +30,7 @@ void DeviceState::boot(Uptime now, Uptime boot_time) {
     last_stream_ = last_stream;
     boots_ = boots + 1;
     clock_zero_ = now;
+    mirror_origin_ = now;
     booted_at_ = now + boot_time;
 }
 

@@ -50,7 +50,7 @@ class DeviceState {
 
     // Power. A new device is up and has booted.
 
-    /// Everything is as at power-up, the links to all clients are lost.
+    /// Everything is as at power-up, the links to all clients are lost. The mirror starts anew.
     void boot(Uptime now, Uptime boot_time);
     [[nodiscard]] bool booting(Uptime now) const { return now < booted_at_; }
     [[nodiscard]] Uptime booted_at() const { return booted_at_; }
@@ -98,8 +98,14 @@ class DeviceState {
     void reset(Uptime now);
     /// RT: the same, but the speed of the motor and the rate of the line stay.
     void partial_reset(Uptime now);
-    /// When the wire's clock was last set to 0.
+    /// When the wire's clock showed 0, or would have: RS and boot set it to 0, set_clock() to what
+    /// one likes, near its wrap, say.
     [[nodiscard]] Uptime clock_zero() const { return clock_zero_; }
+    void set_clock(Uptime now, std::chrono::milliseconds shown) { clock_zero_ = now - shown; }
+    /// A pass of step 0 from which on the mirror has turned at its present speed; it may be still
+    /// to come.
+    [[nodiscard]] Uptime mirror_origin() const { return mirror_origin_; }
+    void set_mirror_origin(Uptime pass) { mirror_origin_ = pass; }
     [[nodiscard]] Settings& settings() { return settings_; }
     [[nodiscard]] const Settings& settings() const { return settings_; }
 
@@ -134,6 +140,7 @@ class DeviceState {
     bool asleep_ = false;
     Uptime motor_up_at_{};
     Uptime clock_zero_{};
+    Uptime mirror_origin_{};
     Settings settings_;
     IoWords io_;
     Trouble trouble_ = Trouble::none;

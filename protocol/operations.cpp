@@ -5,12 +5,14 @@
 #include <cassert>
 
 #include "protocol/rehearsal.h"
+#include "protocol/reply_grid.h"
 #include "protocol/settings.h"
 
 namespace scipd::protocol {
+namespace {
 
-Status operate(DeviceState& device, const Request& request, const DeviceProfile& profile,
-               Uptime now) {
+Status carry_out(DeviceState& device, const Request& request, const DeviceProfile& profile,
+                 Uptime now) {
     const std::string_view digits = request.parameters();
     switch (request.command->operation) {
         case Operation::switch_laser_on:
@@ -58,6 +60,18 @@ Status operate(DeviceState& device, const Request& request, const DeviceProfile&
             assert(!"not the device's");
     }
     return status::ok;
+}
+
+}  // namespace
+
+// Another speed of the motor holds from the next step 0 on.
+Status operate(DeviceState& device, const Request& request, const DeviceProfile& profile,
+               Uptime now) {
+    const Grid mirror = mirror_of(device, profile);
+    const Status status = carry_out(device, request, profile, now);
+    if (scan_period_of(device.settings(), profile) != mirror.tick)
+        device.set_mirror_origin(mirror.after(now));
+    return status;
 }
 
 }  // namespace scipd::protocol

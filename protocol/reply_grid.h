@@ -1,27 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// When a scanner gets round to answering: old models once a turn, the UTM-30LX every 25 ms, the UST
-// every millisecond. The grid is that of the mirror, which passes step 0 at uptime 0.
+// When a scanner gets round to answering: old models when the mirror passes step 0, others on
+// ticks of their own, some after a while. All of it runs on the device's own clock.
 #pragma once
 
+#include "protocol/command_table.h"
+#include "protocol/device_profile.h"
+#include "protocol/device_state.h"
 #include "protocol/uptime.h"
 
 namespace scipd::protocol {
 
-/// In time-adjust mode, where the mirror is not waited for (recorded UXM-30LX-E).
-inline constexpr Uptime adjust_tick = std::chrono::milliseconds(1);
+/// Instants at even distances. There is none before the origin.
+struct Grid {
+    Uptime origin{};
+    Uptime tick{};  ///< 0: every instant is one
 
-/// The first tick after `time`; with a tick of 0, `time` itself.
-[[nodiscard]] constexpr Uptime next_tick(Uptime time, Uptime tick) {
-    if (tick <= Uptime::zero()) return time;
-    return (time / tick + 1) * tick;
-}
+    /// The first one after `time`; where every instant is one, `time` itself.
+    [[nodiscard]] constexpr Uptime after(Uptime time) const {
+        if (tick <= Uptime::zero()) return time;
+        return time < origin ? origin : origin + ((time - origin) / tick + 1) * tick;
+    }
+    [[nodiscard]] constexpr Uptime at_or_after(Uptime time) const {
+        if (tick <= Uptime::zero()) return time;
+        return after(time - Uptime(1));
+    }
 
-/// The first tick at or after `time`: when a scan that is complete by then leaves.
-[[nodiscard]] constexpr Uptime tick_at_or_after(Uptime time, Uptime tick) {
-    if (tick <= Uptime::zero() || time % tick == Uptime::zero()) return time;
-    return next_tick(time, tick);
-}
+    constexpr bool operator==(const Grid&) const = default;
+};
+
+/// One turn at the speed that the motor is set to (CR).
+[[nodiscard]] Uptime scan_period_of(const Settings& settings, const DeviceProfile& profile);
+
+/// The mirror passes step 0 at these instants; before their origin at those of an earlier speed.
+[[nodiscard]] Grid mirror_of(const DeviceState& device, const DeviceProfile& profile);
+
+/// When the reply to a request leaves that the device could look at from `ready` on: one tick
+/// later where that is a tick itself. Without a command: of one that it does not know.
+[[nodiscard]] Uptime reply_leaves(Uptime ready, const Command* command, const DeviceState& device,
+                                  const DeviceProfile& profile);
+
+/// When a scan leaves that is complete by then.
+[[nodiscard]] Uptime scan_leaves(Uptime complete, const DeviceState& device,
+                                 const DeviceProfile& profile);
 
 }  // namespace scipd::protocol

@@ -16,7 +16,10 @@
 namespace scipd::protocol {
 
 Session::Session(const DeviceProfile& profile, DeviceState& device)
-    : profile_(profile), device_(device), boots_seen_(device.boots()) {}
+    : profile_(profile),
+      device_(device),
+      boots_seen_(device.boots()),
+      rate_told_(bit_rate_of(device.settings(), profile)) {}
 
 Session::~Session() {
     close();
@@ -29,7 +32,8 @@ void Session::receive(std::string_view bytes, Uptime now) {
 }
 
 std::optional<Uptime> Session::wake_at() const {
-    if (link_lost() || single_shot_in_vain()) return last_answer_;
+    if (link_lost() || rate_changed() || single_shot_in_vain())
+        return std::max(last_answer_, Uptime::zero());
     std::optional<Uptime> at = device_.reboots_at();
     if (!requests_.empty() && !single_shot_) {
         const Uptime answer = due(requests_.front());
@@ -43,6 +47,8 @@ void Session::advance(Uptime now) {
         device_.advance(*at);
         if (link_lost()) {
             lose_link();
+        } else if (rate_changed()) {
+            tell_rate();
         } else if (single_shot_in_vain()) {
             refuse_single_shot(now);
         } else {
@@ -52,12 +58,11 @@ void Session::advance(Uptime now) {
 }
 
 // A scanner looks at one request a tick: a request sent right after a reply is answered one tick
-// later (recordings of a URG-04LX, 100 ms, and a UTM-30LX, 25 ms). In adjust mode there is nothing
-// that could make it wait (UXM-30LX-E: 1 ms).
+// later (recordings of a URG-04LX, a UTM-30LX and a UXM-30LX-E).
 Uptime Session::due(const Waiting& waiting) const {
-    const Uptime tick =
-        device_.adjusting() ? std::min(profile_.reply_tick, adjust_tick) : profile_.reply_tick;
-    const Uptime due = next_tick(std::max(waiting.arrived, last_answer_), tick);
+    const Command* command = find_command(waiting.line.text, profile_);
+    const Uptime due =
+        reply_leaves(std::max(waiting.arrived, last_answer_), command, device_, profile_);
     return profile_.answers_while_booting ? due : std::max(due, device_.booted_at());
 }
 
@@ -92,7 +97,9 @@ void Session::close() {
     }
     requests_.clear();
     single_shot_.reset();
-    actions_.clear();
+    // The rate of the line is the device's and outlives its clients.
+    std::erase_if(actions_,
+                  [](const Action& action) { return !std::holds_alternative<SetBitRate>(action); });
     reader_ = {};
 }
 
@@ -102,6 +109,15 @@ void Session::lose_link() {
     subscription_.reset();
     close();
     actions_.emplace_back(DropLink{});
+}
+
+bool Session::rate_changed() const {
+    return rate_told_ != bit_rate_of(device_.settings(), profile_);
+}
+
+void Session::tell_rate() {
+    rate_told_ = bit_rate_of(device_.settings(), profile_);
+    actions_.emplace_back(SetBitRate{rate_told_});
 }
 
 bool Session::streaming() const {
@@ -121,14 +137,11 @@ void Session::answer_next(Uptime now) {
     const Waiting waiting = std::move(requests_.front());
     requests_.pop_front();
     last_answer_ = now;
-    const int bit_rate = bit_rate_of(device_.settings(), profile_);
     if (device_.speaks_scip1()) {
         answer_scip1(waiting.line.text, now);
     } else {
         answer(parse_request(waiting.line, profile_), waiting.arrived, now);
     }
-    const int new_rate = bit_rate_of(device_.settings(), profile_);
-    if (new_rate != bit_rate) actions_.emplace_back(SetBitRate{new_rate});
 }
 
 void Session::answer_scip1(const std::string& line, Uptime now) {
@@ -151,15 +164,14 @@ void Session::answer(const Request& request, Uptime arrived, Uptime now) {
     }
 }
 
-// The state is looked at before the parameters: a bare GD with the laser off is 10 on a UST-10LX,
-// not 0C.
+// The state goes before the parameters: a bare GD with the laser off is 10 on a UST-10LX, not 0C.
 std::optional<Status> Session::refusal(const Request& request, Uptime now) const {
     if (request.fault) return request.fault;
     if (request.command == nullptr) return profile_.unknown_command;
     const Command& command = *request.command;
     const bool ethernet = profile_.family == Family::b || profile_.family == Family::c;
-    const bool no_laser =
-        device_.trouble() == Trouble::unstable || device_.trouble() == Trouble::laser;
+    const auto trouble = device_.trouble();
+    const bool no_laser = trouble == Trouble::unstable || trouble == Trouble::laser;
     if (command.operation == Operation::switch_laser_on && ethernet && no_laser)
         return Status("01");
     if (const auto status = command.gate(profile_.family).refusal(state(now))) return status;
@@ -248,36 +260,26 @@ void Session::answer_single_shot(const ScanView& scan, Uptime now) {
 
 // A request for a stream while one is running replaces it.
 void Session::begin_stream(const Request& request, Uptime arrived, Uptime now) {
-    auto subscription = Subscription::from(request, arrived, profile_);
+    const Uptime period = scan_period_of(device_.settings(), profile_);
+    auto subscription = Subscription::from(request, arrived, period, profile_);
     if (const Status* fault = std::get_if<Status>(&subscription)) return reply(request, *fault);
     const DeviceState::StreamId replaced = std::exchange(stream_, device_.open_stream(now));
     device_.close_stream(replaced);
     subscription_ = std::get<Subscription>(std::move(subscription));
     taken_turns_.clear();  // the replaced one's
-    interrupted_ = false;
     holds_device_ = true;
     reply(request, status::ok);
 }
 
 void Session::send_scan(const ScanView& scan) {
     rehearse_in_stream(device_, *subscription_);
-    if (const auto status = interruption()) {
+    if (const auto status = subscription_->trouble(device_, profile_)) {
         send(subscription_->interruption(*status), Send::Kind::scan);
         if (device_.failed()) quit();
         return;
     }
     send(subscription_->message(scan, device_, profile_), Send::Kind::scan);
     if (subscription_->finished()) quit();
-}
-
-// What stands in the place of a scan while there is trouble. Old models say too when it is over.
-std::optional<Status> Session::interruption() {
-    const bool old = profile_.family == Family::a1 || profile_.family == Family::a2;
-    const bool interrupted = std::exchange(interrupted_, device_.trouble() != Trouble::none);
-    if (device_.failed()) return old ? status::broken : status::abnormal;
-    if (interrupted_) return old ? status::verifying : status::unstable;
-    if (interrupted && old) return status::resumed;
-    return std::nullopt;
 }
 
 void Session::quit() {

@@ -77,6 +77,9 @@ class Session {
     [[nodiscard]] State state(Uptime now) const;
     [[nodiscard]] bool link_lost() const { return boots_seen_ != device_.boots(); }
     void lose_link();
+    /// By whatever session, or a boot.
+    [[nodiscard]] bool rate_changed() const;
+    void tell_rate();
     [[nodiscard]] Uptime due(const Waiting& waiting) const;
     [[nodiscard]] bool single_shot_in_vain() const;
     void answer_next(Uptime now);
@@ -91,7 +94,6 @@ class Session {
     void answer_single_shot(const ScanView& scan, Uptime now);
     void begin_stream(const Request& request, Uptime arrived, Uptime now);
     void send_scan(const ScanView& scan);
-    [[nodiscard]] std::optional<Status> interruption();
     void quit();
     void reply(const Request& request, Status status);
     void send(std::string message, Send::Kind kind = Send::Kind::reply);
@@ -107,8 +109,8 @@ class Session {
     DeviceState::StreamId stream_ = 0;
     std::vector<Uptime> taken_turns_;  ///< begins of turns whose scans the stream still waits for
     bool holds_device_ = false;        ///< this client has the laser on or adjusts
-    bool interrupted_ = false;         ///< the stream has paused for trouble
     int boots_seen_;
+    int rate_told_;  ///< of the serial line, by the last SetBitRate
     std::deque<Action> actions_;
 };
 

@@ -16,6 +16,7 @@ constexpr std::size_t remaining_digits = 2;
 }  // namespace
 
 std::variant<Subscription, Status> Subscription::from(const Request& request, Uptime arrived,
+                                                      Uptime scan_period,
                                                       const DeviceProfile& profile) {
     const std::string_view digits = request.parameters();
     const auto window = parse_step_window(digits, profile);
@@ -34,7 +35,7 @@ std::variant<Subscription, Status> Subscription::from(const Request& request, Up
     subscription.format_ = request.command->format;
     subscription.interval_ = *interval;
     // The turn under way began at most one period before the request.
-    subscription.after_ = arrived + (*interval - 1) * profile.scan_period;
+    subscription.after_ = arrived + (*interval - 1) * scan_period;
     subscription.remaining_ = *scans;
     subscription.endless_ = *scans == 0;
     return subscription;
@@ -57,6 +58,16 @@ std::string Subscription::message(const ScanView& scan, const DeviceState& devic
     Reply reply = head(status::scan_follows);
     add_scan(reply, scan, window_, format_, device, profile);
     return reply.finish();
+}
+
+std::optional<Status> Subscription::trouble(const DeviceState& device,
+                                            const DeviceProfile& profile) {
+    const bool old = profile.family == Family::a1 || profile.family == Family::a2;
+    const bool interrupted = std::exchange(interrupted_, device.trouble() != Trouble::none);
+    if (device.failed()) return old ? status::broken : status::abnormal;
+    if (interrupted_) return old ? status::verifying : status::unstable;
+    if (interrupted && old) return status::resumed;
+    return std::nullopt;
 }
 
 std::string Subscription::interruption(Status status) {

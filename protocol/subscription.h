@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -21,10 +22,11 @@ namespace scipd::protocol {
 
 class Subscription {
   public:
-    /// From a request of Parameters::scans that came in at `arrived`; or the first thing that is
-    /// wrong with it: what parse_step_window() says, 06 interval and 07 number of scans not
-    /// numeric.
+    /// From a request of Parameters::scans that came in at `arrived`, when a turn took
+    /// `scan_period`; or the first thing that is wrong with it: what parse_step_window() says, 06
+    /// interval and 07 number of scans not numeric.
     static std::variant<Subscription, Status> from(const Request& request, Uptime arrived,
+                                                   Uptime scan_period,
                                                    const DeviceProfile& profile);
 
     /// To be asked once for every turn whose last step has been fired since the acknowledgement, in
@@ -38,6 +40,10 @@ class Subscription {
     [[nodiscard]] std::string message(const ScanView& scan, const DeviceState& device,
                                       const DeviceProfile& profile);
 
+    /// What stands in the place of the next scan while the device is in trouble; old models say too
+    /// when it is over.
+    [[nodiscard]] std::optional<Status> trouble(const DeviceState& device,
+                                                const DeviceProfile& profile);
     /// A message without a scan, where there is none to send; does not count.
     [[nodiscard]] std::string interruption(Status status);
 
@@ -64,6 +70,7 @@ class Subscription {
     int sent_ = 0;
     int interruptions_ = 0;
     bool endless_ = false;
+    bool interrupted_ = false;  ///< by trouble
 };
 
 }  // namespace scipd::protocol

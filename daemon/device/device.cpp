@@ -13,9 +13,8 @@ namespace scipd::daemon {
 namespace {
 
 protocol::DeviceProfile profile_of(const SensorConfig& config) {
-    protocol::DeviceProfile profile = config.model.profile;
-    if (config.timing == Timing::ideal) profile.reply_tick = protocol::Uptime::zero();
-    return profile;
+    const protocol::DeviceProfile& profile = config.model.profile;
+    return config.timing == Timing::ideal ? protocol::ideal(profile) : profile;
 }
 
 // FNV-1a: the same for the same name in every run, on every machine.
@@ -49,6 +48,7 @@ Device::Device(std::string robot, const SensorConfig& config, std::uint64_t seed
     if (config.power_up == PowerUp::scip1) state_.power_up_in_scip1(uptime());
     if (config.power_up == PowerUp::boot) state_.boot(uptime(), profile_.boot_time);
     boots_told_ = state_.boots();
+    follow_motor();
 }
 
 bool Device::wanted() const {
@@ -66,7 +66,13 @@ std::int64_t Device::next_revolution() const {
 
 sim::Time Device::leaves(std::int64_t revolution) const {
     return device_clock_.world_time(
-        protocol::tick_at_or_after(timing_.complete(revolution), profile_.reply_tick));
+        protocol::scan_leaves(timing_.complete(revolution), state_, profile_));
+}
+
+// Its speed changes by CR, RS and boot.
+void Device::follow_motor() {
+    const protocol::Grid mirror = protocol::mirror_of(state_, profile_);
+    timing_.turn_from(mirror.origin, mirror.tick);
 }
 
 void Device::turn_complete(std::int64_t revolution) {
@@ -81,6 +87,7 @@ void Device::turn_complete(std::int64_t revolution) {
         ++scans_sent_;
         lateness_.add(clock_.now() - leaves(revolution));
     }
+    follow_motor();
     // Those that have not taken it may have waited in vain, since another client has switched the
     // laser off.
     tell_clients();
@@ -92,6 +99,7 @@ void Device::serve_latest(Client& client) {
          revolution >= 0 && client.session_.waits_for(turn(revolution));) {
         client.session_.take(measure(revolution).view(), uptime());
     }
+    follow_motor();
     if (client.session_.measuring() && on_wanted_) on_wanted_();
     if (std::exchange(boots_told_, state_.boots()) != state_.boots()) tell_clients(&client);
 }

@@ -75,6 +75,8 @@ class Device {
     void tell_clients(const Client* knows = nullptr);
 
     [[nodiscard]] protocol::Turn turn(std::int64_t revolution) const;
+    /// The mirror turns as the device's state has it. After whatever may have changed it.
+    void follow_motor();
     /// Of a revolution that is complete.
     const WireScan& measure(std::int64_t revolution);
     [[nodiscard]] std::vector<sim::Pose> poses_during(std::int64_t revolution) const;

@@ -30,7 +30,7 @@ std::string commands_of(const protocol::DeviceProfile& profile) {
 std::string rate_of(const protocol::DeviceProfile& profile) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g Hz",
-                  1.0 / std::chrono::duration<double>(profile.scan_period).count());
+                  1.0 / std::chrono::duration<double>(profile.nominal_scan_period()).count());
     return text;
 }
 

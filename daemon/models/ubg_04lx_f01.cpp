@@ -26,7 +26,6 @@ Model ubg_04lx_f01() {
     profile.sensitivity = protocol::Support::yes;
     profile.rehearsals = protocol::Support::yes;
     profile.scan_period = 28ms;
-    profile.reply_tick = 28ms;
     return make_model(
         profile, urg_noise(),
         {.texts = Evidence::deduced, .steps = Evidence::documented, .noise = Evidence::documented});

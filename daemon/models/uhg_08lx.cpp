@@ -31,7 +31,6 @@ Model uhg_08lx() {
     profile.sensitivity = protocol::Support::yes;
     profile.rehearsals = protocol::Support::yes;
     profile.scan_period = 66'667us;
-    profile.reply_tick = 66'667us;
     return make_model(
         profile, urg_noise(),
         {.texts = Evidence::deduced, .steps = Evidence::documented, .noise = Evidence::deduced});

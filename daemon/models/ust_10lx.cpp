@@ -47,9 +47,11 @@ protocol::DeviceProfile ust_profile(const std::string& name, const std::string& 
 
         // Firmware 2.23 answers 0F where the specification says 0E.
         .unknown_command = protocol::status::unsupported,
-        .scan_period = 25ms,
-        // Replies and scans leave on a tick of 1 ms (urg_stamped and its simulator).
+        .scan_period = 25'050us,  // urg_stamped
+        // Replies and scans leave on a tick of 1 ms (urg_stamped and its simulator), and II is
+        // never answered within 2 ms (its author's UST-05LX).
         .reply_tick = 1ms,
+        .state_report_delay = 2ms,
         // UST-10LX data sheet: up to 10 s; it takes connections then, but does not answer
         // (urg_stamped). Waking: assumed.
         .boot_time = 10s,

@@ -16,6 +16,9 @@ Model ust_30lc(const std::string& firmware) {
     profile.dmin_mm = 23;
     profile.nearest_mm = 23;
     profile.dmax_mm = 60000;
+    // From 4.0.0 to 4.0.2 TM1 and scans wait for a tick of 5 ms (urg_stamped).
+    using namespace std::chrono_literals;
+    if (firmware.starts_with("4.0.2")) profile.scan_tick = 5ms;
     // urg_stamped uses %TM and %ME from 4.1 of this line on.
     profile.microseconds = firmware.starts_with("4.1");
     // Its simulator answers so; 0F is known of firmware 2.23 only.

@@ -48,9 +48,11 @@ Model utm_30lx() {
         .codes = {.nothing = 1, .too_near = 2, .too_far = 1, .not_measured = 5},
 
         .unknown_command = protocol::status::undefined,
-        .scan_period = 25ms,
-        // Recorded: every reply 25 ms after the one before; a scan 24 ms after its time stamp, 5 ms
-        // after its last step.
+        .scan_period = 25'050us,  // as that of the UTM-30LX-EW, which urg_stamped measured
+        // Recorded: replies 24.85 ms apart (nine of them, seen by USB polls of 1 ms; the device's
+        // clock counted 125 ms in five), a scan 24 ms after its time stamp, 5 ms after its last
+        // step. Eight turns of the mirror would have taken 200.4 ms, not 199: the grid is one of
+        // its own.
         .reply_tick = 25ms,
         .boot_time = 1s,  // assumed
     };

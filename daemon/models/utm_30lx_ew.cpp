@@ -50,9 +50,10 @@ protocol::DeviceProfile ew_profile(const std::string& name, const std::string& s
         .multi_echo = true,
 
         .unknown_command = protocol::status::undefined,
-        .scan_period = 25ms,
-        // A scan is sent right after its last step (urg_stamped's simulator).
-        .reply_tick = 0ms,
+        .scan_period = 25'050us,  // urg_stamped
+        // A scan is sent right after its last step, a reply about 0.5 ms after its request
+        // (urg_stamped's simulator).
+        .reply_delay = 500us,
         // Some seconds, in which it answers (urg_stamped); the figures are assumed.
         .boot_time = 5s,
         .answers_while_booting = true,

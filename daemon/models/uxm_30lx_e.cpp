@@ -48,9 +48,10 @@ Model uxm_30lx_e() {
         .multi_echo = true,
 
         .unknown_command = protocol::status::undefined,
-        .scan_period = 50ms,
-        // Recorded: replies 99 ms apart, which is every second turn.
-        .reply_tick = 100ms,
+        // Recorded: replies 99.34 ms apart (ten of them; the device's clock counted 596 ms in six),
+        // which is every second turn.
+        .scan_period = 49'670us,
+        .turns_per_reply = 2,
         .boot_time = 1s,  // assumed
     };
     return make_model(

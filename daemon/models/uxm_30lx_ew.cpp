@@ -19,7 +19,7 @@ protocol::DeviceProfile uxm_ew_profile(const std::string& name, const std::strin
     profile.afrt = 380;
     profile.scan_rpm = 1200;
     profile.motor_speed = "1200";
-    profile.scan_period = 50ms;
+    profile.scan_period = 50'100us;  // longer than nominal as the UTM-30LX-EW's
     return profile;
 }
 

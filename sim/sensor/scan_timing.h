@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// When revolution n begins and when its beams are fired. Arithmetic only: the n-th instant is
-// computed from n, never from the one before, so nothing drifts.
+// When revolution n begins and when its beams are fired, in the device's own time. Arithmetic only:
+// the n-th instant is computed from n and from when the speed last changed, never from the one
+// before, so nothing drifts.
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "sim/sensor/sensor_spec.h"
 #include "sim/time.h"
@@ -16,6 +18,10 @@ class ScanTiming {
   public:
     /// Revolution 0 passes step 0 at `epoch`.
     ScanTiming(const SensorSpec& spec, Time epoch);
+
+    /// From `origin` on, a pass of step 0, a turn takes `period`. A turn that is under way then
+    /// ends there; everything earlier stays as it was. No effect where it turns so already.
+    void turn_from(Time origin, Time period);
 
     /// The instant of step 0.
     [[nodiscard]] Time start(std::int64_t revolution) const;
@@ -28,10 +34,17 @@ class ScanTiming {
     [[nodiscard]] std::int64_t latest_complete(Time time) const;
 
   private:
-    Time epoch_;
-    Time period_;
-    Time last_fired_;  ///< after the start of a revolution
+    /// Turns at one speed.
+    struct Spell {
+        std::int64_t first = 0;  ///< revolution, begins at `origin`
+        Time origin{};
+        Time period{};
+    };
+    [[nodiscard]] const Spell& spell_of(std::int64_t revolution) const;
+
     int steps_per_turn_;
+    int last_step_;
+    std::vector<Spell> spells_;  ///< in order; the first one reaches back for ever
 };
 
 }  // namespace scipd::sim

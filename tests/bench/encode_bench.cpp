@@ -68,8 +68,8 @@ BENCHMARK(character_by_character);
 
 void whole_message(benchmark::State& state, const std::string& request) {
     const protocol::DeviceProfile& profile = daemon::find_model("UST-10LX").profile;
-    auto stream = std::get<protocol::Subscription>(
-        protocol::Subscription::from(protocol::parse_request({request}, profile), {}, profile));
+    auto stream = std::get<protocol::Subscription>(protocol::Subscription::from(
+        protocol::parse_request({request}, profile), {}, profile.scan_period, profile));
     const std::vector<std::uint32_t> values = ranges();
     const protocol::ScanView scan{{}, 0, values, values};
     for (auto _ : state) {

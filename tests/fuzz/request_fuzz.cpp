@@ -75,7 +75,7 @@ protocol::DeviceProfile profile_of(std::uint8_t choice) {
         profile.multi_echo = true;
     }
     profile.microseconds = profile.io_lines = profile.family == protocol::Family::c;
-    if ((choice & 0x80U) != 0) profile.reply_tick = 0ms;
+    if ((choice & 0x80U) != 0) profile = protocol::ideal(profile);
     return profile;
 }
 

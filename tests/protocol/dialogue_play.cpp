@@ -173,7 +173,11 @@ class Player {
 std::string play(const Dialogue& dialogue, const DeviceProfile& profile) {
     DeviceProfile played = profile;
     played.io_lines |= dialogue.io_lines;
-    if (dialogue.ideal) played.reply_tick = Uptime::zero();
+    if (dialogue.ideal) {  // but for what some of them are about
+        played = ideal(played);
+        played.boot_time = profile.boot_time;
+        played.wake_time = profile.wake_time;
+    }
     return Player(dialogue, played).play();
 }
 

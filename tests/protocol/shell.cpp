@@ -13,21 +13,22 @@ Shell::Shell(DeviceProfile profile, int clients, DeviceState device)
     : profile_(std::move(profile)),
       device_(std::move(device)),
       sent_(clients),
-      other_actions_(clients) {
+      other_actions_(clients),
+      done_{-profile_.scan_period, profile_.scan_period} {
     for (int client = 0; client < clients; ++client)
         sessions_.push_back(std::make_unique<Session>(profile_, device_));
 }
 
-Uptime Shell::start(std::int64_t turn) const {
-    return turn * profile_.scan_period;
+Uptime Shell::complete(const MirrorTurn& turn) const {
+    return turn.start + turn.period * profile_.amax / profile_.ares;
 }
 
-Uptime Shell::complete(std::int64_t turn) const {
-    return start(turn) + profile_.scan_period * profile_.amax / profile_.ares;
-}
-
-Uptime Shell::leaves(std::int64_t turn) const {
-    return tick_at_or_after(complete(turn), profile_.reply_tick);
+Shell::MirrorTurn Shell::following(const MirrorTurn& turn) const {
+    const Grid mirror = mirror_of(device_, profile_);
+    const Uptime start = turn.start >= mirror.origin
+                             ? mirror.after(turn.start)
+                             : std::min(turn.start + turn.period, mirror.origin);
+    return {start, start >= mirror.origin ? mirror.tick : turn.period};
 }
 
 void Shell::receive(std::string_view bytes, int client) {
@@ -38,11 +39,11 @@ void Shell::receive(std::string_view bytes, int client) {
 void Shell::advance_to(Uptime time) {
     for (Uptime at = next_event(); at <= time; at = next_event()) {
         now_ = at;
-        if (complete(next_turn_) == at) complete_turn();
-        while (!leaving_.empty() && leaves(leaving_.front().turn) <= at) {
+        if (complete(following(done_)) == at) complete_turn();
+        while (!leaving_.empty() && leaving_.front().at <= at) {
             const Leaving leaving = leaving_.front();
             leaving_.pop_front();
-            hand_out(leaving);
+            hand_out(leaving.client, leaving.turn);
         }
         for (int client = 0; client < clients(); ++client) {
             sessions_[client]->advance(at);
@@ -53,26 +54,28 @@ void Shell::advance_to(Uptime time) {
 }
 
 Uptime Shell::next_event() {
-    while (complete(next_turn_) < now_)  // nobody wanted it, or next_event() would have named it
-        next_turn_ = std::max(next_turn_ + 1, (now_ - complete(0)) / profile_.scan_period);
+    // Nobody wanted those before, or they would have been events.
+    while (complete(following(done_)) < now_)
+        done_ = following(done_);
     Uptime next = Uptime::max();
     for (const auto& session : sessions_) {
-        if (session->measuring()) next = std::min(next, complete(next_turn_));
+        if (session->measuring()) next = std::min(next, complete(following(done_)));
         if (const auto at = session->wake_at()) next = std::min(next, std::max(*at, now_));
     }
-    if (!leaving_.empty()) next = std::min(next, leaves(leaving_.front().turn));
+    if (!leaving_.empty()) next = std::min(next, leaving_.front().at);
     return next;
 }
 
 void Shell::complete_turn() {
+    done_ = following(done_);
+    const Uptime at = scan_leaves(complete(done_), device_, profile_);
     for (int client = 0; client < clients(); ++client) {
-        if (sessions_[client]->turn_complete({start(next_turn_)}))
-            leaving_.push_back({client, next_turn_});
+        if (sessions_[client]->turn_complete({done_.start}))
+            leaving_.push_back({client, {done_.start}, at});
     }
-    ++next_turn_;
 }
 
-void Shell::hand_out(const Leaving& leaving) {
+void Shell::hand_out(int client, const Turn& turn) {
     std::vector<std::uint32_t> distances;
     std::vector<std::uint32_t> intensities;
     std::vector<StepEchoes> all_echoes;
@@ -82,18 +85,18 @@ void Shell::hand_out(const Leaving& leaving) {
         if (echoes) all_echoes.push_back(echoes(step));
     }
     ++scans_made;
-    sessions_[leaving.client]->take(
-        {{start(leaving.turn)}, profile_.amin, distances, intensities, all_echoes}, now_);
-    settle(leaving.client);
+    sessions_[client]->take({turn, profile_.amin, distances, intensities, all_echoes}, now_);
+    settle(client);
 }
 
 // Answers whoever waits for the latest complete scan and keeps what was sent.
 void Shell::settle(int client) {
     Session& session = *sessions_[client];
-    if (now_ >= complete(0)) {
-        const std::int64_t latest = (now_ - complete(0)) / profile_.scan_period;
-        if (session.waits_for({start(latest)})) hand_out({client, latest});
-    }
+    while (complete(following(done_)) < now_)
+        done_ = following(done_);
+    const MirrorTurn next = following(done_);
+    const Turn latest{complete(next) == now_ ? next.start : done_.start};
+    if (latest.start >= Uptime::zero() && session.waits_for(latest)) hand_out(client, latest);
     while (auto action = session.next_action()) {
         if (auto* message = std::get_if<Send>(&*action))
             sent_[client].push_back({now_, std::move(message->bytes), message->kind});

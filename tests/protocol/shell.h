@@ -2,9 +2,9 @@
 // Copyright The scipd authors
 //
 // The dullest possible shell around sessions of one device: turns the clock by hand, hands in
-// synthetic scans and keeps what is sent, each message with its instant. Turn n passes step 0 at n
-// scan periods; its scan leaves on the reply grid after its last step, as the scanner that it
-// stands for would send it.
+// synthetic scans and keeps what is sent, each message with its instant. The mirror turns as the
+// device's settings have it; a scan leaves on the reply grid after its last step, as the scanner
+// that it stands for would send it.
 #pragma once
 
 #include <cstdint>
@@ -35,8 +35,6 @@ class Shell {
     /// same instant.
     void advance_to(Uptime time);
 
-    /// Of turn n, counted from 0.
-    [[nodiscard]] Uptime complete(std::int64_t turn) const;
     [[nodiscard]] Uptime now() const { return now_; }
     [[nodiscard]] Session& session(int client = 0) { return *sessions_[client]; }
     [[nodiscard]] DeviceState& device() { return device_; }
@@ -55,17 +53,22 @@ class Shell {
     int scans_made = 0;
 
   private:
+    struct MirrorTurn {
+        Uptime start{};
+        Uptime period{};
+    };
     struct Leaving {
         int client;
-        std::int64_t turn;
+        Turn turn;
+        Uptime at;
     };
 
-    [[nodiscard]] Uptime start(std::int64_t turn) const;
-    [[nodiscard]] Uptime leaves(std::int64_t turn) const;
+    [[nodiscard]] Uptime complete(const MirrorTurn& turn) const;
+    [[nodiscard]] MirrorTurn following(const MirrorTurn& turn) const;
     [[nodiscard]] Uptime next_event();
     [[nodiscard]] int clients() const { return static_cast<int>(sessions_.size()); }
     void complete_turn();
-    void hand_out(const Leaving& leaving);
+    void hand_out(int client, const Turn& turn);
     void settle(int client);
 
     DeviceProfile profile_;
@@ -74,7 +77,7 @@ class Shell {
     std::vector<std::vector<Sent>> sent_;
     std::vector<std::vector<Action>> other_actions_;
     std::deque<Leaving> leaving_;
-    std::int64_t next_turn_ = 0;  ///< the first one that has not been completed
+    MirrorTurn done_;  ///< the latest that has been completed
     Uptime now_{};
 };
 

@@ -16,7 +16,8 @@ using ::testing::ElementsAre;
 const DeviceProfile profile = test_profile();
 
 std::variant<Subscription, Status> parsed(const std::string& text, Uptime arrived = 0ms) {
-    return Subscription::from(parse_request({text}, profile), arrived, profile);
+    return Subscription::from(parse_request({text}, profile), arrived, profile.scan_period,
+                              profile);
 }
 
 Subscription subscription(const std::string& text, Uptime arrived = 0ms) {

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "protocol/device_profile.h"
+
+namespace scipd::protocol {
+
+bool DeviceProfile::has(Feature feature) const {
+    switch (feature) {
+        case Feature::common:
+            return true;
+        case Feature::multi_echo:
+            return multi_echo;
+        case Feature::microseconds:
+            return microseconds;
+        case Feature::io_lines:
+            return io_lines;
+    }
+    return false;
+}
+
+Uptime DeviceProfile::nominal_scan_period() const {
+    return scan_rpm > 0 ? Uptime(std::chrono::minutes(1)) / scan_rpm : scan_period;
+}
+
+DeviceProfile ideal(DeviceProfile profile) {
+    profile.scan_period = profile.nominal_scan_period();
+    profile.turns_per_reply = 0;
+    for (Uptime* wait : {&profile.reply_tick, &profile.scan_tick, &profile.reply_delay,
+                         &profile.state_report_delay, &profile.boot_time, &profile.wake_time})
+        *wait = Uptime::zero();
+    return profile;
+}
+
+}  // namespace scipd::protocol

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "protocol/reply_grid.h"
+
+#include <algorithm>
+
+namespace scipd::protocol {
+namespace {
+
+// In time-adjust mode the mirror is not waited for (recorded UXM-30LX-E).
+constexpr Uptime adjust_tick = std::chrono::milliseconds(1);
+
+Grid replies_of(const DeviceState& device, const DeviceProfile& profile) {
+    if (profile.turns_per_reply == 0) return {.tick = profile.reply_tick};
+    Grid mirror = mirror_of(device, profile);
+    mirror.tick *= profile.turns_per_reply;
+    return mirror;
+}
+
+Grid grid_of(const Command* command, const DeviceState& device, const DeviceProfile& profile) {
+    const bool asks_time = command != nullptr && command->operation == Operation::report_time;
+    if (asks_time && profile.scan_tick > Uptime::zero()) return {.tick = profile.scan_tick};
+    const Grid grid = replies_of(device, profile);
+    return device.adjusting() && grid.tick > adjust_tick ? Grid{.tick = adjust_tick} : grid;
+}
+
+}  // namespace
+
+// Level n is n % slower: MRPT asks for (600 - rpm) / 6 of a URG-04LX that turns at 600 rpm.
+Uptime scan_period_of(const Settings& settings, const DeviceProfile& profile) {
+    return profile.scan_period * 100 / (100 - settings.motor_level);
+}
+
+Grid mirror_of(const DeviceState& device, const DeviceProfile& profile) {
+    return {device.mirror_origin(), scan_period_of(device.settings(), profile)};
+}
+
+Uptime reply_leaves(Uptime ready, const Command* command, const DeviceState& device,
+                    const DeviceProfile& profile) {
+    const bool asks_state = command != nullptr && command->operation == Operation::report_state;
+    const Uptime delay = asks_state ? std::max(profile.reply_delay, profile.state_report_delay)
+                                    : profile.reply_delay;
+    return grid_of(command, device, profile).after(ready + delay);
+}
+
+Uptime scan_leaves(Uptime complete, const DeviceState& device, const DeviceProfile& profile) {
+    if (profile.scan_tick > Uptime::zero())
+        return Grid{.tick = profile.scan_tick}.at_or_after(complete);
+    return replies_of(device, profile).at_or_after(complete);
+}
+
+}  // namespace scipd::protocol
