@@ -46,6 +46,8 @@ class Faults {
         }
     }
 
+    [[nodiscard]] std::size_t count() const { return by_line_.size(); }
+
     /// Throws ConfigError, ordered by line, if there is any.
     void throw_if_any() const;
 

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/config_models.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "daemon/config_profile.h"
+#include "daemon/config_values.h"
+#include "daemon/models/registry.h"
+
+namespace scipd::daemon {
+namespace {
+
+constexpr std::array<std::string_view, 1> like_key{"like"};
+
+std::string parse_own_name(const std::string& text) {
+    const bool hides = std::ranges::any_of(
+        models(), [&](const Model& model) { return model.profile.name == text; });
+    if (hides) throw std::invalid_argument("is a model of scipd's own; use another name");
+    return parse_name(text);
+}
+
+}  // namespace
+
+ModelChoice::ModelChoice(const Field* models, Faults& faults) {
+    if (!models) return;
+    for (const Field& field : entries(*models, faults))
+        own_[field.key] = read_own(field, faults);
+}
+
+std::optional<Model> ModelChoice::read_own(const Field& field, Faults& faults) {
+    const std::size_t faults_before = faults.count();
+    const Section section = profile_section(field, like_key, faults);
+    std::optional<Model> model;
+    section.read("like", model, parse_model);
+    if (field.value.IsMap() && !section.find("like")) {
+        faults.add(field,
+                   "needs like, the model that all else is taken from, such as `like: UST-10LX`");
+    }
+    override_model(section, field, model, faults);
+    faults.guard(field, [&] {
+        const std::string name = parse_own_name(field.key);
+        if (model) model->profile.name = name;
+    });
+    if (faults.count() > faults_before) model.reset();
+    return model;
+}
+
+std::optional<Model> ModelChoice::find(const std::string& name) const {
+    if (const auto own = own_.find(name); own != own_.end()) return own->second;
+    try {
+        return parse_model(name);
+    } catch (const std::invalid_argument& refusal) {
+        if (own_.empty()) throw;
+        throw std::invalid_argument(refusal.what() + std::string{"; this file defines "} +
+                                    own_names());
+    }
+}
+
+std::string ModelChoice::own_names() const {
+    std::string text;
+    for (const auto& [name, model] : own_)
+        text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The models that the sensors of a configuration may name: those of the registry, and those that it
+// defines itself under `models:`, each like one of the registry but for what it says. One thread at
+// a time.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "daemon/config_section.h"
+#include "daemon/models/model.h"
+
+namespace scipd::daemon {
+
+class ModelChoice {
+  public:
+    /// `models` is the root key; null where there is none.
+    ModelChoice(const Field* models, Faults& faults);
+
+    /// Nothing: one of the file's own that has faults, which are told already. Throws
+    /// std::invalid_argument where there is no such model.
+    [[nodiscard]] std::optional<Model> find(const std::string& name) const;
+
+  private:
+    static std::optional<Model> read_own(const Field& field, Faults& faults);
+    [[nodiscard]] std::string own_names() const;
+
+    std::map<std::string, std::optional<Model>> own_;
+};
+
+}  // namespace scipd::daemon

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/config_profile.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+
+#include "daemon/config_values.h"
+#include "daemon/models/profile_check.h"
+#include "sim/loaders/quote.h"
+
+namespace scipd::daemon {
+namespace {
+
+using protocol::DeviceProfile;
+using protocol::DistanceCodes;
+using protocol::Scip1Texts;
+
+constexpr std::size_t longest_text = 64;  // urg_library takes lines of 71: VEND: and ; and a sum
+constexpr int largest_number = 1'000'000;
+constexpr std::size_t longest_list = 64;
+
+/// A member and how it is read.
+template <class Struct>
+struct Member {
+    std::string_view key;
+    void (*read)(const Field& field, Struct& target, Faults& faults);
+};
+
+std::string parse_text(std::string_view text) {
+    const bool printable = std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~'; });
+    if (!printable || text.size() > longest_text) {
+        throw std::invalid_argument("must be at most 64 characters of printable ASCII, not " +
+                                    sim::quote(text));
+    }
+    return std::string{text};
+}
+
+int parse_number(std::string_view text) {
+    return parse_whole(text, 0, largest_number);
+}
+
+bool parse_flag(std::string_view text) {
+    if (text == "true" || text == "false") return text == "true";
+    throw std::invalid_argument("must be true or false, not " + sim::quote(text));
+}
+
+/// One of several words.
+template <class Value, std::size_t count>
+Value parse_word(std::string_view text,
+                 const std::array<std::pair<std::string_view, Value>, count>& words) {
+    std::string choices;
+    for (const auto& [word, value] : words) {
+        if (text == word) return value;
+        choices += (choices.empty() ? "" : ", ") + std::string{word};
+    }
+    throw std::invalid_argument("must be one of " + choices + ", not " + sim::quote(text));
+}
+
+protocol::Family parse_family(std::string_view text) {
+    using enum protocol::Family;
+    return parse_word<protocol::Family, 4>(text, {{{"a1", a1}, {"a2", a2}, {"b", b}, {"c", c}}});
+}
+
+protocol::TimeSpelling parse_spelling(std::string_view text) {
+    using enum protocol::TimeSpelling;
+    return parse_word<protocol::TimeSpelling, 2>(
+        text, {{{"hexadecimal", hexadecimal}, {"encoded", encoded}}});
+}
+
+protocol::Support parse_support(std::string_view text) {
+    using enum protocol::Support;
+    return parse_word<protocol::Support, 3>(
+        text, {{{"never", never}, {"later_firmware", later_firmware}, {"yes", yes}}});
+}
+
+protocol::Status parse_refusal(std::string_view text) {
+    using namespace protocol::status;
+    return parse_word<protocol::Status, 4>(
+        text, {{{"0C", too_short}, {"0D", too_long}, {"0E", undefined}, {"0F", unsupported}}});
+}
+
+template <auto member, auto parse, class Struct>
+void read_as(const Field& field, Struct& target, Faults& faults) {
+    faults.guard(field, [&] { target.*member = parse(text_of(field.value)); });
+}
+
+template <auto member, class Struct>
+void read_text(const Field& field, Struct& target, Faults& faults) {
+    read_as<member, parse_text>(field, target, faults);
+}
+
+template <auto member, class Struct>
+void read_number(const Field& field, Struct& target, Faults& faults) {
+    read_as<member, parse_number>(field, target, faults);
+}
+
+template <auto member, class Struct>
+void read_flag(const Field& field, Struct& target, Faults& faults) {
+    read_as<member, parse_flag>(field, target, faults);
+}
+
+template <auto member, class Struct>
+void read_period(const Field& field, Struct& target, Faults& faults) {
+    read_as<member, parse_period>(field, target, faults);
+}
+
+/// The items of a list, each with the path of the list and the line of its own.
+std::vector<Field> items(const Field& list) {
+    if (!list.value.IsSequence() || list.value.size() > longest_list) {
+        throw std::invalid_argument("must be a list of at most 64, in brackets");
+    }
+    std::vector<Field> fields;
+    for (const YAML::Node& item : list.value)
+        fields.push_back({list.key, list.path, item.Mark().line + 1, item});
+    return fields;
+}
+
+template <auto member, class Struct>
+void read_numbers(const Field& field, Struct& target, Faults& faults) {
+    faults.guard(field, [&] {
+        std::vector<int> numbers;
+        for (const Field& item : items(field))
+            numbers.push_back(parse_number(text_of(item.value)));
+        target.*member = numbers;
+    });
+}
+
+/// The keys of a table, and these.
+template <class Table>
+std::vector<std::string_view> keys_of(const Table& table,
+                                      std::span<const std::string_view> besides = {}) {
+    std::vector<std::string_view> keys(besides.begin(), besides.end());
+    for (const auto& member : table)
+        keys.push_back(member.key);
+    return keys;
+}
+
+template <class Table, class Struct>
+void read_members(const Section& section, const Table& table, Struct& target, Faults& faults) {
+    for (const auto& member : table) {
+        if (const Field* field = section.find(member.key)) member.read(*field, target, faults);
+    }
+}
+
+/// A map within the map.
+template <auto member, const auto& table, class Struct>
+void read_map(const Field& field, Struct& target, Faults& faults) {
+    const Section section{field, {keys_of(table), {}}, faults};
+    read_members(section, table, target.*member, faults);
+}
+
+constexpr Member<DistanceCodes> code_members[] = {
+    {"nothing", read_number<&DistanceCodes::nothing>},
+    {"too_near", read_number<&DistanceCodes::too_near>},
+    {"too_far", read_number<&DistanceCodes::too_far>},
+    {"not_measured", read_number<&DistanceCodes::not_measured>},
+};
+
+constexpr Member<Scip1Texts> scip1_members[] = {
+    {"firmware", read_text<&Scip1Texts::firmware>},
+    {"protocol", read_text<&Scip1Texts::protocol>},
+    {"health", read_text<&Scip1Texts::health>},
+    {"health_failed", read_text<&Scip1Texts::health_failed>},
+};
+
+// In the order of DeviceProfile. A test counts them.
+constexpr Member<DeviceProfile> profile_members[] = {
+    {"family", read_as<&DeviceProfile::family, parse_family>},
+    {"vendor", read_text<&DeviceProfile::vendor>},
+    {"product", read_text<&DeviceProfile::product>},
+    {"firmware", read_text<&DeviceProfile::firmware>},
+    {"protocol", read_text<&DeviceProfile::protocol>},
+    {"serial", read_text<&DeviceProfile::serial>},
+    {"scip1", read_map<&DeviceProfile::scip1, scip1_members>},
+    {"model", read_text<&DeviceProfile::model>},
+    {"dmin_mm", read_number<&DeviceProfile::dmin_mm>},
+    {"dmax_mm", read_number<&DeviceProfile::dmax_mm>},
+    {"ares", read_number<&DeviceProfile::ares>},
+    {"amin", read_number<&DeviceProfile::amin>},
+    {"amax", read_number<&DeviceProfile::amax>},
+    {"afrt", read_number<&DeviceProfile::afrt>},
+    {"scan_rpm", read_number<&DeviceProfile::scan_rpm>},
+    {"motor_speed", read_text<&DeviceProfile::motor_speed>},
+    {"mode_idle", read_text<&DeviceProfile::mode_idle>},
+    {"mode_measuring", read_text<&DeviceProfile::mode_measuring>},
+    {"mode_streaming", read_text<&DeviceProfile::mode_streaming>},
+    {"mode_sensitive", read_text<&DeviceProfile::mode_sensitive>},
+    {"mode_booting", read_text<&DeviceProfile::mode_booting>},
+    {"bit_rate", read_text<&DeviceProfile::bit_rate>},
+    {"health", read_text<&DeviceProfile::health>},
+    {"health_unstable", read_text<&DeviceProfile::health_unstable>},
+    {"health_failed", read_text<&DeviceProfile::health_failed>},
+    {"time_spelling", read_as<&DeviceProfile::time_spelling, parse_spelling>},
+    {"last_step", read_number<&DeviceProfile::last_step>},
+    {"nearest_mm", read_number<&DeviceProfile::nearest_mm>},
+    {"codes", read_map<&DeviceProfile::codes, code_members>},
+    {"multi_echo", read_flag<&DeviceProfile::multi_echo>},
+    {"microseconds", read_flag<&DeviceProfile::microseconds>},
+    {"io_lines", read_flag<&DeviceProfile::io_lines>},
+    {"intensity_codes", read_flag<&DeviceProfile::intensity_codes>},
+    {"bit_rates", read_numbers<&DeviceProfile::bit_rates>},
+    {"motor_levels", read_flag<&DeviceProfile::motor_levels>},
+    {"sensitivity", read_as<&DeviceProfile::sensitivity, parse_support>},
+    {"rehearsals", read_as<&DeviceProfile::rehearsals, parse_support>},
+    {"unknown_command", read_as<&DeviceProfile::unknown_command, parse_refusal>},
+    {"scan_period_ms", read_period<&DeviceProfile::scan_period>},
+    {"turns_per_reply", read_number<&DeviceProfile::turns_per_reply>},
+    {"reply_tick_ms", read_period<&DeviceProfile::reply_tick>},
+    {"scan_tick_ms", read_period<&DeviceProfile::scan_tick>},
+    {"reply_delay_ms", read_period<&DeviceProfile::reply_delay>},
+    {"state_report_delay_ms", read_period<&DeviceProfile::state_report_delay>},
+    {"boot_time_ms", read_period<&DeviceProfile::boot_time>},
+    {"answers_while_booting", read_flag<&DeviceProfile::answers_while_booting>},
+    {"wake_time_ms", read_period<&DeviceProfile::wake_time>},
+};
+
+constexpr std::string_view noise_key = "noise";
+constexpr std::array<std::string_view, 3> noise_keys{"from_m", "sigma_m", "share"};
+
+std::vector<sim::NoiseStep> read_noise(const Field& field, Faults& faults) {
+    std::vector<sim::NoiseStep> noise;
+    faults.guard(field, [&] {
+        for (const Field& item : items(field)) {
+            const Section section{item, {noise_keys, {}}, faults};
+            sim::NoiseStep step{};
+            section.read("from_m", step.from_range_m, parse_length);
+            section.read("sigma_m", step.sigma_m, parse_length);
+            section.read("share", step.sigma_share, parse_share);
+            const bool in_order = noise.empty() ? step.from_range_m == 0.0
+                                                : step.from_range_m > noise.back().from_range_m;
+            if (!in_order) faults.add(item, "from_m must begin with 0 and grow");
+            noise.push_back(step);
+        }
+    });
+    return noise;
+}
+
+void check(const Section& section, const Field& map, const DeviceProfile& profile, Faults& faults) {
+    for (const ProfileFault& fault : faults_of(profile)) {
+        const Field* given = section.find(fault.member);
+        if (given) {
+            faults.add(*given, fault.sentence);
+        } else {
+            faults.add(map.line, map.path + "." + std::string{fault.member}, fault.sentence);
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<std::string_view> profile_keys() {
+    return keys_of(profile_members);
+}
+
+std::vector<std::string_view> code_keys() {
+    return keys_of(code_members);
+}
+
+std::vector<std::string_view> scip1_keys() {
+    return keys_of(scip1_members);
+}
+
+Section profile_section(const Field& map, std::span<const std::string_view> besides,
+                        Faults& faults) {
+    std::vector<std::string_view> keys = keys_of(profile_members, besides);
+    keys.push_back(noise_key);
+    return {map, {keys, {}}, faults};
+}
+
+void override_model(const Section& section, const Field& map, std::optional<Model>& model,
+                    Faults& faults) {
+    DeviceProfile profile = model ? model->profile : DeviceProfile{};
+    std::vector<sim::NoiseStep> noise = model ? model->optics.noise : std::vector<sim::NoiseStep>{};
+    read_members(section, profile_members, profile, faults);
+    if (const Field* field = section.find(noise_key)) noise = read_noise(*field, faults);
+    if (!model) return;
+    check(section, map, profile, faults);
+    model = make_model(profile, std::move(noise), model->sureness);
+}
+
+}  // namespace scipd::daemon

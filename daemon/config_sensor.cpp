@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/config_sensor.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+
+#include "daemon/config_pose.h"
+#include "daemon/config_profile.h"
+#include "daemon/config_values.h"
+
+namespace scipd::daemon {
+namespace {
+
+constexpr std::array<std::string_view, 12> sensor_keys{"model",    "mount",    "tcp",    "pty",
+                                                       "backend",  "accuracy", "motion", "timing",
+                                                       "power_up", "clock",    "link",   "profile"};
+constexpr std::array<std::string_view, 1> later_sensor_keys{"echo"};
+constexpr std::array<std::string_view, 2> clock_keys{"ppm", "start_ms"};
+constexpr std::array<std::string_view, 6> link_keys{"latency_ms",  "jitter_ms",   "baud",
+                                                    "split_bytes", "coalesce_ms", "on_close"};
+
+bool is_none(const Field* listener) {
+    return !listener || (listener->value.IsScalar() && listener->value.Scalar() == "none");
+}
+
+std::string listed(const std::vector<int>& numbers) {
+    std::string text;
+    for (const int number : numbers)
+        text += (text.empty() ? "" : ", ") + std::to_string(number);
+    return text;
+}
+
+/// Nothing where it is unknown which model it is: that is told already.
+std::optional<Model> read_model(const Section& section, const SensorContext& context) {
+    std::optional<Model> model;
+    section.read("model", model,
+                 [&](const std::string& text) { return context.models.find(text); });
+    if (const Field* profile = section.find("profile")) {
+        override_model(profile_section(*profile, {}, context.faults), *profile, model,
+                       context.faults);
+    }
+    return model;
+}
+
+DeviceClockConfig read_clock(const Section& parent, Faults& faults) {
+    DeviceClockConfig clock;
+    if (const Field* field = parent.find("clock")) {
+        const Section section{*field, {clock_keys, {}}, faults};
+        section.read("ppm", clock.ppm, parse_ppm);
+        section.read("start_ms", clock.start_ms, parse_device_time);
+    }
+    return clock;
+}
+
+void check_baud(int baud, const protocol::DeviceProfile& profile) {
+    const std::vector<int>& rates = profile.bit_rates;
+    if (rates.empty()) {
+        throw std::invalid_argument(profile.name + " has no serial line; leave it out");
+    }
+    if (std::ranges::find(rates, baud) == rates.end()) {
+        throw std::invalid_argument(profile.name + " has no such rate; use one of " +
+                                    listed(rates));
+    }
+}
+
+LinkConfig read_link(const Field& field, bool has_pty, const std::optional<Model>& model,
+                     Faults& faults) {
+    const Section section{field, {link_keys, {}}, faults};
+    LinkConfig link;
+    section.read("latency_ms", link.latency, parse_link_delay);
+    section.read("jitter_ms", link.jitter, parse_link_delay);
+    section.read("baud", link.baud, parse_baud);
+    section.read("split_bytes", link.split_bytes, parse_split);
+    section.read("coalesce_ms", link.coalesce, parse_link_delay);
+    section.read("on_close", link.stop_on_close, parse_on_close);
+    if (link.jitter > link.latency) {
+        faults.add(*section.find("jitter_ms"),
+                   "must not exceed latency_ms: nothing arrives before it is sent");
+    }
+    for (const std::string_view key : {"baud", "on_close"}) {
+        if (!has_pty && section.find(key)) {
+            faults.add(*section.find(key), "is of a tty; give pty, or leave it out");
+        }
+    }
+    if (link.baud && model) {
+        faults.guard(*section.find("baud"), [&] { check_baud(*link.baud, model->profile); });
+    }
+    return link;
+}
+
+}  // namespace
+
+SensorConfig read_sensor(const Field& field, SensorContext& context) {
+    Faults& faults = context.faults;
+    const Section section{field, {sensor_keys, later_sensor_keys}, faults};
+    SensorConfig sensor;
+    faults.guard(field, [&] { sensor.name = parse_name(field.key); });
+    if (!section.find("model")) {
+        faults.add(field, "needs a model; `scipd --list-models` tells them");
+    }
+    const std::optional<Model> model = read_model(section, context);
+    if (model) sensor.model = *model;
+    sensor.robot_from_sensor = read_pose(section, "mount", faults);
+    section.read("tcp", sensor.tcp, parse_listener);
+    section.read("pty", sensor.pty,
+                 [&](const std::string& text) { return parse_pty(text, context.base); });
+    section.read("backend", sensor.backend, parse_backend);
+    section.read("accuracy", sensor.accuracy, parse_accuracy);
+    section.read("motion", sensor.motion, parse_motion);
+    section.read("timing", sensor.timing, parse_timing);
+    section.read("power_up", sensor.power_up, parse_power_up);
+    if (sensor.power_up == PowerUp::scip1 && model && !model->profile.speaks_scip1()) {
+        faults.add(*section.find("power_up"),
+                   model->profile.name + " never spoke SCIP 1.1; use scip2.0 or boot");
+    }
+    sensor.clock = read_clock(section, faults);
+    const bool has_pty = !is_none(section.find("pty"));
+    if (const Field* link = section.find("link")) {
+        sensor.link = read_link(*link, has_pty, model, faults);
+    }
+    context.claims.claim(section.find("tcp"), sensor.tcp);
+    if (sensor.pty && !sensor.pty->link.empty()) {
+        context.claims.claim(section.find("pty"), sensor.pty->link.string());
+    }
+    if (is_none(section.find("tcp")) && !has_pty) {
+        faults.add(field, "nobody can reach it; give tcp or pty, such as `pty: auto`");
+    }
+    return sensor;
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// One scanner of a configuration: its keys, and which of them go together. One thread at a time.
+#pragma once
+
+#include <filesystem>
+
+#include "daemon/config.h"
+#include "daemon/config_claims.h"
+#include "daemon/config_models.h"
+#include "daemon/config_section.h"
+
+namespace scipd::daemon {
+
+/// What all sensors of a document are read with.
+struct SensorContext {
+    const ModelChoice& models;
+    Claims& claims;
+    std::filesystem::path base;  ///< of relative paths
+    Faults& faults;
+};
+
+SensorConfig read_sensor(const Field& field, SensorContext& context);
+
+}  // namespace scipd::daemon

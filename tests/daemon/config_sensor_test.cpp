@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// How a device is found, its clock and its link: what they mean, and the literal words of every
+// fault.
+#include <chrono>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/daemon/config_fixture.h"
+
+namespace scipd::daemon {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::ElementsAre;
+
+/// FILE:LINE: and the key of the sensor, which is the same in all of these.
+std::string at(const std::string& rest) {
+    return "fleet.yaml:3: robots.r.sensors.s." + rest;
+}
+
+using ConfigSensorTest = ConfigFixture;
+
+TEST_F(ConfigSensorTest, IsPoweredAndBootedWithAPerfectClockAndLinkWhereNothingIsSaid) {
+    const SensorConfig plain = sensor("timing: real");
+    EXPECT_EQ(plain.power_up, PowerUp::scip2);
+    EXPECT_EQ(plain.clock, DeviceClockConfig{});
+    EXPECT_EQ(plain.link, LinkConfig{});
+}
+
+TEST_F(ConfigSensorTest, IsFoundAsToldTo) {
+    EXPECT_EQ(sensor("power_up: scip2.0").power_up, PowerUp::scip2);
+    EXPECT_EQ(sensor("power_up: boot").power_up, PowerUp::boot);
+    EXPECT_EQ(sensor("power_up: scip1.1", "URG-04LX").power_up, PowerUp::scip1);
+    EXPECT_EQ(
+        sensor("power_up: scip1.1, profile: {scip1: {firmware: 3.1.04}}", "UTM-30LX").power_up,
+        PowerUp::scip1);
+
+    EXPECT_THAT(sensor_faults("power_up: cold"),
+                ElementsAre(at("power_up: must be scip2.0, scip1.1 or boot, not 'cold'")));
+    EXPECT_THAT(sensor_faults("power_up: scip1.1"),
+                ElementsAre(at("power_up: UST-10LX never spoke SCIP 1.1; use scip2.0 or boot")));
+    EXPECT_THAT(sensor_faults("power_up: scip1.1, profile: {scip1: {firmware: \"\"}}", "URG-04LX"),
+                ElementsAre(at("power_up: URG-04LX never spoke SCIP 1.1; use scip2.0 or boot")));
+}
+
+TEST_F(ConfigSensorTest, HasAClockThatRunsAsItLikes) {
+    const DeviceClockConfig clock = sensor("clock: {ppm: -49.5, start_ms: 16777215}").clock;
+    EXPECT_EQ(clock.ppm, -49.5);
+    EXPECT_EQ(clock.start_ms, 16777215u);
+    EXPECT_EQ(sensor("clock: {ppm: 10000}").clock, (DeviceClockConfig{.ppm = 10000.0}));
+
+    EXPECT_THAT(
+        sensor_faults("clock: {ppm: 10001, start_ms: 16777216, drift: 1}"),
+        ElementsAre(
+            at("clock.drift: unknown key; known here are ppm, start_ms"),
+            at("clock.ppm: must lie within 10000 ppm, not '10001'"),
+            at("clock.start_ms: must be a whole number from 0 to 16777215, not '16777216'")));
+    EXPECT_THAT(sensor_faults("clock: {ppm: fast, start_ms: -1}"),
+                ElementsAre(at("clock.ppm: must be a number, not 'fast'"),
+                            at("clock.start_ms: must be a whole number from 0 to 16777215, not "
+                               "'-1'")));
+    EXPECT_THAT(sensor_faults("clock: 50"),
+                ElementsAre(at("clock: must be a map of keys and values")));
+}
+
+TEST_F(ConfigSensorTest, HasALinkWithTroublesOfItsOwn) {
+    const LinkConfig link = sensor(
+                                "link: {latency_ms: 0.5, jitter_ms: 0.1, baud: 750000, "
+                                "split_bytes: 7, coalesce_ms: 2, on_close: stop}",
+                                "URG-04LX")
+                                .link;
+    EXPECT_EQ(link.latency, 500us);
+    EXPECT_EQ(link.jitter, 100us);
+    EXPECT_EQ(link.baud, 750000);
+    EXPECT_EQ(link.split_bytes, 7);
+    EXPECT_EQ(link.coalesce, 2ms);
+    EXPECT_TRUE(link.stop_on_close);
+    EXPECT_FALSE(sensor("link: {on_close: keep}").link.stop_on_close);
+    EXPECT_EQ(sensor("link: {latency_ms: 10000, jitter_ms: 10000}").link.jitter, 10s);
+}
+
+TEST_F(ConfigSensorTest, SaysWhatALinkCannotBe) {
+    EXPECT_THAT(
+        sensor_faults("link: {latency_ms: -1, jitter_ms: 1e9, baud: 9.6, split_bytes: 65537, "
+                      "coalesce_ms: nan, on_close: hang, delay: 1}",
+                      "URG-04LX"),
+        ElementsAre(at("link.delay: unknown key; known here are latency_ms, jitter_ms, baud, "
+                       "split_bytes, coalesce_ms, on_close"),
+                    at("link.latency_ms: must be 0 to 10000 ms, not '-1'"),
+                    at("link.jitter_ms: must be 0 to 10000 ms, not '1e9'"),
+                    at("link.baud: must be a whole number from 300 to 999999, not '9.6'"),
+                    at("link.split_bytes: must be a whole number from 0 to 65536, not '65537'"),
+                    at("link.coalesce_ms: must be a number, not 'nan'"),
+                    at("link.on_close: must be keep or stop, not 'hang'")));
+    EXPECT_THAT(sensor_faults("link: {latency_ms: 1, jitter_ms: 1.5}"),
+                ElementsAre(at("link.jitter_ms: must not exceed latency_ms: nothing arrives before "
+                               "it is sent")));
+    EXPECT_THAT(sensor_faults("link: {baud: 9600}", "URG-04LX"),
+                ElementsAre(at("link.baud: URG-04LX has no such rate; use one of 19200, 38400, "
+                               "57600, 115200, 250000, 500000, 750000")));
+    EXPECT_THAT(sensor_faults("link: {baud: 19200}"),
+                ElementsAre(at("link.baud: UST-10LX has no serial line; leave it out")));
+    EXPECT_THAT(faults("scene: room.sdf\n"
+                       "robots: {r: {sensors: {s: {model: URG-04LX, tcp: 127.0.0.1:0, pty: none,\n"
+                       "link: {baud: 19200, on_close: keep}}}}}\n"),
+                ElementsAre(at("link.baud: is of a tty; give pty, or leave it out"),
+                            at("link.on_close: is of a tty; give pty, or leave it out")));
+}
+
+TEST_F(ConfigSensorTest, PacesTheRatesThatAProfileAdds) {
+    EXPECT_EQ(sensor("link: {baud: 9600}, profile: {bit_rates: [9600]}", "UTM-30LX").link.baud,
+              9600);
+}
+
+}  // namespace
+}  // namespace scipd::daemon
