@@ -22,13 +22,13 @@ const std::string& mode_of(const DeviceProfile& profile, const DeviceState& devi
     return profile.mode_measuring;
 }
 
-// "99%(594[rpm])": the form that hokuyoaist reads.
+// "1%down(594[rpm])": hokuyoaist reads a level, '%', four characters of no meaning to it and the
+// speed in brackets. Which four real ones send is not known.
 std::string motor_speed_of(const DeviceProfile& profile, const DeviceState& device) {
     const int level = device.settings().motor_level;
     if (level == 0) return profile.motor_speed;
-    const int percent = 100 - level;
-    return std::to_string(percent) + "%(" + std::to_string(profile.scan_rpm * percent / 100) +
-           "[rpm])";
+    const int speed_rpm = profile.scan_rpm * (100 - level) / 100;
+    return std::to_string(level) + "%down(" + std::to_string(speed_rpm) + "[rpm])";
 }
 
 std::string bit_rate_text(const DeviceProfile& profile, const DeviceState& device) {

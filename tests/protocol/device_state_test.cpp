@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "protocol/timestamp.h"
+
 namespace scipd::protocol {
 namespace {
 
@@ -89,6 +91,28 @@ TEST(DeviceState, ResetEndsEverythingAndSetsTheClockToZero) {
     device.enter_adjust();
     device.reset(40ms);
     EXPECT_FALSE(device.adjusting());
+}
+
+TEST(DeviceState, ItsClockCanBeSetUntilRsOrBoot) {
+    DeviceState device;
+    device.set_clock(5s, 16'777'000ms);
+    EXPECT_EQ(timestamp_ms(5s, device.clock_zero()), 16'777'000U);
+    EXPECT_EQ(timestamp_ms(5s + 216ms, device.clock_zero()), 0U);
+    device.reset(6s);
+    EXPECT_EQ(timestamp_ms(6s, device.clock_zero()), 0U);
+    device.set_clock(7s, 16'777'000ms);
+    device.boot(8s, 1s);
+    EXPECT_EQ(timestamp_ms(8s, device.clock_zero()), 0U);
+}
+
+TEST(DeviceState, AMirrorBeginsAnewWithABoot) {
+    DeviceState device;
+    EXPECT_EQ(device.mirror_origin(), 0s);
+    device.set_mirror_origin(3s);
+    device.partial_reset(4s);
+    EXPECT_EQ(device.mirror_origin(), 3s);
+    device.boot(8s, 1s);
+    EXPECT_EQ(device.mirror_origin(), 8s);
 }
 
 TEST(DeviceState, BootsAsIfNew) {

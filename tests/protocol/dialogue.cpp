@@ -164,6 +164,8 @@ class Parser {
     }
 
     bool header(const std::string& line) {
+        static const std::regex clock(R"(clock: (\d+) ms)");
+        std::smatch match;
         if (!dialogue_.steps.empty()) return false;
         if (line.starts_with("model: ")) {
             dialogue_.model = line.substr(7);
@@ -173,6 +175,8 @@ class Parser {
             dialogue_.io_lines = true;
         } else if (line == "power-up: boot") {
             dialogue_.boot = true;
+        } else if (std::regex_match(line, match, clock)) {
+            dialogue_.clock = std::chrono::milliseconds(std::stoll(match[1]));
         } else if (line == "power-up: scip1.1") {
             dialogue_.scip1 = true;
         } else {

@@ -5,6 +5,7 @@
 // answers. The format is described in dialogues/README.md.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -79,6 +80,7 @@ struct Dialogue {
     bool io_lines = false;  ///< the model has GF and its kin, which none of the real ones has
     bool boot = false;      ///< power comes at 0; else the device is up
     bool scip1 = false;     ///< it is up and speaks SCIP 1.1
+    std::chrono::milliseconds clock{};  ///< what its clock shows at 0
     std::vector<Step> steps;
 };
 

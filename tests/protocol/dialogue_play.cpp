@@ -44,6 +44,7 @@ DeviceState powered_up(const Dialogue& dialogue, const DeviceProfile& profile) {
     DeviceState device;
     if (dialogue.boot) device.boot(Uptime::zero(), profile.boot_time);
     if (dialogue.scip1) device.power_up_in_scip1(Uptime::zero());
+    device.set_clock(Uptime::zero(), dialogue.clock);
     return device;
 }
 

@@ -200,6 +200,30 @@ TEST(Session, IntervalOneOfASlowModelSendsTheTurnAfterTheAcknowledgement) {
     EXPECT_THAT(sent[1].bytes, StartsWith("ME0002000301100\n99b\n000bb\n"));  // 50 ms
 }
 
+TEST(Session, ASlowerMotorSlowsScansAndRepliesFromTheNextTurnOn) {
+    DeviceProfile profile = test_profile(Family::a1);
+    profile.motor_levels = true;
+    profile.turns_per_reply = 1;
+    Shell shell(profile);
+    shell.receive("MD0002000301000\n");
+    shell.advance_to(30ms);
+    shell.receive("CR10\n");  // answered at 50 ms
+    shell.advance_to(131ms);
+    EXPECT_THAT(told(shell),
+                ElementsAre(Told{25ms, "MD0002000301000"}, Told{50ms, "MD0002000301000"},
+                            Told{50ms, "CR10"}, Told{75ms, "MD0002000301000"},
+                            Told{75ms + 27'777'777ns, "MD0002000301000"},
+                            Told{75ms + 2 * 27'777'777ns, "MD0002000301000"}));
+    shell.receive("RS\n");
+    shell.advance_to(1s);
+    shell.receive("VV\n");
+    shell.advance_to(1100ms);
+    // Once more at the slow pace, then 25 ms again from 75 ms + 4 * 27.777777 ms on.
+    EXPECT_THAT(told(shell), ElementsAre(Told{75ms + 3 * 27'777'777ns, "MD0002000301000"},
+                                         Told{75ms + 3 * 27'777'777ns, "RS"},
+                                         Told{75ms + 4 * 27'777'777ns + 33 * 25ms, "VV"}));
+}
+
 TEST(Session, ANewStreamReplacesTheOldOne) {
     Shell shell(prompt(Family::a2));
     ask(shell, "MD0002000301005");
@@ -449,6 +473,60 @@ TEST(Session, TheRateOfTheLineChangesAfterTheReply) {
     EXPECT_EQ(session.next_action(), Action(SetBitRate{115200}));
     EXPECT_EQ(next_bytes(session), "RS\n00P\n\n");
     EXPECT_EQ(session.next_action(), Action(SetBitRate{19200}));
+    EXPECT_EQ(session.next_action(), std::nullopt);
+}
+
+TEST(Session, EverySessionIsToldOnceOfAnotherRate) {
+    DeviceProfile profile = prompt(Family::a1);
+    profile.bit_rates = {19200, 115200};
+    Shell shell(profile, 2);
+    ask(shell, "SS115200", 1);
+    EXPECT_EQ(shell.session(0).wake_at(), 0ms);  // now, not with the next request
+    EXPECT_THAT(shell.take_other_actions(1), ElementsAre(Action(SetBitRate{115200})));
+    shell.advance_to(1ms);
+    EXPECT_THAT(shell.take_other_actions(0), ElementsAre(Action(SetBitRate{115200})));
+    ask(shell, "RS", 0);
+    ask(shell, "RS", 0);
+    shell.advance_to(2ms);
+    EXPECT_THAT(shell.take_other_actions(0), ElementsAre(Action(SetBitRate{19200})));
+    EXPECT_THAT(shell.take_other_actions(1), ElementsAre(Action(SetBitRate{19200})));
+    EXPECT_EQ(shell.session(1).wake_at(), std::nullopt);
+}
+
+TEST(Session, ARateThatChangesUnderARequestThatWaitsIsToldInOrder) {
+    DeviceState device;
+    DeviceProfile profile = prompt(Family::a1);
+    profile.bit_rates = {19200, 115200};
+    Session one(profile, device);
+    Session other(profile, device);
+    one.receive("VV\n", 0ms);
+    other.receive("SS115200\n", 1ms);
+    one.receive("QT\n", 2ms);
+    EXPECT_THAT(next_bytes(one), StartsWith("VV\n"));
+    EXPECT_EQ(one.next_action(), Action(SetBitRate{115200}));
+    EXPECT_THAT(next_bytes(one), StartsWith("QT\n"));
+}
+
+TEST(Session, ABootTakesTheRateBack) {
+    DeviceProfile profile = prompt(Family::a1);
+    profile.bit_rates = {19200, 115200};
+    Shell shell(profile, 1);
+    ask(shell, "SS115200");
+    shell.take_other_actions();
+    shell.device().boot(1ms, 5s);
+    shell.advance_to(1ms);
+    EXPECT_THAT(shell.take_other_actions(),
+                ElementsAre(Action(DropLink{}), Action(SetBitRate{19200})));
+}
+
+TEST(Session, ARateThatWasNotFetchedOutlivesItsClient) {
+    DeviceState device;
+    DeviceProfile profile = prompt(Family::a1);
+    profile.bit_rates = {19200, 115200};
+    Session session(profile, device);
+    session.receive("SS115200\nVV\n", 0ms);
+    session.close();
+    EXPECT_EQ(session.next_action(), Action(SetBitRate{115200}));
     EXPECT_EQ(session.next_action(), std::nullopt);
 }
 

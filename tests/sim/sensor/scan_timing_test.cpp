@@ -73,6 +73,50 @@ TEST(ScanTiming, KnowsWhichScanIsTheLatestCompleteOne) {
     EXPECT_EQ(timing.latest_complete(timing.complete(1)), 1);
 }
 
+TEST(ScanTiming, TurnsAtAnotherSpeedFromAPassOfStepZeroOn) {
+    ScanTiming timing(spec(), epoch);
+    timing.turn_from(epoch + 75ms, 30ms);
+    EXPECT_EQ(timing.start(2), epoch + 50ms);
+    EXPECT_EQ(timing.fired(2, 720), epoch + 62'500us);
+    EXPECT_EQ(timing.start(3), epoch + 75ms);
+    EXPECT_EQ(timing.start(4), epoch + 105ms);
+    EXPECT_EQ(timing.fired(4, 720), epoch + 120ms);
+    EXPECT_EQ(timing.revolution_at(epoch + 75ms - 1ns), 2);
+    EXPECT_EQ(timing.revolution_at(epoch + 105ms - 1ns), 3);
+    EXPECT_EQ(timing.latest_complete(epoch + 75ms + 22'500us - 1ns), 2);
+    EXPECT_EQ(timing.latest_complete(epoch + 75ms + 22'500us), 3);
+    EXPECT_EQ(timing.start(1'000'000'003), epoch + 75ms + 30'000'000s);
+}
+
+TEST(ScanTiming, TakesTheLastWordOnTheTurnsToCome) {
+    ScanTiming timing(spec(), epoch);
+    timing.turn_from(epoch + 75ms, 30ms);
+    timing.turn_from(epoch + 75ms, 40ms);  // before it got there
+    timing.turn_from(epoch + 75ms, 40ms);
+    EXPECT_EQ(timing.start(3), epoch + 75ms);
+    EXPECT_EQ(timing.start(4), epoch + 115ms);
+    EXPECT_EQ(timing.start(2), epoch + 50ms);
+    // Power comes anew in the midst of revolution 2, before that.
+    timing.turn_from(epoch + 60ms, 25ms);
+    EXPECT_EQ(timing.start(2), epoch + 50ms);
+    EXPECT_EQ(timing.start(3), epoch + 60ms);
+    EXPECT_EQ(timing.start(4), epoch + 85ms);
+}
+
+TEST(ScanTiming, AgreesWithItselfHoweverOftenTheSpeedChanges) {
+    ScanTiming timing(spec(), epoch);
+    Time pass = epoch;
+    for (int change = 0; change < 1000; ++change) {
+        const Time period = 25ms + change % 11 * 270us;
+        timing.turn_from(pass, period);
+        const std::int64_t n = timing.revolution_at(pass);
+        EXPECT_EQ(timing.start(n), pass);
+        EXPECT_EQ(timing.revolution_at(pass - 1ns), n - 1);
+        EXPECT_EQ(n, 3 * change);
+        pass += 3 * period;
+    }
+}
+
 TEST(ScanTiming, AgreesWithItselfForEveryRevolution) {
     SensorSpec odd = spec();
     odd.scan_period = Time{99'999'989};  // a prime
