@@ -57,7 +57,7 @@ Status carry_out(DeviceState& device, const Request& request, const DeviceProfil
         case Operation::choose_scip2:  // it is spoken already
             return profile.unknown_command;
         default:
-            assert(!"not the device's");
+            assert(false && "not the device's");
     }
     return status::ok;
 }
