@@ -16,14 +16,36 @@ std::string links_of(const protocol::DeviceProfile& profile) {
     return profile.bit_rates.empty() ? "USB" : "USB, RS-232";
 }
 
+/// Not those that it has only a refusal for.
+bool carries_out(const protocol::DeviceProfile& profile, const protocol::Command& command) {
+    using enum protocol::Operation;
+    if (!command.gate(profile.family).known() || !profile.has(command.needs)) return false;
+    switch (command.operation) {
+        case refuse_digit:
+            return false;
+        case set_bit_rate:
+            return !profile.bit_rates.empty();
+        case set_motor_level:
+            return profile.motor_levels;
+        case set_sensitivity:
+            return profile.sensitivity == protocol::Support::yes;
+        case rehearse:
+            return profile.rehearsals == protocol::Support::yes;
+        case choose_scip2:
+            return profile.speaks_scip1();
+        default:
+            return true;
+    }
+}
+
 std::string commands_of(const protocol::DeviceProfile& profile) {
     std::string text;
     for (const protocol::Command& command : protocol::command_table()) {
-        if (!command.gate(profile.family).known() || !profile.has(command.needs)) continue;
+        if (!carries_out(profile, command)) continue;
         if (!text.empty()) text += ' ';
         text += command.code;
     }
-    return text;
+    return text + (profile.speaks_scip1() ? ", SCIP 1.1" : "");
 }
 
 // 40, 14.9
@@ -63,14 +85,20 @@ Model make_model(const protocol::DeviceProfile& profile, std::vector<sim::NoiseS
 }
 
 std::string describe(const Model& model) {
-    const auto& profile = model.profile;
+    const auto& [profile, optics, sure] = model;
     const auto said = [](Evidence evidence) { return std::string(name_of(evidence)); };
-    return profile.name + "@" + profile.release + "  " + std::to_string(profile.dmin_mm) + "-" +
-           std::to_string(profile.dmax_mm) + " mm, steps " + std::to_string(profile.amin) + "-" +
-           std::to_string(profile.amax) + " of " + std::to_string(profile.ares) + ", " +
-           rate_of(profile) + "; " + links_of(profile) + "; " + commands_of(profile) +
-           (profile.speaks_scip1() ? "; SCIP 1.1" : "") + "; texts " + said(model.sureness.texts) +
-           ", steps " + said(model.sureness.steps) + ", noise " + said(model.sureness.noise);
+    const auto figure = [&](const std::string& text, Evidence evidence) {
+        return text + " (" + said(evidence) + ")";
+    };
+    const std::string range =
+        std::to_string(profile.dmin_mm) + "-" + std::to_string(profile.dmax_mm) + " mm";
+    const std::string steps = "steps " + std::to_string(profile.amin) + "-" +
+                              std::to_string(profile.amax) + " of " + std::to_string(profile.ares);
+    return profile.name + "@" + profile.release + "  " + figure(range, sure.range) + ", " +
+           figure(steps, sure.steps) + ", " + figure(rate_of(profile), sure.rate) + "; " +
+           figure(links_of(profile), sure.links) + "; " +
+           figure(commands_of(profile), sure.commands) + "; texts " + said(sure.texts) +
+           ", noise " + said(sure.noise);
 }
 
 }  // namespace scipd::daemon

@@ -24,7 +24,11 @@ enum class Evidence {
 
 struct Sureness {
     Evidence texts = Evidence::deduced;  ///< what VV and II say
-    Evidence steps = Evidence::deduced;  ///< PP: angles, range and speed
+    Evidence range = Evidence::deduced;
+    Evidence steps = Evidence::deduced;
+    Evidence rate = Evidence::deduced;
+    Evidence links = Evidence::deduced;
+    Evidence commands = Evidence::deduced;
     Evidence noise = Evidence::deduced;
 
     bool operator==(const Sureness&) const = default;
@@ -42,7 +46,8 @@ struct Model {
 Model make_model(const protocol::DeviceProfile& profile, std::vector<sim::NoiseStep> noise,
                  Sureness sureness);
 
-/// One line: the name, range, steps, rate, links, commands, and how sure they are.
+/// One line: the name; range, steps, rate, links and commands, each with how sure that is; how sure
+/// texts and noise are.
 [[nodiscard]] std::string describe(const Model& model);
 
 }  // namespace scipd::daemon

@@ -26,9 +26,14 @@ Model ubg_04lx_f01() {
     profile.sensitivity = protocol::Support::yes;
     profile.rehearsals = protocol::Support::yes;
     profile.scan_period = 28ms;
-    return make_model(
-        profile, urg_noise(),
-        {.texts = Evidence::deduced, .steps = Evidence::documented, .noise = Evidence::documented});
+    return make_model(profile, urg_noise(),
+                      {
+                          .range = Evidence::documented,
+                          .steps = Evidence::documented,
+                          .rate = Evidence::documented,
+                          .links = Evidence::documented,
+                          .noise = Evidence::documented,
+                      });
 }
 
 }  // namespace scipd::daemon

@@ -31,9 +31,13 @@ Model uhg_08lx() {
     profile.sensitivity = protocol::Support::yes;
     profile.rehearsals = protocol::Support::yes;
     profile.scan_period = 66'667us;
-    return make_model(
-        profile, urg_noise(),
-        {.texts = Evidence::deduced, .steps = Evidence::documented, .noise = Evidence::deduced});
+    return make_model(profile, urg_noise(),
+                      {
+                          .range = Evidence::documented,
+                          .steps = Evidence::documented,
+                          .rate = Evidence::documented,
+                          .links = Evidence::documented,
+                      });
 }
 
 }  // namespace scipd::daemon

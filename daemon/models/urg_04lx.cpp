@@ -2,7 +2,8 @@
 // Copyright The scipd authors
 //
 // URG-04LX, in SCIP 2.0 from the start. Texts, steps and limits of firmware 3.1.04: recording of a
-// real unit. 3.3.00: version and serial number from a SCIP 1.1 recording of another.
+// real unit. 3.3.00: version, serial number, steps and speed from a SCIP 1.1 recording of
+// another; its range is that of 3.1.04.
 #include "daemon/models/kin.h"
 #include "daemon/models/products.h"
 
@@ -73,9 +74,16 @@ protocol::DeviceProfile urg_profile() {
 }
 
 Model urg_04lx_3_1_04() {
-    return make_model(
-        urg_profile(), urg_noise(),
-        {.texts = Evidence::seen, .steps = Evidence::seen, .noise = Evidence::documented});
+    return make_model(urg_profile(), urg_noise(),
+                      {
+                          .texts = Evidence::seen,
+                          .range = Evidence::seen,
+                          .steps = Evidence::seen,
+                          .rate = Evidence::seen,
+                          .links = Evidence::documented,
+                          .commands = Evidence::documented,
+                          .noise = Evidence::documented,
+                      });
 }
 
 Model urg_04lx_3_3_00() {
@@ -90,9 +98,14 @@ Model urg_04lx_3_3_00() {
     profile.mode_sensitive = "Measuring by Sensitive Mode";
     profile.sensitivity = protocol::Support::yes;
     profile.rehearsals = protocol::Support::yes;
-    return make_model(
-        profile, urg_noise(),
-        {.texts = Evidence::deduced, .steps = Evidence::seen, .noise = Evidence::documented});
+    return make_model(profile, urg_noise(),
+                      {
+                          .steps = Evidence::seen,
+                          .rate = Evidence::seen,
+                          .links = Evidence::documented,
+                          .commands = Evidence::documented,
+                          .noise = Evidence::documented,
+                      });
 }
 
 }  // namespace scipd::daemon

@@ -22,9 +22,15 @@ Model urg_04lx_ug01() {
     profile.bit_rates = {};
     profile.sensitivity = protocol::Support::yes;
     profile.rehearsals = protocol::Support::yes;
-    return make_model(
-        profile, urg_noise(),
-        {.texts = Evidence::seen, .steps = Evidence::seen, .noise = Evidence::deduced});
+    return make_model(profile, urg_noise(),
+                      {
+                          .texts = Evidence::seen,
+                          .range = Evidence::seen,
+                          .steps = Evidence::seen,
+                          .rate = Evidence::seen,
+                          .links = Evidence::documented,
+                          .commands = Evidence::documented,
+                      });
 }
 
 }  // namespace scipd::daemon

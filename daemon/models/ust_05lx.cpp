@@ -15,9 +15,12 @@ Model ust_05lx() {
     profile.amax = 540;
     profile.last_step = 540;
     profile.afrt = 270;
-    return make_model(
-        profile, ust_noise(),
-        {.texts = Evidence::deduced, .steps = Evidence::deduced, .noise = Evidence::documented});
+    return make_model(profile, ust_noise(),
+                      {
+                          .range = Evidence::documented,
+                          .links = Evidence::documented,
+                          .noise = Evidence::documented,
+                      });
 }
 
 }  // namespace scipd::daemon

@@ -60,9 +60,16 @@ protocol::DeviceProfile ust_profile(const std::string& name, const std::string& 
 }
 
 Model ust_10lx() {
-    return make_model(
-        ust_profile("UST-10LX", "H1614934"), ust_noise(),
-        {.texts = Evidence::seen, .steps = Evidence::seen, .noise = Evidence::documented});
+    return make_model(ust_profile("UST-10LX", "H1614934"), ust_noise(),
+                      {
+                          .texts = Evidence::seen,
+                          .range = Evidence::seen,
+                          .steps = Evidence::seen,
+                          .rate = Evidence::seen,
+                          .links = Evidence::seen,
+                          .commands = Evidence::documented,
+                          .noise = Evidence::documented,
+                      });
 }
 
 }  // namespace scipd::daemon

@@ -11,9 +11,15 @@ namespace scipd::daemon {
 Model ust_20lx() {
     protocol::DeviceProfile profile = ust_profile("UST-20LX", "H1500001");
     profile.dmax_mm = 60000;
-    return make_model(
-        profile, ust_noise(),
-        {.texts = Evidence::deduced, .steps = Evidence::seen, .noise = Evidence::documented});
+    return make_model(profile, ust_noise(),
+                      {
+                          .range = Evidence::seen,
+                          .steps = Evidence::seen,
+                          .rate = Evidence::seen,
+                          .links = Evidence::documented,
+                          .commands = Evidence::documented,
+                          .noise = Evidence::documented,
+                      });
 }
 
 }  // namespace scipd::daemon

@@ -11,9 +11,7 @@ Model ust_20lx_h01() {
     protocol::DeviceProfile profile = ust_profile("UST-20LX-H01", "H1700003");
     profile.dmax_mm = 60000;
     double_resolution(profile);
-    return make_model(
-        profile, ust_noise(),
-        {.texts = Evidence::deduced, .steps = Evidence::deduced, .noise = Evidence::deduced});
+    return make_model(profile, ust_noise(), Sureness{});
 }
 
 }  // namespace scipd::daemon

@@ -23,9 +23,15 @@ Model ust_30lc(const std::string& firmware) {
     profile.microseconds = firmware.starts_with("4.1");
     // Its simulator answers so; 0F is known of firmware 2.23 only.
     profile.unknown_command = protocol::status::undefined;
-    return make_model(
-        profile, ust_noise(),
-        {.texts = Evidence::documented, .steps = Evidence::documented, .noise = Evidence::deduced});
+    return make_model(profile, ust_noise(),
+                      {
+                          .texts = Evidence::documented,
+                          .range = Evidence::documented,
+                          .steps = Evidence::documented,
+                          .rate = Evidence::documented,
+                          .links = Evidence::documented,
+                          .commands = Evidence::documented,
+                      });
 }
 
 }  // namespace scipd::daemon

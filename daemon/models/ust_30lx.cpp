@@ -10,9 +10,7 @@ namespace scipd::daemon {
 Model ust_30lx() {
     protocol::DeviceProfile profile = ust_profile("UST-30LX", "H1900001");
     profile.dmax_mm = 60000;
-    return make_model(
-        profile, ust_noise(),
-        {.texts = Evidence::deduced, .steps = Evidence::deduced, .noise = Evidence::deduced});
+    return make_model(profile, ust_noise(), Sureness{});
 }
 
 }  // namespace scipd::daemon

@@ -56,9 +56,16 @@ Model utm_30lx() {
         .reply_tick = 25ms,
         .boot_time = 1s,  // assumed
     };
-    return make_model(
-        profile, utm_noise(),
-        {.texts = Evidence::seen, .steps = Evidence::seen, .noise = Evidence::documented});
+    return make_model(profile, utm_noise(),
+                      {
+                          .texts = Evidence::seen,
+                          .range = Evidence::seen,
+                          .steps = Evidence::seen,
+                          .rate = Evidence::seen,
+                          .links = Evidence::seen,
+                          .commands = Evidence::documented,
+                          .noise = Evidence::documented,
+                      });
 }
 
 }  // namespace scipd::daemon

@@ -64,9 +64,15 @@ protocol::DeviceProfile ew_profile(const std::string& name, const std::string& s
 // The serial number is made up in the form of the others.
 Model utm_30lx_ew() {
     return make_model(ew_profile("UTM-30LX-EW", "H0123456"), utm_noise(),
-                      {.texts = Evidence::documented,
-                       .steps = Evidence::documented,
-                       .noise = Evidence::documented});
+                      {
+                          .texts = Evidence::documented,
+                          .range = Evidence::documented,
+                          .steps = Evidence::documented,
+                          .rate = Evidence::documented,
+                          .links = Evidence::documented,
+                          .commands = Evidence::documented,
+                          .noise = Evidence::documented,
+                      });
 }
 
 }  // namespace scipd::daemon

@@ -54,9 +54,15 @@ Model uxm_30lx_e() {
         .turns_per_reply = 2,
         .boot_time = 1s,  // assumed
     };
-    return make_model(
-        profile, ust_noise(),
-        {.texts = Evidence::seen, .steps = Evidence::seen, .noise = Evidence::deduced});
+    return make_model(profile, ust_noise(),
+                      {
+                          .texts = Evidence::seen,
+                          .range = Evidence::seen,
+                          .steps = Evidence::seen,
+                          .rate = Evidence::seen,
+                          .links = Evidence::seen,
+                          .commands = Evidence::documented,
+                      });
 }
 
 }  // namespace scipd::daemon

@@ -24,9 +24,7 @@ protocol::DeviceProfile uxm_ew_profile(const std::string& name, const std::strin
 }
 
 Model uxm_30lx_ew() {
-    return make_model(
-        uxm_ew_profile("UXM-30LX-EW", "H1200001"), ust_noise(),
-        {.texts = Evidence::deduced, .steps = Evidence::deduced, .noise = Evidence::deduced});
+    return make_model(uxm_ew_profile("UXM-30LX-EW", "H1200001"), ust_noise(), Sureness{});
 }
 
 }  // namespace scipd::daemon
