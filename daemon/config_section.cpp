@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_faults = 100;
 constexpr std::size_t most_entries = 4096;
-constexpr std::size_t longest_sentence = 400;
+constexpr std::size_t longest_sentence = 1000;
 
 std::string joined(std::span<const std::string_view> keys) {
     std::string text;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "daemon/config.h"
+#include "daemon/models/profile_check.h"
 
 namespace {
 
@@ -18,15 +19,23 @@ void require(bool holds) {
     if (!holds) std::abort();
 }
 
+void check(const SensorConfig& sensor) {
+    const auto& [profile, optics, sureness] = sensor.model;
+    require(!sensor.name.empty() && !profile.name.empty());
+    require(faults_of(profile).empty());
+    require(sensor.model == make_model(profile, optics.noise, sureness));
+    require(sensor.power_up != PowerUp::scip1 || profile.speaks_scip1());
+    require(sensor.link.jitter <= sensor.link.latency);
+    require(!sensor.link.baud || sensor.pty);
+}
+
 void check(const Config& config) {
     require(!config.robots.empty());
     require(config.scene.is_absolute());
     for (const auto& robot : config.robots) {
         require(!robot.name.empty() && !robot.sensors.empty());
-        for (const auto& sensor : robot.sensors) {
-            require(!sensor.name.empty());
-            require(!sensor.model.profile.name.empty());
-        }
+        for (const auto& sensor : robot.sensors)
+            check(sensor);
     }
 }
 
