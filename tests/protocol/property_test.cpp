@@ -51,14 +51,12 @@ void expect_no_fault(const Script& script, std::uint64_t seed, const Check& faul
 }
 
 /// The first of `expected` that is not in the same place of `told`, which may go on for longer.
-std::string difference(const std::vector<std::string>& expected,
-                       const std::vector<std::string>& told) {
-    constexpr std::size_t enough = 200;
+std::string difference(const std::vector<Sent>& expected, const std::vector<Sent>& told) {
     for (std::size_t i = 0; i < expected.size(); ++i) {
-        const std::string instead = i < told.size() ? told[i] : "nothing more";
-        if (instead == expected[i]) continue;
-        return "message " + std::to_string(i) + " is\n  " + instead.substr(0, enough) +
-               "\nin the place of\n  " + expected[i].substr(0, enough);
+        if (i < told.size() && told[i] == expected[i]) continue;
+        const std::string instead = i < told.size() ? to_text(told[i]) : "nothing more";
+        return "message " + std::to_string(i) + " is\n  " + instead + "\nin the place of\n  " +
+               to_text(expected[i]);
     }
     return {};
 }

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "tests/protocol/listener.h"
-#include "tests/protocol/shell.h"
 
 namespace scipd::protocol {
 namespace {
@@ -42,6 +41,8 @@ std::string to_text(const Event& event) {
             return "client " + std::to_string(event.client) + " says " + quoted(event.bytes);
         case Event::Kind::wait:
             return milliseconds(event.time) + " pass";
+        case Event::Kind::boot:
+            return "it boots, if it has to";
         case Event::Kind::hang_up:
             return "client " + std::to_string(event.client) + " hangs up";
         case Event::Kind::trouble:
@@ -100,6 +101,9 @@ class Performance {
                 return shell_.receive(event.bytes, event.client);
             case Event::Kind::wait:
                 return shell_.advance_to(shell_.now() + event.time);
+            case Event::Kind::boot:
+                if (const auto at = shell_.device().reboots_at()) shell_.advance_to(*at);
+                return shell_.advance_to(std::max(shell_.now(), shell_.device().booted_at()));
             case Event::Kind::hang_up:
                 listeners_[client].forget();
                 return shell_.session(event.client).close();
@@ -126,10 +130,9 @@ class Performance {
     }
 
     void hear(int client, Listener& listener, const Sent& sent) {
-        const std::string message = milliseconds(sent.at) + " " + quoted(sent.bytes);
-        outcome_.told[static_cast<std::size_t>(client)].push_back(message);
         const std::string fault = listener.hear(sent);
-        if (!fault.empty()) complain(client, fault + ": " + message);
+        if (!fault.empty()) complain(client, fault + ": " + to_text(sent));
+        outcome_.told[static_cast<std::size_t>(client)].push_back(sent);
     }
 
     void complain(int client, const std::string& fault) {
@@ -175,6 +178,11 @@ std::string to_text(const Script& script) {
     for (const Event& event : script.events)
         text += "\n  " + to_text(event);
     return text + "\n";
+}
+
+std::string to_text(const Sent& message) {
+    constexpr std::size_t enough = 200;
+    return milliseconds(message.at) + " " + quoted(message.bytes.substr(0, enough));
 }
 
 Outcome perform(const Script& script) {

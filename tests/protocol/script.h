@@ -12,6 +12,7 @@
 #include "protocol/device_profile.h"
 #include "protocol/device_state.h"
 #include "protocol/uptime.h"
+#include "tests/protocol/shell.h"
 
 namespace scipd::protocol {
 
@@ -19,6 +20,7 @@ struct Event {
     enum class Kind {
         say,          ///< a client's bytes come in
         wait,         ///< time passes
+        boot,         ///< time passes until a boot that is due or under way is over
         hang_up,      ///< a client is gone; another takes its place
         trouble,      ///< something becomes the matter with the device, or passes
         power_cycle,  ///< it is off for no time
@@ -40,12 +42,14 @@ struct Script {
     std::vector<Event> events;
 };
 
-/// For people: an event a line.
+// For people.
+
+/// An event a line.
 [[nodiscard]] std::string to_text(const Script& script);
+[[nodiscard]] std::string to_text(const Sent& message);
 
 struct Outcome {
-    /// What each client was told: a line for each message, with its instant.
-    std::vector<std::vector<std::string>> told;
+    std::vector<std::vector<Sent>> told;  ///< what each client was told
     std::string fault;  ///< the first thing that was wrong with it; empty: nothing
 };
 

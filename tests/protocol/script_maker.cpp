@@ -131,7 +131,6 @@ std::string noise(Choices& choices) {
     return text;
 }
 
-// The boot of a UST takes 10 s.
 Uptime some_time(Choices& choices, const DeviceProfile& profile) {
     switch (choices.below(8)) {
         case 0:
@@ -139,8 +138,6 @@ Uptime some_time(Choices& choices, const DeviceProfile& profile) {
         case 1:
         case 2:
             return choices.between(1, 3000) * 1us;
-        case 7:
-            return choices.one_in(4) ? profile.boot_time + 2s : profile.scan_period * 25;
         default:
             return choices.between(1, 2500) * profile.scan_period / 1000;
     }
@@ -151,7 +148,8 @@ Event event(Choices& choices, const DeviceProfile& profile, int clients) {
     const std::uint32_t kind = choices.below(64);
     if (kind < 40)
         return {.kind = Event::Kind::say, .client = client, .bytes = make_saying(choices, profile)};
-    if (kind < 58) return {.kind = Event::Kind::wait, .time = some_time(choices, profile)};
+    if (kind < 57) return {.kind = Event::Kind::wait, .time = some_time(choices, profile)};
+    if (kind < 58) return {.kind = Event::Kind::boot};
     if (kind < 60) return {.kind = Event::Kind::hang_up, .client = client};
     if (kind < 63)
         return {.kind = Event::Kind::trouble,
@@ -220,6 +218,9 @@ Script make_script(Choices& choices, const DeviceProfile& profile, int clients) 
     const int count = choices.between(1, most_events);
     while (static_cast<int>(script.events.size()) < count && !choices.exhausted())
         script.events.push_back(event(choices, script.profile, clients));
+    // Rehearsals act in streams of more than 20 scans.
+    if (choices.one_in(2))
+        script.events.push_back({.kind = Event::Kind::wait, .time = 25 * profile.scan_period});
     return script;
 }
 

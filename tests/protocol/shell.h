@@ -22,6 +22,8 @@ struct Sent {
     Uptime at{};
     std::string bytes;
     Send::Kind kind = Send::Kind::reply;
+
+    bool operator==(const Sent&) const = default;
 };
 
 class Shell {

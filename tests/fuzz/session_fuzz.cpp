@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Whole lives of a device: any model, up to three clients, requests of every kind, scans, waits,
+// hang-ups, boots and trouble, made up from the fuzzer's bytes. Every client checks all that it is
+// told, all requests are answered in the end, and time never stands still; now and then, what is
+// said is said again in pieces and must be answered alike. A find is told as a script.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <string_view>
+
+#include "daemon/models/registry.h"
+#include "tests/protocol/script.h"
+#include "tests/protocol/script_maker.h"
+
+namespace {
+
+using namespace scipd;
+
+void require(bool holds, const std::string& fault, const protocol::Script& script) {
+    if (holds) return;
+    std::cerr << fault << '\n' << protocol::to_text(script);
+    std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size < 4) return 0;
+    protocol::Choices choices(std::string_view(reinterpret_cast<const char*>(data), size));
+    const bool again = choices.one_in(4);
+    const auto& profile = choices.of(daemon::models()).profile;
+    const int clients = choices.between(1, 3);
+    const protocol::Script script = protocol::make_script(choices, profile, clients);
+    const protocol::Outcome outcome = protocol::perform(script);
+    require(outcome.fault.empty(), outcome.fault, script);
+    if (!again) return 0;
+    protocol::Choices cuts(std::uint64_t{size});
+    const protocol::Outcome in_pieces = protocol::perform(protocol::in_fragments(script, cuts));
+    require(in_pieces.told == outcome.told, "in pieces it is answered otherwise", script);
+    return 0;
+}
