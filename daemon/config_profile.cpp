@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "daemon/config_values.h"
+#include "daemon/config_numbers.h"
 #include "daemon/models/profile_check.h"
 #include "sim/loaders/quote.h"
 
@@ -82,6 +82,13 @@ protocol::Status parse_refusal(std::string_view text) {
         text, {{{"0C", too_short}, {"0D", too_long}, {"0E", undefined}, {"0F", unsupported}}});
 }
 
+protocol::Answer parse_cell(std::string_view text) {
+    if (const auto answer = protocol::parse_answer(text)) return *answer;
+    throw std::invalid_argument(
+        "must be a command, a state and a status or --, as in \"QT adjust 00\", not " +
+        sim::quote(text));
+}
+
 template <auto member, auto parse, class Struct>
 void read_as(const Field& field, Struct& target, Faults& faults) {
     faults.guard(field, [&] { target.*member = parse(text_of(field.value)); });
@@ -118,13 +125,13 @@ std::vector<Field> items(const Field& list) {
     return fields;
 }
 
-template <auto member, class Struct>
-void read_numbers(const Field& field, Struct& target, Faults& faults) {
+template <auto member, auto parse, class Struct>
+void read_list(const Field& field, Struct& target, Faults& faults) {
     faults.guard(field, [&] {
-        std::vector<int> numbers;
+        std::vector<decltype(parse({}))> values;
         for (const Field& item : items(field))
-            numbers.push_back(parse_number(text_of(item.value)));
-        target.*member = numbers;
+            values.push_back(parse(text_of(item.value)));
+        target.*member = values;
     });
 }
 
@@ -194,6 +201,7 @@ constexpr Member<DeviceProfile> profile_members[] = {
     {"health_unstable", read_text<&DeviceProfile::health_unstable>},
     {"health_failed", read_text<&DeviceProfile::health_failed>},
     {"time_spelling", read_as<&DeviceProfile::time_spelling, parse_spelling>},
+    {"first_step", read_number<&DeviceProfile::first_step>},
     {"last_step", read_number<&DeviceProfile::last_step>},
     {"nearest_mm", read_number<&DeviceProfile::nearest_mm>},
     {"codes", read_map<&DeviceProfile::codes, code_members>},
@@ -201,11 +209,12 @@ constexpr Member<DeviceProfile> profile_members[] = {
     {"microseconds", read_flag<&DeviceProfile::microseconds>},
     {"io_lines", read_flag<&DeviceProfile::io_lines>},
     {"intensity_codes", read_flag<&DeviceProfile::intensity_codes>},
-    {"bit_rates", read_numbers<&DeviceProfile::bit_rates>},
+    {"bit_rates", read_list<&DeviceProfile::bit_rates, parse_number>},
     {"motor_levels", read_flag<&DeviceProfile::motor_levels>},
     {"sensitivity", read_as<&DeviceProfile::sensitivity, parse_support>},
     {"rehearsals", read_as<&DeviceProfile::rehearsals, parse_support>},
     {"unknown_command", read_as<&DeviceProfile::unknown_command, parse_refusal>},
+    {"answers", read_list<&DeviceProfile::answers, parse_cell>},
     {"scan_period_ms", read_period<&DeviceProfile::scan_period>},
     {"turns_per_reply", read_number<&DeviceProfile::turns_per_reply>},
     {"reply_tick_ms", read_period<&DeviceProfile::reply_tick>},

@@ -84,6 +84,13 @@ std::span<const Command> command_table() {
     return table;
 }
 
+std::optional<Status> refusal(const Command& command, State state, const DeviceProfile& profile) {
+    for (const Answer& answer : profile.answers) {
+        if (answer.command == command.code && answer.state == state) return answer.status;
+    }
+    return command.gate(profile.family).refusal(state);
+}
+
 const Command* find_command(std::string_view line, const DeviceProfile& profile) {
     const Command* found = nullptr;
     for (const Command& command : table) {

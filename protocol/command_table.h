@@ -12,21 +12,11 @@
 #include <span>
 #include <string_view>
 
+#include "protocol/answer.h"
 #include "protocol/device_profile.h"
 #include "protocol/status.h"
 
 namespace scipd::protocol {
-
-enum class State {
-    standby,    ///< laser off
-    measuring,  ///< laser on, no stream of this session
-    streaming,  ///< a stream of this session is under way
-    adjust,     ///< time-adjust mode
-    booting,    ///< only seen on models that answer then
-    error,      ///< laser trouble or abnormal
-    asleep,     ///< motor stopped
-};
-inline constexpr std::size_t state_count = 7;
 
 enum class Operation {
     report_version,
@@ -141,6 +131,10 @@ struct Command {
 };
 
 [[nodiscard]] std::span<const Command> command_table();
+
+/// What the model answers in this state instead of carrying the command out.
+[[nodiscard]] std::optional<Status> refusal(const Command& command, State state,
+                                            const DeviceProfile& profile);
 
 /// The command that `line` begins with, the longest code first; null where the model knows none.
 [[nodiscard]] const Command* find_command(std::string_view line, const DeviceProfile& profile);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "protocol/answer.h"
 #include "protocol/status.h"
 #include "protocol/uptime.h"
 
@@ -45,11 +46,10 @@ enum class Feature {
 
 /// What stands in the place of a distance where there is none.
 struct DistanceCodes {
-    std::uint32_t nothing = 0;   ///< no or too weak a return
-    std::uint32_t too_near = 0;  ///< nearer than nearest_mm
-    std::uint32_t too_far = 0;   ///< farther than DMAX
-    std::uint32_t not_measured =
-        0;  ///< a step outside AMIN to AMAX that the model lets one ask for
+    std::uint32_t nothing = 0;       ///< no or too weak a return
+    std::uint32_t too_near = 0;      ///< nearer than nearest_mm
+    std::uint32_t too_far = 0;       ///< farther than DMAX
+    std::uint32_t not_measured = 0;  ///< a step that may be asked for but is not measured
 
     bool operator==(const DistanceCodes&) const = default;
 };
@@ -102,8 +102,8 @@ struct DeviceProfile {
     TimeSpelling time_spelling = TimeSpelling::encoded;
 
     // Distances
-    int last_step = 0;   ///< the last one that may be asked for; beyond AMAX on models that have
-                         ///< steps they cannot measure
+    int first_step = 0;  ///< the first and the last one that may be asked for; outside AMIN to AMAX
+    int last_step = 0;   ///< on models that have steps they cannot measure
     int nearest_mm = 0;  ///< the smallest distance that is reported as such
     DistanceCodes codes;
 
@@ -121,6 +121,7 @@ struct DeviceProfile {
 
     // Habits
     Status unknown_command = status::undefined;
+    std::vector<Answer> answers;  ///< where it differs from its family in the command table
     Uptime scan_period{};     ///< one turn of the mirror, as measured; nominally what scan_rpm says
     int turns_per_reply = 0;  ///< replies and scans leave once in so many turns; 0: on reply_tick
     Uptime reply_tick{};      ///< replies and scans leave on a grid of this spacing; 0: at once
@@ -143,8 +144,7 @@ struct DeviceProfile {
     }
 };
 
-/// The same product as its data sheet has it: turns take their nominal time, nothing waits for a
-/// tick, boots or wakes.
+/// As its data sheet has it: turns take their nominal time, nothing waits, boots or wakes.
 [[nodiscard]] DeviceProfile ideal(DeviceProfile profile);
 
 }  // namespace scipd::protocol

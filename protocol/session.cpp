@@ -174,7 +174,7 @@ std::optional<Status> Session::refusal(const Request& request, Uptime now) const
     const bool no_laser = trouble == Trouble::unstable || trouble == Trouble::laser;
     if (command.operation == Operation::switch_laser_on && ethernet && no_laser)
         return Status("01");
-    if (const auto status = command.gate(profile_.family).refusal(state(now))) return status;
+    if (const auto status = protocol::refusal(command, state(now), profile_)) return status;
     const std::size_t expected = width(command.parameters);
     if (request.parameters_length < expected) return status::too_short;
     if (request.parameters_length > expected) return status::too_long;

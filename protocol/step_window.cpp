@@ -98,7 +98,7 @@ std::variant<StepWindow, Status> parse_step_window(std::string_view digits,
         profile.intensity_codes ? parse_contents(digits.substr(8, 2)) : std::nullopt;
     const auto cluster = contents ? 1 : parse_digits(digits.substr(8, 2));
     if (!cluster) return Status("03");
-    if (*last > profile.last_step) return Status("04");
+    if (*first < profile.first_step || *last > profile.last_step) return Status("04");
     if (*last < *first) return Status("05");
     return StepWindow{.first = *first,
                       .last = *last,

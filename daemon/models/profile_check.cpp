@@ -90,6 +90,7 @@ void Check::steps() {
     at_most("amin", profile_.amin, profile_.afrt, ", afrt");
     at_most("afrt", profile_.afrt, profile_.amax, ", amax");
     at_most("amax", profile_.amax, profile_.ares - 1, ", below ares");
+    at_most("first_step", profile_.first_step, profile_.amin, ", amin");
     at_most("amax", profile_.amax, profile_.last_step, ", last_step");
     at_most("last_step", profile_.last_step, profile_.ares - 1, ", below ares");
     at_most("last_step", profile_.last_step, largest_step, ", the largest that SCIP can say");

@@ -139,12 +139,20 @@ void Driver::enter_adjust() {
 }
 
 std::uint32_t Driver::time_ms() {
-    const Message reply = ask("TM1");
-    const auto time = reply.lines.size() == 1 && reply.lines.front().size() == timestamp_width
+    return static_cast<std::uint32_t>(time("TM1", timestamp_width));
+}
+
+std::uint64_t Driver::time_us() {
+    return time("%TM1", microsecond_stamp_width);
+}
+
+std::uint64_t Driver::time(std::string_view request, std::size_t width) {
+    const Message reply = ask(request);
+    const auto time = reply.lines.size() == 1 && reply.lines.front().size() == width
                           ? decode(reply.lines.front())
                           : std::nullopt;
-    if (!time) throw damaged("TM1", "it has no time");
-    return static_cast<std::uint32_t>(*time);
+    if (!time) throw damaged(request, "it has no time");
+    return *time;
 }
 
 void Driver::leave_adjust() {

@@ -61,10 +61,13 @@ class Driver {
     void enter_adjust();
     /// The scanner's clock; on older models in adjust mode only.
     [[nodiscard]] std::uint32_t time_ms();
+    /// The same in microseconds, which do not wrap: newest firmware only.
+    [[nodiscard]] std::uint64_t time_us();
     void leave_adjust();
 
   private:
     [[nodiscard]] Message hello();
+    [[nodiscard]] std::uint64_t time(std::string_view request, std::size_t width);
     [[nodiscard]] Message ask(std::string_view request, std::string_view also_fine = "00");
     [[nodiscard]] std::optional<Message> exchange(std::string_view request);
     [[nodiscard]] std::optional<Message> receive(std::chrono::milliseconds timeout);

@@ -91,6 +91,7 @@ const std::vector<Case>& cases() {
         {"health_failed", "gone", "UST-10LX", [](Profile p) { p.health_failed = "gone"; }},
         {"time_spelling", "hexadecimal", "UST-10LX",
          [](Profile p) { p.time_spelling = protocol::TimeSpelling::hexadecimal; }},
+        {"first_step", "44", "URG-04LX", [](Profile p) { p.first_step = 44; }},
         {"last_step", "1100", "UST-10LX", [](Profile p) { p.last_step = 1100; }},
         {"nearest_mm", "50", "UST-10LX", [](Profile p) { p.nearest_mm = 50; }},
         {"codes", "{nothing: 0, too_near: 1, too_far: 2, not_measured: 3}", "UST-10LX",
@@ -110,6 +111,11 @@ const std::vector<Case>& cases() {
         {"rehearsals", "yes", "URG-04LX", [](Profile p) { p.rehearsals = yes; }},
         {"unknown_command", "0E", "UST-10LX",
          [](Profile p) { p.unknown_command = protocol::status::undefined; }},
+        {"answers", "[QT adjust 00, BM measuring --]", "UST-10LX",
+         [](Profile p) {
+             using enum protocol::State;
+             p.answers = {{"QT", adjust, protocol::status::ok}, {"BM", measuring, std::nullopt}};
+         }},
         {"scan_period_ms", "24.9", "UST-10LX", [](Profile p) { p.scan_period = 24900us; }},
         {"turns_per_reply", "2", "UST-10LX", [](Profile p) { p.turns_per_reply = 2; }},
         {"reply_tick_ms", "5", "UST-10LX", [](Profile p) { p.reply_tick = 5ms; }},
@@ -203,6 +209,9 @@ TEST_F(ConfigProfileFaults, OfOneValue) {
                 ElementsAre("unknown_command: must be one of 0C, 0D, 0E, 0F, not '00'"));
     EXPECT_THAT(said("boot_time_ms: 600001"),
                 ElementsAre("boot_time_ms: must be 0 to 600000 ms, not '600001'"));
+    EXPECT_THAT(said("answers: [QT adjust]"),
+                ElementsAre("answers: must be a command, a state and a status or --, as in "
+                            "\"QT adjust 00\", not 'QT adjust'"));
     EXPECT_THAT(said("bit_rates: 9600"),
                 ElementsAre("bit_rates: must be a list of at most 64, in brackets"));
     EXPECT_THAT(said("bit_rates: [x]"),

@@ -33,6 +33,25 @@ TEST(CommandTable, OldModelsRefuseAllButTmInAdjustMode) {
     }
 }
 
+TEST(CommandTable, AModelMayDifferFromItsFamily) {
+    DeviceProfile profile{.family = Family::c};
+    const Command& quit = *find_command("QT", profile);
+    EXPECT_EQ(refusal(quit, State::adjust, profile), status::denied);
+    profile.answers = {{"QT", State::adjust, std::nullopt}, {"QT", State::standby, Status("03")}};
+    EXPECT_EQ(refusal(quit, State::adjust, profile), std::nullopt);
+    EXPECT_EQ(refusal(quit, State::standby, profile), Status("03"));
+    EXPECT_EQ(refusal(quit, State::error, profile), status::abnormal);
+    EXPECT_EQ(refusal(*find_command("PP", profile), State::adjust, profile), status::denied);
+}
+
+TEST(CommandTable, AnAnswerIsCodeStateAndStatus) {
+    EXPECT_EQ(parse_answer("QT adjust 00"), (Answer{"QT", State::adjust, status::ok}));
+    EXPECT_EQ(parse_answer("%SL asleep --"), (Answer{"%SL", State::asleep, std::nullopt}));
+    for (const auto none : {"", "QT", "QT adjust", "QT  00", "XX adjust 00", "QT nowhere 00",
+                            "QT adjust 0", "QT adjust -", "QT adjust 00 ", " QT adjust 00"})
+        EXPECT_EQ(parse_answer(none), std::nullopt) << none;
+}
+
 TEST(CommandTable, NoModelMeasuresWithoutLaserOnARequestForOneScan) {
     for (const Command& command : command_table()) {
         if (command.operation != Operation::single_shot) continue;

@@ -158,34 +158,38 @@ TEST(Dialogues, MissNoModelAndNoCommandOfAnyFamily) {
     }
 }
 
-TEST(Dialogues, MissNoStatus) {
-    std::set<std::string> missing = {"00", "01", "02", "03", "04", "05", "06",
-                                     "07", "10", "21", "50", "98", "99", "0C",
-                                     "0D", "0E", "0F", "0G", "0H", "0L", "0M"};
-    for (const auto& file : dialogue_files()) {
-        const Dialogue dialogue = read_dialogue(file);
-        for (const Step& step : dialogue.steps) {
-            const auto* hear = std::get_if<Hear>(&step.what);
-            if (hear == nullptr) continue;
-            std::string_view rest = hear->bytes;
-            while (!rest.empty()) {
-                const std::size_t status = rest.find('\n') + 1;
-                missing.erase(std::string(rest.substr(status, 2)));
-                rest.remove_prefix(std::min(rest.find("\n\n"), rest.size() - 2) + 2);
-            }
+std::set<std::string> statuses_heard(const Dialogue& dialogue) {
+    std::set<std::string> heard;
+    for (const Step& step : dialogue.steps) {
+        const auto* hear = std::get_if<Hear>(&step.what);
+        if (hear == nullptr) continue;
+        std::string_view rest = hear->bytes;
+        while (!rest.empty()) {
+            heard.emplace(rest.substr(rest.find('\n') + 1, 2));
+            rest.remove_prefix(std::min(rest.find("\n\n"), rest.size() - 2) + 2);
         }
     }
-    EXPECT_THAT(missing, IsEmpty());
+    return heard;
+}
+
+TEST(Dialogues, MissNoStatus) {
+    std::set<std::string> heard;
+    for (const auto& file : dialogue_files())
+        heard.merge(statuses_heard(read_dialogue(file)));
+    for (const auto status : {"00", "01", "02", "03", "04", "05", "06", "07", "10", "21", "50",
+                              "98", "99", "0C", "0D", "0E", "0F", "0G", "0H", "0L", "0M"})
+        EXPECT_TRUE(heard.contains(status)) << status;
+    // Nothing leads to these: see protocol/status.h.
+    for (const auto status : {"0A", "0B", "0I"})
+        EXPECT_FALSE(heard.contains(status)) << status;
 }
 
 // A row of the table in the files of a state, whose names say what family and what state.
 TEST(Dialogues, MissNoStateOfAnyCommand) {
     constexpr std::pair<Family, std::string_view> families[] = {
         {Family::a1, "a1"}, {Family::a2, "a2"}, {Family::b, "b"}, {Family::c, "c"}};
-    constexpr std::string_view states[] = {"standby", "measuring", "streaming", "adjust",
-                                           "booting", "error",     "asleep"};
     for (const auto& [family, letters] : families) {
-        for (const std::string_view state : states) {
+        for (const std::string_view state : state_names) {
             const bool old = family == Family::a1 || family == Family::a2;
             // Only family B answers while it boots, and old models cannot sleep.
             if ((state == "booting" && family != Family::b) || (state == "asleep" && old)) continue;

@@ -121,6 +121,17 @@ TEST(Session, TimeIsThatOfTheTickAndNotOfALateShell) {
     EXPECT_EQ(next_bytes(session), "TM1\n00P\n00055\n\n");
 }
 
+TEST(Session, AnswersAsItsModelDoesWhereThatDiffersFromItsFamily) {
+    DeviceProfile profile = prompt();
+    profile.answers = {*parse_answer("QT adjust --"), *parse_answer("BM measuring 00")};
+    Shell shell(profile);
+    ask(shell, "TM0");
+    EXPECT_EQ(ask(shell, "QT"), "QT\n00P\n\n");
+    EXPECT_FALSE(shell.device().adjusting());
+    ask(shell, "BM");
+    EXPECT_EQ(ask(shell, "BM"), "BM\n00P\n\n");
+}
+
 // Streams.
 
 TEST(Session, AStreamSendsScansAfterTheirLastStepOnTheGrid) {

@@ -19,6 +19,12 @@ TEST(Status, IsItsTwoCharacters) {
     EXPECT_EQ(status::string_illegal.text(), "0H");
 }
 
+TEST(Status, ReadsWhatItWrites) {
+    EXPECT_EQ(Status::parse("0L"), status::abnormal);
+    for (const auto none : {"", "0", "000", "0l", "--", "0 "})
+        EXPECT_EQ(Status::parse(none), std::nullopt) << none;
+}
+
 TEST(Status, ComparesByText) {
     EXPECT_EQ(Status("00"), status::ok);
     EXPECT_NE(Status("01"), status::ok);

@@ -56,6 +56,15 @@ TEST(StepWindow, SaysWhatIsWrongFirst) {
     EXPECT_EQ(fault("0006000501"), Status("05"));
 }
 
+TEST(StepWindow, BeginsWhereTheModelsStepsDo) {
+    DeviceProfile later = test_profile();
+    later.first_step = 2;
+    EXPECT_EQ(std::get<Status>(parse_step_window("0001000501", later)), Status("04"));
+    EXPECT_EQ(std::get<StepWindow>(parse_step_window("0002000501", later)).first, 2);
+    // SCIP 1.1 clients read a URG-04LX from 0 on.
+    EXPECT_EQ(std::get<StepWindow>(parse_step_window("0000000501", profile)).first, 0);
+}
+
 TEST(ParseDigits, TakesDigitsOnly) {
     EXPECT_EQ(parse_digits("0042"), 42);
     EXPECT_EQ(parse_digits("9999"), 9999);

@@ -166,6 +166,25 @@ TEST_P(EveryModel, TellsItsTime) {
     driver.reset();
 }
 
+TEST(Driver, ReadsMicrosecondsWhereTheFirmwareHasThem) {
+    ModelTransport transport("UST-30LC@4.1.0b-A");
+    transport.device().set_clock(0ms, 16'777'000ms);  // more than 24 bits soon
+    Driver driver(transport);
+    driver.connect();
+    driver.start({.first_step = 540, .last_step = 541, .microseconds = true, .scans = 20});
+    std::vector<std::uint64_t> stamps_us;
+    for (int i = 0; i < 20; ++i)
+        stamps_us.push_back(driver.next_scan().stamp_us);
+    EXPECT_EQ(stamps_us[19] - stamps_us[0], 19U * 25'050U);
+    EXPECT_GT(stamps_us[19], 16'777'216'000U);
+    EXPECT_GT(driver.time_us(), stamps_us[19]);
+    EXPECT_LT(driver.time_ms(), 10'000U);  // wrapped
+    ModelTransport older("UST-30LC@4.0.3");
+    Driver other(older);
+    other.connect();
+    EXPECT_EQ(kind_of([&] { (void)other.time_us(); }), Error::Kind::refused);
+}
+
 // A client before this one ended while its scans were coming, or in adjust mode.
 TEST_P(EveryModel, IsFoundInWhateverStateItWasLeft) {
     for (const std::string left : {"MD0100020001000\n", "TM0\n", "BM\n", "M"}) {
