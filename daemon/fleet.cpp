@@ -174,8 +174,8 @@ std::unique_ptr<Fleet::Station> Fleet::power_up(const RobotConfig& robot,
     station->loop = std::make_unique<ScanLoop>(*station->device, clock_);
     if (sensor.tcp) station->tcp = ports.tcp.at(key_of(robot, sensor));
     if (sensor.pty) station->pty = ports.pty.at(link_of(robot, sensor));
-    if (station->tcp) station->tcp->serve(*station->device);
-    if (station->pty) station->pty->serve(*station->device);
+    if (station->tcp) station->tcp->serve(*station->device, sensor.link);
+    if (station->pty) station->pty->serve(*station->device, sensor.link);
     return station;
 }
 

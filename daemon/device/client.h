@@ -38,6 +38,9 @@ class Client {
     [[nodiscard]] std::optional<sim::Time> wake_at() const;
     void wake();
 
+    /// What the client began ends, what it asked is forgotten; another one may follow.
+    void hang_up() { session_.close(); }
+
     [[nodiscard]] std::optional<protocol::Action> next_action() { return session_.next_action(); }
 
   private:

@@ -8,13 +8,24 @@
 
 #include "daemon/device/client.h"
 #include "protocol/reply_grid.h"
+#include "protocol/settings.h"
 
 namespace scipd::daemon {
 namespace {
 
+// The rate of the serial line can be set for good by the user, as II says.
+void power_up_at(int bit_rate, protocol::DeviceProfile& profile) {
+    const auto place = std::ranges::find(profile.bit_rates, bit_rate);
+    if (place == profile.bit_rates.end()) return;
+    std::rotate(profile.bit_rates.begin(), place, place + 1);
+    profile.bit_rate = std::to_string(bit_rate) + "[bps]<-Default setting by user";
+}
+
 protocol::DeviceProfile profile_of(const SensorConfig& config) {
-    const protocol::DeviceProfile& profile = config.model.profile;
-    return config.timing == Timing::ideal ? protocol::ideal(profile) : profile;
+    protocol::DeviceProfile profile = config.model.profile;
+    if (config.timing == Timing::ideal) profile = protocol::ideal(profile);
+    if (config.link.baud) power_up_at(*config.link.baud, profile);
+    return profile;
 }
 
 // FNV-1a: the same for the same name in every run, on every machine.
@@ -23,12 +34,6 @@ std::uint64_t number_of(std::string_view name) {
     for (const char c : name)
         number = (number ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
     return number;
-}
-
-sim::ErrorModel errors_of(const std::string& robot, const SensorConfig& config,
-                          std::uint64_t seed) {
-    return {
-        .accuracy = config.accuracy, .seed = seed, .sensor = number_of(robot + "/" + config.name)};
 }
 
 }  // namespace
@@ -40,15 +45,24 @@ Device::Device(std::string robot, const SensorConfig& config, std::uint64_t seed
       robot_from_sensor_(config.robot_from_sensor),
       backend_(config.backend),
       poses_per_sweep_(config.motion),
+      chance_{.seed = seed, .sensor = number_of(robot_ + "/" + config.name)},
       world_(world),
       clock_(clock),
       device_clock_(clock.now(), config.clock.ppm),
-      scanner_(config.model.optics, errors_of(robot_, config, seed)),
-      timing_(scanner_.spec(), sim::Time::zero()) {
+      scanner_(config.model.optics,
+               {.accuracy = config.accuracy, .seed = chance_.seed, .sensor = chance_.sensor}),
+      timing_(scanner_.spec(), sim::Time::zero()),
+      bit_rate_told_(protocol::bit_rate_of(state_.settings(), profile_)) {
     if (config.power_up == PowerUp::scip1) state_.power_up_in_scip1(uptime());
     if (config.power_up == PowerUp::boot) state_.boot(uptime(), profile_.boot_time);
     boots_told_ = state_.boots();
     follow_motor();
+}
+
+sim::ChanceKey Device::chance(sim::Purpose purpose) const {
+    sim::ChanceKey key = chance_;
+    key.purpose = purpose;
+    return key;
 }
 
 bool Device::wanted() const {
@@ -101,7 +115,10 @@ void Device::serve_latest(Client& client) {
     }
     follow_motor();
     if (client.session_.measuring() && on_wanted_) on_wanted_();
-    if (std::exchange(boots_told_, state_.boots()) != state_.boots()) tell_clients(&client);
+    const int bit_rate = protocol::bit_rate_of(state_.settings(), profile_);
+    const bool booted = std::exchange(boots_told_, state_.boots()) != state_.boots();
+    const bool changed = std::exchange(bit_rate_told_, bit_rate) != bit_rate;
+    if (booted || changed) tell_clients(&client);
 }
 
 void Device::tell_clients(const Client* knows) {

@@ -20,6 +20,7 @@
 #include "daemon/device/lateness.h"
 #include "protocol/device_profile.h"
 #include "protocol/device_state.h"
+#include "sim/random.h"
 #include "sim/sensor/device_clock.h"
 #include "sim/sensor/scan_timing.h"
 #include "sim/sensor/scanner.h"
@@ -44,6 +45,8 @@ class Device {
     }
     /// That of the world, which its clients wait by.
     [[nodiscard]] Clock& clock() { return clock_; }
+    /// For what is random about it and its links, the same in every run.
+    [[nodiscard]] sim::ChanceKey chance(sim::Purpose purpose) const;
 
     /// Some client waits for scans.
     [[nodiscard]] bool wanted() const;
@@ -87,6 +90,7 @@ class Device {
     sim::Pose robot_from_sensor_;
     std::string backend_;
     std::optional<int> poses_per_sweep_;
+    sim::ChanceKey chance_;
     World& world_;
     Clock& clock_;
     sim::DeviceClock device_clock_;
@@ -95,6 +99,7 @@ class Device {
 
     protocol::DeviceState state_;
     int boots_told_ = 0;  ///< all clients know of so many
+    int bit_rate_told_;   ///< and that the serial line runs at this rate
     std::vector<Client*> clients_;
     std::function<void()> on_wanted_;
     sim::SharedScan scan_;  ///< the latest that was cast

@@ -2,22 +2,51 @@
 // Copyright The scipd authors
 #include "daemon/link/connection.h"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/write.hpp>
 
+#include "daemon/link/uart.h"
+
 namespace scipd::daemon {
 
 namespace asio = boost::asio;
 using boost::system::error_code;
 
-Connection::Connection(Descriptor descriptor, Device& device, Hooks hooks)
+namespace {
+
+// Requests are short: more under way than a tty's buffer holds is not read yet.
+constexpr std::size_t input_under_way_bytes = 4096;
+
+LinkModel line_to_device(const Device& device, LinkConfig link) {
+    // The client cuts and joins its requests itself.
+    link.split_bytes = 0;
+    link.coalesce = sim::Time::zero();
+    return {link, device.chance(sim::Purpose::latency_to_device)};
+}
+
+Outbox outbox_of(const Device& device, const LinkConfig& link) {
+    LinkModel line(link, device.chance(sim::Purpose::latency_to_client));
+    if (!link.baud) return Outbox(std::move(line));
+    line.set_rate(*link.baud);
+    return Outbox(std::move(line), Outbox::serial_capacity_bytes);
+}
+
+}  // namespace
+
+Connection::Connection(Descriptor descriptor, Device& device, const LinkConfig& link, Hooks hooks)
     : descriptor_(std::move(descriptor)),
       hooks_(std::move(hooks)),
       client_(std::make_unique<Client>(device, [this] { flush(); })),
-      alarm_(device.clock().make_alarm()) {}
+      clock_(device.clock()),
+      alarm_(clock_.make_alarm()),
+      inbox_(line_to_device(device, link)),
+      outbox_(outbox_of(device, link)),
+      device_rate_(link.baud.value_or(0)) {}
 
 void Connection::start() {
     read();
@@ -37,13 +66,22 @@ void Connection::drop_output() {
         error_code ignored;
         descriptor_.cancel(ignored);
     }
-    outbox_.clear();
+    outbox_.line().clear();
+    device_rate_ = outbox_.line().rate();
+}
+
+void Connection::hang_up() {
+    drop_output();
+    inbox_.clear();
+    client_->hang_up();
 }
 
 // Reading pauses while the client has asked more than it takes answers for, and goes on from
 // flush().
 void Connection::read() {
-    if (reading_ || input_ended_ || !client_ || client_->full() || outbox_.full()) return;
+    const bool enough =
+        client_->full() || outbox_.full() || inbox_.bytes() >= input_under_way_bytes;
+    if (reading_ || input_ended_ || enough) return;
     reading_ = true;
     descriptor_.async_read_some(asio::buffer(input_),
                                 [self = shared_from_this()](error_code error, std::size_t count) {
@@ -57,16 +95,19 @@ void Connection::read() {
 }
 
 void Connection::take_input(std::size_t count) {
-    if (count > 0 && hooks_.somebody_there()) client_->receive({input_.data(), count});
+    if (count > 0 && hooks_.somebody_there()) {
+        if (device_rate_ != 0) inbox_.set_rate(hooks_.client_rate());
+        inbox_.send(std::string(input_.data(), count), clock_.now());
+    }
     flush();
 }
 
 void Connection::flush() {
     const bool somebody_there = hooks_.somebody_there();
+    deliver();
     while (auto action = client_->next_action()) {
         if (std::holds_alternative<protocol::DropLink>(*action)) return drop();
-        auto* message = std::get_if<protocol::Send>(&*action);
-        if (message != nullptr && somebody_there && !outbox_.push(std::move(*message))) ++lost_;
+        perform(std::move(*action), somebody_there);
     }
     write();
     wait();
@@ -74,23 +115,55 @@ void Connection::flush() {
     end_if_done();
 }
 
+void Connection::deliver() {
+    while (!client_->full()) {
+        const auto piece = inbox_.take(clock_.now());
+        if (!piece) return;
+        if (device_rate_ == 0) {
+            client_->receive(piece->bytes);
+        } else {
+            client_->receive(heard(piece->bytes, piece->bits_per_second, device_rate_));
+        }
+    }
+}
+
+void Connection::perform(protocol::Action action, bool somebody_there) {
+    if (auto* message = std::get_if<protocol::Send>(&action)) {
+        if (somebody_there && !outbox_.push(std::move(*message), clock_.now())) ++lost_;
+    } else if (const auto* rate = std::get_if<protocol::SetBitRate>(&action)) {
+        if (device_rate_ != 0) outbox_.line().set_rate(rate->bits_per_second);
+    }
+}
+
 void Connection::write() {
-    if (writing_ || outbox_.empty()) return;
-    writing_ = true;
-    sending_ = outbox_.pop();
-    asio::async_write(descriptor_, asio::buffer(sending_),
-                      [self = shared_from_this()](error_code error, std::size_t) {
-                          self->writing_ = false;
-                          if (!self->client_) return;
-                          if (error && error != asio::error::operation_aborted) return self->end();
-                          self->flush();
-                      });
+    while (!writing_) {
+        auto piece = outbox_.line().take(clock_.now());
+        if (!piece) return;
+        device_rate_ = piece->bits_per_second;
+        sending_ = device_rate_ == 0 ? std::move(piece->bytes)
+                                     : heard(piece->bytes, device_rate_, hooks_.client_rate());
+        if (sending_.empty()) continue;
+        writing_ = true;
+        asio::async_write(descriptor_, asio::buffer(sending_),
+                          [self = shared_from_this()](error_code error, std::size_t) {
+                              self->writing_ = false;
+                              if (!self->client_) return;
+                              if (error && error != asio::error::operation_aborted)
+                                  return self->end();
+                              self->flush();
+                          });
+    }
 }
 
 void Connection::wait() {
-    const auto at = client_->wake_at();
-    if (!at) return alarm_->cancel();
-    alarm_->set(*at, [weak = weak_from_this()] {
+    std::optional<sim::Time> next = client_->wake_at();
+    const auto or_at = [&](std::optional<sim::Time> at) {
+        if (at) next = std::min(next.value_or(*at), *at);
+    };
+    if (!client_->full()) or_at(inbox_.next_at());
+    if (!writing_) or_at(outbox_.line().next_at());
+    if (!next) return alarm_->cancel();
+    alarm_->set(*next, [weak = weak_from_this()] {
         const auto self = weak.lock();
         if (!self) return;
         self->client_->wake();
@@ -98,23 +171,25 @@ void Connection::wait() {
     });
 }
 
-// A client that has closed its side still gets the answers that it asked for, but no stream.
 void Connection::end_of_input() {
     input_ended_ = true;
-    if (client_->streaming()) return end();
-    end_if_done();
+    flush();
 }
 
 // The device boots. A tty outlives that: only what was under way is lost.
 void Connection::drop() {
     drop_output();
+    inbox_.clear();
     if (!hooks_.survives_boot) input_ended_ = true;
     flush();
 }
 
-// Not at once: this may be called from within a call of the client's, which end() takes away.
+// A client that has closed its side still gets the answers that it asked for, but no stream.
 void Connection::end_if_done() {
-    if (!input_ended_ || client_->busy() || !outbox_.empty() || writing_) return;
+    if (!input_ended_ || !inbox_.empty()) return;
+    const bool answers = client_->busy() || !outbox_.line().empty() || writing_;
+    if (answers && !client_->streaming()) return;
+    // Not at once: this may be called from within a call of the client's, which end() takes away.
     asio::post(descriptor_.get_executor(), [self = shared_from_this()] {
         if (self->client_) self->end();
     });

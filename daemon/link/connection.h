@@ -2,7 +2,8 @@
 // Copyright The scipd authors
 //
 // Bytes in and out between a file descriptor (a connected socket or the master side of a tty) and
-// one client of a device. Reads, writes and waits; decides nothing. Lives on the I/O thread.
+// one client of a device, over the link that lies between. Reads, writes and waits; decides
+// nothing. Lives on the I/O thread.
 #pragma once
 
 #include <array>
@@ -15,6 +16,7 @@
 
 #include "daemon/device/client.h"
 #include "daemon/device/clock.h"
+#include "daemon/link/link_model.h"
 #include "daemon/link/outbox.h"
 
 namespace scipd::daemon {
@@ -27,6 +29,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
         /// Whether anybody is at the other end: asked before anything is read or queued. Without
         /// anybody, what is to be sent is dropped.
         std::function<bool()> somebody_there = [] { return true; };
+        /// The rate that the client's side of a serial line is set to. Asked whenever something
+        /// goes either way, if the link has a rate at all.
+        std::function<int()> client_rate = [] { return 0; };
         /// Whether the link stays where the device boots.
         bool survives_boot = false;
         /// Called once, when nothing more will come or go. Not after close().
@@ -34,12 +39,14 @@ class Connection : public std::enable_shared_from_this<Connection> {
     };
 
     /// `device` must live until close() or ended.
-    Connection(Descriptor descriptor, Device& device, Hooks hooks);
+    Connection(Descriptor descriptor, Device& device, const LinkConfig& link, Hooks hooks);
 
     void start();
     void close();
     /// Forgets what waits to be sent, also what is half sent.
     void drop_output();
+    /// Ends what the client began, as close() does; whoever comes next is a new client.
+    void hang_up();
 
     /// Scans that the client read too slowly for.
     [[nodiscard]] std::uint64_t lost() const { return lost_; }
@@ -48,6 +55,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
     void read();
     void take_input(std::size_t count);
     void flush();
+    void deliver();
+    void perform(protocol::Action action, bool somebody_there);
     void write();
     void wait();
     void end_of_input();
@@ -58,8 +67,11 @@ class Connection : public std::enable_shared_from_this<Connection> {
     Descriptor descriptor_;
     Hooks hooks_;
     std::unique_ptr<Client> client_;  ///< null once closed or ended
+    Clock& clock_;
     std::unique_ptr<Clock::Alarm> alarm_;
+    LinkModel inbox_;  ///< requests on their way to the device
     Outbox outbox_;
+    int device_rate_;      ///< of the device's side of a serial line; 0: there is none
     std::string sending_;  ///< what is being written
     std::array<char, 4096> input_;
     bool reading_ = false;

@@ -2,28 +2,15 @@
 // Copyright The scipd authors
 #include "daemon/link/outbox.h"
 
-#include <utility>
-
 namespace scipd::daemon {
 
-bool Outbox::push(protocol::Send message) {
-    const std::size_t size = message.bytes.size();
-    if (message.kind == protocol::Send::Kind::scan && bytes_ + size > capacity_bytes) return false;
-    bytes_ += size;
-    messages_.push_back(std::move(message.bytes));
+bool Outbox::push(protocol::Send message, sim::Time now) {
+    // What is alone has room, however long it is.
+    const std::size_t waiting = line_.bytes();
+    const bool fits = waiting == 0 || waiting + message.bytes.size() <= capacity_bytes_;
+    if (message.kind == protocol::Send::Kind::scan && !fits) return false;
+    line_.send(std::move(message.bytes), now);
     return true;
-}
-
-std::string Outbox::pop() {
-    std::string message = std::move(messages_.front());
-    messages_.pop_front();
-    bytes_ -= message.size();
-    return message;
-}
-
-void Outbox::clear() {
-    messages_.clear();
-    bytes_ = 0;
 }
 
 }  // namespace scipd::daemon

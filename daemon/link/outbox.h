@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Messages on their way to one client, oldest first. Bounded: where the client reads too slowly,
-// scans are dropped whole and counted; replies never are. One thread.
+// Messages on their way to one client, oldest first: what waits and what is under way on the link.
+// Bounded: where the client reads too slowly or the line is too slow, scans are dropped whole and
+// counted; replies never are. One thread.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <deque>
-#include <string>
+#include <utility>
 
+#include "daemon/link/link_model.h"
 #include "protocol/action.h"
 
 namespace scipd::daemon {
@@ -17,21 +17,25 @@ namespace scipd::daemon {
 class Outbox {
   public:
     /// About two seconds of a UST-10LX at 40 Hz, on top of what the kernel holds.
-    static constexpr std::size_t capacity_bytes = 256 * 1024;
+    static constexpr std::size_t usual_capacity_bytes = 256 * 1024;
+    /// Of a serial line, which takes longer for a scan than the scanner: one of a URG-04LX while
+    /// another is on the line, so that an answer is never more than two scans away.
+    static constexpr std::size_t serial_capacity_bytes = 5 * 1024;
+
+    explicit Outbox(LinkModel line, std::size_t capacity_bytes = usual_capacity_bytes)
+        : line_(std::move(line)), capacity_bytes_(capacity_bytes) {}
 
     /// False: it was a scan, there was no room, and it is gone.
-    bool push(protocol::Send message);
+    bool push(protocol::Send message, sim::Time now);
     /// No request should be read that would add to it.
-    [[nodiscard]] bool full() const { return bytes_ >= capacity_bytes; }
-    [[nodiscard]] bool empty() const { return messages_.empty(); }
+    [[nodiscard]] bool full() const { return line_.bytes() >= capacity_bytes_; }
 
-    /// Takes the oldest out.
-    [[nodiscard]] std::string pop();
-    void clear();
+    /// Where all that was pushed comes out.
+    [[nodiscard]] LinkModel& line() { return line_; }
 
   private:
-    std::deque<std::string> messages_;
-    std::size_t bytes_ = 0;
+    LinkModel line_;
+    std::size_t capacity_bytes_;
 };
 
 }  // namespace scipd::daemon

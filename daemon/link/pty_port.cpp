@@ -15,6 +15,8 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "daemon/link/line_rate.h"
+
 namespace scipd::daemon {
 
 namespace asio = boost::asio;
@@ -82,16 +84,18 @@ void PtyPort::watch_for_clients(const std::string& what) {
     watch(device_path_.parent_path());
 }
 
-void PtyPort::serve(Device& device) {
+void PtyPort::serve(Device& device, const LinkConfig& link) {
     if (connection_) {
         lost_before_ += connection_->lost();
         connection_->close();
     }
     const int descriptor = checked(::fcntl(master_.native_handle(), F_DUPFD_CLOEXEC, 0),
                                    "cannot use the pseudo-terminal");
+    stop_on_close_ = link.stop_on_close;
     connection_ = std::make_shared<Connection>(
-        Connection::Descriptor(executor_, descriptor), device,
+        Connection::Descriptor(executor_, descriptor), device, link,
         Connection::Hooks{.somebody_there = [this] { return somebody_there(); },
+                          .client_rate = [this] { return line_rate(master_.native_handle()); },
                           .survives_boot = true});
     connection_->start();
     watch();
@@ -138,7 +142,11 @@ bool PtyPort::somebody_there() {
 // A tty forgets its settings with its last close; this one is still open here, so that it is for us
 // to undo what a driver did. Errors are ignored: a hang-up (vhangup) has left nothing to undo.
 void PtyPort::last_one_closed() {
-    if (connection_) connection_->drop_output();
+    if (connection_ && stop_on_close_) {
+        connection_->hang_up();
+    } else if (connection_) {
+        connection_->drop_output();
+    }
     const int slave = slave_.native_handle();
     ::tcflush(slave, TCIFLUSH);
     ::tcflow(slave, TCOON);

@@ -4,7 +4,8 @@
 // A scanner's tty: a pseudo-terminal behind a symlink that stays the same. To a driver it looks
 // like the USB scanner's CDC-ACM device: raw from the start, nothing echoed, any line speed
 // accepted; and like that one it goes on existing while nobody has it open, and what is sent then
-// is lost. Lives on the I/O thread.
+// is lost. Where its link has a rate it is a serial line instead, on which only those understand
+// each other that run at the same one. Lives on the I/O thread.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +32,7 @@ class PtyPort : public std::enable_shared_from_this<PtyPort> {
     ~PtyPort();
 
     /// As TcpPort::serve() and stop(); the latter takes the link away.
-    void serve(Device& device);
+    void serve(Device& device, const LinkConfig& link = {});
     void stop();
 
     [[nodiscard]] const std::filesystem::path& link() const { return link_; }
@@ -56,6 +57,7 @@ class PtyPort : public std::enable_shared_from_this<PtyPort> {
     boost::asio::posix::stream_descriptor events_;
     int tty_watch_ = -1;  ///< what its own events are marked with
     std::shared_ptr<Connection> connection_;
+    bool stop_on_close_ = false;
     int opens_ = 0;
     std::uint64_t lost_before_ = 0;
 };

@@ -41,9 +41,11 @@ TcpPort::TcpPort(const asio::any_io_executor& executor, const Address& address)
     }
 }
 
-void TcpPort::serve(Device& device) {
+void TcpPort::serve(Device& device, const LinkConfig& link) {
     disconnect();
     device_ = &device;
+    link_ = link;
+    link_.baud.reset();  // a tty's
     accept();
 }
 
@@ -92,7 +94,7 @@ void TcpPort::connect(tcp::socket socket) {
     const int descriptor = socket.release(error);
     if (error) return accept();
     connection_ = std::make_shared<Connection>(Connection::Descriptor(executor, descriptor),
-                                               *device_, Connection::Hooks{.ended = [this] {
+                                               *device_, link_, Connection::Hooks{.ended = [this] {
                                                    disconnect();
                                                    accept();
                                                }});

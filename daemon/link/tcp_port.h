@@ -24,9 +24,9 @@ class TcpPort : public std::enable_shared_from_this<TcpPort> {
     /// Binds and listens. Throws std::runtime_error.
     TcpPort(const boost::asio::any_io_executor& executor, const Address& address);
 
-    /// Whoever connects from now on talks to this device; who is connected is cut off. It must live
-    /// until the next serve() or stop().
-    void serve(Device& device);
+    /// Whoever connects from now on talks to this device, over a link like this; who is connected
+    /// is cut off. It must live until the next serve() or stop().
+    void serve(Device& device, const LinkConfig& link = {});
     void stop();
 
     /// HOST:PORT, with the port that was really taken.
@@ -43,6 +43,7 @@ class TcpPort : public std::enable_shared_from_this<TcpPort> {
     boost::asio::ip::tcp::acceptor acceptor_;
     boost::asio::steady_timer pause_;
     Device* device_ = nullptr;
+    LinkConfig link_;
     std::shared_ptr<Connection> connection_;
     std::uint64_t lost_before_ = 0;  ///< by connections that have ended
     bool accepting_ = false;

@@ -27,7 +27,7 @@ class ConnectionTest : public testing::Test {
         EXPECT_EQ(::socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, ends.data()), 0);
         client_ = ends[0];
         connection_ = std::make_shared<Connection>(
-            Connection::Descriptor(io_, ends[1]), device_,
+            Connection::Descriptor(io_, ends[1]), device_, LinkConfig{},
             Connection::Hooks{.somebody_there = [this] { return somebody_there_; },
                               .ended = [this] { ++ended_; }});
         connection_->start();

@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/link/outbox.h"
 
+#include <chrono>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -15,46 +16,72 @@ protocol::Send scan_of(std::size_t bytes) {
     return {std::string(bytes, 's'), Kind::scan};
 }
 
-TEST(Outbox, HandsOutInOrder) {
-    Outbox outbox;
-    EXPECT_TRUE(outbox.empty());
-    EXPECT_TRUE(outbox.push({"first", Kind::reply}));
-    EXPECT_TRUE(outbox.push({"second", Kind::scan}));
-    EXPECT_EQ(outbox.pop(), "first");
-    EXPECT_EQ(outbox.pop(), "second");
-    EXPECT_TRUE(outbox.empty());
+constexpr std::size_t capacity = 1000;
+constexpr sim::Time now{1};
+
+class OutboxTest : public testing::Test {
+  protected:
+    [[nodiscard]] static Outbox with(const LinkConfig& link) {
+        return Outbox(LinkModel(link, {}), capacity);
+    }
+    std::string pop() {
+        auto piece = outbox_.line().take(now);
+        return piece ? piece->bytes : "nothing";
+    }
+
+    Outbox outbox_ = with({});
+};
+
+TEST_F(OutboxTest, HandsOutInOrder) {
+    EXPECT_TRUE(outbox_.line().empty());
+    EXPECT_TRUE(outbox_.push({"first", Kind::reply}, now));
+    EXPECT_TRUE(outbox_.push({"second", Kind::scan}, now));
+    EXPECT_EQ(pop(), "first");
+    EXPECT_EQ(pop(), "second");
+    EXPECT_TRUE(outbox_.line().empty());
 }
 
-TEST(Outbox, DropsScansWholeWhereThereIsNoRoom) {
-    Outbox outbox;
-    EXPECT_TRUE(outbox.push(scan_of(Outbox::capacity_bytes - 10)));
-    EXPECT_FALSE(outbox.push(scan_of(11)));
-    EXPECT_TRUE(outbox.push(scan_of(10)));
-    EXPECT_FALSE(outbox.push(scan_of(1)));
-    EXPECT_EQ(outbox.pop().size(), Outbox::capacity_bytes - 10);
-    EXPECT_EQ(outbox.pop().size(), 10U);
-    EXPECT_TRUE(outbox.empty());
+TEST_F(OutboxTest, DropsScansWholeWhereThereIsNoRoom) {
+    EXPECT_TRUE(outbox_.push(scan_of(capacity - 10), now));
+    EXPECT_FALSE(outbox_.push(scan_of(11), now));
+    EXPECT_TRUE(outbox_.push(scan_of(10), now));
+    EXPECT_FALSE(outbox_.push(scan_of(1), now));
+    EXPECT_EQ(pop().size(), capacity - 10);
+    EXPECT_EQ(pop().size(), 10U);
+    EXPECT_TRUE(outbox_.line().empty());
     // Room that was made is room again.
-    EXPECT_TRUE(outbox.push(scan_of(Outbox::capacity_bytes)));
+    EXPECT_TRUE(outbox_.push(scan_of(capacity), now));
 }
 
-TEST(Outbox, NeverDropsReplies) {
-    Outbox outbox;
-    EXPECT_TRUE(outbox.push(scan_of(Outbox::capacity_bytes)));
-    EXPECT_TRUE(outbox.full());
-    EXPECT_TRUE(outbox.push({"QT\n00P\n\n", Kind::reply}));
-    (void)outbox.pop();
-    EXPECT_FALSE(outbox.full());
-    EXPECT_EQ(outbox.pop(), "QT\n00P\n\n");
+TEST_F(OutboxTest, HasRoomForAnyScanThatIsAlone) {
+    EXPECT_TRUE(outbox_.push(scan_of(2 * capacity), now));
+    EXPECT_FALSE(outbox_.push(scan_of(1), now));
 }
 
-TEST(Outbox, ForgetsEverything) {
-    Outbox outbox;
-    EXPECT_TRUE(outbox.push(scan_of(Outbox::capacity_bytes)));
-    outbox.clear();
-    EXPECT_TRUE(outbox.empty());
-    EXPECT_FALSE(outbox.full());
-    EXPECT_TRUE(outbox.push(scan_of(Outbox::capacity_bytes)));
+TEST_F(OutboxTest, NeverDropsReplies) {
+    EXPECT_TRUE(outbox_.push(scan_of(capacity), now));
+    EXPECT_TRUE(outbox_.full());
+    EXPECT_TRUE(outbox_.push({"QT\n00P\n\n", Kind::reply}, now));
+    (void)pop();
+    EXPECT_FALSE(outbox_.full());
+    EXPECT_EQ(pop(), "QT\n00P\n\n");
+}
+
+TEST_F(OutboxTest, CountsWhatIsUnderWayOnTheLink) {
+    outbox_ = with({.latency = std::chrono::seconds(1), .coalesce = std::chrono::seconds(1)});
+    EXPECT_TRUE(outbox_.push(scan_of(capacity - 10), now));
+    EXPECT_EQ(pop(), "nothing");
+    EXPECT_FALSE(outbox_.push(scan_of(11), now));
+    EXPECT_TRUE(outbox_.push(scan_of(10), now));
+    EXPECT_TRUE(outbox_.full());
+}
+
+TEST_F(OutboxTest, ForgetsEverything) {
+    EXPECT_TRUE(outbox_.push(scan_of(capacity), now));
+    outbox_.line().clear();
+    EXPECT_TRUE(outbox_.line().empty());
+    EXPECT_FALSE(outbox_.full());
+    EXPECT_TRUE(outbox_.push(scan_of(capacity), now));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "daemon/link/tcp_port.h"
 
 #include <array>
+#include <chrono>
 #include <stdexcept>
 #include <string>
 
@@ -134,6 +135,33 @@ TEST_F(TcpPortTest, CutsOffTheClientOfTheDeviceBefore) {
     ScannerWire next = connect();
     EXPECT_TRUE(is_answered_by(next, "UTM-30LX"));
     EXPECT_EQ(device_.clients(), 0U);
+}
+
+TEST_F(TcpPortTest, TakesTheTimeOfItsLinkAndNoRate) {
+    port_->serve(device_, {.latency = 20ms, .baud = 19200});
+    ScannerWire wire = connect();
+    io_.run_for(20ms);
+    const auto asked = std::chrono::steady_clock::now();
+    EXPECT_TRUE(is_answered_by(wire, "UST-10LX"));
+    EXPECT_GE(std::chrono::steady_clock::now() - asked, 40ms);
+}
+
+TEST_F(TcpPortTest, CutsAsItsLinkDoes) {
+    port_->serve(device_, {.split_bytes = 7});
+    ScannerWire wire = connect();
+    wire.write("VV\n");
+    std::string received;
+    std::size_t reads = 0;
+    // Looked at after each step, so that little can run together in the kernel.
+    EXPECT_TRUE(run_until(io_, [&] {
+        std::array<char, 1024> buffer;
+        const std::size_t count = wire.read(buffer, 0ms);
+        received.append(buffer.data(), count);
+        if (count > 0) ++reads;
+        return received.ends_with("\n\n");
+    }));
+    EXPECT_EQ(received.rfind("VV\n00P\n", 0), 0U);
+    EXPECT_GT(reads, received.size() / 7 / 2);
 }
 
 TEST_F(TcpPortTest, EndsWithItsClient) {

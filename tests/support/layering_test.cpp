@@ -194,7 +194,7 @@ TEST(FolderLawsSelfTest, ForbidTheArrowsThatGoBack) {
                 ElementsAre(HasSubstr("read from")));
     EXPECT_THAT(faults("sim/loaders/a.h", "<spdlog/spdlog.h>"),
                 ElementsAre(HasSubstr("into worlds")));
-    EXPECT_THAT(faults("daemon/link/a.h", "\"sim/time.h\""),
+    EXPECT_THAT(faults("daemon/link/a.h", "\"sim/world/pose.h\""),
                 ElementsAre(HasSubstr("knows no world")));
     EXPECT_THAT(faults("daemon/a.h", "\"tests/support/x.h\""), ElementsAre(HasSubstr("the tests")));
     EXPECT_THAT(faults("tools/a.h", "\"daemon/link/tcp_port.h\""),
