@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "daemon/config_values.h"
+#include "daemon/config_numbers.h"
 
 namespace scipd::daemon {
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "daemon/config_numbers.h"
 #include "daemon/config_pose.h"
 #include "daemon/config_profile.h"
 #include "daemon/config_values.h"

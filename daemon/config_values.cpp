@@ -3,8 +3,6 @@
 #include "daemon/config_values.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <stdexcept>
 #include <system_error>
 #include <vector>
@@ -12,7 +10,7 @@
 #include <arpa/inet.h>
 #include <sys/un.h>
 
-#include "daemon/models/profile_check.h"
+#include "daemon/config_numbers.h"
 #include "daemon/models/registry.h"
 #include "sim/backends/registry.h"
 #include "sim/loaders/quote.h"
@@ -26,44 +24,9 @@ using sim::quote;
 
 constexpr std::size_t longest_name = 64;
 constexpr int most_poses_per_sweep = 100'000;
-constexpr double position_limit_m = 1e7;
-constexpr double angle_limit_rad = 1e6;
-constexpr double largest_ppm = 10'000.0;
-constexpr int largest_device_time_ms = (1 << 24) - 1;
-constexpr int longest_period_ms = 600'000;
-constexpr int longest_link_delay_ms = 10'000;
-constexpr int largest_piece = 65'536;
 
 [[noreturn]] void refuse(const std::string& sentence) {
     throw std::invalid_argument(sentence);
-}
-
-double parse_number(std::string_view text) {
-    const auto digits = text.substr(text.starts_with('+') ? 1 : 0);
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value)) {
-        refuse("must be a number, not " + quote(text));
-    }
-    return value;
-}
-
-template <class Integer>
-std::optional<Integer> parse_integer(std::string_view text) {
-    Integer value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return {};
-    return value;
-}
-
-/// Not negative.
-std::chrono::nanoseconds parse_milliseconds(std::string_view text, int most) {
-    const double duration_ms = parse_number(text);
-    if (duration_ms < 0.0 || duration_ms > most) {
-        refuse("must be 0 to " + std::to_string(most) + " ms, not " + quote(text));
-    }
-    return std::chrono::round<std::chrono::nanoseconds>(
-        std::chrono::duration<double, std::milli>(duration_ms));
 }
 
 std::vector<std::string_view> split_at_commas(std::string_view text) {
@@ -144,41 +107,6 @@ PowerUp parse_power_up(std::string_view text) {
     refuse("must be scip2.0, scip1.1 or boot, not " + quote(text));
 }
 
-int parse_whole(std::string_view text, int least, int most) {
-    const auto number = parse_integer<int>(text);
-    if (!number || *number < least || *number > most) {
-        refuse("must be a whole number from " + std::to_string(least) + " to " +
-               std::to_string(most) + ", not " + quote(text));
-    }
-    return *number;
-}
-
-double parse_ppm(std::string_view text) {
-    const double ppm = parse_number(text);
-    if (std::abs(ppm) > largest_ppm) refuse("must lie within 10000 ppm, not " + quote(text));
-    return ppm;
-}
-
-std::uint32_t parse_device_time(std::string_view text) {
-    return static_cast<std::uint32_t>(parse_whole(text, 0, largest_device_time_ms));
-}
-
-std::chrono::nanoseconds parse_period(std::string_view text) {
-    return parse_milliseconds(text, longest_period_ms);
-}
-
-std::chrono::nanoseconds parse_link_delay(std::string_view text) {
-    return parse_milliseconds(text, longest_link_delay_ms);
-}
-
-int parse_baud(std::string_view text) {
-    return parse_whole(text, slowest_bit_rate, fastest_bit_rate);
-}
-
-int parse_split(std::string_view text) {
-    return parse_whole(text, 0, largest_piece);
-}
-
 bool parse_on_close(std::string_view text) {
     if (text == "keep" || text == "stop") return text == "stop";
     refuse("must be keep or stop, not " + quote(text));
@@ -205,31 +133,6 @@ void check_clock(std::string_view text) {
     if (text == "wall") return;
     if (text == "poses") refuse("poses is not built yet; use wall");
     refuse("must be wall, not " + quote(text));
-}
-
-double parse_metres(std::string_view text) {
-    const double length_m = parse_number(text);
-    if (std::abs(length_m) > position_limit_m) refuse("must lie within 1e7 m, not " + quote(text));
-    return length_m;
-}
-
-double parse_radians(std::string_view text) {
-    const double angle_rad = parse_number(text);
-    if (std::abs(angle_rad) > angle_limit_rad)
-        refuse("must lie within 1e6 rad, not " + quote(text));
-    return angle_rad;
-}
-
-double parse_length(std::string_view text) {
-    const double length_m = parse_metres(text);
-    if (length_m < 0.0) refuse("must be 0 or more, not " + quote(text));
-    return length_m;
-}
-
-double parse_share(std::string_view text) {
-    const double share = parse_number(text);
-    if (share < 0.0 || share > 1.0) refuse("must be 0 to 1, not " + quote(text));
-    return share;
 }
 
 sim::Pose parse_pose(std::string_view text) {

@@ -6,7 +6,6 @@
 // to do. Relative paths are taken from `base`. Any thread; nothing shared.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -35,22 +34,6 @@ std::optional<int> parse_motion(std::string_view text);
 /// scip2.0, scip1.1 or boot.
 PowerUp parse_power_up(std::string_view text);
 
-/// From least to most, both inclusive.
-int parse_whole(std::string_view text, int least, int most);
-
-/// How much too fast a device's clock runs, parts per million.
-double parse_ppm(std::string_view text);
-/// What a device's clock can show: 24 bits of milliseconds.
-std::uint32_t parse_device_time(std::string_view text);
-
-/// Milliseconds, up to 10 minutes: what a device takes for something.
-std::chrono::nanoseconds parse_period(std::string_view text);
-/// Milliseconds, up to 10 seconds: what a link adds.
-std::chrono::nanoseconds parse_link_delay(std::string_view text);
-/// Bits per second of a serial line.
-int parse_baud(std::string_view text);
-/// Bytes in one piece; 0: all.
-int parse_split(std::string_view text);
 /// Whether a tty's close stops its streams: keep or stop.
 bool parse_on_close(std::string_view text);
 
@@ -58,13 +41,6 @@ std::uint64_t parse_seed(std::string_view text);
 
 /// `wall` is all that there is.
 void check_clock(std::string_view text);
-
-double parse_metres(std::string_view text);
-double parse_radians(std::string_view text);
-/// Metres, not negative.
-double parse_length(std::string_view text);
-/// Of a whole, 0 to 1.
-double parse_share(std::string_view text);
 
 /// X,Y,YAW or X,Y,Z,ROLL,PITCH,YAW.
 sim::Pose parse_pose(std::string_view text);

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Numbers from the text that a user wrote, with their bounds, as config_values are: every function
+// but the first throws std::invalid_argument, saying what to do. Any thread; nothing shared.
+#pragma once
+
+#include <charconv>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+namespace scipd::daemon {
+
+/// Nothing where it is none, or does not fit.
+template <class Integer>
+std::optional<Integer> parse_integer(std::string_view text) {
+    Integer value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return {};
+    return value;
+}
+
+/// From least to most, both inclusive.
+int parse_whole(std::string_view text, int least, int most);
+
+/// How much too fast a device's clock runs, parts per million.
+double parse_ppm(std::string_view text);
+/// What a device's clock can show: 24 bits of milliseconds.
+std::uint32_t parse_device_time(std::string_view text);
+
+/// Milliseconds, up to 10 minutes: what a device takes for something.
+std::chrono::nanoseconds parse_period(std::string_view text);
+/// Milliseconds, up to 10 seconds: what a link adds.
+std::chrono::nanoseconds parse_link_delay(std::string_view text);
+/// Bits per second of a serial line.
+int parse_baud(std::string_view text);
+/// Bytes in one piece; 0: all.
+int parse_split(std::string_view text);
+
+double parse_metres(std::string_view text);
+double parse_radians(std::string_view text);
+/// Metres, not negative.
+double parse_length(std::string_view text);
+/// Of a whole, 0 to 1.
+double parse_share(std::string_view text);
+
+}  // namespace scipd::daemon
