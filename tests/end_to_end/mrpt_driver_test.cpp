@@ -3,6 +3,8 @@
 //
 // A driver that nobody here wrote, MRPT's CHokuyoURG as Debian ships it, receives right scans of a
 // known room from a running scipd, from every model, over TCP and over the tty.
+#include "tests/end_to_end/mrpt_driver.h"
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -10,13 +12,10 @@
 #include <numbers>
 #include <optional>
 #include <ostream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <mrpt/hwdrivers/CHokuyoURG.h>
-#include <mrpt/obs/CObservation2DRangeScan.h>
 
 #include "tests/end_to_end/square_room.h"
 #include "tests/support/daemon_process.h"
@@ -25,66 +24,7 @@
 namespace scipd::tests {
 namespace {
 
-using mrpt::hwdrivers::CHokuyoURG;
-using Scan = mrpt::obs::CObservation2DRangeScan;
-
-/// What the data sheets say.
-struct Product {
-    const char* name;
-    int steps_per_turn;
-    int first_step;
-    int last_step;
-    int front_step;
-    double farthest_m;
-    double period_s;
-
-    [[nodiscard]] int beams() const { return last_step - first_step + 1; }
-    [[nodiscard]] double step_rad() const { return 2.0 * std::numbers::pi / steps_per_turn; }
-    /// Beams of MRPT's go from right to left.
-    [[nodiscard]] double bearing_rad(int beam) const {
-        return (first_step + beam - front_step) * step_rad();
-    }
-};
-
-constexpr Product urg_04lx{"URG-04LX", 1024, 44, 725, 384, 5.6, 0.1};
-constexpr Product utm_30lx{"UTM-30LX", 1440, 0, 1080, 540, 60.0, 0.025};
-constexpr Product ust_10lx{"UST-10LX", 1440, 0, 1080, 540, 30.0, 0.025};
-constexpr Product ust_20lx{"UST-20LX", 1440, 0, 1080, 540, 60.0, 0.025};
-
-enum class Link { tcp, tty };
-
-// Half a millimetre of it is the scanner's unit.
-constexpr double tolerance_m = 0.0015;
-
-class Driver {
-  public:
-    Driver(const DaemonProcess& daemon, Link link) {
-        urg_.setVerbosityLevel(mrpt::system::LVL_ERROR);
-        if (link == Link::tcp) {
-            urg_.setIPandPort("127.0.0.1", daemon.port());
-        } else {
-            urg_.setSerialPort(daemon.tty());
-        }
-        // Private in CHokuyoURG, public in its base.
-        static_cast<mrpt::hwdrivers::CGenericSensor&>(urg_).initialize();
-    }
-
-    Scan next_scan() {
-        Scan scan;
-        // Without a scan each call takes 100 ms.
-        for (int attempt = 0; attempt < 50; ++attempt) {
-            bool there = false;
-            bool failed = false;
-            urg_.doProcessSimple(there, scan, failed);
-            if (failed) throw std::runtime_error("the driver reports an error of the hardware");
-            if (there) return scan;
-        }
-        throw std::runtime_error("the driver sees no scans");
-    }
-
-  private:
-    CHokuyoURG urg_;
-};
+using Scan = MrptDriver::Scan;
 
 std::vector<std::string> arguments(const Product& product, Link link,
                                    const std::filesystem::path& world) {
@@ -96,26 +36,6 @@ std::vector<std::string> arguments(const Product& product, Link link,
             "--pty",      link == Link::tty ? "auto" : "none"};
 }
 
-void expect_shape(const Scan& scan, const Product& product) {
-    ASSERT_EQ(scan.getScanSize(), static_cast<std::size_t>(product.beams()));
-    EXPECT_TRUE(scan.rightToLeft);
-    EXPECT_NEAR(scan.aperture, product.beams() * product.step_rad(), 1.01 * product.step_rad());
-    EXPECT_FLOAT_EQ(scan.maxRange, static_cast<float>(product.farthest_m));
-}
-
-/// How many beams were compared.
-int expect_room(const Scan& scan, const Product& product, const Planar& scanner) {
-    int compared = 0;
-    for (int beam = 0; beam < product.beams(); ++beam) {
-        const auto truth_m = certain_range_in_square_room(scanner, product.bearing_rad(beam));
-        if (!truth_m) continue;
-        ++compared;
-        EXPECT_TRUE(scan.getScanRangeValidity(beam)) << "beam " << beam;
-        EXPECT_NEAR(scan.getScanRange(beam), *truth_m, tolerance_m) << "beam " << beam;
-    }
-    return compared;
-}
-
 struct Setup {
     Product product;
     Link link;
@@ -125,7 +45,7 @@ struct Setup {
     }
 };
 
-class MrptDriver : public testing::TestWithParam<Setup> {
+class MrptDriverTest : public testing::TestWithParam<Setup> {
   protected:
     [[nodiscard]] const Product& product() const { return GetParam().product; }
     [[nodiscard]] Link link() const { return GetParam().link; }
@@ -133,14 +53,14 @@ class MrptDriver : public testing::TestWithParam<Setup> {
     TempDir directory_;
 };
 
-TEST_P(MrptDriver, SeesTheRoomAndFollowsTheRobot) {
+TEST_P(MrptDriverTest, SeesTheRoomAndFollowsTheRobot) {
     const UdpSender poses;
     auto options = arguments(product(), link(), scene("square_room.sdf"));
     options.insert(options.end(), {"--pose", "-1.2,0.7,2.2", "--poses",
                                    "udp:127.0.0.1:" + std::to_string(poses.port())});
     DaemonProcess daemon(directory_, options);
     ASSERT_NE(daemon.ready_line(), "") << daemon.standard_error();
-    Driver driver(daemon, link());
+    MrptDriver driver(daemon, link());
 
     const Scan at_start = driver.next_scan();
     expect_shape(at_start, product());
@@ -158,7 +78,7 @@ TEST_P(MrptDriver, SeesTheRoomAndFollowsTheRobot) {
     EXPECT_GT(expect_room(moved, product(), there), product().beams() * 95 / 100);
 }
 
-TEST_P(MrptDriver, TellsWhatReturnsNothing) {
+TEST_P(MrptDriverTest, TellsWhatReturnsNothing) {
     // A wall of 2 m by 2 m, 2 m ahead, and nothing else.
     const auto world = directory_.write("wall.sdf", R"(<sdf version="1.9"><world name="wall">
         <model name="wall"><static>true</static><link name="link"><visual name="wall">
@@ -166,7 +86,7 @@ TEST_P(MrptDriver, TellsWhatReturnsNothing) {
         </visual></link></model></world></sdf>)");
     DaemonProcess daemon(directory_, arguments(product(), link(), world));
     ASSERT_NE(daemon.ready_line(), "") << daemon.standard_error();
-    const Scan scan = Driver(daemon, link()).next_scan();
+    const Scan scan = MrptDriver(daemon, link()).next_scan();
 
     expect_shape(scan, product());
     const double half_wall_rad = std::atan2(1.0, 2.0);
@@ -186,7 +106,7 @@ std::string name_of(const testing::TestParamInfo<Setup>& test) {
     return name + (test.param.link == Link::tcp ? "_tcp" : "_tty");
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, MrptDriver,
+INSTANTIATE_TEST_SUITE_P(Models, MrptDriverTest,
                          testing::Values(Setup{urg_04lx, Link::tcp}, Setup{urg_04lx, Link::tty},
                                          Setup{utm_30lx, Link::tcp}, Setup{utm_30lx, Link::tty},
                                          Setup{ust_10lx, Link::tcp}, Setup{ust_10lx, Link::tty},
@@ -257,7 +177,7 @@ TEST(MrptDriverOnAMovingRobot, SeesTheRoomAsItTurnsDuringEachSweep) {
     options.insert(options.end(), {"--poses", scene("square_room.tum")});
     DaemonProcess daemon(directory, options);
     ASSERT_NE(daemon.ready_line(), "") << daemon.standard_error();
-    Driver driver(daemon, Link::tcp);
+    MrptDriver driver(daemon, Link::tcp);
 
     const Turning turning(product, rad_per_s);
     double yaw_before_rad = 0.0;

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// MRPT's driver sees the room through every model that there is, over TCP and over the tty, and in
+// whatever state it finds them.
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <future>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/end_to_end/mrpt_driver.h"
+#include "tests/support/scanner_wire.h"
+
+namespace scipd::tests {
+namespace {
+
+constexpr Product products[] = {
+    {"URG-04LX@3.1.04", 1024, 44, 725, 384, 5.6, 0.1},
+    {"URG-04LX@3.3.00", 1024, 44, 725, 384, 5.6, 0.1},
+    {"URG-04LX-UG01", 1024, 44, 725, 384, 5.6, 0.1},
+    {"UBG-04LX-F01", 1024, 44, 725, 384, 5.6, 0.028},
+    {"UHG-08LX", 1024, 0, 768, 384, 8.0, 0.067},
+    {"UTM-30LX", 1440, 0, 1080, 540, 60.0, 0.025},
+    {"UTM-30LX-EW", 1440, 0, 1080, 540, 60.0, 0.025},
+    {"UXM-30LX-E", 1440, 0, 760, 380, 100.0, 0.05},
+    {"UXM-30LX-EW", 1440, 0, 760, 380, 100.0, 0.05},
+    {"UXM-30LXH-EWA", 2880, 0, 1520, 760, 80.0, 0.05},
+    {"UST-05LX", 720, 0, 540, 270, 15.0, 0.025},
+    {"UST-10LX", 1440, 0, 1080, 540, 30.0, 0.025},
+    {"UST-10LX-H01", 2880, 0, 2160, 1080, 30.0, 0.025},
+    {"UST-10LX-H02", 2880, 0, 2160, 1080, 30.0, 0.025},
+    {"UST-20LX", 1440, 0, 1080, 540, 60.0, 0.025},
+    {"UST-20LX-H01", 2880, 0, 2160, 1080, 60.0, 0.025},
+    {"UST-30LX", 1440, 0, 1080, 540, 60.0, 0.025},
+    {"UST-30LC@1.0.1", 1440, 0, 1080, 540, 60.0, 0.025},
+    {"UST-30LC@4.0.2-A", 1440, 0, 1080, 540, 60.0, 0.025},
+    {"UST-30LC@4.0.3", 1440, 0, 1080, 540, 60.0, 0.025},
+    {"UST-30LC@4.1.0b-A", 1440, 0, 1080, 540, 60.0, 0.025},
+};
+
+/// They answer once in 100 ms, which over TCP is as long as MRPT waits. Real ones have no Ethernet.
+bool too_slow_for_tcp(const Product& product) {
+    const std::string_view name = product.name;
+    return name.starts_with("URG-04LX") || name == "UXM-30LX-E";
+}
+
+constexpr Planar robot{-1.2, 0.7, 2.2};
+
+/// A robot that carries one of each, with these keys for all of them.
+std::string configuration(std::span<const Product> carried, Link link, const std::string& keys) {
+    std::string text = "scene: " + scene("square_room.sdf").string() +
+                       "\nrobots:\n  robot:\n    pose: {xyz: [-1.2, 0.7, 0], rpy: [0, 0, 2.2]}\n"
+                       "    sensors:\n";
+    for (const Product& product : carried) {
+        const bool ideal = link == Link::tcp && too_slow_for_tcp(product);
+        text += "      s" + std::to_string(&product - carried.data()) +
+                ": {model: " + product.name + ", mount: {xyz: [0, 0, 0.3]}, accuracy: ideal, " +
+                (link == Link::tcp ? "tcp: 127.0.0.1:0" : "pty: auto") +
+                (ideal ? ", timing: ideal" : "") + keys + "}\n";
+    }
+    return text;
+}
+
+/// A scan, and it is right. A driver that gives up is started anew, as its user would do it, until
+/// `patience` is over.
+void expect_room_seen(const DaemonProcess& daemon, std::size_t sensor, const Product& product,
+                      Link link, std::chrono::seconds patience) {
+    SCOPED_TRACE(product.name);
+    const auto until = std::chrono::steady_clock::now() + patience;
+    for (;;) {
+        try {
+            MrptDriver driver(daemon, link, sensor);
+            const MrptDriver::Scan scan = driver.next_scan();
+            expect_shape(scan, product);
+            EXPECT_GT(expect_room(scan, product, robot), product.beams() * 95 / 100);
+            return;
+        } catch (const std::exception& error) {
+            if (std::chrono::steady_clock::now() < until) continue;
+            ADD_FAILURE() << error.what();
+            return;
+        }
+    }
+}
+
+using Before = std::function<void(const DaemonProcess& daemon, std::size_t sensor, Link link)>;
+
+// Most of the time MRPT sleeps, so that a few of them at once take as long as one.
+void expect_room_seen_by_all(std::span<const Product> carried, Link link,
+                             const std::string& keys = "", const Before& before = {},
+                             std::chrono::seconds patience = {}) {
+    const TempDir directory;
+    const auto file = directory.write("fleet.yaml", configuration(carried, link, keys));
+    const DaemonProcess daemon(directory, {"--config", file});
+    ASSERT_NE(daemon.ready_line(), "") << daemon.standard_error();
+    constexpr std::size_t at_once = 8;
+    for (std::size_t first = 0; first < carried.size(); first += at_once) {
+        std::vector<std::future<void>> drivers;
+        for (std::size_t i = first; i < std::min(first + at_once, carried.size()); ++i) {
+            if (before) before(daemon, i, link);
+            drivers.push_back(std::async(std::launch::async, [&, i] {
+                expect_room_seen(daemon, i, carried[i], link, patience);
+            }));
+        }
+    }
+}
+
+/// One of each timing and each set of commands.
+constexpr Product families[] = {products[1], products[2], products[5],  products[6],
+                                products[7], products[9], products[11], products[18]};
+
+TEST(MrptDriverOnEveryModel, SeesTheRoomOverTcp) {
+    expect_room_seen_by_all(products, Link::tcp);
+}
+
+TEST(MrptDriverOnEveryModel, SeesTheRoomOverTheTty) {
+    expect_room_seen_by_all(products, Link::tty);
+}
+
+// The boot of a UST takes 10 s, during which MRPT gives up now and then.
+constexpr std::chrono::seconds until_booted{40};
+
+TEST(MrptDriverFromAColdBoot, SeesTheRoomOverTcp) {
+    expect_room_seen_by_all(families, Link::tcp, ", power_up: boot", {}, until_booted);
+}
+
+TEST(MrptDriverFromAColdBoot, SeesTheRoomOverTheTty) {
+    expect_room_seen_by_all(families, Link::tty, ", power_up: boot", {}, until_booted);
+}
+
+void left_streaming(const DaemonProcess& daemon, std::size_t sensor, Link) {
+    auto earlier = ScannerWire::tty(daemon.tty(sensor));
+    ASSERT_EQ(earlier.ask("MD0100020001000"), "00");
+    (void)earlier.next_scan();
+}
+
+void left_adjusting(const DaemonProcess& daemon, std::size_t sensor, Link link) {
+    auto earlier = link == Link::tcp ? ScannerWire::tcp(daemon.port(sensor))
+                                     : ScannerWire::tty(daemon.tty(sensor));
+    ASSERT_EQ(earlier.ask("TM0"), "00");
+}
+
+// A tty is closed and the stream goes on, as with a real scanner.
+TEST(MrptDriverAfterAnotherClient, SeesTheRoomThroughAStreamThatRuns) {
+    expect_room_seen_by_all(families, Link::tty, "", left_streaming);
+}
+
+// Over TCP the adjust mode ends with the client.
+TEST(MrptDriverAfterAnotherClient, SeesTheRoomAfterTimeAdjustOverTcp) {
+    expect_room_seen_by_all(families, Link::tcp, "", left_adjusting);
+}
+
+// A tty keeps it, so that only those go on that leave it by QT: MRPT does not know TM2.
+TEST(MrptDriverAfterAnotherClient, SeesTheRoomAfterTimeAdjustOverTheTty) {
+    const Product leaves_by_qt[] = {products[6], products[8], products[9]};
+    expect_room_seen_by_all(leaves_by_qt, Link::tty, "", left_adjusting);
+}
+
+TEST(MrptDriverAfterAnotherClient, SeesTheRoomAfterTimeAdjustWhereClosingTheTtyEndsIt) {
+    expect_room_seen_by_all(families, Link::tty, ", link: {on_close: stop}", left_adjusting);
+}
+
+TEST(MrptDriverFromScip1, SeesTheRoomOverTcpAndTheTty) {
+    const Product old[] = {products[0], products[1]};
+    for (const Link link : {Link::tcp, Link::tty})
+        expect_room_seen_by_all(old, link, ", power_up: scip1.1");
+}
+
+}  // namespace
+}  // namespace scipd::tests
