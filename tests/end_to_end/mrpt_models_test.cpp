@@ -95,7 +95,7 @@ using Before = std::function<void(const DaemonProcess& daemon, std::size_t senso
 // Most of the time MRPT sleeps, so that a few of them at once take as long as one.
 void expect_room_seen_by_all(std::span<const Product> carried, Link link,
                              const std::string& keys = "", const Before& before = {},
-                             std::chrono::seconds patience = {}) {
+                             std::chrono::seconds patience = std::chrono::seconds(20)) {
     const TempDir directory;
     const auto file = directory.write("fleet.yaml", configuration(carried, link, keys));
     const DaemonProcess daemon(directory, {"--config", file});
