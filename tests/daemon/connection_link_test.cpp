@@ -244,6 +244,17 @@ TEST_F(SerialLine, SpeaksAndHearsAtItsOwnRateOnly) {
     EXPECT_TRUE(device_->state().laser_on());
 }
 
+// As MRPT does.
+TEST_F(SerialLine, HearsARequestThatFollowsOneAtAHigherRate) {
+    connect_at(19200);
+    client_rate_ = 115200;
+    write("QT\n");
+    EXPECT_EQ(bytes_until(1s), "");
+    client_rate_ = 19200;
+    write("BM\n");
+    EXPECT_EQ(bytes_until(2s), "BM\n00P\n\n");
+}
+
 TEST_F(SerialLine, ChangesItsRateAfterTheReply) {
     connect_at(19200);
     write("SS115200\n");
