@@ -41,8 +41,11 @@ class Reload : public testing::Test {
     }
 
     static void expect_no_gap(ScannerWire& wire, std::uint32_t& stamp_ms) {
-        for (int i = 0; i < 20; ++i, stamp_ms += 25)
-            ASSERT_EQ(wire.next_scan().stamp_ms, stamp_ms + 25);
+        for (int i = 0; i < 20; ++i) {
+            const std::uint32_t next_ms = wire.next_scan().stamp_ms;
+            ASSERT_EQ(turns_between(stamp_ms, next_ms), 1);
+            stamp_ms = next_ms;
+        }
     }
 
     static inline const std::string front =

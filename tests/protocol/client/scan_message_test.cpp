@@ -156,7 +156,7 @@ TEST(ScanMessage, IsTheInverseOfTheDataBlock) {
         for (int steps = 1; steps <= 200; ++steps) {
             std::vector<std::uint32_t> values;
             for (int i = 0; i < steps; ++i)
-                values.push_back(static_cast<std::uint32_t>(i) * 2654435761U % (limit + 1));
+                values.push_back(static_cast<std::uint32_t>(i) * 2654435761U & limit);
             values.back() = limit;
             const ScanRequest request{.last_step = steps - 1, .width = width};
             const std::string bytes = Reply(stream_line(request), status::scan_follows)
