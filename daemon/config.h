@@ -17,6 +17,7 @@
 #include "daemon/models/model.h"
 #include "sim/sensor/error_model.h"
 #include "sim/world/pose.h"
+#include "sim/world/pose_track.h"
 
 namespace scipd::daemon {
 
@@ -86,6 +87,7 @@ struct SensorConfig {
     PowerUp power_up = PowerUp::scip2;
     DeviceClockConfig clock;
     LinkConfig link;
+    bool sees_body = false;  ///< the robot's own body stands in its way too
 
     bool operator==(const SensorConfig&) const = default;
 };
@@ -96,6 +98,8 @@ struct PoseSource {
     Kind kind = Kind::udp;
     Address address;             ///< of udp
     std::filesystem::path file;  ///< a TUM trajectory; its first stamp is the start of the daemon
+    double speed = 1.0;          ///< of a trajectory: how much faster than its stamps it is played
+    bool loop = false;           ///< of a trajectory: begins anew where it has ended
 
     bool operator==(const PoseSource&) const = default;
 };
@@ -103,7 +107,11 @@ struct PoseSource {
 struct RobotConfig {
     std::string name;
     sim::Pose world_from_robot;  ///< at the start
+    std::string body;            ///< the scene's movable model that moves with it; empty: none
     std::optional<PoseSource> poses;
+    sim::PosePolicy policy;
+    /// How long scans wait for poses that are late.
+    std::chrono::nanoseconds wait{};
     std::vector<SensorConfig> sensors;
 
     bool operator==(const RobotConfig&) const = default;

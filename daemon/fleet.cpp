@@ -69,9 +69,9 @@ void Fleet::apply(FleetPlan&& plan) {
         spdlog::warn("{}", warning);
     scene_file_ = config.scene;
     world_.replace_scene(std::move(loaded.scene), std::move(backends));
-    std::map<std::string, sim::Pose> robots;
+    std::map<std::string, RobotStart> robots;
     for (const RobotConfig& robot : config.robots)
-        robots.emplace(robot.name, robot.world_from_robot);
+        robots[robot.name] = {robot.world_from_robot, robot.policy, robot.body};
     world_.set_robots(robots);
     replace_stations(config, ports);
     ports_ = std::move(ports);
@@ -234,7 +234,7 @@ std::optional<std::string> Fleet::set_robot_pose(const std::string& robot,
                                                  std::optional<sim::Time> time,
                                                  const sim::Pose& world_from_robot) {
     const sim::Time world_time = api_senders_[robot].world_time(time, clock_.now());
-    return intake_.take({.robot = robot, .pose = world_from_robot}, robot, world_time);
+    return intake_.take({.robot = robot, .time = time, .pose = world_from_robot}, robot, world_time);
 }
 
 }  // namespace scipd::daemon

@@ -170,7 +170,7 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
         if (stopped_) return;
         const sim::Time until = context_.now() + 2 * ahead;
         for (; next_ < poses_.size() && poses_[next_].time + world_minus_file_ <= until; ++next_) {
-            context_.intake.take({.pose = poses_[next_].pose}, robot(),
+            context_.intake.take({.time = poses_[next_].time, .pose = poses_[next_].pose}, robot(),
                                  poses_[next_].time + world_minus_file_);
         }
         if (next_ == poses_.size()) return;

@@ -36,10 +36,11 @@ std::optional<std::string> PoseIntake::take_line(std::string_view line, std::str
 
 std::optional<std::string> PoseIntake::take(const sim::PoseLine& line, std::string_view robot,
                                             sim::Time time) {
-    if (!line.model.empty()) return count(world_.place_model(line.model, time, line.pose));
-    if (!line.robot.empty()) return count(world_.place_robot(line.robot, time, line.pose));
-    if (!robot.empty()) return count(world_.place_robot(robot, time, line.pose));
-    return count(world_.place_only_robot(time, line.pose));
+    const Placement placement{time, line.pose, line.velocity, !line.time};
+    if (!line.model.empty()) return count(world_.place_model(line.model, placement));
+    if (!line.robot.empty()) return count(world_.place_robot(line.robot, placement));
+    if (!robot.empty()) return count(world_.place_robot(robot, placement));
+    return count(world_.place_only_robot(placement));
 }
 
 std::optional<std::string> PoseIntake::count(std::optional<std::string> refusal) {

@@ -39,6 +39,7 @@ class PoseIntake {
     /// is. Returns why the line was refused.
     std::optional<std::string> take_line(std::string_view line, std::string_view robot,
                                          SenderClock& sender, sim::Time arrival);
+    /// The same in world time; a line without a time of its own holds from then on.
     std::optional<std::string> take(const sim::PoseLine& line, std::string_view robot,
                                     sim::Time time);
 

@@ -2,24 +2,16 @@
 // Copyright The scipd authors
 #include "daemon/control/world.h"
 
-#include <utility>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "sim/world/bounds.h"
 
 namespace scipd::daemon {
 namespace {
-
-// Poses farther apart in time do not belong to one movement: the thing rests and then is somewhere
-// else.
-constexpr sim::Time longest_step = std::chrono::seconds(1);
-
-std::optional<std::string> place(sim::PoseTrack& track, sim::Time time, const sim::Pose& pose) {
-    if (time <= track.last_time()) return "t: not later than the pose before it";
-    if (time - longest_step > track.last_time()) {
-        track.jump(time, pose);
-    } else {
-        track.append(time, pose);
-    }
-    return std::nullopt;
-}
 
 template <class Map>
 std::string names_of(const Map& map) {
@@ -29,25 +21,64 @@ std::string names_of(const Map& map) {
     return text.empty() ? "none" : text;
 }
 
+/// By ModelId; of movable models only.
+std::vector<double> radii_m(const sim::Scene& scene) {
+    std::vector<double> radii(scene.models.size(), 0.0);
+    for (const sim::Object& object : scene.objects) {
+        if (!scene.models[object.model].movable) continue;
+        sim::Bounds bounds;
+        bounds.include(sim::bounds_of(object.shape), object.model_from_object);
+        if (bounds.empty()) continue;
+        const glm::dvec3 farthest = glm::max(glm::abs(bounds.low_m), glm::abs(bounds.high_m));
+        radii[object.model] = std::max(radii[object.model], glm::length(farthest));
+    }
+    return radii;
+}
+
+/// The farthest that a point moves which is no farther than the radius from the pose's origin.
+double movement_m(const sim::Pose& from, const sim::Pose& to, double radius_m) {
+    const double cosine_of_half = std::min(1.0, std::abs(glm::dot(from.rotation, to.rotation)));
+    const double chord = 2.0 * std::sqrt(1.0 - cosine_of_half * cosine_of_half);
+    return glm::distance(from.translation_m, to.translation_m) + chord * radius_m;
+}
+
 }  // namespace
 
 void World::replace_scene(sim::SharedScene scene, Backends backends) {
     scene_ = std::move(scene);
     backends_ = std::move(backends);
-    movable_.clear();
+    auto before = std::exchange(movable_, {});
+    const std::vector<double> radii = radii_m(*scene_);
     for (sim::ModelId id = 0; id < scene_->models.size(); ++id) {
-        const auto& [name, movable, pose] = scene_->models[id];
-        if (movable) movable_.emplace(name, MovableModel{id, sim::PoseTrack(pose), pose});
+        const auto& [name, movable, start] = scene_->models[id];
+        if (!movable) continue;
+        const auto known = before.find(name);
+        const bool stays = known != before.end() && known->second.start == start;
+        movable_.emplace(
+            name,
+            MovableModel{id, start, radii[id],
+                         stays ? std::move(known->second.track) : sim::PoseTrack(start), start});
     }
+    find_carriers();
 }
 
-void World::set_robots(const std::map<std::string, sim::Pose>& world_from_robot) {
-    std::erase_if(robots_,
-                  [&](const auto& robot) { return !world_from_robot.contains(robot.first); });
-    for (const auto& [name, start] : world_from_robot) {
+void World::set_robots(const std::map<std::string, RobotStart>& robots) {
+    std::erase_if(robots_, [&](const auto& robot) { return !robots.contains(robot.first); });
+    for (const auto& [name, start] : robots) {
         const auto known = robots_.find(name);
         if (known != robots_.end() && known->second.start == start) continue;
-        robots_.insert_or_assign(name, Robot{start, sim::PoseTrack(start)});
+        robots_.insert_or_assign(
+            name, Robot{start, sim::PoseTrack(start.world_from_robot, start.policy)});
+    }
+    find_carriers();
+}
+
+void World::find_carriers() {
+    for (auto& [name, model] : movable_)
+        model.carrier = nullptr;
+    for (const auto& [name, robot] : robots_) {
+        const auto body = movable_.find(robot.start.body);
+        if (body != movable_.end()) body->second.carrier = &robot;
     }
 }
 
@@ -56,40 +87,83 @@ const sim::PoseTrack* World::robot(std::string_view name) const {
     return found == robots_.end() ? nullptr : &found->second.track;
 }
 
-std::optional<std::string> World::place_robot(std::string_view name, sim::Time time,
-                                              const sim::Pose& world_from_robot) {
+const sim::PoseTrack* World::model(std::string_view name) const {
+    const auto found = movable_.find(name);
+    return found == movable_.end() ? nullptr : &found->second.path();
+}
+
+sim::ModelId World::body_of(std::string_view robot) const {
+    const auto found = robots_.find(robot);
+    if (found == robots_.end()) return sim::no_model;
+    const auto body = movable_.find(found->second.start.body);
+    return body == movable_.end() ? sim::no_model : body->second.id;
+}
+
+std::optional<std::string> World::place_robot(std::string_view name, const Placement& placement) {
     const auto found = robots_.find(name);
     if (found == robots_.end()) {
         return "robot: there is no \"" + std::string(name) + "\"; robots are " + names_of(robots_);
     }
-    return place(found->second.track, time, world_from_robot);
+    return place(found->second.track, placement);
 }
 
-std::optional<std::string> World::place_only_robot(sim::Time time,
-                                                   const sim::Pose& world_from_robot) {
+std::optional<std::string> World::place_only_robot(const Placement& placement) {
     if (robots_.size() != 1) return "robot: say which; robots are " + names_of(robots_);
-    return place(robots_.begin()->second.track, time, world_from_robot);
+    return place(robots_.begin()->second.track, placement);
 }
 
-std::optional<std::string> World::place_model(std::string_view name, sim::Time time,
-                                              const sim::Pose& world_from_model) {
+std::optional<std::string> World::place_model(std::string_view name, const Placement& placement) {
     const auto found = movable_.find(name);
     if (found == movable_.end()) {
         return "model: there is no movable \"" + std::string(name) + "\"; movable models are " +
                names_of(movable_);
     }
-    return place(found->second.track, time, world_from_model);
+    if (found->second.carrier != nullptr) {
+        return "model: \"" + std::string(name) + "\" is the body of a robot; move the robot";
+    }
+    return place(found->second.track, placement);
+}
+
+std::optional<std::string> World::place(sim::PoseTrack& track, const Placement& placement) {
+    if (placement.from_now_on && placement.time <= track.last_time()) {
+        track.jump(placement.time, placement.pose);
+    } else if (!track.place(placement.time, placement.pose, placement.velocity)) {
+        return "t: not later than the pose before it";
+    }
+    if (on_placed_) on_placed_();
+    return std::nullopt;
+}
+
+bool World::poses_known(sim::Time until) const {
+    const auto expected = [&](const sim::PoseTrack& track) {
+        return track.live(until) && track.last_time() < until;
+    };
+    return std::ranges::none_of(robots_,
+                                [&](const auto& robot) { return expected(robot.second.track); }) &&
+           std::ranges::none_of(movable_,
+                                [&](const auto& model) { return expected(model.second.path()); });
 }
 
 sim::RangeBackend& World::backend_at(std::string_view name, sim::Time time) {
     for (auto& [model_name, model] : movable_) {
-        const sim::Pose pose = model.track.at(time);
+        const sim::Pose pose = model.path().at(time);
         if (pose == model.placed) continue;
         for (const auto& [backend_name, backend] : backends_)
             backend->move(model.id, pose);
         model.placed = pose;
     }
     return *backends_.find(name)->second;
+}
+
+double World::parts(sim::Time from, sim::Time to) const {
+    constexpr double within_one_m = 1e-3;
+    double farthest_m = 0.0;
+    for (const auto& [name, model] : movable_) {
+        const sim::PoseTrack& path = model.path();
+        if (path.still(from, to)) continue;
+        farthest_m = std::max(farthest_m, movement_m(path.at(from), path.at(to), model.radius_m));
+    }
+    return std::max(1.0, std::ceil(farthest_m / within_one_m));
 }
 
 }  // namespace scipd::daemon

@@ -6,12 +6,13 @@
 // Lives on the I/O thread.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 #include "sim/backends/range_backend.h"
 #include "sim/time.h"
@@ -21,30 +22,57 @@
 
 namespace scipd::daemon {
 
+/// A robot as it is configured.
+struct RobotStart {
+    sim::Pose world_from_robot;  ///< where it starts
+    sim::PosePolicy policy;
+    std::string body;  ///< the movable model that moves with it; empty: it has none
+
+    bool operator==(const RobotStart&) const = default;
+};
+
+/// Where something is said to be.
+struct Placement {
+    sim::Time time{};
+    sim::Pose pose;
+    std::optional<sim::Velocity> velocity;
+    /// Said without a time, so that it holds from now on, whatever was said for later.
+    bool from_now_on = false;
+};
+
 class World {
   public:
     using Backends = std::map<std::string, std::unique_ptr<sim::RangeBackend>, std::less<>>;
 
     /// Another scene in place of this one, with the backends made for it. Robots stay where they
-    /// are, movable models start where the new scene has them.
+    /// are; movable models start where the new scene has them, unless they were there before and
+    /// started at the same place.
     void replace_scene(sim::SharedScene scene, Backends backends);
-    [[nodiscard]] const sim::Scene& scene() const { return *scene_; }
+    [[nodiscard]] const sim::SharedScene& scene() const { return scene_; }
 
-    /// The robots are these from now on, with where they start; one that was there before stays
-    /// where it is unless its start is another now.
-    void set_robots(const std::map<std::string, sim::Pose>& world_from_robot);
+    /// The robots are these from now on; one that was there before stays where it is unless it is
+    /// configured otherwise now.
+    void set_robots(const std::map<std::string, RobotStart>& robots);
     /// Null where there is no robot of that name.
     [[nodiscard]] const sim::PoseTrack* robot(std::string_view name) const;
+    /// Null where there is no movable model of that name. A body is where its robot is.
+    [[nodiscard]] const sim::PoseTrack* model(std::string_view name) const;
+    /// What moves with the robot; no_model where nothing does.
+    [[nodiscard]] sim::ModelId body_of(std::string_view robot) const;
 
-    /// The thing is at this pose at this time; between two poses that follow each other closely it
-    /// moves evenly. Returns why not, where it cannot be: no such robot, no such movable model, a
-    /// time that is not later than the pose before.
-    std::optional<std::string> place_robot(std::string_view name, sim::Time time,
-                                           const sim::Pose& world_from_robot);
+    /// The thing is there; between two poses that follow each other closely it moves evenly.
+    /// Returns why not, where it cannot be: no such robot, no such movable model, a time that is
+    /// not later than the pose before.
+    std::optional<std::string> place_robot(std::string_view name, const Placement& placement);
     /// For senders that name none: fails where there is more than one.
-    std::optional<std::string> place_only_robot(sim::Time time, const sim::Pose& world_from_robot);
-    std::optional<std::string> place_model(std::string_view name, sim::Time time,
-                                           const sim::Pose& world_from_model);
+    std::optional<std::string> place_only_robot(const Placement& placement);
+    std::optional<std::string> place_model(std::string_view name, const Placement& placement);
+    /// Called after everything that was placed.
+    void on_placed(std::function<void()> callback) { on_placed_ = std::move(callback); }
+
+    /// Nothing that streams of poses have to say of the time until then is still to come; of stale
+    /// ones nothing is expected.
+    [[nodiscard]] bool poses_known(sim::Time until) const;
 
     /// What a name that a user gave stands for: "auto" for one of the others.
     [[nodiscard]] std::string_view backend_name(std::string_view name) const {
@@ -52,23 +80,37 @@ class World {
     }
     /// One of those that came with the scene, with every movable model where it is at `time`.
     [[nodiscard]] sim::RangeBackend& backend_at(std::string_view name, sim::Time time);
+    /// Into how many equal parts this time falls so that no point of a movable model moves more
+    /// than a millimetre within one.
+    [[nodiscard]] double parts(sim::Time from, sim::Time to) const;
 
   private:
     struct Robot {
-        sim::Pose start;
+        RobotStart start;
         sim::PoseTrack track;
     };
 
     struct MovableModel {
         sim::ModelId id;
-        sim::PoseTrack track;
-        sim::Pose placed;  ///< what the backends were told last
+        sim::Pose start;
+        double radius_m;       ///< of all its points around its origin
+        sim::PoseTrack track;  ///< of its own; a body follows its robot's
+        sim::Pose placed;      ///< what the backends were told last
+        const Robot* carrier = nullptr;
+
+        [[nodiscard]] const sim::PoseTrack& path() const {
+            return carrier != nullptr ? carrier->track : track;
+        }
     };
+
+    void find_carriers();
+    std::optional<std::string> place(sim::PoseTrack& track, const Placement& placement);
 
     sim::SharedScene scene_;
     std::map<std::string, Robot, std::less<>> robots_;
     std::map<std::string, MovableModel, std::less<>> movable_;
     Backends backends_;
+    std::function<void()> on_placed_;
 };
 
 }  // namespace scipd::daemon

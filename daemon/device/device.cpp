@@ -38,20 +38,17 @@ std::uint64_t number_of(std::string_view name) {
 
 }  // namespace
 
-Device::Device(std::string robot, const SensorConfig& config, std::uint64_t seed, World& world,
-               Clock& clock)
-    : robot_(std::move(robot)),
-      profile_(profile_of(config)),
-      robot_from_sensor_(config.robot_from_sensor),
-      backend_(config.backend),
-      poses_per_sweep_(config.motion),
-      chance_{.seed = seed, .sensor = number_of(robot_ + "/" + config.name)},
-      world_(world),
+Device::Device(const std::string& robot, const SensorConfig& config, std::uint64_t seed,
+               World& world, Clock& clock)
+    : profile_(profile_of(config)),
+      chance_{.seed = seed, .sensor = number_of(robot + "/" + config.name)},
       clock_(clock),
       device_clock_(clock.now(), config.clock.ppm),
-      scanner_(config.model.optics,
-               {.accuracy = config.accuracy, .seed = chance_.seed, .sensor = chance_.sensor}),
-      timing_(scanner_.spec(), sim::Time::zero()),
+      sweep_(world, robot, config,
+             sim::Scanner(
+                 config.model.optics,
+                 {.accuracy = config.accuracy, .seed = chance_.seed, .sensor = chance_.sensor})),
+      timing_(sweep_.optics(), sim::Time::zero()),
       bit_rate_told_(protocol::bit_rate_of(state_.settings(), profile_)) {
     if (config.power_up == PowerUp::scip1) state_.power_up_in_scip1(uptime());
     if (config.power_up == PowerUp::boot) state_.boot(uptime(), profile_.boot_time);
@@ -135,36 +132,14 @@ protocol::Turn Device::turn(std::int64_t revolution) const {
 
 const WireScan& Device::measure(std::int64_t revolution) {
     if (!scan_ || scan_->revolution != revolution) {
-        sim::RangeBackend& backend =
-            world_.backend_at(backend_, device_clock_.world_time(timing_.complete(revolution)));
-        scan_ = scanner_.measure(backend, revolution,
-                                 device_clock_.world_time(timing_.start(revolution)),
-                                 poses_during(revolution));
-        wire_scan_ = to_wire(*scan_, turn(revolution), scanner_.spec(), profile_);
+        const auto fired = [&](int step) {
+            return device_clock_.world_time(timing_.fired(revolution, step));
+        };
+        scan_ =
+            sweep_.measure(revolution, device_clock_.world_time(timing_.start(revolution)), fired);
+        wire_scan_ = to_wire(*scan_, turn(revolution), sweep_.optics(), profile_);
     }
     return wire_scan_;
-}
-
-std::vector<sim::Pose> Device::poses_during(std::int64_t revolution) const {
-    const sim::SensorSpec& spec = scanner_.spec();
-    const sim::PoseTrack& track = *world_.robot(robot_);
-    const auto fired = [&](int step) {
-        return device_clock_.world_time(timing_.fired(revolution, step));
-    };
-    if (track.still(fired(spec.first_step), fired(spec.last_step))) {
-        return {track.at(fired(spec.first_step)) * robot_from_sensor_};
-    }
-    const int count = std::clamp(poses_per_sweep_.value_or(spec.beams()), 1, spec.beams());
-    std::vector<sim::Pose> poses;
-    poses.reserve(static_cast<std::size_t>(spec.beams()));
-    for (int i = 0; i < count; ++i) {
-        // The beams first to last - 1 share a pose: that of the middle one.
-        const int first = spec.first_step + i * spec.beams() / count;
-        const int last = spec.first_step + (i + 1) * spec.beams() / count;
-        poses.resize(static_cast<std::size_t>(last - spec.first_step),
-                     track.at(fired(first + (last - first) / 2)) * robot_from_sensor_);
-    }
-    return poses;
 }
 
 }  // namespace scipd::daemon

@@ -18,12 +18,12 @@
 #include "daemon/device/bridge.h"
 #include "daemon/device/clock.h"
 #include "daemon/device/lateness.h"
+#include "daemon/device/sweep.h"
 #include "protocol/device_profile.h"
 #include "protocol/device_state.h"
 #include "sim/random.h"
 #include "sim/sensor/device_clock.h"
 #include "sim/sensor/scan_timing.h"
-#include "sim/sensor/scanner.h"
 
 namespace scipd::daemon {
 
@@ -32,7 +32,7 @@ class Client;
 class Device {
   public:
     /// Powered up at this moment. `world` and `clock` must outlive it.
-    Device(std::string robot, const SensorConfig& config, std::uint64_t seed, World& world,
+    Device(const std::string& robot, const SensorConfig& config, std::uint64_t seed, World& world,
            Clock& clock);
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
@@ -82,19 +82,13 @@ class Device {
     void follow_motor();
     /// Of a revolution that is complete.
     const WireScan& measure(std::int64_t revolution);
-    [[nodiscard]] std::vector<sim::Pose> poses_during(std::int64_t revolution) const;
 
     // Constant after construction.
-    std::string robot_;
     protocol::DeviceProfile profile_;
-    sim::Pose robot_from_sensor_;
-    std::string backend_;
-    std::optional<int> poses_per_sweep_;
     sim::ChanceKey chance_;
-    World& world_;
     Clock& clock_;
     sim::DeviceClock device_clock_;
-    sim::Scanner scanner_;
+    Sweep sweep_;
     sim::ScanTiming timing_;  ///< in device time: the crystal drives the mirror as well
 
     protocol::DeviceState state_;

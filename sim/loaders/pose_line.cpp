@@ -22,12 +22,14 @@ using Refusal = std::string;
 
 constexpr std::size_t longest_line = 4096;
 constexpr double angle_limit_rad = 1e6;
-constexpr std::array known_keys{"robot", "model", "t", "xyz", "q", "rpy"};
+constexpr std::array known_keys{"robot", "model", "t", "xyz", "q", "rpy", "v", "w"};
+constexpr double fastest = 1e6;  // m/s, rad/s
 
 Refusal check_keys(const Json& object) {
     for (const auto& [key, value] : object.items()) {
         if (std::find(known_keys.begin(), known_keys.end(), key) == known_keys.end()) {
-            return "the key " + quote(key) + " is unknown; known are robot, model, t, xyz, q, rpy";
+            return "the key " + quote(key) +
+                   " is unknown; known are robot, model, t, xyz, q, rpy, v, w";
         }
     }
     if (object.contains("robot") && object.contains("model")) {
@@ -102,6 +104,27 @@ Refusal read_rotation(const Json& object, Pose& pose) {
     return {};
 }
 
+Refusal read_rate(const Json& object, const char* key, glm::dvec3& rate) {
+    std::array<double, 3> numbers{};
+    if (auto refusal = read_numbers(object[key], key, numbers); !refusal.empty()) return refusal;
+    for (const double number : numbers) {
+        if (!(std::abs(number) <= fastest)) return std::string{key} + " must lie within 1e6";
+    }
+    rate = {numbers[0], numbers[1], numbers[2]};
+    return {};
+}
+
+/// v and w: each is zero where only the other is there.
+Refusal read_velocity(const Json& object, std::optional<Velocity>& velocity) {
+    Refusal refusal;
+    Velocity said;
+    if (object.contains("v")) refusal = read_rate(object, "v", said.linear_mps);
+    if (refusal.empty() && object.contains("w"))
+        refusal = read_rate(object, "w", said.angular_radps);
+    if (object.contains("v") || object.contains("w")) velocity = said;
+    return refusal;
+}
+
 /// The library's own words, without its name and number in brackets.
 Refusal not_json(const Json::exception& error) {
     const std::string_view text = error.what();
@@ -123,6 +146,7 @@ std::variant<PoseLine, std::string> parse_json_line(std::string_view line) {
     if (refusal.empty()) refusal = read_time(object, said.time);
     if (refusal.empty()) refusal = read_position(object, said.pose);
     if (refusal.empty()) refusal = read_rotation(object, said.pose);
+    if (refusal.empty()) refusal = read_velocity(object, said.velocity);
     if (!refusal.empty()) return refusal;
     return said;
 }
@@ -137,7 +161,7 @@ std::variant<PoseLine, std::string> parse_pose_line(std::string_view line) {
     auto parsed = parse_tum_line(line);
     if (auto* refusal = std::get_if<std::string>(&parsed)) return std::move(*refusal);
     const auto& [time, pose] = std::get<TimedPose>(parsed);
-    return PoseLine{.robot = {}, .model = {}, .time = time, .pose = pose};
+    return PoseLine{.robot = {}, .model = {}, .time = time, .pose = pose, .velocity = {}};
 }
 
 }  // namespace scipd::sim

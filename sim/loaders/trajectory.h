@@ -33,6 +33,7 @@ struct PoseLine {
     std::string model;
     std::optional<Time> time;
     Pose pose;
+    std::optional<Velocity> velocity;
 };
 
 /// Whether a line is empty or a comment, and so neither a pose nor damaged: readers of streams skip

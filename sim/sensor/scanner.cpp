@@ -12,19 +12,35 @@ Scanner::Scanner(SensorSpec spec, const ErrorModel& errors)
 
 SharedScan Scanner::measure(RangeBackend& backend, std::int64_t revolution, Time start,
                             std::vector<Pose> world_from_sensor) const {
+    Scan scan = begin(revolution, start, std::move(world_from_sensor));
+    cast(backend, scan, {0, pattern_.directions().size()}, no_model);
+    read(scan);
+    return std::make_shared<const Scan>(std::move(scan));
+}
+
+Scan Scanner::begin(std::int64_t revolution, Time start,
+                    std::vector<Pose> world_from_sensor) const {
     const auto beams = pattern_.directions().size();
-    const auto scan = std::make_shared<Scan>();
-    scan->revolution = revolution;
-    scan->start = start;
-    scan->world_from_sensor = std::move(world_from_sensor);
-    scan->hits.resize(beams);
-    scan->range_m.resize(beams);
-    backend.cast({.directions = pattern_.directions(),
-                  .world_from_sensor = scan->world_from_sensor,
-                  .max_range_m = static_cast<float>(spec_.max_range_m)},
-                 scan->hits);
-    errors_.read(spec_, revolution, scan->hits, scan->range_m);
-    return scan;
+    assert(world_from_sensor.size() == 1 || world_from_sensor.size() == beams);
+    return {.revolution = revolution,
+            .start = start,
+            .world_from_sensor = std::move(world_from_sensor),
+            .hits = std::vector<Hit>(beams),
+            .range_m = std::vector<float>(beams)};
+}
+
+void Scanner::cast(RangeBackend& backend, Scan& scan, Beams beams, ModelId unseen) const {
+    const auto [first, count] = beams;
+    const std::span<const Pose> poses = scan.world_from_sensor;
+    backend.cast({.directions = pattern_.directions().subspan(first, count),
+                  .world_from_sensor = poses.size() == 1 ? poses : poses.subspan(first, count),
+                  .max_range_m = static_cast<float>(spec_.max_range_m),
+                  .unseen = unseen},
+                 std::span(scan.hits).subspan(first, count));
+}
+
+void Scanner::read(Scan& scan) const {
+    errors_.read(spec_, scan.revolution, scan.hits, scan.range_m);
 }
 
 }  // namespace scipd::sim

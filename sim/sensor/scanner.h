@@ -18,6 +18,12 @@
 
 namespace scipd::sim {
 
+/// Some that follow each other.
+struct Beams {
+    std::size_t first = 0;
+    std::size_t count = 0;
+};
+
 class Scanner {
   public:
     Scanner(SensorSpec spec, const ErrorModel& errors);
@@ -28,6 +34,14 @@ class Scanner {
     /// beam.
     [[nodiscard]] SharedScan measure(RangeBackend& backend, std::int64_t revolution, Time start,
                                      std::vector<Pose> world_from_sensor) const;
+
+    /// The same in pieces, for a world that moves meanwhile: begin, cast some beams after others,
+    /// read. Beams that are not cast meet nothing.
+    [[nodiscard]] Scan begin(std::int64_t revolution, Time start,
+                             std::vector<Pose> world_from_sensor) const;
+    /// `beams`: counted from the first; `unseen`: see Fan.
+    void cast(RangeBackend& backend, Scan& scan, Beams beams, ModelId unseen) const;
+    void read(Scan& scan) const;
 
   private:
     SensorSpec spec_;

@@ -47,7 +47,7 @@ class Revolutions {
         daemon::World::Backends backends;
         backends["auto"] = sim::make_backend("auto", scene);
         world_.replace_scene(scene, std::move(backends));
-        world_.set_robots({{"robot", turning_at(0s)}});
+        world_.set_robots({{"robot", {turning_at(0s)}}});
         device_.emplace("robot", scanner(accuracy), 1, world_, clock_);
         client_.emplace(*device_, [] {});
         client_->receive("MD0000108000000\n");
@@ -61,13 +61,14 @@ class Revolutions {
         }
     }
 
-    void move(sim::Time time) { (void)world_.place_robot("robot", time, turning_at(time)); }
+    void move(sim::Time time) { (void)world_.place_robot("robot", {time, turning_at(time)}); }
 
     /// When the next one is complete.
     [[nodiscard]] sim::Time leaves() const { return device_->leaves(revolution_); }
 
     /// The bytes of its message.
     std::size_t turn() {
+        clock_.advance_to(leaves());
         device_->turn_complete(revolution_++);
         std::size_t bytes = 0;
         while (const auto action = client_->next_action())

@@ -184,8 +184,8 @@ TEST_F(DeviceTest, SweepsFromPosesAtTheTimeOfEachBeam) {
     // 2 m/s towards the wall: the beam ahead is fired 9.375 ms after step 0.
     const sim::Time start = device_.leaves(revolution_) - 1s;
     for (int i = 0; i <= 40; ++i) {
-        (void)world_.place_robot("robot", start + i * 50ms,
-                                 sim::pose_from_rpy({i * 0.1, 0, 0}, {0, 0, 0}));
+        (void)world_.place_robot(
+            "robot", {start + i * 50ms, sim::pose_from_rpy({i * 0.1, 0, 0}, {0, 0, 0})});
     }
     (void)next_of(client);
     const auto& scan = *device_.latest_scan();
@@ -208,8 +208,8 @@ TEST_F(DeviceTest, SharesPosesAmongBeamsWhereFewAreAskedFor) {
     client.receive("MD0000108000000\n");
     std::int64_t revolution = device.next_revolution() + 2;
     const sim::Time start = device.leaves(revolution) - 500ms;
-    (void)world_.place_robot("robot", start, sim::Pose{});
-    (void)world_.place_robot("robot", start + 900ms, sim::pose_from_rpy({1, 0, 0}, {0, 0, 0}));
+    (void)world_.place_robot("robot", {start, sim::Pose{}});
+    (void)world_.place_robot("robot", {start + 900ms, sim::pose_from_rpy({1, 0, 0}, {0, 0, 0})});
     device.turn_complete(revolution);
     ASSERT_TRUE(device.latest_scan());
     const auto& poses = device.latest_scan()->world_from_sensor;

@@ -74,11 +74,25 @@ TEST_F(PoseIntakeTest, CountsWhatItTakesAndWhatItRefuses) {
     EXPECT_TRUE(take("rubbish", 2s));
     EXPECT_TRUE(take(R"({"xyz":[1,0]})", 2s));
     EXPECT_FALSE(take("0 2 0 0 0 0 0 1", 3s));
-    EXPECT_EQ(take(R"({"xyz":[9,0,0]})", 3s), "t: not later than the pose before it");
+    EXPECT_EQ(take(R"({"t":0,"xyz":[9,0,0]})", 3s), "t: not later than the pose before it");
     EXPECT_EQ(intake_.accepted(), 2U);
     EXPECT_EQ(intake_.refused(), 3U);
     EXPECT_EQ(intake_.last_refusal(), "t: not later than the pose before it");
     EXPECT_DOUBLE_EQ(robot_x(), 2.0);
+}
+
+TEST_F(PoseIntakeTest, TakesALineWithoutATimeInThePlaceOfWhatWasSaidForLater) {
+    EXPECT_FALSE(take(R"({"t":0,"xyz":[1,0,0]})", 1s));
+    EXPECT_FALSE(take(R"({"t":0.8,"xyz":[2,0,0]})", 1s));
+    EXPECT_FALSE(take(R"({"xyz":[9,0,0]})", 1500ms));
+    EXPECT_DOUBLE_EQ(robot_x(), 9.0);
+    EXPECT_DOUBLE_EQ(world_.robot("robot")->at(10s).translation_m.x, 9.0);
+}
+
+TEST_F(PoseIntakeTest, HandsVelocitiesOn) {
+    world_.set_robots({{"robot", {.policy = {.after = sim::PosePolicy::After::extrapolate}}}});
+    EXPECT_FALSE(take(R"({"xyz":[1,0,0],"v":[2,0,0]})", 1s));
+    EXPECT_DOUBLE_EQ(world_.robot("robot")->at(1250ms).translation_m.x, 1.5);
 }
 
 TEST_F(PoseIntakeTest, KnowsWhomALineMeans) {

@@ -31,7 +31,7 @@ inline World wall_world() {
     backends["auto"] = sim::make_backend("auto", scene);
     World world;
     world.replace_scene(scene, std::move(backends));
-    world.set_robots({{"robot", sim::Pose{}}});
+    world.set_robots({{"robot", {}}});
     return world;
 }
 

@@ -26,8 +26,8 @@ class WorldTest : public testing::Test {
 };
 
 TEST_F(WorldTest, MovesARobotEvenlyBetweenPosesThatFollowClosely) {
-    EXPECT_FALSE(world_.place_robot("robot", 10s, at_x(1)));
-    EXPECT_FALSE(world_.place_robot("robot", 10500ms, at_x(2)));
+    EXPECT_FALSE(world_.place_robot("robot", {10s, at_x(1)}));
+    EXPECT_FALSE(world_.place_robot("robot", {10500ms, at_x(2)}));
     EXPECT_DOUBLE_EQ(robot_x(9s), 0.0);
     EXPECT_DOUBLE_EQ(robot_x(10s), 1.0);
     EXPECT_DOUBLE_EQ(robot_x(10250ms), 1.5);
@@ -35,34 +35,34 @@ TEST_F(WorldTest, MovesARobotEvenlyBetweenPosesThatFollowClosely) {
 }
 
 TEST_F(WorldTest, LetsARobotRestBetweenPosesThatAreFarApart) {
-    EXPECT_FALSE(world_.place_robot("robot", 10s, at_x(1)));
-    EXPECT_FALSE(world_.place_robot("robot", 12s, at_x(5)));
+    EXPECT_FALSE(world_.place_robot("robot", {10s, at_x(1)}));
+    EXPECT_FALSE(world_.place_robot("robot", {12s, at_x(5)}));
     EXPECT_DOUBLE_EQ(robot_x(11999ms), 1.0);
     EXPECT_DOUBLE_EQ(robot_x(12s), 5.0);
 }
 
 TEST_F(WorldTest, SaysWhyAPoseIsRefused) {
-    EXPECT_EQ(world_.place_robot("nobody", 1s, at_x(1)),
+    EXPECT_EQ(world_.place_robot("nobody", {1s, at_x(1)}),
               "robot: there is no \"nobody\"; robots are robot");
-    EXPECT_EQ(world_.place_model("model 0", 1s, at_x(1)),
+    EXPECT_EQ(world_.place_model("model 0", {1s, at_x(1)}),
               "model: there is no movable \"model 0\"; movable models are model 1");
-    EXPECT_FALSE(world_.place_robot("robot", 1s, at_x(1)));
-    EXPECT_EQ(world_.place_robot("robot", 1s, at_x(2)), "t: not later than the pose before it");
+    EXPECT_FALSE(world_.place_robot("robot", {1s, at_x(1)}));
+    EXPECT_EQ(world_.place_robot("robot", {1s, at_x(2)}), "t: not later than the pose before it");
     EXPECT_DOUBLE_EQ(robot_x(2s), 1.0);
 }
 
 TEST_F(WorldTest, TakesAPoseWithoutANameForTheOnlyRobot) {
-    EXPECT_FALSE(world_.place_only_robot(1s, at_x(3)));
+    EXPECT_FALSE(world_.place_only_robot({1s, at_x(3)}));
     EXPECT_DOUBLE_EQ(robot_x(1s), 3.0);
-    world_.set_robots({{"robot", at_x(0)}, {"second", at_x(1)}});
-    EXPECT_EQ(world_.place_only_robot(2s, at_x(4)), "robot: say which; robots are robot, second");
+    world_.set_robots({{"robot", {at_x(0)}}, {"second", {at_x(1)}}});
+    EXPECT_EQ(world_.place_only_robot({2s, at_x(4)}), "robot: say which; robots are robot, second");
 }
 
 TEST_F(WorldTest, KeepsRobotsWhereTheyAreUnlessTheirStartIsAnother) {
-    EXPECT_FALSE(world_.place_robot("robot", 1s, at_x(3)));
-    world_.set_robots({{"robot", at_x(0)}, {"second", at_x(1)}});
+    EXPECT_FALSE(world_.place_robot("robot", {1s, at_x(3)}));
+    world_.set_robots({{"robot", {at_x(0)}}, {"second", {at_x(1)}}});
     EXPECT_DOUBLE_EQ(robot_x(2s), 3.0);
-    world_.set_robots({{"robot", at_x(7)}});
+    world_.set_robots({{"robot", {at_x(7)}}});
     EXPECT_DOUBLE_EQ(robot_x(2s), 7.0);
     EXPECT_EQ(world_.robot("second"), nullptr);
 }
@@ -78,13 +78,67 @@ TEST_F(WorldTest, ShowsMovableModelsWhereTheyAreAtThatTime) {
         return hit.range_m;
     };
     EXPECT_FLOAT_EQ(ahead_m(0s), 4.0F);
-    EXPECT_FALSE(world_.place_model("model 1", 1s, at_x(2.5)));
-    EXPECT_FALSE(world_.place_model("model 1", 2s, at_x(3.5)));
+    EXPECT_FALSE(world_.place_model("model 1", {1s, at_x(2.5)}));
+    EXPECT_FALSE(world_.place_model("model 1", {2s, at_x(3.5)}));
     EXPECT_FLOAT_EQ(ahead_m(1s), 2.0F);
     EXPECT_FLOAT_EQ(ahead_m(1500ms), 2.5F);
     EXPECT_FLOAT_EQ(ahead_m(3s), 3.0F);
     // Back in time too: each scanner asks for its own.
     EXPECT_FLOAT_EQ(ahead_m(500ms), 4.0F);
+}
+
+TEST_F(WorldTest, MovesABodyWithItsRobotAndNotOtherwise) {
+    EXPECT_EQ(world_.body_of("robot"), sim::no_model);
+    world_.set_robots({{"robot", {.body = "model 1"}}});
+    EXPECT_EQ(world_.body_of("robot"), 1U);
+    EXPECT_FALSE(world_.place_robot("robot", {1s, at_x(3)}));
+    EXPECT_DOUBLE_EQ(world_.model("model 1")->at(1s).translation_m.x, 3.0);
+    EXPECT_EQ(world_.place_model("model 1", {2s, at_x(1)}),
+              "model: \"model 1\" is the body of a robot; move the robot");
+    // A scene of the same kind, and a robot that has lost its body.
+    world_.set_robots({{"robot", {}}});
+    EXPECT_EQ(world_.body_of("robot"), sim::no_model);
+    EXPECT_FALSE(world_.place_model("model 1", {2s, at_x(1)}));
+}
+
+TEST_F(WorldTest, CutsTimeIntoPartsInWhichNothingMovesFar) {
+    EXPECT_EQ(world_.parts(0s, 25ms), 1.0);
+    EXPECT_FALSE(world_.place_model("model 1", {1s, at_x(20)}));
+    EXPECT_FALSE(world_.place_model("model 1", {1500ms, at_x(21)}));
+    EXPECT_EQ(world_.parts(1s, 1s + 20ms), 40.0);  // 2 m/s for 20 ms
+    EXPECT_EQ(world_.parts(2s, 2s + 20ms), 1.0);
+    // Corners of a cube of 1 m are 0.87 m from its middle.
+    const sim::Pose turned = sim::pose_from_rpy({21, 0, 0}, {0, 0, 0.1});
+    EXPECT_FALSE(world_.place_model("model 1", {2s, at_x(21)}));
+    EXPECT_FALSE(world_.place_model("model 1", {2100ms, turned}));
+    EXPECT_EQ(world_.parts(2s, 2100ms), 87.0);
+}
+
+TEST_F(WorldTest, KnowsWhetherPosesAreStillToCome) {
+    EXPECT_TRUE(world_.poses_known(1s));  // nobody has sent any
+    EXPECT_FALSE(world_.place_robot("robot", {1s, at_x(1)}));
+    EXPECT_TRUE(world_.poses_known(1s));
+    EXPECT_FALSE(world_.poses_known(1100ms));
+    EXPECT_TRUE(world_.poses_known(1600ms));  // a stream that has ended
+    EXPECT_FALSE(world_.place_robot("robot", {1200ms, at_x(1)}));
+    EXPECT_TRUE(world_.poses_known(1100ms));
+}
+
+TEST_F(WorldTest, TellsWhenSomethingHasBeenPlaced) {
+    int told = 0;
+    world_.on_placed([&] { ++told; });
+    EXPECT_FALSE(world_.place_robot("robot", {1s, at_x(1)}));
+    EXPECT_TRUE(world_.place_robot("robot", {1s, at_x(1)}));
+    EXPECT_EQ(told, 1);
+}
+
+TEST_F(WorldTest, KeepsModelsWhereTheyAreInASceneThatHasThemToo) {
+    EXPECT_FALSE(world_.place_model("model 1", {1s, at_x(2.5)}));
+    const sim::SharedScene scene = world_.scene();
+    World::Backends backends;
+    backends["auto"] = sim::make_backend("auto", scene);
+    world_.replace_scene(scene, std::move(backends));
+    EXPECT_DOUBLE_EQ(world_.model("model 1")->at(1s).translation_m.x, 2.5);
 }
 
 TEST_F(WorldTest, NamesTheBackendThatAutoStandsFor) {

@@ -127,9 +127,9 @@ constexpr Refused fields[] = {
     {R"({"t":1e10,"xyz":[1,2,3]})", "t must lie within 9e9 s of zero"},
     {R"({"t":-1e300,"xyz":[1,2,3]})", "t must lie within 9e9 s of zero"},
     {R"({"xyz":[1,2,3],"yaw":1})",
-     "the key 'yaw' is unknown; known are robot, model, t, xyz, q, rpy"},
+     "the key 'yaw' is unknown; known are robot, model, t, xyz, q, rpy, v, w"},
     {"{\"xyz\":[1,2,3],\"\u00e9\\n\":1}",
-     "the key '??\?' is unknown; known are robot, model, t, xyz, q, rpy"},
+     "the key '??\?' is unknown; known are robot, model, t, xyz, q, rpy, v, w"},
 };
 INSTANTIATE_TEST_SUITE_P(Fields, RefusedPoseLine, ::testing::ValuesIn(fields));
 

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/device/sweep.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace scipd::daemon {
+namespace {
+
+/// The beams of part `i` of `count` equal ones.
+sim::Beams part_of(int beams, int i, int count) {
+    const int first = i * beams / count;
+    const int last = (i + 1) * beams / count;
+    return {static_cast<std::size_t>(first), static_cast<std::size_t>(last - first)};
+}
+
+/// The step in the middle of some beams.
+int middle(const sim::SensorSpec& optics, const sim::Beams& beams) {
+    return optics.first_step + static_cast<int>(beams.first + beams.count / 2);
+}
+
+}  // namespace
+
+Sweep::Sweep(World& world, std::string robot, const SensorConfig& config, sim::Scanner scanner)
+    : world_(world),
+      robot_(std::move(robot)),
+      robot_from_sensor_(config.robot_from_sensor),
+      backend_(config.backend),
+      motion_(config.motion),
+      sees_body_(config.sees_body),
+      scanner_(std::move(scanner)) {}
+
+sim::Pose Sweep::world_from_sensor(sim::Time time) const {
+    return world_.robot(robot_)->at(time) * robot_from_sensor_;
+}
+
+sim::SharedScan Sweep::measure(std::int64_t revolution, sim::Time start, const Fired& fired) const {
+    sim::Scan scan = scanner_.begin(revolution, start, poses(fired));
+    const sim::ModelId unseen = sees_body_ ? sim::no_model : world_.body_of(robot_);
+    for (const Part& part : parts(fired))
+        scanner_.cast(world_.backend_at(backend_, part.time), scan, part.beams, unseen);
+    scanner_.read(scan);
+    return std::make_shared<const sim::Scan>(std::move(scan));
+}
+
+int Sweep::most_parts() const {
+    return std::clamp(motion_.value_or(optics().beams()), 1, optics().beams());
+}
+
+std::vector<sim::Pose> Sweep::poses(const Fired& fired) const {
+    const int beams = optics().beams();
+    if (world_.robot(robot_)->still(fired(optics().first_step), fired(optics().last_step)))
+        return {world_from_sensor(fired(optics().first_step))};
+    const int count = most_parts();
+    std::vector<sim::Pose> poses;
+    poses.reserve(static_cast<std::size_t>(beams));
+    for (int i = 0; i < count; ++i) {
+        const sim::Beams shared = part_of(beams, i, count);
+        poses.resize(shared.first + shared.count,
+                     world_from_sensor(fired(middle(optics(), shared))));
+    }
+    return poses;
+}
+
+// A part without a pose of the sensor is not cast: it is nowhere then.
+std::vector<Sweep::Part> Sweep::parts(const Fired& fired) const {
+    const int beams = optics().beams();
+    const sim::PoseTrack& track = *world_.robot(robot_);
+    const sim::Time begin = fired(optics().first_step);
+    const sim::Time end = fired(optics().last_step);
+    const bool comes_or_goes = track.absent(begin) != track.absent(end);
+    const double needed = comes_or_goes ? beams : world_.parts(begin, end);
+    const int count = static_cast<int>(std::min<double>(needed, most_parts()));
+    std::vector<Part> parts;
+    for (int i = 0; i < count; ++i) {
+        const sim::Beams shared = part_of(beams, i, count);
+        const sim::Time time = fired(middle(optics(), shared));
+        if (!track.absent(time)) parts.push_back({shared, time});
+    }
+    return parts;
+}
+
+}  // namespace scipd::daemon

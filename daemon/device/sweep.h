@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What one scanner sees of the world in one revolution: each beam is cast from where the sensor
+// is when it is fired, into the world as it is then. Knows no clock, no clients and no wire. Lives
+// on the I/O thread.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "daemon/config.h"
+#include "daemon/control/world.h"
+#include "sim/sensor/scanner.h"
+
+namespace scipd::daemon {
+
+class Sweep {
+  public:
+    /// World time at which a step is fired.
+    using Fired = std::function<sim::Time(int step)>;
+
+    /// `world` must outlive it.
+    Sweep(World& world, std::string robot, const SensorConfig& config, sim::Scanner scanner);
+
+    [[nodiscard]] const sim::SensorSpec& optics() const { return scanner_.spec(); }
+    /// Where the sensor is at a time.
+    [[nodiscard]] sim::Pose world_from_sensor(sim::Time time) const;
+    [[nodiscard]] sim::SharedScan measure(std::int64_t revolution, sim::Time start,
+                                          const Fired& fired) const;
+
+  private:
+    /// Beams during which nothing moves but the sensor, and the time that stands for them.
+    struct Part {
+        sim::Beams beams;
+        sim::Time time{};
+    };
+
+    [[nodiscard]] std::vector<sim::Pose> poses(const Fired& fired) const;
+    [[nodiscard]] std::vector<Part> parts(const Fired& fired) const;
+    [[nodiscard]] int most_parts() const;
+
+    World& world_;
+    std::string robot_;
+    sim::Pose robot_from_sensor_;
+    std::string backend_;
+    std::optional<int> motion_;
+    bool sees_body_;
+    sim::Scanner scanner_;
+};
+
+}  // namespace scipd::daemon
