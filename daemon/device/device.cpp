@@ -52,6 +52,7 @@ Device::Device(const std::string& robot, const SensorConfig& config, std::uint64
       bit_rate_told_(protocol::bit_rate_of(state_.settings(), profile_)) {
     if (config.power_up == PowerUp::scip1) state_.power_up_in_scip1(uptime());
     if (config.power_up == PowerUp::boot) state_.boot(uptime(), profile_.boot_time);
+    state_.set_clock(uptime(), std::chrono::milliseconds(config.clock.start_ms));
     boots_told_ = state_.boots();
     follow_motor();
 }
@@ -98,7 +99,6 @@ void Device::turn_complete(std::int64_t revolution) {
         ++scans_sent_;
         lateness_.add(clock_.now() - leaves(revolution));
     }
-    follow_motor();
     // Those that have not taken it may have waited in vain, since another client has switched the
     // laser off.
     tell_clients();
@@ -124,6 +124,7 @@ void Device::tell_clients(const Client* knows) {
         client->session_.advance(uptime());
         client->on_actions_();
     }
+    follow_motor();
 }
 
 protocol::Turn Device::turn(std::int64_t revolution) const {

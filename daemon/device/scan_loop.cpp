@@ -35,6 +35,8 @@ void ScanLoop::wait() {
 }
 
 void ScanLoop::serve() {
+    // The motor may have been slowed down meanwhile.
+    if (clock_.now() < device_.leaves(revolution_)) return wait();
     if (clock_.now() - device_.leaves(revolution_) > too_late) {
         const std::int64_t next = device_.next_revolution();
         missed_ += static_cast<std::uint64_t>(next - revolution_);

@@ -25,7 +25,7 @@ Model ubg_04lx_f01() {
     profile.intensity_codes = false;
     profile.sensitivity = protocol::Support::yes;
     profile.rehearsals = protocol::Support::yes;
-    profile.scan_period = 28ms;
+    profile.scan_period = 28'056us;  // longer than nominal as the UTM-30LX-EW's
     return make_model(profile, urg_noise(),
                       {
                           .range = Evidence::documented,

@@ -156,6 +156,20 @@ TEST_F(DeviceTest, IsFoundAsItWasPoweredUp) {
     EXPECT_EQ(all_messages(client), "QT\n00P\n\n");
 }
 
+TEST_F(DeviceTest, ShowsTheTimeThatItWasSetTo) {
+    SensorConfig old = ideal_sensor();
+    old.clock.start_ms = 16'777'215;
+    Device device("robot", old, 1, world_, clock_);
+    Client client(device, [] {});
+    client.receive("TM1\n");
+    EXPECT_EQ(all_messages(client).substr(8, 4), "oooo");
+    clock_.advance_to(1ms);
+    client.receive("TM1\n");
+    EXPECT_EQ(all_messages(client).substr(8, 4), "0000");
+    client.receive("RS\nTM1\n");
+    EXPECT_EQ(all_messages(client), "RS\n00P\n\nTM1\n00P\n00000\n\n");
+}
+
 TEST_F(DeviceTest, LivesByItsOwnClock) {
     SensorConfig fast = ideal_sensor();
     fast.timing = Timing::real;
