@@ -15,6 +15,7 @@
 #include "daemon/config_document.h"
 #include "daemon/config_models.h"
 #include "daemon/config_pose.h"
+#include "daemon/config_poses.h"
 #include "daemon/config_section.h"
 #include "daemon/config_sensor.h"
 #include "daemon/config_values.h"
@@ -31,8 +32,7 @@ constexpr std::size_t most_sensors = 4096;
 constexpr std::array<std::string_view, 7> root_keys{"scene",  "seed",    "clock", "models",
                                                     "robots", "control", "http"};
 constexpr std::array<std::string_view, 2> later_root_keys{"materials", "map"};
-constexpr std::array<std::string_view, 3> robot_keys{"pose", "poses", "sensors"};
-constexpr std::array<std::string_view, 1> later_robot_keys{"body"};
+constexpr std::array<std::string_view, 4> robot_keys{"pose", "body", "poses", "sensors"};
 
 /// What is no map at all is told elsewhere.
 bool is_empty(const Field* map) {
@@ -63,14 +63,11 @@ class Reader {
 };
 
 RobotConfig Reader::read_robot(const Field& field, SensorContext& context) {
-    const Section section{field, {robot_keys, later_robot_keys}, faults_};
+    const Section section{field, {robot_keys, {}}, faults_};
     RobotConfig robot;
     faults_.guard(field, [&] { robot.name = parse_name(field.key); });
     robot.world_from_robot = read_pose(section, "pose", faults_);
-    section.read("poses", robot.poses, from_base(parse_pose_source));
-    if (robot.poses && robot.poses->kind == PoseSource::Kind::standard_input) {
-        claims_.claim(section.find("poses"), "standard input");
-    }
+    section.read("body", robot.body, [](const std::string& text) { return text; });
     const Field* sensors = section.find("sensors");
     const auto fields = sensors ? entries(*sensors, faults_) : std::vector<Field>{};
     sensor_count_ += fields.size();
@@ -83,6 +80,8 @@ RobotConfig Reader::read_robot(const Field& field, SensorContext& context) {
     }
     for (const Field& sensor : fields)
         robot.sensors.push_back(read_sensor(sensor, context));
+    if (const Field* poses = section.find("poses"))
+        read_poses(*poses, robot, base_, claims_, faults_);
     return robot;
 }
 
@@ -96,9 +95,7 @@ Config Reader::read(const YAML::Node& document) {
         faults_.guard(whole, [&] { config.scene = demo_scene(); });
     }
     section.read("seed", config.seed, parse_seed);
-    if (const Field* clock = section.find("clock")) {
-        faults_.guard(*clock, [&] { check_clock(text_of(clock->value)); });
-    }
+    section.read("clock", config.clock, parse_clock);
     section.read("control", config.control, from_base(parse_socket));
     section.read("http", config.http, parse_listener);
     claims_.claim(section.find("http"), config.http);

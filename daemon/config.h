@@ -87,6 +87,8 @@ struct SensorConfig {
     PowerUp power_up = PowerUp::scip2;
     DeviceClockConfig clock;
     LinkConfig link;
+    /// How long its scans wait for poses that are late.
+    std::chrono::nanoseconds wait_for_poses{};
     bool sees_body = false;  ///< the robot's own body stands in its way too
 
     bool operator==(const SensorConfig&) const = default;
@@ -110,15 +112,20 @@ struct RobotConfig {
     std::string body;            ///< the scene's movable model that moves with it; empty: none
     std::optional<PoseSource> poses;
     sim::PosePolicy policy;
-    /// How long scans wait for poses that are late.
-    std::chrono::nanoseconds wait{};
     std::vector<SensorConfig> sensors;
 
     bool operator==(const RobotConfig&) const = default;
 };
 
+/// What time is.
+enum class ClockKind {
+    wall,
+    poses,  ///< the stamps of the pose streams: it stands still between them
+};
+
 struct Config {
     std::filesystem::path scene;
+    ClockKind clock = ClockKind::wall;
     std::uint64_t seed = 1;
     std::vector<RobotConfig> robots;
     std::filesystem::path control;  ///< empty: control.sock in the run directory

@@ -20,6 +20,7 @@ constexpr double largest_ppm = 10'000.0;
 constexpr int largest_device_time_ms = (1 << 24) - 1;
 constexpr int longest_period_ms = 600'000;
 constexpr int longest_link_delay_ms = 10'000;
+constexpr int longest_wait_ms = 900;
 constexpr int largest_piece = 65'536;
 
 [[noreturn]] void refuse(const std::string& sentence) {
@@ -73,6 +74,30 @@ std::chrono::nanoseconds parse_period(std::string_view text) {
 
 std::chrono::nanoseconds parse_link_delay(std::string_view text) {
     return parse_milliseconds(text, longest_link_delay_ms);
+}
+
+std::chrono::nanoseconds parse_wait(std::string_view text) {
+    return parse_milliseconds(text, longest_wait_ms);
+}
+
+std::chrono::nanoseconds parse_stale(std::string_view text) {
+    const double seconds = parse_number(text);
+    if (seconds <= 0.0 || seconds > 3600.0)
+        refuse("must be more than 0 and up to 3600 s, not " + quote(text));
+    return std::chrono::round<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds));
+}
+
+double parse_fastest(std::string_view text) {
+    const double speed_mps = parse_number(text);
+    if (speed_mps <= 0.0 || speed_mps > 1e6)
+        refuse("must be more than 0 and up to 1e6 m/s, not " + quote(text));
+    return speed_mps;
+}
+
+double parse_speed(std::string_view text) {
+    const double factor = parse_number(text);
+    if (factor < 0.001 || factor > 1000.0) refuse("must be 0.001 to 1000, not " + quote(text));
+    return factor;
 }
 
 int parse_baud(std::string_view text) {

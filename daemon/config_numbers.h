@@ -35,6 +35,15 @@ std::uint32_t parse_device_time(std::string_view text);
 std::chrono::nanoseconds parse_period(std::string_view text);
 /// Milliseconds, up to 10 seconds: what a link adds.
 std::chrono::nanoseconds parse_link_delay(std::string_view text);
+/// Milliseconds, up to 900: how long scans wait for poses. A daemon that is later by a second gives
+/// a scan up.
+std::chrono::nanoseconds parse_wait(std::string_view text);
+/// Seconds, up to an hour: after which a stream of poses is stale.
+std::chrono::nanoseconds parse_stale(std::string_view text);
+/// Metres per second: nothing moves faster.
+double parse_fastest(std::string_view text);
+/// How much faster than its stamps a trajectory is played, 0.001 to 1000.
+double parse_speed(std::string_view text);
 /// Bits per second of a serial line.
 int parse_baud(std::string_view text);
 /// Bytes in one piece; 0: all.

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "daemon/config_numbers.h"
+#include "daemon/config_values.h"
 #include "daemon/models/profile_check.h"
 #include "sim/loaders/quote.h"
 
@@ -40,11 +41,6 @@ std::string parse_text(std::string_view text) {
 
 int parse_number(std::string_view text) {
     return parse_whole(text, 0, largest_number);
-}
-
-bool parse_flag(std::string_view text) {
-    if (text == "true" || text == "false") return text == "true";
-    throw std::invalid_argument("must be true or false, not " + sim::quote(text));
 }
 
 /// One of several words.
@@ -106,7 +102,7 @@ void read_number(const Field& field, Struct& target, Faults& faults) {
 
 template <auto member, class Struct>
 void read_flag(const Field& field, Struct& target, Faults& faults) {
-    read_as<member, parse_flag>(field, target, faults);
+    read_as<member, parse_switch>(field, target, faults);
 }
 
 template <auto member, class Struct>

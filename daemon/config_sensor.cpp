@@ -15,9 +15,9 @@
 namespace scipd::daemon {
 namespace {
 
-constexpr std::array<std::string_view, 12> sensor_keys{"model",    "mount",    "tcp",    "pty",
-                                                       "backend",  "accuracy", "motion", "timing",
-                                                       "power_up", "clock",    "link",   "profile"};
+constexpr std::array<std::string_view, 13> sensor_keys{
+    "model",  "mount",    "tcp",   "pty",  "backend", "accuracy", "motion",
+    "timing", "power_up", "clock", "link", "profile", "sees_body"};
 constexpr std::array<std::string_view, 1> later_sensor_keys{"echo"};
 constexpr std::array<std::string_view, 2> clock_keys{"ppm", "start_ms"};
 constexpr std::array<std::string_view, 6> link_keys{"latency_ms",  "jitter_ms",   "baud",
@@ -112,6 +112,7 @@ SensorConfig read_sensor(const Field& field, SensorContext& context) {
     section.read("accuracy", sensor.accuracy, parse_accuracy);
     section.read("motion", sensor.motion, parse_motion);
     section.read("timing", sensor.timing, parse_timing);
+    section.read("sees_body", sensor.sees_body, parse_switch);
     section.read("power_up", sensor.power_up, parse_power_up);
     if (sensor.power_up == PowerUp::scip1 && model && !model->profile.speaks_scip1()) {
         faults.add(*section.find("power_up"),

@@ -129,10 +129,15 @@ std::uint64_t parse_seed(std::string_view text) {
     return *seed;
 }
 
-void check_clock(std::string_view text) {
-    if (text == "wall") return;
-    if (text == "poses") refuse("poses is not built yet; use wall");
-    refuse("must be wall, not " + quote(text));
+bool parse_switch(std::string_view text) {
+    if (text == "true" || text == "false") return text == "true";
+    refuse("must be true or false, not " + quote(text));
+}
+
+ClockKind parse_clock(std::string_view text) {
+    if (text == "wall") return ClockKind::wall;
+    if (text == "poses") return ClockKind::poses;
+    refuse("must be wall or poses, not " + quote(text));
 }
 
 sim::Pose parse_pose(std::string_view text) {

@@ -39,8 +39,11 @@ bool parse_on_close(std::string_view text);
 
 std::uint64_t parse_seed(std::string_view text);
 
-/// `wall` is all that there is.
-void check_clock(std::string_view text);
+/// true or false.
+bool parse_switch(std::string_view text);
+
+/// wall or poses.
+ClockKind parse_clock(std::string_view text);
 
 /// X,Y,YAW or X,Y,Z,ROLL,PITCH,YAW.
 sim::Pose parse_pose(std::string_view text);

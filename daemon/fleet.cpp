@@ -59,6 +59,17 @@ FleetPlan make_plan(Config config) {
     return {std::move(config), std::move(loaded), std::move(backends)};
 }
 
+Fleet::Fleet(const boost::asio::any_io_executor& executor, ClockKind clock)
+    : executor_(executor),
+      wall_clock_(executor),
+      lockstep_(clock == ClockKind::poses ? std::make_unique<Lockstep>(executor) : nullptr),
+      clock_(lockstep_ ? static_cast<Clock&>(lockstep_->clock()) : wall_clock_) {
+    world_.on_placed([this] {
+        for (const auto& station : stations_)
+            station->loop->poses_came();
+    });
+}
+
 void Fleet::apply(FleetPlan&& plan) {
     auto& [config, loaded, backends] = plan;
     Ports ports = open_ports(config);
@@ -116,7 +127,8 @@ std::vector<Fleet::Feed> Fleet::open_feeds(const Config& config) {
     const FeedContext context{
         .executor = executor_,
         .intake = intake_,
-        .now = [this] { return clock_.now(); },
+        .clock = clock_,
+        .lockstep = lockstep_.get(),
         .report = [](const std::string& message) { spdlog::warn("{}", message); }};
     std::vector<Feed> feeds;
     for (const RobotConfig& robot : config.robots) {
@@ -170,7 +182,10 @@ std::unique_ptr<Fleet::Station> Fleet::power_up(const RobotConfig& robot,
                                                 const Ports& ports) {
     auto station =
         std::make_unique<Station>(Station{.robot = robot.name, .config = sensor, .seed = seed});
-    station->device = std::make_unique<Device>(robot.name, sensor, seed, world_, clock_);
+    SensorConfig of_device = sensor;
+    // Time that stands still would never come to the tick of a reply.
+    if (lockstep_) of_device.model.profile = protocol::answering_at_once(of_device.model.profile);
+    station->device = std::make_unique<Device>(robot.name, of_device, seed, world_, clock_);
     station->loop = std::make_unique<ScanLoop>(*station->device, clock_);
     if (sensor.tcp) station->tcp = ports.tcp.at(key_of(robot, sensor));
     if (sensor.pty) station->pty = ports.pty.at(link_of(robot, sensor));
@@ -193,8 +208,10 @@ void Fleet::replace_feeds(std::vector<Feed> feeds) {
 }
 
 Status Fleet::status() const {
-    Status status{
-        .uptime = clock_.now(), .clock = "wall", .time = clock_.now(), .scene = scene_file_};
+    Status status{.uptime = wall_clock_.now(),
+                  .clock = lockstep_ ? "poses" : "wall",
+                  .time = lockstep_ ? lockstep_->stamp() : clock_.now(),
+                  .scene = scene_file_};
     status.poses = {intake_.accepted(), intake_.refused(), intake_.last_refusal()};
     for (const auto& station : stations_)
         status.sensors.push_back(status_of(*station));
@@ -233,8 +250,8 @@ std::optional<sim::TimedPose> Fleet::robot_pose(const std::string& robot) const 
 std::optional<std::string> Fleet::set_robot_pose(const std::string& robot,
                                                  std::optional<sim::Time> time,
                                                  const sim::Pose& world_from_robot) {
-    const sim::Time world_time = api_senders_[robot].world_time(time, clock_.now());
-    return intake_.take({.robot = robot, .time = time, .pose = world_from_robot}, robot, world_time);
+    return intake_.take({.robot = robot, .time = time, .pose = world_from_robot}, robot,
+                        api_senders_[robot], clock_.now());
 }
 
 }  // namespace scipd::daemon

@@ -17,6 +17,7 @@
 #include <boost/asio/any_io_executor.hpp>
 
 #include "daemon/config.h"
+#include "daemon/control/lockstep.h"
 #include "daemon/control/pose_feed.h"
 #include "daemon/control/pose_intake.h"
 #include "daemon/control/routes.h"
@@ -43,8 +44,7 @@ FleetPlan make_plan(Config config);
 
 class Fleet : public Api {
   public:
-    explicit Fleet(const boost::asio::any_io_executor& executor)
-        : executor_(executor), clock_(executor) {}
+    Fleet(const boost::asio::any_io_executor& executor, ClockKind clock);
 
     /// Throws LoadError for a trajectory, std::runtime_error for a port or a source of poses: then
     /// all is as before.
@@ -97,9 +97,11 @@ class Fleet : public Api {
     [[nodiscard]] SensorStatus status_of(const Station& station) const;
 
     boost::asio::any_io_executor executor_;
-    WallClock clock_;
+    WallClock wall_clock_;
+    std::unique_ptr<Lockstep> lockstep_;  ///< null: on the wall clock
+    Clock& clock_;
     World world_;
-    PoseIntake intake_{world_};
+    PoseIntake intake_{world_, lockstep_.get()};
     std::filesystem::path scene_file_;
     Ports ports_;
     Stations stations_;

@@ -94,7 +94,10 @@ void add_world(CLI::App& app, Said& said) {
     Config& config = said.options.config;
     group.add("--scene", "FILE.sdf", "the world; default: the rescue maze",
               [&](const auto& text) { config.scene = parse_file(text, fs::current_path()); });
-    group.add("--clock", "wall", "what time follows", check_clock);
+    group.add("--clock", "CLOCK",
+              "wall, or poses: time is the stamps of the poses and stands still between them; "
+              "default: wall",
+              [&](const auto& text) { config.clock = parse_clock(text); });
     group.add("--seed", "N", "of all chance; the same seed gives the same noise; default: 1",
               [&](const auto& text) { config.seed = parse_seed(text); });
 }

@@ -40,7 +40,7 @@ std::string text_of(const Address& address) {
 Server::Server(Options options)
     : options_(std::move(options)),
       signals_(io_, SIGINT, SIGTERM, SIGHUP),
-      fleet_(io_.get_executor()),
+      fleet_(io_.get_executor(), options_.config.clock),
       control_(io_.get_executor(),
                [this](const HttpRequest& request) { return route(fleet_, request); }) {
     // The control socket first: if another scipd has it, its ttys are not touched either.

@@ -13,7 +13,6 @@
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/ip/udp.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <unistd.h>
 
 #include "sim/loaders/trajectory.h"
@@ -31,7 +30,20 @@ class LineSink {
   public:
     /// `robot` is the feed's own, whichever it is at the time.
     LineSink(FeedContext context, const std::string& robot)
-        : context_(std::move(context)), robot_(robot) {}
+        : context_(std::move(context)), robot_(robot) {
+        if (context_.lockstep != nullptr) context_.lockstep->add(&sender_);
+    }
+
+    /// Nothing comes any more.
+    void end() {
+        if (context_.lockstep != nullptr) context_.lockstep->remove(&sender_);
+    }
+
+    /// Calls when there is room for more.
+    void when_ready(const std::function<void()>& call) {
+        if (context_.lockstep == nullptr) return call();
+        context_.lockstep->when_caught_up(call);
+    }
 
     void take_lines(std::string_view text) {
         while (!text.empty()) {
@@ -43,7 +55,7 @@ class LineSink {
 
     void take(std::string_view line) {
         if (sim::says_nothing(line)) return;
-        const auto refusal = context_.intake.take_line(line, robot_, sender_, context_.now());
+        const auto refusal = context_.intake.take_line(line, robot_, sender_, context_.clock.now());
         if (refusal && refused_++ % 1000 == 0)
             context_.report("pose of " + robot_ + " refused: " + *refusal);
     }
@@ -74,7 +86,10 @@ class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
         }
     }
 
-    void stop() override { socket_.close(); }
+    void stop() override {
+        sink_.end();
+        socket_.close();
+    }
 
   private:
     void begin() override { receive(); }
@@ -85,7 +100,9 @@ class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
                                   if (error == asio::error::operation_aborted) return;
                                   if (!error)
                                       self->sink_.take_lines({self->datagram_.data(), size});
-                                  self->receive();
+                                  self->sink_.when_ready([weak = self->weak_from_this()] {
+                                      if (const auto feed = weak.lock()) feed->receive();
+                                  });
                               });
     }
 
@@ -107,7 +124,10 @@ class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<S
                 "poses from standard input need a pipe or a terminal; name a TUM file instead");
     }
 
-    void stop() override { input_.close(); }
+    void stop() override {
+        sink_.end();
+        input_.close();
+    }
 
   private:
     // Longer lines than any pose has are cut here and refused by the parser.
@@ -116,16 +136,21 @@ class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<S
     void begin() override { read(); }
 
     void read() {
-        input_.async_read_some(
-            asio::buffer(input_buffer_),
-            [self = shared_from_this()](error_code error, std::size_t size) {
-                if (error == asio::error::operation_aborted) return;
-                if (error)
-                    return self->sink_.context().report(
-                        "standard input has ended: " + self->robot() + " stays where it is");
-                self->take({self->input_buffer_.data(), size});
-                self->read();
-            });
+        input_.async_read_some(asio::buffer(input_buffer_),
+                               [self = shared_from_this()](error_code error, std::size_t size) {
+                                   if (error == asio::error::operation_aborted) return;
+                                   if (error) return self->end_of_input();
+                                   self->take({self->input_buffer_.data(), size});
+                                   self->sink_.when_ready([weak = self->weak_from_this()] {
+                                       if (const auto feed = weak.lock()) feed->read();
+                                   });
+                               });
+    }
+
+    void end_of_input() {
+        sink_.take_lines(std::exchange(line_, {}));
+        sink_.end();
+        sink_.context().report("standard input has ended: " + robot() + " stays where it is");
     }
 
     void take(std::string_view bytes) {
@@ -146,48 +171,6 @@ class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<S
     std::string line_;
 };
 
-/// Hands the poses on a little ahead of their time, so that every sweep lies between two that are
-/// known.
-class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<TrajectoryFeed> {
-  public:
-    TrajectoryFeed(const FeedContext& context, const std::filesystem::path& file)
-        : context_(context), poses_(sim::load_tum(file)), timer_(context.executor) {}
-
-    void stop() override {
-        stopped_ = true;
-        timer_.cancel();
-    }
-
-  private:
-    static constexpr sim::Time ahead = std::chrono::milliseconds(500);
-
-    void begin() override {
-        world_minus_file_ = context_.now() - poses_.front().time;
-        play();
-    }
-
-    void play() {
-        if (stopped_) return;
-        const sim::Time until = context_.now() + 2 * ahead;
-        for (; next_ < poses_.size() && poses_[next_].time + world_minus_file_ <= until; ++next_) {
-            context_.intake.take({.time = poses_[next_].time, .pose = poses_[next_].pose}, robot(),
-                                 poses_[next_].time + world_minus_file_);
-        }
-        if (next_ == poses_.size()) return;
-        timer_.expires_after(ahead);
-        timer_.async_wait([self = shared_from_this()](error_code error) {
-            if (!error) self->play();
-        });
-    }
-
-    FeedContext context_;
-    std::vector<sim::TimedPose> poses_;
-    asio::steady_timer timer_;
-    sim::Time world_minus_file_{};
-    std::size_t next_ = 0;
-    bool stopped_ = false;
-};
-
 }  // namespace
 
 std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const PoseSource& source) {
@@ -199,7 +182,7 @@ std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const PoseSource
         case PoseSource::Kind::file:
             break;
     }
-    return std::make_shared<TrajectoryFeed>(context, source.file);
+    return make_trajectory_feed(context, source);
 }
 
 }  // namespace scipd::daemon

@@ -2,7 +2,8 @@
 // Copyright The scipd authors
 //
 // A source of live poses for one robot, as its configuration names it: UDP datagrams, standard
-// input or a TUM file that is played in real time. Lives on the I/O thread.
+// input or a TUM file that is played. In lockstep it reads on when what has come has been worked
+// off. Lives on the I/O thread.
 #pragma once
 
 #include <functional>
@@ -13,8 +14,9 @@
 #include <boost/asio/any_io_executor.hpp>
 
 #include "daemon/config.h"
+#include "daemon/control/lockstep.h"
 #include "daemon/control/pose_intake.h"
-#include "sim/time.h"
+#include "daemon/device/clock.h"
 
 namespace scipd::daemon {
 
@@ -43,10 +45,15 @@ class PoseFeed {
 struct FeedContext {
     boost::asio::any_io_executor executor;
     PoseIntake& intake;
-    std::function<sim::Time()> now;
+    Clock& clock;
+    Lockstep* lockstep = nullptr;  ///< null: on the wall clock
     /// Tells a person that something was refused or is over.
     std::function<void(const std::string&)> report;
 };
+
+/// A TUM file. Throws LoadError where it cannot be read.
+std::shared_ptr<PoseFeed> make_trajectory_feed(const FeedContext& context,
+                                               const PoseSource& source);
 
 /// Opens the source. Throws std::runtime_error, or LoadError for a trajectory that cannot be read.
 std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const PoseSource& source);

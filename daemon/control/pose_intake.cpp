@@ -30,17 +30,32 @@ std::optional<std::string> PoseIntake::take_line(std::string_view line, std::str
                                                  SenderClock& sender, sim::Time arrival) {
     const auto parsed = sim::parse_pose_line(line);
     if (const auto* refusal = std::get_if<std::string>(&parsed)) return count(*refusal);
-    const auto& pose_line = std::get<sim::PoseLine>(parsed);
-    return take(pose_line, robot, sender.world_time(pose_line.time, arrival));
+    return take(std::get<sim::PoseLine>(parsed), robot, sender, arrival);
 }
 
+// In lockstep the senders' stamps are the time itself.
 std::optional<std::string> PoseIntake::take(const sim::PoseLine& line, std::string_view robot,
-                                            sim::Time time) {
+                                            SenderClock& sender, sim::Time arrival) {
+    if (lockstep_ == nullptr) return take_at(sender.world_time(line.time, arrival), line, robot);
+    if (!line.time) return count("t is missing: time is that of the poses");
+    const sim::Time time = lockstep_->world_time(*line.time);
+    auto refusal = take_at(time, line, robot);
+    if (!refusal) lockstep_->come_to(&sender, time, world_.has_one_mover());
+    return refusal;
+}
+
+std::optional<std::string> PoseIntake::take_at(sim::Time time, const sim::PoseLine& line,
+                                               std::string_view robot) {
+    return count(place(line, robot, time));
+}
+
+std::optional<std::string> PoseIntake::place(const sim::PoseLine& line, std::string_view robot,
+                                             sim::Time time) {
     const Placement placement{time, line.pose, line.velocity, !line.time};
-    if (!line.model.empty()) return count(world_.place_model(line.model, placement));
-    if (!line.robot.empty()) return count(world_.place_robot(line.robot, placement));
-    if (!robot.empty()) return count(world_.place_robot(robot, placement));
-    return count(world_.place_only_robot(placement));
+    if (!line.model.empty()) return world_.place_model(line.model, placement);
+    if (!line.robot.empty()) return world_.place_robot(line.robot, placement);
+    if (!robot.empty()) return world_.place_robot(robot, placement);
+    return world_.place_only_robot(placement);
 }
 
 std::optional<std::string> PoseIntake::count(std::optional<std::string> refusal) {

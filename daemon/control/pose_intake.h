@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "daemon/control/lockstep.h"
 #include "daemon/control/world.h"
 #include "sim/loaders/trajectory.h"
 #include "sim/time.h"
@@ -32,25 +33,32 @@ class SenderClock {
 
 class PoseIntake {
   public:
-    /// `world` must outlive this.
-    explicit PoseIntake(World& world) : world_(world) {}
+    /// `world` must outlive this, and so must `lockstep`; null: on the wall clock.
+    explicit PoseIntake(World& world, Lockstep* lockstep = nullptr)
+        : world_(world), lockstep_(lockstep) {}
 
     /// One line of a stream. `robot` is whom a line without a name means; empty: the only one there
     /// is. Returns why the line was refused.
     std::optional<std::string> take_line(std::string_view line, std::string_view robot,
                                          SenderClock& sender, sim::Time arrival);
-    /// The same in world time; a line without a time of its own holds from then on.
+    /// The same, understood already.
     std::optional<std::string> take(const sim::PoseLine& line, std::string_view robot,
-                                    sim::Time time);
+                                    SenderClock& sender, sim::Time arrival);
+    /// The same in world time; a line without a time of its own holds from then on.
+    std::optional<std::string> take_at(sim::Time time, const sim::PoseLine& line,
+                                       std::string_view robot);
 
     [[nodiscard]] std::uint64_t accepted() const { return accepted_; }
     [[nodiscard]] std::uint64_t refused() const { return refused_; }
     [[nodiscard]] const std::optional<std::string>& last_refusal() const { return last_refusal_; }
 
   private:
+    std::optional<std::string> place(const sim::PoseLine& line, std::string_view robot,
+                                     sim::Time time);
     std::optional<std::string> count(std::optional<std::string> refusal);
 
     World& world_;
+    Lockstep* lockstep_;
     std::uint64_t accepted_ = 0;
     std::uint64_t refused_ = 0;
     std::optional<std::string> last_refusal_;

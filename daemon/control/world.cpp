@@ -134,6 +134,11 @@ std::optional<std::string> World::place(sim::PoseTrack& track, const Placement& 
     return std::nullopt;
 }
 
+bool World::has_one_mover() const {
+    const auto moves_alone = [](const auto& model) { return model.second.carrier == nullptr; };
+    return robots_.size() == 1 && std::ranges::none_of(movable_, moves_alone);
+}
+
 bool World::poses_known(sim::Time until) const {
     const auto expected = [&](const sim::PoseTrack& track) {
         return track.live(until) && track.last_time() < until;

@@ -67,6 +67,8 @@ class World {
     /// For senders that name none: fails where there is more than one.
     std::optional<std::string> place_only_robot(const Placement& placement);
     std::optional<std::string> place_model(std::string_view name, const Placement& placement);
+    /// A pose leaves nothing open that may be elsewhere at the same time.
+    [[nodiscard]] bool has_one_mover() const;
     /// Called after everything that was placed.
     void on_placed(std::function<void()> callback) { on_placed_ = std::move(callback); }
 

@@ -38,6 +38,10 @@ class Clock {
 
     [[nodiscard]] virtual sim::Time now() const = 0;
     [[nodiscard]] virtual std::unique_ptr<Alarm> make_alarm() = 0;
+
+    /// Whether `who` needs time to stand still until it says otherwise. No effect where time waits
+    /// for nobody.
+    virtual void hold(const void* /*who*/, bool /*needed*/) {}
 };
 
 }  // namespace scipd::daemon

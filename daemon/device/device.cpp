@@ -42,6 +42,7 @@ Device::Device(const std::string& robot, const SensorConfig& config, std::uint64
                World& world, Clock& clock)
     : profile_(profile_of(config)),
       chance_{.seed = seed, .sensor = number_of(robot + "/" + config.name)},
+      patience_(config.wait_for_poses),
       clock_(clock),
       device_clock_(clock.now(), config.clock.ppm),
       sweep_(world, robot, config,
@@ -81,6 +82,10 @@ sim::Time Device::leaves(std::int64_t revolution) const {
         protocol::scan_leaves(timing_.complete(revolution), state_, profile_));
 }
 
+bool Device::poses_known(std::int64_t revolution) const {
+    return sweep_.poses_known(device_clock_.world_time(timing_.complete(revolution)));
+}
+
 // Its speed changes by CR, RS and boot.
 void Device::follow_motor() {
     const protocol::Grid mirror = protocol::mirror_of(state_, profile_);
@@ -107,7 +112,8 @@ void Device::turn_complete(std::int64_t revolution) {
 void Device::serve_latest(Client& client) {
     // Each answer may bring a request behind it to the front that wants the latest scan as well.
     for (std::int64_t revolution = timing_.latest_complete(uptime());
-         revolution >= 0 && client.session_.waits_for(turn(revolution));) {
+         revolution >= 0 && client.session_.waits_for(turn(revolution)) &&
+         (patience_ == sim::Time::zero() || poses_known(revolution));) {
         client.session_.take(measure(revolution).view(), uptime());
     }
     follow_motor();

@@ -57,6 +57,9 @@ class Device {
     [[nodiscard]] std::int64_t next_revolution() const;
     /// When its scan leaves: at the first tick of the firmware after its last step.
     [[nodiscard]] sim::Time leaves(std::int64_t revolution) const;
+    /// How long a scan may wait for poses, and whether it need not.
+    [[nodiscard]] sim::Time patience() const { return patience_; }
+    [[nodiscard]] bool poses_known(std::int64_t revolution) const;
     /// To be called once for each revolution, in order, at or after leaves(): serves everyone who
     /// takes it.
     void turn_complete(std::int64_t revolution);
@@ -86,6 +89,7 @@ class Device {
     // Constant after construction.
     protocol::DeviceProfile profile_;
     sim::ChanceKey chance_;
+    sim::Time patience_;
     Clock& clock_;
     sim::DeviceClock device_clock_;
     Sweep sweep_;

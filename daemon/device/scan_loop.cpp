@@ -23,28 +23,36 @@ ScanLoop::~ScanLoop() {
 void ScanLoop::wake() {
     if (waiting_) return;
     revolution_ = device_.next_revolution();
-    wait();
+    wait(device_.leaves(revolution_));
 }
 
-void ScanLoop::wait() {
+void ScanLoop::wait(sim::Time until) {
     waiting_ = true;
-    alarm_->set(device_.leaves(revolution_), [this] {
+    alarm_->set(until, [this] {
         waiting_ = false;
         serve();
     });
 }
 
+void ScanLoop::poses_came() {
+    if (lacks_poses_ && device_.poses_known(revolution_)) wait(clock_.now());
+}
+
 void ScanLoop::serve() {
+    const sim::Time leaves = device_.leaves(revolution_);
     // The motor may have been slowed down meanwhile.
-    if (clock_.now() < device_.leaves(revolution_)) return wait();
-    if (clock_.now() - device_.leaves(revolution_) > too_late) {
+    if (clock_.now() < leaves) return wait(leaves);
+    const sim::Time at_the_latest = leaves + device_.patience();
+    lacks_poses_ = clock_.now() < at_the_latest && !device_.poses_known(revolution_);
+    if (lacks_poses_) return wait(at_the_latest);
+    if (clock_.now() - leaves > too_late) {
         const std::int64_t next = device_.next_revolution();
         missed_ += static_cast<std::uint64_t>(next - revolution_);
         revolution_ = next;
     } else {
         device_.turn_complete(revolution_++);
     }
-    if (device_.wanted()) wait();
+    if (device_.wanted()) wait(device_.leaves(revolution_));
 }
 
 }  // namespace scipd::daemon

@@ -22,12 +22,15 @@ class ScanLoop {
     ScanLoop& operator=(const ScanLoop&) = delete;
     ~ScanLoop();
 
+    /// To be called when poses have come: scans may wait for them.
+    void poses_came();
+
     /// Revolutions that could not be served because the machine was too slow or asleep.
     [[nodiscard]] std::uint64_t missed() const { return missed_; }
 
   private:
     void wake();
-    void wait();
+    void wait(sim::Time until);
     void serve();
 
     Device& device_;
@@ -35,6 +38,7 @@ class ScanLoop {
     std::unique_ptr<Clock::Alarm> alarm_;
     std::int64_t revolution_ = 0;  ///< the next to be served
     bool waiting_ = false;
+    bool lacks_poses_ = false;
     std::uint64_t missed_ = 0;
 };
 

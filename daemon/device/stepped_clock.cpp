@@ -14,9 +14,11 @@ class SteppedClock::QueuedAlarm : public Clock::Alarm {
     ~QueuedAlarm() override { cancel(); }
 
     void set(sim::Time at, Call call) override {
+        const bool awaited = clock_.awaited();
         cancel();
         place_ = clock_.queue_.emplace(at, this);
         call_ = std::move(call);
+        if (!awaited) clock_.on_awaited_();
     }
 
     void cancel() override {
@@ -41,14 +43,29 @@ std::unique_ptr<Clock::Alarm> SteppedClock::make_alarm() {
     return std::make_unique<QueuedAlarm>(*this);
 }
 
-void SteppedClock::advance_to(sim::Time time) {
-    while (!queue_.empty() && queue_.begin()->first <= time) {
-        const auto [at, alarm] = *queue_.begin();
-        now_ = std::max(now_, at);
-        const Call call = alarm->take();
-        call();
+void SteppedClock::hold(const void* who, bool needed) {
+    if (needed) {
+        holders_.insert(who);
+    } else if (holders_.erase(who) > 0 && holders_.empty()) {
+        on_released_();
     }
-    now_ = std::max(now_, time);
+}
+
+bool SteppedClock::step(sim::Time until) {
+    if (queue_.empty() || queue_.begin()->first > until) {
+        now_ = std::max(now_, until);
+        return false;
+    }
+    const auto [at, alarm] = *queue_.begin();
+    now_ = std::max(now_, at);
+    const Call call = alarm->take();
+    call();
+    return true;
+}
+
+void SteppedClock::advance_to(sim::Time time) {
+    while (step(time)) {
+    }
 }
 
 }  // namespace scipd::daemon

@@ -2,8 +2,11 @@
 // Copyright The scipd authors
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
+#include <set>
+#include <utility>
 
 #include "daemon/device/clock.h"
 
@@ -16,7 +19,21 @@ class SteppedClock : public Clock {
     [[nodiscard]] sim::Time now() const override { return now_; }
     [[nodiscard]] std::unique_ptr<Alarm> make_alarm() override;
 
-    /// Calls what is due until then, each at its own time; calls may set alarms. Never goes back.
+    void hold(const void* who, bool needed) override;
+    [[nodiscard]] bool held() const { return !holders_.empty(); }
+    /// Called when nobody holds it any more.
+    void on_released(std::function<void()> callback) { on_released_ = std::move(callback); }
+
+    /// Something is to be called some time.
+    [[nodiscard]] bool awaited() const { return !queue_.empty(); }
+    /// Called when that becomes so.
+    void on_awaited(std::function<void()> callback) { on_awaited_ = std::move(callback); }
+
+    /// Calls the first thing that is due until then, at its own time. False: there is none, and it
+    /// is that time now.
+    bool step(sim::Time until);
+    /// Calls what is due until then, in the order of time, whoever holds it; calls may set alarms.
+    /// Never goes back.
     void advance_to(sim::Time time);
 
   private:
@@ -24,6 +41,9 @@ class SteppedClock : public Clock {
 
     sim::Time now_{};
     std::multimap<sim::Time, QueuedAlarm*> queue_;  ///< of the same time, the one first set first
+    std::set<const void*> holders_;
+    std::function<void()> on_released_ = [] {};
+    std::function<void()> on_awaited_ = [] {};
 };
 
 }  // namespace scipd::daemon

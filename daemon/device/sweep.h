@@ -27,6 +27,7 @@ class Sweep {
     Sweep(World& world, std::string robot, const SensorConfig& config, sim::Scanner scanner);
 
     [[nodiscard]] const sim::SensorSpec& optics() const { return scanner_.spec(); }
+    [[nodiscard]] bool poses_known(sim::Time until) const { return world_.poses_known(until); }
     /// Where the sensor is at a time.
     [[nodiscard]] sim::Pose world_from_sensor(sim::Time time) const;
     [[nodiscard]] sim::SharedScan measure(std::int64_t revolution, sim::Time start,

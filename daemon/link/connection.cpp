@@ -67,6 +67,7 @@ void Connection::start() {
 void Connection::close() {
     client_.reset();
     alarm_->cancel();
+    clock_.hold(this, false);
     error_code ignored;
     descriptor_.close(ignored);
 }
@@ -124,6 +125,8 @@ void Connection::flush() {
     write();
     wait();
     read();
+    // Where time can wait it does so before scans are lost to a client that reads too slowly.
+    clock_.hold(this, writing_ && outbox_.half_full());
     end_if_done();
 }
 

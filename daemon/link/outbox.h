@@ -29,6 +29,7 @@ class Outbox {
     bool push(protocol::Send message, sim::Time now);
     /// No request should be read that would add to it.
     [[nodiscard]] bool full() const { return line_.bytes() >= capacity_bytes_; }
+    [[nodiscard]] bool half_full() const { return line_.bytes() >= capacity_bytes_ / 2; }
 
     /// Where all that was pushed comes out.
     [[nodiscard]] LinkModel& line() { return line_; }

@@ -99,7 +99,7 @@ robots:
   rescue:
     pose: {xyz: [1, 2], rpy: [0, north, .inf], yaw: 1}
     body: tank
-    poses: udp:somewhere
+    poses: {from: udp:somewhere, after: rest, wait_ms: 2000}
     sensors:
       front:
         modle: UST-10LX
@@ -113,7 +113,7 @@ robots:
         model: UST-99
         timing: fast
   empty: {sensors: {}}
-clock: poses
+clock: pose
 http: 8080
 )"),
         ElementsAre("fleet.yaml:1: scene: there is no file 'nowhere.sdf'",
@@ -125,10 +125,11 @@ http: 8080
                     "fleet.yaml:7: robots.rescue.pose.xyz: must be a list of three numbers, such "
                     "as [1, 2, 0]",
                     "fleet.yaml:7: robots.rescue.pose.rpy: must be a number, not 'north'",
-                    "fleet.yaml:8: robots.rescue.body: is not supported by this version; leave it "
-                    "out",
-                    "fleet.yaml:9: robots.rescue.poses: must be ADDRESS:PORT such as "
+                    "fleet.yaml:9: robots.rescue.poses.from: must be ADDRESS:PORT such as "
                     "127.0.0.1:10940, [::1]:10940 or localhost:0, not 'somewhere'",
+                    "fleet.yaml:9: robots.rescue.poses.after: must be hold, extrapolate or none, "
+                    "not 'rest'",
+                    "fleet.yaml:9: robots.rescue.poses.wait_ms: must be 0 to 900 ms, not '2000'",
                     "fleet.yaml:11: robots.rescue.sensors.front: needs a model; `scipd "
                     "--list-models` tells them",
                     "fleet.yaml:12: robots.rescue.sensors.front.modle: unknown key; did you mean "
@@ -157,9 +158,63 @@ http: 8080
                     "fleet.yaml:21: robots.rescue.sensors.rear/left.timing: must be real or "
                     "ideal, not 'fast'",
                     "fleet.yaml:22: robots.empty: needs at least one sensor, under sensors",
-                    "fleet.yaml:23: clock: poses is not built yet; use wall",
+                    "fleet.yaml:23: clock: must be wall or poses, not 'pose'",
                     "fleet.yaml:24: http: must be ADDRESS:PORT such as 127.0.0.1:10940, "
                     "[::1]:10940 or localhost:0, not '8080'"));
+}
+
+TEST_F(ConfigTest, ReadsWhatHoldsWhereThereAreNoPoses) {
+    dir_.write("walk.tum", "0 0 0 0 0 0 0 1\n");
+    const Config config = parse(R"(clock: poses
+robots:
+  tank:
+    body: hull
+    poses: {from: udp:127.0.0.1:1, before: none, after: extrapolate, stale_s: 0.25, jump_mps: 5, wait_ms: 30}
+    sensors:
+      a: {model: UST-10LX, pty: auto}
+      b: {model: UST-10LX, pty: auto, sees_body: true}
+  tram:
+    poses: {from: walk.tum, after: none, speed: 2.5, loop: true}
+    sensors:
+      a: {model: UST-10LX, pty: auto}
+)");
+    EXPECT_EQ(config.clock, ClockKind::poses);
+    const RobotConfig& tank = config.robots[0];
+    EXPECT_EQ(tank.body, "hull");
+    EXPECT_EQ(tank.poses->kind, PoseSource::Kind::udp);
+    EXPECT_EQ(tank.policy, (sim::PosePolicy{.absent_before = true,
+                                            .after = sim::PosePolicy::After::extrapolate,
+                                            .stale_after = std::chrono::milliseconds(250),
+                                            .fastest_mps = 5.0}));
+    EXPECT_EQ(tank.sensors[0].wait_for_poses, std::chrono::milliseconds(30));
+    EXPECT_FALSE(tank.sensors[0].sees_body);
+    EXPECT_TRUE(tank.sensors[1].sees_body);
+    const RobotConfig& tram = config.robots[1];
+    EXPECT_EQ(tram.policy.after, sim::PosePolicy::After::absent);
+    EXPECT_EQ(tram.poses->speed, 2.5);
+    EXPECT_TRUE(tram.poses->loop);
+    EXPECT_EQ(tram.sensors[0].wait_for_poses, std::chrono::nanoseconds::zero());
+}
+
+TEST_F(ConfigTest, SaysWhatPosesCannotBe) {
+    const auto faults_of = [&](const std::string& poses) {
+        return faults("robots: {r: {poses: {" + poses +
+                      "}, sensors: {s: {model: UST-10LX, pty: auto}}}}");
+    };
+    EXPECT_THAT(faults_of("after: hold"),
+                ElementsAre("fleet.yaml:1: robots.r.poses: needs from: udp:ADDR:PORT, a TUM file "
+                            "or -"));
+    EXPECT_THAT(faults_of("from: '-', speed: 2, loop: true"),
+                ElementsAre("fleet.yaml:1: robots.r.poses.speed: is of a trajectory; live poses "
+                            "come when they come",
+                            "fleet.yaml:1: robots.r.poses.loop: is of a trajectory; live poses "
+                            "come when they come"));
+    EXPECT_THAT(faults_of("from: '-', before: now, stale_s: 0, jump_mps: -1"),
+                ElementsAre("fleet.yaml:1: robots.r.poses.before: must be hold or none, not 'now'",
+                            "fleet.yaml:1: robots.r.poses.stale_s: must be more than 0 and up to "
+                            "3600 s, not '0'",
+                            "fleet.yaml:1: robots.r.poses.jump_mps: must be more than 0 and up to "
+                            "1e6 m/s, not '-1'"));
 }
 
 TEST_F(ConfigTest, RefusesWhatTwoCannotShare) {
@@ -256,7 +311,7 @@ TEST_F(ConfigTest, AFaultIsALineThatCanBeShown) {
     EXPECT_THAT(sensor_faults("\"a\\n\\x1b\": 1"),
                 ElementsAre("fleet.yaml:3: robots.r.sensors.s.a??: unknown key; known here are "
                             "model, mount, tcp, pty, backend, accuracy, motion, timing, power_up, "
-                            "clock, link, profile"));
+                            "clock, link, profile, sees_body"));
     const auto told = faults(
         "scene: room.sdf\nrobots: {r: {sensors: {s: "
         "{pty: auto, model: \"UST\\n10\"}}}}");

@@ -202,7 +202,7 @@ TEST(Options, SaysInOneSentenceWhatIsWrong) {
         {"--pose 1,2", "--pose: must be X,Y,YAW or X,Y,Z,ROLL,PITCH,YAW, not '1,2'"},
         {"--pose 1,2,x", "--pose: must be a number, not 'x'"},
         {"--pose 1,,2", "--pose: must be a number, not ''"},
-        {"--clock poses", "--clock: poses is not built yet; use wall"},
+        {"--clock pose", "--clock: must be wall or poses, not 'pose'"},
         {"--accuracy material", "--accuracy: material is not built yet; use sensor or ideal"},
         {"--backend depth",
          "--backend: this build has no backend 'depth'; use auto, embree, reference"},

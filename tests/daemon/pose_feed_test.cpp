@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "daemon/device/clock.h"
+#include "daemon/device/stepped_clock.h"
 #include "sim/loaders/load_error.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/temp_dir.h"
@@ -21,10 +21,12 @@ using namespace std::chrono_literals;
 
 class PoseFeedTest : public testing::Test {
   protected:
+    PoseFeedTest() { clock_.advance_to(10s); }
+
     std::shared_ptr<PoseFeed> feed(const PoseSource& source) {
         return make_feed({.executor = io_.get_executor(),
                           .intake = intake_,
-                          .now = [this] { return now_; },
+                          .clock = clock_,
                           .report = [this](const std::string& text) { reports_.push_back(text); }},
                          source);
     }
@@ -52,7 +54,7 @@ class PoseFeedTest : public testing::Test {
     boost::asio::io_context io_;
     World world_ = wall_world();
     PoseIntake intake_{world_};
-    sim::Time now_ = 10s;
+    SteppedClock clock_;
     std::vector<std::string> reports_;
     tests::UdpSender sender_;
 };
@@ -64,7 +66,7 @@ TEST_F(PoseFeedTest, TakesDatagramsOfOneLineOrSeveral) {
     ASSERT_TRUE(taken(1));
     EXPECT_DOUBLE_EQ(robot_x(10s), 1.0);
     sender_.send("{\"t\":1,\"xyz\":[2,0,0]}\r\n\n{\"t\":1.5,\"xyz\":[3,0,0]}\n");
-    now_ = 11s;
+    clock_.advance_to(11s);
     ASSERT_TRUE(taken(3));
     EXPECT_DOUBLE_EQ(robot_x(11s), 2.0);
     EXPECT_DOUBLE_EQ(robot_x(11500ms), 3.0);
@@ -113,7 +115,7 @@ TEST_F(PoseFeedTest, PlaysATrajectoryFromTheMomentOfItsStart) {
     EXPECT_EQ(intake_.accepted(), 2U);
     EXPECT_DOUBLE_EQ(robot_x(10s), 1.0);
     EXPECT_DOUBLE_EQ(robot_x(10250ms), 1.5);
-    now_ = 12s;
+    clock_.advance_to(12s);
     ASSERT_TRUE(taken(3));
     EXPECT_DOUBLE_EQ(robot_x(13s), 3.0);
     poses->stop();

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/config_poses.h"
+
+#include <array>
+#include <stdexcept>
+#include <string>
+
+#include "daemon/config_numbers.h"
+#include "daemon/config_values.h"
+
+namespace scipd::daemon {
+namespace {
+
+constexpr std::array<std::string_view, 8> poses_keys{"from",     "before",  "after", "stale_s",
+                                                     "jump_mps", "wait_ms", "speed", "loop"};
+
+using After = sim::PosePolicy::After;
+
+After parse_after(std::string_view text) {
+    if (text == "hold") return After::hold;
+    if (text == "extrapolate") return After::extrapolate;
+    if (text == "none") return After::absent;
+    throw std::invalid_argument("must be hold, extrapolate or none, not '" + std::string(text) +
+                                "'");
+}
+
+bool parse_absent_before(std::string_view text) {
+    if (text == "hold" || text == "none") return text == "none";
+    throw std::invalid_argument("must be hold or none, not '" + std::string(text) + "'");
+}
+
+void refuse_of_live_poses(const Section& section, const RobotConfig& robot, Faults& faults) {
+    if (!robot.poses || robot.poses->kind == PoseSource::Kind::file) return;
+    for (const std::string_view key : {"speed", "loop"}) {
+        if (const Field* field = section.find(key))
+            faults.add(*field, "is of a trajectory; live poses come when they come");
+    }
+}
+
+}  // namespace
+
+void read_poses(const Field& field, RobotConfig& robot, const std::filesystem::path& base,
+                Claims& claims, Faults& faults) {
+    const auto parse = [&](const std::string& text) { return parse_pose_source(text, base); };
+    const Field* source = &field;
+    std::optional<Section> section;
+    if (field.value.IsMap()) {
+        section.emplace(field, Section::Keys{poses_keys, {}}, faults);
+        source = section->find("from");
+        if (!source) return faults.add(field, "needs from: udp:ADDR:PORT, a TUM file or -");
+    }
+    faults.guard(*source, [&] { robot.poses = parse(text_of(source->value)); });
+    if (robot.poses && robot.poses->kind == PoseSource::Kind::standard_input)
+        claims.claim(source, "standard input");
+    if (!section) return;
+    section->read("before", robot.policy.absent_before, parse_absent_before);
+    section->read("after", robot.policy.after, parse_after);
+    section->read("stale_s", robot.policy.stale_after, parse_stale);
+    section->read("jump_mps", robot.policy.fastest_mps, parse_fastest);
+    std::chrono::nanoseconds wait{};
+    section->read("wait_ms", wait, parse_wait);
+    for (SensorConfig& sensor : robot.sensors)
+        sensor.wait_for_poses = wait;
+    double speed = 1.0;
+    bool loop = false;
+    section->read("speed", speed, parse_speed);
+    section->read("loop", loop, parse_switch);
+    refuse_of_live_poses(*section, robot, faults);
+    if (robot.poses) {
+        robot.poses->speed = speed;
+        robot.poses->loop = loop;
+    }
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/control/lockstep.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <boost/asio/post.hpp>
+
+namespace scipd::daemon {
+namespace {
+
+// As much is done in one go before sockets are looked at again.
+constexpr int calls_in_one_go = 64;
+
+}  // namespace
+
+Lockstep::Lockstep(boost::asio::any_io_executor executor) : executor_(std::move(executor)) {
+    clock_.on_released([this] { go_on(); });
+    clock_.on_awaited([this] { go_on(); });
+}
+
+sim::Time Lockstep::world_time(sim::Time stamp) {
+    if (!first_) first_ = stamp;
+    return stamp - *first_;
+}
+
+void Lockstep::remove(Stream stream) {
+    const auto gone = streams_.extract(stream);
+    if (gone && gone.mapped().latest) come_to(stream, *gone.mapped().latest, true);
+    go_on();
+}
+
+void Lockstep::come_to(Stream stream, sim::Time time, bool said_all) {
+    const auto known = streams_.find(stream);
+    Progress& progress = known != streams_.end() ? known->second : others_;
+    if (progress.latest && time > *progress.latest) progress.known = progress.latest;
+    progress.latest = std::max(progress.latest.value_or(time), time);
+    if (said_all) progress.known = progress.latest;
+    go_on();
+}
+
+void Lockstep::when_caught_up(Call call) {
+    for_caught_up_.push_back(std::move(call));
+    go_on();
+}
+
+void Lockstep::when_awaited(Call call) {
+    for_awaited_.push_back(std::move(call));
+    go_on();
+}
+
+sim::Time Lockstep::target() const {
+    if (streams_.empty()) return others_.known.value_or(clock_.now());
+    sim::Time least = sim::Time::max();
+    for (const auto& [stream, progress] : streams_)
+        least = std::min(least, progress.known.value_or(clock_.now()));
+    return least;
+}
+
+// Posted, so that nothing happens within the call of whoever says how far it has come.
+void Lockstep::go_on() {
+    if (std::exchange(at_work_, true)) return;
+    boost::asio::post(executor_, [this, alive = std::weak_ptr(alive_)] {
+        if (alive.expired()) return;
+        at_work_ = false;
+        work();
+    });
+}
+
+void Lockstep::work() {
+    for (int i = 0; i < calls_in_one_go; ++i) {
+        if (clock_.held()) return;  // goes on when it is released
+        if (!clock_.step(target())) return call_whoever_waits();
+    }
+    go_on();
+}
+
+void Lockstep::call_whoever_waits() {
+    for (const Call& call : std::exchange(for_caught_up_, {}))
+        call();
+    if (!clock_.awaited()) return;
+    for (const Call& call : std::exchange(for_awaited_, {}))
+        call();
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Time that is the stamps of the poses: it goes on as far as every stream has come, and no farther,
+// and what was due on the way is done in the order of time. The daemon neither sleeps nor skips: it
+// goes as fast as the poses come and the clients read. Lives on the I/O thread.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <boost/asio/any_io_executor.hpp>
+
+#include "daemon/device/stepped_clock.h"
+#include "sim/time.h"
+
+namespace scipd::daemon {
+
+class Lockstep {
+  public:
+    /// Whoever sends poses: a feed, for instance.
+    using Stream = const void*;
+    using Call = std::function<void()>;
+
+    explicit Lockstep(boost::asio::any_io_executor executor);
+    Lockstep(const Lockstep&) = delete;
+    Lockstep& operator=(const Lockstep&) = delete;
+
+    [[nodiscard]] SteppedClock& clock() { return clock_; }
+
+    /// World time of a stamp. The first one of all is 0; streams share their time.
+    [[nodiscard]] sim::Time world_time(sim::Time stamp);
+    /// The stamp that is now.
+    [[nodiscard]] sim::Time stamp() const { return clock_.now() + first_.value_or(sim::Time{}); }
+
+    /// Time does not go on before this one has said so.
+    void add(Stream stream) { streams_.try_emplace(stream); }
+    /// It has said all, and holds nobody back any more.
+    void remove(Stream stream);
+    /// It has come to this time; where it has not said all of that time (another robot's pose, say)
+    /// time goes on to it when the stream has come farther. Streams that were not added lead where
+    /// there is no other.
+    void come_to(Stream stream, sim::Time time, bool said_all);
+
+    /// Calls once everything that is due by the poses that have come has been done.
+    void when_caught_up(Call call);
+    /// The same, but not before somebody waits for something.
+    void when_awaited(Call call);
+
+  private:
+    struct Progress {
+        std::optional<sim::Time> latest;  ///< stamp
+        std::optional<sim::Time> known;   ///< all is known until then
+    };
+
+    [[nodiscard]] sim::Time target() const;
+    void call_whoever_waits();
+    void go_on();
+    void work();
+
+    boost::asio::any_io_executor executor_;
+    SteppedClock clock_;
+    std::optional<sim::Time> first_;
+    std::map<Stream, Progress> streams_;
+    Progress others_;
+    std::vector<Call> for_caught_up_;
+    std::vector<Call> for_awaited_;
+    bool at_work_ = false;
+    std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
+};
+
+}  // namespace scipd::daemon

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A TUM file as a feed. On the wall clock it hands poses on a little ahead of their time, so that
+// every sweep lies between two that are known; in lockstep one after the other, as long as somebody
+// waits for what they lead to.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "daemon/control/pose_feed.h"
+#include "sim/loaders/trajectory.h"
+
+namespace scipd::daemon {
+namespace {
+
+class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<TrajectoryFeed> {
+  public:
+    TrajectoryFeed(const FeedContext& context, const PoseSource& source)
+        : context_(context),
+          poses_(sim::load_tum(source.file)),
+          speed_(source.speed),
+          loop_(source.loop),
+          alarm_(context.clock.make_alarm()) {
+        if (context_.lockstep != nullptr) context_.lockstep->add(this);
+    }
+    ~TrajectoryFeed() override { stop(); }
+
+    void stop() override {
+        alarm_->cancel();
+        next_ = poses_.size();
+        if (context_.lockstep != nullptr) context_.lockstep->remove(this);
+    }
+
+  private:
+    static constexpr sim::Time ahead = std::chrono::milliseconds(500);
+
+    void begin() override {
+        lap_begin_ = context_.clock.now();
+        if (context_.lockstep == nullptr) return play();
+        step();
+    }
+
+    void play() {
+        const sim::Time until = context_.clock.now() + 2 * ahead;
+        while (next_ < poses_.size() && next_time() <= until)
+            hand_on();
+        if (next_ < poses_.size()) alarm_->set(context_.clock.now() + ahead, [this] { play(); });
+    }
+
+    void step() {
+        if (next_ >= poses_.size()) return context_.lockstep->remove(this);
+        const sim::Time time = next_time();
+        hand_on();
+        context_.lockstep->come_to(this, time, true);
+        context_.lockstep->when_awaited([weak = weak_from_this()] {
+            if (const auto feed = weak.lock()) feed->step();
+        });
+    }
+
+    /// World time of the next pose.
+    [[nodiscard]] sim::Time next_time() const {
+        return lap_begin_ + scaled(poses_[next_].time - poses_.front().time);
+    }
+
+    [[nodiscard]] sim::Time scaled(sim::Time of_file) const {
+        const double nanoseconds = static_cast<double>(of_file.count()) / speed_;
+        return sim::Time(std::llround(nanoseconds));
+    }
+
+    void hand_on() {
+        const sim::TimedPose& pose = poses_[next_];
+        context_.intake.take_at(next_time(), {.time = pose.time, .pose = pose.pose}, robot());
+        ++next_;
+        if (next_ == poses_.size() && loop_ && poses_.size() > 1) begin_lap();
+    }
+
+    // The way from the last pose back to the first takes as long as the last step.
+    void begin_lap() {
+        const sim::Time last_step = poses_.back().time - poses_[poses_.size() - 2].time;
+        lap_begin_ += scaled(poses_.back().time - poses_.front().time + last_step);
+        next_ = 0;
+    }
+
+    FeedContext context_;
+    std::vector<sim::TimedPose> poses_;
+    double speed_;
+    bool loop_;
+    std::unique_ptr<Clock::Alarm> alarm_;
+    sim::Time lap_begin_{};  ///< world time of the first pose
+    std::size_t next_ = 0;
+};
+
+}  // namespace
+
+std::shared_ptr<PoseFeed> make_trajectory_feed(const FeedContext& context,
+                                               const PoseSource& source) {
+    return std::make_shared<TrajectoryFeed>(context, source);
+}
+
+}  // namespace scipd::daemon

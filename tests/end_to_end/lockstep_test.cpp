@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Time that is the stamps of the poses: two runs give the same bytes, whoever reads them and
+// however slowly.
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/daemon_process.h"
+#include "tests/support/scanner_wire.h"
+
+namespace scipd::tests {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int simulated_s = 600;
+constexpr int poses_per_s = 50;
+
+/// A drive in circles of 1 m, stamped as if since 1970.
+std::string pose_line(int i) {
+    const double t_s = static_cast<double>(i) / poses_per_s;
+    std::array<char, 160> line;
+    const int length = std::snprintf(
+        line.data(), line.size(), "{\"t\":%.3f,\"xyz\":[%.6f,%.6f,0],\"rpy\":[0,0,%.6f]}\n",
+        1.7e9 + t_s, std::cos(t_s) - 1.0, std::sin(t_s), std::remainder(t_s + 1.5, 6.283185307));
+    return {line.data(), static_cast<std::size_t>(length)};
+}
+
+/// FNV-1a.
+class Digest {
+  public:
+    void add(std::string_view bytes) {
+        for (const char c : bytes)
+            value_ = (value_ ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+    }
+    [[nodiscard]] std::uint64_t value() const { return value_; }
+
+  private:
+    std::uint64_t value_ = 14695981039346656037ULL;
+};
+
+std::vector<std::string> in_lockstep() {
+    return {"--scene", scene("square_room.sdf").string(),
+            "--pty",   "auto",
+            "--clock", "poses",
+            "--poses", "-",
+            "--tcp",   "127.0.0.1:0",
+            "--seed",  "7"};
+}
+
+/// A reader of all that a stream sends until the poses end.
+class Reader {
+  public:
+    Reader(ScannerWire wire, int pause_every) : wire_(std::move(wire)), pause_every_(pause_every) {
+        EXPECT_EQ(wire_.ask("MD0000108001000"), "00");
+    }
+
+    void read(int scans) {
+        std::array<char, 65536> buffer;
+        for (int reads = 1; scans_ < scans; ++reads) {
+            const std::size_t count = wire_.read(buffer, ScannerWire::patience);
+            if (count == 0) break;
+            take({buffer.data(), count}, scans);
+            if (pause_every_ > 0 && reads % pause_every_ == 0) std::this_thread::sleep_for(2ms);
+        }
+    }
+
+    [[nodiscard]] std::uint64_t digest() const { return digest_.value(); }
+    [[nodiscard]] int scans() const { return scans_; }
+
+  private:
+    // Messages end with an empty line; what comes behind the last one that counts does not.
+    void take(std::string_view bytes, int scans) {
+        std::size_t end = 0;
+        for (std::size_t i = 0; i < bytes.size() && scans_ < scans; ++i) {
+            if (bytes[i] == '\n' && last_ == '\n') ++scans_;
+            last_ = bytes[i];
+            end = i + 1;
+        }
+        digest_.add(bytes.substr(0, end));
+    }
+
+    ScannerWire wire_;
+    int pause_every_;
+    Digest digest_;
+    int scans_ = 0;
+    char last_ = '\0';
+};
+
+struct Drive {
+    std::uint64_t digest;
+    double time_s;
+    std::uint64_t lost;
+};
+
+Drive drive(int pause_every, bool company) {
+    const TempDir directory;
+    const DaemonProcess daemon(directory, in_lockstep());
+    Reader reader(ScannerWire::tcp(daemon.port(), pause_every > 0 ? 4096 : 0), pause_every);
+    std::optional<ScannerWire> other;
+    if (company) {
+        other.emplace(ScannerWire::tty(daemon.tty()));
+        EXPECT_EQ(other->ask("VV"), "00");
+    }
+    std::thread sender([&] {
+        std::string lines;
+        for (int i = 0; i <= simulated_s * poses_per_s; ++i) {
+            lines += pose_line(i);
+            if (i % 40 == 0) daemon.say(std::exchange(lines, {}));
+        }
+        daemon.say(lines);
+    });
+    // The last turns may end behind the last pose.
+    constexpr int scans = simulated_s * 39;
+    reader.read(scans);
+    sender.join();
+    EXPECT_EQ(reader.scans(), scans);
+    const auto status = daemon.get("/status");
+    EXPECT_EQ(status.at("clock"), "poses");
+    return {reader.digest(), status.at("time_s"), daemon.sensor_status().at("lost")};
+}
+
+TEST(InLockstep, TenMinutesGiveTheSameBytesToAQuickAndToASlowReader) {
+    const Drive quick = drive(0, false);
+    const Drive slow = drive(3, true);
+    EXPECT_EQ(quick.digest, slow.digest);
+    EXPECT_EQ(quick.lost, 0U);
+    EXPECT_EQ(slow.lost, 0U);
+    EXPECT_NEAR(quick.time_s, 1.7e9 + simulated_s, 0.5 * simulated_s);
+}
+
+TEST(InLockstep, TimeStandsStillWithoutPosesAndAnswersComeAllTheSame) {
+    const TempDir directory;
+    const DaemonProcess daemon(directory, in_lockstep());
+    ScannerWire wire = ScannerWire::tcp(daemon.port());
+    EXPECT_EQ(wire.ask("BM"), "00");
+    EXPECT_EQ(wire.ask("MD0540054001000"), "00");
+    EXPECT_FALSE(wire.next_message(200ms));
+    // The room has a model that can move too: only what lies behind the next stamp is complete.
+    for (const char* pose : {"100", "100.06", "100.07"})
+        daemon.say(std::string("{\"t\":") + pose + ",\"xyz\":[0,0,0]}\n");
+    EXPECT_TRUE(wire.next_message());
+    EXPECT_TRUE(wire.next_message());
+    EXPECT_FALSE(wire.next_message(200ms));
+    EXPECT_EQ(wire.ask("QT"), "00");
+    daemon.say("{\"xyz\":[0,0,0]}\n");
+    EXPECT_EQ(wire.ask("VV"), "00");
+    EXPECT_EQ(daemon.get("/status").at("poses").at("last_refusal"),
+              "t is missing: time is that of the poses");
+}
+
+}  // namespace
+}  // namespace scipd::tests
