@@ -73,8 +73,7 @@ TEST_F(SdfFaults, everyFaultOfOurOwnAtOnce) {
     ASSERT_EQ(all.size(), 5U);
     EXPECT_EQ(all[0], "a.sdf:5: m::l::a" + size);
     EXPECT_EQ(all[1], "a.sdf:6: m::l::b" + size);
-    EXPECT_EQ(all[2],
-              "a.sdf:7: m::l::c: there is no mesh 'none.obj' near " + folder_.path().string());
+    EXPECT_EQ(all[2], "a.sdf:7: m::l::c: there is no 'none.obj' near " + folder_.path().string());
     EXPECT_THAT(all[3], HasSubstr("a.sdf:8: m::l::d: bad.obj: "));
     EXPECT_EQ(all[4], "a.sdf:9: m::l::e" + size);
 }
@@ -101,6 +100,16 @@ TEST_F(SdfFaults, theLibrarysFaultsWithoutItsEchoes) {
                             "visual[@name=\"v\"]/pose)"));
 }
 
+TEST_F(SdfFaults, documentsWithoutAnElement) {
+    for (const auto* text : {"", "<!l>", "<?xml version='1.0'?>", "<!-- <sdf/> -->", "text"})
+        EXPECT_THAT(faults(text), ::testing::Not(::testing::IsEmpty())) << text;
+}
+
+TEST_F(SdfFaults, versionsThatAreNoNumbers) {
+    EXPECT_THAT(faults("<sdf version='x'>" + model_of(visual("v", unit_box)) + "</sdf>"),
+                ElementsAre("a.sdf: libsdformat cannot read it: stoi"));
+}
+
 TEST_F(SdfFaults, framesThatLeadNowhere) {
     EXPECT_THAT(faults(world("<model name='m'><pose relative_to='nowhere'/><link name='l'>" +
                              visual("v", unit_box) + "</link></model>")),
@@ -111,8 +120,9 @@ TEST_F(SdfFaults, framesThatLeadNowhere) {
 TEST_F(SdfFaults, includesThatLeadNowhere) {
     EXPECT_THAT(faults(world("<include><uri>model://none</uri></include>" +
                              model_of(visual("v", unit_box)))),
-                ElementsAre("a.sdf:4: Unable to find uri[model://none] "
-                            "(/sdf/world[@name=\"w\"]/include[0]/uri)"));
+                ElementsAre("a.sdf:4: there is no 'model://none' near " + folder_.path().string() +
+                            ", nor in GZ_SIM_RESOURCE_PATH, GAZEBO_MODEL_PATH, SDF_PATH, "
+                            "ROS_PACKAGE_PATH or AMENT_PREFIX_PATH"));
 }
 
 }  // namespace
