@@ -14,6 +14,7 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(sdformat REQUIRED IMPORTED_TARGET sdformat12)
 pkg_check_modules(assimp REQUIRED IMPORTED_TARGET assimp)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
+find_path(stb_folder stb/stb_image.h REQUIRED) # headers only
 
 # Embree 4 where there is one, else Embree 3 (Debian 12): sim/backends/embree.cpp builds with both.
 find_package(embree 4 QUIET)
