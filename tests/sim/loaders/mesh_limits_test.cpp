@@ -64,7 +64,7 @@ TEST_F(MeshLimits, nodesThatShowEachOtherManyTimesAreSeenAsOften) {
 
 TEST_F(MeshLimits, aSmallFileOfManyTrianglesIsRefused) {
     EXPECT_THAT(faults("a.dae", node_bomb(4, 3000)),
-                ElementsAre("a.dae: has more than 20 million triangles"));
+                ElementsAre("a.dae: has more than 10 million triangles"));
 }
 
 TEST_F(MeshLimits, aCircleOfNodesEndsNothingButItself) {
