@@ -56,7 +56,7 @@ void check_triangle_count(const aiScene& scene) {
         for (const unsigned mesh : std::span{node.mMeshes, node.mNumMeshes})
             count += of_mesh.at(mesh);
         if (count > most_mesh_triangles) {
-            throw std::runtime_error("has more than 20 million triangles");
+            throw std::runtime_error("has more than 10 million triangles");
         }
     }
 }

@@ -13,7 +13,7 @@
 
 namespace scipd::sim {
 
-inline constexpr std::size_t most_mesh_triangles = 20'000'000;
+inline constexpr std::size_t most_mesh_triangles = 10'000'000;
 
 /// As load_mesh_parts() without a scale. Throws std::runtime_error, saying what is wrong.
 std::vector<MeshPart> read_mesh(const std::filesystem::path& file, MeshAxes axes);
