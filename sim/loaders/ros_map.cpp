@@ -12,10 +12,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "sim/loaders/extrusion.h"
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/map_file.h"
 #include "sim/loaders/map_image.h"
+#include "sim/loaders/map_walls.h"
 #include "sim/loaders/occupancy.h"
 
 namespace scipd::sim {
@@ -66,7 +66,7 @@ class MapScene {
     void add(Cell which, const std::string& name, const std::string& material,
              const MapOptions& options) {
         auto mesh = std::make_shared<const Mesh>(
-            extrude(grid_, which, {map_.resolution_m, options.bottom_m, options.top_m}));
+            wall_mesh(grid_, which, {map_.resolution_m, options.bottom_m, options.top_m}));
         if (mesh->triangles.empty()) return;
         const glm::dvec2 middle_m = 0.5 * map_.resolution_m * glm::dvec2{grid_.columns, grid_.rows};
         scene_.objects.push_back({scene_.name + "::" + name, 0,

@@ -23,7 +23,7 @@ namespace scipd::sim {
 /// Past this a map is noise, and a scene of it would not fit into most machines.
 inline constexpr std::size_t most_map_triangles = 20'000'000;
 
-struct Extrusion {
+struct WallSize {
     double cell_m;
     double bottom_m;
     double top_m;
@@ -31,6 +31,6 @@ struct Extrusion {
 
 /// x and y from the middle of the grid, where floats are finest. Throws std::invalid_argument where
 /// it would take more than most_map_triangles.
-Mesh extrude(const CellGrid& grid, Cell which, const Extrusion& extrusion);
+Mesh wall_mesh(const CellGrid& grid, Cell which, const WallSize& size);
 
 }  // namespace scipd::sim

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/extrusion.h"
+#include "sim/loaders/map_walls.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -30,10 +30,10 @@ struct Block {
 };
 
 /// Sweeps over the lines of the grid from below. On each, blocks end and others begin.
-class Extruder {
+class WallBuilder {
   public:
-    Extruder(const CellGrid& grid, Cell which, const Extrusion& extrusion)
-        : grid_(grid), which_(which), extrusion_(extrusion) {}
+    WallBuilder(const CellGrid& grid, Cell which, const WallSize& size)
+        : grid_(grid), which_(which), size_(size) {}
 
     Mesh run() && {
         for (std::size_t line = 0; line <= grid_.rows; ++line) {
@@ -66,7 +66,7 @@ class Extruder {
 
     const CellGrid& grid_;
     Cell which_;
-    Extrusion extrusion_;
+    WallSize size_;
     Mesh mesh_;
     std::vector<Block> open_;  ///< those of the row above the line, at last
     std::vector<Block> ending_;
@@ -76,7 +76,7 @@ class Extruder {
     std::vector<bool> is_edge_;  ///< whether cells meet others on one side only, corner to corner
 };
 
-std::vector<Block> Extruder::runs_of(std::size_t row) const {
+std::vector<Block> WallBuilder::runs_of(std::size_t row) const {
     std::vector<Block> runs;
     const auto begin = grid_.cells.begin() + static_cast<std::ptrdiff_t>(row * grid_.columns);
     const auto end = begin + static_cast<std::ptrdiff_t>(grid_.columns);
@@ -91,7 +91,7 @@ std::vector<Block> Extruder::runs_of(std::size_t row) const {
 
 /// What goes on, ends and begins at a line, below which blocks are open and above which there are
 /// these runs.
-void Extruder::sort_blocks(std::vector<Block> runs) {
+void WallBuilder::sort_blocks(std::vector<Block> runs) {
     ending_.clear();
     beginning_.clear();
     auto old = open_.begin();
@@ -108,7 +108,7 @@ void Extruder::sort_blocks(std::vector<Block> runs) {
     open_ = std::move(runs);
 }
 
-void Extruder::set_corners(std::size_t line) {
+void WallBuilder::set_corners(std::size_t line) {
     corners_.clear();
     for (const auto* blocks : {&ending_, &beginning_}) {
         for (const Block& block : *blocks)
@@ -119,18 +119,18 @@ void Extruder::set_corners(std::size_t line) {
 
     first_corner_ = static_cast<glm::uint>(mesh_.vertices_m.size());
     const auto from_middle_m = [this](std::size_t index, std::size_t count) {
-        return (static_cast<double>(index) - 0.5 * static_cast<double>(count)) * extrusion_.cell_m;
+        return (static_cast<double>(index) - 0.5 * static_cast<double>(count)) * size_.cell_m;
     };
     const double y_m = from_middle_m(line, grid_.rows);
     for (const std::size_t column : corners_) {
         const double x_m = from_middle_m(column, grid_.columns);
-        mesh_.vertices_m.emplace_back(x_m, y_m, extrusion_.bottom_m);
-        mesh_.vertices_m.emplace_back(x_m, y_m, extrusion_.top_m);
+        mesh_.vertices_m.emplace_back(x_m, y_m, size_.bottom_m);
+        mesh_.vertices_m.emplace_back(x_m, y_m, size_.top_m);
     }
     is_edge_.assign(corners_.size(), false);
 }
 
-Chain Extruder::chain_of(const Block& block) {
+Chain WallBuilder::chain_of(const Block& block) {
     const auto begin = std::ranges::lower_bound(corners_, block.begin);
     const auto end = std::lower_bound(begin, corners_.end(), block.end);
     const auto position = static_cast<glm::uint>(begin - corners_.begin());
@@ -141,7 +141,7 @@ Chain Extruder::chain_of(const Block& block) {
     return {first_corner_ + 2 * position, static_cast<glm::uint>(end - begin) + 1};
 }
 
-void Extruder::end_blocks() {
+void WallBuilder::end_blocks() {
     for (const Block& block : ending_) {
         const Chain top = chain_of(block);
         add_cap(block.bottom, top);
@@ -150,7 +150,7 @@ void Extruder::end_blocks() {
     }
 }
 
-void Extruder::begin_blocks() {
+void WallBuilder::begin_blocks() {
     auto begun = open_.begin();
     for (const Block& block : beginning_) {
         begun = std::find_if(begun, open_.end(),
@@ -159,14 +159,14 @@ void Extruder::begin_blocks() {
     }
 }
 
-void Extruder::raise_walls_along_line() {
+void WallBuilder::raise_walls_along_line() {
     for (glm::uint i = 0; i < is_edge_.size(); ++i) {
         if (is_edge_[i]) add_wall(first_corner_ + 2 * i, first_corner_ + 2 * (i + 1));
     }
 }
 
 /// The bottom and the top of a block, with all corners of both its sides.
-void Extruder::add_cap(const Chain& bottom, const Chain& top) {
+void WallBuilder::add_cap(const Chain& bottom, const Chain& top) {
     for (const glm::uint level : {0U, 1U}) {
         for (glm::uint i = bottom.first; i < bottom.last(); i += 2)
             add_triangle(i + level, i + 2 + level, top.first + level);
@@ -175,15 +175,15 @@ void Extruder::add_cap(const Chain& bottom, const Chain& top) {
     }
 }
 
-void Extruder::add_wall(glm::uint from, glm::uint to) {
+void WallBuilder::add_wall(glm::uint from, glm::uint to) {
     add_triangle(from, to, to + 1);
     add_triangle(from, to + 1, from + 1);
 }
 
 }  // namespace
 
-Mesh extrude(const CellGrid& grid, Cell which, const Extrusion& extrusion) {
-    return Extruder{grid, which, extrusion}.run();
+Mesh wall_mesh(const CellGrid& grid, Cell which, const WallSize& size) {
+    return WallBuilder{grid, which, size}.run();
 }
 
 }  // namespace scipd::sim

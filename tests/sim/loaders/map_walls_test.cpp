@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/extrusion.h"
+#include "sim/loaders/map_walls.h"
 
 #include <algorithm>
 #include <map>
@@ -37,8 +37,8 @@ CellGrid noise(std::mt19937& rng, std::size_t columns, std::size_t rows, double 
     return grid;
 }
 
-Mesh walls_of(const CellGrid& grid) {
-    return extrude(grid, Cell::occupied, {.cell_m = 1.0, .bottom_m = 0.0, .top_m = 2.0});
+Mesh solid_of(const CellGrid& grid) {
+    return wall_mesh(grid, Cell::occupied, {.cell_m = 1.0, .bottom_m = 0.0, .top_m = 2.0});
 }
 
 /// A place, since vertices that lie together need not be one vertex.
@@ -76,33 +76,33 @@ double area_of(const CellGrid& grid) {
     return static_cast<double>(std::ranges::count(grid.cells, Cell::occupied));
 }
 
-TEST(Extrusion, aStraightWallIsABoxHoweverLong) {
-    EXPECT_EQ(walls_of(grid_of({std::string(1000, '#')})).triangles.size(), 12U);
-    EXPECT_EQ(walls_of(grid_of(std::vector<std::string>(1000, "#"))).triangles.size(), 12U);
+TEST(MapWalls, aStraightWallIsABoxHoweverLong) {
+    EXPECT_EQ(solid_of(grid_of({std::string(1000, '#')})).triangles.size(), 12U);
+    EXPECT_EQ(solid_of(grid_of(std::vector<std::string>(1000, "#"))).triangles.size(), 12U);
     EXPECT_EQ(
-        walls_of(grid_of(std::vector<std::string>(100, std::string(100, '#')))).triangles.size(),
+        solid_of(grid_of(std::vector<std::string>(100, std::string(100, '#')))).triangles.size(),
         12U);
 }
 
-TEST(Extrusion, aRoomIsFourWalls) {
+TEST(MapWalls, aRoomIsFourWalls) {
     std::vector<std::string> rows(50, "#" + std::string(48, '.') + "#");
     rows.front() = rows.back() = std::string(50, '#');
-    const Mesh mesh = walls_of(grid_of(rows));
+    const Mesh mesh = solid_of(grid_of(rows));
     // Outside and inside: 8 walls, of which the outer left and right are cut where the rows end; a
     // cap of 8 corners, outer and inner, and the 4 that cut: 12 triangles each.
     EXPECT_EQ(mesh.triangles.size(), 2U * (8 + 4) + 2U * 12);
     EXPECT_EQ(area_at_height(mesh, 2.F), 4 * 49);
 }
 
-TEST(Extrusion, nothingIsNothing) {
-    EXPECT_TRUE(walls_of(grid_of({"...", "..."})).triangles.empty());
+TEST(MapWalls, nothingIsNothing) {
+    EXPECT_TRUE(solid_of(grid_of({"...", "..."})).triangles.empty());
 }
 
-TEST(Extrusion, isClosedWithoutACrackOnAnyGrid) {
+TEST(MapWalls, isClosedWithoutACrackOnAnyGrid) {
     std::mt19937 rng{4};
     for (int round = 0; round < 60; ++round) {
         const auto grid = noise(rng, 3 + round % 11, 2 + round % 7, 0.1 + 0.013 * round);
-        const Mesh mesh = walls_of(grid);
+        const Mesh mesh = solid_of(grid);
         // Two triangles an edge; four along an upright edge where cells touch corner to corner.
         for (const auto& [edge, count] : edges_of(mesh)) {
             const bool upright = std::get<2>(edge.first) != std::get<2>(edge.second);
@@ -114,14 +114,14 @@ TEST(Extrusion, isClosedWithoutACrackOnAnyGrid) {
     }
 }
 
-TEST(Extrusion, standsWhereTheCellsAre) {
+TEST(MapWalls, standsWhereTheCellsAre) {
     std::mt19937 rng{5};
     for (int round = 0; round < 20; ++round) {
         const std::size_t columns = 9;
         const std::size_t rows = 6;
         const auto grid = noise(rng, columns, rows, 0.15 + 0.03 * round);
         Probe probe{
-            SceneBuilder{}.add(std::make_shared<const Mesh>(walls_of(grid)), Pose{}).build()};
+            SceneBuilder{}.add(std::make_shared<const Mesh>(solid_of(grid)), Pose{}).build()};
         for (std::size_t row = 0; row < rows; ++row) {
             const double y_m = static_cast<double>(row) + 0.4 - 0.5 * rows;
             // Along the row from outside: the first occupied cell ends the ray.
@@ -141,13 +141,13 @@ TEST(Extrusion, standsWhereTheCellsAre) {
     }
 }
 
-TEST(Extrusion, cornersOfCellsLeakNoRay) {
+TEST(MapWalls, cornersOfCellsLeakNoRay) {
     std::mt19937 rng{6};
     const auto grid = noise(rng, 30, 30, 0.5);
     // Turned, so that nothing is exact in float any more; the worst place to aim at is a corner.
     const Pose turn = pose_from_rpy({3.1, -2.7, 0.3}, {0.1, -0.2, 0.7});
     auto backend = make_backend(
-        "embree", SceneBuilder{}.add(std::make_shared<const Mesh>(walls_of(grid)), turn).build());
+        "embree", SceneBuilder{}.add(std::make_shared<const Mesh>(solid_of(grid)), turn).build());
     const auto is_inside = [&](std::size_t column, std::size_t row) {
         return grid.at(column - 1, row - 1) == Cell::occupied &&
                grid.at(column, row - 1) == Cell::occupied &&
