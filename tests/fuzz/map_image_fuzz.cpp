@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
-#include "sim/loaders/extrusion.h"
 #include "sim/loaders/map_image.h"
+#include "sim/loaders/map_walls.h"
 #include "sim/loaders/occupancy.h"
 
 namespace {
@@ -42,7 +42,7 @@ void check(const MapImage& image) {
         const CellGrid grid = cells_of(image, map);
         require(grid.columns == image.width && grid.rows == image.height);
         require(grid.cells.size() == image.width * image.height);
-        check(extrude(grid, Cell::occupied, {1.0, 0.0, 2.0}));
+        check(wall_mesh(grid, Cell::occupied, {1.0, 0.0, 2.0}));
     }
 }
 
