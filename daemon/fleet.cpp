@@ -10,6 +10,7 @@
 
 #include "daemon/run_directory.h"
 #include "sim/backends/registry.h"
+#include "sim/loaders/scene_file.h"
 
 namespace scipd::daemon {
 namespace {
@@ -54,7 +55,7 @@ std::optional<LatenessStatus> summary_of(const Lateness& lateness) {
 }  // namespace
 
 FleetPlan make_plan(Config config) {
-    sim::LoadedScene loaded = sim::load_sdf(config.scene);
+    sim::LoadedScene loaded = sim::load_scene(config.scene);
     World::Backends backends = make_backends(config, loaded.scene);
     return {std::move(config), std::move(loaded), std::move(backends)};
 }
