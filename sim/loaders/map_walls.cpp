@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace scipd::sim {
@@ -42,9 +43,10 @@ class WallBuilder {
             end_blocks();
             begin_blocks();
             raise_walls_along_line();
-            if (mesh_.triangles.size() > most_map_triangles) {
-                throw std::invalid_argument(
-                    "has walls of more than 20 million triangles; is it noise?");
+            if (mesh_.triangles.size() > size_.most_triangles) {
+                throw std::invalid_argument("has walls of more than " +
+                                            std::to_string(size_.most_triangles) +
+                                            " triangles; is it noise?");
             }
         }
         return std::move(mesh_);

@@ -20,17 +20,16 @@
 
 namespace scipd::sim {
 
-/// Past this a map is noise, and a scene of it would not fit into most machines.
-inline constexpr std::size_t most_map_triangles = 20'000'000;
-
 struct WallSize {
     double cell_m;
     double bottom_m;
     double top_m;
+    /// Past this a map is noise, and a scene of it would not fit into most machines.
+    std::size_t most_triangles = 20'000'000;
 };
 
 /// x and y from the middle of the grid, where floats are finest. Throws std::invalid_argument where
-/// it would take more than most_map_triangles.
+/// it would take more triangles.
 Mesh wall_mesh(const CellGrid& grid, Cell which, const WallSize& size);
 
 }  // namespace scipd::sim

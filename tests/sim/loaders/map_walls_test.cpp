@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -96,6 +97,17 @@ TEST(MapWalls, aRoomIsFourWalls) {
 
 TEST(MapWalls, nothingIsNothing) {
     EXPECT_TRUE(solid_of(grid_of({"...", "..."})).triangles.empty());
+}
+
+TEST(MapWalls, areRefusedWhereTheyAreNothingButNoise) {
+    // The worst that there is: a tower of twelve triangles on every other cell.
+    std::vector<std::string> rows;
+    for (int row = 0; row < 10; ++row)
+        rows.push_back(row % 2 == 0 ? "#.#.#.#.#." : ".#.#.#.#.#");
+    const CellGrid board = grid_of(rows);
+    EXPECT_EQ(solid_of(board).triangles.size(), 50U * 12U);
+    EXPECT_NO_THROW(wall_mesh(board, Cell::occupied, {1.0, 0.0, 2.0, 600}));
+    EXPECT_THROW(wall_mesh(board, Cell::occupied, {1.0, 0.0, 2.0, 599}), std::invalid_argument);
 }
 
 TEST(MapWalls, isClosedWithoutACrackOnAnyGrid) {

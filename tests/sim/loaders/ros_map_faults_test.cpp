@@ -113,20 +113,9 @@ TEST_F(RosMapFaults, picturesThatAreTooLargeByTheirHeader) {
 }
 
 TEST_F(RosMapFaults, aPngThatHoldsMoreThanItsHeaderSays) {
-    // Two pixels, and 16 MiB of rows that deflate to 16 KiB.
-    EXPECT_THAT(picture_faults(odd_png(2, 1, 8, 0, std::string(16 << 20, '\0'))),
+    // Two pixels, and 2 MiB of rows that deflate to 2 KiB.
+    EXPECT_THAT(picture_faults(odd_png(2, 1, 8, 0, std::string(2 << 20, '\0'))),
                 ElementsAre("a.pgm: is a broken PNG: it holds more than its header says"));
-}
-
-TEST_F(RosMapFaults, noiseIsNoMap) {
-    // A chess board of 2100 x 2100: more than two million towers of twelve triangles each.
-    std::vector<int> board;
-    for (int row = 0; row < 2100; ++row) {
-        for (int column = 0; column < 2100; ++column)
-            board.push_back((row + column) % 2 == 0 ? 0 : 254);
-    }
-    EXPECT_THAT(picture_faults(pgm(2100, board)),
-                ElementsAre("a.pgm: has walls of more than 20 million triangles; is it noise?"));
 }
 
 }  // namespace
