@@ -16,6 +16,7 @@ pkg_check_modules(console_bridge REQUIRED IMPORTED_TARGET console_bridge)
 pkg_check_modules(tinyxml2 REQUIRED IMPORTED_TARGET tinyxml2)
 pkg_check_modules(assimp REQUIRED IMPORTED_TARGET assimp)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
+find_path(stb_folder stb/stb_image.h REQUIRED) # headers only
 
 # Embree 4 where there is one, else Embree 3 (Debian 12): sim/backends/embree.cpp builds with both.
 find_package(embree 4 QUIET)

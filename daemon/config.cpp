@@ -13,6 +13,7 @@
 
 #include "daemon/config_claims.h"
 #include "daemon/config_document.h"
+#include "daemon/config_map.h"
 #include "daemon/config_models.h"
 #include "daemon/config_pose.h"
 #include "daemon/config_poses.h"
@@ -29,9 +30,9 @@ namespace fs = std::filesystem;
 constexpr std::size_t largest_file = 1 << 20;
 constexpr std::size_t most_sensors = 4096;
 
-constexpr std::array<std::string_view, 7> root_keys{"scene",  "seed",    "clock", "models",
-                                                    "robots", "control", "http"};
-constexpr std::array<std::string_view, 2> later_root_keys{"materials", "map"};
+constexpr std::array<std::string_view, 9> root_keys{
+    "scene", "geometry", "map", "seed", "clock", "models", "robots", "control", "http"};
+constexpr std::array<std::string_view, 1> later_root_keys{"materials"};
 constexpr std::array<std::string_view, 4> robot_keys{"pose", "body", "poses", "sensors"};
 
 /// What is no map at all is told elsewhere.
@@ -94,6 +95,8 @@ Config Reader::read(const YAML::Node& document) {
     } else {
         faults_.guard(whole, [&] { config.scene = demo_scene(); });
     }
+    section.read("geometry", config.geometry, parse_geometry);
+    if (const Field* map = section.find("map")) config.map = read_map(*map, faults_);
     section.read("seed", config.seed, parse_seed);
     section.read("clock", config.clock, parse_clock);
     section.read("control", config.control, from_base(parse_socket));

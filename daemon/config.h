@@ -6,7 +6,6 @@
 // names can be opened by the paths here. Nothing has been opened or bound yet.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -14,85 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "daemon/models/model.h"
-#include "sim/sensor/error_model.h"
-#include "sim/world/pose.h"
+#include "daemon/sensor_config.h"
+#include "sim/loaders/ros_map.h"
+#include "sim/loaders/sdf.h"
 #include "sim/world/pose_track.h"
 
 namespace scipd::daemon {
-
-/// Where to listen; port 0 takes a free one.
-struct Address {
-    std::string host;
-    std::uint16_t port = 0;
-
-    bool operator==(const Address&) const = default;
-};
-
-/// "auto" of the user is an empty link: one in the run directory.
-struct PtyConfig {
-    std::filesystem::path link;
-
-    bool operator==(const PtyConfig&) const = default;
-};
-
-enum class Timing {
-    real,   ///< replies and scans leave on the grid of the firmware
-    ideal,  ///< at once
-};
-
-/// How the daemon finds the device.
-enum class PowerUp {
-    scip2,  ///< powered and booted
-    scip1,  ///< the same, in SCIP 1.1: only models that spoke it
-    boot,   ///< just switched on: its boot time has begun
-};
-
-/// The device's own clock.
-struct DeviceClockConfig {
-    double ppm = 0.0;            ///< how much too fast it runs
-    std::uint32_t start_ms = 0;  ///< what it shows at the start
-
-    bool operator==(const DeviceClockConfig&) const = default;
-};
-
-/// What lies between the device and its client.
-struct LinkConfig {
-    /// Each way, on every message; and by how much it varies, evenly, to either side.
-    std::chrono::nanoseconds latency{};
-    std::chrono::nanoseconds jitter{};
-    /// The tty is a serial line that starts at this rate; nothing: USB, whose rate means nothing.
-    std::optional<int> baud;
-    /// Messages leave in pieces of at most so many bytes, each in a write of its own; 0: whole.
-    int split_bytes = 0;
-    /// What is sent within so long leaves in one write.
-    std::chrono::nanoseconds coalesce{};
-    /// A tty's close ends the streams that were begun on it; else they go on unheard.
-    bool stop_on_close = false;
-
-    bool operator==(const LinkConfig&) const = default;
-};
-
-struct SensorConfig {
-    std::string name;  ///< of the sensor alone: "front"
-    Model model;       ///< with what the configuration overrides
-    sim::Pose robot_from_sensor;
-    std::optional<Address> tcp;
-    std::optional<PtyConfig> pty;
-    std::string backend = "auto";
-    sim::Accuracy accuracy = sim::Accuracy::sensor;
-    /// Poses per sweep; nothing: one for each beam.
-    std::optional<int> motion;
-    Timing timing = Timing::real;
-    PowerUp power_up = PowerUp::scip2;
-    DeviceClockConfig clock;
-    LinkConfig link;
-    /// How long its scans wait for poses that are late.
-    std::chrono::nanoseconds wait_for_poses{};
-    bool sees_body = false;  ///< the robot's own body stands in its way too
-
-    bool operator==(const SensorConfig&) const = default;
-};
 
 /// Where a robot's live poses come from.
 struct PoseSource {
@@ -125,6 +51,8 @@ enum class ClockKind {
 
 struct Config {
     std::filesystem::path scene;
+    sim::SdfGeometry geometry = sim::SdfGeometry::visual;
+    sim::MapOptions map;
     ClockKind clock = ClockKind::wall;
     std::uint64_t seed = 1;
     std::vector<RobotConfig> robots;

@@ -129,6 +129,12 @@ std::uint64_t parse_seed(std::string_view text) {
     return *seed;
 }
 
+sim::SdfGeometry parse_geometry(std::string_view text) {
+    if (text == "visual") return sim::SdfGeometry::visual;
+    if (text == "collision") return sim::SdfGeometry::collision;
+    refuse("must be visual or collision, not " + quote(text));
+}
+
 bool parse_switch(std::string_view text) {
     if (text == "true" || text == "false") return text == "true";
     refuse("must be true or false, not " + quote(text));

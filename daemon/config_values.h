@@ -39,6 +39,9 @@ bool parse_on_close(std::string_view text);
 
 std::uint64_t parse_seed(std::string_view text);
 
+/// visual or collision.
+sim::SdfGeometry parse_geometry(std::string_view text);
+
 /// true or false.
 bool parse_switch(std::string_view text);
 

@@ -8,8 +8,9 @@
 
 #include <spdlog/spdlog.h>
 
-#include "daemon/demo_world.h"
+#include "daemon/load_world.h"
 #include "daemon/run_directory.h"
+#include "protocol/ideal.h"
 #include "sim/backends/registry.h"
 
 namespace scipd::daemon {
@@ -55,7 +56,7 @@ std::optional<LatenessStatus> summary_of(const Lateness& lateness) {
 }  // namespace
 
 FleetPlan make_plan(Config config) {
-    sim::LoadedScene loaded = sim::load_sdf(config.scene, {.model_folders = stock_models()});
+    sim::LoadedScene loaded = load_world(config);
     World::Backends backends = make_backends(config, loaded.scene);
     return {std::move(config), std::move(loaded), std::move(backends)};
 }

@@ -44,7 +44,7 @@ FleetPlan make_plan(Config config);
 
 class Fleet : public Api {
   public:
-    Fleet(const boost::asio::any_io_executor& executor, ClockKind clock);
+    explicit Fleet(const boost::asio::any_io_executor& executor, ClockKind clock = ClockKind::wall);
 
     /// Throws LoadError for a trajectory, std::runtime_error for a port or a source of poses: then
     /// all is as before.

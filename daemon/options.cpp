@@ -10,10 +10,10 @@
 
 #include "daemon/config_values.h"
 #include "daemon/demo_world.h"
+#include "daemon/load_world.h"
 #include "daemon/models/registry.h"
 #include "sim/backends/registry.h"
 #include "sim/loaders/load_error.h"
-#include "sim/loaders/sdf.h"
 
 namespace scipd::daemon {
 namespace {
@@ -220,7 +220,7 @@ Answer backend_list() {
 
 Answer check(const fs::path& file) {
     const auto config = load_config(file);
-    const auto world = sim::load_sdf(config.scene, {.model_folders = stock_models()});
+    const auto world = load_world(config);
     std::string text;
     for (const auto& warning : world.warnings)
         text += warning + "\n";

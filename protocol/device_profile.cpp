@@ -22,19 +22,4 @@ Uptime DeviceProfile::nominal_scan_period() const {
     return scan_rpm > 0 ? Uptime(std::chrono::minutes(1)) / scan_rpm : scan_period;
 }
 
-DeviceProfile answering_at_once(DeviceProfile profile) {
-    profile.turns_per_reply = 0;
-    for (Uptime* wait : {&profile.reply_tick, &profile.scan_tick, &profile.reply_delay,
-                         &profile.state_report_delay})
-        *wait = Uptime::zero();
-    return profile;
-}
-
-DeviceProfile ideal(DeviceProfile profile) {
-    profile = answering_at_once(std::move(profile));
-    profile.scan_period = profile.nominal_scan_period();
-    profile.boot_time = profile.wake_time = Uptime::zero();
-    return profile;
-}
-
 }  // namespace scipd::protocol

@@ -144,10 +144,4 @@ struct DeviceProfile {
     }
 };
 
-/// The same device without ticks and delays: replies and scans leave as soon as they can.
-[[nodiscard]] DeviceProfile answering_at_once(DeviceProfile profile);
-
-/// As its data sheet has it: turns take their nominal time, nothing waits, boots or wakes.
-[[nodiscard]] DeviceProfile ideal(DeviceProfile profile);
-
 }  // namespace scipd::protocol

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "daemon/device/client.h"
+#include "protocol/ideal.h"
 #include "protocol/reply_grid.h"
 #include "protocol/settings.h"
 

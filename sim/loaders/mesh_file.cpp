@@ -3,109 +3,131 @@
 #include "sim/loaders/mesh_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <span>
+#include <cstdint>
+#include <stdexcept>
+#include <type_traits>
 
-#include <assimp/Importer.hpp>
-#include <assimp/config.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
-
+#include "sim/loaders/confined.h"
 #include "sim/loaders/load_error.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/mesh_reader.h"
 
 namespace scipd::sim {
 namespace {
 
-/// Positions and faces are all that a range needs; without the rest more vertices are identical and
-/// can be shared.
-constexpr int unwanted = aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
-                         aiComponent_COLORS | aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS |
-                         aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
-                         aiComponent_CAMERAS;
+namespace fs = std::filesystem;
 
-constexpr unsigned int steps = aiProcess_Triangulate | aiProcess_RemoveComponent |
-                               aiProcess_PreTransformVertices | aiProcess_SortByPType |
-                               aiProcess_ValidateDataStructure;
+constexpr std::uintmax_t largest_file = 1ULL << 30;
+/// Assimp takes up to 600 bytes and 2 us a triangle (load_bench): the largest mesh that is taken
+/// fits into either.
+constexpr Confines confines{.processor_time = std::chrono::seconds{60}, .memory_bytes = 8ULL << 30};
 
-std::span<aiMesh* const> meshes_of(const aiScene& scene) {
-    return {scene.mMeshes, scene.mNumMeshes};
+// From the child to us: the two are one program, and no byte of the file is in between.
+
+template <typename Value>
+void put(const Value* values, std::size_t count, std::FILE* out) {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    if (std::fwrite(values, sizeof(Value), count, out) != count) throw std::bad_alloc();
 }
 
-bool is_finite(const aiMesh* mesh) {
-    return std::ranges::all_of(std::span{mesh->mVertices, mesh->mNumVertices},
-                               [](const aiVector3D& v) { return std::isfinite(v.x + v.y + v.z); });
+template <typename Container>
+void put_all(const Container& values, std::FILE* out) {
+    const std::uint64_t count = values.size();
+    put(&count, 1, out);
+    put(values.data(), values.size(), out);
 }
 
-const aiScene& read(Assimp::Importer& importer, const std::filesystem::path& file) {
-    if (!std::filesystem::is_regular_file(file)) {
-        throw LoadError({file.string() + ": no such file; a mesh is wanted here"});
+template <typename Container>
+void take_all(Container& values, std::FILE* in) {
+    std::uint64_t count = 0;
+    const bool is_told = std::fread(&count, sizeof count, 1, in) == 1;
+    values.resize(count);
+    const auto size = sizeof(typename Container::value_type);
+    if (!is_told || std::fread(values.data(), size, count, in) != count) {
+        throw std::runtime_error("was read but did not arrive");
     }
-    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, unwanted);
-    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
-                                aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    // Otherwise a COLLADA file that says Z_UP would be turned to y up: robots live in z up.
-    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-    const aiScene* scene = importer.ReadFile(file.string(), steps);
-    if (scene != nullptr && !std::ranges::all_of(meshes_of(*scene), is_finite)) {
-        throw LoadError({file.string() + ": has a vertex that is not finite"});
-    }
-    // Last, since it takes a NaN for identical to any vertex and would hide it.
-    if (scene != nullptr) scene = importer.ApplyPostProcessing(aiProcess_JoinIdenticalVertices);
-    if (scene == nullptr) {
-        throw LoadError({file.string() +
-                         ": cannot be read as a mesh: " + printable(importer.GetErrorString())});
-    }
-    return *scene;
 }
 
-/// Appends; false where a vertex does not stay finite.
-bool append(const aiMesh& from, const glm::dvec3& scale, Mesh& to) {
-    const auto first = static_cast<glm::uint>(to.vertices_m.size());
-    for (const aiVector3D& vertex : std::span{from.mVertices, from.mNumVertices}) {
-        const glm::vec3 scaled_m{glm::dvec3{vertex.x, vertex.y, vertex.z} * scale};
-        if (!std::isfinite(scaled_m.x + scaled_m.y + scaled_m.z)) return false;
-        to.vertices_m.push_back(scaled_m);
+void put_parts(const std::vector<MeshPart>& parts, std::FILE* out) {
+    const std::uint64_t count = parts.size();
+    put(&count, 1, out);
+    for (const MeshPart& part : parts) {
+        put_all(part.material, out);
+        put_all(part.mesh.vertices_m, out);
+        put_all(part.mesh.triangles, out);
     }
-    for (const aiFace& face : std::span{from.mFaces, from.mNumFaces}) {
-        if (face.mNumIndices != 3) continue;
-        const std::span corner{face.mIndices, 3};
-        to.triangles.emplace_back(first + corner[0], first + corner[1], first + corner[2]);
-    }
-    return true;
 }
 
-/// Assimp makes up a name where the file gives none.
-std::string material_name(const aiScene& scene, const aiMesh& mesh) {
-    if (mesh.mMaterialIndex >= scene.mNumMaterials) return {};
-    const std::string name = scene.mMaterials[mesh.mMaterialIndex]->GetName().C_Str();
-    return name == AI_DEFAULT_MATERIAL_NAME ? std::string{} : name;
+std::vector<MeshPart> take_parts(std::FILE* in) {
+    std::uint64_t count = 0;
+    if (std::fread(&count, sizeof count, 1, in) != 1) throw std::runtime_error("did not arrive");
+    std::vector<MeshPart> parts(count);
+    for (MeshPart& part : parts) {
+        take_all(part.material, in);
+        take_all(part.mesh.vertices_m, in);
+        take_all(part.mesh.triangles, in);
+    }
+    return parts;
 }
 
-MeshPart& part_of(const std::string& material, std::vector<MeshPart>& parts) {
-    for (auto& part : parts) {
-        if (part.material == material) return part;
+std::string known_kinds() {
+    std::string text;
+    for (const auto extension : mesh_extensions)
+        text += (text.empty() ? "" : ", ") + std::string(extension);
+    return text;
+}
+
+void check_file(const fs::path& file) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) {
+        throw std::runtime_error("no such file; a mesh is wanted here");
     }
-    return parts.emplace_back(MeshPart{material, {}});
+    if (!is_mesh_file(file)) {
+        throw std::runtime_error("is no kind of mesh that is known; name one of " + known_kinds());
+    }
+    if (const auto size = fs::file_size(file, error); error || size > largest_file) {
+        throw std::runtime_error("is larger than 1 GiB");
+    }
+}
+
+void apply(const glm::dvec3& scale, Mesh& mesh) {
+    for (glm::vec3& vertex : mesh.vertices_m) {
+        vertex = glm::vec3{glm::dvec3{vertex} * scale};
+        if (!std::isfinite(vertex.x + vertex.y + vertex.z)) {
+            throw std::runtime_error("has a vertex that is not finite once scaled");
+        }
+    }
 }
 
 }  // namespace
 
-std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& file, const glm::dvec3& scale) {
-    Assimp::Importer importer;
-    const aiScene& scene = read(importer, file);
-    std::vector<MeshPart> parts;
-    for (const aiMesh* mesh : meshes_of(scene)) {
-        if (!append(*mesh, scale, part_of(material_name(scene, *mesh), parts).mesh)) {
-            throw LoadError({file.string() + ": has a vertex that is not finite once scaled"});
-        }
-    }
-    std::erase_if(parts, [](const MeshPart& part) { return part.mesh.triangles.empty(); });
-    if (parts.empty()) throw LoadError({file.string() + ": holds no triangles"});
-    return parts;
+std::string extension_of(const fs::path& file) {
+    std::string extension = file.extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
 }
 
-Mesh load_mesh(const std::filesystem::path& file, const glm::dvec3& scale) {
+bool is_mesh_file(const fs::path& file) {
+    return std::ranges::find(mesh_extensions, extension_of(file)) != mesh_extensions.end();
+}
+
+std::vector<MeshPart> load_mesh_parts(const fs::path& file, const glm::dvec3& scale,
+                                      MeshAxes axes) {
+    try {
+        check_file(file);
+        const auto read = [&](std::FILE* out) { put_parts(read_mesh(file, axes), out); };
+        std::vector<MeshPart> parts = take_parts(run_confined(confines, read).get());
+        for (MeshPart& part : parts)
+            apply(scale, part.mesh);
+        return parts;
+    } catch (const std::runtime_error& wrong) {
+        throw LoadError({file.string() + ": " + wrong.what()});
+    }
+}
+
+Mesh load_mesh(const fs::path& file, const glm::dvec3& scale) {
     Mesh whole;
     for (const auto& part : load_mesh_parts(file, scale)) {
         const auto first = static_cast<glm::uint>(whole.vertices_m.size());

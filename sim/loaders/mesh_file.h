@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
+//
+// Meshes from files: OBJ with MTL, STL, PLY, COLLADA, glTF and GLB. Any thread; nothing shared.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -18,13 +22,34 @@ struct MeshPart {
     Mesh mesh;
 };
 
-/// OBJ, STL, PLY, DAE and whatever else Assimp reads: all triangles of the file as one mesh, its
-/// own transforms applied, coordinates as they stand in the file (no axis is turned). Throws
-/// LoadError.
-Mesh load_mesh(const std::filesystem::path& file, const glm::dvec3& scale = {1.0, 1.0, 1.0});
+/// Which way is up.
+enum class MeshAxes {
+    /// Coordinates as they stand in the file, which is what Gazebo and RViz do with every format:
+    /// neither heeds a COLLADA <up_axis>, and both leave a glTF lying on its back.
+    as_in_file,
+    /// Turned to z up where the format says what is up: by <up_axis> in COLLADA (y where there is
+    /// none), y in glTF. The others say nothing and stay.
+    z_up,
+};
 
-/// The same, one part for every material of the file.
+inline constexpr std::array<std::string_view, 6> mesh_extensions{".obj", ".stl",  ".ply",
+                                                                 ".dae", ".gltf", ".glb"};
+
+/// With its dot, in small letters.
+std::string extension_of(const std::filesystem::path& file);
+
+/// By its name.
+bool is_mesh_file(const std::filesystem::path& file);
+
+/// All triangles of the file, one part for every material, with the file's own transforms applied
+/// and, in COLLADA, its <unit>; other files are in metres. It is read in a child process, so that
+/// one that takes too much of anything, or crashes the library, is refused like any other. Throws
+/// LoadError.
 std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& file,
-                                      const glm::dvec3& scale = {1.0, 1.0, 1.0});
+                                      const glm::dvec3& scale = {1.0, 1.0, 1.0},
+                                      MeshAxes axes = MeshAxes::as_in_file);
+
+/// The same as one mesh.
+Mesh load_mesh(const std::filesystem::path& file, const glm::dvec3& scale = {1.0, 1.0, 1.0});
 
 }  // namespace scipd::sim

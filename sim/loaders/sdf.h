@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/world/scene.h"
+#include "sim/loaders/loaded_scene.h"
 
 namespace scipd::sim {
 
@@ -30,12 +30,6 @@ struct SdfOptions {
     /// be a large world. What would take more than this is refused before it is read.
     std::size_t most_memory_bytes = std::size_t{4} << 30U;
     std::size_t most_triangles = 20'000'000;
-};
-
-struct LoadedScene {
-    SharedScene scene;
-    std::vector<std::string>
-        warnings;  ///< each names what was met and what was done about it, once
 };
 
 /// A world, a model or a robot. Throws LoadError where the file cannot be used; nothing half-loaded

@@ -95,6 +95,14 @@ TEST_F(FleetTest, TellsWhatThereIs) {
     EXPECT_LE(sensor().lateness->p50, sensor().lateness->max);
 }
 
+TEST_F(FleetTest, TakesAWorldOfAnyKind) {
+    Config config = of({on_tcp("front")});
+    config.scene = SCIPD_SCENES "/office_map.yaml";
+    EXPECT_EQ(make_plan(config).loaded.scene->name, "office_map");
+    config.scene = SCIPD_SCENES "/rescue_maze_terrain.obj";
+    EXPECT_EQ(make_plan(config).loaded.scene->name, "rescue_maze_terrain");
+}
+
 TEST_F(FleetTest, KeepsWhatDidNotChange) {
     const SensorConfig front = on_tcp("front");
     fleet_.apply(of({front, on_tty("rear")}));

@@ -15,6 +15,7 @@
 #include "daemon/models/registry.h"
 #include "protocol/checksum.h"
 #include "protocol/data_block.h"
+#include "protocol/ideal.h"
 #include "protocol/line_reader.h"
 #include "tests/protocol/shell.h"
 

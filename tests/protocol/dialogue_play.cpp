@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "protocol/ideal.h"
 #include "tests/protocol/dialogue.h"
 #include "tests/protocol/shell.h"
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "protocol/command_table.h"
+#include "protocol/ideal.h"
 
 namespace scipd::protocol {
 namespace {

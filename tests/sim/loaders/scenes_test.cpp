@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/backends/registry.h"
-#include "sim/loaders/sdf.h"
+#include "sim/loaders/scene_file.h"
 #include "sim/loaders/trajectory.h"
 
 namespace scipd::sim {
@@ -200,6 +200,21 @@ TEST(Depot, CanBeSeenByItsCollisions) {
     // The bare wheels and the mast of the forklift, the ramp.
     for (const auto& warning : depot.warnings)
         EXPECT_THAT(warning, ::testing::HasSubstr("has visuals but no collision"));
+}
+
+TEST(OfficeMap, hasTheRangesThatItsCommentTells) {
+    const auto loaded = load_scene(scene_file("office_map.yaml"));
+    EXPECT_THAT(loaded.warnings, IsEmpty());
+    auto backend = make_backend("reference", loaded.scene);
+    const auto range_m = sweep_m(*backend, {{1.0, 4.5, 0.0}, {1.0, 0.0, 0.0, 0.0}});
+    EXPECT_NEAR(range_m[0], 1.F, 1e-5F);
+    EXPECT_NEAR(range_m[90], 0.7F, 1e-5F);
+    EXPECT_NEAR(range_m[180], 14.F, 1e-5F);
+    EXPECT_NEAR(range_m[270], 0.7F, 1e-5F);
+    EXPECT_TRUE(std::isfinite(std::ranges::max(range_m)));
+    // At 45 degrees through a door to the table along the north wall, whose edge is at y 8.2.
+    EXPECT_NEAR(range_m[225], 3.7F * std::numbers::sqrt2_v<float>, 1e-4F);
+    EXPECT_LT(triangle_count(*loaded.scene), 1500U);
 }
 
 }  // namespace

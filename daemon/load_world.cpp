@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/load_world.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "daemon/demo_world.h"
+#include "sim/loaders/load_error.h"
+#include "sim/loaders/scene_file.h"
+
+namespace scipd::daemon {
+namespace {
+
+std::string movable_models(const sim::Scene& scene) {
+    std::string text;
+    for (const sim::Model& model : scene.models) {
+        if (model.movable) text += (text.empty() ? "" : ", ") + model.name;
+    }
+    return text.empty() ? "none" : text;
+}
+
+bool moves(const sim::Scene& scene, const std::string& name) {
+    const auto model = sim::find_model(scene, name);
+    return model && scene.models[*model].movable;
+}
+
+}  // namespace
+
+sim::LoadedScene load_world(const Config& config) {
+    const sim::SceneOptions options{
+        .sdf = {.geometry = config.geometry, .model_folders = stock_models()}, .map = config.map};
+    sim::LoadedScene loaded = sim::load_scene(config.scene, options);
+    std::vector<std::string> faults;
+    for (const RobotConfig& robot : config.robots) {
+        if (robot.body.empty() || moves(*loaded.scene, robot.body)) continue;
+        faults.push_back("robots." + robot.name + ".body: " + config.scene.string() +
+                         " has no movable model \"" + robot.body + "\"; movable models are " +
+                         movable_models(*loaded.scene));
+    }
+    if (!faults.empty()) throw sim::LoadError(std::move(faults));
+    return loaded;
+}
+
+}  // namespace scipd::daemon

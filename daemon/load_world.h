@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#pragma once
+
+#include "daemon/config.h"
+#include "sim/loaders/loaded_scene.h"
+
+namespace scipd::daemon {
+
+/// The world that a configuration names, with the models in it that its robots need. Touches
+/// nothing that runs: any thread may do it. Throws LoadError with every fault.
+sim::LoadedScene load_world(const Config& config);
+
+}  // namespace scipd::daemon

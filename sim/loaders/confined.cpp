@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/confined.h"
+
+#include <cerrno>
+#include <csignal>
+#include <exception>
+#include <fstream>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace scipd::sim {
+namespace {
+
+constexpr int failed_with_words = 1;
+
+File new_file() {
+    const int descriptor = memfd_create("confined", MFD_CLOEXEC);
+    if (descriptor < 0) throw std::system_error(errno, std::generic_category(), "memfd_create");
+    File file{fdopen(descriptor, "w+")};
+    if (!file) {
+        close(descriptor);
+        throw std::system_error(errno, std::generic_category(), "fdopen");
+    }
+    return file;
+}
+
+std::size_t memory_in_use() {
+    std::size_t pages = 0;
+    std::ifstream{"/proc/self/statm"} >> pages;
+    return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+/// The type of a resource is the C library's own affair.
+template <typename Resource>
+void limit(Resource resource, rlim_t most) {
+    const rlimit both{most, most};
+    setrlimit(resource, &both);
+}
+
+void enter(const Confines& confines) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        std::signal(signal, SIG_DFL);
+    limit(RLIMIT_CORE, 0);
+    limit(RLIMIT_CPU, static_cast<rlim_t>(confines.processor_time.count()));
+    limit(RLIMIT_AS, memory_in_use() + confines.memory_bytes);
+}
+
+/// In the child: the answer is in the file, and the status says whether it is one.
+[[noreturn]] void run(const Confines& confines, const std::function<void(std::FILE* out)>& work,
+                      std::FILE* out) {
+    const auto leave_with = [out](const char* words) {
+        std::rewind(out);
+        if (ftruncate(fileno(out), 0) == 0) std::fputs(words, out);
+        std::fflush(out);
+        _exit(failed_with_words);
+    };
+    try {
+        enter(confines);
+        work(out);
+        if (std::fflush(out) != 0) leave_with("its outcome cannot be kept in memory");
+        _exit(0);
+    } catch (const std::bad_alloc&) {
+        leave_with("takes too much memory");
+    } catch (const std::exception& error) {
+        leave_with(error.what());
+    }
+    _exit(failed_with_words);
+}
+
+std::string all_of(std::FILE* file) {
+    std::string text;
+    for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file))
+        text.push_back(static_cast<char>(c));
+    return text;
+}
+
+std::string end_of(int status, const Confines& confines) {
+    const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    // At the soft limit the one, at the hard limit, which is the same, the other.
+    if (signal == SIGXCPU || signal == SIGKILL) {
+        return "takes more than " + std::to_string(confines.processor_time.count()) +
+               " s of processor time, or all memory";
+    }
+    return "crashes the library that reads it" +
+           (signal != 0 ? " (signal " + std::to_string(signal) + ")" : std::string{});
+}
+
+}  // namespace
+
+File run_confined(const Confines& confines, const std::function<void(std::FILE* out)>& work) {
+    File file = new_file();
+    const pid_t child = fork();
+    if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
+    if (child == 0) run(confines, work, file.get());
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0) {
+        if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "waitpid");
+    }
+    // The child wrote through the same open file, whose place is shared.
+    std::rewind(file.get());
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return file;
+    if (WIFEXITED(status) && WEXITSTATUS(status) == failed_with_words) {
+        throw std::runtime_error(all_of(file.get()));
+    }
+    throw std::runtime_error(end_of(status, confines));
+}
+
+}  // namespace scipd::sim

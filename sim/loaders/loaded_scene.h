@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/world/scene.h"
+
+namespace scipd::sim {
+
+struct LoadedScene {
+    SharedScene scene;
+    std::vector<std::string>
+        warnings;  ///< each names what was met and what was done about it, once
+};
+
+}  // namespace scipd::sim

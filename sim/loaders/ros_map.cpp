@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/ros_map.h"
+
+#include <algorithm>
+#include <cassert>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "sim/loaders/load_error.h"
+#include "sim/loaders/map_file.h"
+#include "sim/loaders/map_image.h"
+#include "sim/loaders/map_walls.h"
+#include "sim/loaders/occupancy.h"
+
+namespace scipd::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr unsigned largest_yaml_mib = 1;
+constexpr unsigned largest_picture_mib = 512;
+
+std::string read_all(const fs::path& file, unsigned most_mib, const char* wanted) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) {
+        throw LoadError({file.string() + ": no such file; " + wanted});
+    }
+    const auto size = fs::file_size(file, error);
+    if (error || size > most_mib * std::uintmax_t{1 << 20}) {
+        throw LoadError(
+            {file.string() + ": is larger than " + std::to_string(most_mib) + " MiB; " + wanted});
+    }
+    std::ifstream in{file, std::ios::binary};
+    std::string bytes(size, '\0');
+    in.read(bytes.data(), static_cast<std::streamsize>(size));
+    if (!in) throw LoadError({file.string() + ": cannot be read; " + wanted});
+    return bytes;
+}
+
+CellGrid load_cells(const MapFile& map) {
+    const std::string bytes =
+        read_all(map.image, largest_picture_mib, "the map's picture is wanted here");
+    try {
+        return cells_of(read_map_image(bytes), map);
+    } catch (const std::invalid_argument& wrong) {
+        throw LoadError({map.image.string() + ": " + wrong.what()});
+    }
+}
+
+/// The scene of one map, object by object.
+class MapScene {
+  public:
+    MapScene(const fs::path& file, const MapFile& map, const CellGrid& grid)
+        : map_(map), grid_(grid) {
+        scene_.name = file.stem().string();
+        const Pose world_from_map = pose_from_rpy({map.origin_m, 0.0}, {0.0, 0.0, map.yaw_rad});
+        scene_.models.push_back({scene_.name, false, world_from_map});
+    }
+
+    void add(Cell which, const std::string& name, const std::string& material,
+             const MapOptions& options) {
+        auto mesh = std::make_shared<const Mesh>(
+            wall_mesh(grid_, which, {map_.resolution_m, options.bottom_m, options.top_m}));
+        if (mesh->triangles.empty()) return;
+        const glm::dvec2 middle_m = 0.5 * map_.resolution_m * glm::dvec2{grid_.columns, grid_.rows};
+        scene_.objects.push_back({scene_.name + "::" + name, 0,
+                                  pose_from_rpy({middle_m, 0.0}, glm::dvec3{0.0}), std::move(mesh),
+                                  material_id(material)});
+    }
+
+    [[nodiscard]] bool empty() const { return scene_.objects.empty(); }
+
+    SharedScene finish() && {
+        // Whole metres, so that round coordinates stay round.
+        scene_.anchor_m = glm::round(Scene::middle_of(scene_));
+        return std::make_shared<const Scene>(std::move(scene_));
+    }
+
+  private:
+    MaterialId material_id(const std::string& name) {
+        auto& all = scene_.materials;
+        auto found = std::ranges::find(all, name, &Material::name);
+        if (found == all.end()) found = all.insert(found, {name});
+        return static_cast<MaterialId>(found - all.begin());
+    }
+
+    const MapFile& map_;
+    const CellGrid& grid_;
+    Scene scene_;
+};
+
+}  // namespace
+
+LoadedScene load_ros_map(const fs::path& given, const MapOptions& options) {
+    assert(options.bottom_m < options.top_m);
+    const auto file = fs::absolute(given).lexically_normal();
+    const MapFile map =
+        parse_map_file(read_all(file, largest_yaml_mib, "name the YAML of a ROS map"), file);
+    CellGrid grid = load_cells(map);
+    if (options.unknown == UnknownCells::wall) {
+        std::ranges::replace(grid.cells, Cell::unknown, Cell::occupied);
+    }
+    MapScene scene{file, map, grid};
+    try {
+        scene.add(Cell::occupied, "walls", options.material, options);
+        if (options.unknown == UnknownCells::unknown) {
+            scene.add(Cell::unknown, "unknown", "unknown", options);
+        }
+    } catch (const std::invalid_argument& wrong) {
+        throw LoadError({map.image.string() + ": " + wrong.what()});
+    }
+    if (scene.empty()) {
+        throw LoadError({map.image.string() +
+                         ": holds no wall: no cell is above the "
+                         "occupied_thresh of " +
+                         file.string()});
+    }
+    return {std::move(scene).finish(), map.warnings};
+}
+
+}  // namespace scipd::sim

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/scene_file.h"
+
+#include <string>
+
+#include "sim/loaders/load_error.h"
+#include "sim/loaders/mesh_file.h"
+#include "sim/loaders/mesh_scene.h"
+
+namespace scipd::sim {
+
+LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& options) {
+    const std::string extension = extension_of(file);
+    if (extension == ".sdf" || extension == ".world" || extension == ".urdf") {
+        return load_sdf(file, options.sdf);
+    }
+    if (extension == ".yaml" || extension == ".yml") return load_ros_map(file, options.map);
+    if (is_mesh_file(file)) return load_mesh_scene(file);
+    throw LoadError({file.string() +
+                     ": is no kind of world that is known; name an SDF (.sdf, .world), a URDF "
+                     "(.urdf), a ROS map (.yaml, .yml) or a mesh (.obj, .stl, .ply, .dae, .gltf, "
+                     ".glb)"});
+}
+
+}  // namespace scipd::sim

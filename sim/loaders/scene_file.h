@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A world from a file of any kind that we read. Any thread; nothing shared.
+#pragma once
+
+#include <filesystem>
+
+#include "sim/loaders/ros_map.h"
+#include "sim/loaders/sdf.h"
+
+namespace scipd::sim {
+
+/// What the files themselves do not say; each kind takes what concerns it.
+struct SceneOptions {
+    SdfOptions sdf;  ///< of URDF too
+    MapOptions map;
+};
+
+/// The file's extension tells its kind: .sdf, .world and .urdf, .yaml and .yml for ROS maps, and
+/// those of meshes. Throws LoadError.
+LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& options = {});
+
+}  // namespace scipd::sim

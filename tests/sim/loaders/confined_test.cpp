@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/confined.h"
+
+#include <csignal>
+#include <stdexcept>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace scipd::sim {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr Confines roomy{.processor_time = std::chrono::seconds{20},
+                         .memory_bytes = std::size_t{1} << 30};
+
+std::string outcome(const Confines& confines, const std::function<void(std::FILE*)>& work) {
+    try {
+        const File file = run_confined(confines, work);
+        std::string text(100, '\0');
+        text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+        return text;
+    } catch (const std::runtime_error& error) {
+        return std::string("error: ") + error.what();
+    }
+}
+
+TEST(Confined, handsOverWhatWasWritten) {
+    EXPECT_EQ(outcome(roomy, [](std::FILE* out) { std::fputs("all of it", out); }), "all of it");
+    EXPECT_EQ(outcome(roomy, [](std::FILE*) {}), "");
+}
+
+TEST(Confined, handsOverWhatWasThrownAndNothingElse) {
+    EXPECT_EQ(outcome(roomy,
+                      [](std::FILE* out) {
+                          std::fputs("a beginning that is longer than the reason", out);
+                          std::fflush(out);
+                          throw std::runtime_error("the reason");
+                      }),
+              "error: the reason");
+}
+
+TEST(Confined, changesNothingHere) {
+    int touched = 0;
+    EXPECT_EQ(outcome(roomy, [&](std::FILE*) { touched = 1; }), "");
+    EXPECT_EQ(touched, 0);
+}
+
+TEST(Confined, survivesACrash) {
+    EXPECT_THAT(outcome(roomy,
+                        [](std::FILE*) {
+                            // By hand and by default, since sanitizers have a handler of their own.
+                            std::signal(SIGSEGV, SIG_DFL);
+                            std::raise(SIGSEGV);
+                        }),
+                HasSubstr("crashes the library that reads it (signal 11)"));
+}
+
+TEST(Confined, endsWhatNeverEnds) {
+    const Confines short_of_time{.processor_time = std::chrono::seconds{1},
+                                 .memory_bytes = roomy.memory_bytes};
+    EXPECT_THAT(outcome(short_of_time,
+                        [](std::FILE*) {
+                            volatile bool goes_on = true;
+                            while (goes_on)
+                                continue;
+                        }),
+                HasSubstr("takes more than 1 s of processor time"));
+}
+
+TEST(Confined, refusesMemoryPastItsLimit) {
+    // A sanitizer ends the child in words of its own instead of throwing.
+    EXPECT_THAT(outcome(roomy,
+                        [](std::FILE* out) {
+                            const std::string large(std::size_t{3} << 30, 'x');
+                            std::fwrite(large.data(), 1, 100, out);
+                        }),
+                StartsWith("error: "));
+}
+
+}  // namespace
+}  // namespace scipd::sim
