@@ -196,6 +196,22 @@ robots:
     EXPECT_EQ(tram.sensors[0].wait_for_poses, std::chrono::nanoseconds::zero());
 }
 
+TEST_F(ConfigTest, ReadsWhatAMapAndAnSdfLeaveOpen) {
+    const std::string robots = "robots: {r: {sensors: {s: {model: UST-10LX, pty: auto}}}}\n";
+    const Config config =
+        parse(robots + "geometry: collision\nmap: {z: [-0.5, 3], material: brick, unknown: wall}");
+    EXPECT_EQ(config.geometry, sim::SdfGeometry::collision);
+    EXPECT_EQ(config.map, (sim::MapOptions{-0.5, 3.0, "brick", sim::UnknownCells::wall}));
+    EXPECT_THAT(faults(robots + "geometry: both\nmap: {z: [2, 1], unknown: maybe, height: 2}"),
+                ElementsAre("fleet.yaml:2: geometry: must be visual or collision, not 'both'",
+                            "fleet.yaml:3: map.height: unknown key; known here are z, material, "
+                            "unknown",
+                            "fleet.yaml:3: map.z: must be the heights of the walls, [BOTTOM, TOP], "
+                            "such as [0, 2]",
+                            "fleet.yaml:3: map.unknown: must be free, wall or unknown, not "
+                            "'maybe'"));
+}
+
 TEST_F(ConfigTest, SaysWhatPosesCannotBe) {
     const auto faults_of = [&](const std::string& poses) {
         return faults("robots: {r: {poses: {" + poses +
@@ -289,8 +305,9 @@ TEST_F(ConfigTest, RefusesEveryKeyThatComesLater) {
     EXPECT_THAT(sensor_faults("echo: x"),
                 ElementsAre("fleet.yaml:3: robots.r.sensors.s.echo: is not supported by this "
                             "version; leave it out"));
-    EXPECT_THAT(faults(std::string{whole} + "map: {z: [0, 2]}"),
-                ElementsAre("fleet.yaml:27: map: is not supported by this version; leave it out"));
+    EXPECT_THAT(
+        faults(std::string{whole} + "materials: wood.yaml"),
+        ElementsAre("fleet.yaml:27: materials: is not supported by this version; leave it out"));
 }
 
 TEST_F(ConfigTest, SaysWhereTheTextIsNotYaml) {

@@ -31,7 +31,15 @@ Shell::MirrorTurn Shell::following(const MirrorTurn& turn) const {
     return {start, start >= mirror.origin ? mirror.tick : turn.period};
 }
 
+// Turns that nobody wanted, or they would have been events. Before anything may change the mirror:
+// they were at the speed of their time.
+void Shell::catch_up() {
+    while (complete(following(done_)) < now_)
+        done_ = following(done_);
+}
+
 void Shell::receive(std::string_view bytes, int client) {
+    catch_up();
     sessions_[client]->receive(bytes, now_);
     settle(client);
 }
@@ -46,6 +54,7 @@ void Shell::advance_to(Uptime time) {
             hand_out(leaving.client, leaving.turn);
         }
         for (int client = 0; client < clients(); ++client) {
+            catch_up();
             sessions_[client]->advance(at);
             settle(client);
         }
@@ -54,9 +63,7 @@ void Shell::advance_to(Uptime time) {
 }
 
 Uptime Shell::next_event() {
-    // Nobody wanted those before, or they would have been events.
-    while (complete(following(done_)) < now_)
-        done_ = following(done_);
+    catch_up();
     Uptime next = Uptime::max();
     for (const auto& session : sessions_) {
         if (session->measuring()) next = std::min(next, complete(following(done_)));
@@ -92,8 +99,7 @@ void Shell::hand_out(int client, const Turn& turn) {
 // Answers whoever waits for the latest complete scan and keeps what was sent.
 void Shell::settle(int client) {
     Session& session = *sessions_[client];
-    while (complete(following(done_)) < now_)
-        done_ = following(done_);
+    catch_up();
     const MirrorTurn next = following(done_);
     const Turn latest{complete(next) == now_ ? next.start : done_.start};
     if (latest.start >= Uptime::zero() && session.waits_for(latest)) hand_out(client, latest);

@@ -39,7 +39,10 @@ class Shell {
 
     [[nodiscard]] Uptime now() const { return now_; }
     [[nodiscard]] Session& session(int client = 0) { return *sessions_[client]; }
-    [[nodiscard]] DeviceState& device() { return device_; }
+    [[nodiscard]] DeviceState& device() {
+        catch_up();
+        return device_;
+    }
     /// All that has been sent since the last call.
     std::vector<Sent> take_sent(int client = 0);
     /// What it was asked to do besides sending since the last call.
@@ -69,6 +72,7 @@ class Shell {
     [[nodiscard]] MirrorTurn following(const MirrorTurn& turn) const;
     [[nodiscard]] Uptime next_event();
     [[nodiscard]] int clients() const { return static_cast<int>(sessions_.size()); }
+    void catch_up();
     void complete_turn();
     void hand_out(int client, const Turn& turn);
     void settle(int client);
