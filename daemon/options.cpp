@@ -11,6 +11,7 @@
 #include "daemon/config_values.h"
 #include "daemon/demo_world.h"
 #include "daemon/models/registry.h"
+#include "sim/backends/depth.h"
 #include "sim/backends/registry.h"
 
 namespace scipd::daemon {
@@ -243,9 +244,7 @@ void complete(Said& said) {
 std::variant<Options, Answer> act(Said& said) {
     if (said.list_models) return model_list();
     if (said.list_backends) return backend_list();
-    if (said.probe)
-        return refusal(
-            "scipd: --probe: this build has no depth backend to probe for; see scipd --help");
+    if (said.probe) return Answer{0, sim::probe_depth()};
     if (!said.check.empty()) return check(said.check);
     if (said.config.empty()) {
         complete(said);
