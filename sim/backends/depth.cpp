@@ -24,6 +24,7 @@ class DepthBackend final : public RangeBackend {
     DepthBackend(SharedScene shared_scene, const DepthOptions& options)
         : RangeBackend(std::move(shared_scene)), options_(options), triangles_(scene()) {
         raster_.set_vertices(triangles_.vertices());
+        draw_anything();
     }
 
     [[nodiscard]] std::string_view name() const override { return "depth"; }
@@ -35,6 +36,7 @@ class DepthBackend final : public RangeBackend {
     [[nodiscard]] Pose anchored(const Pose& world_from_thing) const {
         return {world_from_thing.translation_m - scene().anchor_m, world_from_thing.rotation};
     }
+    void draw_anything();
     const DepthPlan& plan_for(const Fan& fan);
     void draw(const Fan& fan, const DepthPlan& plan);
     void look_up(const Fan& fan, const DepthPlan& plan, std::span<Hit> hits) const;
@@ -50,6 +52,15 @@ class DepthBackend final : public RangeBackend {
     std::vector<DrawnView> views_;
     std::vector<DrawnTriangle> drawn_;
 };
+
+/// Drivers translate shaders when they are first drawn with, which takes longer than a scan lasts.
+void DepthBackend::draw_anything() {
+    const auto some =
+        triangles_.triangles().first(std::min<std::size_t>(1, triangles_.triangles().size()));
+    const std::vector<DrawnView> view{{.size_px = {1, 1}, .triangle_count = some.size()}};
+    raster_.draw(view, some, {1, 1});
+    raster_.read(picture_);
+}
 
 void DepthBackend::do_move(ModelId model, const Pose& world_from_model) {
     const VertexRange moved = triangles_.move(model, anchored(world_from_model));

@@ -145,7 +145,10 @@ std::vector<EglPlace> egl_places() {
     const char* offered = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     std::vector<EglPlace> places;
     if (has_word(offered, "EGL_MESA_platform_surfaceless")) places.push_back({"surfaceless"});
-    if (has_word(offered, "EGL_EXT_platform_device")) {
+    const bool lists_devices = has_word(offered, "EGL_EXT_device_base") ||
+                               (has_word(offered, "EGL_EXT_device_query") &&
+                                has_word(offered, "EGL_EXT_device_enumeration"));
+    if (lists_devices && has_word(offered, "EGL_EXT_platform_device")) {
         for (EglPlace& place : devices())
             places.push_back(std::move(place));
     }
