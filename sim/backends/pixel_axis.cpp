@@ -15,9 +15,8 @@ constexpr int most_pixels = 4096;
 
 std::vector<double> distinct(std::vector<double> values) {
     std::ranges::sort(values);
-    const auto rest =
-        std::ranges::unique(values, [](double a, double b) { return b - a < same_direction; });
-    values.erase(rest.begin(), rest.end());
+    const auto same = [](double a, double b) { return b - a < same_direction; };
+    values.erase(std::unique(values.begin(), values.end(), same), values.end());
     return values;
 }
 

@@ -50,7 +50,8 @@ PlanarFan planar_fan(std::span<const glm::vec3> directions, const glm::dvec3& up
         widest_gap = gap;
         begin = i;
     }
-    std::ranges::rotate(fan.beams, fan.beams.begin() + static_cast<std::ptrdiff_t>(begin));
+    std::rotate(fan.beams.begin(), fan.beams.begin() + static_cast<std::ptrdiff_t>(begin),
+                fan.beams.end());
     for (PlanarFan::Beam& beam : fan.beams) {
         if (beam.angle_rad < fan.beams.front().angle_rad) beam.angle_rad += 2.0 * std::numbers::pi;
     }

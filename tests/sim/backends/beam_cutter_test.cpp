@@ -37,7 +37,7 @@ class BeamCutting : public testing::Test {
     /// One beam between two pixels that look at tangents 0.01 apart, with depths as drawn or as
     /// given.
     Hit cut(BetweenPixels between, std::vector<TriangleId> shown, double left,
-            std::vector<double> z_m) {
+            const std::vector<double>& z_m) {
         picture_.size_px = {2, 1};
         picture_.triangle = std::move(shown);
         picture_.depth.clear();
