@@ -24,3 +24,14 @@ if(NOT embree_FOUND)
   find_package(embree 3.13 REQUIRED)
 endif()
 message(STATUS "Embree ${embree_VERSION}")
+
+# The depth backend is left out where its headers are missing; scipd then says so. EGL itself is looked for when a
+# program runs, so that a machine without it still has the others.
+pkg_check_modules(epoxy IMPORTED_TARGET epoxy)
+pkg_check_modules(egl egl)
+if(epoxy_FOUND AND egl_FOUND)
+  set(depth_FOUND ON)
+else()
+  set(depth_FOUND OFF)
+  message(STATUS "No libepoxy or no EGL: building without the depth backend")
+endif()

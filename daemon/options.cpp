@@ -12,6 +12,7 @@
 #include "daemon/demo_world.h"
 #include "daemon/load_world.h"
 #include "daemon/models/registry.h"
+#include "sim/backends/depth.h"
 #include "sim/backends/registry.h"
 #include "sim/loaders/load_error.h"
 
@@ -250,9 +251,7 @@ void complete(Said& said) {
 std::variant<Options, Answer> act(Said& said) {
     if (said.list_models) return model_list();
     if (said.list_backends) return backend_list();
-    if (said.probe)
-        return refusal(
-            "scipd: --probe: this build has no depth backend to probe for; see scipd --help");
+    if (said.probe) return Answer{0, sim::probe_depth()};
     if (!said.check.empty()) return check(said.check);
     if (said.config.empty()) {
         complete(said);

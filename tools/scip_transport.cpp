@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <stdexcept>
@@ -62,9 +63,13 @@ class StreamTransport final : public ScipTransport {
                                     done = true;
                                 });
         io_.restart();
-        io_.run_one_for(timeout);
+        // A socket that has become writable wakes the context too, and then nothing of ours has
+        // run.
+        const auto end = std::chrono::steady_clock::now() + timeout;
+        while (!done && !interrupted_ && std::chrono::steady_clock::now() < end)
+            io_.run_one_until(end);
         // Time passes for a stopped process as well: what has come meanwhile still counts.
-        if (!done) io_.poll_one();
+        if (!done) io_.poll();
         if (!done) {
             stream_.cancel();
             while (!done && io_.run_one() > 0) {

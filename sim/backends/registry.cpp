@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "sim/backends/depth.h"
 #include "sim/backends/embree.h"
 #include "sim/backends/reference.h"
 
@@ -16,7 +17,9 @@ namespace {
 using Make = std::unique_ptr<RangeBackend> (*)(SharedScene);
 
 /// In the order of backends().
-constexpr std::array<Make, 2> makers{make_embree_backend, make_reference_backend};
+constexpr std::array<Make, 3> makers{
+    make_embree_backend, [](SharedScene scene) { return make_depth_backend(std::move(scene)); },
+    make_reference_backend};
 
 std::string unknown(std::string_view name) {
     std::string text = "no backend '" + std::string(name) + "': choose auto";
@@ -30,6 +33,7 @@ std::string unknown(std::string_view name) {
 std::span<const BackendInfo> backends() {
     static const std::array<BackendInfo, makers.size()> all{{
         {"embree", embree_description()},
+        {"depth", depth_description()},
         {"reference", reference_description()},
     }};
     return all;

@@ -22,7 +22,8 @@ struct BackendInfo {
 /// listed.
 std::span<const BackendInfo> backends();
 
-/// Throws std::invalid_argument, naming the choices, where there is no backend of that name.
+/// Throws std::invalid_argument, naming the choices, where there is no backend of that name, and
+/// std::runtime_error where this build or this machine has not what it needs.
 std::unique_ptr<RangeBackend> make_backend(std::string_view name, SharedScene scene);
 
 }  // namespace scipd::sim

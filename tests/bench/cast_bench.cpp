@@ -6,7 +6,6 @@
 // whatever else the machine does meets both. They cast different scans, since whoever comes second
 // to the same one finds the processor prepared. `ratio` compares the medians.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -18,11 +17,10 @@
 #include "sim/sensor/scanner.h"
 #include "tests/bench/bare_embree.h"
 #include "tests/bench/maze.h"
+#include "tests/bench/rounds.h"
 
 namespace scipd::sim {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t scans = 64;
 constexpr float max_range_m = 60.0F;
@@ -48,19 +46,6 @@ std::vector<std::vector<Pose>> sweeps(bool moving) {
         }
     }
     return all;
-}
-
-double median(std::vector<double> numbers) {
-    const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
-    std::ranges::nth_element(numbers, middle);
-    return *middle;
-}
-
-template <typename Work>
-double seconds_for(Work work) {
-    const Clock::time_point begin = Clock::now();
-    work();
-    return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
 /// The maze, both ways of casting it, and a scan's worth of arguments.

@@ -14,8 +14,8 @@
 
 #include "daemon/control/world.h"
 #include "daemon/device/client.h"
-#include "daemon/device/stepped_clock.h"
 #include "daemon/device/device.h"
+#include "daemon/device/stepped_clock.h"
 #include "daemon/models/registry.h"
 #include "sim/backends/registry.h"
 #include "sim/loaders/sdf.h"

@@ -139,7 +139,7 @@ http: 8080
                     "fleet.yaml:14: robots.rescue.sensors.front.tcp: given twice, first in line "
                     "13; keep one",
                     "fleet.yaml:15: robots.rescue.sensors.front.backend: this build has no "
-                    "backend 'opengl'; use auto, embree, reference",
+                    "backend 'opengl'; use auto, embree, depth, reference",
                     "fleet.yaml:16: robots.rescue.sensors.front.accuracy: material is not built "
                     "yet; use sensor or ideal",
                     "fleet.yaml:17: robots.rescue.sensors.front.motion: must be beam or a number "

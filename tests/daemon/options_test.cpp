@@ -229,9 +229,8 @@ TEST(Options, SaysInOneSentenceWhatIsWrong) {
         {"--pose 1,,2", "--pose: must be a number, not ''"},
         {"--clock pose", "--clock: must be wall or poses, not 'pose'"},
         {"--accuracy material", "--accuracy: material is not built yet; use sensor or ideal"},
-        {"--backend depth",
-         "--backend: this build has no backend 'depth'; use auto, embree, reference"},
-        {"--probe", "--probe: this build has no depth backend to probe for"},
+        {"--backend radar",
+         "--backend: this build has no backend 'radar'; use auto, embree, depth, reference"},
         {"--seed 1.5", "--seed: must be a whole number from 0 to 18446744073709551615, not '1.5'"},
     };
     for (const auto& [line, sentence] : table) {

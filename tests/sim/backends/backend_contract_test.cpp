@@ -239,6 +239,26 @@ TEST_P(BackendContract, LooksThroughTheBodyThatCarriesTheSensorAndNoOther) {
     EXPECT_EQ(ahead(1).object, 0U);
 }
 
+// The cosine of a quarter turn comes out as 1e-17, and not as 0.
+TEST_P(BackendContract, SeesWhatIsAtRightAnglesOfASensorThatIsTilted) {
+    SceneBuilder walls = scene();
+    for (int i = -20; i <= 20; ++i)
+        walls.add(Box{{1, 0.1, 3}}, at(i, 5)).add(Box{{1, 0.1, 3}}, at(i, -5));
+    load(walls);
+    std::vector<glm::vec3> directions;
+    for (int i = -540; i <= 540; ++i) {
+        const double angle_rad = i * std::numbers::pi / 720;
+        directions.emplace_back(std::cos(angle_rad), std::sin(angle_rad), 0.0);
+    }
+    for (const double pitch_rad : {0.0, 0.001, 0.005, -0.003}) {
+        const auto hits = cast(directions, {pose_from_rpy({0.2, 0, 0}, {0, pitch_rad, 0})});
+        for (int i = -380; i <= -340; ++i) {
+            EXPECT_TRUE(hits[540 + i].met()) << "pitch " << pitch_rad;
+            EXPECT_TRUE(hits[540 - i].met()) << "pitch " << pitch_rad;
+        }
+    }
+}
+
 TEST_P(BackendContract, HasNoGapWhereFacesMeet) {
     load(scene().add(Box{{10, 10, 10}}, Pose{}));
     std::vector<glm::vec3> at_edges;

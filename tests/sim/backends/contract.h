@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -31,6 +32,17 @@ inline std::vector<std::string> backend_names() {
     return names;
 }
 
+/// Why a backend that this build lists cannot be had here: in a build or on a machine without EGL,
+/// say. Empty where it can.
+inline std::string what_lacks(const std::string& name) {
+    try {
+        make_backend(name, SceneBuilder().build());
+        return {};
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+}
+
 enum class Place { origin, far_away };
 
 /// For GoogleTest, which names tests by what it prints.
@@ -40,6 +52,10 @@ inline void PrintTo(Place place, std::ostream* out) {  // NOLINT(readability-ide
 
 class Contract : public testing::TestWithParam<std::tuple<std::string, Place>> {
   protected:
+    void SetUp() override {
+        if (const auto why = what_lacks(std::get<0>(GetParam())); !why.empty()) GTEST_SKIP() << why;
+    }
+
     [[nodiscard]] SceneBuilder scene() const { return SceneBuilder(world_from_test_); }
 
     void load(const SceneBuilder& scene) {

@@ -8,7 +8,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/support/scene_builder.h"
+#include "tests/sim/backends/contract.h"
 
 namespace scipd::sim {
 namespace {
@@ -18,6 +18,7 @@ using testing::ThrowsMessage;
 TEST(Registry, MakesEveryBackendThatItLists) {
     ASSERT_FALSE(backends().empty());
     for (const BackendInfo& info : backends()) {
+        if (!what_lacks(std::string(info.name)).empty()) continue;
         const auto backend = make_backend(info.name, SceneBuilder().build());
         EXPECT_EQ(backend->name(), info.name);
         EXPECT_FALSE(info.description.empty());
@@ -29,14 +30,15 @@ TEST(Registry, TakesThePreferredOneForAuto) {
 }
 
 TEST(Registry, NamesTheChoicesWhereThereIsNoSuchBackend) {
-    EXPECT_THAT(
-        ([] { make_backend("radar", SceneBuilder().build()); }),
-        ThrowsMessage<std::invalid_argument>("no backend 'radar': choose auto, embree, reference"));
+    EXPECT_THAT(([] { make_backend("radar", SceneBuilder().build()); }),
+                ThrowsMessage<std::invalid_argument>(
+                    "no backend 'radar': choose auto, embree, depth, reference"));
 }
 
 TEST(Registry, HandsTheSceneOn) {
     const SharedScene scene = SceneBuilder().add(Sphere{1.0}, {}).build();
     for (const BackendInfo& info : backends()) {
+        if (!what_lacks(std::string(info.name)).empty()) continue;
         EXPECT_EQ(&make_backend(info.name, scene)->scene(), scene.get());
     }
 }

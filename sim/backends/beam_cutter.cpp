@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/backends/beam_cutter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace scipd::sim {
+
+/// The pixels around a beam: one, two or four different ones.
+struct BeamCutter::Around {
+    Around(const Look& look, const Picture& picture) {
+        const std::size_t left = look.share.x > 0.0F ? 1 : 0;
+        const std::size_t above =
+            look.share.y > 0.0F ? static_cast<std::size_t>(picture.size_px.x) : 0;
+        pixels = {look.pixel, look.pixel + left, look.pixel + above, look.pixel + left + above};
+        for (std::size_t i = 0; i < pixels.size(); ++i)
+            shown[i] = picture.triangle[pixels[i]];
+    }
+
+    [[nodiscard]] bool one_triangle() const {
+        return shown[0] == shown[1] && shown[0] == shown[2] && shown[0] == shown[3];
+    }
+    [[nodiscard]] std::size_t nearest(const Look& look) const {
+        return pixels[(look.share.x > 0.5F ? 1 : 0) + (look.share.y > 0.5F ? 2 : 0)];
+    }
+
+    std::array<std::size_t, 4> pixels;
+    std::array<TriangleId, 4> shown;
+};
+
+BeamCutter::BeamCutter(const Scene& scene, const DepthTriangles& triangles, const Picture& picture,
+                       BetweenPixels between, const Pose& anchored_from_sensor)
+    : scene_(scene),
+      triangles_(triangles),
+      picture_(picture),
+      between_(between),
+      anchored_from_sensor_(glm::mat3_cast(anchored_from_sensor.rotation)),
+      eye_m_(anchored_from_sensor.translation_m) {}
+
+void BeamCutter::cut(std::span<const Look> looks, const Fan& fan, std::span<Hit> hits) {
+    for (const Look& look : looks) {
+        const Hit met = hit(look, glm::dvec3{fan.directions[look.ray]});
+        hits[look.ray] = met.range_m <= fan.max_range_m ? met : Hit{};
+    }
+}
+
+Hit BeamCutter::hit(const Look& look, const glm::dvec3& direction) {
+    const Around around(look, picture_);
+    if (between_ == BetweenPixels::nearest) return by_depth(around.nearest(look), look, direction);
+    if (!around.one_triangle()) return by_triangles(around, look, direction);
+    if (around.shown[0] == Picture::nothing) return {};
+    look_at(around.shown[0]);
+    if (between_ == BetweenPixels::interpolate) {
+        const double z_m = z_of_depth_m(depth_between(around, look));
+        return at_range(z_m / double{look.cos_alpha}, direction);
+    }
+    const double range_m = distance_m_ / glm::dot(normal_, direction);
+    if (agrees(range_m, look.pixel, look)) return at_range(range_m, direction);
+    return by_triangles(around, look, direction);
+}
+
+void BeamCutter::look_at(TriangleId triangle) {
+    if (triangle == triangle_) return;
+    triangle_ = triangle;
+    const Face& face = triangles_.faces()[triangle];
+    const std::uint32_t corner = triangles_.triangles()[triangle].corners.x;
+    const glm::dvec3 normal{face.normal};
+    normal_ = normal * anchored_from_sensor_;  // from the left: by the transpose
+    distance_m_ = glm::dot(normal, glm::dvec3{triangles_.vertices()[corner].position_m} - eye_m_);
+    object_ = face.object;
+    material_ = scene_.objects[object_].material;
+}
+
+Hit BeamCutter::at_range(double range_m, const glm::dvec3& direction) const {
+    const double cosine = std::min(1.0, std::abs(glm::dot(normal_, direction)));
+    return {static_cast<float>(range_m), static_cast<float>(cosine), material_, object_};
+}
+
+/// Equations (1) and (2).
+Hit BeamCutter::by_depth(std::size_t pixel, const Look& look, const glm::dvec3& direction) {
+    if (picture_.triangle[pixel] == Picture::nothing) return {};
+    look_at(picture_.triangle[pixel]);
+    const double z_m = z_of_depth_m(double{picture_.depth[pixel]});
+    return at_range(z_m / double{look.cos_alpha}, direction);
+}
+
+/// Whether a range that follows from a triangle's plane is near the depth of the pixel that shows
+/// it. Where it is not, the triangle is seen so flat that it may be met elsewhere or not at all.
+bool BeamCutter::agrees(double range_m, std::size_t pixel, const Look& look) const {
+    constexpr double share = 0.02;
+    const double near_plane_m = range_m * double{look.cos_alpha} * double{picture_.depth[pixel]};
+    return std::abs(near_plane_m - near_m) <= share * near_m;
+}
+
+/// Depth is n/z, and 1/z is linear in the picture.
+double BeamCutter::depth_between(const Around& around, const Look& look) const {
+    const auto mix = [](double a, double b, double share) { return a + share * (b - a); };
+    const auto depth = [&](std::size_t i) { return double{picture_.depth[around.pixels[i]]}; };
+    return mix(mix(depth(0), depth(1), double{look.share.x}),
+               mix(depth(2), depth(3), double{look.share.x}), double{look.share.y});
+}
+
+/// By the sides of the edges that the beam passes on. Two triangles that share an edge compute the
+/// same number for it, so no beam slips between them.
+bool BeamCutter::meets(TriangleId triangle, const glm::dvec3& direction) const {
+    const glm::dvec3 ray = anchored_from_sensor_ * direction;
+    const glm::uvec3 corners = triangles_.triangles()[triangle].corners;
+    const auto vertices = triangles_.vertices();
+    const glm::dvec3 a = glm::dvec3{vertices[corners.x].position_m} - eye_m_;
+    const glm::dvec3 b = glm::dvec3{vertices[corners.y].position_m} - eye_m_;
+    const glm::dvec3 c = glm::dvec3{vertices[corners.z].position_m} - eye_m_;
+    const double ab = glm::dot(ray, glm::cross(a, b));
+    const double bc = glm::dot(ray, glm::cross(b, c));
+    const double ca = glm::dot(ray, glm::cross(c, a));
+    return (ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0);
+}
+
+/// At an edge: the nearest of the triangles that the beam meets. A beam that passes all of them and
+/// has no pixel beside them goes between two pixels through a third triangle, too small for either
+/// to show; the plane of the nearest pixel's is the best there is.
+Hit BeamCutter::by_triangles(const Around& around, const Look& look, const glm::dvec3& direction) {
+    Hit first;
+    bool beside_all = false;
+    for (std::size_t i = 0; i < around.shown.size(); ++i) {
+        const TriangleId triangle = around.shown[i];
+        beside_all = beside_all || triangle == Picture::nothing;
+        const bool again = i > 0 && triangle == around.shown[i - 1];
+        if (triangle == Picture::nothing || again || !meets(triangle, direction)) continue;
+        look_at(triangle);
+        const double range_m = distance_m_ / glm::dot(normal_, direction);
+        if (range_m > 0.0 && range_m < double{first.range_m}) first = at_range(range_m, direction);
+    }
+    if (first.met() || beside_all) return first;
+    const std::size_t pixel = around.nearest(look);
+    look_at(picture_.triangle[pixel]);
+    const double range_m = distance_m_ / glm::dot(normal_, direction);
+    if (agrees(range_m, pixel, look)) return at_range(range_m, direction);
+    return by_depth(pixel, look, direction);
+}
+
+}  // namespace scipd::sim

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// From the pixels around a beam to what the beam meets. A pixel shows which triangle is in front
+// there; the beam itself may go beside its centre. Never answers with a place between two objects.
+// Pure; in double precision.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "sim/backends/depth_options.h"
+#include "sim/backends/depth_plan.h"
+#include "sim/backends/depth_triangles.h"
+#include "sim/backends/fan.h"
+#include "sim/backends/picture.h"
+
+namespace scipd::sim {
+
+/// For one picture, drawn from one pose of the sensor. What it is made from outlives it.
+class BeamCutter {
+  public:
+    BeamCutter(const Scene& scene, const DepthTriangles& triangles, const Picture& picture,
+               BetweenPixels between, const Pose& anchored_from_sensor);
+
+    /// Fills the hits of the rays that these looks are of.
+    void cut(std::span<const Look> looks, const Fan& fan, std::span<Hit> hits);
+
+  private:
+    struct Around;
+
+    [[nodiscard]] Hit hit(const Look& look, const glm::dvec3& direction);
+
+    void look_at(TriangleId triangle);
+    [[nodiscard]] Hit at_range(double range_m, const glm::dvec3& direction) const;
+    [[nodiscard]] Hit by_depth(std::size_t pixel, const Look& look, const glm::dvec3& direction);
+    [[nodiscard]] Hit by_triangles(const Around& around, const Look& look,
+                                   const glm::dvec3& direction);
+    [[nodiscard]] bool agrees(double range_m, std::size_t pixel, const Look& look) const;
+    [[nodiscard]] bool meets(TriangleId triangle, const glm::dvec3& direction) const;
+    [[nodiscard]] double depth_between(const Around& around, const Look& look) const;
+
+    const Scene& scene_;
+    const DepthTriangles& triangles_;
+    const Picture& picture_;
+    BetweenPixels between_;
+    glm::dmat3 anchored_from_sensor_;
+    glm::dvec3 eye_m_;
+
+    // The triangle that was looked at last; neighbouring beams mostly meet the same.
+    TriangleId triangle_ = Picture::nothing;
+    glm::dvec3 normal_{0.0};   ///< in S
+    double distance_m_ = 0.0;  ///< of the eye from its plane, with the sign of the normal
+    MaterialId material_ = 0;
+    ObjectId object_ = no_object;
+};
+
+}  // namespace scipd::sim

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// From directions to pixels and from depths back to ranges: equations (1) and (2) of the
+// depth-buffer method. Pure; knows no OpenGL.
+//
+//        left, a = tan of the angle to the left
+//         ^
+//         |     .   .   .   .   .     pixel centres, one row of a strip
+//         |    a = first.x + x pitch.x
+//    eye  +-----------------------> forward     z: the distance along it
+//
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace scipd::sim {
+
+/// Nothing nearer to the eye is seen. Scanners tell what is too near, so it has to be seen; a
+/// reversed depth of floating point is as exact with a near plane of a millimetre as with one of a
+/// metre.
+inline constexpr double near_m = 1e-3;
+
+/// One picture through a pinhole at the sensor: evenly spaced pixels in a plane before it.
+struct Strip {
+    glm::dvec3 forward{1, 0, 0};  ///< of unit length, in S, as are left and up
+    glm::dvec3 left{0, 1, 0};
+    glm::dvec3 up{0, 0, 1};
+    glm::dvec2 first{0, 0};  ///< tangents to the left and upward of the first pixel's centre
+    glm::dvec2 pitch{1e-3, 1e-3};
+    glm::ivec2 size_px{1, 1};
+};
+
+/// The same pixels and as many more on all sides.
+Strip widened(const Strip& strip, const glm::ivec2& margin_px);
+
+/// Where a direction before the strip falls; whole numbers are the centres of pixels.
+glm::dvec2 pixel_of(const Strip& strip, const glm::dvec3& direction);
+
+/// The cosine of eq. (2): range = z / cos_alpha. `direction` is of unit length.
+double cos_alpha(const Strip& strip, const glm::dvec3& direction);
+
+/// Of a point given relative to the eye, along the axes of S: x and y fill the strip, w is z, and
+/// depth = near_m / z, which is 1 at the near plane and 0 at infinity.
+glm::dmat4 clip_from_sensor(const Strip& strip);
+
+/// Eq. (1), z = f n / (f - d (f - n)), as the far plane f goes to infinity and with d = 1 - depth.
+inline double z_of_depth_m(double depth) {
+    return near_m / depth;
+}
+
+}  // namespace scipd::sim

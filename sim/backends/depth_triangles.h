@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The triangles of a scene as the depth backend draws them: all in one frame, W relative to the
+// scene's anchor, and numbered throughout, so that a pixel that holds a number tells everything.
+// What moves is placed again in that frame; there is one list to draw from and to cut beams with.
+// Knows no OpenGL.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "sim/backends/depth_projection.h"
+#include "sim/world/scene.h"
+
+namespace scipd::sim {
+
+using TriangleId = std::uint32_t;
+
+/// A corner. Where a triangle's first corner is drawn, `triangle` is that triangle: corners are
+/// shared, but none is the first one of two.
+struct DrawnVertex {
+    glm::vec3 position_m;
+    TriangleId triangle;
+};
+
+/// As OpenGL takes it from an index buffer.
+struct DrawnTriangle {
+    glm::uvec3 corners;  ///< indices of vertices
+};
+
+/// What a triangle says of itself to a beam.
+struct Face {
+    glm::vec3 normal{0.0F};  ///< of unit length; outward, where there is an outside
+    ObjectId object = 0;
+};
+
+struct VertexRange {
+    std::size_t first = 0;
+    std::size_t count = 0;
+};
+
+/// The space that a strip sees, from an eye in anchored W.
+struct Frustum {
+    Frustum(const Strip& strip, const Pose& anchored_from_sensor);
+
+    glm::vec3 eye_m;
+    std::array<glm::vec3, 5> inward;  ///< normals of sides through the eye, the last one forward
+
+    std::array<glm::vec3, 5> reach;  ///< their absolute values: how far a box reaches along them
+
+    /// The sides that go through a box, as bits, or nothing where the box lies beyond one of them.
+    /// The box is given relative to the eye.
+    [[nodiscard]] std::optional<unsigned> sides_through(const glm::vec3& middle_m,
+                                                        const glm::vec3& half_m) const;
+    /// Whether a triangle lies beyond one of these sides; given relative to the eye.
+    [[nodiscard]] bool beyond(unsigned sides, const std::array<glm::vec3, 3>& triangle_m) const;
+};
+
+class DepthTriangles {
+  public:
+    explicit DepthTriangles(const Scene& scene);
+
+    [[nodiscard]] std::span<const DrawnVertex> vertices() const { return vertices_; }
+    [[nodiscard]] std::span<const DrawnTriangle> triangles() const { return triangles_; }
+    [[nodiscard]] std::span<const Face> faces() const { return faces_; }
+
+    /// Puts a movable model somewhere else. Returns which vertices that touched.
+    VertexRange move(ModelId model, const Pose& anchored_from_model);
+
+    /// Adds the triangles that can be seen in the frustum, and a few that cannot, but none of the
+    /// model that is looked through. Objects come by their distance from the eye: what is drawn
+    /// behind something else costs least.
+    void collect(const Frustum& frustum, ModelId unseen, std::vector<DrawnTriangle>& drawn) const;
+
+  private:
+    /// A box around some triangles.
+    struct Block {
+        glm::vec3 middle_m;
+        glm::vec3 half_m;
+        TriangleId first;
+        std::uint32_t count;
+    };
+    /// The triangles of one object.
+    struct Body {
+        ModelId model;
+        Block all;
+        std::vector<Block> parts;  ///< of neighbours, where they are many
+        bool solid;                ///< convex and closed: seen from outside, it hides its back
+    };
+    /// What it takes to place a body of a movable model again.
+    struct Movable {
+        ModelId model;
+        Pose model_from_object;
+        std::vector<glm::vec3> in_object_m;
+        std::uint32_t first_vertex;
+        std::size_t body;
+    };
+
+    void add(ObjectId id, const Object& object, bool movable, const Pose& anchored_from_object);
+    [[nodiscard]] Block block(std::size_t first, std::size_t count) const;
+    void enclose(Block& block) const;
+    void turn_faces(const Block& block);
+    void collect(const Block& block, bool hides_back, unsigned sides, const Frustum& frustum,
+                 std::vector<DrawnTriangle>& drawn) const;
+
+    std::vector<DrawnVertex> vertices_;
+    std::vector<DrawnTriangle> triangles_;
+    std::vector<Face> faces_;  ///< by TriangleId, as triangles_
+    std::vector<Body> bodies_;
+    std::vector<Movable> movables_;
+};
+
+}  // namespace scipd::sim

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A way to draw without a screen: an OpenGL 4.5 core context on EGL's surfaceless platform or on a
+// graphics device of the machine. Draws nothing itself. A context belongs to the thread that made
+// it; nothing here may be handed to another.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace scipd::sim {
+
+/// Where a context can be made: a platform of EGL, and which of its devices.
+struct EglPlace {
+    std::string name;        ///< "surfaceless" or "device N", for people
+    bool software = false;   ///< a device that says itself that it is the processor
+    void* device = nullptr;  ///< EGLDeviceEXT; null for surfaceless
+};
+
+/// What EGL and OpenGL say of themselves at one place.
+struct EglDescription {
+    std::string egl;       ///< version and vendor
+    std::string renderer;  ///< of OpenGL, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)"
+    std::string opengl;    ///< version
+    int largest_picture_px = 0;
+    int viewports = 0;
+    int sub_pixel_bits = 0;
+
+    /// Draws with the processor, which is how Mesa works where there is no graphics device.
+    [[nodiscard]] bool software() const;
+};
+
+/// Every place that EGL offers, surfaceless first. Throws std::runtime_error with a sentence where
+/// this machine has no EGL at all.
+std::vector<EglPlace> egl_places();
+
+class EglContext {
+  public:
+    /// Makes the context and binds it to this thread. Throws std::runtime_error with a sentence
+    /// that names the place.
+    explicit EglContext(const EglPlace& place);
+    EglContext(const EglContext&) = delete;
+    EglContext& operator=(const EglContext&) = delete;
+    ~EglContext();
+
+    [[nodiscard]] const EglPlace& place() const { return place_; }
+    [[nodiscard]] const EglDescription& description() const { return description_; }
+
+    /// Whatever OpenGL is told next on this thread is told to this context.
+    void bind();
+
+  private:
+    EglPlace place_;
+    EglDescription description_;
+    void* display_ = nullptr;
+    void* context_ = nullptr;
+};
+
+}  // namespace scipd::sim

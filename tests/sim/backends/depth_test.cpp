@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What the depth backend owes beyond the contract of all: near and far, edges, and the four answers
+// to the error of ray directions.
+#include "sim/backends/depth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "tests/sim/backends/contract.h"
+
+namespace scipd::sim {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+std::vector<glm::vec3> level(int beams, double extent_rad) {
+    std::vector<glm::vec3> directions;
+    for (int i = 0; i < beams; ++i) {
+        const double angle_rad = extent_rad * (double(i) / (beams - 1) - 0.5);
+        directions.emplace_back(std::cos(angle_rad), std::sin(angle_rad), 0.0);
+    }
+    return directions;
+}
+
+Pose wall_at(double x, double yaw_rad = 0.0) {
+    return pose_from_rpy({x, 0, 0}, {0, pi / 2, yaw_rad});
+}
+
+class Depth : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (const auto why = what_lacks("depth"); !why.empty()) GTEST_SKIP() << why;
+    }
+
+    static std::vector<Hit> cast(const SceneBuilder& scene,
+                                 const std::vector<glm::vec3>& directions,
+                                 const DepthOptions& options = {}) {
+        const std::vector<Pose> pose(1);
+        std::vector<Hit> hits(directions.size());
+        make_depth_backend(scene.build(), options)->cast({directions, pose}, hits);
+        return hits;
+    }
+};
+
+const std::vector<BetweenPixels> all_answers{BetweenPixels::nearest, BetweenPixels::interpolate,
+                                             BetweenPixels::exact};
+
+TEST_F(Depth, SeesFromFiveMillimetresToFiftyKilometres) {
+    for (const double wall_m : {0.005, 0.1, 10.0, 1000.0, 50'000.0}) {
+        const SceneBuilder scene =
+            SceneBuilder().add(Plane{{3 * wall_m, 3 * wall_m}}, wall_at(wall_m));
+        for (const BetweenPixels answer : all_answers) {
+            const auto directions = level(91, pi / 3);
+            const auto hits = cast(scene, directions, {.between_pixels = answer});
+            for (std::size_t i = 0; i < hits.size(); ++i) {
+                EXPECT_NEAR(hits[i].range_m * directions[i].x / wall_m, 1.0, 1e-4);
+                EXPECT_NEAR(hits[i].cos_incidence, directions[i].x, 1e-4);
+            }
+        }
+    }
+}
+
+// Posts in front of a wall: whatever the answer, a beam meets a post or the wall and nothing in
+// between, and with pixels as dense as this most beams meet what they should.
+TEST_F(Depth, PutsNoBeamBetweenTwoObjects) {
+    SceneBuilder scene;
+    scene.add(Plane{{100, 100}}, wall_at(10));
+    for (int i = -10; i <= 10; ++i)
+        scene.add(Plane{{1, 0.05}}, pose_from_rpy({3, 0.3 * i, 0}, {0, pi / 2, 0}));
+    const auto directions = level(2001, pi / 2);
+    for (const BetweenPixels answer : all_answers) {
+        const auto hits = cast(scene, directions, {.between_pixels = answer});
+        int wrong = 0;
+        for (std::size_t i = 0; i < hits.size(); ++i) {
+            const double z_m = double{hits[i].range_m} * double{directions[i].x};
+            EXPECT_NEAR(z_m, hits[i].object == 0 ? 10.0 : 3.0, 1e-4);
+            const double across_m = 3.0 * double{directions[i].y / directions[i].x};
+            const double post = std::round(across_m / 0.3);
+            const bool at_post = std::abs(post) <= 10 && std::abs(across_m - 0.3 * post) < 0.025;
+            if (at_post != (hits[i].object != 0)) ++wrong;
+        }
+        EXPECT_LE(wrong, answer == BetweenPixels::nearest ? 42 : 1);
+    }
+}
+
+// What is thinner than the pixels are apart can be missed; a beam that meets the object beside it
+// must still be right.
+TEST_F(Depth, DecidesEdgesByTheTrianglesAndNotByThePixels) {
+    const SceneBuilder scene = SceneBuilder()
+                                   .add(Plane{{100, 100}}, wall_at(10))
+                                   .add(Plane{{4, 4}}, pose_from_rpy({3, 2, 0}, {0, pi / 2, 0}));
+    std::vector<glm::vec3> directions;  // in steps of a hundredth of a pixel across the edge y = 0
+    for (int i = -400; i <= 400; ++i)
+        directions.emplace_back(glm::normalize(glm::dvec3{1.0, 1.5e-5 * (i + 0.5), 0.0}));
+    directions.insert(directions.begin(), {0, -1, 0});
+    directions.insert(directions.end(), {0, 1, 0});
+    std::vector<glm::vec3> spread = level(721, pi / 2);  // sets the distance of the pixels
+    spread.insert(spread.end(), directions.begin() + 1, directions.end() - 1);
+    const auto hits = cast(scene, spread);
+    int wrong = 0;
+    for (std::size_t i = 721; i < hits.size(); ++i) {
+        if ((spread[i].y > 0.0F) != (hits[i].object == 1)) ++wrong;
+    }
+    EXPECT_EQ(wrong, 0);
+}
+
+TEST_F(Depth, AnswersTheErrorOfDirectionsInFourWays) {
+    const double yaw_rad = 1.0;  // of a wall that is seen at a slant
+    const SceneBuilder scene = SceneBuilder().add(Plane{{200, 200}}, wall_at(5, yaw_rad));
+    const auto directions = level(361, pi / 3);
+    const auto worst = [&](const DepthOptions& options) {
+        const auto hits = cast(scene, directions, options);
+        const glm::dvec3 normal{std::cos(yaw_rad), std::sin(yaw_rad), 0};
+        double worst_m = 0.0;
+        for (std::size_t i = 0; i < hits.size(); ++i) {
+            const double range_m = 5.0 * normal.x / glm::dot(normal, glm::dvec3{directions[i]});
+            worst_m = std::max(worst_m, std::abs(double{hits[i].range_m} - range_m));
+        }
+        return worst_m;
+    };
+    const double nearest_m = worst({.between_pixels = BetweenPixels::nearest});
+    const double finer_m = worst({.between_pixels = BetweenPixels::nearest, .oversample = 16.0});
+    const double passes_m = worst(
+        {.between_pixels = BetweenPixels::nearest, .oversample = 16.0, .widest_pass_rad = pi / 8});
+    EXPECT_GT(nearest_m, 0.005);
+    EXPECT_LT(nearest_m, 1.0);
+    EXPECT_LT(finer_m, 0.4 * nearest_m);
+    EXPECT_LT(passes_m, 0.4 * nearest_m);
+    EXPECT_LT(worst({.between_pixels = BetweenPixels::interpolate}), 2e-4);
+    EXPECT_LT(worst({.between_pixels = BetweenPixels::exact}), 5e-5);
+    EXPECT_LT(worst({.widest_pass_rad = pi / 12}), 5e-5);
+}
+
+TEST_F(Depth, CastsCamerasAndConesAsItCastsFans) {
+    const SceneBuilder scene = SceneBuilder().add(Sphere{1.0}, {{5, 0, 0}, Pose{}.rotation});
+    std::vector<glm::vec3> directions;
+    for (int y = -20; y <= 20; ++y) {
+        for (int x = -20; x <= 20; ++x)
+            directions.emplace_back(glm::normalize(glm::dvec3{1.0, 0.015 * x, 0.015 * y}));
+    }
+    const auto hits = cast(scene, directions);
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        const double ahead_m = 5.0 * double{directions[i].x};
+        const double squared = 1.0 - (25.0 - ahead_m * ahead_m);
+        if (std::abs(squared) < 0.05) continue;  // the silhouette of a sphere of flat pieces
+        EXPECT_EQ(hits[i].met(), squared > 0.0);
+        if (!hits[i].met()) continue;
+        EXPECT_NEAR(hits[i].range_m, ahead_m - std::sqrt(squared), 1e-3);
+    }
+}
+
+TEST_F(Depth, ServesSeveralScenesOnOneThread) {
+    const auto near = make_depth_backend(SceneBuilder().add(Plane{{9, 9}}, wall_at(2)).build());
+    const auto far = make_depth_backend(SceneBuilder().add(Plane{{9, 9}}, wall_at(4)).build());
+    const std::vector<glm::vec3> forward{{1, 0, 0}};
+    const std::vector<Pose> pose(1);
+    std::vector<Hit> hits(1);
+    for (int i = 0; i < 3; ++i) {
+        near->cast({forward, pose}, hits);
+        EXPECT_NEAR(hits[0].range_m, 2.0, 1e-5);
+        far->cast({forward, pose}, hits);
+        EXPECT_NEAR(hits[0].range_m, 4.0, 1e-5);
+    }
+}
+
+}  // namespace
+}  // namespace scipd::sim

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// scipbench as a user starts it, in a room whose figures do not matter: that they are there, that
+// they hang together, and that what the depth backend tells agrees with the rays.
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/child.h"
+#include "tests/support/temp_dir.h"
+
+namespace scipd::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string room = SCIPD_SCENES "/square_room.sdf";
+
+Outcome scipbench(std::vector<std::string> words) {
+    words.insert(words.begin(), SCIPBENCH);
+    return run(words);
+}
+
+std::string read_file(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+std::vector<std::vector<std::string>> read_csv(const std::filesystem::path& file) {
+    std::vector<std::vector<std::string>> rows;
+    std::istringstream lines(read_file(file));
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream cells(line);
+        std::vector<std::string>& row = rows.emplace_back();
+        for (std::string cell; std::getline(cells, cell, ',');)
+            row.push_back(cell);
+    }
+    return rows;
+}
+
+bool cannot_draw(const Outcome& outcome) {
+    return outcome.exit_code == 1 && outcome.err.find("EGL") != std::string::npos;
+}
+
+TEST(Scipbench, FillsThePapersTable3) {
+    const TempDir directory;
+    const auto csv = directory.path() / "table3.csv";
+    const auto plot = directory.path() / "table3.png";
+    const Outcome outcome =
+        scipbench({"table3", "--scene", room, "-n", "5", "--csv", csv, "-o", plot});
+    if (cannot_draw(outcome)) GTEST_SKIP() << outcome.err;
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto rows = read_csv(csv);
+    ASSERT_EQ(rows.size(), 14U);
+    EXPECT_EQ(rows[0][2], "R_ms");
+    EXPECT_EQ(rows[7][0], "1x1000");
+    EXPECT_EQ(rows[13][1], "40000");
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        ASSERT_EQ(rows[i].size(), 2 + 5 * 3U);
+        for (std::size_t k = 2; k < rows[i].size(); k += 3) {
+            EXPECT_GT(std::stod(rows[i][k]), 0.0);
+            EXPECT_LE(std::stod(rows[i][k + 1]), std::stod(rows[i][k]));  // p10, median, p90
+            EXPECT_GE(std::stod(rows[i][k + 2]), std::stod(rows[i][k]));
+        }
+    }
+    // Forty thousand rays take longer than one.
+    EXPECT_GT(std::stod(rows[13][2]), 10.0 * std::stod(rows[1][2]));
+    EXPECT_THAT(outcome.out, HasSubstr("faster"));
+    EXPECT_THAT(read_file(plot), StartsWith("\x89PNG\r\n\x1A\n"));
+}
+
+TEST(Scipbench, FillsThePapersTable4) {
+    const TempDir directory;
+    const auto csv = directory.path() / "table4.csv";
+    const Outcome outcome = scipbench({"table4", "--scene", room, "-n", "5", "--csv", csv});
+    if (cannot_draw(outcome)) GTEST_SKIP() << outcome.err;
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(read_csv(csv).size(), 14U);
+    // The paper's own figures stand beside: 200x200 of computer B.
+    EXPECT_THAT(outcome.out, HasSubstr("1.470          0.540"));
+}
+
+TEST(Scipbench, ComparesAllBackends) {
+    const TempDir directory;
+    const auto plot = directory.path() / "differences.svg";
+    const Outcome outcome = scipbench({"compare", "--scene", room, "--model", "URG-04LX", "--poses",
+                                       "5", "--height", "0.5", "--json", "-o", plot});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto backends = nlohmann::json::parse(outcome.out);
+    ASSERT_EQ(backends.size(), 3U);
+    for (const auto& backend : backends) {
+        if (backend.contains("missing")) continue;
+        EXPECT_GT(backend.at("ms_per_scan"), 0.0);
+        EXPECT_LT(backend.at("off_m").at("p99"), 1e-3);
+        EXPECT_LT(backend.at("edge_share"), 0.05);
+        EXPECT_LT(backend.at("other_surface_share"), 0.01);
+    }
+    EXPECT_THAT(read_file(plot), HasSubstr("<svg"));
+}
+
+TEST(Scipbench, RefusesWrongOptions) {
+    EXPECT_EQ(scipbench({"table3"}).exit_code, 2);
+    EXPECT_EQ(scipbench({"table3", "--scene", "/no/such.sdf"}).exit_code, 2);
+    EXPECT_EQ(scipbench({"table3", "--scene", room, "-o", "picture.pdf"}).exit_code, 2);
+    EXPECT_EQ(scipbench({}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace scipd::tests

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tools/scipbench/chart.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <stdexcept>
+
+#include "tools/scipbench/paper.h"
+#include "tools/scipbench/plot_area.h"
+
+namespace scipd::tools {
+namespace {
+
+constexpr std::array<Colour, 3> paper_colours{
+    {{0.80, 0.55, 0.15}, {0.45, 0.62, 0.25}, {0.62, 0.42, 0.68}}};
+
+void finish(Page& page, const std::filesystem::path& file) {
+    if (const auto why = page.finish()) throw std::runtime_error(file.string() + ": " + *why);
+}
+
+void draw_paper(PlotArea& area, const std::vector<Table3Row>& rows) {
+    for (std::size_t k = 0; k < paper_computers.size(); ++k) {
+        const PaperComputer& computer = paper_computers[k];
+        std::vector<Place> rays;
+        std::vector<Place> depth;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const double count = rows[i].resolution.rays();
+            rays.push_back({count, computer.rays_with_material_ms[i]});
+            depth.push_back({count, computer.depth_with_material_ms[i]});
+        }
+        area.line(rays, paper_colours[k], 1.5, true);
+        area.line(depth, paper_colours[k], 1.5, false);
+        area.legend(std::string("RwM of ") + computer.name, paper_colours[k], 1.5, true);
+        area.legend(std::string("ZBwM of ") + computer.name, paper_colours[k], 1.5, false);
+    }
+}
+
+AxisRange around(const ComparedScans& scans, double glm::dvec3::*axis) {
+    AxisRange range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest(),
+                    false};
+    for (const glm::dvec3& hit : scans.hits_m) {
+        range.low = std::min(range.low, hit.*axis);
+        range.high = std::max(range.high, hit.*axis);
+    }
+    return range;
+}
+
+}  // namespace
+
+void draw_table3(const std::vector<Table3Row>& rows, const std::string& machine,
+                 const std::filesystem::path& file) {
+    Page page(file);
+    PlotArea area(page, {1.0, 1e5, true}, {1e-4, 1e3, true});
+    area.title("One scan: rays (R) and depth buffer (ZB), with material", machine);
+    area.grid("rays", "ms");
+    constexpr std::array<std::size_t, 3> shown{1, 3, 4};
+    constexpr std::array<Colour, 3> inks{colours::wall, colours::wall, colours::scanner};
+    for (std::size_t k = 0; k < shown.size(); ++k) {
+        std::vector<Place> values;
+        for (const Table3Row& row : rows)
+            values.push_back({double(row.resolution.rays()), row.ms[shown[k]].median});
+        const bool rays = k == 0;
+        area.line(values, inks[k], 3.0, rays);
+        area.legend(std::string(methods[shown[k]]) + " of this machine", inks[k], 3.0, rays);
+    }
+    draw_paper(area, rows);
+    finish(page, file);
+}
+
+void draw_differences(const ComparedScans& scans, const std::string& title,
+                      const std::filesystem::path& file) {
+    Page page(file);
+    PlotArea area(page, around(scans, &glm::dvec3::x), around(scans, &glm::dvec3::y));
+    area.title(title,
+               "from above; blue: what was hit, red: where the depth backend differs by "
+               "more than a millimetre, the larger the more");
+    area.grid("x in m", "y in m");
+    for (const glm::dvec3& hit : scans.hits_m)
+        area.dot({hit.x, hit.y}, colours::joint, 0.6);
+    for (const Difference& difference : scans.differences) {
+        const double radius = difference.off_m > 0.1 ? 4.0 : difference.off_m > 0.01 ? 3.0 : 2.0;
+        area.dot({difference.place_m.x, difference.place_m.y}, colours::scanner, radius);
+    }
+    finish(page, file);
+}
+
+}  // namespace scipd::tools

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tools/scipbench/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <memory>
+#include <ostream>
+#include <stdexcept>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "sim/backends/registry.h"
+#include "tools/scipbench/free_poses.h"
+
+namespace scipd::tools {
+namespace {
+
+using Scans = std::vector<std::vector<sim::Hit>>;
+
+constexpr double half_pixel_rad = 0.75e-3;
+constexpr double other_surface_m = 0.01;
+
+Scans cast_all(sim::RangeBackend& backend, const std::vector<glm::vec3>& directions,
+               const std::vector<sim::Pose>& poses, float max_range_m, std::vector<double>& ms) {
+    Scans scans;
+    for (const sim::Pose& pose : poses) {
+        std::vector<sim::Hit>& hits = scans.emplace_back(directions.size());
+        ms.push_back(milliseconds_for([&] {
+            backend.cast({directions, {&pose, 1}, max_range_m}, hits);
+        }));
+    }
+    ms.erase(ms.begin());  // warms up
+    return scans;
+}
+
+std::vector<sim::Pose> turned(std::vector<sim::Pose> poses, double yaw_rad) {
+    for (sim::Pose& pose : poses)
+        pose = pose * sim::pose_from_rpy({0, 0, 0}, {0, 0, yaw_rad});
+    return poses;
+}
+
+/// For each beam of each scan, whether another object is within half a pixel of it.
+std::vector<std::vector<bool>> find_edges(sim::RangeBackend& rays, const Scans& truth,
+                                          const std::vector<glm::vec3>& directions,
+                                          const std::vector<sim::Pose>& poses, float max_range_m) {
+    std::vector<std::vector<bool>> edges(poses.size(), std::vector<bool>(directions.size()));
+    for (const double side_rad : {-half_pixel_rad, half_pixel_rad}) {
+        std::vector<double> unused;
+        const Scans beside =
+            cast_all(rays, directions, turned(poses, side_rad), max_range_m, unused);
+        for (std::size_t scan = 0; scan < truth.size(); ++scan) {
+            for (std::size_t i = 0; i < directions.size(); ++i) {
+                if (beside[scan][i].object != truth[scan][i].object) edges[scan][i] = true;
+            }
+        }
+    }
+    return edges;
+}
+
+double off_m(const sim::Hit& hit, const sim::Hit& truth) {
+    if (hit.met() != truth.met()) return std::numeric_limits<double>::infinity();
+    return truth.met() ? std::abs(double{hit.range_m} - double{truth.range_m}) : 0.0;
+}
+
+Comparison compare(std::string backend, const Scans& scans, const Scans& truth,
+                   const std::vector<std::vector<bool>>& edges) {
+    Comparison it{.backend = std::move(backend)};
+    std::vector<double> away_m;
+    for (std::size_t scan = 0; scan < truth.size(); ++scan) {
+        for (std::size_t i = 0; i < truth[scan].size(); ++i) {
+            const double off = off_m(scans[scan][i], truth[scan][i]);
+            const bool edge = edges[scan][i];
+            ++it.beams;
+            if (edge) ++it.edges;
+            if (off > other_surface_m) ++it.other_surface;
+            if (edge) continue;
+            away_m.push_back(off);
+            if (off <= other_surface_m && scans[scan][i].object != truth[scan][i].object)
+                ++it.other_object;
+        }
+    }
+    std::ranges::sort(away_m);
+    for (std::size_t k = 0; k < it.off_m.size() && !away_m.empty(); ++k) {
+        constexpr std::array shares{0.5, 0.99, 0.999, 1.0};
+        it.off_m[k] = away_m[static_cast<std::size_t>(shares[k] * double(away_m.size() - 1))];
+    }
+    return it;
+}
+
+void note_differences(ComparedScans& compared, const Scans& scans, const Scans& truth,
+                      const std::vector<glm::vec3>& directions,
+                      const std::vector<sim::Pose>& poses) {
+    constexpr double worth_showing_m = 1e-3;
+    for (std::size_t scan = 0; scan < poses.size(); ++scan) {
+        for (std::size_t i = 0; i < directions.size(); ++i) {
+            const sim::Hit& hit = truth[scan][i];
+            if (!hit.met()) continue;
+            const glm::dvec3 place_m =
+                poses[scan] * (double{hit.range_m} * glm::dvec3{directions[i]});
+            compared.hits_m.push_back(place_m);
+            const double off = off_m(scans[scan][i], hit);
+            if (off > worth_showing_m) compared.differences.push_back({place_m, off});
+        }
+    }
+}
+
+}  // namespace
+
+ComparedScans compare_backends(const sim::SharedScene& scene,
+                               const std::vector<glm::vec3>& directions, double max_range_m,
+                               std::size_t count, double height_m) {
+    const auto range_m = static_cast<float>(max_range_m);
+    const auto rays = sim::make_backend("embree", scene);
+    const auto poses = free_poses(*rays, count, height_m);
+    std::vector<double> ms;
+    const Scans truth = cast_all(*rays, directions, poses, range_m, ms);
+    const auto edges = find_edges(*rays, truth, directions, poses, range_m);
+    ComparedScans compared;
+    for (const sim::BackendInfo& info : sim::backends()) {
+        try {
+            const auto backend = sim::make_backend(info.name, scene);
+            ms.clear();
+            const Scans scans = cast_all(*backend, directions, poses, range_m, ms);
+            compared.backends.push_back(compare(std::string(info.name), scans, truth, edges));
+            compared.backends.back().cost_ms = spread_of(ms);
+            if (info.name == "depth") note_differences(compared, scans, truth, directions, poses);
+        } catch (const std::runtime_error& error) {
+            compared.backends.push_back(
+                {.backend = std::string(info.name), .missing = error.what()});
+        }
+    }
+    return compared;
+}
+
+void print_comparison(const ComparedScans& scans, std::ostream& out) {
+    out << "against embree, away from edges, in mm                                 beams in %\n"
+        << "backend      ms/scan      p50      p99    p99.9      max     at edges   off > 1 cm"
+           "   other object\n"
+        << std::fixed;
+    for (const Comparison& it : scans.backends) {
+        out << std::left << std::setw(10) << it.backend << std::right;
+        if (!it.missing.empty()) {
+            out << "  " << it.missing << "\n";
+            continue;
+        }
+        out << std::setprecision(3) << std::setw(10) << it.cost_ms.median << std::setprecision(4);
+        for (const double off : it.off_m)
+            out << std::setw(9) << 1e3 * off;
+        for (const std::size_t share : {it.edges, it.other_surface, it.other_object})
+            out << std::setw(13) << 100.0 * double(share) / double(it.beams);
+        out << "\n";
+    }
+}
+
+void write_comparison_json(const ComparedScans& scans, std::ostream& out) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const Comparison& it : scans.backends) {
+        nlohmann::json one{{"backend", it.backend}};
+        if (!it.missing.empty()) {
+            one["missing"] = it.missing;
+        } else {
+            const auto share = [&](std::size_t beams) { return double(beams) / double(it.beams); };
+            one["ms_per_scan"] = it.cost_ms.median;
+            one["off_m"] = {{"p50", it.off_m[0]},
+                            {"p99", it.off_m[1]},
+                            {"p99.9", it.off_m[2]},
+                            {"max", it.off_m[3]}};
+            one["beams"] = it.beams;
+            one["edge_share"] = share(it.edges);
+            one["other_surface_share"] = share(it.other_surface);
+            one["other_object_share"] = share(it.other_object);
+        }
+        all.push_back(std::move(one));
+    }
+    out << all.dump(2) << "\n";
+}
+
+}  // namespace scipd::tools

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tools/scipbench/machine.h"
+
+#include <fstream>
+#include <stdexcept>
+#include <thread>
+
+#include "sim/backends/depth_device.h"
+#include "sim/backends/embree.h"
+
+namespace scipd::tools {
+namespace {
+
+std::string processor() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);) {
+        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+    }
+    return "an unknown processor";
+}
+
+std::string what_draws() {
+    try {
+        const auto context = sim::depth_context();
+        const sim::EglDescription& it = context->description();
+        return it.renderer + ", OpenGL " + it.opengl;
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+}
+
+}  // namespace
+
+std::string describe_machine() {
+    return processor() + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores; " +
+           std::string(sim::embree_description()) + "; " + what_draws();
+}
+
+}  // namespace scipd::tools

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// scipbench: which way to compute ranges is faster on this machine, and how far they differ.
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "daemon/models/registry.h"
+#include "sim/loaders/sdf.h"
+#include "sim/sensor/beam_pattern.h"
+#include "tools/options.h"
+#include "tools/scipbench/chart.h"
+#include "tools/scipbench/compare.h"
+#include "tools/scipbench/machine.h"
+#include "tools/scipbench/table3.h"
+#include "tools/scipbench/table4.h"
+
+namespace scipd::tools {
+namespace {
+
+struct Said {
+    std::string scene;
+    std::string csv;
+    std::string plot;
+    int repetitions = 300;
+    std::string model = "UST-10LX";
+    std::size_t poses = 50;
+    double height_m = 0.3;
+    bool json = false;
+};
+
+void write_to(const std::string& file, const auto& write) {
+    if (file.empty()) return;
+    std::ofstream out(file);
+    write(out);
+    if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
+}
+
+void run_table3(const Said& said) {
+    const auto loaded = sim::load_sdf(said.scene);
+    const std::string machine = describe_machine();
+    const auto rows = measure_table3(loaded.scene, said.repetitions);
+    std::cout << machine << "\n" << said.scene << "\n\n";
+    print_table3(rows, std::cout);
+    write_to(said.csv, [&](std::ostream& out) { write_table3_csv(rows, out); });
+    if (!said.plot.empty()) draw_table3(rows, machine, said.plot);
+}
+
+void run_table4(const Said& said) {
+    const auto loaded = sim::load_sdf(said.scene);
+    const auto rows = measure_table4(loaded.scene, said.repetitions);
+    std::cout << describe_machine() << "\n" << said.scene << "\n\n";
+    print_table4(rows, std::cout);
+    write_to(said.csv, [&](std::ostream& out) { write_table4_csv(rows, out); });
+}
+
+void run_compare(const Said& said) {
+    const auto loaded = sim::load_sdf(said.scene);
+    const sim::SensorSpec& optics = daemon::find_model(said.model).optics;
+    const sim::BeamPattern pattern(optics);
+    const std::vector<glm::vec3> directions(pattern.directions().begin(),
+                                            pattern.directions().end());
+    const auto scans =
+        compare_backends(loaded.scene, directions, optics.max_range_m, said.poses, said.height_m);
+    if (said.json) {
+        write_comparison_json(scans, std::cout);
+    } else {
+        std::cout << describe_machine() << "\n"
+                  << said.scene << ", " << said.model << ", " << said.poses << " poses\n\n";
+        print_comparison(scans, std::cout);
+    }
+    if (!said.plot.empty()) draw_differences(scans, said.model + " in " + said.scene, said.plot);
+}
+
+CLI::App* add(CLI::App& program, const char* name, const char* what, Said& said,
+              void (*run)(const Said&)) {
+    CLI::App* command = program.add_subcommand(name, what);
+    command->add_option("--scene", said.scene, "world to measure in")
+        ->required()
+        ->check(CLI::ExistingFile)
+        ->option_text("FILE.sdf");
+    command->callback([&said, run] { run(said); });
+    return command;
+}
+
+void add_plot(CLI::App& command, Said& said) {
+    command.add_option("-o,--plot", said.plot, "picture to draw")
+        ->check([](const std::string& file) {
+            const auto ending = std::filesystem::path(file).extension();
+            return ending == ".png" || ending == ".svg" ? "" : "must end with .png or .svg";
+        })
+        ->option_text("FILE.png|FILE.svg");
+}
+
+void add_table_options(CLI::App& command, Said& said) {
+    command.add_option("--csv", said.csv, "table to write")->option_text("FILE.csv");
+    command.add_option("-n,--repetitions", said.repetitions, "of each measurement")
+        ->check(CLI::Range(2, 100'000))
+        ->capture_default_str();
+}
+
+}  // namespace
+}  // namespace scipd::tools
+
+int main(int argc, char** argv) {
+    using namespace scipd::tools;
+    CLI::App program("Compares the ways to compute ranges, on this machine.", "scipbench");
+    program.require_subcommand(1);
+    program.footer("scipbench COMMAND --help tells more.");
+    Said said;
+    CLI::App* table3 = add(program, "table3",
+                           "what a scan costs at each resolution, by rays and "
+                           "by depth buffer, as in the paper's Table 3",
+                           said, run_table3);
+    add_table_options(*table3, said);
+    add_plot(*table3, said);
+    CLI::App* table4 = add(program, "table4", "what reading back costs, as in the paper's Table 4",
+                           said, run_table4);
+    add_table_options(*table4, said);
+    CLI::App* compare =
+        add(program, "compare", "the same scans by every backend", said, run_compare);
+    compare->add_option("--model", said.model, "scanner")->capture_default_str();
+    compare->add_option("--poses", said.poses, "how many scans, from as many places")
+        ->check(CLI::Range(2, 100'000))
+        ->capture_default_str();
+    compare->add_option("--height", said.height_m, "of the scanner, in metres")
+        ->capture_default_str();
+    compare->add_flag("--json", said.json, "for programs");
+    add_plot(*compare, said);
+    return run(program, argc, argv);
+}

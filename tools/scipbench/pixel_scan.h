@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The depth-buffer method as the paper has it: one pass, a pixel for a ray, and each step by
+// itself, so that it can be timed. The depth backend is made from the same parts. One thread.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/backends/depth_raster.h"
+#include "sim/backends/depth_triangles.h"
+
+namespace scipd::tools {
+
+class PixelScan {
+  public:
+    /// Throws std::runtime_error where this machine cannot draw.
+    PixelScan(sim::SharedScene scene, const sim::Strip& strip);
+
+    /// Returns when it is drawn.
+    void draw(const sim::Pose& world_from_sensor);
+    void read_depth() { raster_.read_depth(picture_); }
+    void read_triangles() { raster_.read_triangles(picture_); }
+
+    /// Infinity where nothing is; from the depth that was read last.
+    void find_ranges(std::span<float> range_m) const;
+    /// From the triangles that were read last.
+    void find_materials(std::span<sim::MaterialId> materials) const;
+
+  private:
+    sim::SharedScene scene_;
+    sim::DepthTriangles triangles_;
+    sim::PlannedView view_;
+    std::vector<float> cos_alpha_;
+    sim::DepthRaster raster_;
+    sim::Picture picture_;
+    std::vector<sim::DrawnTriangle> drawn_;
+};
+
+}  // namespace scipd::tools

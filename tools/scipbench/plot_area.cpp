@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tools/scipbench/plot_area.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace scipd::tools {
+namespace {
+
+constexpr double left = 90.0;
+constexpr double top = 90.0;
+constexpr double width = Page::width - left - 40.0;
+constexpr double height = 700.0;
+constexpr double legend_top = top + height + 84.0;
+constexpr double legend_line = 22.0;
+constexpr int legend_rows = 6;
+
+void use(cairo_t* context, const Colour& colour) {
+    cairo_set_source_rgba(context, colour.red, colour.green, colour.blue, colour.opacity);
+}
+
+void stroke(cairo_t* context, const Colour& colour, double line_width, bool dashed) {
+    constexpr std::array dashes{6.0, 4.0};
+    use(context, colour);
+    cairo_set_line_width(context, line_width);
+    cairo_set_dash(context, dashes.data(), dashed ? 2 : 0, 0.0);
+    cairo_stroke(context);
+    cairo_set_dash(context, nullptr, 0, 0.0);
+}
+
+std::string number(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%g", value);
+    return text.data();
+}
+
+/// Where an axis has numbers: at powers of ten, or at about eight round steps.
+std::vector<double> ticks(const AxisRange& axis) {
+    std::vector<double> values;
+    if (axis.powers_of_ten) {
+        for (double power = std::ceil(std::log10(axis.low)); power <= std::log10(axis.high);
+             ++power)
+            values.push_back(std::pow(10.0, power));
+        return values;
+    }
+    const double rough = (axis.high - axis.low) / 8.0;
+    const double power = std::pow(10.0, std::floor(std::log10(rough)));
+    const double step = rough > 5.0 * power   ? 10.0 * power
+                        : rough > 2.0 * power ? 5.0 * power
+                                              : 2.0 * power;
+    for (double value = std::ceil(axis.low / step) * step; value <= axis.high; value += step)
+        values.push_back(std::abs(value) < 1e-9 * step ? 0.0 : value);
+    return values;
+}
+
+}  // namespace
+
+double AxisRange::share(double value) const {
+    if (!powers_of_ten) return (value - low) / (high - low);
+    return std::log(value / low) / std::log(high / low);
+}
+
+PlotArea::PlotArea(Page& page, const AxisRange& x, const AxisRange& y)
+    : context_(page.context()), x_(x), y_(y) {
+    use(context_, colours::paper);
+    cairo_paint(context_);
+}
+
+Place PlotArea::on_page(const Place& value) const {
+    return {left + width * x_.share(value.x), top + height * (1.0 - y_.share(value.y))};
+}
+
+void PlotArea::write(const std::string& text, const Place& at, double size, double anchor,
+                     const Colour& colour) {
+    cairo_select_font_face(context_, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                           CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(context_, size);
+    cairo_text_extents_t extents;
+    cairo_text_extents(context_, text.c_str(), &extents);
+    cairo_move_to(context_, at.x - anchor * extents.x_advance, at.y);
+    use(context_, colour);
+    cairo_show_text(context_, text.c_str());
+}
+
+void PlotArea::numbers(const AxisRange& axis, bool along_x) {
+    for (const double value : ticks(axis)) {
+        const Place at = on_page({along_x ? value : x_.low, along_x ? y_.low : value});
+        cairo_move_to(context_, at.x, at.y);
+        cairo_line_to(context_, along_x ? at.x : left + width, along_x ? top : at.y);
+        stroke(context_, colours::ring, 0.8, false);
+        const Place label = along_x ? Place{at.x, at.y + 22.0} : Place{at.x - 8.0, at.y + 5.0};
+        write(number(value), label, 15.0, along_x ? 0.5 : 1.0, colours::faint_ink);
+    }
+}
+
+void PlotArea::grid(const std::string& x_title, const std::string& y_title) {
+    numbers(x_, true);
+    numbers(y_, false);
+    cairo_rectangle(context_, left, top, width, height);
+    stroke(context_, colours::frame, 1.5, false);
+    write(x_title, {left + width / 2.0, top + height + 48.0}, 16.0, 0.5, colours::ink);
+    write(y_title, {left, top - 10.0}, 16.0, 0.0, colours::ink);
+}
+
+void PlotArea::line(const std::vector<Place>& values, const Colour& colour, double line_width,
+                    bool dashed) {
+    cairo_new_path(context_);  // showing text leaves a point behind
+    for (const Place& value : values) {
+        const Place at = on_page(value);
+        cairo_line_to(context_, at.x, at.y);
+    }
+    stroke(context_, colour, line_width, dashed);
+}
+
+void PlotArea::dot(const Place& value, const Colour& colour, double radius) {
+    const Place at = on_page(value);
+    cairo_rectangle(context_, at.x - radius, at.y - radius, 2.0 * radius, 2.0 * radius);
+    use(context_, colour);
+    cairo_fill(context_);
+}
+
+void PlotArea::title(const std::string& text, const std::string& below) {
+    write(text, {left, 36.0}, 22.0, 0.0, colours::ink);
+    write(below, {left, 60.0}, 13.0, 0.0, colours::faint_ink);
+}
+
+void PlotArea::legend(const std::string& text, const Colour& colour, double line_width,
+                      bool dashed) {
+    const double x = left + (legend_lines_ / legend_rows) * (width / 2.0);
+    const double y = legend_top + (legend_lines_ % legend_rows) * legend_line;
+    ++legend_lines_;
+    cairo_move_to(context_, x, y - 5.0);
+    cairo_line_to(context_, x + 40.0, y - 5.0);
+    stroke(context_, colour, line_width, dashed);
+    write(text, {x + 50.0, y}, 13.0, 0.0, colours::ink);
+}
+
+}  // namespace scipd::tools

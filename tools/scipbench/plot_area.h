@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A frame on a page with numbers along two axes, and strokes in it. One thread.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/scipcat/colours.h"
+#include "tools/scipcat/page.h"
+
+namespace scipd::tools {
+
+/// What an axis shows, from left or below.
+struct AxisRange {
+    double low;
+    double high;
+    bool powers_of_ten;
+
+    [[nodiscard]] double share(double value) const;
+};
+
+struct Place {
+    double x;
+    double y;
+};
+
+class PlotArea {
+  public:
+    PlotArea(Page& page, const AxisRange& x, const AxisRange& y);
+
+    void grid(const std::string& x_title, const std::string& y_title);
+    void line(const std::vector<Place>& values, const Colour& colour, double width, bool dashed);
+    void dot(const Place& value, const Colour& colour, double radius);
+    void title(const std::string& text, const std::string& below);
+    /// The next line of the legend, under the frame.
+    void legend(const std::string& text, const Colour& colour, double width, bool dashed);
+
+  private:
+    [[nodiscard]] Place on_page(const Place& value) const;
+    void write(const std::string& text, const Place& at, double size, double anchor,
+               const Colour& colour);
+    void numbers(const AxisRange& axis, bool along_x);
+
+    cairo_t* context_;
+    AxisRange x_;
+    AxisRange y_;
+    int legend_lines_ = 0;
+};
+
+}  // namespace scipd::tools

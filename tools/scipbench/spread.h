@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+namespace scipd::tools {
+
+/// Of many measurements: the middle one, and what eight of ten lie between.
+struct Spread {
+    double median = 0.0;
+    double low = 0.0;
+    double high = 0.0;
+};
+
+inline Spread spread_of(std::vector<double> values) {
+    if (values.empty()) return {};
+    std::ranges::sort(values);
+    const auto at = [&](double share) {
+        return values[static_cast<std::size_t>(share * double(values.size() - 1))];
+    };
+    return {at(0.5), at(0.1), at(0.9)};
+}
+
+template <typename Work>
+double milliseconds_for(Work work) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point begin = Clock::now();
+    work();
+    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+}  // namespace scipd::tools
