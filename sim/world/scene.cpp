@@ -2,9 +2,28 @@
 // Copyright The scipd authors
 #include "sim/world/scene.h"
 
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
 #include "sim/world/bounds.h"
 
 namespace scipd::sim {
+namespace {
+
+MaterialId id_of(const Material& material, std::vector<Material>& materials) {
+    auto found = std::ranges::find(materials, material);
+    if (found == materials.end()) found = materials.insert(found, material);
+    return static_cast<MaterialId>(found - materials.begin());
+}
+
+bool is_or_lies_in(std::string_view name, std::string_view outer) {
+    if (!name.starts_with(outer)) return false;
+    name.remove_prefix(outer.size());
+    return name.empty() || name.starts_with("::");
+}
+
+}  // namespace
 
 glm::dvec3 Scene::middle_of(const Scene& scene) {
     Bounds bounds;
@@ -13,6 +32,47 @@ glm::dvec3 Scene::middle_of(const Scene& scene) {
         bounds.include(bounds_of(object.shape), world_from_model * object.model_from_object);
     }
     return bounds.empty() ? glm::dvec3{0.0} : bounds.middle_m();
+}
+
+std::optional<ModelId> find_model(const Scene& scene, std::string_view name) {
+    const auto found = std::ranges::find(scene.models, name, &Model::name);
+    if (found == scene.models.end()) return std::nullopt;
+    return static_cast<ModelId>(found - scene.models.begin());
+}
+
+SharedScene with_models(const Scene& scene, const Scene& added) {
+    auto both = std::make_shared<Scene>(scene);
+    const auto first = static_cast<ModelId>(scene.models.size());
+    for (const Model& model : added.models) {
+        assert(!find_model(scene, model.name));
+        both->models.push_back(model);
+    }
+    for (Object object : added.objects) {
+        object.model += first;
+        object.material = id_of(added.materials[object.material], both->materials);
+        both->objects.push_back(std::move(object));
+    }
+    return both;
+}
+
+SharedScene without_model(const Scene& scene, std::string_view name) {
+    if (!find_model(scene, name)) return nullptr;
+    auto rest = std::make_shared<Scene>();
+    rest->name = scene.name;
+    rest->materials = scene.materials;
+    rest->anchor_m = scene.anchor_m;
+    std::vector<std::optional<ModelId>> new_id;
+    for (const Model& model : scene.models) {
+        const bool goes = is_or_lies_in(model.name, name);
+        new_id.push_back(goes ? std::nullopt : std::optional(ModelId(rest->models.size())));
+        if (!goes) rest->models.push_back(model);
+    }
+    for (const Object& object : scene.objects) {
+        if (!new_id[object.model]) continue;
+        rest->objects.push_back(object);
+        rest->objects.back().model = *new_id[object.model];
+    }
+    return rest;
 }
 
 }  // namespace scipd::sim

@@ -10,7 +10,9 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -27,7 +29,8 @@ using ObjectId = std::uint32_t;
 using ModelId = std::uint32_t;
 inline constexpr ModelId no_model = std::numeric_limits<ModelId>::max();
 
-/// What moves as one body.
+/// What moves as one body. Names differ within a scene; one that lies in another begins with its
+/// name: OUTER::INNER.
 struct Model {
     std::string name;
     bool movable = false;
@@ -58,5 +61,20 @@ struct Scene {
 };
 
 using SharedScene = std::shared_ptr<const Scene>;
+
+/// Nothing where there is no model of this name.
+std::optional<ModelId> find_model(const Scene& scene, std::string_view name);
+
+// A scene that somebody holds never changes; these make another one, which shares all meshes with
+// it. It keeps the anchor, so that what both have in common stays the same to the last bit.
+
+/// The scene and all models of `added`, none of whose names it may have. What was there keeps its
+/// ids; models, objects and materials that are new follow in their order.
+SharedScene with_models(const Scene& scene, const Scene& added);
+
+/// The scene less this model and all that lie in it (NAME::...). What stays keeps its order and
+/// closes the gaps, so that ids behind the first gap are others now: look models up by name.
+/// Materials stay, all of them. Null where there is no such model.
+SharedScene without_model(const Scene& scene, std::string_view name);
 
 }  // namespace scipd::sim

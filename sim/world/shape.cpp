@@ -76,31 +76,28 @@ Mesh cylinder_mesh(const Cylinder& cylinder) {
     return mesh;
 }
 
-/// Vertices 0 and 1 are the poles; then rings from top to bottom. There are half as many rings as
-/// sides, so that a piece at the equator, where it is largest, is as wide as it is high. Its corner
-/// is seen from its middle under two half angles, whence the squared cosine.
-Mesh sphere_mesh(const Sphere& sphere) {
-    const unsigned needed = sides_for(std::sqrt(least_cosine(sphere.radius_m)));
-    const unsigned half_sides = (std::min(most_sphere_sides, needed) + 1) / 2;
-    const unsigned sides = 2 * half_sides;
-    const unsigned rings = half_sides - 1;
+/// A ring of a body that is round about z.
+struct Ring {
+    double radius_m;
+    double z_m;
+};
+
+/// Vertices 0 and 1 are the poles; then the rings, which go from top to bottom.
+Mesh round_mesh(double pole_m, const std::vector<Ring>& rings, unsigned sides) {
     const double turn = 2.0 * std::numbers::pi / sides;
-    const double radius_m = balanced_radius_m(sphere.radius_m, std::pow(std::cos(0.5 * turn), 2));
     Mesh mesh;
-    mesh.vertices_m = {{0.0, 0.0, radius_m}, {0.0, 0.0, -radius_m}};
-    for (unsigned ring = 0; ring < rings; ++ring) {
-        const double down_rad = (ring + 1) * turn;
+    mesh.vertices_m = {{0.0, 0.0, pole_m}, {0.0, 0.0, -pole_m}};
+    for (const Ring& ring : rings) {
         for (unsigned side = 0; side < sides; ++side) {
-            mesh.vertices_m.emplace_back(radius_m * std::sin(down_rad) * std::cos(side * turn),
-                                         radius_m * std::sin(down_rad) * std::sin(side * turn),
-                                         radius_m * std::cos(down_rad));
+            mesh.vertices_m.emplace_back(ring.radius_m * std::cos(side * turn),
+                                         ring.radius_m * std::sin(side * turn), ring.z_m);
         }
     }
     for (unsigned side = 0; side < sides; ++side) {
         const unsigned next = (side + 1) % sides;
         unsigned above = 2;
         mesh.triangles.emplace_back(0, above + side, above + next);
-        for (unsigned ring = 1; ring < rings; ++ring, above += sides) {
+        for (std::size_t ring = 1; ring < rings.size(); ++ring, above += sides) {
             const unsigned below = above + sides;
             mesh.triangles.emplace_back(above + side, below + side, above + next);
             mesh.triangles.emplace_back(above + next, below + side, below + next);
@@ -108,6 +105,36 @@ Mesh sphere_mesh(const Sphere& sphere) {
         mesh.triangles.emplace_back(1, above + next, above + side);
     }
     return mesh;
+}
+
+/// How a sphere is cut. There are half as many rings as sides, so that a piece at the equator,
+/// where it is largest, is as wide as it is high. Its corner is seen from its middle under two half
+/// angles, whence the squared cosine.
+struct SphereCut {
+    unsigned sides;  ///< a multiple of `step`
+    double turn;
+    double corner_radius_m;
+
+    SphereCut(double radius_m, unsigned step) {
+        const unsigned needed = sides_for(std::sqrt(least_cosine(radius_m)));
+        sides = (std::min(most_sphere_sides, needed) + step - 1) / step * step;
+        turn = 2.0 * std::numbers::pi / sides;
+        corner_radius_m = balanced_radius_m(radius_m, std::pow(std::cos(0.5 * turn), 2));
+    }
+
+    /// Of the rings between the poles, from the top.
+    [[nodiscard]] Ring ring(unsigned index) const {
+        const double down_rad = (index + 1) * turn;
+        return {corner_radius_m * std::sin(down_rad), corner_radius_m * std::cos(down_rad)};
+    }
+};
+
+Mesh sphere_mesh(const Sphere& sphere) {
+    const SphereCut cut{sphere.radius_m, 2};
+    std::vector<Ring> rings;
+    for (unsigned ring = 0; ring < cut.sides / 2 - 1; ++ring)
+        rings.push_back(cut.ring(ring));
+    return round_mesh(cut.corner_radius_m, rings, cut.sides);
 }
 
 struct Tessellate {
@@ -122,6 +149,28 @@ struct Tessellate {
 
 Mesh tessellate(const Shape& shape) {
     return std::visit(Tessellate{}, shape);
+}
+
+Mesh capsule_mesh(double radius_m, double length_m) {
+    const SphereCut cut{radius_m, 4};  // so that one ring is the equator, which is there twice
+    std::vector<Ring> rings;
+    for (unsigned ring = 0; ring < cut.sides / 4; ++ring)
+        rings.push_back(cut.ring(ring));
+    const std::vector<Ring> upper = rings;
+    for (Ring& ring : rings)
+        ring.z_m += 0.5 * length_m;
+    for (auto ring = upper.rbegin(); ring != upper.rend(); ++ring)
+        rings.push_back({ring->radius_m, -ring->z_m - 0.5 * length_m});
+    return round_mesh(cut.corner_radius_m + 0.5 * length_m, rings, cut.sides);
+}
+
+Mesh ellipsoid_mesh(const glm::dvec3& radii_m) {
+    // No axis is stretched, so that nothing lies farther off than on the sphere around it.
+    const double largest_m = std::max({radii_m.x, radii_m.y, radii_m.z});
+    Mesh mesh = sphere_mesh({largest_m});
+    for (glm::vec3& vertex : mesh.vertices_m)
+        vertex = glm::vec3{glm::dvec3{vertex} * radii_m / largest_m};
+    return mesh;
 }
 
 }  // namespace scipd::sim

@@ -50,4 +50,13 @@ inline constexpr double chord_tolerance_m = 1e-4;
 /// farther off.
 Mesh tessellate(const Shape& shape);
 
+// What worlds have besides, as triangles from the start; within chord_tolerance_m as well.
+
+/// Centred on the origin, axis along z; length_m is that of the straight part, between the two half
+/// spheres.
+Mesh capsule_mesh(double radius_m, double length_m);
+
+/// Centred on the origin, its half axes along the frame's.
+Mesh ellipsoid_mesh(const glm::dvec3& radii_m);
+
 }  // namespace scipd::sim

@@ -129,6 +129,25 @@ TEST_P(RoundShape, HasNearlyTheVolumeOfTheTrueOne) {
     EXPECT_NEAR(volume_m3(tessellate(Cylinder{r, 2.0})), 2.0 * pi * r * r, 4.0 * pi * r * layer_m);
 }
 
+TEST_P(RoundShape, CapsuleStaysWithinTheToleranceOnBothSides) {
+    const double radius_m = GetParam();
+    const Mesh mesh = capsule_mesh(radius_m, 3.0);
+    double lowest = radius_m;
+    double highest = radius_m;
+    for_points_of(mesh, [&](const glm::dvec3& point) {
+        // The distance from the stretch of the axis between the half spheres.
+        const glm::dvec3 nearest{0.0, 0.0, std::clamp(point.z, -1.5, 1.5)};
+        lowest = std::min(lowest, glm::length(point - nearest));
+        highest = std::max(highest, glm::length(point - nearest));
+    });
+    const double rounding_m = 1e-6 * radius_m;
+    EXPECT_GE(lowest, radius_m - chord_tolerance_m - rounding_m);
+    EXPECT_LE(highest, radius_m + chord_tolerance_m + rounding_m);
+    EXPECT_TRUE(watertight(mesh));
+    const double volume = std::numbers::pi * radius_m * radius_m * (4.0 / 3.0 * radius_m + 3.0);
+    EXPECT_NEAR(volume_m3(mesh), volume, 0.01 * volume + 1e-3 * radius_m);
+}
+
 INSTANTIATE_TEST_SUITE_P(Radii, RoundShape, testing::Values(0.02, 0.25, 1.0, 5.0));
 
 TEST(Tessellate, SpendsNoMoreTrianglesThanTheToleranceAsksFor) {
@@ -143,6 +162,16 @@ TEST(Tessellate, LeavesMeshesAlone) {
     const Mesh same = tessellate(mesh);
     EXPECT_EQ(same.vertices_m, mesh->vertices_m);
     EXPECT_EQ(same.triangles, mesh->triangles);
+}
+
+TEST(Ellipsoid, HasItsThreeRadiiAndItsVolume) {
+    const Mesh mesh = ellipsoid_mesh({0.5, 1.0, 2.0});
+    EXPECT_TRUE(watertight(mesh));
+    EXPECT_NEAR(volume_m3(mesh), 4.0 / 3.0 * std::numbers::pi, 1e-3);
+    for_points_of(mesh, [](const glm::dvec3& point) {
+        const glm::dvec3 share = point / glm::dvec3{0.5, 1.0, 2.0};
+        EXPECT_NEAR(glm::length(share), 1.0, chord_tolerance_m / 0.5);
+    });
 }
 
 }  // namespace
