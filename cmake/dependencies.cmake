@@ -12,6 +12,8 @@ find_package(CLI11 REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(sdformat REQUIRED IMPORTED_TARGET sdformat12)
+pkg_check_modules(console_bridge REQUIRED IMPORTED_TARGET console_bridge)
+pkg_check_modules(tinyxml2 REQUIRED IMPORTED_TARGET tinyxml2)
 pkg_check_modules(assimp REQUIRED IMPORTED_TARGET assimp)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
 

@@ -2,78 +2,97 @@
 // Copyright The scipd authors
 #include "sim/loaders/sdf_file.h"
 
-#include <mutex>
-#include <sstream>
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <utility>
 
-#include <sdf/Console.hh>
 #include <sdf/Element.hh>
-#include <sdf/Filesystem.hh>
 #include <sdf/ParserConfig.hh>
-#include <sdf/SDFImpl.hh>
+
+#include "sim/loaders/load_error.h"
+#include "sim/loaders/sdf_console.h"
+#include "sim/loaders/urdf.h"
 
 namespace scipd::sim {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// libsdformat 12 returns some faults and prints others, and warnings are only printed: this takes
-/// down what it prints.
-class ConsoleListener {
-  public:
-    ConsoleListener() : turn_(one_at_a_time()) {
-        sdf::Console::Instance()->GetMsgStream().SetStream(&text_);
-    }
-    ~ConsoleListener() { sdf::Console::Instance()->GetMsgStream().SetStream(nullptr); }
-    ConsoleListener(const ConsoleListener&) = delete;
-    ConsoleListener& operator=(const ConsoleListener&) = delete;
+/// What libsdformat calls a text.
+constexpr auto text_path = "data-string";
 
-    /// A message begins `ESC[1;33mWarning [Utils.cc:129]ESC[0m `, or with Error, and may have
-    /// several lines.
-    void sort_into(std::vector<std::string>& faults, std::vector<std::string>& warnings) {
-        std::vector<std::string>* last = nullptr;
-        for (std::string line; std::getline(text_, line);) {
-            const auto end = line.find("\x1b[0m ");
-            if (!line.starts_with('\x1b') || end == line.npos) {
-                if (last != nullptr && !line.empty()) last->back() += ' ' + line;
-                continue;
+std::string contents_of(const fs::path& file) {
+    std::ifstream stream{file, std::ios::binary};
+    return {std::istreambuf_iterator<char>{stream}, {}};
+}
+
+/// For robots that a world includes: the library wants files.
+class TemporaryFolder {
+  public:
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        if (!path_.empty()) fs::remove_all(path_, ignored);
+    }
+
+    fs::path write(const std::string& text) {
+        if (path_.empty()) {
+            std::string pattern = fs::temp_directory_path() / "scipd-XXXXXX";
+            if (mkdtemp(pattern.data()) == nullptr) {
+                throw LoadError({pattern + ": cannot be made; it is for robots in URDF"});
             }
-            last = line.find("mError ") < end ? &faults : &warnings;
-            last->push_back(line.substr(end + 5));
+            path_ = pattern;
         }
+        const fs::path file = path_ / (std::to_string(count_++) + ".sdf");
+        std::ofstream{file, std::ios::binary} << text;
+        return file;
     }
 
   private:
-    static std::mutex& one_at_a_time() {
-        static std::mutex mutex;
-        return mutex;
-    }
-
-    std::lock_guard<std::mutex> turn_;
-    std::stringstream text_;
+    fs::path path_;
+    int count_ = 0;
 };
 
-sdf::ParserConfig config_for(const fs::path& file) {
+/// The global configuration is the only one that the library has for includes within includes.
+class GlobalConfig {
+  public:
+    explicit GlobalConfig(sdf::ParserConfig config)
+        : before_(std::exchange(sdf::ParserConfig::GlobalConfig(), std::move(config))) {}
+    ~GlobalConfig() { sdf::ParserConfig::GlobalConfig() = std::move(before_); }
+    GlobalConfig(const GlobalConfig&) = delete;
+    GlobalConfig& operator=(const GlobalConfig&) = delete;
+
+  private:
+    sdf::ParserConfig before_;
+};
+
+sdf::ParserConfig config_for(const std::map<std::string, fs::path>& includes) {
     sdf::ParserConfig config;
     config.SetWarningsPolicy(sdf::EnforcementPolicy::WARN);
     config.SetUnrecognizedElementsPolicy(sdf::EnforcementPolicy::WARN);
     config.SetDeprecatedElementsPolicy(sdf::EnforcementPolicy::WARN);
-    config.SetFindCallback([](const std::string&) { return std::string{}; });
-    const auto folder = file.parent_path();
-    // The empty scheme: what an include names is looked for beside the file first, and not where
-    // the program runs.
-    for (const char* scheme : {"", "model://", "file://", "package://"}) {
-        config.AddURIPath(scheme, folder.string());
-        config.AddURIPath(scheme, folder.parent_path().string());
+    for (const auto& [uri, path] : includes) {
+        // Otherwise the library would look first where the program runs.
+        const fs::path name = fs::path{uri}.filename();
+        if (path.filename() == name) {
+            config.AddURIPath(uri.substr(0, uri.size() - name.string().size()),
+                              path.parent_path().string());
+        }
     }
+    config.SetFindCallback([includes](const std::string& uri) {
+        const auto known = includes.find(uri);
+        return known == includes.end() ? std::string{} : known->second.string();
+    });
     return config;
 }
 
-std::string describe(const sdf::Error& error, const fs::path& file) {
-    std::string text = error.FilePath().value_or(file.string());
-    if (error.LineNumber()) text += ':' + std::to_string(*error.LineNumber());
-    text += ": " + error.Message();
-    if (error.XmlPath()) text += " (" + *error.XmlPath() + ")";
-    return text;
+/// What the library adds where it has said what is wrong.
+bool is_echo(const std::string& printed) {
+    // It takes whatever is no good SDF for a robot.
+    return printed.starts_with("Could not find the 'robot' element") ||
+           printed.starts_with("Unable to call parseURDF on robot model") ||
+           printed.starts_with("parse as old deprecated model file failed");
 }
 
 /// One unreadable element makes the library complain once more about every element around it, and
@@ -84,54 +103,127 @@ bool is_echo(const sdf::Error& error, const std::string& last_path) {
         return !last_path.empty() && last_path.starts_with(error.XmlPath().value_or(""));
     }
     return message.starts_with("Unable to read file") ||
+           message.starts_with("Unable to read SDF string") ||
            message.starts_with("Failed to load a world") ||
+           error.Code() == sdf::ErrorCode::FRAME_ATTACHED_TO_GRAPH_ERROR ||
            error.Code() == sdf::ErrorCode::POSE_RELATIVE_TO_GRAPH_ERROR;
 }
 
-void add_errors(const sdf::Errors& errors, const fs::path& file, std::vector<std::string>& faults) {
-    std::string last_path;
-    for (const auto& error : errors) {
-        if (is_echo(error, last_path)) continue;
-        last_path = error.XmlPath().value_or("");
-        faults.push_back(describe(error, file));
+class Reader {
+  public:
+    Reader(const SdfSource& source, SdfFile& result) : source_(source), result_(result) {
+        result_.stand_ins.emplace(text_path, source.file);
     }
-    if (!faults.empty()) return;
-    for (const auto& error : errors)
-        faults.push_back(describe(error, file));
-}
+
+    void read(std::map<std::string, fs::path> includes) {
+        for (auto& [uri, path] : includes) {
+            const fs::path model = model_file_of(path);
+            const std::string text = contents_of(model);
+            if (is_urdf(text)) path = stand_in_for(text, model);
+        }
+        fs::path file = source_.file;
+        const std::string text = source_.text ? *source_.text : contents_of(file);
+        const bool urdf = is_urdf(text);
+        if (urdf) file = stand_in_for(text, file);
+        if (!result_.faults.empty()) return;
+
+        const sdf::ParserConfig config = config_for(includes);
+        const GlobalConfig global{config};
+        const sdf::Errors errors = source_.text && !urdf ? result_.root.LoadSdfString(text, config)
+                                                         : result_.root.Load(file.string(), config);
+        add_printed();
+        add_errors(errors);
+    }
+
+  private:
+    /// What is wrong with the robot becomes faults.
+    fs::path stand_in_for(const std::string& urdf, const fs::path& file) {
+        const std::string text = sdf_from_urdf(urdf);
+        const auto said = console_.take();
+        for (const auto& fault : said.faults) {
+            if (is_echo(fault)) continue;
+            const int line = line_in_urdf(urdf, fault);
+            result_.faults.push_back(file.string() + (line > 0 ? ':' + std::to_string(line) : "") +
+                                     ": " + fault);
+        }
+        for (const auto& warning : said.warnings)
+            result_.warnings.push_back(file.string() + ": " + warning);
+        if (text.empty() && said.faults.empty()) {
+            result_.faults.push_back(file.string() + ": is no robot that libsdformat can read");
+        }
+        const fs::path stand_in = folder_.write(text);
+        result_.stand_ins.emplace(stand_in, file);
+        return stand_in;
+    }
+
+    void add_printed() {
+        const auto said = console_.take();
+        for (const auto& text : said.faults) {
+            if (is_echo(text)) continue;
+            result_.faults.push_back(source_.file.string() + ": " + text);
+        }
+        for (const auto& text : said.warnings)
+            result_.warnings.push_back(source_.file.string() + ": " + text);
+    }
+
+    void add_errors(const sdf::Errors& errors) {
+        std::string last_path;
+        for (const auto& error : errors) {
+            if (is_echo(error, last_path)) continue;
+            last_path = error.XmlPath().value_or("");
+            add_fault(describe(error));
+        }
+        if (!result_.faults.empty()) return;
+        for (const auto& error : errors)
+            add_fault(describe(error));
+    }
+
+    void add_fault(std::string text) {
+        auto& all = result_.faults;
+        if (std::ranges::find(all, text) == all.end()) all.push_back(std::move(text));
+    }
+
+    [[nodiscard]] std::string describe(const sdf::Error& error) const {
+        const auto path = error.FilePath().value_or(source_.file.string());
+        const auto real = result_.stand_ins.find(path);
+        std::string text = real == result_.stand_ins.end() ? path : real->second.string();
+        if (error.LineNumber()) text += ':' + std::to_string(*error.LineNumber());
+        text += ": " + error.Message();
+        if (error.XmlPath()) text += " (" + *error.XmlPath() + ")";
+        return text;
+    }
+
+    const SdfSource& source_;
+    SdfFile& result_;
+    SdfConsole console_;
+    TemporaryFolder folder_;
+};
 
 }  // namespace
 
-SdfFile read_sdf_file(const fs::path& file) {
+fs::path SdfFile::file_of(const sdf::ElementPtr& element, const fs::path& otherwise) const {
+    if (!element || element->FilePath().empty()) return otherwise;
+    const auto real = stand_ins.find(element->FilePath());
+    return real == stand_ins.end() ? fs::path{element->FilePath()} : real->second;
+}
+
+std::string SdfFile::place_of(const sdf::ElementPtr& element, const fs::path& otherwise) const {
+    const std::string file = file_of(element, otherwise).string();
+    // The lines of a stand-in are not those of the file.
+    const bool own =
+        element && (!stand_ins.contains(element->FilePath()) || element->FilePath() == text_path);
+    if (!own || !element->LineNumber()) return file;
+    return file + ':' + std::to_string(*element->LineNumber());
+}
+
+SdfFile read_sdf(const SdfSource& source, const Resources& resources,
+                 std::size_t most_memory_bytes) {
     SdfFile result;
-    ConsoleListener listener;
-    const sdf::Errors errors = result.root.Load(file.string(), config_for(file));
-    std::vector<std::string> printed;
-    listener.sort_into(printed, result.warnings);
-    for (const auto& text : printed)
-        result.faults.push_back(file.string() + ": " + text);
-    add_errors(errors, file, result.faults);
-    for (auto& warning : result.warnings)
-        warning.insert(0, file.string() + ": ");
+    Reader reader{source, result};
+    auto survey = survey_sdf(source, resources, most_memory_bytes);
+    result.faults = std::move(survey.faults);
+    if (result.faults.empty()) reader.read(std::move(survey.includes));
     return result;
-}
-
-std::string place_of(const sdf::ElementPtr& element, const fs::path& file) {
-    if (!element || element->FilePath().empty()) return file.string();
-    const auto line = element->LineNumber();
-    return element->FilePath() + (line ? ':' + std::to_string(*line) : std::string{});
-}
-
-fs::path find_resource(const std::string& uri, const fs::path& folder) {
-    const auto scheme_end = uri.find("://");
-    const fs::path name = scheme_end == uri.npos ? uri : uri.substr(scheme_end + 3);
-    const fs::path inside =
-        name.lexically_relative(*name.begin());  // MODEL/meshes/x from within MODEL
-    for (const auto& candidate : {folder / name, folder.parent_path() / name, folder / inside}) {
-        if (fs::is_regular_file(candidate)) return candidate;
-    }
-    // SDF_PATH, and wherever else the library has been told to look.
-    return sdf::findFile(uri, false, false);
 }
 
 }  // namespace scipd::sim

@@ -2,15 +2,18 @@
 // Copyright The scipd authors
 //
 // Reading one file through libsdformat, and every word that the library has to say about it. Any
-// thread: the library speaks through a console that the whole process shares, so readers wait for
-// each other.
+// thread: readers wait for each other (sdf_console.h).
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
 #include <sdf/Root.hh>
+
+#include "sim/loaders/resources.h"
+#include "sim/loaders/sdf_survey.h"
 
 namespace scipd::sim {
 
@@ -18,17 +21,20 @@ struct SdfFile {
     sdf::Root root;  ///< complete where there are no faults
     std::vector<std::string> faults;
     std::vector<std::string> warnings;
+    /// Files that the library was given in place of others, by what it calls them: they are gone.
+    std::map<std::string, std::filesystem::path> stand_ins;
+
+    /// The file of an element as the user knows it.
+    [[nodiscard]] std::filesystem::path file_of(const sdf::ElementPtr& element,
+                                                const std::filesystem::path& otherwise) const;
+    /// FILE:LINE of an element, as far as the library knows.
+    [[nodiscard]] std::string place_of(const sdf::ElementPtr& element,
+                                       const std::filesystem::path& otherwise) const;
 };
 
-/// Wants an absolute path.
-SdfFile read_sdf_file(const std::filesystem::path& file);
-
-/// FILE:LINE of an element, as far as the library knows; `file` where it does not.
-std::string place_of(const sdf::ElementPtr& element, const std::filesystem::path& file);
-
-/// Where the file lies that `uri` names in a file in `folder`: relative, absolute, file:// and, as
-/// far as it can be told from where the file lies, model:// and package://. Empty where there is
-/// none.
-std::filesystem::path find_resource(const std::string& uri, const std::filesystem::path& folder);
+/// Wants an absolute path. Reads nothing that would take more than this much memory, and nothing
+/// whose includes are not all there.
+SdfFile read_sdf(const SdfSource& source, const Resources& resources,
+                 std::size_t most_memory_bytes);
 
 }  // namespace scipd::sim

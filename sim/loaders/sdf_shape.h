@@ -22,13 +22,11 @@ struct PlacedShape {
     Pose geometry_from_shape;
 };
 
-/// Nothing for meshes and for what we do not have.
+/// Nothing for meshes and for what we do not have. Throws LoadError where it cannot be: sizes that
+/// are not above 0 or beyond 1e7 m, outlines of fewer than three points.
 std::optional<PlacedShape> primitive_of(const sdf::Geometry& geometry);
 
-/// What SDF calls this kind of geometry.
+/// What SDF calls this kind of geometry; "empty" where there is none.
 std::string kind_of(const sdf::Geometry& geometry);
-
-/// Whether every length is above zero and at most 1e7 m; always true for meshes.
-bool has_sane_size(const Shape& shape);
 
 }  // namespace scipd::sim

@@ -73,8 +73,7 @@ TEST_F(SdfFaults, everyFaultOfOurOwnAtOnce) {
     ASSERT_EQ(all.size(), 5U);
     EXPECT_EQ(all[0], "a.sdf:5: m::l::a" + size);
     EXPECT_EQ(all[1], "a.sdf:6: m::l::b" + size);
-    EXPECT_EQ(all[2],
-              "a.sdf:7: m::l::c: there is no mesh 'none.obj' near " + folder_.path().string());
+    EXPECT_EQ(all[2], "a.sdf:7: m::l::c: there is no 'none.obj' near " + folder_.path().string());
     EXPECT_THAT(all[3], HasSubstr("a.sdf:8: m::l::d: bad.obj: "));
     EXPECT_EQ(all[4], "a.sdf:9: m::l::e" + size);
 }
@@ -111,8 +110,9 @@ TEST_F(SdfFaults, framesThatLeadNowhere) {
 TEST_F(SdfFaults, includesThatLeadNowhere) {
     EXPECT_THAT(faults(world("<include><uri>model://none</uri></include>" +
                              model_of(visual("v", unit_box)))),
-                ElementsAre("a.sdf:4: Unable to find uri[model://none] "
-                            "(/sdf/world[@name=\"w\"]/include[0]/uri)"));
+                ElementsAre("a.sdf:4: there is no 'model://none' near " + folder_.path().string() +
+                            ", nor in GZ_SIM_RESOURCE_PATH, GAZEBO_MODEL_PATH, SDF_PATH, "
+                            "ROS_PACKAGE_PATH or AMENT_PREFIX_PATH"));
 }
 
 }  // namespace

@@ -234,15 +234,14 @@ TEST_F(Sdf, anchorIsAWholePointNearTheMiddle) {
 }
 
 TEST_F(Sdf, whatIsNotSupportedIsWarnedOfOnce) {
-    const std::string capsule = "<capsule><radius>1</radius><length>1</length></capsule>";
+    const std::string terrain = "<heightmap><uri>a.png</uri></heightmap>";
     const auto scene =
-        load(world(model_of(visual("a", unit_box) + visual("b", capsule) + visual("c", capsule))));
+        load(world(model_of(visual("a", unit_box) + visual("b", terrain) + visual("c", terrain))));
     EXPECT_EQ(scene->objects.size(), 1U);
     const auto place = (folder_.path() / "a.sdf").string();
-    EXPECT_THAT(
-        warnings_,
-        ElementsAre(place + ":6: m::l::b: <capsule> is not supported and left out, here and "
-                            "elsewhere"));
+    EXPECT_THAT(warnings_,
+                ElementsAre(place + ":6: m::l::b: <heightmap> is not supported and left out, here "
+                                    "and elsewhere"));
 }
 
 TEST_F(Sdf, whatTheLibraryOnlyPrintsIsAWarning) {

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/sdf_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <sdf/Element.hh>
+#include <sdf/Link.hh>
+#include <sdf/Mesh.hh>
+#include <sdf/Model.hh>
+#include <sdf/World.hh>
+
+#include "sim/loaders/load_error.h"
+#include "sim/loaders/mesh_shelf.h"
+#include "sim/loaders/sdf_shape.h"
+#include "sim/loaders/sdf_surface.h"
+
+namespace scipd::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where a link or a nested model lies, and what it belongs to.
+struct Place {
+    ModelId body;
+    Pose body_from_here;
+    Pose world_from_here;  ///< at load
+};
+
+Pose to_pose(const ignition::math::Pose3d& pose) {
+    const auto& p = pose.Pos();
+    const auto& q = pose.Rot();
+    return {{p.X(), p.Y(), p.Z()}, glm::normalize(glm::dquat{q.W(), q.X(), q.Y(), q.Z()})};
+}
+
+Place operator*(const Place& outer, const Pose& outer_from_here) {
+    return {outer.body, outer.body_from_here * outer_from_here,
+            outer.world_from_here * outer_from_here};
+}
+
+bool says_not_static(const sdf::Model& model) {
+    return !model.Static() && model.Element()->HasElement("static");
+}
+
+/// Walks from the root to the surfaces and collects: objects, and everything that is wrong, so that
+/// one run tells all.
+class SceneCollector {
+  public:
+    SceneCollector(SdfFile read, fs::path file, const Resources& resources, SdfOptions options)
+        : read_(std::move(read)),
+          file_(std::move(file)),
+          resources_(resources),
+          options_(std::move(options)),
+          shelf_(options_.most_triangles) {
+        for (auto& warning : read_.warnings)
+            add_warning(std::move(warning));
+    }
+
+    void add_root();
+    LoadedScene finish() &&;
+
+  private:
+    void add_world(const sdf::World& world);
+    void add_model(const sdf::Model& model);
+    void add_parts(const sdf::Model& model, const Place& place, const std::string& name);
+    void add_nested(const sdf::Model& model, const Place& outer, const std::string& outer_name);
+    void add_link(const sdf::Link& link, const Place& place, const std::string& name);
+    void add_surface(const SdfSurface& surface, const Place& link, const std::string& link_name);
+    void add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object);
+    void warn_of_unseen(const sdf::Link& link, const std::string& name);
+    Pose resolve(const sdf::SemanticPose& pose, const std::string& name);
+    MaterialId material_id(const Material& material);
+    void add_warning(std::string text);
+
+    SdfFile read_;
+    fs::path file_;
+    const Resources& resources_;
+    SdfOptions options_;
+    Scene scene_;
+    std::vector<std::string> faults_;
+    std::vector<std::string> warnings_;
+    std::set<std::string> warned_kinds_;
+    MeshShelf shelf_;
+};
+
+void SceneCollector::add_root() {
+    if (const auto* model = read_.root.Model()) {
+        scene_.name = model->Name();
+        return add_model(*model);
+    }
+    const auto* world = read_.root.WorldByIndex(0);
+    if (world == nullptr) {
+        faults_.push_back(file_.string() + ": holds no <world> and no <model>");
+        return;
+    }
+    scene_.name = world->Name();
+    if (read_.root.WorldCount() > 1) {
+        add_warning(file_.string() + ": holds several worlds; only the first, '" + scene_.name +
+                    "', is used");
+    }
+    add_world(*world);
+}
+
+void SceneCollector::add_world(const sdf::World& world) {
+    // What a scanner would see, or what would put models elsewhere.
+    for (const char* kind : {"actor", "population", "road", "state"}) {
+        const auto element = world.Element();
+        if (!element || !element->HasElement(kind)) continue;
+        add_warning(read_.place_of(element->GetElement(kind), file_) + ": <" + kind +
+                    "> is not supported and left out");
+    }
+    for (std::uint64_t i = 0; i < world.ModelCount(); ++i)
+        add_model(*world.ModelByIndex(i));
+}
+
+void SceneCollector::add_warning(std::string text) {
+    if (std::ranges::find(warnings_, text) == warnings_.end()) {
+        warnings_.push_back(std::move(text));
+    }
+}
+
+void SceneCollector::add_model(const sdf::Model& model) {
+    const Pose world_from_model = resolve(model.SemanticPose(), model.Name());
+    scene_.models.push_back({model.Name(), !model.Static(), world_from_model});
+    add_parts(model, {ModelId(scene_.models.size() - 1), {}, world_from_model}, model.Name());
+}
+
+void SceneCollector::add_parts(const sdf::Model& model, const Place& place,
+                               const std::string& name) {
+    for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
+        const auto& link = *model.LinkByIndex(i);
+        const auto link_name = name + "::" + link.Name();
+        add_link(link, place * resolve(link.SemanticPose(), link_name), link_name);
+    }
+    for (std::uint64_t i = 0; i < model.ModelCount(); ++i)
+        add_nested(*model.ModelByIndex(i), place, name);
+}
+
+void SceneCollector::add_nested(const sdf::Model& model, const Place& outer,
+                                const std::string& outer_name) {
+    const auto name = outer_name + "::" + model.Name();
+    Place place = outer * resolve(model.SemanticPose(), name);
+    if (!scene_.models[outer.body].movable && says_not_static(model)) {
+        scene_.models.push_back({name, true, place.world_from_here});
+        place = {ModelId(scene_.models.size() - 1), {}, place.world_from_here};
+    }
+    add_parts(model, place, name);
+}
+
+void SceneCollector::add_link(const sdf::Link& link, const Place& place, const std::string& name) {
+    for (const SdfSurface& surface : surfaces_of(link, options_.geometry))
+        add_surface(surface, place, name);
+    warn_of_unseen(link, name);
+}
+
+void SceneCollector::warn_of_unseen(const sdf::Link& link, const std::string& name) {
+    const bool visual = options_.geometry == SdfGeometry::visual;
+    const auto seen = visual ? link.VisualCount() : link.CollisionCount();
+    const auto unseen = visual ? link.CollisionCount() : link.VisualCount();
+    if (seen > 0 || unseen == 0) return;
+    add_warning(read_.place_of(link.Element(), file_) + ": " + name +
+                (visual ? " has collisions but no visual; scanners see visuals only"
+                        : " has visuals but no collision; scanners see collisions only"));
+}
+
+void SceneCollector::add_surface(const SdfSurface& surface, const Place& link,
+                                 const std::string& link_name) {
+    Object object;
+    object.name = link_name + "::" + surface.name;
+    object.model = link.body;
+    object.model_from_object = link.body_from_here * resolve(surface.pose, object.name);
+    if (surface.geometry == nullptr || kind_of(*surface.geometry) == "empty") return;
+    const auto place = read_.place_of(surface.element, file_) + ": " + object.name + ": ";
+    if (surface.laser_retro && !std::isfinite(*surface.laser_retro)) {
+        faults_.push_back(place + "laser_retro must be finite");
+    }
+    try {
+        if (const auto* mesh = surface.geometry->MeshShape()) {
+            return add_mesh(surface, *mesh, std::move(object));
+        }
+        const auto primitive = primitive_of(*surface.geometry);
+        if (!primitive) {
+            const auto kind = kind_of(*surface.geometry);
+            if (!warned_kinds_.insert(kind).second) return;
+            return add_warning(place + '<' + kind +
+                               "> is not supported and left out, here and elsewhere");
+        }
+        object.shape = primitive->shape;
+        shelf_.count(object.shape);
+        object.model_from_object = object.model_from_object * primitive->geometry_from_shape;
+        object.material = material_id({surface.material, surface.laser_retro});
+        scene_.objects.push_back(std::move(object));
+    } catch (const LoadError& error) {
+        for (const auto& fault : error.faults())
+            faults_.push_back(place + fault);
+    }
+}
+
+void SceneCollector::add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object) {
+    const auto folder = read_.file_of(mesh.Element(), file_).parent_path();
+    const auto found = resources_.find(mesh.Uri(), folder);
+    if (found.empty()) throw LoadError({resources_.not_found(mesh.Uri(), folder)});
+    for (const auto& part : shelf_.parts_of(found, mesh)) {
+        object.shape = part.mesh;
+        object.material = material_id(
+            {surface.material.empty() ? part.material : surface.material, surface.laser_retro});
+        scene_.objects.push_back(object);
+    }
+}
+
+Pose SceneCollector::resolve(const sdf::SemanticPose& pose, const std::string& name) {
+    ignition::math::Pose3d resolved;
+    for (const auto& error : pose.Resolve(resolved)) {
+        faults_.push_back(file_.string() + ": " + name + ": " + error.Message());
+    }
+    return to_pose(resolved);
+}
+
+MaterialId SceneCollector::material_id(const Material& material) {
+    auto& all = scene_.materials;
+    const Material wanted{material.name.empty() ? all.front().name : material.name,
+                          material.laser_retro};
+    auto found = std::ranges::find(all, wanted);
+    if (found == all.end()) found = all.insert(found, wanted);
+    return static_cast<MaterialId>(found - all.begin());
+}
+
+LoadedScene SceneCollector::finish() && {
+    if (scene_.objects.empty() && faults_.empty()) {
+        // What was left out is now the reason, not a remark.
+        faults_ = std::move(warnings_);
+        const std::string kind =
+            options_.geometry == SdfGeometry::visual ? "<visual>" : "<collision>";
+        faults_.push_back(file_.string() +
+                          ": holds nothing that a scanner could see; give a model a " + kind +
+                          " with a box, cylinder, sphere, plane or mesh");
+    }
+    if (!faults_.empty()) throw LoadError(std::move(faults_));
+    // Always, not only far out: floats are finest around zero. Whole metres, so that round
+    // coordinates stay round.
+    scene_.anchor_m = glm::round(Scene::middle_of(scene_));
+    return {std::make_shared<const Scene>(std::move(scene_)), std::move(warnings_)};
+}
+
+}  // namespace
+
+LoadedScene scene_of(SdfFile read, const fs::path& source, const Resources& resources,
+                     const SdfOptions& options) {
+    SceneCollector collector{std::move(read), source, resources, options};
+    collector.add_root();
+    return std::move(collector).finish();
+}
+
+}  // namespace scipd::sim
