@@ -2,26 +2,44 @@
 // Copyright The scipd authors
 #include "daemon/demo_world.h"
 
+#include <array>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 
 namespace scipd::daemon {
 
 namespace fs = std::filesystem;
 
-fs::path demo_scene() {
+namespace {
+
+/// Where scenes/ may be, both handed in by CMake: from bin/ to the data of an installation, and the
+/// sources.
+std::array<fs::path, 2> scene_folders() {
     std::error_code error;
     const auto program = fs::read_symlink("/proc/self/exe", error);
-    // Both places are handed in by CMake: from bin/ to the data of an installation, and the
-    // sources.
-    const auto installed =
-        (program.parent_path() / SCIPD_SCENES_FROM_BIN / "rescue_maze.sdf").lexically_normal();
-    const fs::path source = fs::path{SCIPD_SOURCE_SCENES} / "rescue_maze.sdf";
-    for (const auto& scene : {installed, source}) {
+    return {(program.parent_path() / SCIPD_SCENES_FROM_BIN).lexically_normal(),
+            fs::path{SCIPD_SOURCE_SCENES}};
+}
+
+}  // namespace
+
+fs::path demo_scene() {
+    std::string sought;
+    for (const auto& folder : scene_folders()) {
+        std::error_code error;
+        const auto scene = folder / "rescue_maze.sdf";
         if (fs::exists(scene, error)) return scene;
+        sought += (sought.empty() ? "neither at " : " nor at ") + scene.string();
     }
-    throw std::invalid_argument("name a scene: the demo world is neither at " + installed.string() +
-                                " nor at " + source.string());
+    throw std::invalid_argument("name a scene: the demo world is " + sought);
+}
+
+std::vector<fs::path> stock_models() {
+    std::vector<fs::path> folders;
+    for (const auto& folder : scene_folders())
+        folders.push_back(folder / "models");
+    return folders;
 }
 
 sim::Pose demo_start() {

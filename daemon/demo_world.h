@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "sim/world/pose.h"
 
@@ -13,6 +14,10 @@ namespace scipd::daemon {
 /// The rescue maze: where it was installed beside this program, else in the sources that it was
 /// built from. Throws std::invalid_argument, saying where it was sought.
 std::filesystem::path demo_scene();
+
+/// Where the models may be that come with scipd; worlds for Gazebo include two of them without
+/// bringing them along, sun and ground_plane.
+std::vector<std::filesystem::path> stock_models();
 
 /// Where the maze begins, and a scanner on a robot's deck: high enough to look over its own base.
 sim::Pose demo_start();

@@ -8,6 +8,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "daemon/demo_world.h"
 #include "daemon/run_directory.h"
 #include "sim/backends/registry.h"
 
@@ -54,7 +55,7 @@ std::optional<LatenessStatus> summary_of(const Lateness& lateness) {
 }  // namespace
 
 FleetPlan make_plan(Config config) {
-    sim::LoadedScene loaded = sim::load_sdf(config.scene);
+    sim::LoadedScene loaded = sim::load_sdf(config.scene, {.model_folders = stock_models()});
     World::Backends backends = make_backends(config, loaded.scene);
     return {std::move(config), std::move(loaded), std::move(backends)};
 }

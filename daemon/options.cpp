@@ -12,6 +12,8 @@
 #include "daemon/demo_world.h"
 #include "daemon/models/registry.h"
 #include "sim/backends/registry.h"
+#include "sim/loaders/load_error.h"
+#include "sim/loaders/sdf.h"
 
 namespace scipd::daemon {
 namespace {
@@ -218,11 +220,16 @@ Answer backend_list() {
 
 Answer check(const fs::path& file) {
     const auto config = load_config(file);
+    const auto world = sim::load_sdf(config.scene, {.model_folders = stock_models()});
+    std::string text;
+    for (const auto& warning : world.warnings)
+        text += warning + "\n";
     std::size_t sensors = 0;
     for (const auto& robot : config.robots)
         sensors += robot.sensors.size();
-    return {0, file.string() + ": no faults; robots: " + std::to_string(config.robots.size()) +
-                   ", sensors: " + std::to_string(sensors) + "\n"};
+    return {0, text + file.string() + ": no faults; robots: " +
+                   std::to_string(config.robots.size()) + ", sensors: " + std::to_string(sensors) +
+                   ", models: " + std::to_string(world.scene->models.size()) + "\n"};
 }
 
 /// What was left out becomes what design and help say.
@@ -278,6 +285,8 @@ std::variant<Options, Answer> parse_options(int argc, const char* const* argv) {
     } catch (const CLI::CallForVersion& version) {
         return Answer{0, std::string{version.what()} + "\n"};
     } catch (const ConfigError& error) {
+        return refusal(error.what());
+    } catch (const sim::LoadError& error) {
         return refusal(error.what());
     } catch (const std::exception& error) {
         return refusal(std::string{"scipd: "} + error.what() + "; see scipd --help");

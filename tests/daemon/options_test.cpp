@@ -49,7 +49,14 @@ const SensorConfig& sensor(const Options& options) {
 
 class OptionsTest : public testing::Test {
   protected:
-    OptionsTest() { dir_.write("room.sdf", ""); }
+    OptionsTest() { dir_.write("room.sdf", room("<box><size>1 1 1</size></box>")); }
+
+    /// A world of one line and one model.
+    static std::string room(const std::string& geometry) {
+        return "<sdf version='1.9'><world name='w'><model name='m'><link name='l'>"
+               "<visual name='v'><geometry>" +
+               geometry + "</geometry></visual></link></model></world></sdf>";
+    }
 
     std::string scene() const { return "--scene " + (dir_.path() / "room.sdf").string() + " "; }
 
@@ -156,7 +163,7 @@ TEST_F(OptionsTest, CheckTellsAllFaultsOrNone) {
                                   "robots: {r: {sensors: {s: {model: UST-20LX, pty: auto}}}}\n");
     EXPECT_EQ(answer("--check " + whole.string()).exit_code, 0);
     EXPECT_EQ(answer("--check " + whole.string()).text,
-              whole.string() + ": no faults; robots: 1, sensors: 1\n");
+              whole.string() + ": no faults; robots: 1, sensors: 1, models: 1\n");
 
     const auto broken = dir_.write("broken.yaml", "scene: room.sdf\nrobot: {}\nseed: x\n");
     EXPECT_EQ(answer("--check " + broken.string()).exit_code, 2);
@@ -166,6 +173,24 @@ TEST_F(OptionsTest, CheckTellsAllFaultsOrNone) {
                   ":3: seed: must be a whole number from 0 to 18446744073709551615, not 'x'\n");
     EXPECT_EQ(answer("--config " + broken.string()).text,
               answer("--check " + broken.string()).text);
+}
+
+TEST_F(OptionsTest, CheckReadsTheWorldToo) {
+    const auto file = dir_.write("fleet.yaml",
+                                 "scene: bad.sdf\n"
+                                 "robots: {r: {sensors: {s: {model: UST-20LX, pty: auto}}}}\n");
+    const auto bad = dir_.write("bad.sdf", room("<box><size>1 0 1</size></box>"));
+    EXPECT_EQ(answer("--check " + file.string()).exit_code, 2);
+    EXPECT_EQ(answer("--check " + file.string()).text,
+              bad.string() + ":1: m::l::v: every size must be above 0 and at most 1e7 m\n");
+    dir_.write("bad.sdf",
+               "<sdf version='1.9'><world name='w'><include><uri>model://sun</uri></include>"
+               "<include><uri>model://ground_plane</uri></include><actor name='a'/>"
+               "</world></sdf>");
+    EXPECT_EQ(answer("--check " + file.string()).exit_code, 0);
+    EXPECT_EQ(answer("--check " + file.string()).text,
+              bad.string() + ":1: <actor> is not supported and left out\n" + file.string() +
+                  ": no faults; robots: 1, sensors: 1, models: 1\n");
 }
 
 TEST(Options, AnswersQuestionsOnStandardOutput) {

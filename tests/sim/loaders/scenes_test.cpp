@@ -147,5 +147,60 @@ TEST(Corridor, isTwoMetresWideBetweenItsDoors) {
     EXPECT_NEAR(range_m[270], 1.F, 1e-4F);
 }
 
+/// Of what a scanner 0.5 m above the origin sees in this direction.
+Hit seen_in_depot(const LoadedScene& depot, int degree) {
+    auto backend = make_backend("reference", depot.scene);
+    const double angle_rad = degree * std::numbers::pi / 180.0;
+    const glm::vec3 direction{std::cos(angle_rad), std::sin(angle_rad), 0.0};
+    const Pose pose{{0.0, 0.0, 0.5}, {1.0, 0.0, 0.0, 0.0}};
+    Hit hit;
+    backend->cast({.directions = {&direction, 1}, .world_from_sensor = {&pose, 1}}, {&hit, 1});
+    return hit;
+}
+
+TEST(Depot, HasTheRangesThatItsCommentLists) {
+    const auto depot = load_sdf(scene_file("depot.sdf"));
+    EXPECT_THAT(depot.warnings, IsEmpty());
+    const auto name_at = [&](int degree) {
+        return depot.scene->objects.at(seen_in_depot(depot, degree).object).name;
+    };
+    EXPECT_NEAR(seen_in_depot(depot, 0).range_m, 12.F, 1e-4F);
+    EXPECT_EQ(name_at(0), "depot::gate::leaf::leaf");
+    EXPECT_NEAR(seen_in_depot(depot, 90).range_m, 4.65F, 1e-4F);
+    EXPECT_EQ(name_at(90), "stored_1::carton::body::carton");
+    EXPECT_NEAR(seen_in_depot(depot, -90).range_m, 8.F, 1e-4F);
+    EXPECT_EQ(name_at(-90), "depot::hall::south");
+    EXPECT_NEAR(seen_in_depot(depot, 180).range_m, 8.9F, 2e-4F);
+    EXPECT_EQ(name_at(180), "bollard_0::post::post");
+}
+
+TEST(Depot, SaysWhatMoves) {
+    const auto depot = load_sdf(scene_file("depot.sdf"));
+    std::vector<std::string> movable;
+    for (const auto& model : depot.scene->models) {
+        if (model.movable) movable.push_back(model.name);
+    }
+    EXPECT_THAT(movable,
+                ::testing::UnorderedElementsAre("depot::gate", "floor_0", "floor_1", "forklift"));
+}
+
+TEST(Depot, NamesAMaterialForEverySurfaceAndTheRetroOfSome) {
+    const auto depot = load_sdf(scene_file("depot.sdf"));
+    for (const auto& object : depot.scene->objects)
+        EXPECT_NE(object.material, 0U) << object.name;
+    EXPECT_THAT(depot.scene->materials, Contains(Material{"painted_steel", 15.0}));
+    EXPECT_THAT(depot.scene->materials, Contains(Material{"steel", 40.0}));
+    EXPECT_THAT(depot.scene->materials, Contains(Material{"rubber"}));
+}
+
+TEST(Depot, CanBeSeenByItsCollisions) {
+    const auto depot = load_sdf(scene_file("depot.sdf"), {.geometry = SdfGeometry::collision});
+    EXPECT_NEAR(seen_in_depot(depot, 0).range_m, 12.F, 1e-4F);
+    EXPECT_NEAR(seen_in_depot(depot, 180).range_m, 8.9F, 1e-4F);
+    // The bare wheels and the mast of the forklift, the ramp.
+    for (const auto& warning : depot.warnings)
+        EXPECT_THAT(warning, ::testing::HasSubstr("has visuals but no collision"));
+}
+
 }  // namespace
 }  // namespace scipd::sim
