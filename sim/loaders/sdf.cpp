@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "sim/loaders/sdf.h"
 
+#include <exception>
 #include <utility>
 
 #include "sim/loaders/load_error.h"
@@ -16,9 +17,16 @@ namespace fs = std::filesystem;
 
 LoadedScene load(const SdfSource& source, const fs::path& folder, const SdfOptions& options) {
     const Resources resources{folder, options.model_folders};
-    SdfFile read = read_sdf(source, resources, options.most_memory_bytes);
-    if (!read.faults.empty()) throw LoadError(std::move(read.faults));
-    return scene_of(std::move(read), source.file, resources, options);
+    try {
+        SdfFile read = read_sdf(source, resources, options.most_memory_bytes);
+        if (!read.faults.empty()) throw LoadError(std::move(read.faults));
+        return scene_of(std::move(read), source.file, resources, options);
+    } catch (const LoadError&) {
+        throw;
+    } catch (const std::exception& error) {
+        // The library lets some through, of what converts numbers.
+        throw LoadError({source.file.string() + ": libsdformat cannot read it: " + error.what()});
+    }
 }
 
 /// Where in a document its first element begins.

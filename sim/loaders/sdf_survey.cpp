@@ -54,7 +54,7 @@ class Surveyor {
         } else if (tinyxml2::XMLDocument document;
                    document.Parse(source.text->c_str()) == tinyxml2::XML_SUCCESS) {
             open_ = {source.file};
-            survey(*document.RootElement(), source.file);
+            survey_root(document, source.file);
         }
         if (bytes_ > most_bytes_ && survey_.faults.empty()) add_too_large(source.file);
         return std::move(survey_);
@@ -90,10 +90,15 @@ class Surveyor {
         open_.push_back(file);
         tinyxml2::XMLDocument document;
         if (document.LoadFile(file.c_str()) == tinyxml2::XML_SUCCESS) {
-            survey(*document.RootElement(), file);
+            survey_root(document, file);
         }
         open_.pop_back();
         bytes_of_[file] = bytes_ - before;
+    }
+
+    /// A document of comments alone has none.
+    void survey_root(const tinyxml2::XMLDocument& document, const fs::path& file) {
+        if (const auto* root = document.RootElement()) survey(*root, file);
     }
 
     void survey(const tinyxml2::XMLElement& element, const fs::path& file) {

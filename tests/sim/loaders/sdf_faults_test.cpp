@@ -100,6 +100,16 @@ TEST_F(SdfFaults, theLibrarysFaultsWithoutItsEchoes) {
                             "visual[@name=\"v\"]/pose)"));
 }
 
+TEST_F(SdfFaults, documentsWithoutAnElement) {
+    for (const auto* text : {"", "<!l>", "<?xml version='1.0'?>", "<!-- <sdf/> -->", "text"})
+        EXPECT_THAT(faults(text), ::testing::Not(::testing::IsEmpty())) << text;
+}
+
+TEST_F(SdfFaults, versionsThatAreNoNumbers) {
+    EXPECT_THAT(faults("<sdf version='x'>" + model_of(visual("v", unit_box)) + "</sdf>"),
+                ElementsAre("a.sdf: libsdformat cannot read it: stoi"));
+}
+
 TEST_F(SdfFaults, framesThatLeadNowhere) {
     EXPECT_THAT(faults(world("<model name='m'><pose relative_to='nowhere'/><link name='l'>" +
                              visual("v", unit_box) + "</link></model>")),
