@@ -40,7 +40,7 @@ const std::vector<Law>& laws() {
          "a world knows nobody who looks at it"},
         {"sim/loaders/",
          {"sim/loaders/", "sim/world/", "sim/time.h", "glm/", "sdf/", "gz/", "ignition/", "assimp/",
-          "nlohmann/", "yaml-cpp/", "stb/", "stb_image.h"},
+          "nlohmann/", "console_bridge/", "tinyxml2.h", "yaml-cpp/", "stb/", "stb_image.h"},
          "loaders turn files into worlds"},
         {"sim/backends/",
          {"sim/backends/", "sim/world/", "sim/time.h", "sim/random.h", "glm/"},
