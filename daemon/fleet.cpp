@@ -241,6 +241,13 @@ SensorStatus Fleet::status_of(const Station& station) const {
     return status;
 }
 
+const ScanLog* Fleet::scans(const std::string& sensor) const {
+    const auto found = std::ranges::find_if(stations_, [&](const auto& station) {
+        return station->robot + "/" + station->config.name == sensor;
+    });
+    return found == stations_.end() ? nullptr : &(*found)->device->log();
+}
+
 std::optional<sim::TimedPose> Fleet::robot_pose(const std::string& robot) const {
     const sim::PoseTrack* track = world_.robot(robot);
     if (track == nullptr) return std::nullopt;

@@ -17,10 +17,10 @@
 #include <boost/asio/any_io_executor.hpp>
 
 #include "daemon/config.h"
+#include "daemon/control/api.h"
 #include "daemon/control/lockstep.h"
 #include "daemon/control/pose_feed.h"
 #include "daemon/control/pose_intake.h"
-#include "daemon/control/routes.h"
 #include "daemon/control/world.h"
 #include "daemon/device/device.h"
 #include "daemon/device/scan_loop.h"
@@ -53,6 +53,7 @@ class Fleet : public Api {
     void stop();
 
     [[nodiscard]] Status status() const override;
+    [[nodiscard]] const ScanLog* scans(const std::string& sensor) const override;
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string& robot) const override;
     std::optional<std::string> set_robot_pose(const std::string& robot,
                                               std::optional<sim::Time> time,

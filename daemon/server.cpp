@@ -11,6 +11,7 @@
 #include <spdlog/spdlog.h>
 
 #include "daemon/config.h"
+#include "daemon/control/routes.h"
 #include "daemon/run_directory.h"
 
 namespace scipd::daemon {
@@ -41,8 +42,9 @@ Server::Server(Options options)
     : options_(std::move(options)),
       signals_(io_, SIGINT, SIGTERM, SIGHUP),
       fleet_(io_.get_executor(), options_.config.clock),
-      control_(io_.get_executor(),
-               [this](const HttpRequest& request) { return route(fleet_, request); }) {
+      control_(io_.get_executor(), [this](const HttpRequest& request, Respond respond) {
+          route(fleet_, request, std::move(respond));
+      }) {
     // The control socket first: if another scipd has it, its ttys are not touched either.
     make_folder(control_socket(options_.config).parent_path());
     control_.listen(control_socket(options_.config));

@@ -117,11 +117,16 @@ template <class Protocol>
 void HttpConnection<Protocol>::answer() {
     if (service_->closed) return;
     const auto& request = parser_->get();
+    const bool keep_alive = request.keep_alive();
     const bool with_body = request.method() != http::verb::head;
+    const auto respond = [self = this->shared_from_this(), keep_alive,
+                          with_body](const HttpResponse& response) {
+        if (!self->service_->closed) self->write(response, keep_alive, with_body);
+    };
     try {
-        write(service_->handler(to_plain(request)), request.keep_alive(), with_body);
+        service_->handler(to_plain(request), respond);
     } catch (const std::exception& error) {
-        write(problem(500, error.what()), request.keep_alive(), with_body);
+        respond(problem(500, error.what()));
     }
 }
 

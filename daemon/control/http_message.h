@@ -4,6 +4,7 @@
 // An HTTP exchange as routes see it: no sockets, no library's types. Values; no thread rule.
 #pragma once
 
+#include <functional>
 #include <string>
 
 namespace scipd::daemon {
@@ -21,5 +22,8 @@ struct HttpResponse {
     std::string body;
     std::string allow;  ///< of a 405: the methods that the path has
 };
+
+/// To be called once, at any time, on the I/O thread.
+using Respond = std::function<void(const HttpResponse&)>;
 
 }  // namespace scipd::daemon

@@ -31,9 +31,10 @@ struct HttpLimits {
 
 class HttpServer {
   public:
-    using Handler = std::function<HttpResponse(const HttpRequest&)>;
+    using Handler = std::function<void(const HttpRequest&, Respond)>;
 
-    /// The handler is called on the executor, and no more once this is closed.
+    /// The handler is called on the executor, and no more once this is closed. It responds when it
+    /// can; the client waits, and so do all its further requests.
     HttpServer(boost::asio::any_io_executor executor, Handler handler,
                const HttpLimits& limits = {});
     ~HttpServer();

@@ -9,6 +9,7 @@
 #include "daemon/device/client.h"
 #include "protocol/reply_grid.h"
 #include "protocol/settings.h"
+#include "protocol/timestamp.h"
 
 namespace scipd::daemon {
 namespace {
@@ -98,7 +99,7 @@ void Device::turn_complete(std::int64_t revolution) {
         if (client->session_.turn_complete(turn(revolution))) takers.push_back(client);
     }
     if (!takers.empty()) {
-        const protocol::ScanView scan = measure(revolution).view();
+        const protocol::ScanView scan = measure(revolution).sent.view();
         for (Client* client : takers)
             client->session_.take(scan, uptime());
         ++scans_sent_;
@@ -114,7 +115,7 @@ void Device::serve_latest(Client& client) {
     for (std::int64_t revolution = timing_.latest_complete(uptime());
          revolution >= 0 && client.session_.waits_for(turn(revolution)) &&
          (patience_ == sim::Time::zero() || poses_known(revolution));) {
-        client.session_.take(measure(revolution).view(), uptime());
+        client.session_.take(measure(revolution).sent.view(), uptime());
     }
     follow_motor();
     if (client.session_.measuring() && on_wanted_) on_wanted_();
@@ -137,16 +138,22 @@ protocol::Turn Device::turn(std::int64_t revolution) const {
     return {.start = timing_.start(revolution)};
 }
 
-const WireScan& Device::measure(std::int64_t revolution) {
-    if (!scan_ || scan_->revolution != revolution) {
-        const auto fired = [&](int step) {
-            return device_clock_.world_time(timing_.fired(revolution, step));
-        };
-        scan_ =
-            sweep_.measure(revolution, device_clock_.world_time(timing_.start(revolution)), fired);
-        wire_scan_ = to_wire(*scan_, turn(revolution), sweep_.optics(), profile_);
-    }
-    return wire_scan_;
+const ScanRecord& Device::measure(std::int64_t revolution) {
+    if (record_ && record_->cast->revolution == revolution) return *record_;
+    const auto fired = [&](int step) {
+        return device_clock_.world_time(timing_.fired(revolution, step));
+    };
+    const sim::SensorSpec& optics = sweep_.optics();
+    const protocol::Turn now = turn(revolution);
+    ScanRecord record{.stamp_ms = protocol::timestamp_ms(now.start, state_.clock_zero()),
+                      .scene = sweep_.scene(),
+                      .front_step = optics.front_step,
+                      .steps_per_turn = optics.steps_per_turn};
+    record.cast = sweep_.measure(revolution, device_clock_.world_time(now.start), fired);
+    record.sent = to_wire(*record.cast, now, optics, profile_);
+    record_ = std::make_shared<const ScanRecord>(std::move(record));
+    log_.add(record_);
+    return *record_;
 }
 
 }  // namespace scipd::daemon

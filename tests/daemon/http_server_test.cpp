@@ -32,7 +32,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 /// Says what it was asked; "/throw" does.
-HttpResponse echo(const HttpRequest& request) {
+void echo(const HttpRequest& request, const Respond& respond) {
     if (request.path == "/throw") throw std::runtime_error("a bug");
     HttpResponse response;
     response.content_type = "text/plain";
@@ -41,7 +41,7 @@ HttpResponse echo(const HttpRequest& request) {
     if (request.path == "/allow") response.status = 405, response.allow = "GET, PUT";
     if (request.path == "/empty")
         response = {.status = 204, .content_type = {}, .body = {}, .allow = {}};
-    return response;
+    respond(response);
 }
 
 /// A server on a thread of its own.

@@ -4,9 +4,13 @@
 // The control API's documents, literally, against a daemon that is a few fields.
 #include "daemon/control/routes.h"
 
+#include <optional>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include "daemon/device/scan_log.h"
 
 namespace scipd::daemon {
 namespace {
@@ -18,9 +22,13 @@ class FakeApi : public Api {
   public:
     [[nodiscard]] Status status() const override { return status_; }
 
+    [[nodiscard]] const ScanLog* scans(const std::string& sensor) const override {
+        return sensor == "rescue/front" ? &log_ : nullptr;
+    }
+
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(
         const std::string& robot) const override {
-        if (robot != "rescue") return {};
+        if (robot != "rescue" && robot != "a robot/b") return {};
         return now_;
     }
 
@@ -35,6 +43,7 @@ class FakeApi : public Api {
     }
 
     Status status_;
+    ScanLog log_;
     sim::TimedPose now_;
     std::optional<std::string> refusal_;
     std::string robot_;
@@ -43,9 +52,14 @@ class FakeApi : public Api {
 
 class RoutesTest : public testing::Test {
   protected:
-    HttpResponse get(const std::string& path) { return route(api_, {"GET", path, "", ""}); }
+    HttpResponse ask(const HttpRequest& request) {
+        std::optional<HttpResponse> answer;
+        route(api_, request, [&](const HttpResponse& response) { answer = response; });
+        return answer.value();
+    }
+    HttpResponse get(const std::string& path) { return ask({"GET", path, "", ""}); }
     HttpResponse put(const std::string& path, const std::string& body) {
-        return route(api_, {"PUT", path, "", body});
+        return ask({"PUT", path, "", body});
     }
 
     FakeApi api_;
@@ -203,7 +217,7 @@ TEST_F(RoutesTest, AWrongMethodIsToldTheRightOnes) {
         {"/robots/rescue/pose", "GET, PUT"},
     };
     for (const auto& [path, allow] : table) {
-        const auto response = route(api_, {"DELETE", path, "", ""});
+        const auto response = ask({"DELETE", path, "", ""});
         EXPECT_EQ(problem_status(response), 405) << path;
         EXPECT_EQ(response.allow, allow) << path;
     }
@@ -217,11 +231,25 @@ TEST_F(RoutesTest, UnknownPathsAreNotFound) {
 }
 
 TEST_F(RoutesTest, WhatComesLaterSaysSo) {
-    for (const std::string path :
-         {"/scene", "/scene/models", "/scene/models/door/pose", "/sensors/rescue/front/truth",
-          "/sensors/rescue/front/faults", "/poses", "/stream"}) {
+    for (const std::string path : {"/sensors/rescue/front/faults", "/sensors/x/y/faults"}) {
         EXPECT_EQ(problem_status(get(path)), 404);
         EXPECT_EQ(document(get(path))["detail"], path + " is not in this version");
+    }
+}
+
+TEST_F(RoutesTest, UnknownPathsAreToldTheKnownOnes) {
+    const std::string said = document(get("/dance"))["detail"];
+    for (const Route& entry : routes())
+        EXPECT_THAT(said, testing::HasSubstr(entry.path));
+}
+
+TEST_F(RoutesTest, NamesCanHoldWhatPathsCannot) {
+    const auto response = get("/robots/a%20robot%2Fb/pose");
+    EXPECT_EQ(response.status, 200);
+    EXPECT_EQ(document(response)["robot"], "a robot/b");
+    for (const char* path : {"/robots/%/pose", "/robots/%2/pose", "/robots/%2x/pose",
+                             "/robots/%-1/pose", "/robots/rescue%/pose"}) {
+        EXPECT_EQ(problem_status(get(path)), 400) << path;
     }
 }
 

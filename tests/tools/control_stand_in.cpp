@@ -11,9 +11,10 @@ namespace scipd::tests {
 
 ControlStandIn::ControlStandIn(std::vector<std::string> robots, std::string clock)
     : clock_(std::move(clock)),
-      server_(io_.get_executor(), [this](const daemon::HttpRequest& request) {
-          return daemon::route(*this, request);
-      }) {
+      server_(io_.get_executor(),
+              [this](const daemon::HttpRequest& request, daemon::Respond respond) {
+                  daemon::route(*this, request, std::move(respond));
+              }) {
     for (std::string& robot : robots)
         poses_[std::move(robot)] = {};
     server_.listen(socket());
@@ -50,6 +51,10 @@ daemon::Status ControlStandIn::status() const {
                                   .lateness = {}});
     }
     return status;
+}
+
+const daemon::ScanLog* ControlStandIn::scans(const std::string&) const {
+    return nullptr;
 }
 
 std::optional<sim::TimedPose> ControlStandIn::robot_pose(const std::string& robot) const {

@@ -39,6 +39,7 @@ class ControlStandIn : daemon::Api {
 
   private:
     [[nodiscard]] daemon::Status status() const override;
+    [[nodiscard]] const daemon::ScanLog* scans(const std::string& sensor) const override;
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string& robot) const override;
     std::optional<std::string> set_robot_pose(const std::string& robot,
                                               std::optional<sim::Time> time,
