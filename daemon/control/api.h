@@ -7,17 +7,23 @@
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "daemon/control/pose_intake.h"
+#include "daemon/control/scene_edit.h"
 #include "sim/loaders/trajectory.h"
 #include "sim/time.h"
 #include "sim/world/pose.h"
+#include "sim/world/scene.h"
 
 namespace scipd::daemon {
 
 class ScanLog;
+class ScanStream;
 
 /// How long after their ideal instant scans left.
 struct LatenessStatus {
@@ -54,6 +60,11 @@ struct Status {
     std::vector<SensorStatus> sensors;
 };
 
+struct SceneView {
+    std::filesystem::path file;
+    sim::SharedScene scene;
+};
+
 /// Nothing here throws.
 class Api {
   public:
@@ -73,6 +84,25 @@ class Api {
     virtual std::optional<std::string> set_robot_pose(const std::string& robot,
                                                       std::optional<sim::Time> time,
                                                       const sim::Pose& world_from_robot) = 0;
+
+    /// A line of a stream of many: why it is refused.
+    virtual std::optional<std::string> take_pose_line(std::string_view line,
+                                                      SenderClock& sender) = 0;
+
+    /// Of all scanners.
+    virtual ScanStream& stream() = 0;
+
+    [[nodiscard]] virtual SceneView scene() const = 0;
+
+    /// `done` is called when the change is in effect or refused, after those before it.
+    virtual void edit_scene(SceneEdit edit, EditDone done) = 0;
+
+    /// As of robots; nothing: no such movable model.
+    [[nodiscard]] virtual std::optional<sim::TimedPose> model_pose(
+        const std::string& model) const = 0;
+    virtual std::optional<std::string> set_model_pose(const std::string& model,
+                                                      std::optional<sim::Time> time,
+                                                      const sim::Pose& world_from_model) = 0;
 };
 
 }  // namespace scipd::daemon

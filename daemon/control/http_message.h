@@ -20,7 +20,7 @@ struct HttpResponse {
     int status = 200;
     std::string content_type = "application/json";
     std::string body;
-    std::string allow;  ///< of a 405: the methods that the path has
+    std::string allow = {};  ///< of a 405: the methods that the path has
 };
 
 /// To be called once, at any time, on the I/O thread.

@@ -19,7 +19,7 @@ std::string field_of(std::string_view refusal) {
         refusal.remove_prefix(unknown.size());
         return std::string{refusal.substr(0, refusal.find('\''))};
     }
-    const auto word = refusal.substr(0, refusal.find(' '));
+    const auto word = refusal.substr(0, refusal.find_first_of(" :"));
     constexpr std::array<std::string_view, 6> fields{"robot", "model", "t", "xyz", "q", "rpy"};
     return std::find(fields.begin(), fields.end(), word) == fields.end() ? "" : std::string{word};
 }
@@ -44,9 +44,13 @@ std::variant<sim::PoseLine, HttpResponse> pose_in(const Call& call) {
     }
     const auto parsed = sim::parse_pose_line(body);
     if (const auto* refusal = std::get_if<std::string>(&parsed)) {
-        return problem(400, *refusal, field_of(*refusal));
+        return pose_refused(*refusal);
     }
     return std::get<sim::PoseLine>(parsed);
+}
+
+HttpResponse pose_refused(const std::string& refusal) {
+    return problem(400, refusal, field_of(refusal));
 }
 
 HttpResponse accepted(const std::optional<std::string>& refusal) {

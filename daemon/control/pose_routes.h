@@ -18,6 +18,8 @@ namespace scipd::daemon {
 Json pose_line_document(const char* kind, const std::string& name, const sim::TimedPose& timed);
 /// The body of a PUT; or why it is refused.
 std::variant<sim::PoseLine, HttpResponse> pose_in(const Call& call);
+/// 400, with the field that a refused line's sentence begins with.
+HttpResponse pose_refused(const std::string& refusal);
 /// 204, or 409 where the world has refused it.
 HttpResponse accepted(const std::optional<std::string>& refusal);
 

@@ -8,7 +8,9 @@
 
 #include "daemon/control/pose_routes.h"
 #include "daemon/control/problem.h"
+#include "daemon/control/scene_routes.h"
 #include "daemon/control/sensor_routes.h"
+#include "daemon/control/socket_routes.h"
 #include "daemon/control/url.h"
 
 namespace scipd::daemon {
@@ -17,13 +19,21 @@ namespace {
 /// The path between its slashes.
 using Segments = std::vector<std::string>;
 
-constexpr std::array<Route, 6> table{{
+constexpr std::array<Route, 14> table{{
     {"GET", "/status", get_status},
     {"GET", "/sensors", get_sensors},
     {"GET", "/sensors/{robot}/{sensor}", get_sensor},
     {"GET", "/sensors/{robot}/{sensor}/truth", get_truth},
     {"GET", "/robots/{robot}/pose", get_robot_pose},
     {"PUT", "/robots/{robot}/pose", put_robot_pose},
+    {"GET", "/scene", get_scene},
+    {"PUT", "/scene", put_scene},
+    {"POST", "/scene/models", post_model},
+    {"DELETE", "/scene/models/{model}", delete_model},
+    {"GET", "/scene/models/{model}/pose", get_model_pose},
+    {"PUT", "/scene/models/{model}/pose", put_model_pose},
+    {"GET", "/poses", ask_for_upgrade},
+    {"GET", "/stream", ask_for_upgrade},
 }};
 
 Segments split(std::string_view path) {

@@ -66,8 +66,14 @@ sim::ChanceKey Device::chance(sim::Purpose purpose) const {
 }
 
 bool Device::wanted() const {
-    return std::ranges::any_of(clients_,
-                               [](const Client* client) { return client->session_.measuring(); });
+    return watcher_ || std::ranges::any_of(clients_, [](const Client* client) {
+               return client->session_.measuring();
+           });
+}
+
+void Device::watch(std::function<void(const ScanRecord&)> watcher) {
+    watcher_ = std::move(watcher);
+    if (watcher_ && on_wanted_) on_wanted_();
 }
 
 std::int64_t Device::next_revolution() const {
@@ -105,6 +111,7 @@ void Device::turn_complete(std::int64_t revolution) {
         ++scans_sent_;
         lateness_.add(clock_.now() - leaves(revolution));
     }
+    if (watcher_) watcher_(measure(revolution));
     // Those that have not taken it may have waited in vain, since another client has switched the
     // laser off.
     tell_clients();

@@ -49,10 +49,13 @@ class Device {
     /// For what is random about it and its links, the same in every run.
     [[nodiscard]] sim::ChanceKey chance(sim::Purpose purpose) const;
 
-    /// Some client waits for scans.
+    /// Somebody waits for scans.
     [[nodiscard]] bool wanted() const;
     /// Called when wanted() may have become true.
     void on_wanted(std::function<void()> callback) { on_wanted_ = std::move(callback); }
+
+    /// Somebody who sees every scan, whatever clients want; null: nobody.
+    void watch(std::function<void(const ScanRecord&)> watcher);
 
     /// The first revolution whose scan has not left yet.
     [[nodiscard]] std::int64_t next_revolution() const;
@@ -102,6 +105,7 @@ class Device {
     int bit_rate_told_;   ///< and that the serial line runs at this rate
     std::vector<Client*> clients_;
     std::function<void()> on_wanted_;
+    std::function<void(const ScanRecord&)> watcher_;
     SharedRecord record_;  ///< of the latest that was cast
     ScanLog log_;
     std::uint64_t scans_sent_ = 0;

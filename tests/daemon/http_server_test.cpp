@@ -44,6 +44,10 @@ void echo(const HttpRequest& request, const Respond& respond) {
     respond(response);
 }
 
+std::variant<HttpResponse, Converse> no_sockets(const HttpRequest&) {
+    return HttpResponse{.status = 404};
+}
+
 /// A server on a thread of its own.
 class HttpServerTest : public testing::Test {
   protected:
@@ -70,7 +74,7 @@ class HttpServerTest : public testing::Test {
 
     void start(const HttpLimits& limits = {}) {
         on_server([&] {
-            server_.emplace(io_.get_executor(), echo, limits);
+            server_.emplace(io_.get_executor(), echo, no_sockets, limits);
             port_ = server_->listen(Address{"127.0.0.1", 0}).port;
             server_->listen(socket_path_);
         });

@@ -16,6 +16,7 @@
 #include "daemon/device/device.h"
 #include "daemon/device/stepped_clock.h"
 #include "tests/daemon/wall_world.h"
+#include "tests/support/empty_api.h"
 
 namespace scipd::daemon {
 namespace {
@@ -24,18 +25,10 @@ using nlohmann::json;
 using namespace std::chrono_literals;
 using testing::HasSubstr;
 
-class TruthTest : public testing::Test, Api {
+class TruthTest : public testing::Test, tests::EmptyApi {
   protected:
-    [[nodiscard]] Status status() const override { return {}; }
     [[nodiscard]] const ScanLog* scans(const std::string& sensor) const override {
         return sensor == "robot/scanner" ? &device_.log() : nullptr;
-    }
-    [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string&) const override {
-        return {};
-    }
-    std::optional<std::string> set_robot_pose(const std::string&, std::optional<sim::Time>,
-                                              const sim::Pose&) override {
-        return {};
     }
 
     HttpResponse ask(const std::string& query = {}) {

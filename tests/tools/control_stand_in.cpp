@@ -53,10 +53,6 @@ daemon::Status ControlStandIn::status() const {
     return status;
 }
 
-const daemon::ScanLog* ControlStandIn::scans(const std::string&) const {
-    return nullptr;
-}
-
 std::optional<sim::TimedPose> ControlStandIn::robot_pose(const std::string& robot) const {
     const std::scoped_lock lock(mutex_);
     const auto found = poses_.find(robot);

@@ -16,6 +16,7 @@
 
 #include "daemon/control/http_server.h"
 #include "daemon/control/routes.h"
+#include "tests/support/empty_api.h"
 #include "tests/support/temp_dir.h"
 
 namespace scipd::tests {
@@ -26,7 +27,7 @@ struct Put {
     sim::Pose pose;
 };
 
-class ControlStandIn : daemon::Api {
+class ControlStandIn : EmptyApi {
   public:
     explicit ControlStandIn(std::vector<std::string> robots, std::string clock = "wall");
     ~ControlStandIn() override;
@@ -39,7 +40,6 @@ class ControlStandIn : daemon::Api {
 
   private:
     [[nodiscard]] daemon::Status status() const override;
-    [[nodiscard]] const daemon::ScanLog* scans(const std::string& sensor) const override;
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string& robot) const override;
     std::optional<std::string> set_robot_pose(const std::string& robot,
                                               std::optional<sim::Time> time,
