@@ -65,7 +65,9 @@ Fleet::Fleet(const boost::asio::any_io_executor& executor, ClockKind clock)
     : executor_(executor),
       wall_clock_(executor),
       lockstep_(clock == ClockKind::poses ? std::make_unique<Lockstep>(executor) : nullptr),
-      clock_(lockstep_ ? static_cast<Clock&>(lockstep_->clock()) : wall_clock_) {
+      clock_(lockstep_ ? static_cast<Clock&>(lockstep_->clock()) : wall_clock_),
+      editor_(world_, loader_, load_world_file),
+      loader_(executor) {
     world_.on_placed([this] {
         for (const auto& station : stations_)
             station->loop->poses_came();
@@ -80,8 +82,9 @@ void Fleet::apply(FleetPlan&& plan) {
     // From here on nothing can fail.
     for (const std::string& warning : loaded.warnings)
         spdlog::warn("{}", warning);
-    scene_file_ = config.scene;
-    world_.replace_scene(std::move(loaded.scene), std::move(backends));
+    editor_.set_file(config.scene);
+    loader_.discard(std::make_shared<World::Backends>(
+        world_.replace_scene(std::move(loaded.scene), std::move(backends))));
     std::map<std::string, RobotStart> robots;
     for (const RobotConfig& robot : config.robots)
         robots[robot.name] = {robot.world_from_robot, robot.policy, robot.body};
@@ -92,6 +95,7 @@ void Fleet::apply(FleetPlan&& plan) {
 }
 
 void Fleet::stop() {
+    loader_.stop();
     replace_feeds({});
     replace_stations({}, {});
     ports_ = {};
@@ -189,6 +193,8 @@ std::unique_ptr<Fleet::Station> Fleet::power_up(const RobotConfig& robot,
     if (lockstep_) of_device.model.profile = protocol::answering_at_once(of_device.model.profile);
     station->device = std::make_unique<Device>(robot.name, of_device, seed, world_, clock_);
     station->loop = std::make_unique<ScanLoop>(*station->device, clock_);
+    station->tap = std::make_unique<ScanStream::Tap>(stream_, robot.name + "/" + sensor.name,
+                                                     *station->device);
     if (sensor.tcp) station->tcp = ports.tcp.at(key_of(robot, sensor));
     if (sensor.pty) station->pty = ports.pty.at(link_of(robot, sensor));
     if (station->tcp) station->tcp->serve(*station->device, sensor.link);
@@ -213,7 +219,7 @@ Status Fleet::status() const {
     Status status{.uptime = wall_clock_.now(),
                   .clock = lockstep_ ? "poses" : "wall",
                   .time = lockstep_ ? lockstep_->stamp() : clock_.now(),
-                  .scene = scene_file_};
+                  .scene = editor_.file()};
     status.poses = {intake_.accepted(), intake_.refused(), intake_.last_refusal()};
     for (const auto& station : stations_)
         status.sensors.push_back(status_of(*station));
@@ -227,7 +233,7 @@ SensorStatus Fleet::status_of(const Station& station) const {
                         .backend = std::string(world_.backend_name(station.config.backend)),
                         .state = state_of(device),
                         .scans = device.scans_sent(),
-                        .lost = station.loop->missed(),
+                        .lost = station.loop->missed() + station.tap->lost(),
                         .lateness = summary_of(device.lateness())};
     if (station.tcp) {
         status.tcp = station.tcp->address();

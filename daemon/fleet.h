@@ -17,10 +17,13 @@
 #include <boost/asio/any_io_executor.hpp>
 
 #include "daemon/config.h"
+#include "daemon/control/api.h"
+#include "daemon/control/loader.h"
 #include "daemon/control/lockstep.h"
 #include "daemon/control/pose_feed.h"
 #include "daemon/control/pose_intake.h"
-#include "daemon/control/routes.h"
+#include "daemon/control/scan_stream.h"
+#include "daemon/control/scene_editor.h"
 #include "daemon/control/world.h"
 #include "daemon/device/device.h"
 #include "daemon/device/scan_loop.h"
@@ -51,12 +54,23 @@ class Fleet : public Api {
     void apply(FleetPlan&& plan);
     void apply(const Config& config) { apply(make_plan(config)); }
     void stop();
+    /// Where worlds are loaded, one after the other.
+    [[nodiscard]] Loader& loader() { return loader_; }
 
     [[nodiscard]] Status status() const override;
+    [[nodiscard]] const ScanLog* scans(const std::string& sensor) const override;
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string& robot) const override;
     std::optional<std::string> set_robot_pose(const std::string& robot,
                                               std::optional<sim::Time> time,
                                               const sim::Pose& world_from_robot) override;
+    std::optional<std::string> take_pose_line(std::string_view line, SenderClock& sender) override;
+    ScanStream& stream() override { return stream_; }
+    [[nodiscard]] SceneView scene() const override;
+    void edit_scene(SceneEdit edit, EditDone done) override;
+    [[nodiscard]] std::optional<sim::TimedPose> model_pose(const std::string& model) const override;
+    std::optional<std::string> set_model_pose(const std::string& model,
+                                              std::optional<sim::Time> time,
+                                              const sim::Pose& world_from_model) override;
 
   private:
     /// By what the configuration asks for, so that a port outlives a change of the scanner behind
@@ -81,6 +95,7 @@ class Fleet : public Api {
         std::unique_ptr<ScanLoop> loop;
         std::shared_ptr<TcpPort> tcp;
         std::shared_ptr<PtyPort> pty;
+        std::unique_ptr<ScanStream::Tap> tap;
     };
     using Stations = std::vector<std::unique_ptr<Station>>;
 
@@ -102,12 +117,15 @@ class Fleet : public Api {
     Clock& clock_;
     World world_;
     PoseIntake intake_{world_, lockstep_.get()};
-    std::filesystem::path scene_file_;
+    SceneEditor editor_;
+    ScanStream stream_;
     Ports ports_;
     Stations stations_;
     std::vector<Feed> feeds_;
     std::map<std::string, SenderClock>
         api_senders_;  ///< of robots that are moved through the control API
+    std::map<std::string, SenderClock> api_model_senders_;
+    Loader loader_;
 };
 
 }  // namespace scipd::daemon

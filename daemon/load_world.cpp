@@ -43,4 +43,8 @@ sim::LoadedScene load_world(const Config& config) {
     return loaded;
 }
 
+sim::LoadedScene load_world_file(const std::filesystem::path& file) {
+    return sim::load_scene(file, {.sdf = {.model_folders = stock_models()}});
+}
+
 }  // namespace scipd::daemon

@@ -11,4 +11,7 @@ namespace scipd::daemon {
 /// nothing that runs: any thread may do it. Throws LoadError with every fault.
 sim::LoadedScene load_world(const Config& config);
 
+/// Another one, as a configuration that says nothing more of it would have it.
+sim::LoadedScene load_world_file(const std::filesystem::path& file);
+
 }  // namespace scipd::daemon

@@ -6,11 +6,12 @@
 #include <memory>
 #include <utility>
 
-#include <boost/asio/post.hpp>
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
 #include "daemon/config.h"
+#include "daemon/control/routes.h"
+#include "daemon/control/socket_routes.h"
 #include "daemon/run_directory.h"
 
 namespace scipd::daemon {
@@ -41,8 +42,12 @@ Server::Server(Options options)
     : options_(std::move(options)),
       signals_(io_, SIGINT, SIGTERM, SIGHUP),
       fleet_(io_.get_executor(), options_.config.clock),
-      control_(io_.get_executor(),
-               [this](const HttpRequest& request) { return route(fleet_, request); }) {
+      control_(
+          io_.get_executor(),
+          [this](const HttpRequest& request, Respond respond) {
+              route(fleet_, request, std::move(respond));
+          },
+          [this](const HttpRequest& request) { return open_socket(fleet_, request); }) {
     // The control socket first: if another scipd has it, its ttys are not touched either.
     make_folder(control_socket(options_.config).parent_path());
     control_.listen(control_socket(options_.config));
@@ -90,17 +95,18 @@ void Server::reload() {
     }
     asked_again_ = std::exchange(loading_, true);
     if (asked_again_) return;
-    const auto task = std::make_shared<std::packaged_task<FleetPlan()>>(
-        [file = *options_.config_file] { return make_plan(load_config(file)); });
-    asio::post(loader_, [this, task] {
-        (*task)();
-        asio::post(io_, [this, task] { take_up(task->get_future()); });
+    fleet_.loader().add([this, file = *options_.config_file] {
+        return [this, file]() -> Loader::Finish {
+            const auto task = std::make_shared<std::packaged_task<FleetPlan()>>(
+                [&file] { return make_plan(load_config(file)); });
+            (*task)();
+            return [this, task] { take_up(task->get_future()); };
+        };
     });
 }
 
 void Server::take_up(std::future<FleetPlan> plan) {
     loading_ = false;
-    if (stopped_) return;
     try {
         FleetPlan next = plan.get();
         Config config = next.config;
@@ -117,7 +123,6 @@ void Server::take_up(std::future<FleetPlan> plan) {
 }
 
 void Server::stop() {
-    stopped_ = true;
     control_.close();
     fleet_.stop();
 }

@@ -12,7 +12,6 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
-#include <boost/asio/thread_pool.hpp>
 
 #include "daemon/control/http_server.h"
 #include "daemon/fleet.h"
@@ -43,10 +42,8 @@ class Server {
     Fleet fleet_;
     HttpServer control_;
     std::optional<std::string> http_;  ///< where the control API is reached by TCP
-    bool stopped_ = false;
     bool loading_ = false;
-    bool asked_again_ = false;            ///< while loading
-    boost::asio::thread_pool loader_{1};  ///< so that no stream waits for a world to be loaded
+    bool asked_again_ = false;  ///< while loading
 };
 
 }  // namespace scipd::daemon

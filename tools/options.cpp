@@ -4,14 +4,41 @@
 
 #include <exception>
 #include <iostream>
+#include <string>
 
 namespace scipd::tools {
+namespace {
+
+/// The command that has been typed, as far as it is one.
+const CLI::App& command_in(const CLI::App& program) {
+    const CLI::App* app = &program;
+    while (!app->get_subcommands().empty())
+        app = app->get_subcommands().front();
+    return *app;
+}
+
+/// What the error says; where a command is missing, which ones there are.
+std::string sentence_of(const CLI::App& program, const CLI::Error& error) {
+    const CLI::App& app = command_in(program);
+    std::string names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        names.append(names.empty() ? "" : ", ").append(command->get_name());
+    const bool missing = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+    if (!missing || names.empty()) return error.what();
+    const auto unknown = app.remaining();
+    std::string sentence = "say which";
+    if (!unknown.empty()) sentence = "there is no command \"" + unknown.front() + "\"";
+    return sentence + "; there are: " + names;
+}
+
+}  // namespace
 
 int run(CLI::App& program, int argc, char** argv) {
     constexpr int failed = 1;
     constexpr int wrong_options = 2;
     program.failure_message([](const CLI::App* app, const CLI::Error& error) {
-        return app->get_name() + ": " + error.what() + " (see " + app->get_name() + " --help)\n";
+        return app->get_name() + ": " + sentence_of(*app, error) + " (see " + app->get_name() +
+               " --help)\n";
     });
     try {
         program.parse(argc, argv);

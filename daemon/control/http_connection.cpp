@@ -9,6 +9,7 @@
 #include <boost/asio/local/stream_protocol.hpp>
 
 #include "daemon/control/problem.h"
+#include "daemon/control/web_socket_connection.h"
 
 namespace scipd::daemon {
 namespace {
@@ -39,6 +40,7 @@ http::response<http::string_body> to_beast(const HttpResponse& plain, bool keep_
     response.result(static_cast<unsigned>(plain.status));
     if (!plain.content_type.empty()) response.set(http::field::content_type, plain.content_type);
     if (!plain.allow.empty()) response.set(http::field::allow, plain.allow);
+    if (plain.status == 426) response.set(http::field::upgrade, "websocket");
     response.body() = plain.body;
     response.keep_alive(keep_alive);
     // A 204 has no length, not even 0 (RFC 9110, 8.6).
@@ -117,12 +119,29 @@ template <class Protocol>
 void HttpConnection<Protocol>::answer() {
     if (service_->closed) return;
     const auto& request = parser_->get();
+    if (boost::beast::websocket::is_upgrade(request)) return upgrade();
+    const bool keep_alive = request.keep_alive();
     const bool with_body = request.method() != http::verb::head;
+    const auto respond = [self = this->shared_from_this(), keep_alive,
+                          with_body](const HttpResponse& response) {
+        if (!self->service_->closed) self->write(response, keep_alive, with_body);
+    };
     try {
-        write(service_->handler(to_plain(request)), request.keep_alive(), with_body);
+        service_->handler(to_plain(request), respond);
     } catch (const std::exception& error) {
-        write(problem(500, error.what()), request.keep_alive(), with_body);
+        respond(problem(500, error.what()));
     }
+}
+
+template <class Protocol>
+void HttpConnection<Protocol>::upgrade() {
+    const auto& request = parser_->get();
+    auto answer = service_->open_web_socket(to_plain(request));
+    if (const auto* refusal = std::get_if<HttpResponse>(&answer)) {
+        return write(*refusal, request.keep_alive());
+    }
+    std::make_shared<WebSocketConnection<Protocol>>(std::move(stream_), service_)
+        ->open(request, std::get<Converse>(std::move(answer)));
 }
 
 template <class Protocol>

@@ -17,6 +17,7 @@
 #include <boost/beast/http.hpp>
 
 #include "daemon/control/http_server.h"
+#include "daemon/control/web_socket.h"
 
 namespace scipd::daemon {
 
@@ -30,6 +31,7 @@ class HttpClient {
 /// Shared by a server and its connections.
 struct HttpService {
     HttpServer::Handler handler;
+    OpenWebSocket open_web_socket;
     HttpLimits limits;
     bool closed = false;
     std::set<HttpClient*> clients;  ///< each adds and removes itself
@@ -51,6 +53,7 @@ class HttpConnection : public HttpClient,
     void allow_body();
     void read_body();
     void answer();
+    void upgrade();
     void refuse(const Error& error);
     void write(const HttpResponse& plain, bool keep_alive, bool with_body = true);
     void close_gently();

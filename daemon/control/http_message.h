@@ -4,6 +4,7 @@
 // An HTTP exchange as routes see it: no sockets, no library's types. Values; no thread rule.
 #pragma once
 
+#include <functional>
 #include <string>
 
 namespace scipd::daemon {
@@ -19,7 +20,10 @@ struct HttpResponse {
     int status = 200;
     std::string content_type = "application/json";
     std::string body;
-    std::string allow;  ///< of a 405: the methods that the path has
+    std::string allow = {};  ///< of a 405: the methods that the path has
 };
+
+/// To be called once, at any time, on the I/O thread.
+using Respond = std::function<void(const HttpResponse&)>;
 
 }  // namespace scipd::daemon

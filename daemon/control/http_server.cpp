@@ -14,6 +14,7 @@
 #include <sys/stat.h>
 
 #include "daemon/control/http_connection.h"
+#include "daemon/control/problem.h"
 
 namespace scipd::daemon {
 
@@ -100,9 +101,11 @@ void name_failures(const std::string& where, Listen listen) {
 
 }  // namespace
 
-HttpServer::HttpServer(asio::any_io_executor executor, Handler handler, const HttpLimits& limits)
+HttpServer::HttpServer(asio::any_io_executor executor, Handler handler,
+                       OpenWebSocket open_web_socket, const HttpLimits& limits)
     : executor_(std::move(executor)), service_(std::make_shared<HttpService>()) {
     service_->handler = std::move(handler);
+    service_->open_web_socket = std::move(open_web_socket);
     service_->limits = limits;
 }
 
@@ -138,11 +141,16 @@ Address HttpServer::listen(const Address& address) {
     return taken;
 }
 
+std::variant<HttpResponse, Converse> HttpServer::no_web_sockets(const HttpRequest&) {
+    return problem(404, "there are no WebSockets here");
+}
+
 void HttpServer::close() {
     service_->closed = true;
     for (const auto& port : ports_)
         port->close();
-    for (HttpClient* client : service_->clients)
+    // What ends at once takes itself off the list.
+    for (HttpClient* client : std::set(service_->clients))
         client->close();
     ports_.clear();
     for (const auto& socket : sockets_) {

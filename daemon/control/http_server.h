@@ -2,8 +2,8 @@
 // Copyright The scipd authors
 //
 // HTTP/1.1 on Unix sockets and TCP addresses: reads requests, hands each to one function, writes
-// what it answers. Knows no paths and no JSON. Lives on the I/O thread; any number of clients, and
-// whatever they send ends at most their own connection.
+// what it answers; and WebSockets, for those that ask for one. Knows no paths and no JSON. Lives on
+// the I/O thread; any number of clients, and whatever they send ends at most their own connection.
 #pragma once
 
 #include <chrono>
@@ -17,6 +17,7 @@
 
 #include "daemon/config.h"
 #include "daemon/control/http_message.h"
+#include "daemon/control/web_socket.h"
 
 namespace scipd::daemon {
 
@@ -31,11 +32,12 @@ struct HttpLimits {
 
 class HttpServer {
   public:
-    using Handler = std::function<HttpResponse(const HttpRequest&)>;
+    using Handler = std::function<void(const HttpRequest&, Respond)>;
 
-    /// The handler is called on the executor, and no more once this is closed.
+    /// The handler is called on the executor, and no more once this is closed. It responds when it
+    /// can; the client waits, and so do all its further requests.
     HttpServer(boost::asio::any_io_executor executor, Handler handler,
-               const HttpLimits& limits = {});
+               OpenWebSocket open_web_socket = no_web_sockets, const HttpLimits& limits = {});
     ~HttpServer();
     HttpServer(const HttpServer&) = delete;
     HttpServer& operator=(const HttpServer&) = delete;
@@ -51,6 +53,8 @@ class HttpServer {
     void close();
 
   private:
+    static std::variant<HttpResponse, Converse> no_web_sockets(const HttpRequest& request);
+
     boost::asio::any_io_executor executor_;
     std::shared_ptr<HttpService> service_;  ///< shared with the connections, which may end later
     std::vector<std::shared_ptr<HttpPort>> ports_;

@@ -18,6 +18,8 @@ std::string_view http_title(int status) {
             return "Conflict";
         case 413:
             return "Payload Too Large";
+        case 426:
+            return "Upgrade Required";
         case 431:
             return "Request Header Fields Too Large";
         case 500:

@@ -2,78 +2,36 @@
 // Copyright The scipd authors
 //
 // The control API without its sockets: a request in, a response out, over an abstract Api that the
-// daemon implements. On the I/O thread; Api is called from route() only.
-//
-//   GET /status    GET /sensors    GET /sensors/R/S    GET|PUT /robots/R/pose
+// daemon implements. Which methods and paths there are is one table. On the I/O thread.
 #pragma once
 
-#include <chrono>
-#include <cstdint>
-#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "daemon/control/api.h"
 #include "daemon/control/http_message.h"
-#include "sim/loaders/trajectory.h"
-#include "sim/time.h"
-#include "sim/world/pose.h"
 
 namespace scipd::daemon {
 
-/// How long after their ideal instant scans left.
-struct LatenessStatus {
-    std::chrono::duration<double, std::milli> p50{};
-    std::chrono::duration<double, std::milli> p99{};
-    std::chrono::duration<double, std::milli> max{};
+/// A request on its way to its answer.
+struct Call {
+    Api& api;
+    const HttpRequest& request;      ///< until the answer's function returns
+    std::vector<std::string> names;  ///< what the braces of the path stand for, in order
+    Respond respond;
 };
 
-struct SensorStatus {
-    std::string name;                ///< "rescue/front"
-    std::string model;               ///< "UST-10LX"
-    std::string backend;             ///< what casts, never "auto"
-    std::string state;               ///< "idle", "measuring", ..
-    std::optional<std::string> tcp;  ///< "127.0.0.1:10940", the port that was really taken
-    std::optional<std::string> pty;  ///< the link
-    std::uint64_t clients = 0;       ///< connected now
-    std::uint64_t scans = 0;
-    std::uint64_t lost = 0;
-    std::optional<LatenessStatus> lateness;  ///< nothing: no scan yet
+struct Route {
+    std::string_view method;
+    std::string_view path;  ///< "/robots/{robot}/pose"
+    void (*answer)(Call&& call);
 };
 
-struct PosesStatus {
-    std::uint64_t accepted = 0;
-    std::uint64_t refused = 0;
-    std::optional<std::string> last_refusal;
-};
+std::span<const Route> routes();
 
-struct Status {
-    std::chrono::duration<double> uptime{};
-    std::string clock;  ///< "wall"
-    sim::Time time{};
-    std::string scene;
-    PosesStatus poses;
-    std::vector<SensorStatus> sensors;
-};
-
-/// What the routes need of the daemon. Nothing here throws.
-class Api {
-  public:
-    virtual ~Api() = default;
-
-    [[nodiscard]] virtual Status status() const = 0;
-
-    /// The pose now and the time of now; nothing: no such robot.
-    [[nodiscard]] virtual std::optional<sim::TimedPose> robot_pose(
-        const std::string& robot) const = 0;
-
-    /// `robot` exists, and `time` is of the sender: nothing means now. Answers why the pose is
-    /// refused, or nothing once it holds.
-    virtual std::optional<std::string> set_robot_pose(const std::string& robot,
-                                                      std::optional<sim::Time> time,
-                                                      const sim::Pose& world_from_robot) = 0;
-};
-
-/// Never throws on any request; what fails becomes a problem document.
-HttpResponse route(Api& api, const HttpRequest& request);
+/// Responds once, now or later. Never throws on any request; what fails becomes a problem document.
+void route(Api& api, const HttpRequest& request, Respond respond);
 
 }  // namespace scipd::daemon

@@ -44,22 +44,32 @@ double movement_m(const sim::Pose& from, const sim::Pose& to, double radius_m) {
 
 }  // namespace
 
-void World::replace_scene(sim::SharedScene scene, Backends backends) {
+World::Backends World::replace_scene(sim::SharedScene scene, Backends backends,
+                                     const std::set<std::string>& placed_anew) {
     scene_ = std::move(scene);
-    backends_ = std::move(backends);
+    Backends old = std::exchange(backends_, std::move(backends));
     auto before = std::exchange(movable_, {});
     const std::vector<double> radii = radii_m(*scene_);
     for (sim::ModelId id = 0; id < scene_->models.size(); ++id) {
         const auto& [name, movable, start] = scene_->models[id];
         if (!movable) continue;
         const auto known = before.find(name);
-        const bool stays = known != before.end() && known->second.start == start;
+        const bool stays =
+            known != before.end() && known->second.start == start && !placed_anew.contains(name);
         movable_.emplace(
             name,
             MovableModel{id, start, radii[id],
                          stays ? std::move(known->second.track) : sim::PoseTrack(start), start});
     }
     find_carriers();
+    return old;
+}
+
+std::vector<std::string> World::backend_names() const {
+    std::vector<std::string> names;
+    for (const auto& [name, backend] : backends_)
+        names.push_back(name);
+    return names;
 }
 
 void World::set_robots(const std::map<std::string, RobotStart>& robots) {

@@ -10,9 +10,11 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "sim/backends/range_backend.h"
 #include "sim/time.h"
@@ -45,9 +47,10 @@ class World {
     using Backends = std::map<std::string, std::unique_ptr<sim::RangeBackend>, std::less<>>;
 
     /// Another scene in place of this one, with the backends made for it. Robots stay where they
-    /// are; movable models start where the new scene has them, unless they were there before and
-    /// started at the same place.
-    void replace_scene(sim::SharedScene scene, Backends backends);
+    /// are; movable models start where the new scene has them, unless they were there before,
+    /// started at the same place and are not placed anew. Answers with the backends of before.
+    Backends replace_scene(sim::SharedScene scene, Backends backends,
+                           const std::set<std::string>& placed_anew = {});
     [[nodiscard]] const sim::SharedScene& scene() const { return scene_; }
 
     /// The robots are these from now on; one that was there before stays where it is unless it is
@@ -76,6 +79,7 @@ class World {
     /// ones nothing is expected.
     [[nodiscard]] bool poses_known(sim::Time until) const;
 
+    [[nodiscard]] std::vector<std::string> backend_names() const;
     /// What a name that a user gave stands for: "auto" for one of the others.
     [[nodiscard]] std::string_view backend_name(std::string_view name) const {
         return backends_.find(name)->second->name();

@@ -10,6 +10,7 @@
 #include "protocol/ideal.h"
 #include "protocol/reply_grid.h"
 #include "protocol/settings.h"
+#include "protocol/timestamp.h"
 
 namespace scipd::daemon {
 namespace {
@@ -66,8 +67,14 @@ sim::ChanceKey Device::chance(sim::Purpose purpose) const {
 }
 
 bool Device::wanted() const {
-    return std::ranges::any_of(clients_,
-                               [](const Client* client) { return client->session_.measuring(); });
+    return watcher_ || std::ranges::any_of(clients_, [](const Client* client) {
+               return client->session_.measuring();
+           });
+}
+
+void Device::watch(std::function<void(const ScanRecord&)> watcher) {
+    watcher_ = std::move(watcher);
+    if (watcher_ && on_wanted_) on_wanted_();
 }
 
 std::int64_t Device::next_revolution() const {
@@ -99,12 +106,13 @@ void Device::turn_complete(std::int64_t revolution) {
         if (client->session_.turn_complete(turn(revolution))) takers.push_back(client);
     }
     if (!takers.empty()) {
-        const protocol::ScanView scan = measure(revolution).view();
+        const protocol::ScanView scan = measure(revolution).sent.view();
         for (Client* client : takers)
             client->session_.take(scan, uptime());
         ++scans_sent_;
         lateness_.add(clock_.now() - leaves(revolution));
     }
+    if (watcher_) watcher_(measure(revolution));
     // Those that have not taken it may have waited in vain, since another client has switched the
     // laser off.
     tell_clients();
@@ -115,7 +123,7 @@ void Device::serve_latest(Client& client) {
     for (std::int64_t revolution = timing_.latest_complete(uptime());
          revolution >= 0 && client.session_.waits_for(turn(revolution)) &&
          (patience_ == sim::Time::zero() || poses_known(revolution));) {
-        client.session_.take(measure(revolution).view(), uptime());
+        client.session_.take(measure(revolution).sent.view(), uptime());
     }
     follow_motor();
     if (client.session_.measuring() && on_wanted_) on_wanted_();
@@ -138,16 +146,22 @@ protocol::Turn Device::turn(std::int64_t revolution) const {
     return {.start = timing_.start(revolution)};
 }
 
-const WireScan& Device::measure(std::int64_t revolution) {
-    if (!scan_ || scan_->revolution != revolution) {
-        const auto fired = [&](int step) {
-            return device_clock_.world_time(timing_.fired(revolution, step));
-        };
-        scan_ =
-            sweep_.measure(revolution, device_clock_.world_time(timing_.start(revolution)), fired);
-        wire_scan_ = to_wire(*scan_, turn(revolution), sweep_.optics(), profile_);
-    }
-    return wire_scan_;
+const ScanRecord& Device::measure(std::int64_t revolution) {
+    if (record_ && record_->cast->revolution == revolution) return *record_;
+    const auto fired = [&](int step) {
+        return device_clock_.world_time(timing_.fired(revolution, step));
+    };
+    const sim::SensorSpec& optics = sweep_.optics();
+    const protocol::Turn now = turn(revolution);
+    ScanRecord record{.stamp_ms = protocol::timestamp_ms(now.start, state_.clock_zero()),
+                      .scene = sweep_.scene(),
+                      .front_step = optics.front_step,
+                      .steps_per_turn = optics.steps_per_turn};
+    record.cast = sweep_.measure(revolution, device_clock_.world_time(now.start), fired);
+    record.sent = to_wire(*record.cast, now, optics, profile_);
+    record_ = std::make_shared<const ScanRecord>(std::move(record));
+    log_.add(record_);
+    return *record_;
 }
 
 }  // namespace scipd::daemon

@@ -18,6 +18,7 @@
 #include "daemon/device/bridge.h"
 #include "daemon/device/clock.h"
 #include "daemon/device/lateness.h"
+#include "daemon/device/scan_log.h"
 #include "daemon/device/sweep.h"
 #include "protocol/device_profile.h"
 #include "protocol/device_state.h"
@@ -48,10 +49,13 @@ class Device {
     /// For what is random about it and its links, the same in every run.
     [[nodiscard]] sim::ChanceKey chance(sim::Purpose purpose) const;
 
-    /// Some client waits for scans.
+    /// Somebody waits for scans.
     [[nodiscard]] bool wanted() const;
     /// Called when wanted() may have become true.
     void on_wanted(std::function<void()> callback) { on_wanted_ = std::move(callback); }
+
+    /// Somebody who sees every scan, whatever clients want; null: nobody.
+    void watch(std::function<void(const ScanRecord&)> watcher);
 
     /// The first revolution whose scan has not left yet.
     [[nodiscard]] std::int64_t next_revolution() const;
@@ -66,7 +70,8 @@ class Device {
 
     [[nodiscard]] std::uint64_t scans_sent() const { return scans_sent_; }
     [[nodiscard]] const Lateness& lateness() const { return lateness_; }
-    [[nodiscard]] const sim::SharedScan& latest_scan() const { return scan_; }
+    [[nodiscard]] sim::SharedScan latest_scan() const { return record_ ? record_->cast : nullptr; }
+    [[nodiscard]] const ScanLog& log() const { return log_; }
     [[nodiscard]] std::size_t clients() const { return clients_.size(); }
 
   private:
@@ -84,7 +89,7 @@ class Device {
     /// The mirror turns as the device's state has it. After whatever may have changed it.
     void follow_motor();
     /// Of a revolution that is complete.
-    const WireScan& measure(std::int64_t revolution);
+    const ScanRecord& measure(std::int64_t revolution);
 
     // Constant after construction.
     protocol::DeviceProfile profile_;
@@ -100,8 +105,9 @@ class Device {
     int bit_rate_told_;   ///< and that the serial line runs at this rate
     std::vector<Client*> clients_;
     std::function<void()> on_wanted_;
-    sim::SharedScan scan_;  ///< the latest that was cast
-    WireScan wire_scan_;    ///< the same
+    std::function<void(const ScanRecord&)> watcher_;
+    SharedRecord record_;  ///< of the latest that was cast
+    ScanLog log_;
     std::uint64_t scans_sent_ = 0;
     Lateness lateness_;
 };

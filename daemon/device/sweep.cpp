@@ -36,7 +36,15 @@ sim::Pose Sweep::world_from_sensor(sim::Time time) const {
 }
 
 sim::SharedScan Sweep::measure(std::int64_t revolution, sim::Time start, const Fired& fired) const {
-    sim::Scan scan = scanner_.begin(revolution, start, poses(fired));
+    std::vector<sim::Time> times = pose_times(fired);
+    std::vector<sim::Pose> poses;
+    poses.reserve(times.size());
+    for (const sim::Time time : times) {
+        const bool same = !poses.empty() && time == times[poses.size() - 1];
+        poses.push_back(same ? poses.back() : world_from_sensor(time));
+    }
+    sim::Scan scan = scanner_.begin(revolution, start, std::move(poses));
+    scan.posed_at = std::move(times);
     const sim::ModelId unseen = sees_body_ ? sim::no_model : world_.body_of(robot_);
     for (const Part& part : parts(fired))
         scanner_.cast(world_.backend_at(backend_, part.time), scan, part.beams, unseen);
@@ -48,19 +56,18 @@ int Sweep::most_parts() const {
     return std::clamp(motion_.value_or(optics().beams()), 1, optics().beams());
 }
 
-std::vector<sim::Pose> Sweep::poses(const Fired& fired) const {
+std::vector<sim::Time> Sweep::pose_times(const Fired& fired) const {
     const int beams = optics().beams();
-    if (world_.robot(robot_)->still(fired(optics().first_step), fired(optics().last_step)))
-        return {world_from_sensor(fired(optics().first_step))};
+    const sim::Time begin = fired(optics().first_step);
+    if (world_.robot(robot_)->still(begin, fired(optics().last_step))) return {begin};
     const int count = most_parts();
-    std::vector<sim::Pose> poses;
-    poses.reserve(static_cast<std::size_t>(beams));
+    std::vector<sim::Time> times;
+    times.reserve(static_cast<std::size_t>(beams));
     for (int i = 0; i < count; ++i) {
         const sim::Beams shared = part_of(beams, i, count);
-        poses.resize(shared.first + shared.count,
-                     world_from_sensor(fired(middle(optics(), shared))));
+        times.resize(shared.first + shared.count, fired(middle(optics(), shared)));
     }
-    return poses;
+    return times;
 }
 
 // A part without a pose of the sensor is not cast: it is nowhere then.

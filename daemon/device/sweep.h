@@ -28,6 +28,8 @@ class Sweep {
 
     [[nodiscard]] const sim::SensorSpec& optics() const { return scanner_.spec(); }
     [[nodiscard]] bool poses_known(sim::Time until) const { return world_.poses_known(until); }
+    /// What it would be cast into now.
+    [[nodiscard]] const sim::SharedScene& scene() const { return world_.scene(); }
     /// Where the sensor is at a time.
     [[nodiscard]] sim::Pose world_from_sensor(sim::Time time) const;
     [[nodiscard]] sim::SharedScan measure(std::int64_t revolution, sim::Time start,
@@ -40,7 +42,7 @@ class Sweep {
         sim::Time time{};
     };
 
-    [[nodiscard]] std::vector<sim::Pose> poses(const Fired& fired) const;
+    [[nodiscard]] std::vector<sim::Time> pose_times(const Fired& fired) const;
     [[nodiscard]] std::vector<Part> parts(const Fired& fired) const;
     [[nodiscard]] int most_parts() const;
 

@@ -19,6 +19,7 @@ struct Scan {
     std::int64_t revolution = 0;
     Time start{};                         ///< the instant of step 0
     std::vector<Pose> world_from_sensor;  ///< one, or one per beam
+    std::vector<Time> posed_at;           ///< as many, their instants; empty: nobody said
     std::vector<Hit> hits;                ///< the truth, one per beam from first_step on
     std::vector<float> range_m;           ///< what the sensor read; infinity: nothing came back
 };

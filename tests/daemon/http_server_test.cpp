@@ -32,7 +32,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 /// Says what it was asked; "/throw" does.
-HttpResponse echo(const HttpRequest& request) {
+void echo(const HttpRequest& request, const Respond& respond) {
     if (request.path == "/throw") throw std::runtime_error("a bug");
     HttpResponse response;
     response.content_type = "text/plain";
@@ -41,7 +41,11 @@ HttpResponse echo(const HttpRequest& request) {
     if (request.path == "/allow") response.status = 405, response.allow = "GET, PUT";
     if (request.path == "/empty")
         response = {.status = 204, .content_type = {}, .body = {}, .allow = {}};
-    return response;
+    respond(response);
+}
+
+std::variant<HttpResponse, Converse> no_sockets(const HttpRequest&) {
+    return HttpResponse{.status = 404};
 }
 
 /// A server on a thread of its own.
@@ -70,7 +74,7 @@ class HttpServerTest : public testing::Test {
 
     void start(const HttpLimits& limits = {}) {
         on_server([&] {
-            server_.emplace(io_.get_executor(), echo, limits);
+            server_.emplace(io_.get_executor(), echo, no_sockets, limits);
             port_ = server_->listen(Address{"127.0.0.1", 0}).port;
             server_->listen(socket_path_);
         });

@@ -4,9 +4,17 @@
 // The control API's documents, literally, against a daemon that is a few fields.
 #include "daemon/control/routes.h"
 
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include "daemon/device/scan_log.h"
+#include "tests/support/empty_api.h"
+#include "tests/support/scene_builder.h"
 
 namespace scipd::daemon {
 namespace {
@@ -14,13 +22,17 @@ namespace {
 using nlohmann::json;
 using namespace std::chrono_literals;
 
-class FakeApi : public Api {
+class FakeApi : public tests::EmptyApi {
   public:
     [[nodiscard]] Status status() const override { return status_; }
 
+    [[nodiscard]] const ScanLog* scans(const std::string& sensor) const override {
+        return sensor == "rescue/front" ? &log_ : nullptr;
+    }
+
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(
         const std::string& robot) const override {
-        if (robot != "rescue") return {};
+        if (robot != "rescue" && robot != "a robot/b") return {};
         return now_;
     }
 
@@ -34,7 +46,37 @@ class FakeApi : public Api {
         return {};
     }
 
+    [[nodiscard]] SceneView scene() const override { return {"/scenes/room.sdf", scene_}; }
+
+    void edit_scene(SceneEdit edit, EditDone done) override {
+        edits_.push_back(std::move(edit));
+        done(outcome_);
+    }
+
+    [[nodiscard]] std::optional<sim::TimedPose> model_pose(
+        const std::string& model) const override {
+        if (model != "model 1") return {};
+        return door_;
+    }
+
+    std::optional<std::string> set_model_pose(const std::string&, std::optional<sim::Time> time,
+                                              const sim::Pose& pose) override {
+        if (refusal_) return refusal_;
+        door_ = {time.value_or(0ns), pose};
+        return {};
+    }
+
     Status status_;
+    ScanLog log_;
+    sim::SharedScene scene_ = sim::SceneBuilder()
+                                  .add(sim::Box{{1, 1, 1}}, {}, 1)
+                                  .with(sim::Sphere{1.0}, {}, 0)
+                                  .movable({})
+                                  .with(sim::Box{{1, 1, 1}}, {}, 2)
+                                  .build();
+    sim::TimedPose door_{2s, {{1, 2, 3}, {1, 0, 0, 0}}};
+    std::vector<SceneEdit> edits_;
+    EditOutcome outcome_;
     sim::TimedPose now_;
     std::optional<std::string> refusal_;
     std::string robot_;
@@ -43,9 +85,14 @@ class FakeApi : public Api {
 
 class RoutesTest : public testing::Test {
   protected:
-    HttpResponse get(const std::string& path) { return route(api_, {"GET", path, "", ""}); }
+    HttpResponse ask(const HttpRequest& request) {
+        std::optional<HttpResponse> answer;
+        route(api_, request, [&](const HttpResponse& response) { answer = response; });
+        return answer.value();
+    }
+    HttpResponse get(const std::string& path) { return ask({"GET", path, "", ""}); }
     HttpResponse put(const std::string& path, const std::string& body) {
-        return route(api_, {"PUT", path, "", body});
+        return ask({"PUT", path, "", body});
     }
 
     FakeApi api_;
@@ -201,9 +248,14 @@ TEST_F(RoutesTest, AWrongMethodIsToldTheRightOnes) {
         {"/sensors", "GET"},
         {"/sensors/rescue/front", "GET"},
         {"/robots/rescue/pose", "GET, PUT"},
+        {"/scene", "GET, PUT"},
+        {"/scene/models", "POST"},
+        {"/scene/models/door/pose", "GET, PUT"},
+        {"/poses", "GET"},
+        {"/stream", "GET"},
     };
     for (const auto& [path, allow] : table) {
-        const auto response = route(api_, {"DELETE", path, "", ""});
+        const auto response = ask({"DELETE", path, "", ""});
         EXPECT_EQ(problem_status(response), 405) << path;
         EXPECT_EQ(response.allow, allow) << path;
     }
@@ -217,12 +269,139 @@ TEST_F(RoutesTest, UnknownPathsAreNotFound) {
 }
 
 TEST_F(RoutesTest, WhatComesLaterSaysSo) {
-    for (const std::string path :
-         {"/scene", "/scene/models", "/scene/models/door/pose", "/sensors/rescue/front/truth",
-          "/sensors/rescue/front/faults", "/poses", "/stream"}) {
+    for (const std::string path : {"/sensors/rescue/front/faults", "/sensors/x/y/faults"}) {
         EXPECT_EQ(problem_status(get(path)), 404);
         EXPECT_EQ(document(get(path))["detail"], path + " is not in this version");
     }
+}
+
+TEST_F(RoutesTest, UnknownPathsAreToldTheKnownOnes) {
+    const std::string said = document(get("/dance"))["detail"];
+    for (const Route& entry : routes())
+        EXPECT_THAT(said, testing::HasSubstr(entry.path));
+}
+
+TEST_F(RoutesTest, NamesCanHoldWhatPathsCannot) {
+    const auto response = get("/robots/a%20robot%2Fb/pose");
+    EXPECT_EQ(response.status, 200);
+    EXPECT_EQ(document(response)["robot"], "a robot/b");
+    for (const char* path : {"/robots/%/pose", "/robots/%2/pose", "/robots/%2x/pose",
+                             "/robots/%-1/pose", "/robots/rescue%/pose"}) {
+        EXPECT_EQ(problem_status(get(path)), 400) << path;
+    }
+}
+
+TEST_F(RoutesTest, TheSceneIsListed) {
+    EXPECT_EQ(get("/scene").body,
+              R"({"file":"/scenes/room.sdf","name":"","models":[)"
+              R"({"name":"model 0","movable":false,"pose":{"xyz":[0.0,0.0,0.0],)"
+              R"("q":[0.0,0.0,0.0,1.0]},"objects":2,"materials":["default","material 1"]},)"
+              R"({"name":"model 1","movable":true,"pose":{"xyz":[1.0,2.0,3.0],)"
+              R"("q":[0.0,0.0,0.0,1.0]},"objects":1,"materials":["material 2"]}],)"
+              R"("materials":["default","material 1","material 2"]})"
+              "\n");
+}
+
+TEST_F(RoutesTest, AnotherWorldIsAskedFor) {
+    api_.outcome_.messages = {"light: nothing to a scanner"};
+    const auto response = put("/scene", R"({"file":"other.sdf"})");
+    EXPECT_EQ(response.status, 200);
+    EXPECT_EQ(response.body, R"({"warnings":["light: nothing to a scanner"]})"
+                             "\n");
+    ASSERT_EQ(api_.edits_.size(), 1U);
+    EXPECT_EQ(std::get<LoadWorld>(api_.edits_[0]).file, "other.sdf");
+}
+
+TEST_F(RoutesTest, AModelIsAskedFor) {
+    EXPECT_EQ(ask({"POST", "/scene/models", "",
+                   R"({"name":"a","sdf":"<model/>","pose":{"xyz":[1,2,3],"rpy":[0,0,1.5]}})"})
+                  .status,
+              201);
+    EXPECT_EQ(ask({"POST", "/scene/models", "",
+                   R"({"name":"b","mesh":"b.stl","scale":0.001,"material":"wood","replace":true})"})
+                  .status,
+              201);
+    EXPECT_EQ(ask({"DELETE", "/scene/models/a%3A%3Ab", "", ""}).status, 204);
+    ASSERT_EQ(api_.edits_.size(), 3U);
+    const auto& text = std::get<AddModel>(api_.edits_[0]);
+    EXPECT_EQ(text.placement.name, "a");
+    EXPECT_EQ(text.placement.world_from_model, sim::pose_from_rpy({1, 2, 3}, {0, 0, 1.5}));
+    EXPECT_EQ(text.sdf, "<model/>");
+    EXPECT_FALSE(text.replace);
+    const auto& mesh = std::get<AddModel>(api_.edits_[1]);
+    EXPECT_EQ(mesh.placement.world_from_model, std::nullopt);
+    EXPECT_EQ(mesh.mesh, "b.stl");
+    EXPECT_EQ(mesh.scale, 0.001);
+    EXPECT_EQ(mesh.material, "wood");
+    EXPECT_TRUE(mesh.replace);
+    EXPECT_EQ(std::get<RemoveModel>(api_.edits_[2]).name, "a::b");
+}
+
+TEST_F(RoutesTest, AWrongModelNamesItsField) {
+    const std::string deep(1000, '[');
+    const std::pair<std::string, const char*> table[] = {
+        {R"({})", "name"},
+        {R"({"name":""})", "name"},
+        {R"({"name":1,"sdf":"x"})", "name"},
+        {R"({"name":"a"})", "sdf"},
+        {R"({"name":"a","sdf":"x","mesh":"y"})", "sdf"},
+        {R"({"name":"a","sdf":1})", "sdf"},
+        {R"({"name":"a","mesh":"y","scale":"big"})", "scale"},
+        {R"({"name":"a","sdf":"x","scale":2})", "scale"},
+        {R"({"name":"a","sdf":"x","material":"wood"})", "material"},
+        {R"({"name":"a","sdf":"x","replace":1})", "replace"},
+        {R"({"name":"a","sdf":"x","pose":[1]})", "pose"},
+        {R"({"name":"a","sdf":"x","pose":{"xyz":[1]}})", "pose"},
+        {R"({"name":"a","sdf":"x","pose":{"xyz":[1,2,3],"t":1}})", "pose"},
+        {R"({"name":"a","sdf":"x","pose":{"xyz":)" + deep + std::string(1000, ']') + "}}", "pose"},
+        {R"({"name":"a","sdf":"x","colour":"red"})", "colour"},
+    };
+    for (const auto& [body, field] : table) {
+        const auto response = ask({"POST", "/scene/models", "", body});
+        EXPECT_EQ(problem_status(response), 400) << body;
+        EXPECT_EQ(document(response)["field"], field) << body;
+    }
+    for (const char* body : {"", "[]", "{", "\xff"}) {
+        EXPECT_EQ(problem_status(ask({"POST", "/scene/models", "", body})), 400);
+        EXPECT_EQ(problem_status(put("/scene", body)), 400);
+    }
+    EXPECT_EQ(document(put("/scene", R"({"file":3})"))["field"], "file");
+    EXPECT_TRUE(api_.edits_.empty());
+}
+
+TEST_F(RoutesTest, AnEditThatFailsSaysWhy) {
+    using Result = EditOutcome::Result;
+    const std::pair<Result, int> table[] = {
+        {Result::faulty, 400}, {Result::unknown, 404}, {Result::taken, 409}};
+    for (const auto& [result, status] : table) {
+        api_.outcome_ = {result, {"first", "second"}};
+        const auto response = ask({"POST", "/scene/models", "", R"({"name":"a","sdf":"x"})"});
+        EXPECT_EQ(problem_status(response), status);
+        EXPECT_EQ(document(response)["detail"], "first\nsecond");
+        EXPECT_EQ(document(response).contains("field"), result == Result::faulty);
+    }
+}
+
+TEST_F(RoutesTest, AModelIsMovedInTheWordsOfAPoseLine) {
+    const auto response = get("/scene/models/model%201/pose");
+    EXPECT_EQ(response.body,
+              R"({"model":"model 1","t":2.0,"xyz":[1.0,2.0,3.0],"q":[0.0,0.0,0.0,1.0]})"
+              "\n");
+    EXPECT_EQ(put("/scene/models/model%201/pose", response.body).status, 204);
+    EXPECT_EQ(put("/scene/models/model%201/pose", R"({"xyz":[4,5,6]})").status, 204);
+    EXPECT_EQ(api_.door_.pose.translation_m, glm::dvec3(4, 5, 6));
+    EXPECT_EQ(problem_status(put("/scene/models/model%200/pose", R"({"xyz":[4,5,6]})")), 404);
+    for (const char* body : {R"({"xyz":[1,2,3],"model":"other"})", R"({"xyz":[1,2,3],"robot":"r"})",
+                             R"({"xyz":[1,2]})"}) {
+        EXPECT_EQ(problem_status(put("/scene/models/model%201/pose", body)), 400) << body;
+    }
+    api_.refusal_ = "model: \"model 1\" is the body of a robot; move the robot";
+    EXPECT_EQ(problem_status(put("/scene/models/model%201/pose", R"({"xyz":[4,5,6]})")), 409);
+}
+
+TEST_F(RoutesTest, AWebSocketIsNoDocument) {
+    EXPECT_EQ(problem_status(get("/poses")), 426);
+    EXPECT_EQ(problem_status(get("/stream")), 426);
 }
 
 TEST_F(RoutesTest, BytesThatAreNoTextStillGiveJson) {

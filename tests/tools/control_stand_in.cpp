@@ -7,13 +7,32 @@
 
 #include <boost/asio/post.hpp>
 
+#include "tests/support/scene_builder.h"
+
 namespace scipd::tests {
 
 ControlStandIn::ControlStandIn(std::vector<std::string> robots, std::string clock)
     : clock_(std::move(clock)),
-      server_(io_.get_executor(), [this](const daemon::HttpRequest& request) {
-          return daemon::route(*this, request);
-      }) {
+      server_(io_.get_executor(),
+              [this](const daemon::HttpRequest& request, daemon::Respond respond) {
+                  daemon::route(*this, request, std::move(respond));
+              }) {
+    scene_ = sim::SceneBuilder()
+                 .add(sim::Box{{1, 1, 1}}, {}, 1)
+                 .movable({{1, 2, 0}, {1, 0, 0, 0}})
+                 .with(sim::Box{{1, 1, 1}}, {})
+                 .build();
+    sim::Scan scan{.revolution = 7, .start = std::chrono::seconds(2)};
+    scan.world_from_sensor = {{}};
+    scan.posed_at = {scan.start};
+    scan.hits = {{1.5F, 1.0F, 1, 0}, {}};
+    log_.add(std::make_shared<const daemon::ScanRecord>(
+        daemon::ScanRecord{std::make_shared<const sim::Scan>(scan),
+                           {.first_step = 44, .distance = {1500, 1}, .intensity = {900, 0}},
+                           2000,
+                           scene_,
+                           384,
+                           1024}));
     for (std::string& robot : robots)
         poses_[std::move(robot)] = {};
     server_.listen(socket());
@@ -66,6 +85,43 @@ std::optional<std::string> ControlStandIn::set_robot_pose(const std::string& rob
     const std::scoped_lock lock(mutex_);
     poses_[robot] = world_from_robot;
     puts_.push_back({robot, time, world_from_robot});
+    return std::nullopt;
+}
+
+const daemon::ScanLog* ControlStandIn::scans(const std::string& sensor) const {
+    return sensor.ends_with("/front") ? &log_ : nullptr;
+}
+
+std::vector<daemon::SceneEdit> ControlStandIn::edits() const {
+    const std::scoped_lock lock(mutex_);
+    return edits_;
+}
+
+void ControlStandIn::edit_scene(daemon::SceneEdit edit, daemon::EditDone done) {
+    using Result = daemon::EditOutcome::Result;
+    const auto* const added = std::get_if<daemon::AddModel>(&edit);
+    const auto* const removed = std::get_if<daemon::RemoveModel>(&edit);
+    if (added != nullptr && added->placement.name == "model 1" && !added->replace) {
+        return done({Result::taken, {"taken"}});
+    }
+    if (removed != nullptr && !sim::find_model(*scene_, removed->name)) {
+        return done({Result::unknown, {"unknown"}});
+    }
+    const std::scoped_lock lock(mutex_);
+    edits_.push_back(std::move(edit));
+    done({Result::done, {"the sun is nothing to a scanner"}});
+}
+
+std::optional<sim::TimedPose> ControlStandIn::model_pose(const std::string& model) const {
+    if (model != "model 1") return std::nullopt;
+    return sim::TimedPose{{}, scene_->models[1].world_from_model};
+}
+
+std::optional<std::string> ControlStandIn::set_model_pose(const std::string& model,
+                                                          std::optional<sim::Time> time,
+                                                          const sim::Pose& world_from_model) {
+    const std::scoped_lock lock(mutex_);
+    puts_.push_back({model, time, world_from_model});
     return std::nullopt;
 }
 

@@ -2,7 +2,8 @@
 // Copyright The scipd authors
 //
 // The daemon's control socket with nothing behind it: the real server and routes over two robots
-// that go wherever they are put, at once. Lives on a thread of its own.
+// that go wherever they are put, at once, a door, and a scanner with one scan of two beams. Lives
+// on a thread of its own.
 #pragma once
 
 #include <map>
@@ -16,6 +17,8 @@
 
 #include "daemon/control/http_server.h"
 #include "daemon/control/routes.h"
+#include "daemon/device/scan_log.h"
+#include "tests/support/empty_api.h"
 #include "tests/support/temp_dir.h"
 
 namespace scipd::tests {
@@ -26,7 +29,7 @@ struct Put {
     sim::Pose pose;
 };
 
-class ControlStandIn : daemon::Api {
+class ControlStandIn : EmptyApi {
   public:
     explicit ControlStandIn(std::vector<std::string> robots, std::string clock = "wall");
     ~ControlStandIn() override;
@@ -36,6 +39,8 @@ class ControlStandIn : daemon::Api {
     [[nodiscard]] std::string socket() const { return directory_.path() / "control.sock"; }
     /// Everything that has been put, in order.
     [[nodiscard]] std::vector<Put> puts() const;
+    /// The changes of the scene that were asked for, in order.
+    [[nodiscard]] std::vector<daemon::SceneEdit> edits() const;
 
   private:
     [[nodiscard]] daemon::Status status() const override;
@@ -43,12 +48,22 @@ class ControlStandIn : daemon::Api {
     std::optional<std::string> set_robot_pose(const std::string& robot,
                                               std::optional<sim::Time> time,
                                               const sim::Pose& world_from_robot) override;
+    [[nodiscard]] const daemon::ScanLog* scans(const std::string& sensor) const override;
+    [[nodiscard]] daemon::SceneView scene() const override { return {"maze.sdf", scene_}; }
+    void edit_scene(daemon::SceneEdit edit, daemon::EditDone done) override;
+    [[nodiscard]] std::optional<sim::TimedPose> model_pose(const std::string& model) const override;
+    std::optional<std::string> set_model_pose(const std::string& model,
+                                              std::optional<sim::Time> time,
+                                              const sim::Pose& world_from_model) override;
 
     TempDir directory_;
     std::string clock_;
     mutable std::mutex mutex_;
     std::map<std::string, sim::Pose> poses_;
     std::vector<Put> puts_;
+    std::vector<daemon::SceneEdit> edits_;
+    sim::SharedScene scene_;
+    daemon::ScanLog log_;
     boost::asio::io_context io_;
     daemon::HttpServer server_;
     std::thread thread_;

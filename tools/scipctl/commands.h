@@ -22,4 +22,13 @@ void add_pose_commands(CLI::App& program, const ControlOptions& control);
 void add_pose_play_command(CLI::App& pose, const ControlOptions& control);
 void add_pose_stream_command(CLI::App& pose, const ControlOptions& control);
 
+/// `scipctl scene list|load|add|move|remove`
+void add_scene_commands(CLI::App& program, const ControlOptions& control);
+
+/// `scipctl truth ROBOT/SENSOR`
+void add_truth_command(CLI::App& program, const ControlOptions& control);
+
+/// `scipctl completion bash|zsh`: of all commands that have been added before.
+void add_completion_command(CLI::App& program);
+
 }  // namespace scipd::tools

@@ -22,6 +22,8 @@ using asio::local::stream_protocol;
 using boost::system::error_code;
 
 constexpr std::chrono::seconds patience{10};
+/// A large world takes minutes.
+constexpr std::chrono::minutes long_patience{10};
 constexpr unsigned http_1_1 = 11;
 
 using Request = http::request<http::string_body>;
@@ -47,12 +49,13 @@ struct ControlClient::Connection {
     asio::io_context io;
     boost::beast::basic_stream<stream_protocol> stream{io};
     boost::beast::flat_buffer buffer;
+    std::chrono::seconds limit = patience;
 
-    /// Runs one operation to its end, no longer than `patience`.
+    /// Runs one operation to its end, no longer than `limit`.
     template <typename Operation>
     error_code complete(Operation operation) {
         error_code result;
-        stream.expires_after(patience);
+        stream.expires_after(limit);
         operation([&](const error_code& error, auto...) { result = error; });
         io.restart();
         io.run();
@@ -76,32 +79,53 @@ ControlClient::ControlClient(std::filesystem::path socket) : socket_(std::move(s
 
 ControlClient::~ControlClient() = default;
 
+struct ControlClient::Question {
+    http::verb method;
+    std::string path;
+    std::string body = {};
+    /// It may take long, and must not be asked twice.
+    bool is_edit = false;
+};
+
 ControlClient::Json ControlClient::get(const std::string& path) {
-    auto document = Json::parse(exchange(false, path, {}), nullptr, false);
+    auto document = Json::parse(exchange({http::verb::get, path}), nullptr, false);
     if (document.is_discarded()) throw unreachable("what answers is no scipd");
     return document;
 }
 
 void ControlClient::put(const std::string& path, const Json& body) {
-    (void)exchange(true, path, body.dump());
+    (void)exchange({http::verb::put, path, body.dump()});
 }
 
-// scipd ends a connection that is idle for long; then a new one is as good. All requests may be
-// sent twice without harm.
-std::string ControlClient::exchange(bool is_put, const std::string& path, const std::string& body) {
-    Request request(is_put ? http::verb::put : http::verb::get, path, http_1_1);
+ControlClient::Json ControlClient::load(const std::string& path, const Json& body) {
+    return Json::parse(exchange({http::verb::put, path, body.dump(), true}), nullptr, false);
+}
+
+ControlClient::Json ControlClient::post(const std::string& path, const Json& body) {
+    return Json::parse(exchange({http::verb::post, path, body.dump(), true}), nullptr, false);
+}
+
+void ControlClient::remove(const std::string& path) {
+    (void)exchange({http::verb::delete_, path, {}, true});
+}
+
+// scipd ends a connection that is idle for long; then a new one is as good.
+std::string ControlClient::exchange(const Question& question) {
+    Request request(question.method, question.path, http_1_1);
     request.set(http::field::host, "localhost");
-    if (is_put) request.set(http::field::content_type, "application/json");
-    request.body() = body;
+    if (!question.body.empty()) request.set(http::field::content_type, "application/json");
+    request.body() = question.body;
     request.prepare_payload();
 
     Response response;
     error_code error;
+    if (question.is_edit) connection_.reset();
     if (connection_) response = connection_->exchange(request, error);
     if (!connection_ || error) {
         connection_ = std::make_unique<Connection>();
         error = connection_->connect(socket_);
         if (error) throw unreachable(error.message());
+        if (question.is_edit) connection_->limit = long_patience;
         response = connection_->exchange(request, error);
     }
     if (error) throw unreachable(error.message());

@@ -34,14 +34,22 @@ class ControlClient {
     explicit ControlClient(std::filesystem::path socket);
     ~ControlClient();
 
-    /// Both throw ControlError.
+    /// All throw ControlError.
     [[nodiscard]] Json get(const std::string& path);
     void put(const std::string& path, const Json& body);
+
+    // Changes that scipd takes its time for, as to load a world; done when these return. What is
+    // answered, or null where that is nothing.
+    Json load(const std::string& path, const Json& body);
+    Json post(const std::string& path, const Json& body);
+    void remove(const std::string& path);
 
   private:
     struct Connection;
 
-    std::string exchange(bool is_put, const std::string& path, const std::string& body);
+    struct Question;
+
+    std::string exchange(const Question& question);
     [[nodiscard]] ControlError unreachable(const std::string& why) const;
 
     std::filesystem::path socket_;

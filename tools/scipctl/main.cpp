@@ -18,11 +18,16 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     add_status_commands(program, control);
     add_pose_commands(program, control);
+    add_scene_commands(program, control);
+    add_truth_command(program, control);
+    add_completion_command(program);
     program.footer(
         "Examples:\n"
         "  scipctl status\n"
         "  scipctl pose set 1.5,2,0\n"
         "  scipctl pose play lap.tum --speed 2 --loop\n"
+        "  scipctl scene add crate crate.stl --scale 0.001 --pose 1,2,0\n"
+        "  scipctl truth robot/scanner\n"
         "scipctl COMMAND --help tells more.");
     return run(program, argc, argv);
 }

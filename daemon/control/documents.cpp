@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/control/documents.h"
+
+#include <chrono>
+
+namespace scipd::daemon {
+
+double seconds(sim::Time time) {
+    return std::chrono::duration<double>(time).count();
+}
+
+Json pose_document(const sim::Pose& pose) {
+    const auto& [xyz_m, q] = pose;
+    return {{"xyz", {xyz_m.x, xyz_m.y, xyz_m.z}}, {"q", {q.x, q.y, q.z, q.w}}};
+}
+
+std::string text_of(const Json& document) {
+    return document.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+HttpResponse ok(const Json& document, int status) {
+    HttpResponse response;
+    response.status = status;
+    response.body = text_of(document) + "\n";
+    return response;
+}
+
+HttpResponse no_content() {
+    return {.status = 204, .content_type = {}, .body = {}, .allow = {}};
+}
+
+}  // namespace scipd::daemon

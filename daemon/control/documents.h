@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// JSON that all routes share.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "daemon/control/http_message.h"
+#include "sim/time.h"
+#include "sim/world/pose.h"
+
+namespace scipd::daemon {
+
+using Json = nlohmann::ordered_json;
+
+double seconds(sim::Time time);
+/// {"xyz":[..],"q":[x,y,z,w]}
+Json pose_document(const sim::Pose& pose);
+/// Compact; whatever bytes names have, the text is JSON.
+std::string text_of(const Json& document);
+
+/// With a line end, for those who read it in a terminal.
+HttpResponse ok(const Json& document, int status = 200);
+/// 204
+HttpResponse no_content();
+
+}  // namespace scipd::daemon

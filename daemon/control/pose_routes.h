@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Where robots are, and what the routes of all poses share.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "daemon/control/documents.h"
+#include "daemon/control/routes.h"
+#include "sim/loaders/trajectory.h"
+
+namespace scipd::daemon {
+
+/// In the words of a pose line, so that an answer can be sent as one; `kind` is "robot" or "model".
+Json pose_line_document(const char* kind, const std::string& name, const sim::TimedPose& timed);
+/// The body of a PUT; or why it is refused.
+std::variant<sim::PoseLine, HttpResponse> pose_in(const Call& call);
+/// 400, with the field that a refused line's sentence begins with.
+HttpResponse pose_refused(const std::string& refusal);
+/// 204, or 409 where the world has refused it.
+HttpResponse accepted(const std::optional<std::string>& refusal);
+
+void get_robot_pose(Call&& call);
+void put_robot_pose(Call&& call);
+
+}  // namespace scipd::daemon

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The WebSocket /poses: pose lines from a simulator, in any number a message. What is refused is
+// answered with a problem document; the rest is not answered. Lives on the I/O thread.
+#pragma once
+
+#include "daemon/control/api.h"
+#include "daemon/control/web_socket.h"
+
+namespace scipd::daemon {
+
+/// `api` must outlive the conversation.
+std::unique_ptr<Conversation> take_poses(Api& api, WebSocket& socket);
+
+}  // namespace scipd::daemon

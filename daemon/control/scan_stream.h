@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The WebSocket /stream: every scan of all scanners, or of one, as it is measured, to whoever
+// subscribes; while somebody does, scans are cast, whether a driver wants them or not. A client
+// that is too slow loses whole messages, which are counted. Lives on the I/O thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "daemon/control/web_socket.h"
+#include "daemon/device/device.h"
+
+namespace scipd::daemon {
+
+class ScanStream {
+  public:
+    /// A device's end of it. The stream and the device must outlive it.
+    class Tap {
+      public:
+        Tap(ScanStream& stream, std::string sensor, Device& device);
+        Tap(const Tap&) = delete;
+        Tap& operator=(const Tap&) = delete;
+        ~Tap();
+
+        /// Messages that a subscriber was too slow for.
+        [[nodiscard]] std::uint64_t lost() const { return lost_; }
+
+      private:
+        friend class ScanStream;
+
+        ScanStream& stream_;
+        std::string sensor_;
+        Device& device_;
+        std::uint64_t lost_ = 0;
+    };
+
+    ScanStream() = default;
+    ScanStream(const ScanStream&) = delete;
+    ScanStream& operator=(const ScanStream&) = delete;
+
+    /// `sensor`: empty for all.
+    std::unique_ptr<Conversation> subscribe(const std::string& sensor, WebSocket& socket);
+
+  private:
+    class Subscriber;
+
+    /// Its device casts as long as somebody looks.
+    void follow(Tap& tap);
+    void follow_all();
+    void send(Tap& tap, const ScanRecord& record);
+
+    std::vector<Tap*> taps_;
+    std::vector<Subscriber*> subscribers_;
+};
+
+}  // namespace scipd::daemon

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A change of the scene that somebody asks for, and what became of it. Values; no thread rule.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/loaders/model_fragment.h"
+
+namespace scipd::daemon {
+
+/// Another world in place of this one, with everything where its file has it.
+struct LoadWorld {
+    std::filesystem::path file;  ///< relative to the folder of the present one
+};
+
+/// One more model, from a text or from a mesh.
+struct AddModel {
+    sim::Placement placement;
+    std::string sdf;             ///< a <model>; empty: a mesh
+    std::filesystem::path mesh;  ///< relative to the folder of the world, as are a text's URIs
+    double scale = 1.0;
+    std::string material;  ///< of the whole mesh; empty: those of its file
+    bool replace = false;  ///< one of the same name goes, if there is one
+};
+
+struct RemoveModel {
+    std::string name;
+};
+
+using SceneEdit = std::variant<LoadWorld, AddModel, RemoveModel>;
+
+struct EditOutcome {
+    enum class Result {
+        done,
+        faulty,   ///< it cannot be loaded
+        unknown,  ///< no such model
+        taken,    ///< there is a model of this name
+    };
+    Result result = Result::done;
+    /// Warnings where it is done; else why not.
+    std::vector<std::string> messages;
+};
+
+using EditDone = std::function<void(const EditOutcome&)>;
+
+}  // namespace scipd::daemon

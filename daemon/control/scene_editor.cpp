@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/control/scene_editor.h"
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/backends/registry.h"
+#include "sim/loaders/load_error.h"
+
+namespace scipd::daemon {
+
+/// The scene as it is to be, ready to be cast into.
+struct SceneEditor::Next {
+    std::filesystem::path file;
+    sim::SharedScene scene;
+    World::Backends backends;
+    std::set<std::string> placed_anew;  ///< models that are where the scene has them
+    std::vector<std::string> warnings;
+};
+
+namespace {
+
+using Result = EditOutcome::Result;
+
+struct Refusal {
+    Result result;
+    std::string why;
+};
+
+/// What an edit begins with.
+struct Present {
+    std::filesystem::path file;
+    sim::SharedScene scene;
+};
+
+/// A scene without its backends yet.
+struct Edited {
+    std::filesystem::path file;
+    sim::SharedScene scene;
+    sim::SharedScene added;  ///< what of it is new
+    std::vector<std::string> warnings;
+};
+
+Edited edited(const LoadWorld& edit, const Present& present, const SceneEditor::LoadFile& load) {
+    const auto file = (present.file.parent_path() / edit.file).lexically_normal();
+    auto [scene, warnings] = load(file);
+    return {file, scene, scene, std::move(warnings)};
+}
+
+sim::LoadedScene load_model(const AddModel& edit, const std::filesystem::path& folder) {
+    if (!edit.sdf.empty()) return sim::load_model_text(edit.sdf, edit.placement, folder);
+    return sim::load_mesh_model(folder / edit.mesh, edit.placement, edit.scale, edit.material);
+}
+
+Edited edited(const AddModel& edit, const Present& present, const SceneEditor::LoadFile&) {
+    sim::SharedScene scene = present.scene;
+    const std::string& name = edit.placement.name;
+    if (sim::find_model(*scene, name)) {
+        if (!edit.replace) {
+            throw Refusal{Result::taken, "there is a model \"" + name +
+                                             "\"; with \"replace\": true this takes its place"};
+        }
+        scene = sim::without_model(*scene, name);
+    }
+    auto [added, warnings] = load_model(edit, present.file.parent_path());
+    return {present.file, sim::with_models(*scene, *added), added, std::move(warnings)};
+}
+
+Edited edited(const RemoveModel& edit, const Present& present, const SceneEditor::LoadFile&) {
+    sim::SharedScene rest = sim::without_model(*present.scene, edit.name);
+    if (!rest) throw Refusal{Result::unknown, "there is no model \"" + edit.name + "\""};
+    return {present.file, std::move(rest), std::make_shared<const sim::Scene>(), {}};
+}
+
+}  // namespace
+
+void SceneEditor::edit(SceneEdit edit, EditDone done) {
+    loader_.add([this, edit = std::move(edit), done = std::move(done)]() -> Loader::Work {
+        return [this, edit, done, load = load_, present = Present{file_, world_.scene()},
+                names = world_.backend_names()]() -> Loader::Finish {
+            const auto refused = [&](Result result, std::vector<std::string> why) {
+                return [done, outcome = EditOutcome{result, std::move(why)}] { done(outcome); };
+            };
+            try {
+                Edited now = std::visit(
+                    [&](const auto& wanted) { return edited(wanted, present, load); }, edit);
+                const auto next = std::make_shared<Next>();
+                *next = {now.file, now.scene, {}, {}, std::move(now.warnings)};
+                for (const std::string& name : names)
+                    next->backends[name] = sim::make_backend(name, now.scene);
+                for (const sim::Model& model : now.added->models)
+                    next->placed_anew.insert(model.name);
+                return [this, next, done] {
+                    take_up(*next);
+                    done({Result::done, next->warnings});
+                };
+            } catch (const Refusal& refusal) {
+                return refused(refusal.result, {refusal.why});
+            } catch (const sim::LoadError& error) {
+                return refused(Result::faulty, error.faults());
+            } catch (const std::exception& error) {
+                return refused(Result::faulty, {error.what()});
+            }
+        };
+    });
+}
+
+void SceneEditor::take_up(Next& next) {
+    file_ = next.file;
+    loader_.discard(std::make_shared<World::Backends>(
+        world_.replace_scene(std::move(next.scene), std::move(next.backends), next.placed_anew)));
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/control/scene_request.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "sim/loaders/trajectory.h"
+
+namespace scipd::daemon {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::array<std::string_view, 1> world_keys{"file"};
+constexpr std::array<std::string_view, 7> model_keys{"name",     "sdf",  "mesh",   "scale",
+                                                     "material", "pose", "replace"};
+
+/// Of an object with no other keys than these. Throws BodyFault, as all below do.
+Json object_in(const std::string& body, std::span<const std::string_view> keys) {
+    Json object = Json::parse(body, nullptr, false);
+    if (!object.is_object()) throw BodyFault{"the body must be a JSON object", {}};
+    for (const auto& [key, value] : object.items()) {
+        if (std::ranges::find(keys, key) != keys.end()) continue;
+        std::string known;
+        for (const auto name : keys)
+            known += (known.empty() ? "" : ", ") + std::string(name);
+        throw BodyFault{"the key '" + key + "' is unknown; there are " + known, key};
+    }
+    return object;
+}
+
+/// Empty where it is not there.
+std::string text_at(const Json& object, const std::string& key) {
+    if (!object.contains(key)) return {};
+    const Json& value = object[key];
+    if (value.is_string() && !value.get_ref<const std::string&>().empty()) return value;
+    throw BodyFault{key + " must be a text that says something", key};
+}
+
+std::string required_text(const Json& object, const std::string& key) {
+    if (!object.contains(key)) throw BodyFault{key + " is missing", key};
+    return text_at(object, key);
+}
+
+/// In the words of a pose line, less its name and its time.
+std::optional<sim::Pose> pose_at(const Json& object) {
+    if (!object.contains("pose")) return std::nullopt;
+    const Json& value = object["pose"];
+    if (!value.is_object()) throw BodyFault{R"(pose must be {"xyz":[..],"rpy":[..]})", "pose"};
+    for (const char* key : {"robot", "model", "t"}) {
+        if (value.contains(key)) throw BodyFault{"pose: has no " + std::string(key), "pose"};
+    }
+    // Deep ones are not worth a stack.
+    const bool flat = std::ranges::all_of(value, [](const Json& part) {
+        return !part.is_object() && std::ranges::none_of(part, &Json::is_structured);
+    });
+    if (!flat) throw BodyFault{"pose: must hold lists of numbers", "pose"};
+    const std::string line = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    const auto parsed = sim::parse_pose_line(line);
+    if (const auto* why = std::get_if<std::string>(&parsed)) {
+        throw BodyFault{"pose: " + *why, "pose"};
+    }
+    return std::get<sim::PoseLine>(parsed).pose;
+}
+
+AddModel model_in(const Json& object) {
+    AddModel edit;
+    edit.placement = {required_text(object, "name"), pose_at(object)};
+    edit.sdf = text_at(object, "sdf");
+    edit.mesh = text_at(object, "mesh");
+    edit.material = text_at(object, "material");
+    if (edit.sdf.empty() == edit.mesh.empty()) {
+        throw BodyFault{"either sdf or mesh must be given", "sdf"};
+    }
+    for (const char* key : {"scale", "material"}) {
+        if (object.contains(key) && edit.mesh.empty()) {
+            throw BodyFault{std::string(key) + " goes with a mesh; a text has its own", key};
+        }
+    }
+    if (object.contains("scale")) {
+        if (!object["scale"].is_number()) throw BodyFault{"scale must be a number", "scale"};
+        edit.scale = object["scale"];
+    }
+    if (object.contains("replace")) {
+        if (!object["replace"].is_boolean()) {
+            throw BodyFault{"replace must be true or false", "replace"};
+        }
+        edit.replace = object["replace"];
+    }
+    return edit;
+}
+
+}  // namespace
+
+std::variant<LoadWorld, BodyFault> parse_load_world(const std::string& body) {
+    try {
+        return LoadWorld{required_text(object_in(body, world_keys), "file")};
+    } catch (BodyFault& fault) {
+        return std::move(fault);
+    }
+}
+
+std::variant<AddModel, BodyFault> parse_add_model(const std::string& body) {
+    try {
+        return model_in(object_in(body, model_keys));
+    } catch (BodyFault& fault) {
+        return std::move(fault);
+    }
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// How the daemon and its scanners are doing, and what was true when they measured.
+#pragma once
+
+#include "daemon/control/routes.h"
+
+namespace scipd::daemon {
+
+void get_status(Call&& call);
+void get_sensors(Call&& call);
+void get_sensor(Call&& call);
+void get_truth(Call&& call);
+
+}  // namespace scipd::daemon

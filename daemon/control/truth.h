@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What was true when a scan was measured, beside what was sent, as the control API tells it.
+#pragma once
+
+#include <string>
+
+#include "daemon/control/documents.h"
+#include "daemon/device/scan_log.h"
+
+namespace scipd::daemon {
+
+/// {"sensor","scan","time_s","stamp_ms","poses":[{"time_s","xyz","q"}],"steps","true_m","object",
+/// "material","incidence_rad","sent_mm","intensity"}: a pose for each fan that was cast, the others
+/// an element a step; null where nothing is hit.
+Json truth_document(const std::string& sensor, const ScanRecord& record);
+
+}  // namespace scipd::daemon

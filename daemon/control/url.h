@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The small part of RFC 3986 that requests need. Any thread.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace scipd::daemon {
+
+/// "rescue%20robot" as "rescue robot"; nothing where a % is not followed by two hexadecimal digits.
+std::optional<std::string> percent_decoded(std::string_view text);
+
+/// The decoded value of `key` in "scan=12&x=1"; nothing where it is not there or not well written.
+std::optional<std::string> query_value(std::string_view query, std::string_view key);
+
+}  // namespace scipd::daemon

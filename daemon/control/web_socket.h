@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A WebSocket as a route sees it: whole text messages, without frames and without the library that
+// makes them. Lives on the I/O thread.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "daemon/control/http_message.h"
+
+namespace scipd::daemon {
+
+/// The connection, for whoever talks over it.
+class WebSocket {
+  public:
+    virtual ~WebSocket() = default;
+    /// After what is queued already. One text can be sent to many.
+    virtual void send(std::shared_ptr<const std::string> message) = 0;
+    /// Messages that have not left yet.
+    [[nodiscard]] virtual std::size_t queued() const = 0;
+};
+
+/// One talk over one connection; ends, with its destruction, before the connection does.
+class Conversation {
+  public:
+    virtual ~Conversation() = default;
+    /// Not called while much is queued that the client does not read.
+    virtual void take(std::string_view message) = 0;
+};
+
+/// Begins one over a socket that outlives it.
+using Converse = std::function<std::unique_ptr<Conversation>(WebSocket&)>;
+
+/// What a request for a WebSocket is answered with: a talk, or why there is none.
+using OpenWebSocket = std::function<std::variant<HttpResponse, Converse>(const HttpRequest&)>;
+
+}  // namespace scipd::daemon

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What the control API asks a fleet for.
+#include <algorithm>
+#include <utility>
+
+#include "daemon/fleet.h"
+
+namespace scipd::daemon {
+
+const ScanLog* Fleet::scans(const std::string& sensor) const {
+    const auto found = std::ranges::find_if(stations_, [&](const auto& station) {
+        return station->robot + "/" + station->config.name == sensor;
+    });
+    return found == stations_.end() ? nullptr : &(*found)->device->log();
+}
+
+std::optional<std::string> Fleet::take_pose_line(std::string_view line, SenderClock& sender) {
+    return intake_.take_line(line, {}, sender, clock_.now());
+}
+
+SceneView Fleet::scene() const {
+    return {editor_.file(), world_.scene()};
+}
+
+void Fleet::edit_scene(SceneEdit edit, EditDone done) {
+    editor_.edit(std::move(edit), std::move(done));
+}
+
+std::optional<sim::TimedPose> Fleet::model_pose(const std::string& model) const {
+    const sim::PoseTrack* track = world_.model(model);
+    if (track == nullptr) return std::nullopt;
+    const sim::Time now = clock_.now();
+    return sim::TimedPose{now, track->at(now)};
+}
+
+std::optional<std::string> Fleet::set_model_pose(const std::string& model,
+                                                 std::optional<sim::Time> time,
+                                                 const sim::Pose& world_from_model) {
+    return intake_.take({.model = model, .time = time, .pose = world_from_model}, {},
+                        api_model_senders_[model], clock_.now());
+}
+
+}  // namespace scipd::daemon

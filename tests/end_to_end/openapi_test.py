@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright The scipd authors
+#
+# Holds docs/openapi.yaml against a running scipd: the same paths, the same methods, every documented answer comes about, and
+# each is as its schema says. openapi_test.py SCIPD DOCUMENT SCENE
+import http.client
+import json
+import pathlib
+import re
+import socket
+import subprocess
+import sys
+import tempfile
+
+import jsonschema
+import yaml
+
+SDF = ("<model name='m'><link name='l'><visual name='v'><geometry><box><size>0.1 0.1 0.1</size></box></geometry></visual>"
+       "</link></model>")
+TRUTH = "/sensors/{robot}/{sensor}/truth"
+POSE = "/scene/models/{model}/pose"
+# Method, path of the document, path as it is asked, body, status; in this order.
+EXCHANGES = [
+    ("GET", "/status", "/status", None, 200),
+    ("GET", "/sensors", "/sensors", None, 200),
+    ("GET", "/sensors/{robot}/{sensor}", "/sensors/robot/scanner", None, 200),
+    ("GET", "/sensors/{robot}/{sensor}", "/sensors/robot/other", None, 404),
+    ("GET", TRUTH, "/sensors/robot/scanner/truth", None, 200),
+    ("GET", TRUTH, "/sensors/robot/scanner/truth?scan=x", None, 400),
+    ("GET", TRUTH, "/sensors/robot/scanner/truth?scan=-5", None, 404),
+    ("GET", "/robots/{robot}/pose", "/robots/robot/pose", None, 200),
+    ("GET", "/robots/{robot}/pose", "/robots/other/pose", None, 404),
+    ("PUT", "/robots/{robot}/pose", "/robots/robot/pose", {"xyz": [0.5, 0, 0], "rpy": [0, 0, 1], "t": 5}, 204),
+    ("PUT", "/robots/{robot}/pose", "/robots/robot/pose", {"xyz": [0.5, 0, 0], "t": 5}, 409),
+    ("PUT", "/robots/{robot}/pose", "/robots/robot/pose", {"xyz": 1}, 400),
+    ("PUT", "/robots/{robot}/pose", "/robots/other/pose", {"xyz": [0, 0, 0]}, 404),
+    ("GET", "/scene", "/scene", None, 200),
+    ("POST", "/scene/models", "/scene/models", {"name": "m", "sdf": SDF, "pose": {"xyz": [1, 0, 0], "q": [0, 0, 0, 1]}}, 201),
+    ("POST", "/scene/models", "/scene/models", {"name": "m", "sdf": SDF}, 409),
+    ("POST", "/scene/models", "/scene/models", {"name": "m", "sdf": SDF, "replace": True}, 201),
+    ("POST", "/scene/models", "/scene/models", {"name": "n"}, 400),
+    ("GET", "/scene", "/scene", None, 200),
+    ("GET", POSE, "/scene/models/m/pose", None, 200),
+    ("GET", POSE, "/scene/models/n/pose", None, 404),
+    ("PUT", POSE, "/scene/models/m/pose", {"xyz": [2, 0, 0], "q": [0, 0, 0, 1], "t": 7}, 204),
+    ("PUT", POSE, "/scene/models/m/pose", {"xyz": [2, 0, 0], "t": 7}, 409),
+    ("PUT", POSE, "/scene/models/m/pose", {"xyz": [2]}, 400),
+    ("PUT", POSE, "/scene/models/n/pose", {"xyz": [2, 0, 0]}, 404),
+    ("DELETE", "/scene/models/{model}", "/scene/models/m", None, 204),
+    ("DELETE", "/scene/models/{model}", "/scene/models/m", None, 404),
+    ("PUT", "/scene", "/scene", {"file": "SCENE"}, 200),
+    ("PUT", "/scene", "/scene", {"file": "no such file"}, 400),
+    ("GET", "/poses", "/poses", None, 426),
+    ("GET", "/stream", "/stream", None, 426),
+    ("GET", "/poses", "/poses", None, 101),
+    ("GET", "/stream", "/stream", None, 101),
+]
+METHODS = ["GET", "PUT", "POST", "DELETE", "PATCH"]
+UPGRADE = {"Connection": "Upgrade", "Upgrade": "websocket", "Sec-WebSocket-Version": "13",
+           "Sec-WebSocket-Key": "dGhlIHNhbXBsZSBub25jZQ=="}
+
+
+class Control(http.client.HTTPConnection):
+    def __init__(self, path):
+        super().__init__("localhost", timeout=60)
+        self.path = path
+
+    def connect(self):
+        self.sock = socket.socket(socket.AF_UNIX)
+        self.sock.settimeout(self.timeout)
+        self.sock.connect(self.path)
+
+
+def ask(path, method, target, body=None, headers=None):
+    connection = Control(path)
+    connection.request(method, target, None if body is None else json.dumps(body), headers or {})
+    answer = connection.getresponse()
+    content = b"" if answer.status == 101 else answer.read()
+    return answer, content
+
+
+class Document:
+    def __init__(self, file):
+        self.root = yaml.safe_load(pathlib.Path(file).read_text())
+
+    def follow(self, node):
+        while "$ref" in node:
+            target = self.root
+            for key in node["$ref"].removeprefix("#/").split("/"):
+                target = target[key]
+            node = target
+        return node
+
+    def operations(self):
+        return {(method.upper(), path): operation for path, item in self.root["paths"].items()
+                for method, operation in item.items() if method.upper() in METHODS}
+
+    def check(self, schema, value):
+        jsonschema.Draft202012Validator.check_schema(schema)
+        jsonschema.validate(value, {**schema, "components": self.root["components"]},
+                            cls=jsonschema.Draft202012Validator)
+
+
+def message(connection):
+    """The text of one message, whose frames a server does not mask."""
+    def read(count):
+        data = b""
+        while len(data) < count:
+            data += connection.recv(count - len(data))
+        return data
+    text = b""
+    while True:
+        first, length = read(2)
+        if length >= 126:
+            length = int.from_bytes(read(2 if length == 126 else 8), "big")
+        text += read(length)
+        if first & 0x80:
+            return text
+
+
+def check_stream(document, path):
+    connection = socket.socket(socket.AF_UNIX)
+    connection.settimeout(60)
+    connection.connect(path)
+    lines = ["GET /stream HTTP/1.1", "Host: localhost"] + [f"{key}: {value}" for key, value in UPGRADE.items()]
+    connection.sendall("\r\n".join(lines + ["", ""]).encode())
+    head = b""
+    while not head.endswith(b"\r\n\r\n"):
+        head += connection.recv(1)
+    assert b" 101 " in head.splitlines()[0], head
+    document.check({"$ref": "#/components/schemas/StreamScan"}, json.loads(message(connection)))
+
+
+def check_paths(document, path):
+    answer, content = ask(path, "GET", "/no/such/path")
+    problem = json.loads(content)
+    document.check({"$ref": "#/components/schemas/Problem"}, problem)
+    served = set(re.findall(r"/[^ ,;]+", problem["detail"].split("there are ")[1]))
+    assert served == set(document.root["paths"]), served ^ set(document.root["paths"])
+    for template in served:
+        documented = {method for method, where in document.operations() if where == template}
+        for method in set(METHODS) - documented:
+            answer, content = ask(path, method, re.sub(r"{\w+}", "x", template))
+            assert answer.status == 405, (method, template, answer.status)
+            assert set(answer.headers["Allow"].split(", ")) == documented, (template, answer.headers["Allow"])
+
+
+def check_exchanges(document, path, scene):
+    unseen = {(method, where, int(status)) for (method, where), operation in document.operations().items()
+              for status in operation["responses"]}
+    for method, template, target, body, status in EXCHANGES:
+        operation = document.operations()[(method, template)]
+        body = {"file": scene} if body == {"file": "SCENE"} else body
+        answer, content = ask(path, method, target, body, UPGRADE if status == 101 else None)
+        assert answer.status == status, (method, target, answer.status, content)
+        response = document.follow(operation["responses"][str(status)])
+        if status != 400 and body is not None:
+            document.check(document.follow(operation["requestBody"])["content"]["application/json"]["schema"], body)
+        if "content" in response:
+            (kind, media), = response["content"].items()
+            assert answer.headers["Content-Type"] == kind, (target, answer.headers["Content-Type"])
+            document.check(media["schema"], json.loads(content))
+        else:
+            assert content == b"", (target, content)
+        unseen.discard((method, template, status))
+    assert not unseen, unseen
+
+
+def main():
+    scipd, document, scene = (str(pathlib.Path(argument).resolve()) for argument in sys.argv[1:])
+    document = Document(document)
+    with tempfile.TemporaryDirectory() as folder:
+        control = folder + "/control.sock"
+        daemon = subprocess.Popen([scipd, "--scene", scene, "--control", control, "--tcp", "none", "--pty",
+                                   folder + "/tty"], stdout=subprocess.PIPE)
+        try:
+            assert json.loads(daemon.stdout.readline())["ready"]
+            check_stream(document, control)
+            check_paths(document, control)
+            check_exchanges(document, control, scene)
+        finally:
+            daemon.terminate()
+            daemon.wait(20)
+    print("the document and the server agree")
+
+
+main()

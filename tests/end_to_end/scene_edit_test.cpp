@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Models come, move and go, and worlds change, while scanners run.
+#include <algorithm>
+#include <future>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/end_to_end/in_square_room.h"
+#include "tests/support/control_request.h"
+
+namespace scipd::tests {
+namespace {
+
+using testing::HasSubstr;
+using Ranges = std::vector<std::uint32_t>;
+
+constexpr std::size_t front = 540;
+
+/// A cube of half a metre as a model.
+std::string cube() {
+    return R"(<model name='any'><link name='l'><visual name='v'><geometry><box><size>0.5 0.5 0.5)"
+           R"(</size></box></geometry></visual></link></model>)";
+}
+
+/// Its face is 0.25 m nearer than this.
+nlohmann::json cube_at(double x_m) {
+    return {{"name", "cube"}, {"sdf", cube()}, {"pose", {{"xyz", {x_m, 0.0, 0.3}}}}};
+}
+
+/// A solid of two triangles: a sheet of 1 m by 1 m in the plane x = 0, in millimetres.
+constexpr const char* sheet_stl =
+    "solid sheet\n"
+    "facet normal 1 0 0\nouter loop\nvertex 0 -500 -500\nvertex 0 500 -500\nvertex 0 500 500\n"
+    "endloop\nendfacet\n"
+    "facet normal 1 0 0\nouter loop\nvertex 0 -500 -500\nvertex 0 500 500\nvertex 0 -500 500\n"
+    "endloop\nendfacet\nendsolid sheet\n";
+
+class SceneEdit : public testing::Test {
+  protected:
+    SceneEdit() { EXPECT_NE(daemon_.ready_line(), "") << daemon_.standard_error(); }
+
+    ControlAnswer ask(const std::string& method, const std::string& path,
+                      const nlohmann::json& body = nullptr) const {
+        return control_request(daemon_.control(), method, path,
+                               body.is_null() ? std::string() : body.dump());
+    }
+
+    std::string room_of(double half_m) {
+        const std::string place = std::to_string(half_m + 0.5);
+        return directory_.write("room.sdf", R"(<sdf version="1.9"><world name="room">
+            <model name="wall"><static>true</static><link name="l"><visual name="v"><pose>)" +
+                                                place + R"( 0 0 0 0 0</pose><geometry><box>
+            <size>1 20 20</size></box></geometry></visual></link></model></world></sdf>)");
+    }
+
+    static std::string config(const TempDir& directory) {
+        const std::string sensor =
+            "{model: UST-10LX, mount: {xyz: [0, 0, 0.3]}, accuracy: ideal, tcp: \"127.0.0.1:0\"}\n";
+        return directory.write("two.yaml", "scene: " + scene("square_room.sdf").string() +
+                                               "\nrobots:\n  rescue:\n    sensors:\n      one: " +
+                                               sensor + "      two: " + sensor);
+    }
+
+    TempDir directory_;
+    DaemonProcess daemon_{directory_, {"--config", config(directory_)}};
+};
+
+/// Reads all scans of one scanner while others do something, and loses none.
+class Watcher {
+  public:
+    explicit Watcher(std::uint16_t port) : wire_(ScannerWire::tcp(port)) {
+        EXPECT_EQ(wire_.ask(stream_of_all_beams), "00");
+        read();
+    }
+
+    void read() {
+        const auto scan = wire_.next_scan();
+        if (!seen_.empty()) {
+            EXPECT_EQ(turns_between(stamp_ms_, scan.stamp_ms), 1);
+        }
+        stamp_ms_ = scan.stamp_ms;
+        seen_.push_back(scan.distances_mm);
+    }
+
+    /// What there was since the last call.
+    std::vector<Ranges> take() { return std::exchange(seen_, {}); }
+    [[nodiscard]] const Ranges& latest() const { return seen_.back(); }
+
+  private:
+    ScannerWire wire_;
+    std::uint32_t stamp_ms_ = 0;
+    std::vector<Ranges> seen_;
+};
+
+TEST_F(SceneEdit, CostsNoScanAndIsSeenWholeOrNotAtAll) {
+    Watcher one(daemon_.port(0));
+    Watcher two(daemon_.port(1));
+    const std::string other = room_of(2.0);
+    const auto at = [](double x_m) { return nlohmann::json{{"xyz", {x_m, 0.0, 0.3}}}; };
+    auto replacing = cube_at(2.0);
+    replacing["replace"] = true;
+    const std::string home = scene("square_room.sdf");
+    struct Step {
+        std::string method, path;
+        nlohmann::json body;
+        std::uint32_t front_mm;
+        bool moves = false;
+    };
+    const std::vector<Step> steps{
+        {"POST", "/scene/models", cube_at(1.5), 1250},
+        {"PUT", "/scene/models/cube/pose", at(1.0), 750, true},
+        {"POST", "/scene/models", replacing, 1750},
+        {"PUT", "/scene", {{"file", other}}, 2000},
+        {"POST", "/scene/models", cube_at(1.0), 750},
+        {"DELETE", "/scene/models/cube", nullptr, 2000},
+        {"PUT", "/scene", {{"file", home}}, 3000},
+    };
+    for (int round = 0; round < 3; ++round) {
+        for (const Step& step : steps) {
+            const Ranges before = one.latest();
+            (void)one.take();
+            (void)two.take();
+            auto answer = std::async(std::launch::async,
+                                     [&] { return ask(step.method, step.path, step.body); });
+            const auto read_both = [&] { one.read(), two.read(); };
+            while (answer.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+                read_both();
+            const ControlAnswer said = answer.get();
+            ASSERT_LT(said.status, 300) << step.method << " " << step.path << ": " << said.body;
+            // Those that were on their way, and two that were begun since then.
+            for (int i = 0; i < 4; ++i)
+                read_both();
+            const Ranges after = one.latest();
+            EXPECT_EQ(after[front], step.front_mm) << step.method << " " << step.path;
+            for (Watcher* watcher : {&one, &two}) {
+                EXPECT_EQ(watcher->latest(), after);
+                for (const Ranges& scan : watcher->take()) {
+                    if (!step.moves) {
+                        EXPECT_TRUE(scan == before || scan == after);
+                        continue;
+                    }
+                    for (std::size_t i = 0; i < scan.size(); ++i)
+                        EXPECT_TRUE(scan[i] == before[i] || scan[i] == after[i]);
+                }
+            }
+            one.read();
+            two.read();
+        }
+    }
+    for (const auto& sensor : daemon_.get("/sensors"))
+        EXPECT_EQ(sensor.at("lost"), 0);
+}
+
+TEST_F(SceneEdit, TakesAMeshWithItsScaleAndMaterial) {
+    const std::string file = directory_.write("sheet.stl", sheet_stl);
+    const auto answer = ask("POST", "/scene/models",
+                            {{"name", "a sheet"},
+                             {"mesh", file},
+                             {"scale", 0.001},
+                             {"material", "glass"},
+                             {"pose", {{"xyz", {1.5, 0, 0.3}}}}});
+    EXPECT_EQ(answer.status, 201) << answer.body;
+    Watcher watcher(daemon_.port());
+    EXPECT_EQ(watcher.latest()[front], 1500U);
+    const auto truth = daemon_.get("/sensors/rescue/one/truth");
+    EXPECT_EQ(truth.at("material").at(front), "glass");
+    EXPECT_EQ(truth.at("true_m").at(front), 1.5);
+    const auto models = daemon_.get("/scene").at("models");
+    EXPECT_EQ(models.back().at("name"), "a sheet");
+    EXPECT_EQ(models.back().at("materials"), nlohmann::json({"glass"}));
+    EXPECT_EQ(ask("DELETE", "/scene/models/a%20sheet").status, 204);
+    EXPECT_EQ(daemon_.get("/scene").at("models").size(), models.size() - 1);
+}
+
+TEST_F(SceneEdit, ThatFailsChangesNothingAndSaysWhy) {
+    const auto before = daemon_.get("/scene");
+    const auto expect = [&](int status, const std::string& word, const std::string& method,
+                            const std::string& path, const nlohmann::json& body) {
+        const auto answer = ask(method, path, body);
+        EXPECT_EQ(answer.status, status) << answer.body;
+        EXPECT_THAT(answer.body, HasSubstr(word));
+    };
+    expect(400, "no/such.sdf", "PUT", "/scene", {{"file", "no/such.sdf"}});
+    expect(400, "no such file", "POST", "/scene/models", {{"name", "x"}, {"mesh", "no.stl"}});
+    expect(400, "x", "POST", "/scene/models", {{"name", "x"}, {"sdf", "<model"}});
+    expect(400, "scale", "POST", "/scene/models",
+           {{"name", "x"}, {"mesh", "a.stl"}, {"scale", -1}});
+    expect(404, "there is no model \\\"x\\\"", "DELETE", "/scene/models/x", nullptr);
+    EXPECT_EQ(ask("POST", "/scene/models", cube_at(1.5)).status, 201);
+    expect(409, "replace", "POST", "/scene/models", cube_at(1.0));
+    EXPECT_EQ(ask("DELETE", "/scene/models/cube").status, 204);
+    EXPECT_EQ(daemon_.get("/scene"), before);
+}
+
+TEST_F(SceneEdit, ComesInTheOrderOfItsRequests) {
+    // All at once: each finds what the one before has left.
+    std::vector<std::future<ControlAnswer>> answers;
+    for (int i = 0; i < 20; ++i) {
+        auto body = cube_at(1.0);
+        body["name"] = "cube " + std::to_string(i);
+        answers.push_back(std::async(std::launch::async,
+                                     [this, body] { return ask("POST", "/scene/models", body); }));
+    }
+    for (auto& answer : answers)
+        EXPECT_EQ(answer.get().status, 201);
+    const auto models = daemon_.get("/scene").at("models");
+    const auto cubes = std::count_if(models.begin(), models.end(), [](const auto& model) {
+        return model.at("name").template get<std::string>().starts_with("cube");
+    });
+    EXPECT_EQ(cubes, 20);
+}
+
+}  // namespace
+}  // namespace scipd::tests

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A daemon with nothing in it, for tests that need some of it: they override that.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "daemon/control/api.h"
+#include "daemon/control/scan_stream.h"
+
+namespace scipd::tests {
+
+class EmptyApi : public daemon::Api {
+  public:
+    [[nodiscard]] daemon::Status status() const override { return {}; }
+    [[nodiscard]] const daemon::ScanLog* scans(const std::string&) const override {
+        return nullptr;
+    }
+    [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string&) const override {
+        return {};
+    }
+    std::optional<std::string> set_robot_pose(const std::string&, std::optional<sim::Time>,
+                                              const sim::Pose&) override {
+        return {};
+    }
+    std::optional<std::string> take_pose_line(std::string_view, daemon::SenderClock&) override {
+        return {};
+    }
+    daemon::ScanStream& stream() override { return stream_; }
+    [[nodiscard]] daemon::SceneView scene() const override { return {"empty.sdf", scene_}; }
+    void edit_scene(daemon::SceneEdit, daemon::EditDone done) override { done({}); }
+    [[nodiscard]] std::optional<sim::TimedPose> model_pose(const std::string&) const override {
+        return {};
+    }
+    std::optional<std::string> set_model_pose(const std::string&, std::optional<sim::Time>,
+                                              const sim::Pose&) override {
+        return {};
+    }
+
+  private:
+    sim::SharedScene scene_ = std::make_shared<const sim::Scene>();
+    daemon::ScanStream stream_;
+};
+
+}  // namespace scipd::tests

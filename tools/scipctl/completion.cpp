@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Completions for shells, made of the program's own commands and options.
+#include <iostream>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "tools/scipctl/commands.h"
+
+namespace scipd::tools {
+namespace {
+
+/// What may follow each command: "/pose" with "get set play stream --control --help".
+using Words = std::map<std::string, std::string>;
+
+void add_options(const CLI::App& app, std::string& words) {
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& name : option->get_lnames())
+            words.append(words.empty() ? "--" : " --").append(name);
+    }
+}
+
+/// `inherited`: options of the commands around it, which may follow as well.
+void collect(const CLI::App& app, const std::string& path, const std::string& inherited,
+             Words& all) {
+    const auto subcommands = app.get_subcommands([](const CLI::App*) { return true; });
+    std::string words;
+    for (const CLI::App* subcommand : subcommands)
+        words.append(words.empty() ? "" : " ").append(subcommand->get_name());
+    add_options(app, words);
+    all[path] = words + inherited;
+    for (const CLI::App* subcommand : subcommands)
+        collect(*subcommand, path + "/" + subcommand->get_name(), " --control", all);
+}
+
+/// A case for each command, of what `begin` and `end` make of its words.
+void print_cases(const Words& words, const char* begin, const char* end) {
+    for (const auto& [path, list] : words)
+        std::cout << "    \"" << path << "\") " << begin << list << end << " ;;\n";
+}
+
+/// The command that has been typed so far, as $command; `words` are those before the cursor.
+void print_command(const Words& words, const char* typed) {
+    std::cout << "  local command='' word\n  for word in " << typed
+              << "; do\n    case \"$command/$word\" in\n      ";
+    bool first = true;
+    for (const auto& [path, list] : words) {
+        if (path.empty()) continue;
+        std::cout << (first ? "" : "|") << path;
+        first = false;
+    }
+    std::cout << ") command=\"$command/$word\" ;;\n    esac\n  done\n  case \"$command\" in\n";
+}
+
+void print_bash(const Words& words) {
+    std::cout << "# Completions of scipctl for bash.\n_scipctl() {\n";
+    print_command(words, "\"${COMP_WORDS[@]:1:COMP_CWORD-1}\"");
+    print_cases(words, "word='", "'");
+    std::cout << "  esac\n"
+                 "  COMPREPLY=($(compgen -W \"$word\" -- \"${COMP_WORDS[COMP_CWORD]}\"))\n"
+                 "}\ncomplete -o default -F _scipctl scipctl\n";
+}
+
+void print_zsh(const Words& words) {
+    std::cout << "#compdef scipctl\n# Completions of scipctl for zsh.\n_scipctl() {\n";
+    print_command(words, "\"${(@)words[2,CURRENT-1]}\"");
+    print_cases(words, "compadd -- ", "");
+    std::cout << "  esac\n  _files\n}\ncompdef _scipctl scipctl\n";
+}
+
+}  // namespace
+
+void add_completion_command(CLI::App& program) {
+    auto* const command = program.add_subcommand("completion", "completions for a shell");
+    const auto shell = std::make_shared<std::string>();
+    command->add_option("SHELL", *shell, "bash or zsh")
+        ->required()
+        ->check(CLI::IsMember({"bash", "zsh"}));
+    command->callback([&program, shell] {
+        Words words;
+        collect(program, "", "", words);
+        words["/completion"].insert(0, "bash zsh ");
+        *shell == "bash" ? print_bash(words) : print_zsh(words);
+    });
+    command->footer("Example:\n  source <(scipctl completion bash)");
+}
+
+}  // namespace scipd::tools

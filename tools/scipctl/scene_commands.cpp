@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tools/scipctl/commands.h"
+#include "tools/scipctl/control_client.h"
+#include "tools/scipctl/pose_text.h"
+#include "tools/scipctl/table.h"
+
+namespace scipd::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = ControlClient::Json;
+
+struct AddOptions {
+    std::string name;
+    std::string file;
+    std::string pose;
+    std::string material;
+    double scale = 1.0;
+    bool replace = false;
+};
+
+struct MoveOptions {
+    std::string name;
+    std::string pose;
+};
+
+sim::Pose pose_of(const std::string& text) {
+    if (const auto pose = parse_pose_text(text)) return *pose;
+    throw CLI::ValidationError("\"" + text + "\" is no pose: write X,Y,YAW or X,Y,Z,R,P,Y");
+}
+
+std::string text_of(const Json& pose) {
+    const auto& xyz = pose.at("xyz");
+    const auto& q = pose.at("q");
+    return pose_text({{xyz[0], xyz[1], xyz[2]}, {q[3], q[0], q[1], q[2]}});
+}
+
+std::string joined(const Json& names) {
+    std::string text;
+    for (const auto& name : names)
+        text.append(text.empty() ? "" : ", ").append(name.get<std::string>());
+    return text.empty() ? "-" : text;
+}
+
+void tell_warnings(const Json& loaded) {
+    if (!loaded.is_object()) return;
+    for (const auto& warning : loaded.value("warnings", Json::array()))
+        std::cerr << "warning: " << warning.get<std::string>() << '\n';
+}
+
+void list(const ControlOptions& control, bool json) {
+    ControlClient client(control.socket);
+    const Json scene = client.get("/scene");
+    if (json) {
+        std::cout << scene.dump(2) << '\n';
+        return;
+    }
+    std::cout << scene.value("file", "-") << "\n\n";
+    std::vector<Row> rows{{"MODEL", "MOVABLE", "POSE", "OBJECTS", "MATERIALS"}};
+    for (const Json& model : scene.at("models")) {
+        rows.push_back({model.at("name"), model.at("movable").get<bool>() ? "yes" : "no",
+                        text_of(model.at("pose")), model.at("objects").dump(),
+                        joined(model.at("materials"))});
+    }
+    print_table(std::cout, rows);
+}
+
+void load(const ControlOptions& control, const std::string& file) {
+    ControlClient client(control.socket);
+    tell_warnings(client.load("/scene", {{"file", fs::absolute(file).string()}}));
+}
+
+/// What scipd reads as text; all else is a mesh.
+bool is_text(const fs::path& file) {
+    const std::string type = file.extension();
+    return type == ".sdf" || type == ".urdf" || type == ".xml" || file == "-";
+}
+
+std::string content_of(const std::string& file) {
+    if (file == "-") return {std::istreambuf_iterator<char>{std::cin}, {}};
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw ControlError(0, file + " cannot be read");
+    return {std::istreambuf_iterator<char>{in}, {}};
+}
+
+void add(const ControlOptions& control, const AddOptions& options) {
+    Json body{{"name", options.name}};
+    if (is_text(options.file)) {
+        body["sdf"] = content_of(options.file);
+    } else {
+        body["mesh"] = fs::absolute(options.file).string();
+        body["scale"] = options.scale;
+        if (!options.material.empty()) body["material"] = options.material;
+    }
+    if (!options.pose.empty()) body["pose"] = pose_body(pose_of(options.pose), std::nullopt);
+    if (options.replace) body["replace"] = true;
+    ControlClient client(control.socket);
+    try {
+        tell_warnings(client.post("/scene/models", body));
+    } catch (const ControlError& error) {
+        if (error.status() != 409) throw;
+        throw ControlError(
+            409, "there is a model \"" + options.name + "\": choose another name, or --replace it");
+    }
+}
+
+/// A model's own path; what scipd says of an unknown one becomes a list of those that there are.
+template <class Change>
+void change(ControlClient& client, const std::string& model, bool must_move, Change change) {
+    try {
+        change("/scene/models/" + path_segment(model));
+    } catch (const ControlError& error) {
+        if (error.status() != 404) throw;
+        Json names = Json::array();
+        const Json scene = client.get("/scene");
+        for (const Json& known : scene.at("models")) {
+            if (!must_move || known.at("movable").get<bool>()) names.push_back(known.at("name"));
+        }
+        const std::string kind = must_move ? "movable model" : "model";
+        throw ControlError(
+            404, "there is no " + kind + " \"" + model + "\"; there are: " + joined(names));
+    }
+}
+
+void move(const ControlOptions& control, const MoveOptions& options) {
+    const auto body = pose_body(pose_of(options.pose), std::nullopt);
+    ControlClient client(control.socket);
+    change(client, options.name, true,
+           [&](const std::string& path) { client.put(path + "/pose", body); });
+}
+
+void remove(const ControlOptions& control, const std::string& name) {
+    ControlClient client(control.socket);
+    change(client, name, false, [&](const std::string& path) { client.remove(path); });
+}
+
+void add_add_command(CLI::App& scene, const ControlOptions& control) {
+    auto* const command = scene.add_subcommand("add", "one more model, from SDF, URDF or a mesh");
+    const auto options = std::make_shared<AddOptions>();
+    command->add_option("NAME", options->name, "what it is called from now on")->required();
+    command->add_option("FILE", options->file, "a .sdf, .urdf or mesh file; - reads SDF")
+        ->required()
+        ->check(CLI::ExistingFile | CLI::IsMember({"-"}));
+    command->add_option("--pose", options->pose, "X,Y,YAW or X,Y,Z,R,P,Y; else its own");
+    command->add_option("--scale", options->scale, "of a mesh: 0.001 for millimetres")
+        ->capture_default_str();
+    command->add_option("--material", options->material, "of a whole mesh");
+    command->add_flag("--replace", options->replace, "in place of the model of this name");
+    command->callback([&control, options] { add(control, *options); });
+    command->footer(
+        "URIs in an SDF file start at the folder of the world.\n"
+        "Example:\n"
+        "  scipctl scene add crate crate.stl --scale 0.001 --material wood --pose 1,2,0");
+}
+
+void add_move_command(CLI::App& scene, const ControlOptions& control) {
+    auto* const command = scene.add_subcommand("move", "put a movable model somewhere");
+    const auto options = std::make_shared<MoveOptions>();
+    command->add_option("MODEL", options->name)->required();
+    command->add_option("POSE", options->pose, "X,Y,YAW or X,Y,Z,R,P,Y in metres and radians")
+        ->required();
+    command->callback([&control, options] { move(control, *options); });
+}
+
+}  // namespace
+
+void add_scene_commands(CLI::App& program, const ControlOptions& control) {
+    auto* const scene = program.add_subcommand("scene", "what there is for scanners to see");
+    scene->require_subcommand(1);
+
+    auto* const list_command = scene->add_subcommand("list", "the models of the world");
+    const auto json = std::make_shared<bool>(false);
+    list_command->add_flag("--json", *json, "as a JSON document");
+    list_command->callback([&control, json] { list(control, *json); });
+
+    auto* const load_command = scene->add_subcommand("load", "another world in place of this one");
+    const auto file = std::make_shared<std::string>();
+    load_command->add_option("FILE", *file)->required()->check(CLI::ExistingFile);
+    load_command->callback([&control, file] { load(control, *file); });
+
+    add_add_command(*scene, control);
+    add_move_command(*scene, control);
+
+    auto* const remove_command = scene->add_subcommand("remove", "take a model away");
+    const auto model = std::make_shared<std::string>();
+    remove_command->add_option("MODEL", *model)->required();
+    remove_command->callback([&control, model] { remove(control, *model); });
+}
+
+}  // namespace scipd::tools
