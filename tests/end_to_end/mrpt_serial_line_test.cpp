@@ -3,7 +3,9 @@
 //
 // MRPT's driver on a real serial line: it finds a URG-04LX at the 19200 bit/s of power-up, asks it
 // for 115200, changes its own end and receives right scans there. Without the firmware's tick of
-// 100 ms, which is all the patience that MRPT has: with it each step is a matter of luck.
+// 100 ms, which is all the patience that MRPT has: with it each step is a matter of luck. Turning
+// slowly, since a scan takes 185 ms on the line: else the first one begins before MRPT, which reads
+// on for 100 ms, has done with the acknowledgement.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -31,6 +33,7 @@ robots:
         mount: {xyz: [0, 0, 0.3]}
         accuracy: ideal
         timing: ideal
+        profile: {scan_rpm: 240, scan_period_ms: 250}
         pty: auto
         tcp: 127.0.0.1:0
         link: {baud: 19200}
