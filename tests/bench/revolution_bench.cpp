@@ -51,8 +51,10 @@ class Revolutions {
         device_.emplace("robot", scanner(accuracy), 1, world_, clock_);
         client_.emplace(*device_, [] {});
         client_->receive("MD0000108000000\n");
-        while (!client_->streaming())
+        while (!client_->streaming()) {
+            clock_.advance_to(client_->wake_at().value());
             client_->wake();
+        }
         while (client_->next_action()) {
         }
         revolution_ = device_->next_revolution();
