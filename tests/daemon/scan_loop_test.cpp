@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "daemon/device/client.h"
+#include "daemon/device/stepped_clock.h"
 #include "daemon/device/wall_clock.h"
 #include "tests/daemon/wall_world.h"
 
@@ -88,6 +89,58 @@ TEST_F(ScanLoopTest, ServesNobodyOnceItIsGone) {
     client.receive("MD0540054000000\n");
     io_.restart();
     EXPECT_EQ(io_.run_for(100ms), 0U);
+}
+
+class LatePoses : public testing::Test {
+  protected:
+    static SensorConfig patient() {
+        SensorConfig config = ideal_sensor();
+        config.wait_for_poses = 30ms;
+        return config;
+    }
+
+    void place(sim::Time time) {
+        (void)world_.place_robot("robot", {time, sim::Pose{}});
+        loop_.poses_came();
+    }
+
+    SteppedClock clock_;
+    World world_ = wall_world();
+    Device device_{"robot", patient(), 1, world_, clock_};
+    ScanLoop loop_{device_, clock_};
+    Client client_{device_, [] {}};
+};
+
+TEST_F(LatePoses, AreWaitedForUpToABound) {
+    place(0ms);
+    client_.receive("MD0540054000000\n");
+    // The first turn fires its last step after 18.75 ms.
+    place(19ms);
+    clock_.advance_to(20ms);
+    const std::uint64_t before = device_.scans_sent();
+    EXPECT_EQ(before, 1U);
+    const sim::Time due = device_.leaves(device_.next_revolution());
+    clock_.advance_to(due + 10ms);
+    EXPECT_EQ(device_.scans_sent(), before);
+    place(due);
+    clock_.advance_to(due + 10ms);
+    EXPECT_EQ(device_.scans_sent(), before + 1);
+
+    // The next one gets no pose in time.
+    clock_.advance_to(due + 25ms + 29ms);
+    EXPECT_EQ(device_.scans_sent(), before + 1);
+    clock_.advance_to(due + 25ms + 30ms);
+    EXPECT_EQ(device_.scans_sent(), before + 2);
+    EXPECT_EQ(loop_.missed(), 0U);
+}
+
+TEST_F(LatePoses, AreNotExpectedOfAStreamThatHasEnded) {
+    place(0ms);
+    clock_.advance_to(2s);
+    client_.receive("MD0540054000000\n");
+    const sim::Time due = device_.leaves(device_.next_revolution() + 1);
+    clock_.advance_to(due);
+    EXPECT_GE(device_.scans_sent(), 1U);
 }
 
 }  // namespace
