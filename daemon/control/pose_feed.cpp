@@ -30,7 +30,10 @@ class LineSink {
   public:
     /// `robot` is the feed's own, whichever it is at the time.
     LineSink(FeedContext context, const std::string& robot)
-        : context_(std::move(context)), robot_(robot) {
+        : context_(std::move(context)), robot_(robot) {}
+
+    /// Time in lockstep waits for what comes from now on.
+    void begin() {
         if (context_.lockstep != nullptr) context_.lockstep->add(&sender_);
     }
 
@@ -92,7 +95,10 @@ class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
     }
 
   private:
-    void begin() override { receive(); }
+    void begin() override {
+        sink_.begin();
+        receive();
+    }
 
     void receive() {
         socket_.async_receive(asio::buffer(datagram_),
@@ -133,7 +139,10 @@ class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<S
     // Longer lines than any pose has are cut here and refused by the parser.
     static constexpr std::size_t max_line = 8192;
 
-    void begin() override { read(); }
+    void begin() override {
+        sink_.begin();
+        read();
+    }
 
     void read() {
         input_.async_read_some(asio::buffer(input_buffer_),

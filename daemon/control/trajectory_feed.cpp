@@ -22,9 +22,7 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
           poses_(sim::load_tum(source.file)),
           speed_(source.speed),
           loop_(source.loop),
-          alarm_(context.clock.make_alarm()) {
-        if (context_.lockstep != nullptr) context_.lockstep->add(this);
-    }
+          alarm_(context.clock.make_alarm()) {}
     ~TrajectoryFeed() override { stop(); }
 
     void stop() override {
@@ -39,6 +37,7 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
     void begin() override {
         lap_begin_ = context_.clock.now();
         if (context_.lockstep == nullptr) return play();
+        context_.lockstep->add(this);
         step();
     }
 

@@ -23,10 +23,11 @@ class PoseFeedTest : public testing::Test {
   protected:
     PoseFeedTest() { clock_.advance_to(10s); }
 
-    std::shared_ptr<PoseFeed> feed(const PoseSource& source) {
+    std::shared_ptr<PoseFeed> feed(const PoseSource& source, Lockstep* lockstep = nullptr) {
         return make_feed({.executor = io_.get_executor(),
                           .intake = intake_,
                           .clock = clock_,
+                          .lockstep = lockstep,
                           .report = [this](const std::string& text) { reports_.push_back(text); }},
                          source);
     }
@@ -119,6 +120,28 @@ TEST_F(PoseFeedTest, PlaysATrajectoryFromTheMomentOfItsStart) {
     ASSERT_TRUE(taken(3));
     EXPECT_DOUBLE_EQ(robot_x(13s), 3.0);
     poses->stop();
+}
+
+// One that is made for a configuration that then fails elsewhere never serves.
+TEST_F(PoseFeedTest, HoldsTimeBackOnlyFromWhenItServes) {
+    const tests::TempDir directory;
+    const PoseSource file = trajectory(directory.write("drive.tum", "5 1 0 0 0 0 0 1\n"));
+    Lockstep lockstep(io_.get_executor());
+    int other = 0;  // its address is a stream
+    lockstep.add(&other);
+    const auto now_after = [&](sim::Time time) {
+        lockstep.come_to(&other, time, true);
+        io_.restart();
+        io_.run_for(20ms);
+        return lockstep.clock().now();
+    };
+    const auto live = feed(udp(), &lockstep);
+    const auto played = feed(file, &lockstep);
+    EXPECT_EQ(now_after(1s), 1s);
+    live->serve("robot");
+    EXPECT_EQ(now_after(2s), 1s);
+    live->stop();
+    EXPECT_EQ(now_after(3s), 3s);
 }
 
 TEST_F(PoseFeedTest, RefusesATrajectoryThatIsNone) {
