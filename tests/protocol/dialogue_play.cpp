@@ -1,38 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 #include <algorithm>
-#include <cctype>
-#include <cstdio>
 #include <optional>
 
 #include "protocol/ideal.h"
 #include "tests/protocol/dialogue.h"
 #include "tests/protocol/shell.h"
+#include "tests/protocol/shown.h"
 
 namespace scipd::protocol {
 namespace {
-
-std::string shown(std::string_view bytes) {
-    std::string text = "\"";
-    for (const char c : bytes) {
-        if (std::isprint(static_cast<unsigned char>(c)) != 0) {
-            text += c;
-        } else {
-            char code[8];
-            std::snprintf(code, sizeof code, "\\x%02X",
-                          static_cast<unsigned>(static_cast<unsigned char>(c)));
-            text += code;
-        }
-    }
-    return text + "\"";
-}
-
-std::string milliseconds(Uptime time) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g ms",
-                  std::chrono::duration<double, std::milli>(time).count());
-    return text;
-}
 
 /// Takes a line off the front, without its end; the rest where it has none.
 std::string_view take_line(std::string_view& bytes) {

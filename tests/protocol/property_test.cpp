@@ -4,7 +4,6 @@
 // What holds whatever clients say and whatever happens, for every model, in some thousand scripts
 // that are the same in each run. A script that fails is told with its seed and cut down to the
 // events that it takes; SCIPD_SEED=N runs that seed alone.
-#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
@@ -16,6 +15,7 @@
 #include "daemon/models/registry.h"
 #include "tests/protocol/script.h"
 #include "tests/protocol/script_maker.h"
+#include "tests/protocol/shown.h"
 
 namespace scipd::protocol {
 namespace {
@@ -117,11 +117,7 @@ TEST_P(AnyConversation, IsNotChangedByAnotherClientsQuestions) {
 }
 
 std::string name_of(const testing::TestParamInfo<std::size_t>& test) {
-    const DeviceProfile& profile = daemon::models()[test.param].profile;
-    std::string name = profile.name + "_" + profile.release;
-    std::ranges::replace_if(
-        name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-    return name;
+    return test_name(daemon::models()[test.param].profile);
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, AnyConversation,

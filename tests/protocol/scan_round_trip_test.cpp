@@ -4,7 +4,6 @@
 // Encoding and decoding undo each other for whole scans: what a device of any model measured is
 // what protocol/client reads, in every format that the model has, for any window and any cluster.
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
@@ -20,6 +19,7 @@
 #include "protocol/command_table.h"
 #include "tests/protocol/script_maker.h"
 #include "tests/protocol/shell.h"
+#include "tests/protocol/shown.h"
 
 namespace scipd::protocol {
 namespace {
@@ -150,11 +150,7 @@ TEST_P(ScanRoundTrip, BringsBackWhatWasMeasured) {
 }
 
 std::string name_of(const testing::TestParamInfo<std::size_t>& test) {
-    const DeviceProfile& profile = daemon::models()[test.param].profile;
-    std::string name = profile.name + "_" + profile.release;
-    std::ranges::replace_if(
-        name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-    return name;
+    return test_name(daemon::models()[test.param].profile);
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, ScanRoundTrip,

@@ -3,42 +3,20 @@
 #include "tests/protocol/script.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <string_view>
 
 #include "tests/protocol/listener.h"
+#include "tests/protocol/shown.h"
 
 namespace scipd::protocol {
 namespace {
 
 using namespace std::chrono_literals;
 
-std::string quoted(std::string_view bytes) {
-    std::string text = "\"";
-    for (const char c : bytes) {
-        if (c >= ' ' && c <= '~' && c != '"' && c != '\\') {
-            text += c;
-        } else {
-            char code[8];
-            std::snprintf(code, sizeof code, "\\x%02X",
-                          static_cast<unsigned>(static_cast<unsigned char>(c)));
-            text += code;
-        }
-    }
-    return text + "\"";
-}
-
-std::string milliseconds(Uptime time) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6f ms",
-                  std::chrono::duration<double, std::milli>(time).count());
-    return text;
-}
-
 std::string to_text(const Event& event) {
     switch (event.kind) {
         case Event::Kind::say:
-            return "client " + std::to_string(event.client) + " says " + quoted(event.bytes);
+            return "client " + std::to_string(event.client) + " says " + shown(event.bytes);
         case Event::Kind::wait:
             return milliseconds(event.time) + " pass";
         case Event::Kind::boot:
@@ -182,7 +160,7 @@ std::string to_text(const Script& script) {
 
 std::string to_text(const Sent& message) {
     constexpr std::size_t enough = 200;
-    return milliseconds(message.at) + " " + quoted(message.bytes.substr(0, enough));
+    return milliseconds(message.at) + " " + shown(message.bytes.substr(0, enough));
 }
 
 Outcome perform(const Script& script) {
