@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
-#include "daemon/config.h"
+#include "daemon/config/config.h"
 #include "daemon/control/routes.h"
 #include "daemon/control/socket_routes.h"
 #include "daemon/run_directory.h"
@@ -110,8 +110,11 @@ void Server::take_up(std::future<FleetPlan> plan) {
     try {
         FleetPlan next = plan.get();
         Config config = next.config;
-        if (config.control != options_.config.control || config.http != options_.config.http) {
-            spdlog::warn("SIGHUP: control and http stay as they are until scipd is started again");
+        const Config& running = options_.config;
+        if (config.control != running.control || config.http != running.http ||
+            config.clock != running.clock) {
+            spdlog::warn(
+                "SIGHUP: control, http and clock stay as they are until scipd is started again");
         }
         fleet_.apply(std::move(next));
         options_.config = std::move(config);

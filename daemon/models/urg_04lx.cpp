@@ -8,6 +8,17 @@
 #include "daemon/models/products.h"
 
 namespace scipd::daemon {
+namespace {
+
+// The same unit's V, recorded before it was told SCIP2.0. Failed: deduced.
+protocol::Scip1Texts recorded_scip1() {
+    return {.firmware = "3.1.04,07/08/02(20-4095[mm],240[deg],44-725[step],600[rpm])",
+            .protocol = "00003,(SCIP 1.0)",
+            .health = "FW Normal[FinalDist with shadow  ]",
+            .health_failed = "FW Error[FinalDist with shadow  ]"};
+}
+
+}  // namespace
 
 protocol::DeviceProfile urg_profile() {
     using namespace std::chrono_literals;
@@ -22,11 +33,7 @@ protocol::DeviceProfile urg_profile() {
         .protocol = "SCIP 2.0",
         .serial = "H0706400",
 
-        // The same unit's V, recorded before it was told SCIP2.0. Failed: deduced.
-        .scip1 = {.firmware = "3.1.04,07/08/02(20-4095[mm],240[deg],44-725[step],600[rpm])",
-                  .protocol = "00003,(SCIP 1.0)",
-                  .health = "FW Normal[FinalDist with shadow  ]",
-                  .health_failed = "FW Error[FinalDist with shadow  ]"},
+        .scip1 = recorded_scip1(),
 
         .model = "URG-04LX(Hokuyo Automatic Co.,Ltd.)",
         .dmin_mm = 20,

@@ -24,7 +24,6 @@ class RangeBackend {
 
     [[nodiscard]] virtual std::string_view name() const = 0;
     [[nodiscard]] const Scene& scene() const { return *scene_; }
-    [[nodiscard]] const SharedScene& shared_scene() const { return scene_; }
 
     /// Puts a movable model somewhere else, from the next cast on. Asserts that the model exists
     /// and is movable.

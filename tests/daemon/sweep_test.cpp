@@ -33,10 +33,10 @@ sim::Time fired(int step) {
 
 World world_of(const sim::SceneBuilder& scene) {
     World world;
+    const sim::SharedScene built = scene.build();
     World::Backends backends;
-    backends["auto"] = sim::make_backend("auto", scene.build());
-    const sim::SharedScene shared = backends["auto"]->shared_scene();
-    world.replace_scene(shared, std::move(backends));
+    backends["auto"] = sim::make_backend("auto", built);
+    world.replace_scene(built, std::move(backends));
     return world;
 }
 
