@@ -16,7 +16,7 @@
 
 #include <boost/asio/any_io_executor.hpp>
 
-#include "daemon/config.h"
+#include "daemon/config/config.h"
 #include "daemon/control/api.h"
 #include "daemon/control/loader.h"
 #include "daemon/control/lockstep.h"
@@ -30,7 +30,7 @@
 #include "daemon/device/wall_clock.h"
 #include "daemon/link/pty_port.h"
 #include "daemon/link/tcp_port.h"
-#include "sim/loaders/sdf.h"
+#include "sim/loaders/loaded_scene.h"
 
 namespace scipd::daemon {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "daemon/demo_world.h"
+#include "daemon/config/demo_world.h"
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/scene_file.h"
 

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 #pragma once
 
-#include "daemon/config.h"
+#include "daemon/config/config.h"
 #include "sim/loaders/loaded_scene.h"
 
 namespace scipd::daemon {

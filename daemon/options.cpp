@@ -8,8 +8,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "daemon/config_values.h"
-#include "daemon/demo_world.h"
+#include "daemon/config/demo_world.h"
+#include "daemon/config/values.h"
 #include "daemon/load_world.h"
 #include "daemon/models/registry.h"
 #include "sim/backends/depth.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <variant>
 
-#include "daemon/config.h"
+#include "daemon/config/config.h"
 
 namespace scipd::daemon {
 

@@ -15,7 +15,7 @@
 
 #include <boost/asio/any_io_executor.hpp>
 
-#include "daemon/config.h"
+#include "daemon/config/config.h"
 #include "daemon/control/http_message.h"
 #include "daemon/control/web_socket.h"
 

@@ -13,7 +13,7 @@
 
 #include <boost/asio/any_io_executor.hpp>
 
-#include "daemon/config.h"
+#include "daemon/config/config.h"
 #include "daemon/control/lockstep.h"
 #include "daemon/control/pose_intake.h"
 #include "daemon/device/clock.h"

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "daemon/config.h"
+#include "daemon/config/config.h"
 #include "daemon/control/world.h"
 #include "daemon/device/bridge.h"
 #include "daemon/device/clock.h"

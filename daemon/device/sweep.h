@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "daemon/config.h"
+#include "daemon/config/config.h"
 #include "daemon/control/world.h"
 #include "sim/sensor/scanner.h"
 
@@ -30,8 +30,6 @@ class Sweep {
     [[nodiscard]] bool poses_known(sim::Time until) const { return world_.poses_known(until); }
     /// What it would be cast into now.
     [[nodiscard]] const sim::SharedScene& scene() const { return world_.scene(); }
-    /// Where the sensor is at a time.
-    [[nodiscard]] sim::Pose world_from_sensor(sim::Time time) const;
     [[nodiscard]] sim::SharedScan measure(std::int64_t revolution, sim::Time start,
                                           const Fired& fired) const;
 
@@ -42,6 +40,7 @@ class Sweep {
         sim::Time time{};
     };
 
+    [[nodiscard]] sim::Pose world_from_sensor(sim::Time time) const;
     [[nodiscard]] std::vector<sim::Time> pose_times(const Fired& fired) const;
     [[nodiscard]] std::vector<Part> parts(const Fired& fired) const;
     [[nodiscard]] int most_parts() const;

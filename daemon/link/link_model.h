@@ -14,7 +14,7 @@
 #include <optional>
 #include <string>
 
-#include "daemon/config.h"
+#include "daemon/config/config.h"
 #include "sim/random.h"
 #include "sim/time.h"
 

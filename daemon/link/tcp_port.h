@@ -13,7 +13,7 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 
-#include "daemon/config.h"
+#include "daemon/config/config.h"
 #include "daemon/device/device.h"
 #include "daemon/link/connection.h"
 

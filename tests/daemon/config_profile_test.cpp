@@ -3,8 +3,6 @@
 //
 // That every field of a model can be said, arrives where it belongs, and is refused in plain words
 // where it cannot be.
-#include "daemon/config_profile.h"
-
 #include <array>
 #include <chrono>
 #include <functional>
@@ -14,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "daemon/config/profile.h"
 #include "daemon/models/registry.h"
 #include "tests/daemon/config_fixture.h"
 
@@ -45,7 +44,7 @@ consteval std::size_t member_count() {
 TEST(ProfileKeys, LeaveNoMemberOut) {
     const std::size_t name_and_release = 2;
     EXPECT_EQ(profile_keys().size() + name_and_release, member_count<DeviceProfile>())
-        << "a member of DeviceProfile is missing in daemon/config_profile.cpp";
+        << "a member of DeviceProfile is missing in daemon/config/profile.cpp";
     EXPECT_EQ(code_keys().size(), member_count<protocol::DistanceCodes>());
     EXPECT_EQ(scip1_keys().size(), member_count<protocol::Scip1Texts>());
 }

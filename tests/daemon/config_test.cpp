@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // What a configuration means, and the literal words of every fault in a broken one.
-#include "daemon/config.h"
+#include "daemon/config/config.h"
 
 #include <fstream>
 

@@ -10,7 +10,7 @@
 
 #include <boost/asio/io_context.hpp>
 
-#include "daemon/config.h"
+#include "daemon/config/config.h"
 #include "daemon/control/world.h"
 #include "daemon/models/registry.h"
 #include "sim/backends/registry.h"

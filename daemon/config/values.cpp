@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/config_values.h"
+#include "daemon/config/values.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -10,7 +10,7 @@
 #include <arpa/inet.h>
 #include <sys/un.h>
 
-#include "daemon/config_numbers.h"
+#include "daemon/config/numbers.h"
 #include "daemon/models/registry.h"
 #include "sim/backends/registry.h"
 #include "sim/loaders/quote.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/demo_world.h"
+#include "daemon/config/demo_world.h"
 
 #include <array>
 #include <stdexcept>

@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
-#include "daemon/config.h"
-#include "daemon/config_section.h"
+#include "daemon/config/config.h"
+#include "daemon/config/section.h"
 
 namespace scipd::daemon {
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-#include "daemon/config.h"
+#include "daemon/config/config.h"
 
 namespace scipd::daemon {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/config_claims.h"
+#include "daemon/config/claims.h"
 
 namespace scipd::daemon {
 

@@ -9,7 +9,7 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include "daemon/config_section.h"
+#include "daemon/config/section.h"
 
 namespace scipd::daemon {
 

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "daemon/sensor_config.h"
+#include "daemon/config/sensor_config.h"
 #include "sim/loaders/ros_map.h"
 #include "sim/loaders/sdf.h"
 #include "sim/world/pose_track.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/config_poses.h"
+#include "daemon/config/poses.h"
 
 #include <array>
 #include <stdexcept>
 #include <string>
 
-#include "daemon/config_numbers.h"
-#include "daemon/config_values.h"
+#include "daemon/config/numbers.h"
+#include "daemon/config/values.h"
 
 namespace scipd::daemon {
 namespace {

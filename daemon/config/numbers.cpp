@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/config_numbers.h"
+#include "daemon/config/numbers.h"
 
 #include <cmath>
 #include <stdexcept>

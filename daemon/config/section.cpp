@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/config_section.h"
+#include "daemon/config/section.h"
 
 #include <algorithm>
 #include <map>
 #include <numeric>
 
-#include "daemon/config.h"
+#include "daemon/config/config.h"
 #include "sim/loaders/quote.h"
 
 namespace scipd::daemon {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "daemon/config_section.h"
+#include "daemon/config/section.h"
 #include "daemon/models/model.h"
 
 namespace scipd::daemon {

@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-#include "daemon/config_section.h"
+#include "daemon/config/section.h"
 #include "sim/world/pose.h"
 
 namespace scipd::daemon {

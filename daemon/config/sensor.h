@@ -6,10 +6,10 @@
 
 #include <filesystem>
 
-#include "daemon/config.h"
-#include "daemon/config_claims.h"
-#include "daemon/config_models.h"
-#include "daemon/config_section.h"
+#include "daemon/config/claims.h"
+#include "daemon/config/config.h"
+#include "daemon/config/models.h"
+#include "daemon/config/section.h"
 
 namespace scipd::daemon {
 

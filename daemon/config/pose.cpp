@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/config_pose.h"
+#include "daemon/config/pose.h"
 
 #include <array>
 
-#include "daemon/config_numbers.h"
+#include "daemon/config/numbers.h"
 
 namespace scipd::daemon {
 

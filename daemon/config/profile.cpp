@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/config_profile.h"
+#include "daemon/config/profile.h"
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
 
-#include "daemon/config_numbers.h"
-#include "daemon/config_values.h"
+#include "daemon/config/numbers.h"
+#include "daemon/config/values.h"
 #include "daemon/models/profile_check.h"
 #include "sim/loaders/quote.h"
 

@@ -5,7 +5,7 @@
 // Any thread; nothing shared.
 #pragma once
 
-#include "daemon/config_section.h"
+#include "daemon/config/section.h"
 #include "sim/loaders/ros_map.h"
 
 namespace scipd::daemon {

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "daemon/config_section.h"
+#include "daemon/config/section.h"
 #include "daemon/models/model.h"
 
 namespace scipd::daemon {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// load_config() of config.h: the root of a document and its robots. A scanner is in config_sensor,
-// what a single value may be in config_values, how faults are found and told in config_section.
-#include "daemon/config.h"
+// load_config() of config.h: the root of a document and its robots. A scanner is in sensor,
+// what a single value may be in values, how faults are found and told in section.
+#include "daemon/config/config.h"
 
 #include <array>
 #include <fstream>
@@ -11,16 +11,16 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include "daemon/config_claims.h"
-#include "daemon/config_document.h"
-#include "daemon/config_map.h"
-#include "daemon/config_models.h"
-#include "daemon/config_pose.h"
-#include "daemon/config_poses.h"
-#include "daemon/config_section.h"
-#include "daemon/config_sensor.h"
-#include "daemon/config_values.h"
-#include "daemon/demo_world.h"
+#include "daemon/config/claims.h"
+#include "daemon/config/demo_world.h"
+#include "daemon/config/document.h"
+#include "daemon/config/map.h"
+#include "daemon/config/models.h"
+#include "daemon/config/pose.h"
+#include "daemon/config/poses.h"
+#include "daemon/config/section.h"
+#include "daemon/config/sensor.h"
+#include "daemon/config/values.h"
 
 namespace scipd::daemon {
 namespace {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/config_sensor.h"
+#include "daemon/config/sensor.h"
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
 
-#include "daemon/config_numbers.h"
-#include "daemon/config_pose.h"
-#include "daemon/config_profile.h"
-#include "daemon/config_values.h"
+#include "daemon/config/numbers.h"
+#include "daemon/config/pose.h"
+#include "daemon/config/profile.h"
+#include "daemon/config/values.h"
 
 namespace scipd::daemon {
 namespace {

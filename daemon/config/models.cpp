@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/config_models.h"
+#include "daemon/config/models.h"
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
 
-#include "daemon/config_profile.h"
-#include "daemon/config_values.h"
+#include "daemon/config/profile.h"
+#include "daemon/config/values.h"
 #include "daemon/models/registry.h"
 
 namespace scipd::daemon {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/config_map.h"
+#include "daemon/config/map.h"
 
 #include <array>
 #include <stdexcept>
 #include <string>
 
-#include "daemon/config_numbers.h"
+#include "daemon/config/numbers.h"
 
 namespace scipd::daemon {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/config_document.h"
+#include "daemon/config/document.h"
 
 #include <sstream>
 
