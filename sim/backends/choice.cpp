@@ -7,11 +7,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdio>
-#include <stdexcept>
-#include <utility>
 #include <vector>
-
-#include "sim/backends/registry.h"
 
 namespace scipd::sim {
 namespace {
@@ -27,8 +23,7 @@ constexpr double beams_beyond = 0.01;
 
 /// Somebody who is still in.
 struct Runner {
-    std::string name;
-    std::unique_ptr<RangeBackend> backend;
+    RangeBackend* backend;
     std::vector<Time> took;      ///< for all fans, each round
     std::vector<Hit> last_hits;  ///< of all fans
 
@@ -69,6 +64,11 @@ bool agree(const Hit& hit, const Hit& truth) {
     return std::abs(hit.range_m - truth.range_m) <= bound_m;
 }
 
+bool clearly_faster(const Runner& runner, const Runner& other) {
+    constexpr double clearly = 0.9;
+    return runner.best() < clearly * other.best();
+}
+
 double share_beyond(const Runner& runner, const Runner& yardstick) {
     std::size_t beyond = 0;
     for (std::size_t i = 0; i < runner.last_hits.size(); ++i) {
@@ -90,42 +90,27 @@ std::string milliseconds(Time time, std::size_t fans) {
 
 }  // namespace
 
-Choice choose(std::span<const Contender> contenders, std::span<const Fan> fans,
+Choice choose(std::span<RangeBackend* const> contenders, std::span<const Fan> fans,
               const std::function<Time()>& now) {
     assert(!contenders.empty() && !fans.empty());
-    std::string out;
     std::vector<Runner> runners;
-    for (const Contender& contender : contenders) {
-        try {
-            runners.push_back({contender.name, contender.make(), {}, {}});
-        } catch (const std::runtime_error& error) {
-            if (runners.empty()) throw;
-            out += "; no " + contender.name + ": " + error.what();
-        }
-    }
-    if (runners.size() > 1) race(runners, fans, now);
-    Runner* fastest = &runners.front();
-    std::string reason;
-    for (Runner& runner : runners) {
-        if (runner.took.empty()) continue;
-        reason += "; " + runner.name + " takes " + milliseconds(runner.best(), fans.size());
-        const double beyond = share_beyond(runner, runners.front());
+    for (RangeBackend* contender : contenders)
+        runners.push_back({contender, {}, {}});
+    race(runners, fans, now);
+    const Runner& yardstick = runners.front();
+    Choice choice;
+    for (std::size_t i = 0; i < runners.size(); ++i) {
+        const Runner& runner = runners[i];
+        choice.reason += (i == 0 ? "" : ", ") + std::string(runner.backend->name()) + " takes " +
+                         milliseconds(runner.best(), fans.size());
+        const double beyond = share_beyond(runner, yardstick);
         if (beyond > beams_beyond) {
-            reason += in_text(" but differs in %.1f %% of the beams", 100.0 * beyond);
-        } else if (runner.best() < fastest->best()) {
-            fastest = &runner;
+            choice.reason += in_text(" but differs in %.1f %% of the beams", 100.0 * beyond);
+        } else if (clearly_faster(runner, runners[choice.contender])) {
+            choice.contender = i;
         }
     }
-    return {std::move(fastest->backend), fastest->name + reason + out};
-}
-
-Choice choose_backend(const SharedScene& scene, std::span<const Fan> fans,
-                      const std::function<Time()>& now) {
-    const auto contender = [&](const char* name) {
-        return Contender{name, [&scene, name] { return make_backend(name, scene); }};
-    };
-    const std::array contenders{contender("embree"), contender("depth")};
-    return choose(contenders, fans, now);
+    return choice;
 }
 
 }  // namespace scipd::sim

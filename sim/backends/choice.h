@@ -6,8 +6,8 @@
 // clock: the time is handed in. Lives on the thread of the backends.
 #pragma once
 
+#include <cstddef>
 #include <functional>
-#include <memory>
 #include <span>
 #include <string>
 
@@ -16,25 +16,15 @@
 
 namespace scipd::sim {
 
-struct Contender {
-    std::string name;
-    /// May throw std::runtime_error where this machine cannot have it.
-    std::function<std::unique_ptr<RangeBackend>()> make;
-};
-
 struct Choice {
-    std::unique_ptr<RangeBackend> backend;
-    /// For the log: what each took for a fan, or why it is out of the question.
+    std::size_t contender = 0;
+    /// For people: what each took for a fan, or why it is out of the question.
     std::string reason;
 };
 
-/// `fans` are as the sensor casts them, with as many different poses; at least one. The first
-/// contender is the yardstick and must be had: what it throws is thrown.
-Choice choose(std::span<const Contender> contenders, std::span<const Fan> fans,
+/// `fans` are as the sensor casts them, with as many different poses. At least one of each; the
+/// first contender is the yardstick, and is kept unless another is clearly faster.
+Choice choose(std::span<RangeBackend* const> contenders, std::span<const Fan> fans,
               const std::function<Time()>& now);
-
-/// Between rays and a depth buffer. Making the latter ready takes a tenth of a second.
-Choice choose_backend(const SharedScene& scene, std::span<const Fan> fans,
-                      const std::function<Time()>& now);
 
 }  // namespace scipd::sim

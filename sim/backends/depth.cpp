@@ -28,6 +28,7 @@ class DepthBackend final : public RangeBackend {
     }
 
     [[nodiscard]] std::string_view name() const override { return "depth"; }
+    void leave_thread() override { raster_.context().release(); }
 
   private:
     void do_move(ModelId model, const Pose& world_from_model) override;

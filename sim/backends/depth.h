@@ -6,8 +6,8 @@
 // with or without a graphics device. In a build without them no_depth.cpp stands in.
 //
 // A run of directions with one pose is drawn at once; a pose for each beam is a picture for each
-// beam, which costs accordingly. The context of OpenGL is shared by all depth backends of a thread:
-// make, use and destroy each on one thread.
+// beam, which costs accordingly. The context of OpenGL is shared by all depth backends that are
+// made on one thread together: they leave it together, too.
 #pragma once
 
 #include <memory>

@@ -168,7 +168,7 @@ std::optional<std::string> failure_of_self_test(const std::shared_ptr<EglContext
 std::shared_ptr<EglContext> depth_context() {
     thread_local std::weak_ptr<EglContext> shared;
     std::shared_ptr<EglContext> context = shared.lock();
-    if (!context) shared = context = open_best();
+    if (!context || !context->bound()) shared = context = open_best();
     return context;
 }
 

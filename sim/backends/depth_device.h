@@ -13,8 +13,9 @@
 
 namespace scipd::sim {
 
-/// Shared by all depth backends of the calling thread, as long as one of them lives. Throws
-/// std::runtime_error that says of every place why not.
+/// Shared by all depth backends that are made on the calling thread, as long as one of them lives
+/// and until one leaves the thread: then all of them do. Throws std::runtime_error that says of
+/// every place why not.
 std::shared_ptr<EglContext> depth_context();
 
 /// Draws the picture and compares depths and numbers. Nothing where all is right, else a sentence.

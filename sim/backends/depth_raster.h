@@ -2,8 +2,8 @@
 // Copyright The scipd authors
 //
 // Draws triangles into pictures of depth and triangle numbers, without light, blending or
-// antialiasing, and reads them back. The only user of OpenGL beside the context; bound to the
-// context's thread.
+// antialiasing, and reads them back. The only user of OpenGL beside the context. Binds the
+// context to the thread that calls.
 #pragma once
 
 #include <cstdint>

@@ -172,13 +172,21 @@ EglContext::EglContext(const EglPlace& place)
 }
 
 EglContext::~EglContext() {
-    if (eglGetCurrentContext() == context_)
-        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    release();
     eglDestroyContext(display_, context_);
 }
 
+bool EglContext::bound() const {
+    // Which API's context is the current one is a setting of each thread.
+    return eglBindAPI(EGL_OPENGL_API) && eglGetCurrentContext() == context_;
+}
+
+void EglContext::release() {
+    if (bound()) eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+}
+
 void EglContext::bind() {
-    if (eglGetCurrentContext() == context_) return;
+    if (bound()) return;
     if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
         throw refusal(place_, error_name(eglGetError()));
 }

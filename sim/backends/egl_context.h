@@ -2,8 +2,8 @@
 // Copyright The scipd authors
 //
 // A way to draw without a screen: an OpenGL 4.5 core context on EGL's surfaceless platform or on a
-// graphics device of the machine. Draws nothing itself. A context belongs to the thread that made
-// it; nothing here may be handed to another.
+// graphics device of the machine. Draws nothing itself. A context belongs to the thread
+// that is bound to it, until it is released there.
 #pragma once
 
 #include <optional>
@@ -48,8 +48,12 @@ class EglContext {
     [[nodiscard]] const EglPlace& place() const { return place_; }
     [[nodiscard]] const EglDescription& description() const { return description_; }
 
-    /// Whatever OpenGL is told next on this thread is told to this context.
+    /// Whatever OpenGL is told next on this thread is told to this context. Throws
+    /// std::runtime_error where another thread is bound to it.
     void bind();
+    [[nodiscard]] bool bound() const;
+    /// Where it is bound to this thread, any other may bind it next.
+    void release();
 
   private:
     EglPlace place_;

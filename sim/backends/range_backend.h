@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// How rays meet the world. A backend is made for one scene and lives on one thread. The public
-// functions check what they are given and then call the private virtual ones, so that no backend
-// can forget a check.
+// How rays meet the world. A backend is made for one scene and lives on one thread at a time. The
+// public functions check what they are given and then call the private virtual ones, so that no
+// backend can forget a check.
 #pragma once
 
 #include <memory>
@@ -32,6 +32,9 @@ class RangeBackend {
     /// Fills hits[i] for fan.directions[i]. Asserts that the sizes agree and that there is one pose
     /// or one per ray, and that what is unseen is movable.
     void cast(const Fan& fan, std::span<Hit> hits);
+
+    /// Lets go of the calling thread, so that another one may use or destroy it next.
+    virtual void leave_thread() {}
 
   private:
     virtual void do_move(ModelId model, const Pose& world_from_model) = 0;

@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -167,6 +170,33 @@ TEST_F(Depth, ServesSeveralScenesOnOneThread) {
         EXPECT_NEAR(hits[0].range_m, 2.0, 1e-5);
         far->cast({forward, pose}, hits);
         EXPECT_NEAR(hits[0].range_m, 4.0, 1e-5);
+    }
+}
+
+// As when a scene is loaded beside the one that runs: made there, used here, destroyed there again.
+TEST_F(Depth, GoesFromThreadToThread) {
+    const SharedScene scene = SceneBuilder().add(Plane{{10, 10}}, wall_at(2.0)).build();
+    const std::vector<glm::vec3> directions = level(3, 0.2);
+    const std::vector<Pose> pose(1);
+    const auto range_m = [&](RangeBackend& backend) {
+        std::vector<Hit> hits(3);
+        backend.cast({directions, pose}, hits);
+        return hits[1].range_m;
+    };
+    std::unique_ptr<RangeBackend> present = make_depth_backend(scene);
+    EXPECT_NEAR(range_m(*present), 2.0, range_tolerance_m);
+    for (int round = 0; round < 3; ++round) {
+        std::unique_ptr<RangeBackend> next;
+        std::thread([&] {
+            next = make_depth_backend(scene);
+            next->leave_thread();
+        }).join();
+        EXPECT_NEAR(range_m(*present), 2.0, range_tolerance_m) << round;
+        EXPECT_NEAR(range_m(*next), 2.0, range_tolerance_m) << round;
+        present->leave_thread();
+        std::thread([old = std::move(present)]() mutable { old.reset(); }).join();
+        present = std::move(next);
+        EXPECT_NEAR(range_m(*present), 2.0, range_tolerance_m) << round;
     }
 }
 
