@@ -11,7 +11,6 @@
 #include "daemon/load_world.h"
 #include "daemon/run_directory.h"
 #include "protocol/ideal.h"
-#include "sim/backends/registry.h"
 
 namespace scipd::daemon {
 namespace {
@@ -25,17 +24,6 @@ std::filesystem::path link_of(const RobotConfig& robot, const SensorConfig& sens
 std::string key_of(const RobotConfig& robot, const SensorConfig& sensor) {
     const std::string address = sensor.tcp->host + ":" + std::to_string(sensor.tcp->port);
     return sensor.tcp->port != 0 ? address : address + " of " + robot.name + "/" + sensor.name;
-}
-
-World::Backends make_backends(const Config& config, const sim::SharedScene& scene) {
-    World::Backends backends;
-    for (const RobotConfig& robot : config.robots) {
-        for (const SensorConfig& sensor : robot.sensors) {
-            auto& backend = backends[sensor.backend];
-            if (!backend) backend = sim::make_backend(sensor.backend, scene);
-        }
-    }
-    return backends;
 }
 
 std::string state_of(const Device& device) {
@@ -55,18 +43,12 @@ std::optional<LatenessStatus> summary_of(const Lateness& lateness) {
 
 }  // namespace
 
-FleetPlan make_plan(Config config) {
-    sim::LoadedScene loaded = load_world(config);
-    World::Backends backends = make_backends(config, loaded.scene);
-    return {std::move(config), std::move(loaded), std::move(backends)};
-}
-
 Fleet::Fleet(const boost::asio::any_io_executor& executor, ClockKind clock)
     : executor_(executor),
       wall_clock_(executor),
       lockstep_(clock == ClockKind::poses ? std::make_unique<Lockstep>(executor) : nullptr),
       clock_(lockstep_ ? static_cast<Clock&>(lockstep_->clock()) : wall_clock_),
-      editor_(world_, loader_, load_world_file),
+      editor_(world_, loader_, load_world_file, [this] { return backend_wishes(); }),
       loader_(executor) {
     world_.on_placed([this] {
         for (const auto& station : stations_)
@@ -83,7 +65,7 @@ void Fleet::apply(FleetPlan&& plan) {
     for (const std::string& warning : loaded.warnings)
         spdlog::warn("{}", warning);
     editor_.set_file(config.scene);
-    loader_.discard(std::make_shared<World::Backends>(
+    loader_.discard(std::make_shared<SensorBackends>(
         world_.replace_scene(std::move(loaded.scene), std::move(backends))));
     std::map<std::string, RobotStart> robots;
     for (const RobotConfig& robot : config.robots)
@@ -92,6 +74,41 @@ void Fleet::apply(FleetPlan&& plan) {
     replace_stations(config, ports);
     ports_ = std::move(ports);
     replace_feeds(std::move(feeds));
+}
+
+std::vector<BackendWish> Fleet::backend_wishes() const {
+    const ClockKind clock = lockstep_ ? ClockKind::poses : ClockKind::wall;
+    std::vector<BackendWish> wishes;
+    for (const auto& station : stations_) {
+        const sim::Pose pose = world_.robot(station->robot)->at(clock_.now());
+        wishes.push_back(backend_wish(station->robot, station->config, pose, clock));
+        wishes.back().settled = world_.choice_of(wishes.back().sensor);
+    }
+    return wishes;
+}
+
+void Fleet::choose_backends() {
+    const auto open = [](const auto& station) { return station->config.backend == "auto"; };
+    if (lockstep_ || std::ranges::none_of(stations_, open)) return;
+    loader_.add([this]() -> Loader::Work {
+        std::vector<BackendWish> wishes = backend_wishes();
+        for (BackendWish& wish : wishes)
+            wish.settled = nullptr;
+        return [this, wishes = std::move(wishes), scene = world_.scene()]() -> Loader::Finish {
+            const auto chosen = std::make_shared<SensorBackends>();
+            try {
+                *chosen = make_backends(wishes, scene);
+            } catch (const std::runtime_error& error) {
+                return [why = std::string(error.what())] {
+                    spdlog::warn("backends stay as they are: {}", why);
+                };
+            }
+            return [this, chosen] {
+                *chosen = world_.replace_backends(std::move(*chosen));
+                loader_.discard(chosen);
+            };
+        };
+    });
 }
 
 void Fleet::stop() {
@@ -228,13 +245,17 @@ Status Fleet::status() const {
 
 SensorStatus Fleet::status_of(const Station& station) const {
     const Device& device = *station.device;
-    SensorStatus status{.name = station.robot + "/" + station.config.name,
-                        .model = device.profile().name,
-                        .backend = std::string(world_.backend_name(station.config.backend)),
-                        .state = state_of(device),
-                        .scans = device.scans_sent(),
-                        .lost = station.loop->missed() + station.tap->lost(),
-                        .lateness = summary_of(device.lateness())};
+    const std::string name = station.robot + "/" + station.config.name;
+    const BackendChoice& choice = *world_.choice_of(name);
+    SensorStatus status{
+        .name = name,
+        .model = device.profile().name,
+        .backend = choice.backend,
+        .backend_reason = choice.reason.empty() ? std::optional<std::string>() : choice.reason,
+        .state = state_of(device),
+        .scans = device.scans_sent(),
+        .lost = station.loop->missed() + station.tap->lost(),
+        .lateness = summary_of(device.lateness())};
     if (station.tcp) {
         status.tcp = station.tcp->address();
         status.clients += station.tcp->connected() ? 1 : 0;

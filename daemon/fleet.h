@@ -28,22 +28,11 @@
 #include "daemon/device/device.h"
 #include "daemon/device/scan_loop.h"
 #include "daemon/device/wall_clock.h"
+#include "daemon/fleet_plan.h"
 #include "daemon/link/pty_port.h"
 #include "daemon/link/tcp_port.h"
-#include "sim/loaders/loaded_scene.h"
 
 namespace scipd::daemon {
-
-/// A configuration with its world loaded and ready to be cast into.
-struct FleetPlan {
-    Config config;
-    sim::LoadedScene loaded;
-    World::Backends backends;
-};
-
-/// What of a change takes time: touches nothing that runs, so that any thread may do it. Throws
-/// LoadError.
-FleetPlan make_plan(Config config);
 
 class Fleet : public Api {
   public:
@@ -53,6 +42,8 @@ class Fleet : public Api {
     /// all is as before.
     void apply(FleetPlan&& plan);
     void apply(const Config& config) { apply(make_plan(config)); }
+    /// Settles by measuring, in a while, which backends cast for sensors that leave it open.
+    void choose_backends();
     void stop();
     /// Where worlds are loaded, one after the other.
     [[nodiscard]] Loader& loader() { return loader_; }
@@ -110,6 +101,8 @@ class Fleet : public Api {
                                                     const Ports& ports);
     void replace_feeds(std::vector<Feed> feeds);
     [[nodiscard]] SensorStatus status_of(const Station& station) const;
+    /// Of all sensors, as they are now.
+    [[nodiscard]] std::vector<BackendWish> backend_wishes() const;
 
     boost::asio::any_io_executor executor_;
     WallClock wall_clock_;

@@ -53,6 +53,7 @@ Server::Server(Options options)
     control_.listen(control_socket(options_.config));
     if (options_.config.http) http_ = text_of(control_.listen(*options_.config.http));
     fleet_.apply(options_.config);
+    fleet_.choose_backends();
     wait_for_signal();
 }
 
@@ -98,7 +99,7 @@ void Server::reload() {
     fleet_.loader().add([this, file = *options_.config_file] {
         return [this, file]() -> Loader::Finish {
             const auto task = std::make_shared<std::packaged_task<FleetPlan()>>(
-                [&file] { return make_plan(load_config(file)); });
+                [&file] { return make_plan(load_config(file), AutoBackend::measured); });
             (*task)();
             return [this, task] { take_up(task->get_future()); };
         };

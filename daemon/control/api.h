@@ -33,10 +33,11 @@ struct LatenessStatus {
 };
 
 struct SensorStatus {
-    std::string name;                ///< "rescue/front"
-    std::string model;               ///< "UST-10LX"
-    std::string backend;             ///< what casts, never "auto"
-    std::string state;               ///< "idle", "measuring", ..
+    std::string name;                           ///< "rescue/front"
+    std::string model;                          ///< "UST-10LX"
+    std::string backend;                        ///< what casts, never "auto"
+    std::optional<std::string> backend_reason;  ///< what "auto" was settled by
+    std::string state;                          ///< "idle", "measuring", ..
     std::optional<std::string> tcp;  ///< "127.0.0.1:10940", the port that was really taken
     std::optional<std::string> pty;  ///< the link
     std::uint64_t clients = 0;       ///< connected now

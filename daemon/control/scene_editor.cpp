@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "sim/backends/registry.h"
 #include "sim/loaders/load_error.h"
 
 namespace scipd::daemon {
@@ -18,7 +17,7 @@ namespace scipd::daemon {
 struct SceneEditor::Next {
     std::filesystem::path file;
     sim::SharedScene scene;
-    World::Backends backends;
+    SensorBackends backends;
     std::set<std::string> placed_anew;  ///< models that are where the scene has them
     std::vector<std::string> warnings;
 };
@@ -82,7 +81,7 @@ Edited edited(const RemoveModel& edit, const Present& present, const SceneEditor
 void SceneEditor::edit(SceneEdit edit, EditDone done) {
     loader_.add([this, edit = std::move(edit), done = std::move(done)]() -> Loader::Work {
         return [this, edit, done, load = load_, present = Present{file_, world_.scene()},
-                names = world_.backend_names()]() -> Loader::Finish {
+                wishes = wishes_()]() -> Loader::Finish {
             const auto refused = [&](Result result, std::vector<std::string> why) {
                 return [done, outcome = EditOutcome{result, std::move(why)}] { done(outcome); };
             };
@@ -90,9 +89,11 @@ void SceneEditor::edit(SceneEdit edit, EditDone done) {
                 Edited now = std::visit(
                     [&](const auto& wanted) { return edited(wanted, present, load); }, edit);
                 const auto next = std::make_shared<Next>();
-                *next = {now.file, now.scene, {}, {}, std::move(now.warnings)};
-                for (const std::string& name : names)
-                    next->backends[name] = sim::make_backend(name, now.scene);
+                *next = {now.file,
+                         now.scene,
+                         make_backends(wishes, now.scene),
+                         {},
+                         std::move(now.warnings)};
                 for (const sim::Model& model : now.added->models)
                     next->placed_anew.insert(model.name);
                 return [this, next, done] {
@@ -112,7 +113,7 @@ void SceneEditor::edit(SceneEdit edit, EditDone done) {
 
 void SceneEditor::take_up(Next& next) {
     file_ = next.file;
-    loader_.discard(std::make_shared<World::Backends>(
+    loader_.discard(std::make_shared<SensorBackends>(
         world_.replace_scene(std::move(next.scene), std::move(next.backends), next.placed_anew)));
 }
 

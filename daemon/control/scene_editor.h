@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <utility>
+#include <vector>
 
 #include "daemon/control/loader.h"
 #include "daemon/control/scene_edit.h"
@@ -20,10 +21,12 @@ class SceneEditor {
   public:
     /// Loads a world; on the loader's thread. Throws LoadError.
     using LoadFile = std::function<sim::LoadedScene(const std::filesystem::path&)>;
+    /// What the sensors ask for at present.
+    using Wishes = std::function<std::vector<BackendWish>()>;
 
     /// `world` and `loader` must outlive it.
-    SceneEditor(World& world, Loader& loader, LoadFile load)
-        : world_(world), loader_(loader), load_(std::move(load)) {}
+    SceneEditor(World& world, Loader& loader, LoadFile load, Wishes wishes)
+        : world_(world), loader_(loader), load_(std::move(load)), wishes_(std::move(wishes)) {}
 
     /// The world has been loaded from there by somebody else.
     void set_file(std::filesystem::path file) { file_ = std::move(file); }
@@ -40,6 +43,7 @@ class SceneEditor {
     World& world_;
     Loader& loader_;
     LoadFile load_;
+    Wishes wishes_;
     std::filesystem::path file_;
 };
 

@@ -27,11 +27,17 @@ Json to_json(const std::optional<LatenessStatus>& lateness) {
 }
 
 Json to_json(const SensorStatus& sensor) {
-    return {{"name", sensor.name},        {"model", sensor.model},
-            {"backend", sensor.backend},  {"state", sensor.state},
-            {"tcp", or_null(sensor.tcp)}, {"pty", or_null(sensor.pty)},
-            {"clients", sensor.clients},  {"scans", sensor.scans},
-            {"lost", sensor.lost},        {"lateness_ms", to_json(sensor.lateness)}};
+    return {{"name", sensor.name},
+            {"model", sensor.model},
+            {"backend", sensor.backend},
+            {"backend_reason", or_null(sensor.backend_reason)},
+            {"state", sensor.state},
+            {"tcp", or_null(sensor.tcp)},
+            {"pty", or_null(sensor.pty)},
+            {"clients", sensor.clients},
+            {"scans", sensor.scans},
+            {"lost", sensor.lost},
+            {"lateness_ms", to_json(sensor.lateness)}};
 }
 
 Json to_json(const std::vector<SensorStatus>& sensors) {

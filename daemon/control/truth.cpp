@@ -32,6 +32,10 @@ Json steps_of(const WireScan& sent) {
     return steps;
 }
 
+Json reason_of(const BackendChoice& backend) {
+    return backend.reason.empty() ? Json(nullptr) : Json(backend.reason);
+}
+
 /// One element a hit.
 template <class Tell>
 Json of_hits(const sim::Scan& scan, Tell tell) {
@@ -51,6 +55,8 @@ Json truth_document(const std::string& sensor, const ScanRecord& record) {
         {"scan", cast.revolution},
         {"time_s", seconds(cast.start)},
         {"stamp_ms", record.stamp_ms},
+        {"backend", record.backend->backend},
+        {"backend_reason", reason_of(*record.backend)},
         {"poses", poses_of(cast)},
         {"steps", steps_of(record.sent)},
         {"true_m", of_hits(cast, [](const sim::Hit& hit) { return rounded(hit.range_m); })},

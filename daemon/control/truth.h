@@ -11,7 +11,7 @@
 
 namespace scipd::daemon {
 
-/// {"sensor","scan","time_s","stamp_ms","poses":[{"time_s","xyz","q"}],"steps","true_m","object",
+/// {"sensor","scan","time_s","stamp_ms","backend","backend_reason","poses":[{"time_s","xyz","q"}],"steps","true_m","object",
 /// "material","incidence_rad","sent_mm","intensity"}: a pose for each fan that was cast, the others
 /// an element a step; null where nothing is hit.
 Json truth_document(const std::string& sensor, const ScanRecord& record);

@@ -44,10 +44,10 @@ double movement_m(const sim::Pose& from, const sim::Pose& to, double radius_m) {
 
 }  // namespace
 
-World::Backends World::replace_scene(sim::SharedScene scene, Backends backends,
-                                     const std::set<std::string>& placed_anew) {
+SensorBackends World::replace_scene(sim::SharedScene scene, SensorBackends backends,
+                                    const std::set<std::string>& placed_anew) {
     scene_ = std::move(scene);
-    Backends old = std::exchange(backends_, std::move(backends));
+    SensorBackends old = replace_backends(std::move(backends));
     auto before = std::exchange(movable_, {});
     const std::vector<double> radii = radii_m(*scene_);
     for (sim::ModelId id = 0; id < scene_->models.size(); ++id) {
@@ -65,11 +65,12 @@ World::Backends World::replace_scene(sim::SharedScene scene, Backends backends,
     return old;
 }
 
-std::vector<std::string> World::backend_names() const {
-    std::vector<std::string> names;
-    for (const auto& [name, backend] : backends_)
-        names.push_back(name);
-    return names;
+SensorBackends World::replace_backends(SensorBackends backends) {
+    SensorBackends old = std::exchange(backends_, std::move(backends));
+    old.leave_thread();
+    for (auto& [name, model] : movable_)
+        model.placed = model.start;
+    return old;
 }
 
 void World::set_robots(const std::map<std::string, RobotStart>& robots) {
@@ -159,15 +160,14 @@ bool World::poses_known(sim::Time until) const {
                                 [&](const auto& model) { return expected(model.second.path()); });
 }
 
-sim::RangeBackend& World::backend_at(std::string_view name, sim::Time time) {
-    for (auto& [model_name, model] : movable_) {
+sim::RangeBackend& World::backend_at(std::string_view sensor, sim::Time time) {
+    for (auto& [name, model] : movable_) {
         const sim::Pose pose = model.path().at(time);
         if (pose == model.placed) continue;
-        for (const auto& [backend_name, backend] : backends_)
-            backend->move(model.id, pose);
+        backends_.move(model.id, pose);
         model.placed = pose;
     }
-    return *backends_.find(name)->second;
+    return backends_.of(sensor);
 }
 
 double World::parts(sim::Time from, sim::Time to) const {

@@ -8,7 +8,6 @@
 
 #include <functional>
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -16,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "daemon/control/sensor_backends.h"
 #include "sim/backends/range_backend.h"
 #include "sim/time.h"
 #include "sim/world/pose.h"
@@ -44,13 +44,14 @@ struct Placement {
 
 class World {
   public:
-    using Backends = std::map<std::string, std::unique_ptr<sim::RangeBackend>, std::less<>>;
-
     /// Another scene in place of this one, with the backends made for it. Robots stay where they
     /// are; movable models start where the new scene has them, unless they were there before,
-    /// started at the same place and are not placed anew. Answers with the backends of before.
-    Backends replace_scene(sim::SharedScene scene, Backends backends,
-                           const std::set<std::string>& placed_anew = {});
+    /// started at the same place and are not placed anew. Answers with the backends of before,
+    /// which are bound to no thread.
+    SensorBackends replace_scene(sim::SharedScene scene, SensorBackends backends,
+                                 const std::set<std::string>& placed_anew = {});
+    /// Others for the same scene.
+    SensorBackends replace_backends(SensorBackends backends);
     [[nodiscard]] const sim::SharedScene& scene() const { return scene_; }
 
     /// The robots are these from now on; one that was there before stays where it is unless it is
@@ -79,13 +80,12 @@ class World {
     /// ones nothing is expected.
     [[nodiscard]] bool poses_known(sim::Time until) const;
 
-    [[nodiscard]] std::vector<std::string> backend_names() const;
-    /// What a name that a user gave stands for: "auto" for one of the others.
-    [[nodiscard]] std::string_view backend_name(std::string_view name) const {
-        return backends_.find(name)->second->name();
+    /// What casts for a sensor, "robot/sensor".
+    [[nodiscard]] const SharedChoice& choice_of(std::string_view sensor) const {
+        return backends_.choice_of(sensor);
     }
-    /// One of those that came with the scene, with every movable model where it is at `time`.
-    [[nodiscard]] sim::RangeBackend& backend_at(std::string_view name, sim::Time time);
+    /// The same, with every movable model where it is at `time`.
+    [[nodiscard]] sim::RangeBackend& backend_at(std::string_view sensor, sim::Time time);
     /// Into how many equal parts this time falls so that no point of a movable model moves more
     /// than a millimetre within one.
     [[nodiscard]] double parts(sim::Time from, sim::Time to) const;
@@ -115,7 +115,7 @@ class World {
     sim::SharedScene scene_;
     std::map<std::string, Robot, std::less<>> robots_;
     std::map<std::string, MovableModel, std::less<>> movable_;
-    Backends backends_;
+    SensorBackends backends_;
     std::function<void()> on_placed_;
 };
 

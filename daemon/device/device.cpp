@@ -155,6 +155,7 @@ const ScanRecord& Device::measure(std::int64_t revolution) {
     const protocol::Turn now = turn(revolution);
     ScanRecord record{.stamp_ms = protocol::timestamp_ms(now.start, state_.clock_zero()),
                       .scene = sweep_.scene(),
+                      .backend = sweep_.backend(),
                       .front_step = optics.front_step,
                       .steps_per_turn = optics.steps_per_turn};
     record.cast = sweep_.measure(revolution, device_clock_.world_time(now.start), fired);

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 
+#include "daemon/control/sensor_backends.h"
 #include "daemon/device/bridge.h"
 #include "sim/sensor/scan.h"
 #include "sim/world/scene.h"
@@ -23,6 +24,7 @@ struct ScanRecord {
     WireScan sent;
     std::uint32_t stamp_ms = 0;  ///< what the wire says of its time
     sim::SharedScene scene;      ///< that it was cast into: what its ids mean
+    SharedChoice backend;        ///< what cast it
     int front_step = 0;
     int steps_per_turn = 0;
 };

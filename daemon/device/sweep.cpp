@@ -25,8 +25,8 @@ int middle(const sim::SensorSpec& optics, const sim::Beams& beams) {
 Sweep::Sweep(World& world, std::string robot, const SensorConfig& config, sim::Scanner scanner)
     : world_(world),
       robot_(std::move(robot)),
+      name_(robot_ + "/" + config.name),
       robot_from_sensor_(config.robot_from_sensor),
-      backend_(config.backend),
       motion_(config.motion),
       sees_body_(config.sees_body),
       scanner_(std::move(scanner)) {}
@@ -47,7 +47,7 @@ sim::SharedScan Sweep::measure(std::int64_t revolution, sim::Time start, const F
     scan.posed_at = std::move(times);
     const sim::ModelId unseen = sees_body_ ? sim::no_model : world_.body_of(robot_);
     for (const Part& part : parts(fired))
-        scanner_.cast(world_.backend_at(backend_, part.time), scan, part.beams, unseen);
+        scanner_.cast(world_.backend_at(name_, part.time), scan, part.beams, unseen);
     scanner_.read(scan);
     return std::make_shared<const sim::Scan>(std::move(scan));
 }

@@ -30,6 +30,7 @@ class Sweep {
     [[nodiscard]] bool poses_known(sim::Time until) const { return world_.poses_known(until); }
     /// What it would be cast into now.
     [[nodiscard]] const sim::SharedScene& scene() const { return world_.scene(); }
+    [[nodiscard]] const SharedChoice& backend() const { return world_.choice_of(name_); }
     [[nodiscard]] sim::SharedScan measure(std::int64_t revolution, sim::Time start,
                                           const Fired& fired) const;
 
@@ -47,8 +48,8 @@ class Sweep {
 
     World& world_;
     std::string robot_;
+    std::string name_;  ///< "robot/sensor"
     sim::Pose robot_from_sensor_;
-    std::string backend_;
     std::optional<int> motion_;
     bool sees_body_;
     sim::Scanner scanner_;

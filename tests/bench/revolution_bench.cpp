@@ -17,8 +17,8 @@
 #include "daemon/device/device.h"
 #include "daemon/device/stepped_clock.h"
 #include "daemon/models/registry.h"
-#include "sim/backends/registry.h"
 #include "sim/loaders/sdf.h"
+#include "tests/support/one_backend.h"
 
 namespace {
 
@@ -44,9 +44,7 @@ class Revolutions {
   public:
     explicit Revolutions(sim::Accuracy accuracy) {
         sim::SharedScene scene = sim::load_sdf(SCIPD_SCENES "/rescue_maze.sdf").scene;
-        daemon::World::Backends backends;
-        backends["auto"] = sim::make_backend("auto", scene);
-        world_.replace_scene(scene, std::move(backends));
+        world_.replace_scene(scene, daemon::one_backend(scene));
         world_.set_robots({{"robot", {turning_at(0s)}}});
         device_.emplace("robot", scanner(accuracy), 1, world_, clock_);
         client_.emplace(*device_, [] {});

@@ -118,6 +118,7 @@ Status busy_status() {
     front.name = "rescue/front";
     front.model = "UST-10LX";
     front.backend = "embree";
+    front.backend_reason = "embree takes 0.030 ms, depth takes 0.600 ms";
     front.state = "measuring";
     front.tcp = "127.0.0.1:10940";
     front.clients = 1;
@@ -142,11 +143,12 @@ Status busy_status() {
 }
 
 constexpr const char* front_text =
-    R"({"name":"rescue/front","model":"UST-10LX","backend":"embree","state":"measuring",)"
+    R"({"name":"rescue/front","model":"UST-10LX","backend":"embree",)"
+    R"("backend_reason":"embree takes 0.030 ms, depth takes 0.600 ms","state":"measuring",)"
     R"("tcp":"127.0.0.1:10940","pty":null,"clients":1,"scans":4000,"lost":2,)"
     R"("lateness_ms":{"p50":0.125,"p99":0.5,"max":2.0}})";
 constexpr const char* rear_text =
-    R"({"name":"rescue/rear","model":"URG-04LX","backend":"reference","state":"idle",)"
+    R"({"name":"rescue/rear","model":"URG-04LX","backend":"reference","backend_reason":null,"state":"idle",)"
     R"("tcp":null,"pty":"/run/scipd/rear","clients":0,"scans":0,"lost":0,)"
     R"("lateness_ms":{"p50":null,"p99":null,"max":null}})";
 

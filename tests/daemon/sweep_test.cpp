@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/daemon/wall_world.h"
+#include "tests/support/one_backend.h"
 
 namespace scipd::daemon {
 namespace {
@@ -34,9 +35,7 @@ sim::Time fired(int step) {
 World world_of(const sim::SceneBuilder& scene) {
     World world;
     const sim::SharedScene built = scene.build();
-    World::Backends backends;
-    backends["auto"] = sim::make_backend("auto", built);
-    world.replace_scene(built, std::move(backends));
+    world.replace_scene(built, one_backend(built, {"robot/scanner", "other/scanner"}));
     return world;
 }
 

@@ -17,6 +17,7 @@
 #include "daemon/device/stepped_clock.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/empty_api.h"
+#include "tests/support/one_backend.h"
 
 namespace scipd::daemon {
 namespace {
@@ -135,9 +136,7 @@ TEST_F(TruthTest, KeepsTheNamesOfTheirWorld) {
                                        .add(sim::Box{{1, 1, 1}}, {{-9, 0, 0}, {1, 0, 0, 0}})
                                        .add(sim::Box{{1, 1, 1}}, {{2.5, 0, 0}, {1, 0, 0, 0}})
                                        .build();
-    World::Backends backends;
-    backends["auto"] = sim::make_backend("auto", other);
-    world_.replace_scene(other, std::move(backends));
+    world_.replace_scene(other, one_backend(other));
     EXPECT_EQ(truth()["object"][540], "object 0");
     turn();
     EXPECT_EQ(truth()["object"][540], "object 1");

@@ -13,7 +13,7 @@
 #include "daemon/config/config.h"
 #include "daemon/control/world.h"
 #include "daemon/models/registry.h"
-#include "sim/backends/registry.h"
+#include "tests/support/one_backend.h"
 #include "tests/support/scene_builder.h"
 
 namespace scipd::daemon {
@@ -27,10 +27,8 @@ inline World wall_world() {
             .movable(sim::pose_from_rpy({20, 0, 0}, {0, 0, 0}))
             .with(sim::Box{{1.0, 1.0, 1.0}}, {})
             .build();
-    World::Backends backends;
-    backends["auto"] = sim::make_backend("auto", scene);
     World world;
-    world.replace_scene(scene, std::move(backends));
+    world.replace_scene(scene, one_backend(scene));
     world.set_robots({{"robot", {}}});
     return world;
 }

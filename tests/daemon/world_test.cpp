@@ -6,6 +6,7 @@
 
 #include "sim/backends/fan.h"
 #include "tests/daemon/wall_world.h"
+#include "tests/support/one_backend.h"
 
 namespace scipd::daemon {
 namespace {
@@ -20,6 +21,16 @@ class WorldTest : public testing::Test {
   protected:
     [[nodiscard]] double robot_x(sim::Time time) const {
         return world_.robot("robot")->at(time).translation_m.x;
+    }
+
+    float ahead_m(sim::Time time) {
+        const sim::Pose here;
+        const glm::vec3 ahead(1, 0, 0);
+        sim::Hit hit;
+        world_.backend_at("robot/scanner", time)
+            .cast({.directions = {&ahead, 1}, .world_from_sensor = {&here, 1}, .max_range_m = 50},
+                  {&hit, 1});
+        return hit.range_m;
     }
 
     World world_ = wall_world();
@@ -68,15 +79,6 @@ TEST_F(WorldTest, KeepsRobotsWhereTheyAreUnlessTheirStartIsAnother) {
 }
 
 TEST_F(WorldTest, ShowsMovableModelsWhereTheyAreAtThatTime) {
-    const auto ahead_m = [&](sim::Time time) {
-        const sim::Pose here;
-        const glm::vec3 ahead(1, 0, 0);
-        sim::Hit hit;
-        world_.backend_at("auto", time)
-            .cast({.directions = {&ahead, 1}, .world_from_sensor = {&here, 1}, .max_range_m = 50},
-                  {&hit, 1});
-        return hit.range_m;
-    };
     EXPECT_FLOAT_EQ(ahead_m(0s), 4.0F);
     EXPECT_FALSE(world_.place_model("model 1", {1s, at_x(2.5)}));
     EXPECT_FALSE(world_.place_model("model 1", {2s, at_x(3.5)}));
@@ -135,14 +137,16 @@ TEST_F(WorldTest, TellsWhenSomethingHasBeenPlaced) {
 TEST_F(WorldTest, KeepsModelsWhereTheyAreInASceneThatHasThemToo) {
     EXPECT_FALSE(world_.place_model("model 1", {1s, at_x(2.5)}));
     const sim::SharedScene scene = world_.scene();
-    World::Backends backends;
-    backends["auto"] = sim::make_backend("auto", scene);
-    world_.replace_scene(scene, std::move(backends));
+    world_.replace_scene(scene, one_backend(scene));
     EXPECT_DOUBLE_EQ(world_.model("model 1")->at(1s).translation_m.x, 2.5);
 }
 
-TEST_F(WorldTest, NamesTheBackendThatAutoStandsFor) {
-    EXPECT_EQ(world_.backend_name("auto"), "embree");
+// As at the start, when others follow those that were there at once.
+TEST_F(WorldTest, ShowsOtherBackendsWhereModelsAreNow) {
+    EXPECT_FALSE(world_.place_model("model 1", {1s, at_x(2.5)}));
+    const float before_m = ahead_m(1s);
+    world_.replace_backends(one_backend(world_.scene()));
+    EXPECT_EQ(ahead_m(1s), before_m);
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ class AnyName : public tests::EmptyApi {
         record->sent.distance = {1};
         record->sent.intensity = {0};
         record->scene = scene().scene;
+        record->backend = std::make_shared<const daemon::BackendChoice>();
         log_.add(record);
     }
 

@@ -26,13 +26,16 @@ ControlStandIn::ControlStandIn(std::vector<std::string> robots, std::string cloc
     scan.world_from_sensor = {{}};
     scan.posed_at = {scan.start};
     scan.hits = {{1.5F, 1.0F, 1, 0}, {}};
-    log_.add(std::make_shared<const daemon::ScanRecord>(
-        daemon::ScanRecord{std::make_shared<const sim::Scan>(scan),
-                           {.first_step = 44, .distance = {1500, 1}, .intensity = {900, 0}},
-                           2000,
-                           scene_,
-                           384,
-                           1024}));
+    daemon::ScanRecord record;
+    record.cast = std::make_shared<const sim::Scan>(scan);
+    record.sent = {.first_step = 44, .distance = {1500, 1}, .intensity = {900, 0}};
+    record.stamp_ms = 2000;
+    record.scene = scene_;
+    record.backend = std::make_shared<const daemon::BackendChoice>(
+        daemon::BackendChoice{"embree", "embree takes 0.030 ms, depth takes 0.600 ms", 12});
+    record.front_step = 384;
+    record.steps_per_turn = 1024;
+    log_.add(std::make_shared<const daemon::ScanRecord>(std::move(record)));
     for (std::string& robot : robots)
         poses_[std::move(robot)] = {};
     server_.listen(socket());

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/fleet_plan.h"
+
+#include <utility>
+
+#include "daemon/load_world.h"
+#include "sim/sensor/beam_pattern.h"
+
+namespace scipd::daemon {
+
+BackendWish backend_wish(const std::string& robot, const SensorConfig& sensor,
+                         const sim::Pose& world_from_robot, ClockKind clock) {
+    const sim::SensorSpec& optics = sensor.model.optics;
+    const sim::BeamPattern pattern(optics);
+    BackendWish wish{.sensor = robot + "/" + sensor.name,
+                     .backend = sensor.backend,
+                     .depth = sensor.depth,
+                     .directions = {pattern.directions().begin(), pattern.directions().end()},
+                     .poses = sensor.motion.value_or(optics.beams()),
+                     .world_from_sensor = world_from_robot * sensor.robot_from_sensor,
+                     .max_range_m = static_cast<float>(optics.max_range_m)};
+    if (clock == ClockKind::poses)
+        wish.settled = rays_unmeasured("in lockstep two runs have to be the same");
+    return wish;
+}
+
+FleetPlan make_plan(Config config, AutoBackend auto_backend) {
+    sim::LoadedScene loaded = load_world(config);
+    std::vector<BackendWish> wishes;
+    for (const RobotConfig& robot : config.robots) {
+        for (const SensorConfig& sensor : robot.sensors) {
+            BackendWish wish =
+                backend_wish(robot.name, sensor, robot.world_from_robot, config.clock);
+            if (!wish.settled && auto_backend == AutoBackend::rays)
+                wish.settled = rays_unmeasured("not measured yet");
+            wishes.push_back(std::move(wish));
+        }
+    }
+    SensorBackends backends = make_backends(wishes, loaded.scene);
+    return {std::move(config), std::move(loaded), std::move(backends)};
+}
+
+}  // namespace scipd::daemon

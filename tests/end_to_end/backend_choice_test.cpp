@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Which backend `auto` stands for, as a user is told of it: at the start, when it has been
+// measured, and in lockstep.
+#include <string>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/end_to_end/in_square_room.h"
+#include "tests/support/control_request.h"
+
+namespace scipd::tests {
+namespace {
+
+using testing::AnyOf;
+using testing::HasSubstr;
+
+std::string reason(const DaemonProcess& daemon) {
+    return daemon.sensor_status().at("backend_reason").get<std::string>();
+}
+
+TEST(BackendChoice, IsMeasuredSoonAfterTheStartAndTold) {
+    const TempDir directory;
+    const DaemonProcess daemon(directory, on_tty({}));
+    ASSERT_TRUE(eventually([&] { return reason(daemon) != "not measured yet"; }));
+    const std::string told = reason(daemon);
+    EXPECT_THAT(told, AnyOf(HasSubstr("embree takes "), HasSubstr("no depth: ")));
+    EXPECT_THAT(daemon.standard_error(), HasSubstr(told));
+
+    auto wire = ScannerWire::tty(daemon.tty());
+    ASSERT_EQ(wire.ask(stream_of_one_beam), "00");
+    (void)wire.next_scan();
+    const auto truth = daemon.get("/sensors/robot/scanner/truth");
+    EXPECT_EQ(truth.at("backend"), daemon.sensor_status().at("backend"));
+    EXPECT_EQ(truth.at("backend_reason"), told);
+}
+
+TEST(BackendChoice, IsNotMeasuredWhereOneIsAskedForByName) {
+    const TempDir directory;
+    const DaemonProcess daemon(directory, on_tty({"--backend", "reference"}));
+    EXPECT_EQ(daemon.sensor_status().at("backend"), "reference");
+    EXPECT_TRUE(daemon.sensor_status().at("backend_reason").is_null());
+}
+
+TEST(BackendChoice, IsRaysInLockstepSoThatTwoRunsAreTheSame) {
+    const TempDir directory;
+    const DaemonProcess daemon(directory, on_tty({"--clock", "poses", "--poses", "-"}));
+    EXPECT_EQ(daemon.sensor_status().at("backend"), "embree");
+    EXPECT_THAT(reason(daemon), HasSubstr("lockstep"));
+}
+
+// A scene is loaded beside the one that runs, on another thread: what draws must come along.
+TEST(BackendChoice, ADepthBufferSeesAModelThatIsAdded) {
+    const TempDir directory;
+    const DaemonProcess daemon(directory, on_tty({"--backend", "depth", "--accuracy", "ideal"}));
+    const std::string error = daemon.standard_error();
+    if (daemon.ready_line().empty() && error.find("no depth") != std::string::npos)
+        GTEST_SKIP() << error;
+    auto wire = ScannerWire::tty(daemon.tty());
+    ASSERT_EQ(wire.ask(stream_of_one_beam), "00");
+    (void)wire.next_scan();
+    for (const std::string name : {"first", "second", "third"}) {
+        const std::string box =
+            R"(<model name='x'><link name='l'><visual name='v'><geometry><box><size>0.2 0.2 2</size></box></geometry></visual></link></model>)";
+        const nlohmann::json body{
+            {"name", name}, {"sdf", box}, {"pose", {{"xyz", {1.0, 0.0, 0.0}}}}};
+        const auto answer = control_request(daemon.control(), "POST", "/scene/models", body.dump());
+        ASSERT_EQ(answer.status, 201) << answer.body;
+        EXPECT_TRUE(eventually([&] {
+            (void)wire.next_scan();
+            const auto truth = daemon.get("/sensors/robot/scanner/truth");
+            return truth.at("object").dump().find(name) != std::string::npos;
+        })) << name;
+        const auto gone = control_request(daemon.control(), "DELETE", "/scene/models/" + name);
+        ASSERT_EQ(gone.status, 204) << gone.body;
+    }
+}
+
+}  // namespace
+}  // namespace scipd::tests

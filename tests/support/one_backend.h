@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A world's backends where nobody asks which: rays for all.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "daemon/control/sensor_backends.h"
+
+namespace scipd::daemon {
+
+inline SensorBackends one_backend(const sim::SharedScene& scene,
+                                  const std::vector<std::string>& sensors = {"robot/scanner"}) {
+    std::vector<BackendWish> wishes;
+    for (const std::string& sensor : sensors)
+        wishes.push_back({.sensor = sensor, .backend = "embree"});
+    return make_backends(wishes, scene);
+}
+
+}  // namespace scipd::daemon
