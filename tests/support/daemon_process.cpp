@@ -63,6 +63,13 @@ std::filesystem::path scene(std::string_view file) {
     return std::filesystem::path(SCIPD_SCENES) / file;
 }
 
+bool can_draw() {
+    const TempDir directory;
+    DaemonProcess probe(directory, {"--probe"});
+    probe.wait();
+    return probe.standard_output().find("self-test   passed") != std::string::npos;
+}
+
 DaemonProcess::DaemonProcess(const TempDir& directory, std::vector<std::string> arguments)
     : directory_(directory.path()), error_file_(new_error_file(directory_)) {
     arguments.insert(arguments.begin(), SCIPD_PROGRAM);

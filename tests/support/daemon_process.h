@@ -25,6 +25,9 @@ namespace scipd::tests {
 /// Where the scenes of the sources are.
 std::filesystem::path scene(std::string_view file);
 
+/// Whether scipd has a depth backend here: `scipd --probe` says that the self-test has passed.
+bool can_draw();
+
 class DaemonProcess {
   public:
     /// Starts scipd with these arguments and `directory` as the parent of its run directory; waits
