@@ -218,7 +218,7 @@ void Fleet::replace_feeds(std::vector<Feed> feeds) {
 Status Fleet::status() const {
     Status status{.uptime = wall_clock_.now(),
                   .clock = lockstep_ ? "poses" : "wall",
-                  .time = lockstep_ ? lockstep_->stamp() : clock_.now(),
+                  .time = clock_.origin() + clock_.now(),
                   .scene = editor_.file()};
     status.poses = {intake_.accepted(), intake_.refused(), intake_.last_refusal()};
     for (const auto& station : stations_)
@@ -252,7 +252,7 @@ std::optional<sim::TimedPose> Fleet::robot_pose(const std::string& robot) const 
     const sim::PoseTrack* track = world_.robot(robot);
     if (track == nullptr) return std::nullopt;
     const sim::Time now = clock_.now();
-    return sim::TimedPose{now, track->at(now)};
+    return sim::TimedPose{clock_.origin() + now, track->at(now)};
 }
 
 std::optional<std::string> Fleet::set_robot_pose(const std::string& robot,

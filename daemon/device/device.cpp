@@ -156,7 +156,8 @@ const ScanRecord& Device::measure(std::int64_t revolution) {
     ScanRecord record{.stamp_ms = protocol::timestamp_ms(now.start, state_.clock_zero()),
                       .scene = sweep_.scene(),
                       .front_step = optics.front_step,
-                      .steps_per_turn = optics.steps_per_turn};
+                      .steps_per_turn = optics.steps_per_turn,
+                      .origin = clock_.origin()};
     record.cast = sweep_.measure(revolution, device_clock_.world_time(now.start), fired);
     record.sent = to_wire(*record.cast, now, optics, profile_);
     record_ = std::make_shared<const ScanRecord>(std::move(record));
