@@ -7,7 +7,6 @@
 
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/mesh_file.h"
-#include "sim/loaders/submesh.h"
 
 namespace scipd::sim {
 
