@@ -66,7 +66,7 @@ Fleet::Fleet(const boost::asio::any_io_executor& executor, ClockKind clock)
       wall_clock_(executor),
       lockstep_(clock == ClockKind::poses ? std::make_unique<Lockstep>(executor) : nullptr),
       clock_(lockstep_ ? static_cast<Clock&>(lockstep_->clock()) : wall_clock_),
-      editor_(world_, loader_, load_world_file),
+      editor_(world_, loader_),
       loader_(executor) {
     world_.on_placed([this] {
         for (const auto& station : stations_)
@@ -82,7 +82,7 @@ void Fleet::apply(FleetPlan&& plan) {
     // From here on nothing can fail.
     for (const std::string& warning : loaded.warnings)
         spdlog::warn("{}", warning);
-    editor_.set_file(config.scene);
+    editor_.set_file(config.scene, scene_options(config));
     loader_.discard(std::make_shared<World::Backends>(
         world_.replace_scene(std::move(loaded.scene), std::move(backends))));
     std::map<std::string, RobotStart> robots;

@@ -36,6 +36,7 @@ struct Refusal {
 struct Present {
     std::filesystem::path file;
     sim::SharedScene scene;
+    sim::SceneOptions options;
 };
 
 /// A scene without its backends yet.
@@ -46,18 +47,21 @@ struct Edited {
     std::vector<std::string> warnings;
 };
 
-Edited edited(const LoadWorld& edit, const Present& present, const SceneEditor::LoadFile& load) {
+Edited edited(const LoadWorld& edit, const Present& present) {
     const auto file = (present.file.parent_path() / edit.file).lexically_normal();
-    auto [scene, warnings] = load(file);
+    auto [scene, warnings] = sim::load_scene(file, present.options);
     return {file, scene, scene, std::move(warnings)};
 }
 
-sim::LoadedScene load_model(const AddModel& edit, const std::filesystem::path& folder) {
-    if (!edit.sdf.empty()) return sim::load_model_text(edit.sdf, edit.placement, folder);
+sim::LoadedScene load_model(const AddModel& edit, const Present& present) {
+    const std::filesystem::path folder = present.file.parent_path();
+    if (!edit.sdf.empty()) {
+        return sim::load_model_text(edit.sdf, edit.placement, folder, present.options.sdf);
+    }
     return sim::load_mesh_model(folder / edit.mesh, edit.placement, edit.scale, edit.material);
 }
 
-Edited edited(const AddModel& edit, const Present& present, const SceneEditor::LoadFile&) {
+Edited edited(const AddModel& edit, const Present& present) {
     sim::SharedScene scene = present.scene;
     const std::string& name = edit.placement.name;
     if (sim::find_model(*scene, name)) {
@@ -67,11 +71,11 @@ Edited edited(const AddModel& edit, const Present& present, const SceneEditor::L
         }
         scene = sim::without_model(*scene, name);
     }
-    auto [added, warnings] = load_model(edit, present.file.parent_path());
+    auto [added, warnings] = load_model(edit, present);
     return {present.file, sim::with_models(*scene, *added), added, std::move(warnings)};
 }
 
-Edited edited(const RemoveModel& edit, const Present& present, const SceneEditor::LoadFile&) {
+Edited edited(const RemoveModel& edit, const Present& present) {
     sim::SharedScene rest = sim::without_model(*present.scene, edit.name);
     if (!rest) throw Refusal{Result::unknown, "there is no model \"" + edit.name + "\""};
     return {present.file, std::move(rest), std::make_shared<const sim::Scene>(), {}};
@@ -81,22 +85,23 @@ Edited edited(const RemoveModel& edit, const Present& present, const SceneEditor
 
 void SceneEditor::edit(SceneEdit edit, EditDone done) {
     loader_.add([this, edit = std::move(edit), done = std::move(done)]() -> Loader::Work {
-        return [this, edit, done, load = load_, present = Present{file_, world_.scene()},
+        return [this, edit, done, present = Present{file_, world_.scene(), options_},
                 names = world_.backend_names()]() -> Loader::Finish {
             const auto refused = [&](Result result, std::vector<std::string> why) {
                 return [done, outcome = EditOutcome{result, std::move(why)}] { done(outcome); };
             };
             try {
-                Edited now = std::visit(
-                    [&](const auto& wanted) { return edited(wanted, present, load); }, edit);
+                Edited now =
+                    std::visit([&](const auto& wanted) { return edited(wanted, present); }, edit);
                 const auto next = std::make_shared<Next>();
                 *next = {now.file, now.scene, {}, {}, std::move(now.warnings)};
                 for (const std::string& name : names)
                     next->backends[name] = sim::make_backend(name, now.scene);
                 for (const sim::Model& model : now.added->models)
                     next->placed_anew.insert(model.name);
-                return [this, next, done] {
+                return [this, next, done, other = std::holds_alternative<LoadWorld>(edit)] {
                     take_up(*next);
+                    if (other) warn_of_lost_bodies(*next);
                     done({Result::done, next->warnings});
                 };
             } catch (const Refusal& refusal) {
@@ -114,6 +119,14 @@ void SceneEditor::take_up(Next& next) {
     file_ = next.file;
     loader_.discard(std::make_shared<World::Backends>(
         world_.replace_scene(std::move(next.scene), std::move(next.backends), next.placed_anew)));
+}
+
+void SceneEditor::warn_of_lost_bodies(Next& next) const {
+    for (const auto& [robot, body] : world_.lost_bodies()) {
+        next.warnings.push_back(file_.string() + ": has no movable model \"" + body +
+                                "\", the body of robot \"" + robot +
+                                "\", which nobody sees until one of that name is added");
+    }
 }
 
 }  // namespace scipd::daemon

@@ -6,27 +6,26 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <utility>
 
 #include "daemon/control/loader.h"
 #include "daemon/control/scene_edit.h"
 #include "daemon/control/world.h"
-#include "sim/loaders/sdf.h"
+#include "sim/loaders/scene_file.h"
 
 namespace scipd::daemon {
 
 class SceneEditor {
   public:
-    /// Loads a world; on the loader's thread. Throws LoadError.
-    using LoadFile = std::function<sim::LoadedScene(const std::filesystem::path&)>;
-
     /// `world` and `loader` must outlive it.
-    SceneEditor(World& world, Loader& loader, LoadFile load)
-        : world_(world), loader_(loader), load_(std::move(load)) {}
+    SceneEditor(World& world, Loader& loader) : world_(world), loader_(loader) {}
 
-    /// The world has been loaded from there by somebody else.
-    void set_file(std::filesystem::path file) { file_ = std::move(file); }
+    /// The world has been loaded from there by somebody else, and all that comes is to be loaded in
+    /// the same way.
+    void set_file(std::filesystem::path file, sim::SceneOptions options) {
+        file_ = std::move(file);
+        options_ = std::move(options);
+    }
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
     /// After all that was asked for before; `done` is called when it is in effect or refused.
@@ -36,11 +35,12 @@ class SceneEditor {
     struct Next;
 
     void take_up(Next& next);
+    void warn_of_lost_bodies(Next& next) const;
 
     World& world_;
     Loader& loader_;
-    LoadFile load_;
     std::filesystem::path file_;
+    sim::SceneOptions options_;
 };
 
 }  // namespace scipd::daemon
