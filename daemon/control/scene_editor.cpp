@@ -3,10 +3,12 @@
 #include "daemon/control/scene_editor.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <exception>
 #include <memory>
 #include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "sim/backends/registry.h"
@@ -55,10 +57,25 @@ Edited edited(const LoadWorld& edit, const Present& present) {
 
 sim::LoadedScene load_model(const AddModel& edit, const Present& present) {
     const std::filesystem::path folder = present.file.parent_path();
-    if (!edit.sdf.empty()) {
-        return sim::load_model_text(edit.sdf, edit.placement, folder, present.options.sdf);
+    const sim::SdfOptions options = sim::within_a_models_share(present.options.sdf);
+    if (!edit.sdf.empty()) return sim::load_model_text(edit.sdf, edit.placement, folder, options);
+    return sim::load_mesh_model(folder / edit.mesh, edit.placement, edit.scale, edit.material,
+                                options.mesh);
+}
+
+/// Models that are each small may be many.
+void check_triangles(const sim::Scene& scene, std::size_t most) {
+    std::set<sim::SharedMesh> meshes;  // each of which many objects may show
+    for (const sim::Object& object : scene.objects) {
+        const auto* mesh = std::get_if<sim::SharedMesh>(&object.shape);
+        if (mesh != nullptr) meshes.insert(*mesh);
     }
-    return sim::load_mesh_model(folder / edit.mesh, edit.placement, edit.scale, edit.material);
+    std::size_t triangles = 0;
+    for (const sim::SharedMesh& mesh : meshes)
+        triangles += mesh->triangles.size();
+    if (triangles <= most) return;
+    throw sim::LoadError(
+        {"with this one the world has more than " + std::to_string(most) + " triangles"});
 }
 
 Edited edited(const AddModel& edit, const Present& present) {
@@ -72,7 +89,9 @@ Edited edited(const AddModel& edit, const Present& present) {
         scene = sim::without_model(*scene, name);
     }
     auto [added, warnings] = load_model(edit, present);
-    return {present.file, sim::with_models(*scene, *added), added, std::move(warnings)};
+    scene = sim::with_models(*scene, *added);
+    check_triangles(*scene, present.options.sdf.most_triangles);
+    return {present.file, std::move(scene), added, std::move(warnings)};
 }
 
 Edited edited(const RemoveModel& edit, const Present& present) {
