@@ -48,7 +48,7 @@ Fleet::Fleet(const boost::asio::any_io_executor& executor, ClockKind clock)
       wall_clock_(executor),
       lockstep_(clock == ClockKind::poses ? std::make_unique<Lockstep>(executor) : nullptr),
       clock_(lockstep_ ? static_cast<Clock&>(lockstep_->clock()) : wall_clock_),
-      editor_(world_, loader_, load_world_file, [this] { return backend_wishes(); }),
+      editor_(world_, loader_, [this] { return backend_wishes(); }),
       loader_(executor) {
     world_.on_placed([this] {
         for (const auto& station : stations_)
@@ -64,7 +64,7 @@ void Fleet::apply(FleetPlan&& plan) {
     // From here on nothing can fail.
     for (const std::string& warning : loaded.warnings)
         spdlog::warn("{}", warning);
-    editor_.set_file(config.scene);
+    editor_.set_file(config.scene, scene_options(config));
     loader_.discard(std::make_shared<SensorBackends>(
         world_.replace_scene(std::move(loaded.scene), std::move(backends))));
     std::map<std::string, RobotStart> robots;
@@ -235,7 +235,7 @@ void Fleet::replace_feeds(std::vector<Feed> feeds) {
 Status Fleet::status() const {
     Status status{.uptime = wall_clock_.now(),
                   .clock = lockstep_ ? "poses" : "wall",
-                  .time = lockstep_ ? lockstep_->stamp() : clock_.now(),
+                  .time = clock_.origin() + clock_.now(),
                   .scene = editor_.file()};
     status.poses = {intake_.accepted(), intake_.refused(), intake_.last_refusal()};
     for (const auto& station : stations_)
@@ -273,7 +273,7 @@ std::optional<sim::TimedPose> Fleet::robot_pose(const std::string& robot) const 
     const sim::PoseTrack* track = world_.robot(robot);
     if (track == nullptr) return std::nullopt;
     const sim::Time now = clock_.now();
-    return sim::TimedPose{now, track->at(now)};
+    return sim::TimedPose{clock_.origin() + now, track->at(now)};
 }
 
 std::optional<std::string> Fleet::set_robot_pose(const std::string& robot,

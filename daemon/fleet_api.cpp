@@ -32,7 +32,7 @@ std::optional<sim::TimedPose> Fleet::model_pose(const std::string& model) const 
     const sim::PoseTrack* track = world_.model(model);
     if (track == nullptr) return std::nullopt;
     const sim::Time now = clock_.now();
-    return sim::TimedPose{now, track->at(now)};
+    return sim::TimedPose{clock_.origin() + now, track->at(now)};
 }
 
 std::optional<std::string> Fleet::set_model_pose(const std::string& model,

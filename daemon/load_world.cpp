@@ -8,7 +8,6 @@
 
 #include "daemon/config/demo_world.h"
 #include "sim/loaders/load_error.h"
-#include "sim/loaders/scene_file.h"
 
 namespace scipd::daemon {
 namespace {
@@ -28,10 +27,13 @@ bool moves(const sim::Scene& scene, const std::string& name) {
 
 }  // namespace
 
+sim::SceneOptions scene_options(const Config& config) {
+    return {.sdf = {.geometry = config.geometry, .model_folders = stock_models()},
+            .map = config.map};
+}
+
 sim::LoadedScene load_world(const Config& config) {
-    const sim::SceneOptions options{
-        .sdf = {.geometry = config.geometry, .model_folders = stock_models()}, .map = config.map};
-    sim::LoadedScene loaded = sim::load_scene(config.scene, options);
+    sim::LoadedScene loaded = sim::load_scene(config.scene, scene_options(config));
     std::vector<std::string> faults;
     for (const RobotConfig& robot : config.robots) {
         if (robot.body.empty() || moves(*loaded.scene, robot.body)) continue;
@@ -41,10 +43,6 @@ sim::LoadedScene load_world(const Config& config) {
     }
     if (!faults.empty()) throw sim::LoadError(std::move(faults));
     return loaded;
-}
-
-sim::LoadedScene load_world_file(const std::filesystem::path& file) {
-    return sim::load_scene(file, {.sdf = {.model_folders = stock_models()}});
 }
 
 }  // namespace scipd::daemon

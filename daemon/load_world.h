@@ -3,7 +3,7 @@
 #pragma once
 
 #include "daemon/config/config.h"
-#include "sim/loaders/loaded_scene.h"
+#include "sim/loaders/scene_file.h"
 
 namespace scipd::daemon {
 
@@ -11,7 +11,7 @@ namespace scipd::daemon {
 /// nothing that runs: any thread may do it. Throws LoadError with every fault.
 sim::LoadedScene load_world(const Config& config);
 
-/// Another one, as a configuration that says nothing more of it would have it.
-sim::LoadedScene load_world_file(const std::filesystem::path& file);
+/// How that world is loaded, and all that takes its place or is added to it.
+sim::SceneOptions scene_options(const Config& config);
 
 }  // namespace scipd::daemon

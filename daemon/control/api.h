@@ -66,7 +66,7 @@ struct SceneView {
     sim::SharedScene scene;
 };
 
-/// Nothing here throws.
+/// Times are those that people have: in lockstep the stamps of their poses. Nothing here throws.
 class Api {
   public:
     virtual ~Api() = default;

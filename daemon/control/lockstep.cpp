@@ -3,6 +3,8 @@
 #include "daemon/control/lockstep.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <utility>
 
 #include <boost/asio/post.hpp>
@@ -13,6 +15,9 @@ namespace {
 // As much is done in one go before sockets are looked at again.
 constexpr int calls_in_one_go = 64;
 
+using Seconds = std::chrono::duration<double>;
+constexpr Seconds farthest{9e9};
+
 }  // namespace
 
 Lockstep::Lockstep(boost::asio::any_io_executor executor) : executor_(std::move(executor)) {
@@ -20,9 +25,23 @@ Lockstep::Lockstep(boost::asio::any_io_executor executor) : executor_(std::move(
     clock_.on_awaited([this] { go_on(); });
 }
 
-sim::Time Lockstep::world_time(sim::Time stamp) {
-    if (!first_) first_ = stamp;
-    return stamp - *first_;
+// In floating point: two stamps may lie farther apart than a Time can tell.
+std::optional<sim::Time> Lockstep::world_time(sim::Time stamp) const {
+    const sim::Time origin = origin_with(stamp);
+    if (std::abs(Seconds(stamp).count() - Seconds(origin).count()) > farthest.count())
+        return std::nullopt;
+    return stamp - origin;
+}
+
+void Lockstep::begin_with(sim::Time stamp) {
+    clock_.set_origin(origin_with(stamp));
+    begun_ = true;
+}
+
+// A trajectory's stamps count from its own beginning: where it has led time on, that is what stamps
+// are told in already.
+sim::Time Lockstep::origin_with(sim::Time stamp) const {
+    return begun_ || clock_.now() > sim::Time{} ? clock_.origin() : stamp;
 }
 
 void Lockstep::remove(Stream stream) {

@@ -31,10 +31,11 @@ class Lockstep {
 
     [[nodiscard]] SteppedClock& clock() { return clock_; }
 
-    /// World time of a stamp. The first one of all is 0; streams share their time.
-    [[nodiscard]] sim::Time world_time(sim::Time stamp);
-    /// The stamp that is now.
-    [[nodiscard]] sim::Time stamp() const { return clock_.now() + first_.value_or(sim::Time{}); }
+    /// World time of a stamp: the first one of all is 0, and streams share their time. Nothing
+    /// where it is too far from that.
+    [[nodiscard]] std::optional<sim::Time> world_time(sim::Time stamp) const;
+    /// A pose of this stamp holds: if it is the first of all, the clock's origin.
+    void begin_with(sim::Time stamp);
 
     /// Time does not go on before this one has said so.
     void add(Stream stream) { streams_.try_emplace(stream); }
@@ -57,13 +58,14 @@ class Lockstep {
     };
 
     [[nodiscard]] sim::Time target() const;
+    [[nodiscard]] sim::Time origin_with(sim::Time stamp) const;
     void call_whoever_waits();
     void go_on();
     void work();
 
     boost::asio::any_io_executor executor_;
     SteppedClock clock_;
-    std::optional<sim::Time> first_;
+    bool begun_ = false;  ///< the clock has its origin
     std::map<Stream, Progress> streams_;
     Progress others_;
     std::vector<Call> for_caught_up_;

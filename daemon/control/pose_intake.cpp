@@ -38,10 +38,13 @@ std::optional<std::string> PoseIntake::take(const sim::PoseLine& line, std::stri
                                             SenderClock& sender, sim::Time arrival) {
     if (lockstep_ == nullptr) return take_at(sender.world_time(line.time, arrival), line, robot);
     if (!line.time) return count("t is missing: time is that of the poses");
-    const sim::Time time = lockstep_->world_time(*line.time);
-    auto refusal = take_at(time, line, robot);
-    if (!refusal) lockstep_->come_to(&sender, time, world_.has_one_mover());
-    return refusal;
+    const auto time = lockstep_->world_time(*line.time);
+    if (!time) return count("t: too far from the first one");
+    auto refusal = take_at(*time, line, robot);
+    if (refusal) return refusal;
+    lockstep_->begin_with(*line.time);
+    lockstep_->come_to(&sender, *time, world_.has_one_mover());
+    return std::nullopt;
 }
 
 std::optional<std::string> PoseIntake::take_at(sim::Time time, const sim::PoseLine& line,

@@ -19,7 +19,7 @@ Json document_of(const std::string& sensor, const ScanRecord& record) {
     const auto& poses = cast.world_from_sensor;
     return {{"sensor", sensor},
             {"scan", cast.revolution},
-            {"time_s", seconds(cast.start)},
+            {"time_s", seconds(record.told(cast.start))},
             {"stamp_ms", record.stamp_ms},
             {"pose", pose_document(poses[poses.size() / 2])},
             {"first_step", record.sent.first_step},

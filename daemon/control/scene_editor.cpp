@@ -3,10 +3,12 @@
 #include "daemon/control/scene_editor.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <exception>
 #include <memory>
 #include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "sim/loaders/load_error.h"
@@ -35,6 +37,7 @@ struct Refusal {
 struct Present {
     std::filesystem::path file;
     sim::SharedScene scene;
+    sim::SceneOptions options;
 };
 
 /// A scene without its backends yet.
@@ -45,18 +48,36 @@ struct Edited {
     std::vector<std::string> warnings;
 };
 
-Edited edited(const LoadWorld& edit, const Present& present, const SceneEditor::LoadFile& load) {
+Edited edited(const LoadWorld& edit, const Present& present) {
     const auto file = (present.file.parent_path() / edit.file).lexically_normal();
-    auto [scene, warnings] = load(file);
+    auto [scene, warnings] = sim::load_scene(file, present.options);
     return {file, scene, scene, std::move(warnings)};
 }
 
-sim::LoadedScene load_model(const AddModel& edit, const std::filesystem::path& folder) {
-    if (!edit.sdf.empty()) return sim::load_model_text(edit.sdf, edit.placement, folder);
-    return sim::load_mesh_model(folder / edit.mesh, edit.placement, edit.scale, edit.material);
+sim::LoadedScene load_model(const AddModel& edit, const Present& present) {
+    const std::filesystem::path folder = present.file.parent_path();
+    const sim::SdfOptions options = sim::within_a_models_share(present.options.sdf);
+    if (!edit.sdf.empty()) return sim::load_model_text(edit.sdf, edit.placement, folder, options);
+    return sim::load_mesh_model(folder / edit.mesh, edit.placement, edit.scale, edit.material,
+                                options.mesh);
 }
 
-Edited edited(const AddModel& edit, const Present& present, const SceneEditor::LoadFile&) {
+/// Models that are each small may be many.
+void check_triangles(const sim::Scene& scene, std::size_t most) {
+    std::set<sim::SharedMesh> meshes;  // each of which many objects may show
+    for (const sim::Object& object : scene.objects) {
+        const auto* mesh = std::get_if<sim::SharedMesh>(&object.shape);
+        if (mesh != nullptr) meshes.insert(*mesh);
+    }
+    std::size_t triangles = 0;
+    for (const sim::SharedMesh& mesh : meshes)
+        triangles += mesh->triangles.size();
+    if (triangles <= most) return;
+    throw sim::LoadError(
+        {"with this one the world has more than " + std::to_string(most) + " triangles"});
+}
+
+Edited edited(const AddModel& edit, const Present& present) {
     sim::SharedScene scene = present.scene;
     const std::string& name = edit.placement.name;
     if (sim::find_model(*scene, name)) {
@@ -66,11 +87,13 @@ Edited edited(const AddModel& edit, const Present& present, const SceneEditor::L
         }
         scene = sim::without_model(*scene, name);
     }
-    auto [added, warnings] = load_model(edit, present.file.parent_path());
-    return {present.file, sim::with_models(*scene, *added), added, std::move(warnings)};
+    auto [added, warnings] = load_model(edit, present);
+    scene = sim::with_models(*scene, *added);
+    check_triangles(*scene, present.options.sdf.most_triangles);
+    return {present.file, std::move(scene), added, std::move(warnings)};
 }
 
-Edited edited(const RemoveModel& edit, const Present& present, const SceneEditor::LoadFile&) {
+Edited edited(const RemoveModel& edit, const Present& present) {
     sim::SharedScene rest = sim::without_model(*present.scene, edit.name);
     if (!rest) throw Refusal{Result::unknown, "there is no model \"" + edit.name + "\""};
     return {present.file, std::move(rest), std::make_shared<const sim::Scene>(), {}};
@@ -80,14 +103,14 @@ Edited edited(const RemoveModel& edit, const Present& present, const SceneEditor
 
 void SceneEditor::edit(SceneEdit edit, EditDone done) {
     loader_.add([this, edit = std::move(edit), done = std::move(done)]() -> Loader::Work {
-        return [this, edit, done, load = load_, present = Present{file_, world_.scene()},
+        return [this, edit, done, present = Present{file_, world_.scene(), options_},
                 wishes = wishes_()]() -> Loader::Finish {
             const auto refused = [&](Result result, std::vector<std::string> why) {
                 return [done, outcome = EditOutcome{result, std::move(why)}] { done(outcome); };
             };
             try {
-                Edited now = std::visit(
-                    [&](const auto& wanted) { return edited(wanted, present, load); }, edit);
+                Edited now =
+                    std::visit([&](const auto& wanted) { return edited(wanted, present); }, edit);
                 const auto next = std::make_shared<Next>();
                 *next = {now.file,
                          now.scene,
@@ -96,8 +119,9 @@ void SceneEditor::edit(SceneEdit edit, EditDone done) {
                          std::move(now.warnings)};
                 for (const sim::Model& model : now.added->models)
                     next->placed_anew.insert(model.name);
-                return [this, next, done] {
+                return [this, next, done, other = std::holds_alternative<LoadWorld>(edit)] {
                     take_up(*next);
+                    if (other) warn_of_lost_bodies(*next);
                     done({Result::done, next->warnings});
                 };
             } catch (const Refusal& refusal) {
@@ -115,6 +139,14 @@ void SceneEditor::take_up(Next& next) {
     file_ = next.file;
     loader_.discard(std::make_shared<SensorBackends>(
         world_.replace_scene(std::move(next.scene), std::move(next.backends), next.placed_anew)));
+}
+
+void SceneEditor::warn_of_lost_bodies(Next& next) const {
+    for (const auto& [robot, body] : world_.lost_bodies()) {
+        next.warnings.push_back(file_.string() + ": has no movable model \"" + body +
+                                "\", the body of robot \"" + robot +
+                                "\", which nobody sees until one of that name is added");
+    }
 }
 
 }  // namespace scipd::daemon

@@ -13,23 +13,25 @@
 #include "daemon/control/loader.h"
 #include "daemon/control/scene_edit.h"
 #include "daemon/control/world.h"
-#include "sim/loaders/sdf.h"
+#include "sim/loaders/scene_file.h"
 
 namespace scipd::daemon {
 
 class SceneEditor {
   public:
-    /// Loads a world; on the loader's thread. Throws LoadError.
-    using LoadFile = std::function<sim::LoadedScene(const std::filesystem::path&)>;
     /// What the sensors ask for at present.
     using Wishes = std::function<std::vector<BackendWish>()>;
 
     /// `world` and `loader` must outlive it.
-    SceneEditor(World& world, Loader& loader, LoadFile load, Wishes wishes)
-        : world_(world), loader_(loader), load_(std::move(load)), wishes_(std::move(wishes)) {}
+    SceneEditor(World& world, Loader& loader, Wishes wishes)
+        : world_(world), loader_(loader), wishes_(std::move(wishes)) {}
 
-    /// The world has been loaded from there by somebody else.
-    void set_file(std::filesystem::path file) { file_ = std::move(file); }
+    /// The world has been loaded from there by somebody else, and all that comes is to be loaded in
+    /// the same way.
+    void set_file(std::filesystem::path file, sim::SceneOptions options) {
+        file_ = std::move(file);
+        options_ = std::move(options);
+    }
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
     /// After all that was asked for before; `done` is called when it is in effect or refused.
@@ -39,12 +41,13 @@ class SceneEditor {
     struct Next;
 
     void take_up(Next& next);
+    void warn_of_lost_bodies(Next& next) const;
 
     World& world_;
     Loader& loader_;
-    LoadFile load_;
     Wishes wishes_;
     std::filesystem::path file_;
+    sim::SceneOptions options_;
 };
 
 }  // namespace scipd::daemon

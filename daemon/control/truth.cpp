@@ -14,11 +14,12 @@ double rounded(double value) {
     return std::round(value * per_unit) / per_unit;
 }
 
-Json poses_of(const sim::Scan& scan) {
+Json poses_of(const ScanRecord& record) {
+    const sim::Scan& scan = *record.cast;
     Json poses = Json::array();
     for (std::size_t i = 0; i < scan.world_from_sensor.size(); ++i) {
         if (i > 0 && scan.posed_at[i] == scan.posed_at[i - 1]) continue;
-        Json pose{{"time_s", seconds(scan.posed_at[i])}};
+        Json pose{{"time_s", seconds(record.told(scan.posed_at[i]))}};
         pose.update(pose_document(scan.world_from_sensor[i]));
         poses.push_back(std::move(pose));
     }
@@ -53,11 +54,11 @@ Json truth_document(const std::string& sensor, const ScanRecord& record) {
     return {
         {"sensor", sensor},
         {"scan", cast.revolution},
-        {"time_s", seconds(cast.start)},
+        {"time_s", seconds(record.told(cast.start))},
         {"stamp_ms", record.stamp_ms},
         {"backend", record.backend->backend},
         {"backend_reason", reason_of(*record.backend)},
-        {"poses", poses_of(cast)},
+        {"poses", poses_of(record)},
         {"steps", steps_of(record.sent)},
         {"true_m", of_hits(cast, [](const sim::Hit& hit) { return rounded(hit.range_m); })},
         {"object",

@@ -110,6 +110,15 @@ sim::ModelId World::body_of(std::string_view robot) const {
     return body == movable_.end() ? sim::no_model : body->second.id;
 }
 
+std::map<std::string, std::string> World::lost_bodies() const {
+    std::map<std::string, std::string> lost;
+    for (const auto& [name, robot] : robots_) {
+        const std::string& body = robot.start.body;
+        if (!body.empty() && !movable_.contains(body)) lost[name] = body;
+    }
+    return lost;
+}
+
 std::optional<std::string> World::place_robot(std::string_view name, const Placement& placement) {
     const auto found = robots_.find(name);
     if (found == robots_.end()) {

@@ -63,6 +63,8 @@ class World {
     [[nodiscard]] const sim::PoseTrack* model(std::string_view name) const;
     /// What moves with the robot; no_model where nothing does.
     [[nodiscard]] sim::ModelId body_of(std::string_view robot) const;
+    /// Bodies that the scene has no movable model for, by robot.
+    [[nodiscard]] std::map<std::string, std::string> lost_bodies() const;
 
     /// The thing is there; between two poses that follow each other closely it moves evenly.
     /// Returns why not, where it cannot be: no such robot, no such movable model, a time that is

@@ -37,6 +37,9 @@ class Clock {
     virtual ~Clock() = default;
 
     [[nodiscard]] virtual sim::Time now() const = 0;
+    /// What people and their programs call world time 0: just that, or in lockstep the stamp that
+    /// it had. Nothing is reckoned with it, it is added where a time is told.
+    [[nodiscard]] virtual sim::Time origin() const { return {}; }
     [[nodiscard]] virtual std::unique_ptr<Alarm> make_alarm() = 0;
 
     /// Whether `who` needs time to stand still until it says otherwise. No effect where time waits

@@ -157,7 +157,8 @@ const ScanRecord& Device::measure(std::int64_t revolution) {
                       .scene = sweep_.scene(),
                       .backend = sweep_.backend(),
                       .front_step = optics.front_step,
-                      .steps_per_turn = optics.steps_per_turn};
+                      .steps_per_turn = optics.steps_per_turn,
+                      .origin = clock_.origin()};
     record.cast = sweep_.measure(revolution, device_clock_.world_time(now.start), fired);
     record.sent = to_wire(*record.cast, now, optics, profile_);
     record_ = std::make_shared<const ScanRecord>(std::move(record));

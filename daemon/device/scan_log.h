@@ -27,6 +27,10 @@ struct ScanRecord {
     SharedChoice backend;        ///< what cast it
     int front_step = 0;
     int steps_per_turn = 0;
+    sim::Time origin{};  ///< what people call world time 0 (Clock)
+
+    /// A world time as people call it.
+    [[nodiscard]] sim::Time told(sim::Time time) const { return origin + time; }
 };
 
 using SharedRecord = std::shared_ptr<const ScanRecord>;

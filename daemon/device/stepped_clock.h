@@ -17,6 +17,8 @@ namespace scipd::daemon {
 class SteppedClock : public Clock {
   public:
     [[nodiscard]] sim::Time now() const override { return now_; }
+    [[nodiscard]] sim::Time origin() const override { return origin_; }
+    void set_origin(sim::Time origin) { origin_ = origin; }
     [[nodiscard]] std::unique_ptr<Alarm> make_alarm() override;
 
     void hold(const void* who, bool needed) override;
@@ -40,6 +42,7 @@ class SteppedClock : public Clock {
     class QueuedAlarm;
 
     sim::Time now_{};
+    sim::Time origin_{};
     std::multimap<sim::Time, QueuedAlarm*> queue_;  ///< of the same time, the one first set first
     std::set<const void*> holders_;
     std::function<void()> on_released_ = [] {};

@@ -58,6 +58,9 @@ void enter(const Confines& confines) {
 /// In the child: the answer is in the file, and the status says whether it is one.
 [[noreturn]] void run(const Confines& confines, const std::function<void(std::FILE* out)>& work,
                       std::FILE* out) {
+    // Made while there is room for it.
+    const std::string too_much =
+        "takes more than " + std::to_string(confines.memory_bytes / 1'000'000) + " MB of memory";
     const auto leave_with = [out](const char* words) {
         std::rewind(out);
         if (ftruncate(fileno(out), 0) == 0) std::fputs(words, out);
@@ -70,7 +73,7 @@ void enter(const Confines& confines) {
         if (std::fflush(out) != 0) leave_with("its outcome cannot be kept in memory");
         _exit(0);
     } catch (const std::bad_alloc&) {
-        leave_with("takes too much memory");
+        leave_with(too_much.c_str());
     } catch (const std::exception& error) {
         leave_with(error.what());
     }

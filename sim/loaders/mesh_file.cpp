@@ -5,98 +5,41 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdint>
-#include <stdexcept>
-#include <type_traits>
 
-#include "sim/loaders/confined.h"
+#include "sim/loaders/confined_mesh.h"
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/mesh_reader.h"
+#include "sim/world/bounds.h"
 
 namespace scipd::sim {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t largest_file = 1ULL << 30;
-/// Assimp takes up to 600 bytes and 2 us a triangle (load_bench): the largest mesh that is taken
-/// fits into either.
-constexpr Confines confines{.processor_time = std::chrono::seconds{60}, .memory_bytes = 8ULL << 30};
-
-// From the child to us: the two are one program, and no byte of the file is in between.
-
-template <typename Value>
-void put(const Value* values, std::size_t count, std::FILE* out) {
-    static_assert(std::is_trivially_copyable_v<Value>);
-    if (std::fwrite(values, sizeof(Value), count, out) != count) throw std::bad_alloc();
-}
-
-template <typename Container>
-void put_all(const Container& values, std::FILE* out) {
-    const std::uint64_t count = values.size();
-    put(&count, 1, out);
-    put(values.data(), values.size(), out);
-}
-
-template <typename Container>
-void take_all(Container& values, std::FILE* in) {
-    std::uint64_t count = 0;
-    const bool is_told = std::fread(&count, sizeof count, 1, in) == 1;
-    values.resize(count);
-    const auto size = sizeof(typename Container::value_type);
-    if (!is_told || std::fread(values.data(), size, count, in) != count) {
-        throw std::runtime_error("was read but did not arrive");
-    }
-}
-
-void put_parts(const std::vector<MeshPart>& parts, std::FILE* out) {
-    const std::uint64_t count = parts.size();
-    put(&count, 1, out);
+Bounds bounds_of_all(const std::vector<MeshPart>& parts) {
+    Bounds bounds;
     for (const MeshPart& part : parts) {
-        put_all(part.material, out);
-        put_all(part.mesh.vertices_m, out);
-        put_all(part.mesh.triangles, out);
+        for (const glm::vec3& vertex : part.mesh.vertices_m)
+            bounds.include(glm::dvec3{vertex});
     }
+    return bounds;
 }
 
-std::vector<MeshPart> take_parts(std::FILE* in) {
-    std::uint64_t count = 0;
-    if (std::fread(&count, sizeof count, 1, in) != 1) throw std::runtime_error("did not arrive");
-    std::vector<MeshPart> parts(count);
+bool is_finite(const MeshPart& part) {
+    return std::ranges::all_of(part.mesh.vertices_m, [](const glm::vec3& vertex) {
+        return std::isfinite(vertex.x + vertex.y + vertex.z);
+    });
+}
+
+/// This point becomes the origin; `file` is for messages.
+void place(std::vector<MeshPart>& parts, const glm::dvec3& origin, const glm::dvec3& scale,
+           const fs::path& file) {
     for (MeshPart& part : parts) {
-        take_all(part.material, in);
-        take_all(part.mesh.vertices_m, in);
-        take_all(part.mesh.triangles, in);
+        for (glm::vec3& vertex : part.mesh.vertices_m)
+            vertex = glm::vec3{(glm::dvec3{vertex} - origin) * scale};
     }
-    return parts;
-}
-
-std::string known_kinds() {
-    std::string text;
-    for (const auto extension : mesh_extensions)
-        text += (text.empty() ? "" : ", ") + std::string(extension);
-    return text;
-}
-
-void check_file(const fs::path& file) {
-    std::error_code error;
-    if (!fs::is_regular_file(file, error)) {
-        throw std::runtime_error("no such file; a mesh is wanted here");
-    }
-    if (!is_mesh_file(file)) {
-        throw std::runtime_error("is no kind of mesh that is known; name one of " + known_kinds());
-    }
-    if (const auto size = fs::file_size(file, error); error || size > largest_file) {
-        throw std::runtime_error("is larger than 1 GiB");
-    }
-}
-
-void apply(const glm::dvec3& scale, Mesh& mesh) {
-    for (glm::vec3& vertex : mesh.vertices_m) {
-        vertex = glm::vec3{glm::dvec3{vertex} * scale};
-        if (!std::isfinite(vertex.x + vertex.y + vertex.z)) {
-            throw std::runtime_error("has a vertex that is not finite once scaled");
-        }
+    if (!std::ranges::all_of(parts, is_finite)) {
+        throw LoadError({file.string() + ": has a vertex that is not finite once scaled"});
     }
 }
 
@@ -113,18 +56,20 @@ bool is_mesh_file(const fs::path& file) {
     return std::ranges::find(mesh_extensions, extension_of(file)) != mesh_extensions.end();
 }
 
-std::vector<MeshPart> load_mesh_parts(const fs::path& file, const glm::dvec3& scale,
-                                      MeshAxes axes) {
-    try {
-        check_file(file);
-        const auto read = [&](std::FILE* out) { put_parts(read_mesh(file, axes), out); };
-        std::vector<MeshPart> parts = take_parts(run_confined(confines, read).get());
-        for (MeshPart& part : parts)
-            apply(scale, part.mesh);
-        return parts;
-    } catch (const std::runtime_error& wrong) {
-        throw LoadError({file.string() + ": " + wrong.what()});
-    }
+std::vector<MeshPart> load_mesh_parts(const fs::path& file, const glm::dvec3& scale, MeshAxes axes,
+                                      const MeshLimits& limits) {
+    auto parts = read_confined(file, limits, [&] { return read_mesh(file, axes, limits); });
+    place(parts, glm::dvec3{0.0}, scale, file);
+    return parts;
+}
+
+std::vector<MeshPart> load_submesh(const fs::path& file, const Submesh& submesh,
+                                   const glm::dvec3& scale, const MeshLimits& limits) {
+    auto parts =
+        read_confined(file, limits, [&] { return read_submesh(file, submesh.name, limits); });
+    const glm::dvec3 origin = submesh.centred ? bounds_of_all(parts).middle_m() : glm::dvec3{0.0};
+    place(parts, origin, scale, file);
+    return parts;
 }
 
 Mesh load_mesh(const fs::path& file, const glm::dvec3& scale) {

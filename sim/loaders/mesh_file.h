@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -20,6 +21,19 @@ namespace scipd::sim {
 struct MeshPart {
     std::string material;  ///< as the file names it; empty where it names none
     Mesh mesh;
+};
+
+/// What reading one file may take. The library takes up to 600 bytes a triangle (load_bench): the
+/// largest mesh fits into the memory.
+struct MeshLimits {
+    std::size_t memory_bytes = std::size_t{8} << 30U;
+    std::size_t triangles = 10'000'000;
+};
+
+/// One named thing of a mesh file.
+struct Submesh {
+    std::string name;      ///< of its node (OBJ: the object or group) or of its mesh
+    bool centred = false;  ///< moved so that the middle of its bounds is the origin
 };
 
 /// Which way is up.
@@ -47,9 +61,16 @@ bool is_mesh_file(const std::filesystem::path& file);
 /// LoadError.
 std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& file,
                                       const glm::dvec3& scale = {1.0, 1.0, 1.0},
-                                      MeshAxes axes = MeshAxes::as_in_file);
+                                      MeshAxes axes = MeshAxes::as_in_file,
+                                      const MeshLimits& limits = {});
 
-/// The same as one mesh.
+/// Its part of the file, one for each of its materials: where it lies in the file is kept unless it
+/// is centred. Throws LoadError, which tells the names that there are.
+std::vector<MeshPart> load_submesh(const std::filesystem::path& file, const Submesh& submesh,
+                                   const glm::dvec3& scale = {1.0, 1.0, 1.0},
+                                   const MeshLimits& limits = {});
+
+/// All of the file as one mesh.
 Mesh load_mesh(const std::filesystem::path& file, const glm::dvec3& scale = {1.0, 1.0, 1.0});
 
 }  // namespace scipd::sim

@@ -5,17 +5,21 @@
 // mesh_file.h calls this where it can do no harm. Any thread; nothing shared.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "sim/loaders/mesh_file.h"
 
 namespace scipd::sim {
 
-inline constexpr std::size_t most_mesh_triangles = 10'000'000;
+/// As load_mesh_parts() without a scale. Throws std::runtime_error, saying what is wrong, or
+/// std::bad_alloc.
+std::vector<MeshPart> read_mesh(const std::filesystem::path& file, MeshAxes axes,
+                                const MeshLimits& limits);
 
-/// As load_mesh_parts() without a scale. Throws std::runtime_error, saying what is wrong.
-std::vector<MeshPart> read_mesh(const std::filesystem::path& file, MeshAxes axes);
+/// As load_submesh() without a scale, where it lies in the file. Throws the same.
+std::vector<MeshPart> read_submesh(const std::filesystem::path& file, const std::string& name,
+                                   const MeshLimits& limits);
 
 }  // namespace scipd::sim

@@ -6,8 +6,6 @@
 #include <utility>
 
 #include "sim/loaders/load_error.h"
-#include "sim/loaders/mesh_file.h"
-#include "sim/loaders/submesh.h"
 
 namespace scipd::sim {
 
@@ -17,8 +15,9 @@ const std::vector<SharedPart>& MeshShelf::parts_of(const std::filesystem::path& 
     const Submesh submesh{mesh.Submesh(), mesh.CenterSubmesh()};
     const Key key{file, scale.x, scale.y, scale.z, submesh.name, submesh.centred};
     if (const auto known = parts_.find(key); known != parts_.end()) return known->second;
-    auto loaded =
-        submesh.name.empty() ? load_mesh_parts(file, scale) : load_submesh(file, submesh, scale);
+    auto loaded = submesh.name.empty()
+                      ? load_mesh_parts(file, scale, MeshAxes::as_in_file, of_each_)
+                      : load_submesh(file, submesh, scale, of_each_);
     std::vector<SharedPart> parts;
     for (auto& part : loaded) {
         parts.push_back({part.material, std::make_shared<const Mesh>(std::move(part.mesh))});

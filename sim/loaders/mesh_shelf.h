@@ -14,6 +14,7 @@
 
 #include <sdf/Mesh.hh>
 
+#include "sim/loaders/mesh_file.h"
 #include "sim/world/shape.h"
 
 namespace scipd::sim {
@@ -26,7 +27,8 @@ struct SharedPart {
 
 class MeshShelf {
   public:
-    explicit MeshShelf(std::size_t most_triangles) : most_triangles_(most_triangles) {}
+    MeshShelf(std::size_t most_triangles, const MeshLimits& of_each)
+        : most_triangles_(most_triangles), of_each_(of_each) {}
 
     /// Of this file at the scale and with the submesh that `mesh` asks for. Throws LoadError.
     const std::vector<SharedPart>& parts_of(const std::filesystem::path& file,
@@ -38,6 +40,7 @@ class MeshShelf {
     using Key = std::tuple<std::filesystem::path, double, double, double, std::string, bool>;
 
     std::size_t most_triangles_;
+    MeshLimits of_each_;
     std::size_t triangles_ = 0;
     std::map<Key, std::vector<SharedPart>> parts_;
 };

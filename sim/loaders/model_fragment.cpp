@@ -63,6 +63,15 @@ MaterialId material_id(const std::string& name, std::vector<Material>& all) {
 
 }  // namespace
 
+SdfOptions within_a_models_share(SdfOptions options) {
+    constexpr std::size_t memory_bytes = std::size_t{512} << 20U;
+    constexpr std::size_t triangles = 2'000'000;
+    options.most_memory_bytes = memory_bytes;
+    options.most_triangles = triangles;
+    options.mesh = {.memory_bytes = memory_bytes, .triangles = triangles};
+    return options;
+}
+
 LoadedScene load_model_text(const std::string& text, const Placement& placement,
                             const fs::path& folder, const SdfOptions& options) {
     check_name(placement.name);
@@ -76,7 +85,7 @@ LoadedScene load_model_file(const fs::path& file, const Placement& placement,
 }
 
 LoadedScene load_mesh_model(const fs::path& file, const Placement& placement, double scale,
-                            const std::string& material) {
+                            const std::string& material, const MeshLimits& limits) {
     check_name(placement.name);
     if (!(scale > 0.0 && scale <= 1e7)) {
         throw LoadError({"scale: must be above 0 and at most 1e7"});
@@ -84,7 +93,7 @@ LoadedScene load_mesh_model(const fs::path& file, const Placement& placement, do
     Scene scene;
     scene.name = placement.name;
     scene.models.push_back({placement.name, true, placement.world_from_model.value_or(Pose{})});
-    for (MeshPart& part : load_mesh_parts(file, glm::dvec3{scale})) {
+    for (MeshPart& part : load_mesh_parts(file, glm::dvec3{scale}, MeshAxes::as_in_file, limits)) {
         const auto id = material_id(material.empty() ? part.material : material, scene.materials);
         scene.objects.push_back({placement.name + "::" + file.stem().string(), 0, Pose{},
                                  std::make_shared<const Mesh>(std::move(part.mesh)), id});

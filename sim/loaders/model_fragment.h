@@ -18,6 +18,10 @@ struct Placement {
     std::optional<Pose> world_from_model = std::nullopt;  ///< its own where there is none
 };
 
+/// The same for what comes while scanners run, from whoever can reach the daemon: a model, not a
+/// world, and so a part of the memory that a world may take.
+SdfOptions within_a_models_share(SdfOptions options);
+
 /// From a text (a <model>, a URDF <robot>, or a document with one of them) or, where `folder` is
 /// given, with relative URIs that start there. Throws LoadError, whose messages call the text by
 /// the model's name.
@@ -30,6 +34,7 @@ LoadedScene load_model_file(const std::filesystem::path& file, const Placement& 
 
 /// From a mesh file. A material of its own stands in for those of the file; empty keeps them.
 LoadedScene load_mesh_model(const std::filesystem::path& file, const Placement& placement,
-                            double scale = 1.0, const std::string& material = {});
+                            double scale = 1.0, const std::string& material = {},
+                            const MeshLimits& limits = {});
 
 }  // namespace scipd::sim

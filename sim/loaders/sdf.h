@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "sim/loaders/loaded_scene.h"
+#include "sim/loaders/mesh_file.h"
 
 namespace scipd::sim {
 
@@ -30,6 +31,7 @@ struct SdfOptions {
     /// be a large world. What would take more than this is refused before it is read.
     std::size_t most_memory_bytes = std::size_t{4} << 30U;
     std::size_t most_triangles = 20'000'000;
+    MeshLimits mesh = {};  ///< of each file
 };
 
 /// A world, a model or a robot. Throws LoadError where the file cannot be used; nothing half-loaded

@@ -56,7 +56,7 @@ class SceneCollector {
           file_(std::move(file)),
           resources_(resources),
           options_(std::move(options)),
-          shelf_(options_.most_triangles) {
+          shelf_(options_.most_triangles, options_.mesh) {
         for (auto& warning : read_.warnings)
             add_warning(std::move(warning));
     }

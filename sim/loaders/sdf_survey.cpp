@@ -17,7 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t largest_file_bytes = 64U << 20U;
+/// A file may have this part of the memory in bytes, 64 MiB of a world's: parsed, it takes up to 50
+/// times that.
+constexpr double largest_part = 1.0 / 64;
 constexpr std::size_t deepest_include = 32;
 
 /// What libsdformat 12.3 takes for an element and its parts, measured on files of a thousand of
@@ -71,13 +73,18 @@ class Surveyor {
         } else if (open_.size() >= deepest_include) {
             survey_.faults.push_back(place + "includes lie more than " +
                                      std::to_string(deepest_include) + " deep");
-        } else if (fs::file_size(file, error) > largest_file_bytes && !error) {
-            survey_.faults.push_back(file.string() + ": is larger than 64 MiB");
+        } else if (largest_file_bytes() < static_cast<double>(fs::file_size(file, error)) &&
+                   !error) {
+            survey_.faults.push_back(file.string() + ": is larger than " +
+                                     std::to_string(std::lround(largest_file_bytes() / 1048576)) +
+                                     " MiB");
         } else {
             return true;
         }
         return false;
     }
+
+    [[nodiscard]] double largest_file_bytes() const { return most_bytes_ * largest_part; }
 
     void survey_file(const fs::path& file, const std::string& place = {}) {
         if (!enter(file, place)) return;

@@ -4,9 +4,12 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "daemon/models/registry.h"
@@ -68,6 +71,13 @@ class FleetTest : public testing::Test {
         return run_until(io_, [&] { return sensor().scans >= before + 3; });
     }
 
+    EditOutcome after(SceneEdit edit) {
+        std::optional<EditOutcome> outcome;
+        fleet_.edit_scene(std::move(edit), [&](const EditOutcome& now) { outcome = now; });
+        EXPECT_TRUE(run_until(io_, [&] { return outcome.has_value(); }));
+        return outcome.value_or(EditOutcome{});
+    }
+
     boost::asio::io_context io_;
     tests::TempDir directory_;
     Fleet fleet_{io_.get_executor()};
@@ -101,6 +111,45 @@ TEST_F(FleetTest, TakesAWorldOfAnyKind) {
     EXPECT_EQ(make_plan(config).loaded.scene->name, "office_map");
     config.scene = SCIPD_SCENES "/rescue_maze_terrain.obj";
     EXPECT_EQ(make_plan(config).loaded.scene->name, "rescue_maze_terrain");
+}
+
+TEST_F(FleetTest, LoadsOtherWorldsAndModelsInTheWayOfItsConfiguration) {
+    const std::string model =
+        "<model name='m'><link name='l'><visual name='seen'><geometry><box><size>1 1 1</size></box>"
+        "</geometry></visual><collision name='hit'><geometry><box><size>2 2 2</size></box>"
+        "</geometry></collision></link></model>";
+    const fs::path world = directory_.write(
+        "other.sdf", "<sdf version='1.9'><world name='other'>" + model + "</world></sdf>");
+    Config config = of({on_tcp("front")});
+    const auto last_object = [&] { return fleet_.scene().scene->objects.back().name; };
+    fleet_.apply(config);
+    EXPECT_EQ(after(LoadWorld{world}).result, EditOutcome::Result::done);
+    EXPECT_EQ(last_object(), "m::l::seen");
+    EXPECT_EQ(after(AddModel{.placement = {"n"}, .sdf = model}).result, EditOutcome::Result::done);
+    EXPECT_EQ(last_object(), "n::l::seen");
+
+    config.scene = world;
+    config.geometry = sim::SdfGeometry::collision;
+    config.map.material = "brick";
+    fleet_.apply(config);
+    EXPECT_EQ(after(LoadWorld{world}).result, EditOutcome::Result::done);
+    EXPECT_EQ(last_object(), "m::l::hit");
+    EXPECT_EQ(after(AddModel{.placement = {"n"}, .sdf = model}).result, EditOutcome::Result::done);
+    EXPECT_EQ(last_object(), "n::l::hit");
+    EXPECT_EQ(after(LoadWorld{SCIPD_SCENES "/office_map.yaml"}).result, EditOutcome::Result::done);
+    EXPECT_EQ(fleet_.scene().scene->materials.back().name, "brick");
+}
+
+TEST_F(FleetTest, SaysWhichBodiesAnotherWorldLacks) {
+    Config config = of({on_tcp("front")});
+    config.robots[0].body = "box";
+    fleet_.apply(config);
+    const std::string lacking = SCIPD_SCENES
+        "/corridor.sdf: has no movable model \"box\", the body of robot \"rescue\", "
+        "which nobody sees until one of that name is added";
+    EXPECT_THAT(after(LoadWorld{SCIPD_SCENES "/corridor.sdf"}).messages,
+                testing::ElementsAre(lacking));
+    EXPECT_THAT(after(LoadWorld{SCIPD_SCENES "/square_room.sdf"}).messages, testing::IsEmpty());
 }
 
 TEST_F(FleetTest, KeepsWhatDidNotChange) {

@@ -34,10 +34,35 @@ class LockstepTest : public testing::Test {
 
 TEST_F(LockstepTest, CountsFromTheFirstStamp) {
     EXPECT_EQ(lockstep_.world_time(1'760'000'000s), 0s);
+    lockstep_.begin_with(1'760'000'000s);
     EXPECT_EQ(lockstep_.world_time(1'760'000'001s), 1s);
+    lockstep_.begin_with(1'760'000'001s);
     lockstep_.come_to(&first_, 1s, true);
     settle();
-    EXPECT_EQ(lockstep_.stamp(), 1'760'000'001s);
+    EXPECT_EQ(lockstep_.clock().now(), 1s);
+    EXPECT_EQ(lockstep_.clock().origin(), 1'760'000'000s);
+}
+
+TEST_F(LockstepTest, CountsFromNoStampThatWasOnlyAskedAbout) {
+    EXPECT_EQ(lockstep_.world_time(5s), 0s);
+    EXPECT_EQ(lockstep_.world_time(7s), 0s);
+    lockstep_.begin_with(7s);
+    EXPECT_EQ(lockstep_.world_time(5s), -2s);
+}
+
+TEST_F(LockstepTest, KeepsTheTimeThatATrajectoryHasLed) {
+    lockstep_.come_to(&first_, 3s, true);
+    settle();
+    EXPECT_EQ(lockstep_.world_time(4s), 4s);
+    lockstep_.begin_with(4s);
+    EXPECT_EQ(lockstep_.clock().origin(), 0s);
+}
+
+TEST_F(LockstepTest, HasNoTimeForStampsThatLieTooFarApart) {
+    lockstep_.begin_with(-9'000'000'000s);
+    EXPECT_EQ(lockstep_.world_time(0s), 9'000'000'000s);
+    EXPECT_EQ(lockstep_.world_time(1s), std::nullopt);
+    EXPECT_EQ(lockstep_.world_time(9'000'000'000s), std::nullopt);
 }
 
 TEST_F(LockstepTest, GoesOnAsFarAsTheSlowestStream) {

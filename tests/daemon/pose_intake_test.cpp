@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/control/pose_intake.h"
 
+#include <boost/asio/io_context.hpp>
 #include <gtest/gtest.h>
 
 #include "tests/daemon/wall_world.h"
@@ -105,6 +106,21 @@ TEST_F(PoseIntakeTest, KnowsWhomALineMeans) {
     EXPECT_FALSE(take(R"({"xyz":[7,0,0]})", 1s));
     EXPECT_DOUBLE_EQ(robot_x(), 7.0);
     EXPECT_EQ(take(R"({"xyz":[8,0,0]})", 2s, ""), "robot: say which; robots are robot, second");
+}
+
+TEST(PoseIntakeInLockstep, LetsNoRefusedPoseSayWhereTimeBegins) {
+    boost::asio::io_context io;
+    Lockstep lockstep(io.get_executor());
+    World world = wall_world();
+    PoseIntake intake(world, &lockstep);
+    SenderClock sender;
+    const auto take = [&](const char* line) { return intake.take_line(line, {}, sender, 0s); };
+    EXPECT_TRUE(take(R"({"robot":"nobody","t":5,"xyz":[0,0,0]})"));
+    EXPECT_EQ(take(R"({"t":-8999999999,"xyz":[1,0,0]})"), std::nullopt);
+    EXPECT_EQ(lockstep.clock().origin(), -8'999'999'999s);
+    EXPECT_EQ(world.robot("robot")->at(0s).translation_m.x, 1.0);
+    EXPECT_EQ(take(R"({"t":9,"xyz":[2,0,0]})"), "t: too far from the first one");
+    EXPECT_EQ(intake.refused(), 2U);
 }
 
 }  // namespace

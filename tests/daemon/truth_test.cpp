@@ -117,6 +117,22 @@ TEST_F(TruthTest, HasAPoseForEachFan) {
     EXPECT_NEAR(between_s, 0.025 * 1081 / 1440 / 3, 0.025 / 1440);
 }
 
+// In lockstep people have the stamps of their poses for times.
+TEST_F(TruthTest, TellsTimesFromTheOriginOfItsClock) {
+    client_.receive("MD0540054000000\n");
+    turn();
+    const json before = truth();
+    clock_.set_origin(1'000'000s);
+    turn();
+    const json said = truth();
+    const double turn_s = said["time_s"].get<double>() - before["time_s"].get<double>() - 1e6;
+    EXPECT_NEAR(turn_s, 0.025, 1e-3);
+    EXPECT_NEAR(said["poses"][0]["time_s"].get<double>() - said["time_s"].get<double>(),
+                before["poses"][0]["time_s"].get<double>() - before["time_s"].get<double>(), 1e-6);
+    // What was told is not told otherwise later.
+    EXPECT_EQ(truth("scan=" + std::to_string(revolution_ - 2)), before);
+}
+
 TEST_F(TruthTest, KeepsASecondOfScans) {
     client_.receive("MD0540054000000\n");
     turn(100);

@@ -15,6 +15,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/end_to_end/in_square_room.h"
+#include "tests/support/control_request.h"
 #include "tests/support/daemon_process.h"
 #include "tests/support/scanner_wire.h"
 
@@ -157,6 +159,48 @@ TEST(InLockstep, TimeStandsStillWithoutPosesAndAnswersComeAllTheSame) {
     EXPECT_EQ(wire.ask("VV"), "00");
     EXPECT_EQ(daemon.get("/status").at("poses").at("last_refusal"),
               "t is missing: time is that of the poses");
+}
+
+/// Both are of the same sweep, which takes 25 ms.
+void expect_within_a_turn(const nlohmann::json& time_s, double of_s) {
+    EXPECT_GE(time_s.get<double>(), of_s - 0.025);
+    EXPECT_LE(time_s.get<double>(), of_s + 0.025);
+}
+
+TEST(InLockstep, AllTimesAreStampsOfThePoses) {
+    const TempDir directory;
+    const DaemonProcess daemon(directory, in_lockstep());
+    WebSocketClient stream(daemon.control(), "/stream");
+    // A UST-10LX: a turn that has begun at the first stamp is complete 25 ms later.
+    for (const char* stamp : {"1000.00", "1000.06", "1000.07"})
+        daemon.say(std::string("{\"t\":") + stamp + ",\"xyz\":[0,0,0]}\n");
+    const auto scan = nlohmann::json::parse(stream.receive());
+    expect_within_a_turn(scan.at("time_s"), 1000.0);
+    const std::string number = scan.at("scan").dump();
+    const auto truth = daemon.get("/sensors/robot/scanner/truth?scan=" + number);
+    EXPECT_EQ(truth.at("time_s"), scan.at("time_s"));
+    for (const auto& pose : truth.at("poses"))
+        expect_within_a_turn(pose.at("time_s"), truth.at("time_s"));
+    EXPECT_TRUE(eventually([&] { return daemon.get("/status").at("time_s") == 1000.06; }));
+    EXPECT_EQ(daemon.get("/robots/robot/pose").at("t"), 1000.06);
+
+    // What is put at a stamp holds from then on, not from when it came.
+    const auto put = [&](const char* path, const char* body) {
+        return control_request(daemon.control(), "PUT", path, body).status;
+    };
+    EXPECT_EQ(put("/robots/robot/pose", R"({"t":1000.08,"xyz":[1,0,0]})"), 204);
+    EXPECT_EQ(put("/robots/robot/pose", R"({"t":1000.08,"xyz":[1,0,0]})"), 409);
+    EXPECT_EQ(put("/scene/models/box/pose", R"({"t":1000.08,"xyz":[-2,-2,0]})"), 204);
+    EXPECT_EQ(daemon.get("/robots/robot/pose").at("xyz").at(0), 0.0);
+    for (const char* stamp : {"1000.09", "1000.10"})
+        daemon.say(std::string("{\"t\":") + stamp + ",\"xyz\":[1,0,0]}\n");
+    EXPECT_TRUE(eventually([&] { return daemon.get("/status").at("time_s") == 1000.09; }));
+    const auto robot = daemon.get("/robots/robot/pose");
+    EXPECT_EQ(robot.at("t"), 1000.09);
+    EXPECT_EQ(robot.at("xyz").at(0), 1.0);
+    const auto model = daemon.get("/scene/models/box/pose");
+    EXPECT_EQ(model.at("t"), 1000.09);
+    EXPECT_EQ(model.at("xyz").at(0), -2.0);
 }
 
 }  // namespace

@@ -192,6 +192,9 @@ TEST_F(SceneEdit, ThatFailsChangesNothingAndSaysWhy) {
     expect(400, "scale", "POST", "/scene/models",
            {{"name", "x"}, {"mesh", "a.stl"}, {"scale", -1}});
     expect(404, "there is no model \\\"x\\\"", "DELETE", "/scene/models/x", nullptr);
+    const std::string huge = directory_.write("huge.stl", "");
+    std::filesystem::resize_file(huge, 900U << 20U);  // sparse: it takes no room
+    expect(400, "huge.stl: ", "POST", "/scene/models", {{"name", "x"}, {"mesh", huge}});
     EXPECT_EQ(ask("POST", "/scene/models", cube_at(1.5)).status, 201);
     expect(409, "replace", "POST", "/scene/models", cube_at(1.0));
     EXPECT_EQ(ask("DELETE", "/scene/models/cube").status, 204);

@@ -13,6 +13,7 @@
 namespace scipd::sim {
 namespace {
 
+using ::testing::AnyOf;
 using ::testing::ElementsAre;
 using ::testing::StartsWith;
 
@@ -49,7 +50,11 @@ std::string node_bomb(int levels, int triangles) {
            "<scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>";
 }
 
-class MeshLimits : public ::testing::Test {
+/// In glTF, whose reader follows children without end.
+constexpr auto circle_of_nodes = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],)"
+                                 R"("nodes":[{"children":[1]},{"children":[0]}]})";
+
+class MeshLimitsTest : public ::testing::Test {
   protected:
     std::vector<std::string> faults(const std::string& name, const std::string& text) {
         const auto file = folder_.write(name, text);
@@ -58,23 +63,20 @@ class MeshLimits : public ::testing::Test {
     TempDir folder_;
 };
 
-TEST_F(MeshLimits, nodesThatShowEachOtherManyTimesAreSeenAsOften) {
+TEST_F(MeshLimitsTest, nodesThatShowEachOtherManyTimesAreSeenAsOften) {
     EXPECT_EQ(load_mesh(folder_.write("a.dae", node_bomb(3, 2))).triangles.size(), 2000U);
 }
 
-TEST_F(MeshLimits, aSmallFileOfManyTrianglesIsRefused) {
+TEST_F(MeshLimitsTest, aSmallFileOfManyTrianglesIsRefused) {
     EXPECT_THAT(faults("a.dae", node_bomb(4, 3000)),
-                ElementsAre("a.dae: has more than 10 million triangles"));
+                ElementsAre("a.dae: has more than 10000000 triangles"));
 }
 
-TEST_F(MeshLimits, aCircleOfNodesEndsNothingButItself) {
-    // In glTF, whose reader follows children without end.
-    EXPECT_THAT(faults("a.gltf", R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],)"
-                                 R"("nodes":[{"children":[1]},{"children":[0]}]})"),
-                ElementsAre(StartsWith("a.gltf: ")));
+TEST_F(MeshLimitsTest, aCircleOfNodesEndsNothingButItself) {
+    EXPECT_THAT(faults("a.gltf", circle_of_nodes), ElementsAre(StartsWith("a.gltf: ")));
 }
 
-TEST_F(MeshLimits, aHeaderThatPromisesTooMuch) {
+TEST_F(MeshLimitsTest, aHeaderThatPromisesTooMuch) {
     EXPECT_THAT(faults("a.ply",
                        "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\n"
                        "property float x\nproperty float y\nproperty float z\n"
@@ -85,11 +87,45 @@ TEST_F(MeshLimits, aHeaderThatPromisesTooMuch) {
                 ElementsAre(StartsWith("a.stl: ")));
 }
 
-TEST_F(MeshLimits, aFileThatIsTooLargeIsNotEvenOpened) {
+TEST_F(MeshLimitsTest, aFileThatIsTooLargeIsNotEvenOpened) {
     const auto file = folder_.write("a.stl", "");
     std::filesystem::resize_file(file, (1ULL << 30) + 1);  // sparse: it takes no room
     EXPECT_THAT(faults_of([&] { load_mesh(file); }, folder_),
                 ElementsAre("a.stl: is larger than 1 GiB"));
+}
+
+TEST_F(MeshLimitsTest, aSubmeshIsReadBehindTheSameOnes) {
+    const auto submesh_faults = [&](const std::string& name, const std::string& text) {
+        const auto file = folder_.write(name, text);
+        return faults_of([&] { load_submesh(file, {"part"}); }, folder_);
+    };
+    EXPECT_THAT(submesh_faults("a.dae", node_bomb(4, 3000)),
+                ElementsAre("a.dae: has more than 10000000 triangles"));
+    EXPECT_THAT(submesh_faults("a.gltf", circle_of_nodes), ElementsAre(StartsWith("a.gltf: ")));
+    EXPECT_THAT(submesh_faults("a.txt", ""), ElementsAre(StartsWith("a.txt: is no kind of mesh")));
+    EXPECT_THAT(submesh_faults("a.obj", "v 0 0 0\nv 1 0 0\nv nan 1 0\no part\nf 1 2 3\n"),
+                ElementsAre("a.obj: has a vertex that is not finite"));
+}
+
+TEST_F(MeshLimitsTest, memoryIsThatOfTheCaller) {
+    std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\no part\n";
+    for (int i = 0; i < 100'000; ++i)
+        text += "f 1 2 3\n";
+    const auto file = folder_.write("a.obj", text);
+    const glm::dvec3 scale{1.0};
+    EXPECT_EQ(load_mesh_parts(file, scale)[0].mesh.triangles.size(), 100'000U);
+    EXPECT_EQ(load_submesh(file, {"part"}, scale)[0].mesh.triangles.size(), 100'000U);
+    const MeshLimits little{.memory_bytes = 10'000'000};
+    // A sanitizer ends the child in its own way.
+    const auto refused = AnyOf(ElementsAre("a.obj: takes more than 10 MB of memory"),
+                               ElementsAre(StartsWith("a.obj: crashes the library")));
+    EXPECT_THAT(
+        faults_of([&] { load_mesh_parts(file, scale, MeshAxes::as_in_file, little); }, folder_),
+        refused);
+    EXPECT_THAT(faults_of([&] { load_submesh(file, {"part"}, scale, little); }, folder_), refused);
+    const MeshLimits few{.triangles = 99'999};
+    EXPECT_THAT(faults_of([&] { load_submesh(file, {"part"}, scale, few); }, folder_),
+                ElementsAre("a.obj: has more than 99999 triangles"));
 }
 
 }  // namespace

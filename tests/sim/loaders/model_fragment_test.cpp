@@ -14,8 +14,11 @@
 namespace scipd::sim {
 namespace {
 
+using ::testing::AnyOf;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::StartsWith;
 
 class ModelFragment : public ::testing::Test {
   protected:
@@ -126,6 +129,36 @@ TEST_F(ModelFragment, RefusesWhatIsNoModel) {
                 ElementsAre("scale: must be above 0 and at most 1e7"));
     EXPECT_THAT(faults_of([&] { load_mesh_model(folder_.path() / "b.obj", {"a"}); }, folder_),
                 ElementsAre("b.obj: no such file; a mesh is wanted here"));
+}
+
+// A part of what a world may take; figures of sdf_survey.cpp.
+TEST_F(ModelFragment, TakesNoMoreThanAModelsShare) {
+    const SdfOptions share = within_a_models_share({.geometry = SdfGeometry::collision});
+    EXPECT_EQ(share.geometry, SdfGeometry::collision);
+    const auto refused = [&](const std::string& text) {
+        return faults_of([&] { load_model_text(text, {"a"}, folder_.path(), share); }, folder_);
+    };
+    std::string many = "<model name='m'>";
+    for (int i = 0; i < 400; ++i)
+        many += "<model name='" + std::to_string(i) + "'/>";
+    EXPECT_THAT(refused(many + "</model>"),
+                ElementsAre("a: would take about 562 MB to read with all its includes, at most 537 "
+                            "MB is allowed; put parts that never move into one link or one mesh"));
+
+    const auto large = folder_.write("large.sdf", "");
+    std::filesystem::resize_file(large, (8U << 20U) + 1);  // sparse: it takes no room
+    EXPECT_THAT(refused("<model name='m'><include><uri>large.sdf</uri></include></model>"),
+                ElementsAre("large.sdf: is larger than 8 MiB"));
+
+    const auto mesh = folder_.write("huge.stl", "");
+    std::filesystem::resize_file(mesh, 900U << 20U);
+    EXPECT_THAT(faults_of([&] { load_mesh_model(mesh, {"a"}, 1.0, {}, share.mesh); }, folder_),
+                AnyOf(ElementsAre("huge.stl: takes more than 536 MB of memory"),
+                      // A sanitizer ends the child in its own way.
+                      ElementsAre(StartsWith("huge.stl: crashes the library"))));
+    EXPECT_THAT(refused("<model name='m'><link name='l'><collision name='c'><geometry><mesh><uri>"
+                        "huge.stl</uri></mesh></geometry></collision></link></model>"),
+                ElementsAre(HasSubstr("huge.stl: ")));
 }
 
 }  // namespace

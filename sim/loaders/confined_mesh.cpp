@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/confined_mesh.h"
+
+#include <cstdint>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+#include "sim/loaders/confined.h"
+#include "sim/loaders/load_error.h"
+
+namespace scipd::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t largest_file = 1ULL << 30;
+/// Assimp takes up to 2 us a triangle (load_bench).
+constexpr std::chrono::seconds processor_time{60};
+
+// From the child to us: the two are one program, and no byte of the file is in between.
+
+template <typename Value>
+void put(const Value* values, std::size_t count, std::FILE* out) {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    if (std::fwrite(values, sizeof(Value), count, out) != count) throw std::bad_alloc();
+}
+
+template <typename Container>
+void put_all(const Container& values, std::FILE* out) {
+    const std::uint64_t count = values.size();
+    put(&count, 1, out);
+    put(values.data(), values.size(), out);
+}
+
+template <typename Container>
+void take_all(Container& values, std::FILE* in) {
+    std::uint64_t count = 0;
+    const bool is_told = std::fread(&count, sizeof count, 1, in) == 1;
+    values.resize(count);
+    const auto size = sizeof(typename Container::value_type);
+    if (!is_told || std::fread(values.data(), size, count, in) != count) {
+        throw std::runtime_error("was read but did not arrive");
+    }
+}
+
+void put_parts(const std::vector<MeshPart>& parts, std::FILE* out) {
+    const std::uint64_t count = parts.size();
+    put(&count, 1, out);
+    for (const MeshPart& part : parts) {
+        put_all(part.material, out);
+        put_all(part.mesh.vertices_m, out);
+        put_all(part.mesh.triangles, out);
+    }
+}
+
+std::vector<MeshPart> take_parts(std::FILE* in) {
+    std::uint64_t count = 0;
+    if (std::fread(&count, sizeof count, 1, in) != 1) throw std::runtime_error("did not arrive");
+    std::vector<MeshPart> parts(count);
+    for (MeshPart& part : parts) {
+        take_all(part.material, in);
+        take_all(part.mesh.vertices_m, in);
+        take_all(part.mesh.triangles, in);
+    }
+    return parts;
+}
+
+std::string known_kinds() {
+    std::string text;
+    for (const auto extension : mesh_extensions)
+        text += (text.empty() ? "" : ", ") + std::string(extension);
+    return text;
+}
+
+void check_file(const fs::path& file) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) {
+        throw std::runtime_error("no such file; a mesh is wanted here");
+    }
+    if (!is_mesh_file(file)) {
+        throw std::runtime_error("is no kind of mesh that is known; name one of " + known_kinds());
+    }
+    if (const auto size = fs::file_size(file, error); error || size > largest_file) {
+        throw std::runtime_error("is larger than 1 GiB");
+    }
+}
+
+}  // namespace
+
+std::vector<MeshPart> read_confined(const fs::path& file, const MeshLimits& limits,
+                                    const std::function<std::vector<MeshPart>()>& read) {
+    try {
+        check_file(file);
+        const Confines confines{.processor_time = processor_time,
+                                .memory_bytes = limits.memory_bytes};
+        const auto work = [&](std::FILE* out) { put_parts(read(), out); };
+        return take_parts(run_confined(confines, work).get());
+    } catch (const std::runtime_error& wrong) {
+        throw LoadError({file.string() + ": " + wrong.what()});
+    }
+}
+
+}  // namespace scipd::sim
