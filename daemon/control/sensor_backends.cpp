@@ -158,11 +158,6 @@ void SensorBackends::assign(const std::string& sensor, std::shared_ptr<sim::Rang
     sensors_[sensor] = {std::move(backend), std::move(choice)};
 }
 
-void SensorBackends::move(sim::ModelId model, const sim::Pose& world_from_model) {
-    for (sim::RangeBackend* backend : backends_)
-        backend->move(model, world_from_model);
-}
-
 void SensorBackends::leave_thread() {
     for (sim::RangeBackend* backend : backends_)
         backend->leave_thread();

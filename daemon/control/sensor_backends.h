@@ -60,8 +60,6 @@ class SensorBackends {
         return sensors_.find(sensor)->second.choice;
     }
 
-    /// All of them see the model there.
-    void move(sim::ModelId model, const sim::Pose& world_from_model);
     /// As RangeBackend has it.
     void leave_thread();
 

@@ -57,9 +57,8 @@ SensorBackends World::replace_scene(sim::SharedScene scene, SensorBackends backe
         const bool stays =
             known != before.end() && known->second.start == start && !placed_anew.contains(name);
         movable_.emplace(
-            name,
-            MovableModel{id, start, radii[id],
-                         stays ? std::move(known->second.track) : sim::PoseTrack(start), start});
+            name, MovableModel{id, start, radii[id],
+                               stays ? std::move(known->second.track) : sim::PoseTrack(start)});
     }
     find_carriers();
     return old;
@@ -68,8 +67,6 @@ SensorBackends World::replace_scene(sim::SharedScene scene, SensorBackends backe
 SensorBackends World::replace_backends(SensorBackends backends) {
     SensorBackends old = std::exchange(backends_, std::move(backends));
     old.leave_thread();
-    for (auto& [name, model] : movable_)
-        model.placed = model.start;
     return old;
 }
 
@@ -169,14 +166,20 @@ bool World::poses_known(sim::Time until) const {
                                 [&](const auto& model) { return expected(model.second.path()); });
 }
 
-sim::RangeBackend& World::backend_at(std::string_view sensor, sim::Time time) {
-    for (auto& [name, model] : movable_) {
-        const sim::Pose pose = model.path().at(time);
-        if (pose == model.placed) continue;
-        backends_.move(model.id, pose);
-        model.placed = pose;
+sim::RangeBackend& World::backend_at(std::string_view sensor, sim::Time time) const {
+    sim::RangeBackend& casts = backend(sensor);
+    for (const auto& [name, model] : movable_)
+        casts.move(model.id, model.path().at(time));
+    return casts;
+}
+
+std::vector<sim::Mover> World::movers(sim::ModelId except) const {
+    std::vector<sim::Mover> movers;
+    movers.reserve(movable_.size());
+    for (const auto& [name, model] : movable_) {
+        if (model.id != except) movers.push_back({model.id, model.radius_m, &model.path()});
     }
-    return backends_.of(sensor);
+    return movers;
 }
 
 double World::parts(sim::Time from, sim::Time to) const {

@@ -18,6 +18,7 @@
 #include "daemon/control/sensor_backends.h"
 #include "sim/backends/range_backend.h"
 #include "sim/time.h"
+#include "sim/world/mover.h"
 #include "sim/world/pose.h"
 #include "sim/world/pose_track.h"
 #include "sim/world/scene.h"
@@ -86,8 +87,14 @@ class World {
     [[nodiscard]] const SharedChoice& choice_of(std::string_view sensor) const {
         return backends_.choice_of(sensor);
     }
+    /// The same, with its models where they were put last.
+    [[nodiscard]] sim::RangeBackend& backend(std::string_view sensor) const {
+        return backends_.of(sensor);
+    }
     /// The same, with every movable model where it is at `time`.
-    [[nodiscard]] sim::RangeBackend& backend_at(std::string_view sensor, sim::Time time);
+    [[nodiscard]] sim::RangeBackend& backend_at(std::string_view sensor, sim::Time time) const;
+    /// The movable models but one; good until something is replaced.
+    [[nodiscard]] std::vector<sim::Mover> movers(sim::ModelId except = sim::no_model) const;
     /// Into how many equal parts this time falls so that no point of a movable model moves more
     /// than a millimetre within one.
     [[nodiscard]] double parts(sim::Time from, sim::Time to) const;
@@ -103,7 +110,6 @@ class World {
         sim::Pose start;
         double radius_m;       ///< of all its points around its origin
         sim::PoseTrack track;  ///< of its own; a body follows its robot's
-        sim::Pose placed;      ///< what the backends were told last
         const Robot* carrier = nullptr;
 
         [[nodiscard]] const sim::PoseTrack& path() const {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/sensor/encounters.h"
+
 namespace scipd::daemon {
 namespace {
 
@@ -31,25 +33,49 @@ Sweep::Sweep(World& world, std::string robot, const SensorConfig& config, sim::S
       sees_body_(config.sees_body),
       scanner_(std::move(scanner)) {}
 
-sim::Pose Sweep::world_from_sensor(sim::Time time) const {
-    return world_.robot(robot_)->at(time) * robot_from_sensor_;
-}
-
 sim::SharedScan Sweep::measure(std::int64_t revolution, sim::Time start, const Fired& fired) const {
     std::vector<sim::Time> times = pose_times(fired);
+    sim::Scan scan = scanner_.begin(revolution, start, poses_at(times));
+    scan.posed_at = std::move(times);
+    cast(scan, fired);
+    scanner_.read(scan);
+    return std::make_shared<const sim::Scan>(std::move(scan));
+}
+
+std::vector<sim::Pose> Sweep::poses_at(const std::vector<sim::Time>& times) const {
+    const sim::PoseTrack& track = *world_.robot(robot_);
     std::vector<sim::Pose> poses;
     poses.reserve(times.size());
     for (const sim::Time time : times) {
         const bool same = !poses.empty() && time == times[poses.size() - 1];
-        poses.push_back(same ? poses.back() : world_from_sensor(time));
+        poses.push_back(same ? poses.back() : track.at(time) * robot_from_sensor_);
     }
-    sim::Scan scan = scanner_.begin(revolution, start, std::move(poses));
-    scan.posed_at = std::move(times);
+    return poses;
+}
+
+void Sweep::cast(sim::Scan& scan, const Fired& fired) const {
     const sim::ModelId unseen = sees_body_ ? sim::no_model : world_.body_of(robot_);
+    const sim::PoseTrack& track = *world_.robot(robot_);
+    const bool absent = track.absent(fired(optics().first_step));
+    const bool comes_or_goes = absent != track.absent(fired(optics().last_step));
+    if (motion_ || comes_or_goes) return cast_in_equal_parts(scan, fired, unseen);
+    if (absent) return;
+    const std::vector<sim::Mover> movers = world_.movers(unseen);
+    sim::RangeBackend& backend = world_.backend(name_);
+    const auto beam_fired = [&](std::size_t beam) {
+        return fired(optics().first_step + static_cast<int>(beam));
+    };
+    for (const sim::Part& part :
+         sim::parts_of_sweep(optics(), scan.world_from_sensor, beam_fired, movers)) {
+        for (const sim::Put& put : part.puts)
+            backend.move(movers[put.mover].id, movers[put.mover].path->at(put.time));
+        scanner_.cast(backend, scan, part.beams, unseen, part.can_meet);
+    }
+}
+
+void Sweep::cast_in_equal_parts(sim::Scan& scan, const Fired& fired, sim::ModelId unseen) const {
     for (const Part& part : parts(fired))
         scanner_.cast(world_.backend_at(name_, part.time), scan, part.beams, unseen);
-    scanner_.read(scan);
-    return std::make_shared<const sim::Scan>(std::move(scan));
 }
 
 int Sweep::most_parts() const {

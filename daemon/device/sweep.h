@@ -35,13 +35,15 @@ class Sweep {
                                           const Fired& fired) const;
 
   private:
-    /// Beams during which nothing moves but the sensor, and the time that stands for them.
+    /// Beams for which all models are where they are at one time.
     struct Part {
         sim::Beams beams;
         sim::Time time{};
     };
 
-    [[nodiscard]] sim::Pose world_from_sensor(sim::Time time) const;
+    void cast(sim::Scan& scan, const Fired& fired) const;
+    void cast_in_equal_parts(sim::Scan& scan, const Fired& fired, sim::ModelId unseen) const;
+    [[nodiscard]] std::vector<sim::Pose> poses_at(const std::vector<sim::Time>& times) const;
     [[nodiscard]] std::vector<sim::Time> pose_times(const Fired& fired) const;
     [[nodiscard]] std::vector<Part> parts(const Fired& fired) const;
     [[nodiscard]] int most_parts() const;

@@ -125,6 +125,7 @@ DepthTriangles::DepthTriangles(const Scene& scene) {
         add(id, object, model.movable,
             anchored_from_world * model.world_from_model * object.model_from_object);
     }
+    std::ranges::stable_sort(movables_, {}, &Movable::model);
 }
 
 void DepthTriangles::add(ObjectId id, const Object& object, bool movable,
@@ -188,8 +189,7 @@ void DepthTriangles::turn_faces(const Block& block) {
 VertexRange DepthTriangles::move(ModelId model, const Pose& anchored_from_model) {
     std::size_t first = vertices_.size();
     std::size_t end = 0;
-    for (const Movable& movable : movables_) {
-        if (movable.model != model) continue;
+    for (const Movable& movable : std::ranges::equal_range(movables_, model, {}, &Movable::model)) {
         const Pose anchored_from_object = anchored_from_model * movable.model_from_object;
         for (std::size_t i = 0; i < movable.in_object_m.size(); ++i) {
             vertices_[movable.first_vertex + i].position_m =

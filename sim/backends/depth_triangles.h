@@ -114,7 +114,7 @@ class DepthTriangles {
     std::vector<DrawnTriangle> triangles_;
     std::vector<Face> faces_;  ///< by TriangleId, as triangles_
     std::vector<Body> bodies_;
-    std::vector<Movable> movables_;
+    std::vector<Movable> movables_;  ///< in the order of their models
 };
 
 }  // namespace scipd::sim

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -77,12 +78,15 @@ class EmbreeBackend final : public RangeBackend {
     struct Movable {
         GeometryHandle instance;
         glm::mat3 world_from_model;
+        std::uint64_t cast = 0;  ///< the latest that can meet it
+        bool shown = true;       ///< in the scene at present
     };
 
     void add_static_models();
     void add_movable_models();
     void do_move(ModelId model, const Pose& world_from_model) override;
     void do_cast(const Fan& fan, std::span<Hit> hits) override;
+    void show(std::span<const ModelId> models);
 
     [[nodiscard]] Pose anchored(const Pose& world_from_thing) const {
         return {world_from_thing.translation_m - scene().anchor_m, world_from_thing.rotation};
@@ -96,6 +100,9 @@ class EmbreeBackend final : public RangeBackend {
     SceneHandle moving_ = new_scene(device_.get());  ///< instances, under their models' ids
     std::vector<Movable> movables_;                  ///< by ModelId; empty where nothing can move
     std::vector<MaterialId> material_of_;            ///< by ObjectId
+    std::vector<ModelId> instances_;                 ///< all movable models with geometry
+    int shown_count_ = 0;
+    std::uint64_t casts_ = 0;
     bool moved_ = false;
 };
 
@@ -138,8 +145,10 @@ void EmbreeBackend::add_movable_models() {
         movables_[id].instance.reset(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE));
         rtcSetGeometryInstancedScene(movables_[id].instance.get(), bodies[id].get());
         rtcAttachGeometryByID(moving_.get(), movables_[id].instance.get(), id);
+        instances_.push_back(id);
         do_move(id, models[id].world_from_model);
     }
+    shown_count_ = static_cast<int>(instances_.size());
 }
 
 void EmbreeBackend::do_move(ModelId model, const Pose& world_from_model) {
@@ -152,11 +161,32 @@ void EmbreeBackend::do_move(ModelId model, const Pose& world_from_model) {
     rtcSetGeometryTransform(movable.instance.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
                             glm::value_ptr(anchored_from_model));
     rtcCommitGeometry(movable.instance.get());
-    moved_ = true;
+    moved_ |= movable.shown;
+}
+
+// A commit costs as much for each instance that is in the scene, moved or not, and so do rays.
+void EmbreeBackend::show(std::span<const ModelId> models) {
+    ++casts_;
+    for (const ModelId model : models)
+        movables_[model].cast = casts_;
+    for (const ModelId model : instances_) {
+        Movable& movable = movables_[model];
+        const bool shown = movable.cast == casts_;
+        if (shown == movable.shown) continue;
+        if (shown) {
+            rtcEnableGeometry(movable.instance.get());
+        } else {
+            rtcDisableGeometry(movable.instance.get());
+        }
+        movable.shown = shown;
+        shown_count_ += shown ? 1 : -1;
+        moved_ = true;
+    }
 }
 
 void EmbreeBackend::do_cast(const Fan& fan, std::span<Hit> hits) {
     const DenormalsAsZero while_casting;
+    show(fan.can_meet.value_or(std::span<const ModelId>{instances_}));
     if (std::exchange(moved_, false)) rtcCommitScene(moving_.get());
     CoherentTracer tracer{fan.unseen};
     RTCRayHit16 packet{};
@@ -167,7 +197,7 @@ void EmbreeBackend::do_cast(const Fan& fan, std::span<Hit> hits) {
         std::fill_n(valid, count, -1);
         aim(fan, first, count, packet);
         tracer.trace(valid, still_.get(), packet);
-        if (!movables_.empty()) {
+        if (shown_count_ > 0) {
             // The hits so far have shortened the rays: only what stands before them is met.
             tracer.trace(valid, moving_.get(), packet);
             turn_normals_of_movables(packet);

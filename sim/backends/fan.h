@@ -7,6 +7,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 
 #include <glm/vec3.hpp>
@@ -27,6 +28,9 @@ struct Fan {
     float max_range_m = std::numeric_limits<float>::infinity();
     /// A movable model that is looked through: the body that carries the sensor.
     ModelId unseen = no_model;
+    /// The only movable models that any of the directions can meet, where somebody knows: backends
+    /// need not look at the others. Nothing: any of them.
+    std::optional<std::span<const ModelId>> can_meet = std::nullopt;
 };
 
 inline constexpr ObjectId no_object = std::numeric_limits<ObjectId>::max();

@@ -9,10 +9,14 @@ namespace scipd::sim {
 
 RangeBackend::RangeBackend(SharedScene scene) : scene_(std::move(scene)) {
     assert(scene_);
+    for (const Model& model : scene_->models)
+        placed_.push_back(model.world_from_model);
 }
 
 void RangeBackend::move(ModelId model, const Pose& world_from_model) {
     assert(model < scene_->models.size() && scene_->models[model].movable);
+    if (placed_[model] == world_from_model) return;
+    placed_[model] = world_from_model;
     do_move(model, world_from_model);
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "sim/backends/fan.h"
 #include "sim/world/scene.h"
@@ -26,7 +27,7 @@ class RangeBackend {
     [[nodiscard]] const Scene& scene() const { return *scene_; }
 
     /// Puts a movable model somewhere else, from the next cast on. Asserts that the model exists
-    /// and is movable.
+    /// and is movable. Costs nothing where it is there already.
     void move(ModelId model, const Pose& world_from_model);
 
     /// Fills hits[i] for fan.directions[i]. Asserts that the sizes agree and that there is one pose
@@ -41,6 +42,7 @@ class RangeBackend {
     virtual void do_cast(const Fan& fan, std::span<Hit> hits) = 0;
 
     SharedScene scene_;
+    std::vector<Pose> placed_;  ///< by ModelId
 };
 
 }  // namespace scipd::sim

@@ -29,13 +29,15 @@ Scan Scanner::begin(std::int64_t revolution, Time start,
             .range_m = std::vector<float>(beams)};
 }
 
-void Scanner::cast(RangeBackend& backend, Scan& scan, Beams beams, ModelId unseen) const {
+void Scanner::cast(RangeBackend& backend, Scan& scan, Beams beams, ModelId unseen,
+                   std::optional<std::span<const ModelId>> can_meet) const {
     const auto [first, count] = beams;
     const std::span<const Pose> poses = scan.world_from_sensor;
     backend.cast({.directions = pattern_.directions().subspan(first, count),
                   .world_from_sensor = poses.size() == 1 ? poses : poses.subspan(first, count),
                   .max_range_m = static_cast<float>(spec_.max_range_m),
-                  .unseen = unseen},
+                  .unseen = unseen,
+                  .can_meet = can_meet},
                  std::span(scan.hits).subspan(first, count));
 }
 

@@ -7,6 +7,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "sim/backends/range_backend.h"
@@ -39,8 +41,9 @@ class Scanner {
     /// read. Beams that are not cast meet nothing.
     [[nodiscard]] Scan begin(std::int64_t revolution, Time start,
                              std::vector<Pose> world_from_sensor) const;
-    /// `beams`: counted from the first; `unseen`: see Fan.
-    void cast(RangeBackend& backend, Scan& scan, Beams beams, ModelId unseen) const;
+    /// `beams`: counted from the first; `unseen` and `can_meet`: see Fan.
+    void cast(RangeBackend& backend, Scan& scan, Beams beams, ModelId unseen,
+              std::optional<std::span<const ModelId>> can_meet = std::nullopt) const;
     void read(Scan& scan) const;
 
   private:

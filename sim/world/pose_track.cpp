@@ -114,6 +114,16 @@ bool PoseTrack::still(Time from, Time to) const {
     return true;
 }
 
+std::optional<Time> PoseTrack::first_jump(Time from, Time to) const {
+    auto entry = first_later_than(from);
+    if (entry == entries_.begin() && entry != entries_.end()) ++entry;
+    for (; entry != entries_.end() && entry->time <= to; ++entry) {
+        const Entry& before = *std::prev(entry);
+        if (entry->time - instant == before.time && entry->pose != before.pose) return entry->time;
+    }
+    return std::nullopt;
+}
+
 PoseTrack::Entries::const_iterator PoseTrack::first_later_than(Time time) const {
     // It is mostly the last moments that are asked for: look there first, then ever farther back.
     std::size_t back = 1;

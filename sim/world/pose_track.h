@@ -67,6 +67,8 @@ class PoseTrack {
     /// Whether the pose is the same at every time between the two: one pose then serves a whole
     /// sweep.
     [[nodiscard]] bool still(Time from, Time to) const;
+    /// When it is first somewhere else at once, after `from` and until `to`.
+    [[nodiscard]] std::optional<Time> first_jump(Time from, Time to) const;
 
   private:
     struct Entry {

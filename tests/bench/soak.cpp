@@ -27,9 +27,10 @@ int count_missing(ScannerWire& wire, long scans) {
     for (long i = 1; i < scans; ++i) {
         const std::uint32_t next_ms = wire.next_scan().stamp_ms;
         const std::uint32_t step_ms = (next_ms - stamp_ms) & clock_mask;
-        if (step_ms != period_ms) {
+        const long turns = turns_between(0, step_ms);
+        if (turns != 1) {
             std::printf("after %ld scans: %u ms instead of %u\n", i, step_ms, period_ms);
-            missing += static_cast<int>(step_ms / period_ms) - 1;
+            missing += static_cast<int>(turns) - 1;
         }
         stamp_ms = next_ms;
     }

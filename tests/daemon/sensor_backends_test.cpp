@@ -62,18 +62,6 @@ TEST(SensorBackends, AreSharedByThoseThatWantTheSame) {
     EXPECT_NE(&backends.of("a/1"), &backends.of("a/2"));
 }
 
-TEST(SensorBackends, SeeWhatMoves) {
-    const sim::SharedScene scene = sim::SceneBuilder()
-                                       .movable(sim::pose_from_rpy({5, 0, 0}, {0, 0, 0}))
-                                       .with(sim::Box{{2.0, 2.0, 2.0}}, {})
-                                       .build();
-    const std::vector<BackendWish> wishes{wish("a/1", "embree"), wish("a/2", "reference")};
-    SensorBackends backends = make_backends(wishes, scene);
-    backends.move(0, sim::pose_from_rpy({7, 0, 0}, {0, 0, 0}));
-    EXPECT_FLOAT_EQ(range_ahead_m(backends, "a/1"), 6.0F);
-    EXPECT_FLOAT_EQ(range_ahead_m(backends, "a/2"), 6.0F);
-}
-
 TEST(SensorBackends, SettleAutoByMeasuring) {
     const std::vector<BackendWish> wishes{wish("a/1", "auto"), wish("b/1", "auto"),
                                           wish("c/1", "auto", 20)};

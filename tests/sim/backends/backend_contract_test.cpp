@@ -239,6 +239,29 @@ TEST_P(BackendContract, LooksThroughTheBodyThatCarriesTheSensorAndNoOther) {
     EXPECT_EQ(ahead(1).object, 0U);
 }
 
+TEST_P(BackendContract, MeetsWhatMovesWhetherTheOthersAreLookedForOrNot) {
+    load(scene()
+             .add(Plane{{20, 20}}, wall_at(10))
+             .movable(at(5))
+             .with(Box{{1, 1, 1}}, {})
+             .movable(at(0, 5))
+             .with(Box{{1, 1, 1}}, {}));
+    const auto seen_ahead = [&](std::vector<ModelId> can_meet) {
+        return cast({forward}, {Pose{}}, nothing, no_model, can_meet).front();
+    };
+    EXPECT_EQ(seen_ahead({1}).object, 1U);
+    // While nobody looks for it, the other one comes to stand ahead.
+    move(1, at(5, 5));
+    move(2, at(3));
+    EXPECT_EQ(seen_ahead({2}).object, 2U);
+    EXPECT_NEAR(seen_ahead({2, 1}).range_m, 2.5, range_tolerance_m);
+    move(2, at(3, 3));
+    EXPECT_EQ(seen_ahead({}).object, 0U);
+    move(1, at(4));
+    EXPECT_NEAR(cast_one(forward).range_m, 3.5, range_tolerance_m);
+    EXPECT_EQ(cast_one(forward).object, 1U);
+}
+
 // The cosine of a quarter turn comes out as 1e-17, and not as 0.
 TEST_P(BackendContract, SeesWhatIsAtRightAnglesOfASensorThatIsTilted) {
     SceneBuilder walls = scene();

@@ -8,7 +8,9 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <ostream>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -69,11 +71,12 @@ class Contract : public testing::TestWithParam<std::tuple<std::string, Place>> {
     }
 
     std::vector<Hit> cast(const std::vector<glm::vec3>& directions, std::vector<Pose> poses,
-                          float max_range_m = nothing, ModelId unseen = no_model) {
+                          float max_range_m = nothing, ModelId unseen = no_model,
+                          std::optional<std::span<const ModelId>> can_meet = std::nullopt) {
         for (Pose& pose : poses)
             pose = world_from_test_ * pose;
         std::vector<Hit> hits(directions.size());
-        backend_->cast({directions, poses, max_range_m, unseen}, hits);
+        backend_->cast({directions, poses, max_range_m, unseen, can_meet}, hits);
         return hits;
     }
 

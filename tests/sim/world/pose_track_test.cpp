@@ -159,6 +159,21 @@ TEST(PoseTrack, IsStillWhereNothingChanges) {
     EXPECT_TRUE(track.still(0s, 999ms));
 }
 
+TEST(PoseTrack, TellsWhenItJumpsFirst) {
+    PoseTrack track(at_x(0));
+    track.append(1s, at_x(1));  // nobody knows when the start was left
+    track.append(2s, at_x(2));
+    track.jump(3s, at_x(5));
+    track.jump(4s, at_x(5));  // to where it is
+    track.jump(5s, at_x(7));
+    EXPECT_EQ(track.first_jump(-1h, 1h), 1s);
+    EXPECT_EQ(track.first_jump(1s, 1h), 3s);
+    EXPECT_EQ(track.first_jump(3s, 1h), 5s);
+    EXPECT_EQ(track.first_jump(5s, 1h), std::nullopt);
+    EXPECT_EQ(track.first_jump(1s, 2999ms), std::nullopt);
+    EXPECT_EQ(track.first_jump(1s, 3s), 3s);
+}
+
 TEST(PoseTrack, IsNotStillAcrossAJumpAndBack) {
     PoseTrack track(at_x(1));
     track.jump(1s, at_x(2));

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/sensor/encounters.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numbers>
+#include <random>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace scipd::sim {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Time period = 25ms;
+
+/// A UST-10LX that sees 10 m.
+SensorSpec spec() {
+    return {.steps_per_turn = 1440,
+            .first_step = 0,
+            .last_step = 1080,
+            .front_step = 540,
+            .scan_period = period,
+            .max_range_m = 10.0};
+}
+
+/// A sweep that begins at 10 s.
+Time fired(std::size_t beam) {
+    return 10s + period * static_cast<int>(beam) / 1440;
+}
+
+double seconds(Time time) {
+    return std::chrono::duration<double>(time - 10s).count();
+}
+
+/// A pose every 10 ms.
+PoseTrack path(const Pose& start, const Velocity& velocity) {
+    PoseTrack track(start);
+    for (Time time = 9900ms; time <= 10'100ms; time += 10ms)
+        track.append(time, moved(start, velocity, seconds(time)));
+    return track;
+}
+
+Velocity along_x(double mps) {
+    return {{mps, 0, 0}, {0, 0, 0}};
+}
+
+std::vector<Part> parts_at_origin(std::span<const Mover> movers) {
+    const Pose origin;
+    return parts_of_sweep(spec(), {&origin, 1}, fired, movers);
+}
+
+/// How many parts a model of 0.3 m makes.
+std::size_t parts_for(const PoseTrack& track) {
+    const Mover mover{0, 0.3, &track};
+    return parts_at_origin({&mover, 1}).size();
+}
+
+TEST(Encounters, LeaveASweepWholeWhereNothingMoves) {
+    const std::vector<Part> parts = parts_at_origin({});
+    ASSERT_EQ(parts.size(), 1U);
+    EXPECT_EQ(parts[0].beams.first, 0U);
+    EXPECT_EQ(parts[0].beams.count, 1081U);
+}
+
+TEST(Encounters, PutAModelWhereItIsWhenTheBeamsPass) {
+    // Ahead, at 5 m: met by 35 beams on each side of the middle one, in which it moves 1.2 mm.
+    const PoseTrack crossing = path(pose_from_rpy({5, 0, 0}, {0, 0, 0}), along_x(0.5));
+    const Mover mover{0, 0.3, &crossing};
+    const std::vector<Part> parts = parts_at_origin({&mover, 1});
+    ASSERT_EQ(parts.size(), 1U);
+    ASSERT_EQ(parts[0].puts.size(), 1U);
+    EXPECT_NEAR(seconds(parts[0].puts[0].time), seconds(fired(540)), 1e-4);
+}
+
+TEST(Encounters, TakeMorePartsWhereSomethingNearIsFast) {
+    const Pose ahead = pose_from_rpy({2, 0, 0}, {0, 0, 0});
+    EXPECT_EQ(parts_for(path(ahead, along_x(0.1))), 1U);
+    EXPECT_GE(parts_for(path(ahead, along_x(5.0))), 8U);
+    // Around the scanner it may be met all the time, and moves 18.75 mm.
+    const std::size_t around = parts_for(path(Pose{}, along_x(1.0)));
+    EXPECT_GE(around, 18U);
+    EXPECT_LE(around, 22U);
+}
+
+TEST(Encounters, DoNotCareForWhatNoBeamCanMeet) {
+    const Velocity fast = along_x(10.0);
+    EXPECT_EQ(parts_for(path(pose_from_rpy({-5, 0, 0}, {0, 0, 0}), fast)), 1U);  // behind
+    EXPECT_EQ(parts_for(path(pose_from_rpy({0, 12, 0}, {0, 0, 0}), fast)), 1U);  // too far away
+    EXPECT_EQ(parts_for(path(pose_from_rpy({2, 0, 1}, {0, 0, 0}), fast)), 1U);   // above
+    EXPECT_GT(parts_for(path(pose_from_rpy({2, 0, 0}, {0, 0, 0}), fast)), 1U);
+}
+
+TEST(Encounters, BreakASweepOnceForAJump) {
+    PoseTrack jumping(pose_from_rpy({2, 0, 0}, {0, 0, 0}));
+    jumping.jump(fired(500), pose_from_rpy({3, 0, 0}, {0, 0, 0}));
+    const Mover mover{0, 0.3, &jumping};
+    const std::vector<Part> parts = parts_at_origin({&mover, 1});
+    std::vector<double> met_at_m;
+    for (const Part& part : parts) {
+        ASSERT_EQ(part.puts.size(), 1U);
+        const double x_m = jumping.at(part.puts[0].time).translation_m.x;
+        met_at_m.insert(met_at_m.end(), part.beams.count, x_m);
+    }
+    EXPECT_LE(parts.size(), 3U);
+    ASSERT_EQ(met_at_m.size(), 1081U);
+    EXPECT_EQ(met_at_m[499], 2.0);
+    EXPECT_EQ(met_at_m[500], 3.0);
+}
+
+/// Many things on the move around a scanner that moves as well, against each ray and each ball.
+class Crowd : public testing::TestWithParam<unsigned> {
+  protected:
+    double uniform(double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(rng_);
+    }
+    Pose anywhere() {
+        return pose_from_rpy({uniform(-8, 8), uniform(-8, 8), uniform(-0.5, 0.5)},
+                             {uniform(-0.2, 0.2), uniform(-0.2, 0.2), uniform(-3, 3)});
+    }
+    Velocity any_velocity(double fastest) {
+        const auto one = [&](double most) { return uniform(-most, most); };
+        return {{one(fastest), one(fastest), 0.1 * one(fastest)}, {0, 0, one(fastest)}};
+    }
+
+    std::mt19937 rng_{GetParam()};
+};
+
+/// From a sensor's origin along its beam.
+bool meets(const Pose& sensor, double bearing_rad, const glm::dvec3& middle_m, double radius_m) {
+    const glm::dvec3 direction =
+        sensor.rotation * glm::dvec3{std::cos(bearing_rad), std::sin(bearing_rad), 0.0};
+    const glm::dvec3 to_middle = middle_m - sensor.translation_m;
+    const double along_m = std::clamp(glm::dot(to_middle, direction), 0.0, spec().max_range_m);
+    return glm::length(to_middle - along_m * direction) <= radius_m;
+}
+
+/// Of two points far from each other and from the axis.
+double moved_m(const Pose& from, const Pose& to, double radius_m) {
+    double most_m = 0.0;
+    for (const glm::dvec3& point : {glm::dvec3{radius_m, 0, 0}, glm::dvec3{0, -radius_m, 0}})
+        most_m = std::max(most_m, glm::distance(from * point, to * point));
+    return most_m;
+}
+
+TEST_P(Crowd, IsWhereItIsForEachBeamThatCouldMeetIt) {
+    const Pose start = anywhere();
+    const Velocity drive = any_velocity(2.0);
+    std::vector<Pose> poses;
+    for (std::size_t beam = 0; beam < 1081; ++beam)
+        poses.push_back(moved(start, drive, seconds(fired(beam))));
+    std::vector<PoseTrack> tracks;
+    for (int i = 0; i < 30; ++i)
+        tracks.push_back(path(anywhere(), any_velocity(uniform(0, 3))));
+    std::vector<Mover> movers;
+    for (const PoseTrack& track : tracks)
+        movers.push_back({static_cast<ModelId>(movers.size()), uniform(0.05, 1.0), &track});
+
+    const std::vector<Part> parts = parts_of_sweep(spec(), poses, fired, movers);
+    std::vector<std::optional<Pose>> put(movers.size());
+    std::size_t beam = 0;
+    int met = 0;
+    for (const Part& part : parts) {
+        ASSERT_EQ(part.beams.first, beam);
+        for (const Put& one : part.puts)
+            put[one.mover] = tracks[one.mover].at(one.time);
+        for (; beam < part.beams.first + part.beams.count; ++beam) {
+            const double bearing_rad = spec().angle_rad(static_cast<int>(beam));
+            for (std::size_t i = 0; i < movers.size(); ++i) {
+                ASSERT_TRUE(put[i]);
+                const Pose now = tracks[i].at(fired(beam));
+                const bool is_met =
+                    meets(poses[beam], bearing_rad, now.translation_m, movers[i].radius_m) ||
+                    meets(poses[beam], bearing_rad, put[i]->translation_m, movers[i].radius_m);
+                if (!is_met) continue;
+                ++met;
+                ASSERT_TRUE(std::ranges::count(part.can_meet, movers[i].id)) << beam << " " << i;
+                ASSERT_LE(moved_m(*put[i], now, movers[i].radius_m), 0.75e-3) << beam << " " << i;
+            }
+        }
+    }
+    EXPECT_EQ(beam, 1081U);
+    EXPECT_GT(met, 5);
+    // Rather few for what moves 3 m/s past 30 times.
+    EXPECT_LT(parts.size(), 80U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Many, Crowd, testing::Range(0U, 50U));
+
+}  // namespace
+}  // namespace scipd::sim
