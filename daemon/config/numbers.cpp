@@ -3,6 +3,7 @@
 #include "daemon/config/numbers.h"
 
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -106,6 +107,19 @@ int parse_baud(std::string_view text) {
 
 int parse_split(std::string_view text) {
     return parse_whole(text, 0, largest_piece);
+}
+
+double parse_oversample(std::string_view text) {
+    const double pixels = parse_number(text);
+    if (pixels < 1.0 || pixels > 16.0) refuse("must be 1 to 16, not " + quote(text));
+    return pixels;
+}
+
+double parse_pass(std::string_view text) {
+    const double width_deg = parse_number(text);
+    if (width_deg < 10.0 || width_deg > 120.0)
+        refuse("must be 10 to 120 degrees, not " + quote(text));
+    return width_deg / 180.0 * std::numbers::pi;
 }
 
 double parse_metres(std::string_view text) {

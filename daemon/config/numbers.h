@@ -49,6 +49,11 @@ int parse_baud(std::string_view text);
 /// Bytes in one piece; 0: all.
 int parse_split(std::string_view text);
 
+/// A depth buffer's pixels from one beam to the next, 1 to 16.
+double parse_oversample(std::string_view text);
+/// Radians from degrees, 10 to 120: what a depth buffer draws in one pass.
+double parse_pass(std::string_view text);
+
 double parse_metres(std::string_view text);
 double parse_radians(std::string_view text);
 /// Metres, not negative.

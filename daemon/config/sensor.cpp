@@ -15,10 +15,12 @@
 namespace scipd::daemon {
 namespace {
 
-constexpr std::array<std::string_view, 13> sensor_keys{
-    "model",  "mount",    "tcp",   "pty",  "backend", "accuracy", "motion",
-    "timing", "power_up", "clock", "link", "profile", "sees_body"};
+constexpr std::array<std::string_view, 14> sensor_keys{
+    "model",  "mount",  "tcp",      "pty",   "backend", "depth",   "accuracy",
+    "motion", "timing", "power_up", "clock", "link",    "profile", "sees_body"};
 constexpr std::array<std::string_view, 1> later_sensor_keys{"echo"};
+constexpr std::array<std::string_view, 3> depth_keys{"between_pixels", "oversample",
+                                                     "widest_pass_deg"};
 constexpr std::array<std::string_view, 2> clock_keys{"ppm", "start_ms"};
 constexpr std::array<std::string_view, 6> link_keys{"latency_ms",  "jitter_ms",   "baud",
                                                     "split_bytes", "coalesce_ms", "on_close"};
@@ -44,6 +46,19 @@ std::optional<Model> read_model(const Section& section, const SensorContext& con
                        context.faults);
     }
     return model;
+}
+
+sim::DepthOptions read_depth(const Field& field, const std::string& backend, Faults& faults) {
+    const Section section{field, {depth_keys, {}}, faults};
+    sim::DepthOptions depth;
+    section.read("between_pixels", depth.between_pixels, parse_between_pixels);
+    section.read("oversample", depth.oversample, parse_oversample);
+    section.read("widest_pass_deg", depth.widest_pass_rad, parse_pass);
+    if (backend != "depth" && backend != "auto") {
+        faults.add(field, "is of a depth buffer, which backend " + backend +
+                              " has not; use backend depth or auto, or leave it out");
+    }
+    return depth;
 }
 
 DeviceClockConfig read_clock(const Section& parent, Faults& faults) {
@@ -109,6 +124,9 @@ SensorConfig read_sensor(const Field& field, SensorContext& context) {
     section.read("pty", sensor.pty,
                  [&](const std::string& text) { return parse_pty(text, context.base); });
     section.read("backend", sensor.backend, parse_backend);
+    if (const Field* depth = section.find("depth")) {
+        sensor.depth = read_depth(*depth, sensor.backend, faults);
+    }
     section.read("accuracy", sensor.accuracy, parse_accuracy);
     section.read("motion", sensor.motion, parse_motion);
     section.read("timing", sensor.timing, parse_timing);

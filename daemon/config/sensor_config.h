@@ -11,6 +11,7 @@
 #include <string>
 
 #include "daemon/models/model.h"
+#include "sim/backends/depth_options.h"
 #include "sim/sensor/error_model.h"
 #include "sim/world/pose.h"
 
@@ -75,6 +76,7 @@ struct SensorConfig {
     std::optional<Address> tcp;
     std::optional<PtyConfig> pty;
     std::string backend = "auto";
+    sim::DepthOptions depth;  ///< where the backend is a depth buffer, or auto takes one
     sim::Accuracy accuracy = sim::Accuracy::sensor;
     /// Poses per sweep; nothing: one for each beam.
     std::optional<int> motion;

@@ -87,6 +87,13 @@ std::string parse_backend(std::string_view text) {
     return "auto";
 }
 
+sim::BetweenPixels parse_between_pixels(std::string_view text) {
+    if (text == "nearest") return sim::BetweenPixels::nearest;
+    if (text == "interpolate") return sim::BetweenPixels::interpolate;
+    if (text == "exact") return sim::BetweenPixels::exact;
+    refuse("must be nearest, interpolate or exact, not " + quote(text));
+}
+
 sim::Accuracy parse_accuracy(std::string_view text) {
     if (text == "ideal") return sim::Accuracy::ideal;
     if (text == "sensor") return sim::Accuracy::sensor;

@@ -25,6 +25,9 @@ Model parse_model(std::string_view text);
 /// auto, or one that this build has.
 std::string parse_backend(std::string_view text);
 
+/// nearest, interpolate or exact: what a depth buffer says of beams between its pixels.
+sim::BetweenPixels parse_between_pixels(std::string_view text);
+
 sim::Accuracy parse_accuracy(std::string_view text);
 Timing parse_timing(std::string_view text);
 

@@ -22,6 +22,8 @@ struct DepthOptions {
     double oversample = 1.0;
     /// Directions farther apart are drawn in several passes.
     double widest_pass_rad = 0.5 * std::numbers::pi;
+
+    bool operator==(const DepthOptions&) const = default;
 };
 
 }  // namespace scipd::sim

@@ -46,6 +46,50 @@ TEST_F(ConfigSensorTest, IsFoundAsToldTo) {
                 ElementsAre(at("power_up: URG-04LX never spoke SCIP 1.1; use scip2.0 or boot")));
 }
 
+TEST_F(ConfigSensorTest, LooksBetweenThePixelsOfADepthBufferAsItIsTold) {
+    EXPECT_EQ(sensor("backend: depth").depth, sim::DepthOptions{});
+    EXPECT_EQ(sensor("depth: {}").depth, sim::DepthOptions{});
+    const sim::DepthOptions depth =
+        sensor(
+            "backend: depth, depth: {between_pixels: nearest, oversample: 2.5, "
+            "widest_pass_deg: 60}")
+            .depth;
+    EXPECT_EQ(depth.between_pixels, sim::BetweenPixels::nearest);
+    EXPECT_EQ(depth.oversample, 2.5);
+    EXPECT_DOUBLE_EQ(depth.widest_pass_rad, 1.0471975511965976);
+    EXPECT_EQ(sensor("depth: {between_pixels: interpolate}").depth.between_pixels,
+              sim::BetweenPixels::interpolate);
+    EXPECT_EQ(sensor("backend: auto, depth: {between_pixels: exact, oversample: 1, "
+                     "widest_pass_deg: 90}")
+                  .depth,
+              sim::DepthOptions{});
+}
+
+TEST_F(ConfigSensorTest, SaysWhatADepthBufferCannotBe) {
+    EXPECT_THAT(
+        sensor_faults("depth: {between_pixels: linear, oversample: 0.5, widest_pass_deg: 121, "
+                      "pixels: 3}"),
+        ElementsAre(at("depth.pixels: unknown key; known here are between_pixels, oversample, "
+                       "widest_pass_deg"),
+                    at("depth.between_pixels: must be nearest, interpolate or exact, not "
+                       "'linear'"),
+                    at("depth.oversample: must be 1 to 16, not '0.5'"),
+                    at("depth.widest_pass_deg: must be 10 to 120 degrees, not '121'")));
+    EXPECT_THAT(sensor_faults("depth: {oversample: 16.1, widest_pass_deg: wide}"),
+                ElementsAre(at("depth.oversample: must be 1 to 16, not '16.1'"),
+                            at("depth.widest_pass_deg: must be a number, not 'wide'")));
+    EXPECT_THAT(sensor_faults("depth: {widest_pass_deg: 9.9}"),
+                ElementsAre(at("depth.widest_pass_deg: must be 10 to 120 degrees, not '9.9'")));
+    EXPECT_THAT(sensor_faults("depth: exact"),
+                ElementsAre(at("depth: must be a map of keys and values")));
+    EXPECT_THAT(sensor_faults("backend: embree, depth: {oversample: 2}"),
+                ElementsAre(at("depth: is of a depth buffer, which backend embree has not; use "
+                               "backend depth or auto, or leave it out")));
+    EXPECT_THAT(sensor_faults("backend: reference, depth: {}"),
+                ElementsAre(at("depth: is of a depth buffer, which backend reference has not; "
+                               "use backend depth or auto, or leave it out")));
+}
+
 TEST_F(ConfigSensorTest, HasAClockThatRunsAsItLikes) {
     const DeviceClockConfig clock = sensor("clock: {ppm: -49.5, start_ms: 16777215}").clock;
     EXPECT_EQ(clock.ppm, -49.5);

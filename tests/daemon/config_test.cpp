@@ -327,8 +327,8 @@ TEST_F(ConfigTest, SaysWhereTheTextIsNotYaml) {
 TEST_F(ConfigTest, AFaultIsALineThatCanBeShown) {
     EXPECT_THAT(sensor_faults("\"a\\n\\x1b\": 1"),
                 ElementsAre("fleet.yaml:3: robots.r.sensors.s.a??: unknown key; known here are "
-                            "model, mount, tcp, pty, backend, accuracy, motion, timing, power_up, "
-                            "clock, link, profile, sees_body"));
+                            "model, mount, tcp, pty, backend, depth, accuracy, motion, timing, "
+                            "power_up, clock, link, profile, sees_body"));
     const auto told = faults(
         "scene: room.sdf\nrobots: {r: {sensors: {s: "
         "{pty: auto, model: \"UST\\n10\"}}}}");
