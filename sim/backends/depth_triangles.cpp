@@ -150,6 +150,8 @@ void DepthTriangles::add(ObjectId id, const Object& object, bool movable,
     turn_faces(all);
     if (parts.size() == 1) parts.clear();
     bodies_.push_back({object.model, all, std::move(parts), solid});
+    middles_m_.emplace_back(all.middle_m, 0.0F);
+    halves_m_.emplace_back(all.half_m, 0.0F);
     if (!movable) return;
     movables_.push_back({object.model, object.model_from_object, std::move(in_object_m),
                          first_vertex, bodies_.size() - 1});
@@ -198,6 +200,8 @@ VertexRange DepthTriangles::move(ModelId model, const Pose& anchored_from_model)
                 anchored_from_object * glm::dvec3{movable.in_object_m[i]};
         }
         enclose(bodies_[movable.body].all);
+        middles_m_[movable.body] = glm::vec4{bodies_[movable.body].all.middle_m, 0.0F};
+        halves_m_[movable.body] = glm::vec4{bodies_[movable.body].all.half_m, 0.0F};
         turn_faces(bodies_[movable.body].all);
         std::ranges::for_each(bodies_[movable.body].parts, [&](Block& part) { enclose(part); });
         first = std::min<std::size_t>(first, movable.first_vertex);
@@ -208,13 +212,16 @@ VertexRange DepthTriangles::move(ModelId model, const Pose& anchored_from_model)
 
 void DepthTriangles::collect(const Frustum& frustum, ModelId unseen,
                              std::vector<DrawnTriangle>& drawn) {
+    missed_.resize(bodies_.size());
+    const glm::vec3 eye_m = frustum.eye_m();
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+        missed_[i] = frustum.misses(glm::vec3{middles_m_[i]} - eye_m, glm::vec3{halves_m_[i]});
     seen_.clear();
-    for (const Body& body : bodies_) {
-        if (body.model == unseen) continue;
-        const glm::vec3 middle_m = body.all.middle_m - frustum.eye_m();
-        const auto place = frustum.place_of(middle_m, body.all.half_m);
-        if (place != Frustum::Place::beyond)
-            seen_.push_back({glm::dot(middle_m, middle_m), place, &body});
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (missed_[i] != 0 || bodies_[i].model == unseen) continue;
+        const glm::vec3 middle_m = glm::vec3{middles_m_[i]} - eye_m;
+        seen_.push_back({glm::dot(middle_m, middle_m),
+                         frustum.place_of(middle_m, glm::vec3{halves_m_[i]}), &bodies_[i]});
     }
     std::ranges::sort(seen_, {}, &Seen::distance);
     for (const auto& [distance, body_place, body] : seen_) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "sim/backends/frustum.h"
 #include "sim/world/scene.h"
@@ -97,6 +98,10 @@ class DepthTriangles {
     std::vector<DrawnTriangle> triangles_;
     std::vector<Face> faces_;  ///< by TriangleId, as triangles_
     std::vector<Body> bodies_;
+    // Of the boxes around them, once more: most bodies are left out by these alone. The fourth
+    // number is nothing; with three, compilers take one box after the other.
+    std::vector<glm::vec4> middles_m_;
+    std::vector<glm::vec4> halves_m_;
     std::vector<Movable> movables_;
 
     // Kept only for their memory.

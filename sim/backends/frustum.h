@@ -30,6 +30,17 @@ class Frustum {
     /// Of a box, given relative to the eye.
     [[nodiscard]] Place place_of(const glm::vec3& middle_m, const glm::vec3& half_m) const;
 
+    /// Not zero where a box is beyond. For loops over many: it has no branches.
+    [[nodiscard]] std::uint32_t misses(const glm::vec3& middle_m, const glm::vec3& half_m) const {
+        std::uint32_t beyond =
+            glm::dot(forward_, middle_m) + glm::dot(forward_reach_, half_m) < 0.0F ? 1U : 0U;
+        for (std::size_t side = 0; side < inward_.size(); ++side)
+            beyond |= glm::dot(inward_[side], middle_m) + glm::dot(reaches_[side], half_m) < 0.0F
+                          ? 1U
+                          : 0U;
+        return beyond;
+    }
+
     /// The sides that a point lies beyond, as bits; given relative to the eye. What has all its
     /// corners beyond one side cannot be seen.
     [[nodiscard]] std::uint32_t sides_missed_by(const glm::vec3& point_m) const {

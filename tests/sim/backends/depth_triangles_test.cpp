@@ -56,8 +56,8 @@ TEST(DepthTriangles, GivesEachTriangleAFirstCornerOfItsOwn) {
         EXPECT_TRUE(firsts.insert(corners.x).second);
         EXPECT_EQ(triangles.vertices()[corners.x].triangle, id);
     }
-    // No more corners than it takes.
-    EXPECT_LT(triangles.vertices().size(), triangles.triangles().size() * 11 / 10 + 20);
+    // Not many more corners than it takes: parts of a large mesh share none.
+    EXPECT_LT(triangles.vertices().size(), triangles.triangles().size() * 12 / 10 + 20);
 }
 
 TEST(DepthTriangles, IsRelativeToTheAnchor) {
