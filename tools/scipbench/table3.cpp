@@ -83,12 +83,12 @@ void print_table3(const std::vector<Table3Row>& rows, std::ostream& out) {
     out << "one scan in ms: median, and +- half of what eight of ten lie within\n\n"
         << std::left << std::setw(8) << "" << std::right;
     for (const char* method : method_names)
-        out << std::setw(20) << method;
+        out << std::setw(22) << method;
     out << "\n";
     for (const Table3Row& row : rows) {
         out << std::left << std::setw(8) << row.resolution.name() << std::right;
         for (const Spread& ms : row.all_ms) {
-            out << std::setw(10) << significant(ms.median, 3) << " +-" << std::setw(7)
+            out << std::setw(10) << significant(ms.median, 3) << " +-" << std::setw(9)
                 << significant(0.5 * (ms.high - ms.low), 2);
         }
         out << "\n";

@@ -33,15 +33,15 @@ std::vector<Table4Row> measure_table4(const sim::SharedScene& scene, int repetit
 void print_table4(const std::vector<Table4Row>& rows, std::ostream& out) {
     out << "reading back in ms: median, and +- half of what eight of ten lie within;\n"
            "depth and frame buffer of the paper's computers A, B and C beside it\n\n"
-        << std::left << std::setw(8) << "" << std::right << std::setw(20) << "depth"
-        << std::setw(20) << "triangle numbers";
+        << std::left << std::setw(8) << "" << std::right << std::setw(22) << "depth"
+        << std::setw(22) << "triangle numbers";
     for (const char* column : {"A depth", "frame", "B depth", "frame", "C depth", "frame"})
         out << std::setw(9) << column;
     out << "\n" << std::fixed << std::setprecision(3);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         out << std::left << std::setw(8) << rows[i].resolution.name() << std::right;
         for (const Spread& ms : {rows[i].depth_ms, rows[i].triangles_ms}) {
-            out << std::setw(10) << significant(ms.median, 3) << " +-" << std::setw(7)
+            out << std::setw(10) << significant(ms.median, 3) << " +-" << std::setw(9)
                 << significant(0.5 * (ms.high - ms.low), 2);
         }
         for (const PaperComputer& computer : paper_computers)
