@@ -45,6 +45,9 @@ int run(CLI::App& program, int argc, char** argv) {
         return 0;
     } catch (const CLI::ParseError& error) {
         return program.exit(error) == 0 ? 0 : wrong_options;
+    } catch (const WrongInput& error) {
+        std::cerr << program.get_name() << ": " << error.what() << '\n';
+        return wrong_options;
     } catch (const std::exception& error) {
         std::cerr << program.get_name() << ": " << error.what() << '\n';
         return failed;

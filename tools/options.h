@@ -2,12 +2,19 @@
 // Copyright The scipd authors
 //
 // How all the small programs read their options and end: 0 as asked, 1 failed while running, 2
-// wrong options.
+// wrong options or input.
 #pragma once
+
+#include <stdexcept>
 
 #include <CLI/CLI.hpp>
 
 namespace scipd::tools {
+
+/// What a user named cannot be used as it is.
+struct WrongInput : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
 
 /// Reads the options, carries out the command and tells what went wrong on standard error. Returns
 /// the exit code.

@@ -3,7 +3,7 @@
 #include "sim/backends/depth_triangles.h"
 
 #include <algorithm>
-#include <bit>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <variant>
@@ -78,44 +78,35 @@ void give_first_corners(Mesh& mesh) {
     }
 }
 
+/// Neighbours in the list stay together; what parts share is doubled.
+std::vector<Mesh> in_parts(const Mesh& mesh) {
+    constexpr std::uint32_t nowhere = ~0U;
+    std::vector<Mesh> parts;
+    std::vector<std::uint32_t> in_part(mesh.vertices_m.size(), nowhere);
+    for (std::size_t begin = 0; begin < mesh.triangles.size(); begin += part_size) {
+        const auto triangles = std::span{mesh.triangles}.subspan(
+            begin, std::min(part_size, mesh.triangles.size() - begin));
+        Mesh& part = parts.emplace_back();
+        for (glm::uvec3 corners : triangles) {
+            for (int i = 0; i < 3; ++i) {
+                std::uint32_t& place = in_part[corners[i]];
+                if (place == nowhere) {
+                    place = static_cast<std::uint32_t>(part.vertices_m.size());
+                    part.vertices_m.push_back(mesh.vertices_m[corners[i]]);
+                }
+                corners[i] = place;
+            }
+            part.triangles.push_back(corners);
+        }
+        for (const glm::uvec3& corners : triangles) {
+            for (int i = 0; i < 3; ++i)
+                in_part[corners[i]] = nowhere;
+        }
+    }
+    return parts;
+}
+
 }  // namespace
-
-Frustum::Frustum(const Strip& strip, const Pose& anchored_from_sensor)
-    : eye_m(anchored_from_sensor.translation_m) {
-    const glm::dvec2 low = strip.first - 0.5 * strip.pitch;
-    const glm::dvec2 high = low + strip.pitch * glm::dvec2{strip.size_px};
-    const std::array<glm::dvec3, 5> in_sensor{
-        strip.left - low.x * strip.forward, high.x * strip.forward - strip.left,
-        strip.up - low.y * strip.forward, high.y * strip.forward - strip.up, strip.forward};
-    std::ranges::transform(in_sensor, inward.begin(), [&](const glm::dvec3& normal) {
-        return glm::vec3{anchored_from_sensor.rotation * normal};
-    });
-    std::ranges::transform(inward, reach.begin(),
-                           [](const glm::vec3& normal) { return glm::abs(normal); });
-}
-
-std::optional<unsigned> Frustum::sides_through(const glm::vec3& middle_m,
-                                               const glm::vec3& half_m) const {
-    unsigned through = 0;
-    for (std::size_t side = 0; side < inward.size(); ++side) {
-        const float inside_m = glm::dot(inward[side], middle_m);
-        const float reach_m = glm::dot(reach[side], half_m);
-        if (inside_m + reach_m < 0.0F) return std::nullopt;
-        if (inside_m - reach_m < 0.0F) through |= 1U << side;
-    }
-    return through;
-}
-
-bool Frustum::beyond(unsigned sides, const std::array<glm::vec3, 3>& triangle_m) const {
-    for (; sides != 0; sides &= sides - 1) {
-        const glm::vec3& normal = inward[static_cast<std::size_t>(std::countr_zero(sides))];
-        const float a_m = glm::dot(normal, triangle_m[0]);
-        const float b_m = glm::dot(normal, triangle_m[1]);
-        const float c_m = glm::dot(normal, triangle_m[2]);
-        if (std::max({a_m, b_m, c_m}) < -rounding_m) return true;
-    }
-    return false;
-}
 
 DepthTriangles::DepthTriangles(const Scene& scene) {
     const Pose anchored_from_world{-scene.anchor_m, Pose{}.rotation};
@@ -136,29 +127,43 @@ void DepthTriangles::add(ObjectId id, const Object& object, bool movable,
                        !std::holds_alternative<SharedMesh>(object.shape);
     if (solid) turn_outward(mesh);
     if (mesh.triangles.size() > part_size) order_by_place(mesh);
-    give_first_corners(mesh);
 
     const auto first_vertex = static_cast<std::uint32_t>(vertices_.size());
-    const std::size_t first = triangles_.size();
-    for (const glm::vec3& vertex : mesh.vertices_m)
-        vertices_.push_back({anchored_from_object * glm::dvec3{vertex}, 0});
-    for (const glm::uvec3& corners : mesh.triangles) {
-        vertices_[first_vertex + corners.x].triangle = static_cast<TriangleId>(triangles_.size());
-        triangles_.push_back({first_vertex + corners});
+    const auto first = static_cast<TriangleId>(triangles_.size());
+    std::vector<glm::vec3> in_object_m;
+    std::vector<Block> parts;
+    for (Mesh& part : in_parts(mesh)) {
+        give_first_corners(part);
+        const auto part_vertex = static_cast<std::uint32_t>(vertices_.size());
+        const auto part_first = static_cast<TriangleId>(triangles_.size());
+        for (const glm::vec3& vertex : part.vertices_m)
+            vertices_.push_back({anchored_from_object * glm::dvec3{vertex}, 0});
+        for (const glm::uvec3& corners : part.triangles) {
+            vertices_[part_vertex + corners.x].triangle =
+                static_cast<TriangleId>(triangles_.size());
+            triangles_.push_back({part_vertex + corners});
+        }
+        parts.push_back(block_from(part_first, part_vertex));
+        if (movable) std::ranges::copy(part.vertices_m, std::back_inserter(in_object_m));
     }
-    const std::size_t end = triangles_.size();
-    faces_.resize(end, Face{.object = id});
-    Body& body = bodies_.emplace_back(Body{object.model, block(first, end - first), {}, solid});
-    turn_faces(body.all);
-    for (std::size_t begin = first; end - first > part_size && begin < end; begin += part_size)
-        body.parts.push_back(block(begin, std::min(part_size, end - begin)));
+    faces_.resize(triangles_.size(), Face{.object = id});
+    const Block all = block_from(first, first_vertex);
+    turn_faces(all);
+    if (parts.size() == 1) parts.clear();
+    bodies_.push_back({object.model, all, std::move(parts), solid});
+    middles_m_.emplace_back(all.middle_m, 0.0F);
+    halves_m_.emplace_back(all.half_m, 0.0F);
     if (!movable) return;
-    movables_.push_back({object.model, object.model_from_object, std::move(mesh.vertices_m),
+    movables_.push_back({object.model, object.model_from_object, std::move(in_object_m),
                          first_vertex, bodies_.size() - 1});
 }
 
-DepthTriangles::Block DepthTriangles::block(std::size_t first, std::size_t count) const {
-    Block block{{}, {}, static_cast<TriangleId>(first), static_cast<std::uint32_t>(count)};
+/// What was added since then.
+DepthTriangles::Block DepthTriangles::block_from(TriangleId first,
+                                                 std::uint32_t first_vertex) const {
+    Block block{{},           {},
+                first,        static_cast<std::uint32_t>(triangles_.size() - first),
+                first_vertex, static_cast<std::uint32_t>(vertices_.size() - first_vertex)};
     enclose(block);
     return block;
 }
@@ -166,11 +171,10 @@ DepthTriangles::Block DepthTriangles::block(std::size_t first, std::size_t count
 void DepthTriangles::enclose(Block& block) const {
     glm::vec3 low{std::numeric_limits<float>::max()};
     glm::vec3 high = -low;
-    for (const DrawnTriangle& triangle : std::span{triangles_}.subspan(block.first, block.count)) {
-        for (int i = 0; i < 3; ++i) {
-            low = glm::min(low, vertices_[triangle.corners[i]].position_m);
-            high = glm::max(high, vertices_[triangle.corners[i]].position_m);
-        }
+    for (const DrawnVertex& vertex :
+         std::span{vertices_}.subspan(block.first_vertex, block.vertex_count)) {
+        low = glm::min(low, vertex.position_m);
+        high = glm::max(high, vertex.position_m);
     }
     block.middle_m = 0.5F * (low + high);
     block.half_m = 0.5F * (high - low) + rounding_m;
@@ -196,6 +200,8 @@ VertexRange DepthTriangles::move(ModelId model, const Pose& anchored_from_model)
                 anchored_from_object * glm::dvec3{movable.in_object_m[i]};
         }
         enclose(bodies_[movable.body].all);
+        middles_m_[movable.body] = glm::vec4{bodies_[movable.body].all.middle_m, 0.0F};
+        halves_m_[movable.body] = glm::vec4{bodies_[movable.body].all.half_m, 0.0F};
         turn_faces(bodies_[movable.body].all);
         std::ranges::for_each(bodies_[movable.body].parts, [&](Block& part) { enclose(part); });
         first = std::min<std::size_t>(first, movable.first_vertex);
@@ -205,41 +211,48 @@ VertexRange DepthTriangles::move(ModelId model, const Pose& anchored_from_model)
 }
 
 void DepthTriangles::collect(const Frustum& frustum, ModelId unseen,
-                             std::vector<DrawnTriangle>& drawn) const {
-    struct Seen {
-        float distance;
-        unsigned sides;
-        const Body* body;
-    };
-    std::vector<Seen> seen;
-    for (const Body& body : bodies_) {
-        if (body.model == unseen) continue;
-        const glm::vec3 middle_m = body.all.middle_m - frustum.eye_m;
-        if (const auto sides = frustum.sides_through(middle_m, body.all.half_m))
-            seen.push_back({glm::dot(middle_m, middle_m), *sides, &body});
+                             std::vector<DrawnTriangle>& drawn) {
+    missed_.resize(bodies_.size());
+    const glm::vec3 eye_m = frustum.eye_m();
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+        missed_[i] = frustum.misses(glm::vec3{middles_m_[i]} - eye_m, glm::vec3{halves_m_[i]});
+    seen_.clear();
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (missed_[i] != 0 || bodies_[i].model == unseen) continue;
+        const glm::vec3 middle_m = glm::vec3{middles_m_[i]} - eye_m;
+        seen_.push_back({glm::dot(middle_m, middle_m),
+                         frustum.place_of(middle_m, glm::vec3{halves_m_[i]}), &bodies_[i]});
     }
-    std::ranges::sort(seen, {}, &Seen::distance);
-    for (const auto& [distance, sides, body] : seen) {
-        const glm::vec3 off_m = glm::abs(body->all.middle_m - frustum.eye_m) - body->all.half_m;
+    std::ranges::sort(seen_, {}, &Seen::distance);
+    for (const auto& [distance, body_place, body] : seen_) {
+        const glm::vec3 off_m = glm::abs(body->all.middle_m - frustum.eye_m()) - body->all.half_m;
         const bool hides_back = body->solid && std::max({off_m.x, off_m.y, off_m.z}) > 0.0F;
-        if (body->parts.empty()) collect(body->all, hides_back, sides, frustum, drawn);
+        if (body->parts.empty()) collect(body->all, body_place, hides_back, frustum, drawn);
         for (const Block& part : body->parts) {
-            const glm::vec3 middle_m = part.middle_m - frustum.eye_m;
-            if (const auto through = frustum.sides_through(middle_m, part.half_m))
-                collect(part, hides_back, *through, frustum, drawn);
+            const auto place = frustum.place_of(part.middle_m - frustum.eye_m(), part.half_m);
+            if (place != Frustum::Place::beyond) collect(part, place, hides_back, frustum, drawn);
         }
     }
 }
 
-void DepthTriangles::collect(const Block& block, bool hides_back, unsigned sides,
-                             const Frustum& frustum, std::vector<DrawnTriangle>& drawn) const {
-    for (TriangleId id = block.first; id < block.first + block.count; ++id) {
-        const DrawnTriangle& triangle = triangles_[id];
-        const glm::vec3 a = vertices_[triangle.corners.x].position_m - frustum.eye_m;
-        if (hides_back && glm::dot(faces_[id].normal, a) > 0.0F) continue;
-        const glm::vec3 b = vertices_[triangle.corners.y].position_m - frustum.eye_m;
-        const glm::vec3 c = vertices_[triangle.corners.z].position_m - frustum.eye_m;
-        if (!frustum.beyond(sides, {a, b, c})) drawn.push_back(triangle);
+void DepthTriangles::collect(const Block& block, Frustum::Place place, bool hides_back,
+                             const Frustum& frustum, std::vector<DrawnTriangle>& drawn) {
+    const auto triangles = std::span{triangles_}.subspan(block.first, block.count);
+    if (place == Frustum::Place::inside && !hides_back) {
+        drawn.insert(drawn.end(), triangles.begin(), triangles.end());
+        return;
+    }
+    const auto vertices = std::span{vertices_}.subspan(block.first_vertex, block.vertex_count);
+    missed_.resize(vertices.size());
+    const glm::vec3 eye_m = frustum.eye_m();
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        missed_[i] = frustum.sides_missed_by(vertices[i].position_m - eye_m);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const glm::uvec3 corners = triangles[i].corners - block.first_vertex;
+        if ((missed_[corners.x] & missed_[corners.y] & missed_[corners.z]) != 0) continue;
+        const glm::vec3 a = vertices[corners.x].position_m - eye_m;
+        if (hides_back && glm::dot(faces_[block.first + i].normal, a) > 0.0F) continue;
+        drawn.push_back(triangles[i]);
     }
 }
 

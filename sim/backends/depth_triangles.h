@@ -7,16 +7,15 @@
 // Knows no OpenGL.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
-#include "sim/backends/depth_projection.h"
+#include "sim/backends/frustum.h"
 #include "sim/world/scene.h"
 
 namespace scipd::sim {
@@ -46,23 +45,6 @@ struct VertexRange {
     std::size_t count = 0;
 };
 
-/// The space that a strip sees, from an eye in anchored W.
-struct Frustum {
-    Frustum(const Strip& strip, const Pose& anchored_from_sensor);
-
-    glm::vec3 eye_m;
-    std::array<glm::vec3, 5> inward;  ///< normals of sides through the eye, the last one forward
-
-    std::array<glm::vec3, 5> reach;  ///< their absolute values: how far a box reaches along them
-
-    /// The sides that go through a box, as bits, or nothing where the box lies beyond one of them.
-    /// The box is given relative to the eye.
-    [[nodiscard]] std::optional<unsigned> sides_through(const glm::vec3& middle_m,
-                                                        const glm::vec3& half_m) const;
-    /// Whether a triangle lies beyond one of these sides; given relative to the eye.
-    [[nodiscard]] bool beyond(unsigned sides, const std::array<glm::vec3, 3>& triangle_m) const;
-};
-
 class DepthTriangles {
   public:
     explicit DepthTriangles(const Scene& scene);
@@ -77,15 +59,17 @@ class DepthTriangles {
     /// Adds the triangles that can be seen in the frustum, and a few that cannot, but none of the
     /// model that is looked through. Objects come by their distance from the eye: what is drawn
     /// behind something else costs least.
-    void collect(const Frustum& frustum, ModelId unseen, std::vector<DrawnTriangle>& drawn) const;
+    void collect(const Frustum& frustum, ModelId unseen, std::vector<DrawnTriangle>& drawn);
 
   private:
-    /// A box around some triangles.
+    /// Some triangles, with corners that no others have, and a box around them.
     struct Block {
         glm::vec3 middle_m;
         glm::vec3 half_m;
         TriangleId first;
         std::uint32_t count;
+        std::uint32_t first_vertex;
+        std::uint32_t vertex_count;
     };
     /// The triangles of one object.
     struct Body {
@@ -104,17 +88,30 @@ class DepthTriangles {
     };
 
     void add(ObjectId id, const Object& object, bool movable, const Pose& anchored_from_object);
-    [[nodiscard]] Block block(std::size_t first, std::size_t count) const;
+    [[nodiscard]] Block block_from(TriangleId first, std::uint32_t first_vertex) const;
     void enclose(Block& block) const;
     void turn_faces(const Block& block);
-    void collect(const Block& block, bool hides_back, unsigned sides, const Frustum& frustum,
-                 std::vector<DrawnTriangle>& drawn) const;
+    void collect(const Block& block, Frustum::Place place, bool hides_back, const Frustum& frustum,
+                 std::vector<DrawnTriangle>& drawn);
 
     std::vector<DrawnVertex> vertices_;
     std::vector<DrawnTriangle> triangles_;
     std::vector<Face> faces_;  ///< by TriangleId, as triangles_
     std::vector<Body> bodies_;
+    // Of the boxes around them, once more: most bodies are left out by these alone. The fourth
+    // number is nothing; with three, compilers take one box after the other.
+    std::vector<glm::vec4> middles_m_;
+    std::vector<glm::vec4> halves_m_;
     std::vector<Movable> movables_;  ///< in the order of their models
+
+    // Kept only for their memory.
+    struct Seen {
+        float distance;
+        Frustum::Place place;
+        const Body* body;
+    };
+    std::vector<Seen> seen_;
+    std::vector<std::uint32_t> missed_;  ///< sides of the frustum, by corner
 };
 
 }  // namespace scipd::sim

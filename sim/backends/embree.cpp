@@ -221,7 +221,10 @@ void EmbreeBackend::aim(const Fan& fan, std::size_t first, std::size_t count,
         packet.ray.dir_y[k] = direction.y;
         packet.ray.dir_z[k] = direction.z;
     }
-    std::ranges::fill(packet.ray.tfar, fan.max_range_m);
+    // Embree also goes as far as lanes reach that are not valid: one ray costs half where they end
+    // at once.
+    std::ranges::fill(packet.ray.tfar, 0.0F);
+    std::fill_n(packet.ray.tfar, count, fan.max_range_m);
     std::ranges::fill(packet.hit.geomID, RTC_INVALID_GEOMETRY_ID);
     std::ranges::fill(packet.hit.instID[0], RTC_INVALID_GEOMETRY_ID);
 }

@@ -17,11 +17,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "sim/backends/depth.h"
-#include "sim/backends/depth_device.h"
-#include "sim/backends/depth_plan.h"
-#include "sim/backends/depth_raster.h"
 #include "sim/backends/registry.h"
+#include "tests/bench/bare_depth.h"
 #include "tests/bench/maze.h"
 #include "tests/bench/rounds.h"
 
@@ -66,56 +63,17 @@ std::vector<std::vector<Pose>> sweeps(std::size_t directions, std::size_t runs) 
     return all;
 }
 
-/// Draws the strips of prepared scans and reads them back, and nothing else.
-class BareDepth {
-  public:
-    BareDepth(const SharedScene& scene, const Directions& directions,
-              const std::vector<std::vector<Pose>>& poses, bool whole)
-        : triangles_(*scene), plan_({directions, poses.front()}, {}) {
-        raster_.set_vertices(triangles_.vertices());
-        for (const std::vector<Pose>& sweep : poses) {
-            Scan& scan = scans_.emplace_back();
-            for (const PlannedView& view : plan_.views()) {
-                Pose pose = sweep[view.pose];
-                pose.translation_m -= scene->anchor_m;
-                const std::size_t first = scan.drawn.size();
-                if (whole) {
-                    const auto all = triangles_.triangles();
-                    scan.drawn.insert(scan.drawn.end(), all.begin(), all.end());
-                } else {
-                    triangles_.collect(Frustum(view.strip, pose), no_model, scan.drawn);
-                }
-                scan.views.push_back(drawn_view(view, pose, first, scan.drawn.size() - first));
-            }
-        }
-    }
-
-    void draw(std::size_t scan) {
-        raster_.draw(scans_[scan].views, scans_[scan].drawn, plan_.size_px());
-        raster_.read(picture_);
-    }
-
-  private:
-    struct Scan {
-        std::vector<DrawnView> views;
-        std::vector<DrawnTriangle> drawn;
-    };
-
-    DepthTriangles triangles_;
-    DepthPlan plan_;
-    DepthRaster raster_{depth_context()};
-    std::vector<Scan> scans_;
-    Picture picture_;
-};
-
 void compare(benchmark::State& state, const Directions& directions, std::size_t runs) {
     const SharedScene scene = maze();
     const auto depth = make_backend("depth", scene);
     const auto rays = make_backend("embree", scene);
     const auto poses = sweeps(directions.size(), runs);
-    BareDepth bare(scene, directions, poses, false);
+    const DepthPlan plan({directions, poses.front()}, {});
+    using Drawn = BareDepth::Drawn;
+    BareDepth bare(*scene, plan.views(), plan.size_px(), poses, Drawn::seen);
     const bool draw_whole = runs <= 10;  // a thousand runs would draw millions of triangles
-    BareDepth whole(scene, directions, draw_whole ? poses : sweeps(directions.size(), 1), true);
+    BareDepth whole(*scene, plan.views(), plan.size_px(),
+                    draw_whole ? poses : std::vector<std::vector<Pose>>{}, Drawn::whole);
     std::vector<Hit> hits(directions.size());
     std::vector<double> depth_s;
     std::vector<double> bare_s;
@@ -125,8 +83,8 @@ void compare(benchmark::State& state, const Directions& directions, std::size_t 
     const auto round_of = [&](std::size_t other) {
         const Fan fan{directions, poses[scan], max_range_m};
         depth_s.push_back(seconds_for([&] { depth->cast(fan, hits); }));
-        bare_s.push_back(seconds_for([&] { bare.draw(other); }));
-        if (draw_whole) whole_s.push_back(seconds_for([&] { whole.draw(other); }));
+        bare_s.push_back(seconds_for([&] { bare.draw_and_read(other); }));
+        if (draw_whole) whole_s.push_back(seconds_for([&] { whole.draw_and_read(other); }));
         rays_s.push_back(seconds_for([&] { rays->cast(fan, hits); }));
     };
     round_of(0);  // warms up

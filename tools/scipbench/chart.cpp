@@ -47,6 +47,19 @@ AxisRange around(const ComparedScans& scans, double glm::dvec3::*axis) {
     return range;
 }
 
+void widen(AxisRange& range, double length) {
+    const double middle = 0.5 * (range.low + range.high);
+    range.low = middle - 0.5 * length;
+    range.high = middle + 0.5 * length;
+}
+
+/// A metre is as long on both axes, with a little room around.
+void equalise(AxisRange& x, AxisRange& y) {
+    const double width = 1.05 * std::max(x.high - x.low, (y.high - y.low) * PlotArea::aspect());
+    widen(x, width);
+    widen(y, width / PlotArea::aspect());
+}
+
 }  // namespace
 
 void draw_table3(const std::vector<Table3Row>& rows, const std::string& machine,
@@ -55,15 +68,18 @@ void draw_table3(const std::vector<Table3Row>& rows, const std::string& machine,
     PlotArea area(page, {1.0, 1e5, true}, {1e-4, 1e3, true});
     area.title("One scan: rays (R) and depth buffer (ZB), with material", machine);
     area.grid("rays", "ms");
-    constexpr std::array<std::size_t, 3> shown{1, 3, 4};
+    constexpr std::array shown{Method::rays_with_material, Method::depth_with_material,
+                               Method::exact};
     constexpr std::array<Colour, 3> inks{colours::wall, colours::wall, colours::scanner};
     for (std::size_t k = 0; k < shown.size(); ++k) {
         std::vector<Place> values;
         for (const Table3Row& row : rows)
-            values.push_back({double(row.resolution.rays()), row.ms[shown[k]].median});
+            values.push_back({double(row.resolution.rays()), row.ms(shown[k]).median});
         const bool rays = k == 0;
         area.line(values, inks[k], 3.0, rays);
-        area.legend(std::string(methods[shown[k]]) + " of this machine", inks[k], 3.0, rays);
+        area.legend(
+            std::string(method_names[static_cast<std::size_t>(shown[k])]) + " of this machine",
+            inks[k], 3.0, rays);
     }
     draw_paper(area, rows);
     finish(page, file);
@@ -72,7 +88,10 @@ void draw_table3(const std::vector<Table3Row>& rows, const std::string& machine,
 void draw_differences(const ComparedScans& scans, const std::string& title,
                       const std::filesystem::path& file) {
     Page page(file);
-    PlotArea area(page, around(scans, &glm::dvec3::x), around(scans, &glm::dvec3::y));
+    AxisRange x = around(scans, &glm::dvec3::x);
+    AxisRange y = around(scans, &glm::dvec3::y);
+    equalise(x, y);
+    PlotArea area(page, x, y);
     area.title(title,
                "from above; blue: what was hit, red: where the depth backend differs by "
                "more than a millimetre, the larger the more");

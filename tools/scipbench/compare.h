@@ -21,7 +21,7 @@ struct Comparison {
     std::string missing;  ///< why it could not be had; the rest is empty then
     Spread cost_ms;       ///< of a scan
     std::size_t beams = 0;
-    std::size_t edges = 0;          ///< beams with another object within half a pixel
+    std::size_t edges = 0;          ///< beams with another surface within half a pixel
     std::size_t other_surface = 0;  ///< beams that are off by more than a centimetre
     std::size_t other_object = 0;   ///< of those that agree, away from edges, where objects touch
     /// Of the difference away from edges: half, 99 and 99.9 of 100, and all.

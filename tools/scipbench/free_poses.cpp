@@ -6,7 +6,9 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 
 #include "sim/world/bounds.h"
 
@@ -31,6 +33,13 @@ bool can_stand(const std::vector<sim::Hit>& hits) {
            std::ranges::count_if(hits, &sim::Hit::met) > beams / 2;
 }
 
+std::string no_place(double height_m, const std::string& scene) {
+    std::ostringstream text;
+    text << "the scene " << scene << " has no place to stand " << height_m
+         << " m high; try another --height";
+    return text.str();
+}
+
 }  // namespace
 
 std::vector<sim::Pose> free_poses(sim::RangeBackend& rays, std::size_t count, double height_m) {
@@ -49,8 +58,7 @@ std::vector<sim::Pose> free_poses(sim::RangeBackend& rays, std::size_t count, do
     std::vector<sim::Pose> poses;
     for (std::size_t tries = 0; poses.size() < count; ++tries) {
         if (bounds.empty() || tries > 1000 * (count + 1))
-            throw std::runtime_error("no place to stand at " + std::to_string(height_m) +
-                                     " m in the scene " + scene.name);
+            throw std::runtime_error(no_place(height_m, scene.name));
         const glm::dvec3 place{between(bounds.low_m.x, bounds.high_m.x),
                                between(bounds.low_m.y, bounds.high_m.y), height_m};
         const sim::Pose pose = sim::pose_from_rpy(

@@ -13,8 +13,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include "daemon/config/demo_world.h"
 #include "daemon/models/registry.h"
-#include "sim/loaders/sdf.h"
+#include "sim/loaders/load_error.h"
+#include "sim/loaders/scene_file.h"
 #include "sim/sensor/beam_pattern.h"
 #include "tools/options.h"
 #include "tools/scipbench/chart.h"
@@ -33,7 +35,7 @@ struct Said {
     int repetitions = 300;
     std::string model = "UST-10LX";
     std::size_t poses = 50;
-    double height_m = 0.3;
+    double height_m = robot_height_m;
     bool json = false;
 };
 
@@ -44,10 +46,23 @@ void write_to(const std::string& file, const auto& write) {
     if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
 }
 
+/// Warnings of the world go beside the table.
+sim::SharedScene load(const Said& said) {
+    try {
+        auto loaded =
+            sim::load_scene(said.scene, {.sdf = {.model_folders = daemon::stock_models()}});
+        for (const std::string& warning : loaded.warnings)
+            std::cerr << "scipbench: " << warning << "\n";
+        return loaded.scene;
+    } catch (const sim::LoadError& error) {
+        throw WrongInput(error.what());
+    }
+}
+
 void run_table3(const Said& said) {
-    const auto loaded = sim::load_sdf(said.scene);
+    const sim::SharedScene scene = load(said);
     const std::string machine = describe_machine();
-    const auto rows = measure_table3(loaded.scene, said.repetitions);
+    const auto rows = measure_table3(scene, said.repetitions, said.height_m);
     std::cout << machine << "\n" << said.scene << "\n\n";
     print_table3(rows, std::cout);
     write_to(said.csv, [&](std::ostream& out) { write_table3_csv(rows, out); });
@@ -55,21 +70,20 @@ void run_table3(const Said& said) {
 }
 
 void run_table4(const Said& said) {
-    const auto loaded = sim::load_sdf(said.scene);
-    const auto rows = measure_table4(loaded.scene, said.repetitions);
+    const auto rows = measure_table4(load(said), said.repetitions, said.height_m);
     std::cout << describe_machine() << "\n" << said.scene << "\n\n";
     print_table4(rows, std::cout);
     write_to(said.csv, [&](std::ostream& out) { write_table4_csv(rows, out); });
 }
 
 void run_compare(const Said& said) {
-    const auto loaded = sim::load_sdf(said.scene);
+    const sim::SharedScene scene = load(said);
     const sim::SensorSpec& optics = daemon::find_model(said.model).optics;
     const sim::BeamPattern pattern(optics);
     const std::vector<glm::vec3> directions(pattern.directions().begin(),
                                             pattern.directions().end());
     const auto scans =
-        compare_backends(loaded.scene, directions, optics.max_range_m, said.poses, said.height_m);
+        compare_backends(scene, directions, optics.max_range_m, said.poses, said.height_m);
     if (said.json) {
         write_comparison_json(scans, std::cout);
     } else {
@@ -80,13 +94,36 @@ void run_compare(const Said& said) {
     if (!said.plot.empty()) draw_differences(scans, said.model + " in " + said.scene, said.plot);
 }
 
+/// Told before minutes of measuring.
+std::string can_be_written(const std::string& file) {
+    const std::filesystem::path path(file);
+    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    std::error_code error;
+    if (!std::filesystem::is_directory(folder, error))
+        return "there is no directory " + folder.string();
+    if (std::filesystem::is_directory(path, error)) return file + " is a directory; name a file";
+    return "";
+}
+
+std::string is_model(const std::string& name) {
+    try {
+        daemon::find_model(name);
+        return "";
+    } catch (const std::invalid_argument& refusal) {
+        return refusal.what();
+    }
+}
+
 CLI::App* add(CLI::App& program, const char* name, const char* what, Said& said,
               void (*run)(const Said&)) {
     CLI::App* command = program.add_subcommand(name, what);
     command->add_option("--scene", said.scene, "world to measure in")
         ->required()
         ->check(CLI::ExistingFile)
-        ->option_text("FILE.sdf");
+        ->option_text("FILE");
+    command->add_option("--height", said.height_m, "of the scanner, in metres")
+        ->check(CLI::Range(-1e6, 1e6))
+        ->option_text("METRES [0.3]");
     command->callback([&said, run] { run(said); });
     return command;
 }
@@ -97,11 +134,14 @@ void add_plot(CLI::App& command, Said& said) {
             const auto ending = std::filesystem::path(file).extension();
             return ending == ".png" || ending == ".svg" ? "" : "must end with .png or .svg";
         })
+        ->check(can_be_written)
         ->option_text("FILE.png|FILE.svg");
 }
 
 void add_table_options(CLI::App& command, Said& said) {
-    command.add_option("--csv", said.csv, "table to write")->option_text("FILE.csv");
+    command.add_option("--csv", said.csv, "table to write")
+        ->check(can_be_written)
+        ->option_text("FILE.csv");
     command.add_option("-n,--repetitions", said.repetitions, "of each measurement")
         ->check(CLI::Range(2, 100'000))
         ->capture_default_str();
@@ -127,11 +167,11 @@ int main(int argc, char** argv) {
     add_table_options(*table4, said);
     CLI::App* compare =
         add(program, "compare", "the same scans by every backend", said, run_compare);
-    compare->add_option("--model", said.model, "scanner")->capture_default_str();
+    compare->add_option("--model", said.model, "scanner, as `scipd --list-models` prints them")
+        ->check(is_model)
+        ->option_text("MODEL");
     compare->add_option("--poses", said.poses, "how many scans, from as many places")
         ->check(CLI::Range(2, 100'000))
-        ->capture_default_str();
-    compare->add_option("--height", said.height_m, "of the scanner, in metres")
         ->capture_default_str();
     compare->add_flag("--json", said.json, "for programs");
     add_plot(*compare, said);

@@ -17,6 +17,8 @@ PixelScan::PixelScan(sim::SharedScene scene, const sim::Strip& strip)
       view_{.strip = strip},
       raster_(sim::depth_context()) {
     raster_.set_vertices(triangles_.vertices());
+    for (const sim::Face& face : triangles_.faces())
+        material_of_.push_back(scene_->objects[face.object].material);
     for (int row = 0; row < strip.size_px.y; ++row) {
         for (int column = 0; column < strip.size_px.x; ++column) {
             const glm::dvec2 at = strip.first + strip.pitch * glm::dvec2{column, row};
@@ -44,8 +46,7 @@ void PixelScan::find_ranges(std::span<float> range_m) const {
 void PixelScan::find_materials(std::span<sim::MaterialId> materials) const {
     for (std::size_t i = 0; i < materials.size(); ++i) {
         const sim::TriangleId triangle = picture_.triangle[i];
-        if (triangle == sim::Picture::nothing) continue;
-        materials[i] = scene_->objects[triangles_.faces()[triangle].object].material;
+        if (triangle != sim::Picture::nothing) materials[i] = material_of_[triangle];
     }
 }
 

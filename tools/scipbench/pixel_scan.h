@@ -33,6 +33,7 @@ class PixelScan {
     sim::DepthTriangles triangles_;
     sim::PlannedView view_;
     std::vector<float> cos_alpha_;
+    std::vector<sim::MaterialId> material_of_;  ///< by triangle
     sim::DepthRaster raster_;
     sim::Picture picture_;
     std::vector<sim::DrawnTriangle> drawn_;

@@ -62,6 +62,10 @@ double AxisRange::share(double value) const {
     return std::log(value / low) / std::log(high / low);
 }
 
+double PlotArea::aspect() {
+    return width / height;
+}
+
 PlotArea::PlotArea(Page& page, const AxisRange& x, const AxisRange& y)
     : context_(page.context()), x_(x), y_(y) {
     use(context_, colours::paper);

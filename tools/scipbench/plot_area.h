@@ -30,6 +30,9 @@ class PlotArea {
   public:
     PlotArea(Page& page, const AxisRange& x, const AxisRange& y);
 
+    /// How much wider it is than high.
+    static double aspect();
+
     void grid(const std::string& x_title, const std::string& y_title);
     void line(const std::vector<Place>& values, const Colour& colour, double width, bool dashed);
     void dot(const Place& value, const Colour& colour, double radius);

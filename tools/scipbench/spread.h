@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <string>
 #include <vector>
 
 namespace scipd::tools {
@@ -22,6 +26,14 @@ inline Spread spread_of(std::vector<double> values) {
         return values[static_cast<std::size_t>(share * double(values.size() - 1))];
     };
     return {at(0.5), at(0.1), at(0.9)};
+}
+
+/// With so many digits that count, and no exponent.
+inline std::string significant(double value, int digits) {
+    const int before = value > 0.0 ? static_cast<int>(std::floor(std::log10(value))) + 1 : digits;
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(std::max(0, digits - before)) << value;
+    return text.str();
 }
 
 template <typename Work>

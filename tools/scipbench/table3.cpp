@@ -4,94 +4,72 @@
 
 #include <iomanip>
 #include <ostream>
+#include <span>
 #include <string>
 
 #include "sim/backends/registry.h"
 #include "tools/scipbench/free_poses.h"
-#include "tools/scipbench/pixel_scan.h"
+#include "tools/scipbench/paper.h"
 
 namespace scipd::tools {
 namespace {
 
-constexpr double robot_height_m = 0.3;
-
-/// Everything that the five methods need at one resolution.
-class Contest {
-  public:
-    Contest(const sim::SharedScene& scene, sim::RangeBackend& rays, sim::RangeBackend& depth,
-            const Resolution& resolution)
-        : rays_(rays),
-          depth_(depth),
-          pixels_(scene, resolution.strip()),
-          directions_(resolution.directions()),
-          hits_(directions_.size()),
-          range_m_(directions_.size()),
-          materials_(directions_.size()) {}
-
-    void cast_rays(const sim::Pose& pose, bool with_material) {
-        rays_.cast({directions_, {&pose, 1}}, hits_);
-        for (std::size_t i = 0; i < hits_.size(); ++i)
-            range_m_[i] = hits_[i].range_m;
-        if (!with_material) return;
-        for (std::size_t i = 0; i < hits_.size(); ++i)
-            materials_[i] = hits_[i].material;
-    }
-    void draw(const sim::Pose& pose, bool with_material) {
-        pixels_.draw(pose);
-        pixels_.read_depth();
-        pixels_.find_ranges(range_m_);
-        if (!with_material) return;
-        pixels_.read_triangles();
-        pixels_.find_materials(materials_);
-    }
-    void cast_depth(const sim::Pose& pose) { depth_.cast({directions_, {&pose, 1}}, hits_); }
-
-  private:
-    sim::RangeBackend& rays_;
-    sim::RangeBackend& depth_;
-    PixelScan pixels_;
-    std::vector<glm::vec3> directions_;
-    std::vector<sim::Hit> hits_;
-    std::vector<float> range_m_;
-    std::vector<sim::MaterialId> materials_;
-};
+using Costs = std::array<double, resolutions>;
 
 Table3Row measure_row(Contest& contest, const Resolution& resolution,
                       const std::vector<sim::Pose>& poses) {
-    std::array<std::vector<double>, methods.size()> ms;
+    std::array<std::vector<double>, method_count> ms;
     for (std::size_t i = 0; i < poses.size(); ++i) {
-        // Not all at the same place: who comes second to it finds the processor prepared.
-        const auto pose = [&](std::size_t method) -> const sim::Pose& {
-            return poses[(i + 17 * method) % poses.size()];
-        };
-        ms[0].push_back(milliseconds_for([&] { contest.cast_rays(pose(0), false); }));
-        ms[1].push_back(milliseconds_for([&] { contest.cast_rays(pose(1), true); }));
-        ms[2].push_back(milliseconds_for([&] { contest.draw(pose(2), false); }));
-        ms[3].push_back(milliseconds_for([&] { contest.draw(pose(3), true); }));
-        ms[4].push_back(milliseconds_for([&] { contest.cast_depth(pose(4)); }));
+        for (std::size_t k = 0; k < method_count; ++k) {
+            // Not all at the same place: who comes second to it finds the processor prepared.
+            const sim::Pose& pose = poses[(i + 17 * k) % poses.size()];
+            ms[k].push_back(milliseconds_for([&] { contest.scan(static_cast<Method>(k), pose); }));
+        }
     }
     Table3Row row{resolution, {}};
-    for (std::size_t method = 0; method < methods.size(); ++method)
-        row.ms[method] = spread_of(std::move(ms[method]));
+    for (std::size_t k = 0; k < method_count; ++k)
+        row.all_ms[k] = spread_of(std::move(ms[k]));
     return row;
 }
 
-std::string break_even(const std::vector<Table3Row>& rows) {
-    constexpr std::size_t rays = 1;
-    constexpr std::size_t depth = 3;
-    for (const Table3Row& row : rows) {
-        if (row.ms[depth].median < row.ms[rays].median)
-            return "from " + row.resolution.name() + " on the depth buffer is faster";
+/// From where on the depth buffer is the faster at all resolutions.
+std::string break_even(const Costs& rays_ms, const Costs& depth_ms) {
+    std::size_t first = resolutions;
+    while (first > 0 && depth_ms[first - 1] < rays_ms[first - 1])
+        --first;
+    if (first == resolutions) return "nowhere";
+    const Resolution& resolution = paper_resolutions()[first];
+    return "from " + resolution.name() + " on (" + std::to_string(resolution.rays()) + " rays)";
+}
+
+std::string break_even(const std::vector<Table3Row>& rows, Method depth) {
+    Costs rays_ms{};
+    Costs depth_ms{};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rays_ms[i] = rows[i].ms(Method::rays_with_material).median;
+        depth_ms[i] = rows[i].ms(depth).median;
     }
-    return "rays are faster at every resolution";
+    return break_even(rays_ms, depth_ms);
+}
+
+void print_break_even(const std::vector<Table3Row>& rows, std::ostream& out) {
+    out << "the depth buffer is faster than rays, with material\n"
+        << "  pixels as they are (ZBwM)        " << break_even(rows, Method::depth_with_material)
+        << "\n"
+        << "  with edges decided (exact)       " << break_even(rows, Method::exact) << "\n";
+    for (const PaperComputer& computer : paper_computers) {
+        out << "  the paper's computer " << computer.name[0] << "           "
+            << break_even(computer.rays_with_material_ms, computer.depth_with_material_ms) << "\n";
+    }
 }
 
 }  // namespace
 
-std::vector<Table3Row> measure_table3(const sim::SharedScene& scene, int repetitions) {
+std::vector<Table3Row> measure_table3(const sim::SharedScene& scene, int repetitions,
+                                      double height_m) {
     const auto rays = sim::make_backend("embree", scene);
     const auto depth = sim::make_backend("depth", scene);
-    const auto poses = free_poses(*rays, static_cast<std::size_t>(repetitions), robot_height_m);
+    const auto poses = free_poses(*rays, static_cast<std::size_t>(repetitions), height_m);
     std::vector<Table3Row> rows;
     for (const Resolution& resolution : paper_resolutions()) {
         Contest contest(scene, *rays, *depth, resolution);
@@ -103,29 +81,30 @@ std::vector<Table3Row> measure_table3(const sim::SharedScene& scene, int repetit
 
 void print_table3(const std::vector<Table3Row>& rows, std::ostream& out) {
     out << "one scan in ms: median, and +- half of what eight of ten lie within\n\n"
-        << std::left << std::setw(10) << "" << std::right;
-    for (const char* method : methods)
-        out << std::setw(18) << method;
-    out << "\n" << std::fixed;
+        << std::left << std::setw(8) << "" << std::right;
+    for (const char* method : method_names)
+        out << std::setw(22) << method;
+    out << "\n";
     for (const Table3Row& row : rows) {
-        out << std::left << std::setw(10) << row.resolution.name() << std::right;
-        for (const Spread& ms : row.ms) {
-            out << std::setw(10) << std::setprecision(4) << ms.median << " +-" << std::setw(5)
-                << std::setprecision(2) << 0.5 * (ms.high - ms.low);
+        out << std::left << std::setw(8) << row.resolution.name() << std::right;
+        for (const Spread& ms : row.all_ms) {
+            out << std::setw(10) << significant(ms.median, 3) << " +-" << std::setw(9)
+                << significant(0.5 * (ms.high - ms.low), 2);
         }
         out << "\n";
     }
-    out << "\n" << break_even(rows) << "\n";
+    out << "\n";
+    print_break_even(rows, out);
 }
 
 void write_table3_csv(const std::vector<Table3Row>& rows, std::ostream& out) {
     out << "resolution,rays";
-    for (const std::string method : methods)
+    for (const std::string method : method_names)
         out << "," << method << "_ms," << method << "_p10_ms," << method << "_p90_ms";
     out << "\n";
     for (const Table3Row& row : rows) {
         out << row.resolution.name() << "," << row.resolution.rays();
-        for (const Spread& ms : row.ms)
+        for (const Spread& ms : row.all_ms)
             out << "," << ms.median << "," << ms.low << "," << ms.high;
         out << "\n";
     }

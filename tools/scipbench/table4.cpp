@@ -11,15 +11,10 @@
 #include "tools/scipbench/pixel_scan.h"
 
 namespace scipd::tools {
-namespace {
-
-constexpr double robot_height_m = 0.3;
-
-}  // namespace
-
-std::vector<Table4Row> measure_table4(const sim::SharedScene& scene, int repetitions) {
+std::vector<Table4Row> measure_table4(const sim::SharedScene& scene, int repetitions,
+                                      double height_m) {
     const auto rays = sim::make_backend("embree", scene);
-    const auto poses = free_poses(*rays, static_cast<std::size_t>(repetitions), robot_height_m);
+    const auto poses = free_poses(*rays, static_cast<std::size_t>(repetitions), height_m);
     std::vector<Table4Row> rows;
     for (const Resolution& resolution : paper_resolutions()) {
         PixelScan pixels(scene, resolution.strip());
@@ -36,19 +31,21 @@ std::vector<Table4Row> measure_table4(const sim::SharedScene& scene, int repetit
 }
 
 void print_table4(const std::vector<Table4Row>& rows, std::ostream& out) {
-    out << "reading back in ms, median; A, B and C are the paper's computers\n\n"
-        << std::left << std::setw(10) << "" << std::right << std::setw(10) << "depth"
-        << std::setw(10) << "numbers";
-    for (const char* computer : {"A", "B", "C"}) {
-        out << std::setw(9) << computer << " depth" << std::setw(9) << computer << " frame";
-    }
-    out << "\n" << std::fixed;
+    out << "reading back in ms: median, and +- half of what eight of ten lie within;\n"
+           "depth and frame buffer of the paper's computers A, B and C beside it\n\n"
+        << std::left << std::setw(8) << "" << std::right << std::setw(22) << "depth"
+        << std::setw(22) << "triangle numbers";
+    for (const char* column : {"A depth", "frame", "B depth", "frame", "C depth", "frame"})
+        out << std::setw(9) << column;
+    out << "\n" << std::fixed << std::setprecision(3);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        out << std::left << std::setw(10) << rows[i].resolution.name() << std::right
-            << std::setprecision(4) << std::setw(10) << rows[i].depth_ms.median << std::setw(10)
-            << rows[i].triangles_ms.median << std::setprecision(3);
+        out << std::left << std::setw(8) << rows[i].resolution.name() << std::right;
+        for (const Spread& ms : {rows[i].depth_ms, rows[i].triangles_ms}) {
+            out << std::setw(10) << significant(ms.median, 3) << " +-" << std::setw(9)
+                << significant(0.5 * (ms.high - ms.low), 2);
+        }
         for (const PaperComputer& computer : paper_computers)
-            out << std::setw(15) << computer.read_depth_ms[i] << std::setw(15)
+            out << std::setw(9) << computer.read_depth_ms[i] << std::setw(9)
                 << computer.read_frame_ms[i];
         out << "\n";
     }

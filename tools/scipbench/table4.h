@@ -19,7 +19,8 @@ struct Table4Row {
     Spread triangles_ms;  ///< the paper's frame buffer
 };
 
-std::vector<Table4Row> measure_table4(const sim::SharedScene& scene, int repetitions);
+std::vector<Table4Row> measure_table4(const sim::SharedScene& scene, int repetitions,
+                                      double height_m);
 
 void print_table4(const std::vector<Table4Row>& rows, std::ostream& out);
 void write_table4_csv(const std::vector<Table4Row>& rows, std::ostream& out);

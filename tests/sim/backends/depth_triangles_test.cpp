@@ -56,8 +56,8 @@ TEST(DepthTriangles, GivesEachTriangleAFirstCornerOfItsOwn) {
         EXPECT_TRUE(firsts.insert(corners.x).second);
         EXPECT_EQ(triangles.vertices()[corners.x].triangle, id);
     }
-    // No more corners than it takes.
-    EXPECT_LT(triangles.vertices().size(), triangles.triangles().size() * 11 / 10 + 20);
+    // Not many more corners than it takes: parts of a large mesh share none.
+    EXPECT_LT(triangles.vertices().size(), triangles.triangles().size() * 12 / 10 + 20);
 }
 
 TEST(DepthTriangles, IsRelativeToTheAnchor) {
@@ -104,7 +104,7 @@ TEST(DepthTriangles, CollectsWhatAStripSees) {
         builder.add(Box{{0.5, 0.5, 0.5}}, random_pose(rng, 20.0));
     builder.add(Sphere{3.0}, at(-5, 5));
     const SharedScene scene = builder.build();
-    const DepthTriangles triangles(*scene);
+    DepthTriangles triangles(*scene);
     const Strip strip{.first = {-1.0, -0.1}, .pitch = {2e-3, 2e-3}, .size_px = {1001, 101}};
     std::size_t collected = 0;
     std::size_t seen = 0;

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The methods that the paper's Table 3 compares, each at one resolution: everything that one scan
+// takes, from a pose to ranges. Reads no clock. One thread.
+//
+//   R      rays, through the backend that does so; which object a ray hits comes for free
+//   RwM    the same, and the material of every ray looked up
+//   ZB     one pass of the depth buffer, a pixel for a ray, depth read back and made ranges
+//   ZBwM   the same, and the triangle numbers read back and made materials
+//   exact  the depth backend as scanners use it: all of ZBwM, and edges decided exactly
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "sim/backends/range_backend.h"
+#include "tools/scipbench/pixel_scan.h"
+#include "tools/scipbench/resolution.h"
+
+namespace scipd::tools {
+
+enum class Method { rays, rays_with_material, depth, depth_with_material, exact };
+
+inline constexpr std::size_t method_count = 5;
+inline constexpr std::array<const char*, method_count> method_names{"R", "RwM", "ZB", "ZBwM",
+                                                                    "exact"};
+
+/// Of the scanner in all tables.
+inline constexpr double robot_height_m = 0.3;
+
+class Contest {
+  public:
+    /// The backends are of the scene, and outlive this.
+    Contest(const sim::SharedScene& scene, sim::RangeBackend& rays, sim::RangeBackend& depth,
+            const Resolution& resolution);
+
+    void scan(Method method, const sim::Pose& pose);
+
+    /// Of the latest scan: all methods but `exact` fill the ranges, those with M the materials.
+    [[nodiscard]] const std::vector<float>& range_m() const { return range_m_; }
+    [[nodiscard]] const std::vector<sim::MaterialId>& materials() const { return materials_; }
+
+  private:
+    void cast_rays(const sim::Pose& pose, bool with_material);
+    void draw(const sim::Pose& pose, bool with_material);
+
+    sim::RangeBackend& rays_;
+    sim::RangeBackend& depth_;
+    PixelScan pixels_;
+    std::vector<glm::vec3> directions_;
+    std::vector<sim::Hit> hits_;
+    std::vector<float> range_m_;
+    std::vector<sim::MaterialId> materials_;
+};
+
+}  // namespace scipd::tools
