@@ -26,21 +26,6 @@ std::string key_of(const RobotConfig& robot, const SensorConfig& sensor) {
     return sensor.tcp->port != 0 ? address : address + " of " + robot.name + "/" + sensor.name;
 }
 
-std::string state_of(const Device& device) {
-    const protocol::DeviceState& state = device.state();
-    if (state.booting(device.uptime())) return "booting";
-    if (state.failed()) return "error";
-    if (state.asleep()) return "asleep";
-    if (state.adjusting()) return "time adjust";
-    if (state.streaming()) return "streaming";
-    return state.laser_on() ? "measuring" : "standby";
-}
-
-std::optional<LatenessStatus> summary_of(const Lateness& lateness) {
-    if (!lateness.max()) return std::nullopt;
-    return LatenessStatus{*lateness.quantile(0.5), *lateness.quantile(0.99), *lateness.max()};
-}
-
 }  // namespace
 
 Fleet::Fleet(const boost::asio::any_io_executor& executor, ClockKind clock)
@@ -205,13 +190,20 @@ std::unique_ptr<Fleet::Station> Fleet::power_up(const RobotConfig& robot,
                                                 const Ports& ports) {
     auto station =
         std::make_unique<Station>(Station{.robot = robot.name, .config = sensor, .seed = seed});
+    if (sensor.staring) {
+        station->staring =
+            std::make_unique<StaringSensor>(robot.name, sensor, seed, world_, clock_);
+        station->loop = std::make_unique<ScanLoop>(*station->staring, clock_);
+        station->tap =
+            std::make_unique<ScanStream::Tap>(stream_, station->name(), *station->staring);
+        return station;
+    }
     SensorConfig of_device = sensor;
     // Time that stands still would never come to the tick of a reply.
     if (lockstep_) of_device.model.profile = protocol::answering_at_once(of_device.model.profile);
     station->device = std::make_unique<Device>(robot.name, of_device, seed, world_, clock_);
     station->loop = std::make_unique<ScanLoop>(*station->device, clock_);
-    station->tap = std::make_unique<ScanStream::Tap>(stream_, robot.name + "/" + sensor.name,
-                                                     *station->device);
+    station->tap = std::make_unique<ScanStream::Tap>(stream_, station->name(), *station->device);
     if (sensor.tcp) station->tcp = ports.tcp.at(key_of(robot, sensor));
     if (sensor.pty) station->pty = ports.pty.at(link_of(robot, sensor));
     if (station->tcp) station->tcp->serve(*station->device, sensor.link);
@@ -230,43 +222,6 @@ void Fleet::replace_feeds(std::vector<Feed> feeds) {
     for (const Feed& feed : feeds)
         feed.feed->serve(feed.robot);
     feeds_ = std::move(feeds);
-}
-
-Status Fleet::status() const {
-    Status status{.uptime = wall_clock_.now(),
-                  .clock = lockstep_ ? "poses" : "wall",
-                  .time = clock_.origin() + clock_.now(),
-                  .scene = editor_.file()};
-    status.poses = {intake_.accepted(), intake_.refused(), intake_.last_refusal()};
-    for (const auto& station : stations_)
-        status.sensors.push_back(status_of(*station));
-    return status;
-}
-
-SensorStatus Fleet::status_of(const Station& station) const {
-    const Device& device = *station.device;
-    const std::string name = station.robot + "/" + station.config.name;
-    const BackendChoice& choice = *world_.choice_of(name);
-    SensorStatus status{
-        .name = name,
-        .model = device.profile().name,
-        .backend = choice.backend,
-        .backend_reason = choice.reason.empty() ? std::optional<std::string>() : choice.reason,
-        .state = state_of(device),
-        .scans = device.scans_sent(),
-        .lost = station.loop->missed() + station.tap->lost(),
-        .lateness = summary_of(device.lateness())};
-    if (station.tcp) {
-        status.tcp = station.tcp->address();
-        status.clients += station.tcp->connected() ? 1 : 0;
-        status.lost += station.tcp->lost_scans();
-    }
-    if (station.pty) {
-        status.pty = station.pty->link();
-        status.clients += station.pty->open() ? 1 : 0;
-        status.lost += station.pty->lost_scans();
-    }
-    return status;
 }
 
 std::optional<sim::TimedPose> Fleet::robot_pose(const std::string& robot) const {

@@ -27,6 +27,7 @@
 #include "daemon/control/world.h"
 #include "daemon/device/device.h"
 #include "daemon/device/scan_loop.h"
+#include "daemon/device/staring_sensor.h"
 #include "daemon/device/wall_clock.h"
 #include "daemon/fleet_plan.h"
 #include "daemon/link/pty_port.h"
@@ -50,6 +51,7 @@ class Fleet : public Api {
 
     [[nodiscard]] Status status() const override;
     [[nodiscard]] const ScanLog* scans(const std::string& sensor) const override;
+    [[nodiscard]] StaringSensor* staring(const std::string& sensor) override;
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string& robot) const override;
     std::optional<std::string> set_robot_pose(const std::string& robot,
                                               std::optional<sim::Time> time,
@@ -77,12 +79,16 @@ class Fleet : public Api {
         std::shared_ptr<PoseFeed> feed;
     };
 
-    /// One scanner and what it is reached by.
+    /// One sensor and what it is reached by.
     struct Station {
         std::string robot;
         SensorConfig config;
         std::uint64_t seed = 0;
-        std::unique_ptr<Device> device;
+        std::unique_ptr<Device> device;          ///< null where it stares
+        std::unique_ptr<StaringSensor> staring;  ///< null where it is a scanner
+
+        [[nodiscard]] std::string name() const { return robot + "/" + config.name; }
+
         std::unique_ptr<ScanLoop> loop;
         std::shared_ptr<TcpPort> tcp;
         std::shared_ptr<PtyPort> pty;
@@ -100,6 +106,7 @@ class Fleet : public Api {
                                                     const SensorConfig& sensor, std::uint64_t seed,
                                                     const Ports& ports);
     void replace_feeds(std::vector<Feed> feeds);
+    [[nodiscard]] const Station* find(const std::string& sensor) const;
     [[nodiscard]] SensorStatus status_of(const Station& station) const;
     /// Of all sensors, as they are now.
     [[nodiscard]] std::vector<BackendWish> backend_wishes() const;

@@ -9,11 +9,20 @@
 
 namespace scipd::daemon {
 
+const Fleet::Station* Fleet::find(const std::string& sensor) const {
+    const auto found = std::ranges::find_if(
+        stations_, [&](const auto& station) { return station->name() == sensor; });
+    return found == stations_.end() ? nullptr : found->get();
+}
+
 const ScanLog* Fleet::scans(const std::string& sensor) const {
-    const auto found = std::ranges::find_if(stations_, [&](const auto& station) {
-        return station->robot + "/" + station->config.name == sensor;
-    });
-    return found == stations_.end() ? nullptr : &(*found)->device->log();
+    const Station* const station = find(sensor);
+    return station != nullptr && station->device ? &station->device->log() : nullptr;
+}
+
+StaringSensor* Fleet::staring(const std::string& sensor) {
+    const Station* const station = find(sensor);
+    return station != nullptr ? station->staring.get() : nullptr;
 }
 
 std::optional<std::string> Fleet::take_pose_line(std::string_view line, SenderClock& sender) {

@@ -8,18 +8,29 @@
 #include "sim/sensor/beam_pattern.h"
 
 namespace scipd::daemon {
+namespace {
+
+std::vector<glm::vec3> directions_of(const SensorConfig& sensor) {
+    if (sensor.staring) return sensor.staring->directions();
+    const sim::BeamPattern pattern(sensor.model.optics);
+    return {pattern.directions().begin(), pattern.directions().end()};
+}
+
+}  // namespace
 
 BackendWish backend_wish(const std::string& robot, const SensorConfig& sensor,
                          const sim::Pose& world_from_robot, ClockKind clock) {
-    const sim::SensorSpec& optics = sensor.model.optics;
-    const sim::BeamPattern pattern(optics);
+    const double max_range_m =
+        sensor.staring ? sensor.staring->max_range_m : sensor.model.optics.max_range_m;
+    std::vector<glm::vec3> directions = directions_of(sensor);
+    const auto beams = static_cast<int>(directions.size());
     BackendWish wish{.sensor = robot + "/" + sensor.name,
                      .backend = sensor.backend,
                      .depth = sensor.depth,
-                     .directions = {pattern.directions().begin(), pattern.directions().end()},
-                     .poses = sensor.motion.value_or(optics.beams()),
+                     .directions = std::move(directions),
+                     .poses = sensor.motion.value_or(beams),
                      .world_from_sensor = world_from_robot * sensor.robot_from_sensor,
-                     .max_range_m = static_cast<float>(optics.max_range_m)};
+                     .max_range_m = static_cast<float>(max_range_m)};
     if (clock == ClockKind::poses)
         wish.settled = rays_unmeasured("in lockstep two runs have to be the same");
     return wish;

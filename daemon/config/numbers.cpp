@@ -22,6 +22,8 @@ constexpr int largest_device_time_ms = (1 << 24) - 1;
 constexpr int longest_period_ms = 600'000;
 constexpr int longest_link_delay_ms = 10'000;
 constexpr int longest_wait_ms = 900;
+constexpr int widest_view_deg = 170;
+constexpr int widest_cone_deg = 180;
 constexpr int largest_piece = 65'536;
 
 [[noreturn]] void refuse(const std::string& sentence) {
@@ -46,6 +48,16 @@ std::chrono::nanoseconds parse_milliseconds(std::string_view text, int most) {
     }
     return std::chrono::round<std::chrono::nanoseconds>(
         std::chrono::duration<double, std::milli>(duration_ms));
+}
+
+/// Degrees, in radians.
+double parse_opening(std::string_view text, int widest_deg) {
+    const double angle_deg = parse_number(text);
+    if (angle_deg <= 0.0 || angle_deg > widest_deg) {
+        refuse("must be more than 0 and up to " + std::to_string(widest_deg) + " degrees, not " +
+               quote(text));
+    }
+    return angle_deg * std::numbers::pi / 180.0;
 }
 
 }  // namespace
@@ -86,6 +98,21 @@ std::chrono::nanoseconds parse_stale(std::string_view text) {
     if (seconds <= 0.0 || seconds > 3600.0)
         refuse("must be more than 0 and up to 3600 s, not " + quote(text));
     return std::chrono::round<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds));
+}
+
+std::chrono::nanoseconds parse_rate(std::string_view text) {
+    const double rate_hz = parse_number(text);
+    if (rate_hz < 1.0 || rate_hz > 1000.0) refuse("must be 1 to 1000 Hz, not " + quote(text));
+    return std::chrono::round<std::chrono::nanoseconds>(
+        std::chrono::duration<double>(1.0 / rate_hz));
+}
+
+double parse_view(std::string_view text) {
+    return parse_opening(text, widest_view_deg);
+}
+
+double parse_cone(std::string_view text) {
+    return parse_opening(text, widest_cone_deg);
 }
 
 double parse_fastest(std::string_view text) {

@@ -40,6 +40,13 @@ std::chrono::nanoseconds parse_link_delay(std::string_view text);
 std::chrono::nanoseconds parse_wait(std::string_view text);
 /// Seconds, up to an hour: after which a stream of poses is stale.
 std::chrono::nanoseconds parse_stale(std::string_view text);
+/// Hz, 1 to 1000, as what lies between. Below, a measurement's poses could be forgotten when it is
+/// asked for.
+std::chrono::nanoseconds parse_rate(std::string_view text);
+/// Degrees that a pinhole can see, in radians.
+double parse_view(std::string_view text);
+/// Degrees of a cone from rim to rim, up to half the space, in radians.
+double parse_cone(std::string_view text);
 /// Metres per second: nothing moves faster.
 double parse_fastest(std::string_view text);
 /// How much faster than its stamps a trajectory is played, 0.001 to 1000.

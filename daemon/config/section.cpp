@@ -150,4 +150,16 @@ void Section::read_vector(std::string_view key, glm::dvec3& target,
     });
 }
 
+void Section::read_pair(std::string_view key, std::array<double, 2>& target,
+                        double (*parse)(std::string_view)) const {
+    const Field* field = find(key);
+    if (!field) return;
+    faults_.guard(*field, [&] {
+        if (!field->value.IsSequence() || field->value.size() != 2) {
+            throw std::invalid_argument("must be a list of two numbers, such as [1, 2]");
+        }
+        target = {parse(text_of(field->value[0])), parse(text_of(field->value[1]))};
+    });
+}
+
 }  // namespace scipd::daemon

@@ -5,6 +5,7 @@
 // fault. Knows maps, lines and key paths, not what a configuration means. One thread at a time.
 #pragma once
 
+#include <array>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -84,9 +85,11 @@ class Section {
         }
     }
 
-    /// The same for a list of three.
+    /// The same for a list of three, and of two.
     void read_vector(std::string_view key, glm::dvec3& target,
                      double (*parse)(std::string_view text)) const;
+    void read_pair(std::string_view key, std::array<double, 2>& target,
+                   double (*parse)(std::string_view text)) const;
 
   private:
     Faults& faults_;

@@ -10,14 +10,15 @@
 #include "daemon/config/numbers.h"
 #include "daemon/config/pose.h"
 #include "daemon/config/profile.h"
+#include "daemon/config/staring.h"
 #include "daemon/config/values.h"
 
 namespace scipd::daemon {
 namespace {
 
-constexpr std::array<std::string_view, 14> sensor_keys{
-    "model",  "mount",  "tcp",      "pty",   "backend", "depth",   "accuracy",
-    "motion", "timing", "power_up", "clock", "link",    "profile", "sees_body"};
+constexpr std::array<std::string_view, 16> sensor_keys{
+    "model",    "camera", "ranger", "mount",    "tcp",   "pty",  "backend", "depth",
+    "accuracy", "motion", "timing", "power_up", "clock", "link", "profile", "sees_body"};
 constexpr std::array<std::string_view, 1> later_sensor_keys{"echo"};
 constexpr std::array<std::string_view, 3> depth_keys{"between_pixels", "oversample",
                                                      "widest_pass_deg"};
@@ -107,6 +108,58 @@ LinkConfig read_link(const Field& field, bool has_pty, const std::optional<Model
     return link;
 }
 
+void check_reach(const Field& field, const Section& section, Faults& faults) {
+    if (is_none(section.find("tcp")) && is_none(section.find("pty"))) {
+        faults.add(field, "nobody can reach it; give tcp or pty, such as `pty: auto`");
+    }
+}
+
+/// What a scanner has besides what all sensors have.
+void read_scanner(const Field& field, const Section& section, SensorConfig& sensor,
+                  SensorContext& context) {
+    Faults& faults = context.faults;
+    if (!section.find("model")) {
+        faults.add(field,
+                   "needs a model, a camera or a ranger; `scipd --list-models` tells the models");
+    }
+    const std::optional<Model> model = read_model(section, context);
+    if (model) sensor.model = *model;
+    section.read("tcp", sensor.tcp, parse_listener);
+    section.read("pty", sensor.pty,
+                 [&](const std::string& text) { return parse_pty(text, context.base); });
+    section.read("timing", sensor.timing, parse_timing);
+    section.read("power_up", sensor.power_up, parse_power_up);
+    if (sensor.power_up == PowerUp::scip1 && model && !model->profile.speaks_scip1()) {
+        faults.add(*section.find("power_up"),
+                   model->profile.name + " never spoke SCIP 1.1; use scip2.0 or boot");
+    }
+    sensor.clock = read_clock(section, faults);
+    if (const Field* link = section.find("link")) {
+        sensor.link = read_link(*link, !is_none(section.find("pty")), model, faults);
+    }
+    context.claims.claim(section.find("tcp"), sensor.tcp);
+    if (sensor.pty && !sensor.pty->link.empty()) {
+        context.claims.claim(section.find("pty"), sensor.pty->link.string());
+    }
+    check_reach(field, section, faults);
+}
+
+/// True: it is a camera or a ranger.
+bool read_staring(const Section& section, SensorConfig& sensor, Faults& faults) {
+    const Field* const camera = section.find("camera");
+    const Field* const ranger = section.find("ranger");
+    if (!camera && !ranger) return false;
+    if (camera && ranger) faults.add(*ranger, "there is a camera already; give one of the two");
+    if (const Field* model = section.find("model")) {
+        faults.add(*model,
+                   "is of a scanner; give model, camera or ranger, and leave the others out");
+    }
+    if (ranger) sensor.staring = read_ranger(*ranger, faults);
+    if (camera) sensor.staring = read_camera(*camera, faults);
+    refuse_wire(section, faults);
+    return true;
+}
+
 }  // namespace
 
 SensorConfig read_sensor(const Field& field, SensorContext& context) {
@@ -114,40 +167,19 @@ SensorConfig read_sensor(const Field& field, SensorContext& context) {
     const Section section{field, {sensor_keys, later_sensor_keys}, faults};
     SensorConfig sensor;
     faults.guard(field, [&] { sensor.name = parse_name(field.key); });
-    if (!section.find("model")) {
-        faults.add(field, "needs a model; `scipd --list-models` tells them");
-    }
-    const std::optional<Model> model = read_model(section, context);
-    if (model) sensor.model = *model;
     sensor.robot_from_sensor = read_pose(section, "mount", faults);
-    section.read("tcp", sensor.tcp, parse_listener);
-    section.read("pty", sensor.pty,
-                 [&](const std::string& text) { return parse_pty(text, context.base); });
     section.read("backend", sensor.backend, parse_backend);
     if (const Field* depth = section.find("depth")) {
         sensor.depth = read_depth(*depth, sensor.backend, faults);
     }
     section.read("accuracy", sensor.accuracy, parse_accuracy);
+    if (read_staring(section, sensor, faults)) {
+        sensor.motion = 1;  // a picture is of one instant
+    } else {
+        read_scanner(field, section, sensor, context);
+    }
     section.read("motion", sensor.motion, parse_motion);
-    section.read("timing", sensor.timing, parse_timing);
     section.read("sees_body", sensor.sees_body, parse_switch);
-    section.read("power_up", sensor.power_up, parse_power_up);
-    if (sensor.power_up == PowerUp::scip1 && model && !model->profile.speaks_scip1()) {
-        faults.add(*section.find("power_up"),
-                   model->profile.name + " never spoke SCIP 1.1; use scip2.0 or boot");
-    }
-    sensor.clock = read_clock(section, faults);
-    const bool has_pty = !is_none(section.find("pty"));
-    if (const Field* link = section.find("link")) {
-        sensor.link = read_link(*link, has_pty, model, faults);
-    }
-    context.claims.claim(section.find("tcp"), sensor.tcp);
-    if (sensor.pty && !sensor.pty->link.empty()) {
-        context.claims.claim(section.find("pty"), sensor.pty->link.string());
-    }
-    if (is_none(section.find("tcp")) && !has_pty) {
-        faults.add(field, "nobody can reach it; give tcp or pty, such as `pty: auto`");
-    }
     return sensor;
 }
 

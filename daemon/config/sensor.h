@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// One scanner of a configuration: its keys, and which of them go together. One thread at a time.
+// One sensor of a configuration: its keys, and which of them go together. One thread at a time.
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What a user wants one scanner to be. Plain values, complete and checked, as all of config.h.
+// What a user wants one sensor to be. Plain values, complete and checked, as all of config.h.
 #pragma once
 
 #include <chrono>
@@ -13,6 +13,7 @@
 #include "daemon/models/model.h"
 #include "sim/backends/depth_options.h"
 #include "sim/sensor/error_model.h"
+#include "sim/sensor/staring.h"
 #include "sim/world/pose.h"
 
 namespace scipd::daemon {
@@ -72,13 +73,16 @@ struct LinkConfig {
 struct SensorConfig {
     std::string name;  ///< of the sensor alone: "front"
     Model model;       ///< with what the configuration overrides
+    /// A camera or a ranger in the place of a model: it speaks no SCIP and has no wire, so that
+    /// neither model nor tcp, pty, timing, power_up, clock and link are of it.
+    std::optional<sim::StaringSpec> staring;
     sim::Pose robot_from_sensor;
     std::optional<Address> tcp;
     std::optional<PtyConfig> pty;
     std::string backend = "auto";
     sim::DepthOptions depth;  ///< where the backend is a depth buffer, or auto takes one
     sim::Accuracy accuracy = sim::Accuracy::sensor;
-    /// Poses per sweep; nothing: one for each beam.
+    /// Poses per sweep, or per measurement of a camera or ranger; nothing: one for each beam.
     std::optional<int> motion;
     Timing timing = Timing::real;
     PowerUp power_up = PowerUp::scip2;

@@ -24,6 +24,7 @@ namespace scipd::daemon {
 
 class ScanLog;
 class ScanStream;
+class StaringSensor;
 
 /// How long after their ideal instant scans left.
 struct LatenessStatus {
@@ -73,8 +74,11 @@ class Api {
 
     [[nodiscard]] virtual Status status() const = 0;
 
-    /// The latest scans of "rescue/front"; null: no such sensor.
+    /// The latest scans of "rescue/front"; null: no such scanner.
     [[nodiscard]] virtual const ScanLog* scans(const std::string& sensor) const = 0;
+
+    /// The camera or ranger of that name; null: no such.
+    [[nodiscard]] virtual StaringSensor* staring(const std::string& sensor) = 0;
 
     /// The pose now and the time of now; nothing: no such robot.
     [[nodiscard]] virtual std::optional<sim::TimedPose> robot_pose(
@@ -90,7 +94,7 @@ class Api {
     virtual std::optional<std::string> take_pose_line(std::string_view line,
                                                       SenderClock& sender) = 0;
 
-    /// Of all scanners.
+    /// Of all sensors.
     virtual ScanStream& stream() = 0;
 
     [[nodiscard]] virtual SceneView scene() const = 0;

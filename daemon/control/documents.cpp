@@ -3,11 +3,17 @@
 #include "daemon/control/documents.h"
 
 #include <chrono>
+#include <cmath>
 
 namespace scipd::daemon {
 
 double seconds(sim::Time time) {
     return std::chrono::duration<double>(time).count();
+}
+
+double rounded(double value) {
+    constexpr double per_unit = 1e6;
+    return std::round(value * per_unit) / per_unit;
 }
 
 Json pose_document(const sim::Pose& pose) {

@@ -17,6 +17,8 @@ namespace scipd::daemon {
 using Json = nlohmann::ordered_json;
 
 double seconds(sim::Time time);
+/// As many digits as a float has at a sensor's ranges.
+double rounded(double value);
 /// {"xyz":[..],"q":[x,y,z,w]}
 Json pose_document(const sim::Pose& pose);
 /// Compact; whatever bytes names have, the text is JSON.

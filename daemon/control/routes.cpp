@@ -19,10 +19,11 @@ namespace {
 /// The path between its slashes.
 using Segments = std::vector<std::string>;
 
-constexpr std::array<Route, 14> table{{
+constexpr std::array<Route, 15> table{{
     {"GET", "/status", get_status},
     {"GET", "/sensors", get_sensors},
     {"GET", "/sensors/{robot}/{sensor}", get_sensor},
+    {"GET", "/sensors/{robot}/{sensor}/reading", get_reading},
     {"GET", "/sensors/{robot}/{sensor}/truth", get_truth},
     {"GET", "/robots/{robot}/pose", get_robot_pose},
     {"PUT", "/robots/{robot}/pose", put_robot_pose},

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "daemon/control/documents.h"
+#include "daemon/control/reading.h"
 
 namespace scipd::daemon {
 namespace {
@@ -59,14 +60,30 @@ class ScanStream::Subscriber : public Conversation {
 };
 
 ScanStream::Tap::Tap(ScanStream& stream, std::string sensor, Device& device)
-    : stream_(stream), sensor_(std::move(sensor)), device_(device) {
+    : stream_(stream), sensor_(std::move(sensor)), watch_([this, &device](bool wanted) {
+          if (!wanted) return device.watch(nullptr);
+          device.watch([this](const ScanRecord& record) {
+              stream_.send(*this, [&] { return text_of(document_of(sensor_, record)); });
+          });
+      }) {
+    stream_.taps_.push_back(this);
+    stream_.follow(*this);
+}
+
+ScanStream::Tap::Tap(ScanStream& stream, std::string name, StaringSensor& sensor)
+    : stream_(stream), sensor_(std::move(name)), watch_([this, &sensor](bool wanted) {
+          if (!wanted) return sensor.watch(nullptr);
+          sensor.watch([this](const StaringRecord& record) {
+              stream_.send(*this, [&] { return text_of(reading_document(sensor_, record)); });
+          });
+      }) {
     stream_.taps_.push_back(this);
     stream_.follow(*this);
 }
 
 ScanStream::Tap::~Tap() {
     std::erase(stream_.taps_, this);
-    device_.watch(nullptr);
+    watch_(false);
 }
 
 std::unique_ptr<Conversation> ScanStream::subscribe(const std::string& sensor, WebSocket& socket) {
@@ -74,10 +91,8 @@ std::unique_ptr<Conversation> ScanStream::subscribe(const std::string& sensor, W
 }
 
 void ScanStream::follow(Tap& tap) {
-    const bool wanted = std::ranges::any_of(
-        subscribers_, [&](const Subscriber* client) { return client->wants(tap.sensor_); });
-    if (!wanted) return tap.device_.watch(nullptr);
-    tap.device_.watch([this, &tap](const ScanRecord& record) { send(tap, record); });
+    tap.watch_(std::ranges::any_of(
+        subscribers_, [&](const Subscriber* client) { return client->wants(tap.sensor_); }));
 }
 
 void ScanStream::follow_all() {
@@ -85,7 +100,7 @@ void ScanStream::follow_all() {
         follow(*tap);
 }
 
-void ScanStream::send(Tap& tap, const ScanRecord& record) {
+void ScanStream::send(Tap& tap, const std::function<std::string()>& tell) {
     std::shared_ptr<const std::string> message;
     for (const Subscriber* client : subscribers_) {
         if (!client->wants(tap.sensor_)) continue;
@@ -93,10 +108,7 @@ void ScanStream::send(Tap& tap, const ScanRecord& record) {
             ++tap.lost_;
             continue;
         }
-        if (!message) {
-            message =
-                std::make_shared<const std::string>(text_of(document_of(tap.sensor_, record)));
-        }
+        if (!message) message = std::make_shared<const std::string>(tell());
         client->socket().send(message);
     }
 }

@@ -1,27 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The WebSocket /stream: every scan of all scanners, or of one, as it is measured, to whoever
+// The WebSocket /stream: every scan of all sensors, or of one, as it is measured, to whoever
 // subscribes; while somebody does, scans are cast, whether a driver wants them or not. A client
 // that is too slow loses whole messages, which are counted. Lives on the I/O thread.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "daemon/control/web_socket.h"
 #include "daemon/device/device.h"
+#include "daemon/device/staring_sensor.h"
 
 namespace scipd::daemon {
 
 class ScanStream {
   public:
-    /// A device's end of it. The stream and the device must outlive it.
+    /// A sensor's end of it. The stream and the sensor must outlive it.
     class Tap {
       public:
         Tap(ScanStream& stream, std::string sensor, Device& device);
+        Tap(ScanStream& stream, std::string name, StaringSensor& sensor);
         Tap(const Tap&) = delete;
         Tap& operator=(const Tap&) = delete;
         ~Tap();
@@ -34,7 +37,7 @@ class ScanStream {
 
         ScanStream& stream_;
         std::string sensor_;
-        Device& device_;
+        std::function<void(bool wanted)> watch_;
         std::uint64_t lost_ = 0;
     };
 
@@ -48,10 +51,11 @@ class ScanStream {
   private:
     class Subscriber;
 
-    /// Its device casts as long as somebody looks.
+    /// Its sensor casts as long as somebody looks.
     void follow(Tap& tap);
     void follow_all();
-    void send(Tap& tap, const ScanRecord& record);
+    /// `tell` makes the message, if there is anybody to send it to.
+    void send(Tap& tap, const std::function<std::string()>& tell);
 
     std::vector<Tap*> taps_;
     std::vector<Subscriber*> subscribers_;

@@ -7,9 +7,11 @@
 
 #include "daemon/control/documents.h"
 #include "daemon/control/problem.h"
+#include "daemon/control/reading.h"
 #include "daemon/control/truth.h"
 #include "daemon/control/url.h"
 #include "daemon/device/scan_log.h"
+#include "daemon/device/staring_sensor.h"
 
 namespace scipd::daemon {
 namespace {
@@ -67,7 +69,9 @@ HttpResponse no_sensor(const Call& call) {
     return problem(404, "there is no sensor \"" + sensor_name(call) + "\"");
 }
 
-HttpResponse truth_of(const ScanLog& log, const std::string& sensor, const std::string& number) {
+/// Of a log that holds something.
+template <class Log>
+HttpResponse truth_of(const Log& log, const std::string& sensor, const std::string& number) {
     std::int64_t scan = 0;
     const char* const end = number.data() + number.size();
     const auto [stop, error] = std::from_chars(number.data(), end, scan);
@@ -79,6 +83,13 @@ HttpResponse truth_of(const ScanLog& log, const std::string& sensor, const std::
                    "scan " + number + " is not kept: those from " + std::to_string(log.first()) +
                        " to " + std::to_string(log.last()) + " are that somebody asked for",
                    "scan");
+}
+
+HttpResponse truth_of(StaringSensor& staring, const Call& call) {
+    const SharedStaringRecord latest = staring.latest();
+    const std::string& query = call.request.query;
+    if (query.empty()) return ok(truth_document(sensor_name(call), *latest));
+    return truth_of(staring.log(), sensor_name(call), query_value(query, "scan").value_or(""));
 }
 
 }  // namespace
@@ -98,7 +109,19 @@ void get_sensor(Call&& call) {
     call.respond(no_sensor(call));
 }
 
+void get_reading(Call&& call) {
+    StaringSensor* const staring = call.api.staring(sensor_name(call));
+    if (staring != nullptr)
+        return call.respond(ok(reading_document(sensor_name(call), *staring->latest())));
+    if (call.api.scans(sensor_name(call)) == nullptr) return call.respond(no_sensor(call));
+    call.respond(problem(404, "\"" + sensor_name(call) +
+                                  "\" is a scanner, which its driver reads over SCIP; /sensors/" +
+                                  sensor_name(call) + "/truth tells what it saw"));
+}
+
 void get_truth(Call&& call) {
+    if (StaringSensor* const staring = call.api.staring(sensor_name(call)))
+        return call.respond(truth_of(*staring, call));
     const ScanLog* const log = call.api.scans(sensor_name(call));
     if (log == nullptr) return call.respond(no_sensor(call));
     const SharedRecord latest = log->latest();

@@ -20,7 +20,7 @@ std::variant<HttpResponse, Converse> open_socket(Api& api, const HttpRequest& re
     if (sensor.empty() && !request.query.empty()) {
         return problem(400, "there is one parameter, ?sensor=ROBOT/SENSOR", "sensor");
     }
-    if (!sensor.empty() && api.scans(sensor) == nullptr) {
+    if (!sensor.empty() && api.scans(sensor) == nullptr && api.staring(sensor) == nullptr) {
         return problem(404, "there is no sensor \"" + sensor + "\"", "sensor");
     }
     return [&api, sensor](WebSocket& socket) { return api.stream().subscribe(sensor, socket); };

@@ -5,16 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "daemon/control/reading.h"
+
 namespace scipd::daemon {
 namespace {
 
-/// As many digits as a float has at a scanner's ranges.
-double rounded(double value) {
-    constexpr double per_unit = 1e6;
-    return std::round(value * per_unit) / per_unit;
-}
-
-Json poses_of(const ScanRecord& record) {
+template <class Record>
+Json poses_of(const Record& record) {
     const sim::Scan& scan = *record.cast;
     Json poses = Json::array();
     for (std::size_t i = 0; i < scan.world_from_sensor.size(); ++i) {
@@ -46,31 +43,47 @@ Json of_hits(const sim::Scan& scan, Tell tell) {
     return list;
 }
 
-}  // namespace
-
-Json truth_document(const std::string& sensor, const ScanRecord& record) {
-    const sim::Scan& cast = *record.cast;
-    const sim::Scene& scene = *record.scene;
+/// What every hit has.
+Json of_all_hits(const sim::Scan& cast, const sim::Scene& scene) {
     return {
-        {"sensor", sensor},
-        {"scan", cast.revolution},
-        {"time_s", seconds(record.told(cast.start))},
-        {"stamp_ms", record.stamp_ms},
-        {"backend", record.backend->backend},
-        {"backend_reason", reason_of(*record.backend)},
-        {"poses", poses_of(record)},
-        {"steps", steps_of(record.sent)},
         {"true_m", of_hits(cast, [](const sim::Hit& hit) { return rounded(hit.range_m); })},
         {"object",
          of_hits(cast, [&](const sim::Hit& hit) { return scene.objects[hit.object].name; })},
         {"material",
          of_hits(cast, [&](const sim::Hit& hit) { return scene.materials[hit.material].name; })},
-        {"incidence_rad", of_hits(cast,
-                                  [](const sim::Hit& hit) {
-                                      return rounded(std::acos(std::min(1.0F, hit.cos_incidence)));
-                                  })},
-        {"sent_mm", record.sent.distance},
-        {"intensity", record.sent.intensity}};
+        {"incidence_rad", of_hits(cast, [](const sim::Hit& hit) {
+             return rounded(std::acos(std::min(1.0F, hit.cos_incidence)));
+         })}};
+}
+
+}  // namespace
+
+Json truth_document(const std::string& sensor, const ScanRecord& record) {
+    const sim::Scan& cast = *record.cast;
+    Json truth{{"sensor", sensor},
+               {"scan", cast.revolution},
+               {"time_s", seconds(record.told(cast.start))},
+               {"stamp_ms", record.stamp_ms},
+               {"backend", record.backend->backend},
+               {"backend_reason", reason_of(*record.backend)},
+               {"poses", poses_of(record)},
+               {"steps", steps_of(record.sent)}};
+    truth.update(of_all_hits(cast, *record.scene));
+    truth["sent_mm"] = record.sent.distance;
+    truth["intensity"] = record.sent.intensity;
+    return truth;
+}
+
+Json truth_document(const std::string& sensor, const StaringRecord& record) {
+    Json truth{{"sensor", sensor},
+               {"scan", record.cast->revolution},
+               {"time_s", seconds(record.told(record.cast->start))},
+               {"backend", record.backend->backend},
+               {"backend_reason", reason_of(*record.backend)},
+               {"poses", poses_of(record)}};
+    truth.update(of_all_hits(*record.cast, *record.scene));
+    truth.update(said_by(record));
+    return truth;
 }
 
 }  // namespace scipd::daemon

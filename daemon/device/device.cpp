@@ -3,10 +3,10 @@
 #include "daemon/device/device.h"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 #include "daemon/device/client.h"
+#include "daemon/device/stable_number.h"
 #include "protocol/ideal.h"
 #include "protocol/reply_grid.h"
 #include "protocol/settings.h"
@@ -30,20 +30,12 @@ protocol::DeviceProfile profile_of(const SensorConfig& config) {
     return profile;
 }
 
-// FNV-1a: the same for the same name in every run, on every machine.
-std::uint64_t number_of(std::string_view name) {
-    std::uint64_t number = 14695981039346656037ULL;
-    for (const char c : name)
-        number = (number ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-    return number;
-}
-
 }  // namespace
 
 Device::Device(const std::string& robot, const SensorConfig& config, std::uint64_t seed,
                World& world, Clock& clock)
     : profile_(profile_of(config)),
-      chance_{.seed = seed, .sensor = number_of(robot + "/" + config.name)},
+      chance_{.seed = seed, .sensor = stable_number(robot + "/" + config.name)},
       patience_(config.wait_for_poses),
       clock_(clock),
       device_clock_(clock.now(), config.clock.ppm),

@@ -19,6 +19,7 @@
 #include "daemon/device/clock.h"
 #include "daemon/device/lateness.h"
 #include "daemon/device/scan_log.h"
+#include "daemon/device/scan_source.h"
 #include "daemon/device/sweep.h"
 #include "protocol/device_profile.h"
 #include "protocol/device_state.h"
@@ -30,13 +31,11 @@ namespace scipd::daemon {
 
 class Client;
 
-class Device {
+class Device : public ScanSource {
   public:
     /// Powered up at this moment. `world` and `clock` must outlive it.
     Device(const std::string& robot, const SensorConfig& config, std::uint64_t seed, World& world,
            Clock& clock);
-    Device(const Device&) = delete;
-    Device& operator=(const Device&) = delete;
 
     [[nodiscard]] const protocol::DeviceProfile& profile() const { return profile_; }
     [[nodiscard]] const protocol::DeviceState& state() const { return state_; }
@@ -49,24 +48,18 @@ class Device {
     /// For what is random about it and its links, the same in every run.
     [[nodiscard]] sim::ChanceKey chance(sim::Purpose purpose) const;
 
-    /// Somebody waits for scans.
-    [[nodiscard]] bool wanted() const;
-    /// Called when wanted() may have become true.
-    void on_wanted(std::function<void()> callback) { on_wanted_ = std::move(callback); }
+    [[nodiscard]] bool wanted() const override;
+    void on_wanted(std::function<void()> callback) override { on_wanted_ = std::move(callback); }
 
     /// Somebody who sees every scan, whatever clients want; null: nobody.
     void watch(std::function<void(const ScanRecord&)> watcher);
 
-    /// The first revolution whose scan has not left yet.
-    [[nodiscard]] std::int64_t next_revolution() const;
-    /// When its scan leaves: at the first tick of the firmware after its last step.
-    [[nodiscard]] sim::Time leaves(std::int64_t revolution) const;
-    /// How long a scan may wait for poses, and whether it need not.
-    [[nodiscard]] sim::Time patience() const { return patience_; }
-    [[nodiscard]] bool poses_known(std::int64_t revolution) const;
-    /// To be called once for each revolution, in order, at or after leaves(): serves everyone who
-    /// takes it.
-    void turn_complete(std::int64_t revolution);
+    [[nodiscard]] std::int64_t next_revolution() const override;
+    /// At the first tick of the firmware after its last step.
+    [[nodiscard]] sim::Time leaves(std::int64_t revolution) const override;
+    [[nodiscard]] sim::Time patience() const override { return patience_; }
+    [[nodiscard]] bool poses_known(std::int64_t revolution) const override;
+    void turn_complete(std::int64_t revolution) override;
 
     [[nodiscard]] std::uint64_t scans_sent() const { return scans_sent_; }
     [[nodiscard]] const Lateness& lateness() const { return lateness_; }

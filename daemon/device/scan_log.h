@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The latest scans of a device, as they were cast and as they were sent: a second of them, for
-// those who compare. What was kept stays as it was, in the scene of its time. Lives on the I/O
-// thread.
+// The latest scans of a device, as they were cast and as they were sent.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <memory>
-#include <optional>
 
 #include "daemon/control/sensor_backends.h"
 #include "daemon/device/bridge.h"
+#include "daemon/device/record_log.h"
 #include "sim/sensor/scan.h"
 #include "sim/world/scene.h"
 
@@ -35,22 +31,6 @@ struct ScanRecord {
 
 using SharedRecord = std::shared_ptr<const ScanRecord>;
 
-class ScanLog {
-  public:
-    static constexpr sim::Time span = std::chrono::seconds(1);
-    static constexpr std::size_t capacity = 64;
-
-    void add(SharedRecord record);
-
-    /// Null where there is none.
-    [[nodiscard]] SharedRecord latest() const;
-    [[nodiscard]] SharedRecord find(std::int64_t revolution) const;
-    /// Of a log that holds something: the first and the last of the revolutions.
-    [[nodiscard]] std::int64_t first() const { return records_.front()->cast->revolution; }
-    [[nodiscard]] std::int64_t last() const { return records_.back()->cast->revolution; }
-
-  private:
-    std::deque<SharedRecord> records_;  ///< by growing revolution
-};
+class ScanLog : public RecordLog<ScanRecord> {};
 
 }  // namespace scipd::daemon

@@ -11,19 +11,19 @@ constexpr sim::Time too_late = std::chrono::seconds(1);
 
 }  // namespace
 
-ScanLoop::ScanLoop(Device& device, Clock& clock)
-    : device_(device), clock_(clock), alarm_(clock.make_alarm()) {
-    device_.on_wanted([this] { wake(); });
+ScanLoop::ScanLoop(ScanSource& source, Clock& clock)
+    : source_(source), clock_(clock), alarm_(clock.make_alarm()) {
+    source_.on_wanted([this] { wake(); });
 }
 
 ScanLoop::~ScanLoop() {
-    device_.on_wanted(nullptr);
+    source_.on_wanted(nullptr);
 }
 
 void ScanLoop::wake() {
     if (waiting_) return;
-    revolution_ = device_.next_revolution();
-    wait(device_.leaves(revolution_));
+    revolution_ = source_.next_revolution();
+    wait(source_.leaves(revolution_));
 }
 
 void ScanLoop::wait(sim::Time until) {
@@ -35,24 +35,24 @@ void ScanLoop::wait(sim::Time until) {
 }
 
 void ScanLoop::poses_came() {
-    if (lacks_poses_ && device_.poses_known(revolution_)) wait(clock_.now());
+    if (lacks_poses_ && source_.poses_known(revolution_)) wait(clock_.now());
 }
 
 void ScanLoop::serve() {
-    const sim::Time leaves = device_.leaves(revolution_);
+    const sim::Time leaves = source_.leaves(revolution_);
     // The motor may have been slowed down meanwhile.
     if (clock_.now() < leaves) return wait(leaves);
-    const sim::Time at_the_latest = leaves + device_.patience();
-    lacks_poses_ = clock_.now() < at_the_latest && !device_.poses_known(revolution_);
+    const sim::Time at_the_latest = leaves + source_.patience();
+    lacks_poses_ = clock_.now() < at_the_latest && !source_.poses_known(revolution_);
     if (lacks_poses_) return wait(at_the_latest);
     if (clock_.now() - leaves > too_late) {
-        const std::int64_t next = device_.next_revolution();
+        const std::int64_t next = source_.next_revolution();
         missed_ += static_cast<std::uint64_t>(next - revolution_);
         revolution_ = next;
     } else {
-        device_.turn_complete(revolution_++);
+        source_.turn_complete(revolution_++);
     }
-    if (device_.wanted()) wait(device_.leaves(revolution_));
+    if (source_.wanted()) wait(source_.leaves(revolution_));
 }
 
 }  // namespace scipd::daemon

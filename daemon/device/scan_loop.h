@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Waits for the ends of a device's turns, as long as somebody wants scans. Every instant is
+// Waits for the ends of a source's turns, as long as somebody wants scans. Every instant is
 // computed from the number of the revolution and waited for as an absolute time, so lateness never
 // adds up. Lives on the I/O thread.
 #pragma once
@@ -10,14 +10,14 @@
 #include <memory>
 
 #include "daemon/device/clock.h"
-#include "daemon/device/device.h"
+#include "daemon/device/scan_source.h"
 
 namespace scipd::daemon {
 
 class ScanLoop {
   public:
-    /// `device` and `clock` must outlive it.
-    ScanLoop(Device& device, Clock& clock);
+    /// `source` and `clock` must outlive it.
+    ScanLoop(ScanSource& source, Clock& clock);
     ScanLoop(const ScanLoop&) = delete;
     ScanLoop& operator=(const ScanLoop&) = delete;
     ~ScanLoop();
@@ -33,7 +33,7 @@ class ScanLoop {
     void wait(sim::Time until);
     void serve();
 
-    Device& device_;
+    ScanSource& source_;
     const Clock& clock_;
     std::unique_ptr<Clock::Alarm> alarm_;
     std::int64_t revolution_ = 0;  ///< the next to be served

@@ -85,7 +85,8 @@ int Sweep::most_parts() const {
 std::vector<sim::Time> Sweep::pose_times(const Fired& fired) const {
     const int beams = optics().beams();
     const sim::Time begin = fired(optics().first_step);
-    if (world_.robot(robot_)->still(begin, fired(optics().last_step))) return {begin};
+    const sim::Time end = fired(optics().last_step);
+    if (begin == end || world_.robot(robot_)->still(begin, end)) return {begin};
     const int count = most_parts();
     std::vector<sim::Time> times;
     times.reserve(static_cast<std::size_t>(beams));

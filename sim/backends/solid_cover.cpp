@@ -24,6 +24,11 @@ using Rays = std::vector<std::uint32_t>;
 /// stay small.
 constexpr double coarsest_pitch = 6e-2;
 
+/// Along the longer side of a picture whose pixels are not where the directions are: what lies
+/// between pixels is not known to it, so that a few beams of a wide cone would miss a pole that
+/// they meet.
+constexpr double least_pixels = 192.0;
+
 /// Where a camera of no roll would look to have these directions in its middle.
 Strip aimed(std::span<const glm::vec3> directions, const Rays& rays) {
     glm::dvec3 sum{0.0};
@@ -85,10 +90,12 @@ void lay_pixels(Strip& strip, std::array<std::vector<double>, 2> tangents,
     const double enough = 64.0 + 4.0 * oversample * oversample * double(rays.size());
     if (!axes[0] || !axes[1] || double(axes[0]->count) * axes[1]->count > enough) {
         const auto& [left, up] = tangents;
-        const double pitch = std::clamp(
-            pitch_for(directions, rays, left.back() - left.front(), up.back() - up.front()) /
-                oversample,
-            same_direction, coarsest_pitch);
+        const double width = left.back() - left.front();
+        const double height = up.back() - up.front();
+        const double coarsest = std::min(coarsest_pitch, std::max(width, height) / least_pixels);
+        const double pitch =
+            std::max(same_direction,
+                     std::min(pitch_for(directions, rays, width, height), coarsest) / oversample);
         axes = {dense_axis(left.front(), left.back(), pitch),
                 dense_axis(up.front(), up.back(), pitch)};
     }

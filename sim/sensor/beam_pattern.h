@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -16,6 +17,8 @@ namespace scipd::sim {
 class BeamPattern {
   public:
     explicit BeamPattern(const SensorSpec& spec);
+    /// Of a sensor that does not turn: a direction a step, unit vectors.
+    explicit BeamPattern(std::vector<glm::vec3> directions) : directions_(std::move(directions)) {}
     [[nodiscard]] std::span<const glm::vec3> directions() const { return directions_; }
 
   private:

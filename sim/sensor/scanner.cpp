@@ -10,6 +10,11 @@ namespace scipd::sim {
 Scanner::Scanner(SensorSpec spec, const ErrorModel& errors)
     : spec_(std::move(spec)), pattern_(spec_), errors_(errors) {}
 
+Scanner::Scanner(SensorSpec spec, BeamPattern pattern, const ErrorModel& errors)
+    : spec_(std::move(spec)), pattern_(std::move(pattern)), errors_(errors) {
+    assert(pattern_.directions().size() == static_cast<std::size_t>(spec_.beams()));
+}
+
 SharedScan Scanner::measure(RangeBackend& backend, std::int64_t revolution, Time start,
                             std::vector<Pose> world_from_sensor) const {
     Scan scan = begin(revolution, start, std::move(world_from_sensor));

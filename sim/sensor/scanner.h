@@ -29,6 +29,8 @@ struct Beams {
 class Scanner {
   public:
     Scanner(SensorSpec spec, const ErrorModel& errors);
+    /// `pattern`: a direction for each step that `spec` measures.
+    Scanner(SensorSpec spec, BeamPattern pattern, const ErrorModel& errors);
 
     [[nodiscard]] const SensorSpec& spec() const { return spec_; }
 

@@ -130,8 +130,8 @@ http: 8080
                     "fleet.yaml:9: robots.rescue.poses.after: must be hold, extrapolate or none, "
                     "not 'rest'",
                     "fleet.yaml:9: robots.rescue.poses.wait_ms: must be 0 to 900 ms, not '2000'",
-                    "fleet.yaml:11: robots.rescue.sensors.front: needs a model; `scipd "
-                    "--list-models` tells them",
+                    "fleet.yaml:11: robots.rescue.sensors.front: needs a model, a camera "
+                    "or a ranger; `scipd --list-models` tells the models",
                     "fleet.yaml:12: robots.rescue.sensors.front.modle: unknown key; did you mean "
                     "model?",
                     "fleet.yaml:13: robots.rescue.sensors.front.tcp: must be ADDRESS:PORT such as "
@@ -327,8 +327,8 @@ TEST_F(ConfigTest, SaysWhereTheTextIsNotYaml) {
 TEST_F(ConfigTest, AFaultIsALineThatCanBeShown) {
     EXPECT_THAT(sensor_faults("\"a\\n\\x1b\": 1"),
                 ElementsAre("fleet.yaml:3: robots.r.sensors.s.a??: unknown key; known here are "
-                            "model, mount, tcp, pty, backend, depth, accuracy, motion, timing, "
-                            "power_up, clock, link, profile, sees_body"));
+                            "model, camera, ranger, mount, tcp, pty, backend, depth, accuracy, "
+                            "motion, timing, power_up, clock, link, profile, sees_body"));
     const auto told = faults(
         "scene: room.sdf\nrobots: {r: {sensors: {s: "
         "{pty: auto, model: \"UST\\n10\"}}}}");

@@ -17,7 +17,18 @@ import yaml
 
 SDF = ("<model name='m'><link name='l'><visual name='v'><geometry><box><size>0.1 0.1 0.1</size></box></geometry></visual>"
        "</link></model>")
+FLEET = """
+scene: SCENE
+control: control.sock
+robots:
+  robot:
+    sensors:
+      scanner: {model: UST-10LX, pty: tty}
+      tof: {camera: {columns: 8, rows: 6, fov_deg: [40, 30], rate_hz: 25, range_m: [0.1, 7.5]}, mount: {xyz: [0, 0, 0.3]}}
+      sonar: {ranger: {cone_deg: 30, beams: 61, rate_hz: 20, range_m: [0.02, 4.0]}, mount: {xyz: [0, 0, 0.5]}}
+"""
 TRUTH = "/sensors/{robot}/{sensor}/truth"
+READING = "/sensors/{robot}/{sensor}/reading"
 POSE = "/scene/models/{model}/pose"
 # Method, path of the document, path as it is asked, body, status; in this order.
 EXCHANGES = [
@@ -25,7 +36,12 @@ EXCHANGES = [
     ("GET", "/sensors", "/sensors", None, 200),
     ("GET", "/sensors/{robot}/{sensor}", "/sensors/robot/scanner", None, 200),
     ("GET", "/sensors/{robot}/{sensor}", "/sensors/robot/other", None, 404),
+    ("GET", READING, "/sensors/robot/tof/reading", None, 200),
+    ("GET", READING, "/sensors/robot/sonar/reading", None, 200),
+    ("GET", READING, "/sensors/robot/scanner/reading", None, 404),
     ("GET", TRUTH, "/sensors/robot/scanner/truth", None, 200),
+    ("GET", TRUTH, "/sensors/robot/tof/truth", None, 200),
+    ("GET", TRUTH, "/sensors/robot/sonar/truth", None, 200),
     ("GET", TRUTH, "/sensors/robot/scanner/truth?scan=x", None, 400),
     ("GET", TRUTH, "/sensors/robot/scanner/truth?scan=-5", None, 404),
     ("GET", "/robots/{robot}/pose", "/robots/robot/pose", None, 200),
@@ -118,17 +134,17 @@ def message(connection):
             return text
 
 
-def check_stream(document, path):
+def check_stream(document, path, sensor, schema):
     connection = socket.socket(socket.AF_UNIX)
     connection.settimeout(60)
     connection.connect(path)
-    lines = ["GET /stream HTTP/1.1", "Host: localhost"] + [f"{key}: {value}" for key, value in UPGRADE.items()]
+    lines = [f"GET /stream?sensor=robot/{sensor} HTTP/1.1", "Host: localhost"] + [f"{key}: {value}" for key, value in UPGRADE.items()]
     connection.sendall("\r\n".join(lines + ["", ""]).encode())
     head = b""
     while not head.endswith(b"\r\n\r\n"):
         head += connection.recv(1)
     assert b" 101 " in head.splitlines()[0], head
-    document.check({"$ref": "#/components/schemas/StreamScan"}, json.loads(message(connection)))
+    document.check({"$ref": "#/components/schemas/" + schema}, json.loads(message(connection)))
 
 
 def check_paths(document, path):
@@ -171,11 +187,14 @@ def main():
     document = Document(document)
     with tempfile.TemporaryDirectory() as folder:
         control = folder + "/control.sock"
-        daemon = subprocess.Popen([scipd, "--scene", scene, "--control", control, "--tcp", "none", "--pty",
-                                   folder + "/tty"], stdout=subprocess.PIPE)
+        fleet = pathlib.Path(folder) / "fleet.yaml"
+        fleet.write_text(FLEET.replace("SCENE", scene))
+        daemon = subprocess.Popen([scipd, "--config", str(fleet)], stdout=subprocess.PIPE)
         try:
             assert json.loads(daemon.stdout.readline())["ready"]
-            check_stream(document, control)
+            check_stream(document, control, "scanner", "StreamScan")
+            check_stream(document, control, "tof", "CameraReading")
+            check_stream(document, control, "sonar", "RangerReading")
             check_paths(document, control)
             check_exchanges(document, control, scene)
         finally:

@@ -19,7 +19,14 @@ void require(bool holds) {
     if (!holds) std::abort();
 }
 
+void check(const scipd::sim::StaringSpec& spec) {
+    require(!spec.directions().empty());
+    require(spec.period > scipd::sim::Time::zero());
+    require(spec.min_range_m >= 0.0 && spec.min_range_m < spec.max_range_m);
+}
+
 void check(const SensorConfig& sensor) {
+    if (sensor.staring) return check(*sensor.staring);
     const auto& [profile, optics, sureness] = sensor.model;
     require(!sensor.name.empty() && !profile.name.empty());
     require(faults_of(profile).empty());

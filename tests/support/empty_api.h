@@ -20,6 +20,7 @@ class EmptyApi : public daemon::Api {
     [[nodiscard]] const daemon::ScanLog* scans(const std::string&) const override {
         return nullptr;
     }
+    [[nodiscard]] daemon::StaringSensor* staring(const std::string&) override { return nullptr; }
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string&) const override {
         return {};
     }

@@ -109,7 +109,7 @@ TEST_F(ScipctlScene, SaysWhatToTypeInstead) {
               "scipctl: there is a model \"model 1\": choose another name, or --replace it\n");
     EXPECT_THAT(refused({"scene", "move", "model 1", "1,1"}, 2), HasSubstr("write X,Y,YAW"));
     EXPECT_EQ(refused({"truth", "rescue/rear"}),
-              "scipctl: there is no scanner \"rescue/rear\"; there are: rescue/front\n");
+              "scipctl: there is no sensor \"rescue/rear\"; there are: rescue/front\n");
     EXPECT_THAT(refused({"truth", "rescue"}, 2), HasSubstr("write ROBOT/SENSOR"));
     EXPECT_THAT(refused({"truth", "rescue/front", "--scan", "9"}), HasSubstr("from 7 to 7"));
     EXPECT_THAT(

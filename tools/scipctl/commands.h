@@ -25,6 +25,9 @@ void add_pose_stream_command(CLI::App& pose, const ControlOptions& control);
 /// `scipctl scene list|load|add|move|remove`
 void add_scene_commands(CLI::App& program, const ControlOptions& control);
 
+/// `scipctl reading ROBOT/SENSOR`
+void add_reading_command(CLI::App& program, const ControlOptions& control);
+
 /// `scipctl truth ROBOT/SENSOR`
 void add_truth_command(CLI::App& program, const ControlOptions& control);
 

@@ -75,7 +75,7 @@ void add_command(CLI::App& program, const ControlOptions& control, const std::st
 
 void add_status_commands(CLI::App& program, const ControlOptions& control) {
     add_command(program, control, "status", "how scipd is doing", print_status);
-    add_command(program, control, "sensors", "which scanners there are", print_sensors);
+    add_command(program, control, "sensors", "which sensors there are", print_sensors);
 }
 
 }  // namespace scipd::tools

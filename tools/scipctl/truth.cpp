@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 #include <cstdint>
-#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -10,6 +9,7 @@
 
 #include "tools/scipctl/commands.h"
 #include "tools/scipctl/control_client.h"
+#include "tools/scipctl/sensor_question.h"
 #include "tools/scipctl/table.h"
 
 namespace scipd::tools {
@@ -24,23 +24,8 @@ struct TruthOptions {
 };
 
 std::string path_of(const TruthOptions& options) {
-    const auto slash = options.sensor.find('/');
-    if (slash == std::string::npos) {
-        throw CLI::ValidationError("\"" + options.sensor +
-                                   "\" is no scanner: write ROBOT/SENSOR, as `scipctl sensors` "
-                                   "lists them");
-    }
-    std::string path = "/sensors/" + path_segment(options.sensor.substr(0, slash)) + "/" +
-                       path_segment(options.sensor.substr(slash + 1)) + "/truth";
-    if (options.scan) path += "?scan=" + std::to_string(*options.scan);
-    return path;
-}
-
-std::string number(const Json& value, const char* format) {
-    if (value.is_null()) return "-";
-    char text[32];
-    std::snprintf(text, sizeof text, format, value.get<double>());
-    return text;
+    const std::string path = sensor_path(options.sensor) + "/truth";
+    return options.scan ? path + "?scan=" + std::to_string(*options.scan) : path;
 }
 
 std::string name(const Json& value) {
@@ -62,27 +47,31 @@ void print(const Json& truth) {
     print_table(std::cout, rows);
 }
 
-/// The same error, unless it was the name that was wrong.
-[[noreturn]] void explain(ControlClient& client, const TruthOptions& options,
-                          const ControlError& error) {
-    std::string names;
-    for (const Json& sensor : client.get("/sensors")) {
-        if (sensor.at("name") == options.sensor) throw error;
-        names.append(names.empty() ? "" : ", ").append(sensor.at("name").get<std::string>());
+/// Of a camera or a ranger: its beams have no steps, and a ranger's no readings of their own.
+void print_staring(const Json& truth) {
+    const Json& range_m = truth.at("range_m");
+    std::cout << "scan " << truth.at("scan") << " at " << number(truth.at("time_s"), "%.6f")
+              << " s, " << truth.at("poses").size() << " pose(s)";
+    if (!range_m.is_array()) std::cout << ", says " << number(range_m, "%.4f") << " m";
+    std::cout << "\n\n";
+    std::vector<Row> rows{{"BEAM", "TRUE m", "SAYS m", "INCIDENCE rad", "MATERIAL", "OBJECT"}};
+    for (std::size_t i = 0; i < truth.at("true_m").size(); ++i) {
+        rows.push_back({std::to_string(i), number(truth["true_m"][i], "%.4f"),
+                        range_m.is_array() ? number(range_m[i], "%.4f") : "-",
+                        number(truth["incidence_rad"][i], "%.4f"), name(truth["material"][i]),
+                        name(truth["object"][i])});
     }
-    throw ControlError(404, "there is no scanner \"" + options.sensor + "\"; there are: " + names);
+    print_table(std::cout, rows);
 }
 
 void show(const ControlOptions& control, const TruthOptions& options) {
     const std::string path = path_of(options);
     ControlClient client(control.socket);
-    try {
-        const Json truth = client.get(path);
-        if (!options.json) return print(truth);
+    const Json truth = ask_sensor(client, options.sensor, path);
+    if (options.json) {
         std::cout << truth.dump() << '\n';
-    } catch (const ControlError& error) {
-        if (error.status() != 404) throw;
-        explain(client, options, error);
+    } else {
+        truth.contains("steps") ? print(truth) : print_staring(truth);
     }
 }
 

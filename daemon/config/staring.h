@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The optics of a sensor that speaks no SCIP, `camera` or `ranger` in the place of `model`. One
+// thread at a time.
+#pragma once
+
+#include "daemon/config/section.h"
+#include "sim/sensor/staring.h"
+
+namespace scipd::daemon {
+
+sim::StaringSpec read_camera(const Field& field, Faults& faults);
+sim::StaringSpec read_ranger(const Field& field, Faults& faults);
+
+/// Keys of a scanner's wire are faults here.
+void refuse_wire(const Section& sensor, Faults& faults);
+
+}  // namespace scipd::daemon

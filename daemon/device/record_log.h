@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The latest measurements of a sensor: a second of them, or fewer, for those who compare. What was
+// kept stays as it was, in the scene of its time. Lives on the I/O thread.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <utility>
+
+#include "sim/sensor/scan.h"
+#include "sim/time.h"
+
+namespace scipd::daemon {
+
+/// A Record has the scan that was cast as `cast`.
+template <class Record>
+class RecordLog {
+  public:
+    using Shared = std::shared_ptr<const Record>;
+
+    static constexpr sim::Time span = std::chrono::seconds(1);
+
+    explicit RecordLog(std::size_t capacity = 64) : capacity_(capacity) {}
+
+    void add(Shared record) {
+        const sim::Scan& scan = *record->cast;
+        // One that is cast again replaces what was said of it.
+        while (!records_.empty() && last() >= scan.revolution)
+            records_.pop_back();
+        while (!records_.empty() &&
+               (records_.size() >= capacity_ || scan.start - records_.front()->cast->start > span))
+            records_.pop_front();
+        records_.push_back(std::move(record));
+    }
+
+    /// Null where there is none.
+    [[nodiscard]] Shared latest() const { return records_.empty() ? nullptr : records_.back(); }
+    [[nodiscard]] Shared find(std::int64_t revolution) const {
+        const auto found = std::ranges::find(
+            records_, revolution, [](const Shared& record) { return record->cast->revolution; });
+        return found == records_.end() ? nullptr : *found;
+    }
+    /// Of a log that holds something: the first and the last of the revolutions.
+    [[nodiscard]] std::int64_t first() const { return records_.front()->cast->revolution; }
+    [[nodiscard]] std::int64_t last() const { return records_.back()->cast->revolution; }
+
+  private:
+    std::size_t capacity_;
+    std::deque<Shared> records_;  ///< by growing revolution
+};
+
+}  // namespace scipd::daemon

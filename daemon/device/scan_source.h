@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What makes scans at instants of its own as long as somebody wants them, seen by who waits for
+// these instants: a device, or a sensor that stares. Lives on the I/O thread.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "sim/time.h"
+
+namespace scipd::daemon {
+
+class ScanSource {
+  public:
+    ScanSource() = default;
+    ScanSource(const ScanSource&) = delete;
+    ScanSource& operator=(const ScanSource&) = delete;
+    virtual ~ScanSource() = default;
+
+    /// Somebody waits for scans.
+    [[nodiscard]] virtual bool wanted() const = 0;
+    /// Called when wanted() may have become true.
+    virtual void on_wanted(std::function<void()> callback) = 0;
+
+    /// The first revolution whose scan has not left yet.
+    [[nodiscard]] virtual std::int64_t next_revolution() const = 0;
+    /// When its scan leaves.
+    [[nodiscard]] virtual sim::Time leaves(std::int64_t revolution) const = 0;
+    /// How long a scan may wait for poses, and whether it need not.
+    [[nodiscard]] virtual sim::Time patience() const = 0;
+    [[nodiscard]] virtual bool poses_known(std::int64_t revolution) const = 0;
+    /// To be called once for each revolution, in order, at or after leaves(): serves everyone who
+    /// takes it.
+    virtual void turn_complete(std::int64_t revolution) = 0;
+};
+
+}  // namespace scipd::daemon

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/device/staring_sensor.h"
+
+#include <algorithm>
+
+#include "daemon/device/stable_number.h"
+
+namespace scipd::daemon {
+namespace {
+
+/// Large pictures are not kept for a second.
+std::size_t log_capacity(const sim::StaringSpec& spec) {
+    constexpr int most_beams = 2'000'000;
+    return static_cast<std::size_t>(std::clamp(most_beams / spec.beams(), 1, 64));
+}
+
+sim::ErrorModel errors_of(const std::string& robot, const SensorConfig& config,
+                          std::uint64_t seed) {
+    return {.accuracy = config.accuracy,
+            .seed = seed,
+            .sensor = stable_number(robot + "/" + config.name)};
+}
+
+// As many poses as beams, said as a number: its beams are no plane that turns.
+SensorConfig in_poses(SensorConfig config) {
+    config.motion = config.motion.value_or(config.staring->beams());
+    return config;
+}
+
+}  // namespace
+
+StaringSensor::StaringSensor(const std::string& robot, const SensorConfig& config,
+                             std::uint64_t seed, World& world, Clock& clock)
+    : staring_(*config.staring, errors_of(robot, config, seed)),
+      sweep_(world, robot, in_poses(config), staring_.make_scanner()),
+      clock_(clock),
+      first_(clock.now()),
+      patience_(config.wait_for_poses),
+      rolling_(config.motion != 1),
+      log_(log_capacity(spec())) {}
+
+void StaringSensor::watch(std::function<void(const StaringRecord&)> watcher) {
+    watcher_ = std::move(watcher);
+    if (watcher_ && on_wanted_) on_wanted_();
+}
+
+std::int64_t StaringSensor::number_at(sim::Time time) const {
+    return (time - first_) / spec().period;
+}
+
+std::int64_t StaringSensor::next_revolution() const {
+    return number_at(clock_.now()) + 1;
+}
+
+sim::Time StaringSensor::leaves(std::int64_t number) const {
+    return first_ + number * spec().period;
+}
+
+bool StaringSensor::poses_known(std::int64_t number) const {
+    return sweep_.poses_known(leaves(number));
+}
+
+void StaringSensor::turn_complete(std::int64_t number) {
+    if (!watcher_) return;
+    watcher_(*measure(number));
+    lateness_.add(clock_.now() - leaves(number));
+}
+
+SharedStaringRecord StaringSensor::latest() {
+    const sim::Time now = clock_.now();
+    std::int64_t number = number_at(now);
+    while (number > 0 && now < leaves(number) + patience_ && !poses_known(number))
+        --number;
+    return measure(number);
+}
+
+// One pose is that of the instant. More are of the period before it, as pixels that are read out
+// one after the other, so that nothing is to come when it is here.
+SharedStaringRecord StaringSensor::measure(std::int64_t number) {
+    if (auto known = log_.find(number)) return known;
+    const sim::Time instant = leaves(number);
+    const auto fired = [&](int beam) {
+        const int left = spec().beams() - 1 - beam;
+        return rolling_ ? instant - spec().period * left / spec().beams() : instant;
+    };
+    StaringRecord record{.scene = sweep_.scene(),
+                         .backend = sweep_.backend(),
+                         .spec = spec(),
+                         .origin = clock_.origin()};
+    record.cast = sweep_.measure(number, instant, fired);
+    record.range_m = staring_.read(*record.cast);
+    ++measured_;
+    const auto shared = std::make_shared<const StaringRecord>(std::move(record));
+    log_.add(shared);
+    return shared;
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A camera or a ranger: it speaks no SCIP and is read through the control API. Measures at instants
+// a period apart, the first when it was made, but only if somebody wants that: a subscriber each of
+// them, a question the last one. Knows no sockets and does not wait: ScanLoop tells it when an
+// instant has come. Lives on the I/O thread.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "daemon/config/config.h"
+#include "daemon/control/world.h"
+#include "daemon/device/clock.h"
+#include "daemon/device/lateness.h"
+#include "daemon/device/record_log.h"
+#include "daemon/device/scan_source.h"
+#include "daemon/device/sweep.h"
+#include "sim/sensor/staring.h"
+
+namespace scipd::daemon {
+
+/// One measurement. A revolution is its number here, and the scan's start its instant.
+struct StaringRecord {
+    sim::SharedScan cast;        ///< of all beams
+    std::vector<float> range_m;  ///< what the sensor says; infinity: nothing
+    sim::SharedScene scene;      ///< that it was cast into: what its ids mean
+    SharedChoice backend;        ///< what cast it
+    sim::StaringSpec spec;       ///< of the sensor
+    sim::Time origin{};          ///< what people call world time 0 (Clock)
+
+    /// A world time as people call it.
+    [[nodiscard]] sim::Time told(sim::Time time) const { return origin + time; }
+};
+
+using SharedStaringRecord = std::shared_ptr<const StaringRecord>;
+using StaringLog = RecordLog<StaringRecord>;
+
+class StaringSensor : public ScanSource {
+  public:
+    /// `config` has `staring`. `world` and `clock` must outlive it.
+    StaringSensor(const std::string& robot, const SensorConfig& config, std::uint64_t seed,
+                  World& world, Clock& clock);
+
+    [[nodiscard]] const sim::StaringSpec& spec() const { return staring_.spec(); }
+
+    [[nodiscard]] bool wanted() const override { return watcher_ != nullptr; }
+    void on_wanted(std::function<void()> callback) override { on_wanted_ = std::move(callback); }
+    /// Somebody who sees every measurement; null: nobody.
+    void watch(std::function<void(const StaringRecord&)> watcher);
+
+    [[nodiscard]] std::int64_t next_revolution() const override;
+    /// At its instant.
+    [[nodiscard]] sim::Time leaves(std::int64_t number) const override;
+    [[nodiscard]] sim::Time patience() const override { return patience_; }
+    [[nodiscard]] bool poses_known(std::int64_t number) const override;
+    void turn_complete(std::int64_t number) override;
+
+    /// Of the last instant that need not wait for poses any more; measured now where nobody has
+    /// asked before. Never null.
+    SharedStaringRecord latest();
+    [[nodiscard]] const StaringLog& log() const { return log_; }
+
+    [[nodiscard]] std::uint64_t measured() const { return measured_; }
+    [[nodiscard]] const Lateness& lateness() const { return lateness_; }
+
+  private:
+    [[nodiscard]] std::int64_t number_at(sim::Time time) const;
+    SharedStaringRecord measure(std::int64_t number);
+
+    // Constant after construction.
+    sim::Staring staring_;
+    Sweep sweep_;
+    Clock& clock_;
+    sim::Time first_;  ///< of the instants
+    sim::Time patience_;
+    bool rolling_;  ///< its beams are not of one instant
+
+    std::function<void()> on_wanted_;
+    std::function<void(const StaringRecord&)> watcher_;
+    StaringLog log_;
+    std::uint64_t measured_ = 0;
+    Lateness lateness_;
+};
+
+}  // namespace scipd::daemon
