@@ -20,7 +20,8 @@ std::string field_of(std::string_view refusal) {
         return std::string{refusal.substr(0, refusal.find('\''))};
     }
     const auto word = refusal.substr(0, refusal.find_first_of(" :"));
-    constexpr std::array<std::string_view, 6> fields{"robot", "model", "t", "xyz", "q", "rpy"};
+    constexpr std::array<std::string_view, 8> fields{"robot", "model", "t", "xyz",
+                                                     "q",     "rpy",   "v", "w"};
     return std::find(fields.begin(), fields.end(), word) == fields.end() ? "" : std::string{word};
 }
 
@@ -46,7 +47,9 @@ std::variant<sim::PoseLine, HttpResponse> pose_in(const Call& call) {
     if (const auto* refusal = std::get_if<std::string>(&parsed)) {
         return pose_refused(*refusal);
     }
-    return std::get<sim::PoseLine>(parsed);
+    const auto& line = std::get<sim::PoseLine>(parsed);
+    if (line.velocity) return pose_refused("v and w belong to streams of poses, such as /poses");
+    return line;
 }
 
 HttpResponse pose_refused(const std::string& refusal) {

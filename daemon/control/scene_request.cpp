@@ -49,12 +49,12 @@ std::string required_text(const Json& object, const std::string& key) {
     return text_at(object, key);
 }
 
-/// In the words of a pose line, less its name and its time.
+/// In the words of a pose line, less its name, its time and its velocity.
 std::optional<sim::Pose> pose_at(const Json& object) {
     if (!object.contains("pose")) return std::nullopt;
     const Json& value = object["pose"];
     if (!value.is_object()) throw BodyFault{R"(pose must be {"xyz":[..],"rpy":[..]})", "pose"};
-    for (const char* key : {"robot", "model", "t"}) {
+    for (const char* key : {"robot", "model", "t", "v", "w"}) {
         if (value.contains(key)) throw BodyFault{"pose: has no " + std::string(key), "pose"};
     }
     // Deep ones are not worth a stack.

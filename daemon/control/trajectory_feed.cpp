@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "daemon/control/pose_feed.h"
+#include "sim/loaders/load_error.h"
 #include "sim/loaders/trajectory.h"
 
 namespace scipd::daemon {
@@ -22,7 +23,9 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
           poses_(sim::load_tum(source.file)),
           speed_(source.speed),
           loop_(source.loop),
-          alarm_(context.clock.make_alarm()) {}
+          alarm_(context.clock.make_alarm()) {
+        check_length(source.file);
+    }
     ~TrajectoryFeed() override { stop(); }
 
     void stop() override {
@@ -33,6 +36,28 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
 
   private:
     static constexpr sim::Time ahead = std::chrono::milliseconds(500);
+
+    // Round after round of no time at all would never reach the next moment, and what takes more
+    // than a Time can tell would go backwards.
+    static constexpr double shortest_lap_s = 1e-3;
+    static constexpr double longest_lap_s = 4e9;
+
+    void check_length(const std::filesystem::path& file) const {
+        const double lap_s = std::chrono::duration<double>(lap()).count() / speed_;
+        const bool too_short = loop_ && poses_.size() > 1 && lap_s < shortest_lap_s;
+        if (!too_short && lap_s <= longest_lap_s) return;
+        throw sim::LoadError(
+            {file.string() + ": at this speed it takes " +
+             (too_short ? "less than a millisecond, which is no loop" : "more than 4e9 s")});
+    }
+
+    /// In the file's time. The way from the last pose back to the first takes as long as the last
+    /// step.
+    [[nodiscard]] sim::Time lap() const {
+        if (poses_.size() < 2) return {};
+        const sim::Time last_step = poses_.back().time - poses_[poses_.size() - 2].time;
+        return poses_.back().time - poses_.front().time + last_step;
+    }
 
     void begin() override {
         lap_begin_ = context_.clock.now();
@@ -75,10 +100,8 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
         if (next_ == poses_.size() && loop_ && poses_.size() > 1) begin_lap();
     }
 
-    // The way from the last pose back to the first takes as long as the last step.
     void begin_lap() {
-        const sim::Time last_step = poses_.back().time - poses_[poses_.size() - 2].time;
-        lap_begin_ += scaled(poses_.back().time - poses_.front().time + last_step);
+        lap_begin_ += scaled(lap());
         next_ = 0;
     }
 

@@ -2,6 +2,8 @@
 // Copyright The scipd authors
 #include "sim/loaders/confined_mesh.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <new>
 #include <stdexcept>
@@ -17,9 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largest_file = 1ULL << 30;
-/// Assimp takes up to 2 us a triangle (load_bench).
-constexpr std::chrono::seconds processor_time{60};
-
 // From the child to us: the two are one program, and no byte of the file is in between.
 
 template <typename Value>
@@ -75,7 +74,23 @@ std::string known_kinds() {
     return text;
 }
 
-void check_file(const fs::path& file) {
+/// What a sound file of this size cannot come near, so that a few damaged bytes on which the
+/// library turns in circles do not eat a minute and all memory. Assimp takes up to 2 us a triangle
+/// (load_bench), and a triangle is no less than 12 bytes.
+Confines confines_of(const fs::path& file, std::uintmax_t size, const MeshLimits& limits) {
+    constexpr std::chrono::seconds most_time{60};
+    constexpr std::uintmax_t little_memory = 1ULL << 30;
+    // What it consists of may lie beside it.
+    if (extension_of(file) == ".gltf")
+        return {.processor_time = most_time, .memory_bytes = limits.memory_bytes};
+    const std::chrono::seconds time{10 + size / 4'000'000};
+    const auto memory_bytes = static_cast<std::size_t>(little_memory + 100 * size);
+    return {.processor_time = std::min(most_time, time),
+            .memory_bytes = std::min(limits.memory_bytes, memory_bytes)};
+}
+
+/// Its size.
+std::uintmax_t check_file(const fs::path& file) {
     std::error_code error;
     if (!fs::is_regular_file(file, error)) {
         throw std::runtime_error("no such file; a mesh is wanted here");
@@ -83,9 +98,9 @@ void check_file(const fs::path& file) {
     if (!is_mesh_file(file)) {
         throw std::runtime_error("is no kind of mesh that is known; name one of " + known_kinds());
     }
-    if (const auto size = fs::file_size(file, error); error || size > largest_file) {
-        throw std::runtime_error("is larger than 1 GiB");
-    }
+    const auto size = fs::file_size(file, error);
+    if (error || size > largest_file) throw std::runtime_error("is larger than 1 GiB");
+    return size;
 }
 
 }  // namespace
@@ -93,9 +108,7 @@ void check_file(const fs::path& file) {
 std::vector<MeshPart> read_confined(const fs::path& file, const MeshLimits& limits,
                                     const std::function<std::vector<MeshPart>()>& read) {
     try {
-        check_file(file);
-        const Confines confines{.processor_time = processor_time,
-                                .memory_bytes = limits.memory_bytes};
+        const Confines confines = confines_of(file, check_file(file), limits);
         const auto work = [&](std::FILE* out) { put_parts(read(), out); };
         return take_parts(run_confined(confines, work).get());
     } catch (const std::runtime_error& wrong) {

@@ -31,6 +31,11 @@ std::string read_all(const std::filesystem::path& file) {
     return std::move(text).str();
 }
 
+using Seconds = std::chrono::duration<double>;
+
+/// Twice as much still fits into a Time.
+constexpr Seconds longest{4.5e9};
+
 class TumReader {
   public:
     explicit TumReader(const std::filesystem::path& file) : file_(file.string()) {}
@@ -62,6 +67,10 @@ class TumReader {
         if (!poses_.empty() && next.time <= poses_.back().time) {
             return add_fault("t must be later than the pose before it");
         }
+        // In floating point: they may lie farther apart than a Time can tell.
+        if (!poses_.empty() && Seconds(next.time) - Seconds(poses_.front().time) > longest) {
+            return add_fault("t must lie within 4.5e9 s of the first one");
+        }
         poses_.push_back(next);
     }
 
@@ -80,8 +89,11 @@ class TumReader {
 }  // namespace
 
 std::vector<TimedPose> load_tum(const std::filesystem::path& file) {
-    const std::string all = read_all(file);
-    std::string_view rest = all;
+    return parse_tum(read_all(file), file);
+}
+
+std::vector<TimedPose> parse_tum(std::string_view text, const std::filesystem::path& file) {
+    std::string_view rest = text;
     if (rest.starts_with(byte_order_mark)) rest.remove_prefix(byte_order_mark.size());
     TumReader reader{file};
     while (!rest.empty()) {

@@ -24,8 +24,10 @@ struct TimedPose {
     Pose pose;
 };
 
-/// Stamps strictly growing. Throws LoadError with every fault.
+/// Stamps strictly growing, within 4.5e9 s. Throws LoadError with every fault.
 std::vector<TimedPose> load_tum(const std::filesystem::path& file);
+/// The same of a text that is there already; `file` names it in faults.
+std::vector<TimedPose> parse_tum(std::string_view text, const std::filesystem::path& file);
 
 /// What a pose line says. At most one of `robot` and `model` is set; neither: the only robot.
 struct PoseLine {

@@ -59,10 +59,11 @@ TEST_F(LockstepTest, KeepsTheTimeThatATrajectoryHasLed) {
 }
 
 TEST_F(LockstepTest, HasNoTimeForStampsThatLieTooFarApart) {
-    lockstep_.begin_with(-9'000'000'000s);
-    EXPECT_EQ(lockstep_.world_time(0s), 9'000'000'000s);
+    lockstep_.begin_with(-4'500'000'000s);
+    EXPECT_EQ(lockstep_.world_time(0s), 4'500'000'000s);
     EXPECT_EQ(lockstep_.world_time(1s), std::nullopt);
     EXPECT_EQ(lockstep_.world_time(9'000'000'000s), std::nullopt);
+    EXPECT_EQ(lockstep_.world_time(-9'000'000'000s), -4'500'000'000s);
 }
 
 TEST_F(LockstepTest, GoesOnAsFarAsTheSlowestStream) {

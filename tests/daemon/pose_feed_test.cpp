@@ -150,5 +150,27 @@ TEST_F(PoseFeedTest, RefusesATrajectoryThatIsNone) {
     EXPECT_THROW(feed(trajectory(file)), sim::LoadError);
 }
 
+// The one would go round and round within one moment, the other would go backwards.
+TEST_F(PoseFeedTest, RefusesATrajectoryThatItCannotPlayAtThisSpeed) {
+    const tests::TempDir directory;
+    PoseSource source = trajectory(directory.write("dwarf.tum",
+                                                   "5 1 0 0 0 0 0 1\n"
+                                                   "5.0005 2 0 0 0 0 0 1\n"));
+    source.loop = true;
+    EXPECT_NO_THROW(feed(source));
+    source.speed = 1.1;
+    EXPECT_THROW(feed(source), sim::LoadError);
+    source.loop = false;
+    EXPECT_NO_THROW(feed(source));
+
+    source = trajectory(directory.write("giant.tum",
+                                        "0 1 0 0 0 0 0 1\n"
+                                        "10000000 2 0 0 0 0 0 1\n"));
+    source.speed = 0.006;
+    EXPECT_NO_THROW(feed(source));
+    source.speed = 0.004;
+    EXPECT_THROW(feed(source), sim::LoadError);
+}
+
 }  // namespace
 }  // namespace scipd::daemon

@@ -216,6 +216,8 @@ TEST_F(RoutesTest, AWrongPoseNamesItsField) {
         {R"({"xyz":[1,2,3],"yaw":1})", "yaw"},
         {R"({"xyz":[1,2,3],"robot":"other"})", "robot"},
         {R"({"xyz":[1,2,3],"model":"door"})", "model"},
+        {R"({"xyz":[1,2,3],"v":[1,0,0]})", "v"},
+        {R"({"xyz":[1,2,3],"w":[1,0]})", "w"},
     };
     for (const auto& [body, field] : table) {
         const auto response = put("/robots/rescue/pose", body);
@@ -355,6 +357,7 @@ TEST_F(RoutesTest, AWrongModelNamesItsField) {
         {R"({"name":"a","sdf":"x","pose":[1]})", "pose"},
         {R"({"name":"a","sdf":"x","pose":{"xyz":[1]}})", "pose"},
         {R"({"name":"a","sdf":"x","pose":{"xyz":[1,2,3],"t":1}})", "pose"},
+        {R"({"name":"a","sdf":"x","pose":{"xyz":[1,2,3],"v":[1,0,0]}})", "pose"},
         {R"({"name":"a","sdf":"x","pose":{"xyz":)" + deep + std::string(1000, ']') + "}}", "pose"},
         {R"({"name":"a","sdf":"x","colour":"red"})", "colour"},
     };

@@ -24,6 +24,12 @@ void check(const scipd::sim::PoseLine& line) {
     const auto& p = line.pose.translation_m;
     require(std::abs(p.x) <= 1e7 && std::abs(p.y) <= 1e7 && std::abs(p.z) <= 1e7, "within 1e7 m");
     require(std::abs(glm::length(line.pose.rotation) - 1.0) < 1e-9, "a unit quaternion");
+    if (line.velocity) {
+        for (const auto& rate : {line.velocity->linear_mps, line.velocity->angular_radps}) {
+            require(std::abs(rate.x) <= 1e6 && std::abs(rate.y) <= 1e6 && std::abs(rate.z) <= 1e6,
+                    "no faster than 1e6");
+        }
+    }
     if (!line.time) return;
     require(std::chrono::abs(*line.time) <= std::chrono::seconds{9'000'000'001}, "a sane time");
 }

@@ -87,6 +87,16 @@ TEST_F(MeshLimitsTest, aHeaderThatPromisesTooMuch) {
                 ElementsAre(StartsWith("a.stl: ")));
 }
 
+// In whose header Assimp goes round and round, and takes more memory every time.
+TEST_F(MeshLimitsTest, aSmallFileGetsLittle) {
+    EXPECT_THAT(faults("a.ply",
+                       "ply\nformat binary_little_endian 1.0\nelement float 4\n"
+                       "property float x\n"),
+                ElementsAre(AnyOf("a.ply: takes more than 1073 MB of memory",
+                                  "a.ply: takes more than 10 s of processor time, or all memory",
+                                  StartsWith("a.ply: crashes the library"))));
+}
+
 TEST_F(MeshLimitsTest, aFileThatIsTooLargeIsNotEvenOpened) {
     const auto file = folder_.write("a.stl", "");
     std::filesystem::resize_file(file, (1ULL << 30) + 1);  // sparse: it takes no room

@@ -130,6 +130,13 @@ TEST_F(Tum, everyFaultIsToldWithItsLine) {
                             "a.tum:14: " + stamp + "'99999999999'"));
 }
 
+TEST_F(Tum, stampsLieWithinAHundredYears) {
+    EXPECT_EQ(load("-8e9 0 0 0 0 0 0 1\n-3.5e9 0 0 0 0 0 0 1\n").size(), 2U);
+    EXPECT_THAT(faults("-8e9 0 0 0 0 0 0 1\n-3499999999 0 0 0 0 0 0 1\n8e9 0 0 0 0 0 0 1\n"),
+                ElementsAre("a.tum:2: t must lie within 4.5e9 s of the first one",
+                            "a.tum:3: t must lie within 4.5e9 s of the first one"));
+}
+
 TEST_F(Tum, aFileThatIsNoTrajectoryDoesNotFloodTheTerminal) {
     std::string text;
     for (int i = 0; i < 250; ++i)

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Any bytes as a TUM file: poses that can be played, or faults that can be shown.
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
+#include "sim/loaders/load_error.h"
+#include "sim/loaders/trajectory.h"
+
+namespace {
+
+using namespace scipd::sim;
+
+void require(bool holds) {
+    if (!holds) std::abort();
+}
+
+void check(const std::vector<TimedPose>& poses) {
+    require(!poses.empty());
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const auto& [time, pose] = poses[i];
+        require(i == 0 || time > poses[i - 1].time);
+        // Twice, as players do who go back to the beginning: what does not fit, a sanitizer sees.
+        const Time since_first = time - poses.front().time;
+        require(since_first + since_first >= Time{});
+        const auto& p = pose.translation_m;
+        require(std::abs(p.x) <= 1e7 && std::abs(p.y) <= 1e7 && std::abs(p.z) <= 1e7);
+        require(std::abs(glm::length(pose.rotation) - 1.0) < 1e-9);
+    }
+}
+
+void check(const LoadError& error) {
+    require(!error.faults().empty() && error.faults().size() <= 101);
+    for (const auto& fault : error.faults()) {
+        require(fault.starts_with("walk.tum:") && fault.size() < 400);
+        for (const char c : fault)
+            require(c >= ' ' && c <= '~');
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    try {
+        check(parse_tum({reinterpret_cast<const char*>(data), size}, "walk.tum"));
+    } catch (const LoadError& error) {
+        check(error);
+    }
+    return 0;
+}
