@@ -46,6 +46,13 @@ void limit(Resource resource, rlim_t most) {
     setrlimit(resource, &both);
 }
 
+/// All that is not for this work: a connection that ends meanwhile has to end for its other end
+/// too, and a port that is given up has to be free.
+void close_all_but(int kept) {
+    if (kept > STDERR_FILENO + 1) close_range(STDERR_FILENO + 1, kept - 1, 0);
+    close_range(kept + 1, ~0U, 0);
+}
+
 void enter(const Confines& confines) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
@@ -68,6 +75,7 @@ void enter(const Confines& confines) {
         _exit(failed_with_words);
     };
     try {
+        close_all_but(fileno(out));
         enter(confines);
         work(out);
         if (std::fflush(out) != 0) leave_with("its outcome cannot be kept in memory");

@@ -83,7 +83,7 @@ Confines confines_of(const fs::path& file, std::uintmax_t size, const MeshLimits
     // What it consists of may lie beside it.
     if (extension_of(file) == ".gltf")
         return {.processor_time = most_time, .memory_bytes = limits.memory_bytes};
-    const std::chrono::seconds time{10 + size / 4'000'000};
+    const std::chrono::seconds time{5 + size / 4'000'000};
     const auto memory_bytes = static_cast<std::size_t>(little_memory + 100 * size);
     return {.processor_time = std::min(most_time, time),
             .memory_bytes = std::min(limits.memory_bytes, memory_bytes)};

@@ -6,8 +6,10 @@
 #include <stdexcept>
 #include <string>
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace scipd::sim {
 namespace {
@@ -48,6 +50,20 @@ TEST(Confined, changesNothingHere) {
     int touched = 0;
     EXPECT_EQ(outcome(roomy, [&](std::FILE*) { touched = 1; }), "");
     EXPECT_EQ(touched, 0);
+}
+
+// The other end of a connection that is closed here meanwhile is told so.
+TEST(Confined, keepsNoFileOpenButItsOwn) {
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    const auto open_there = [&](std::FILE* out) {
+        const bool any = fcntl(ends[0], F_GETFD) >= 0 || fcntl(ends[1], F_GETFD) >= 0;
+        std::fputs(any ? "open" : "closed", out);
+    };
+    EXPECT_EQ(outcome(roomy, open_there), "closed");
+    EXPECT_GE(fcntl(ends[0], F_GETFD), 0);
+    close(ends[0]);
+    close(ends[1]);
 }
 
 TEST(Confined, survivesACrash) {
