@@ -119,6 +119,35 @@ bool BeamCutter::meets(TriangleId triangle, const glm::dvec3& direction) const {
     return (ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0);
 }
 
+void BeamCutter::take_nearer(TriangleId triangle, const glm::dvec3& direction, Hit& first) {
+    if (!meets(triangle, direction)) return;
+    look_at(triangle);
+    const double range_m = distance_m_ / glm::dot(normal_, direction);
+    if (range_m > 0.0 && range_m < double{first.range_m}) first = at_range(range_m, direction);
+}
+
+/// Where a pixel shows something that stands clearly before what the beam has met so far, a
+/// triangle beside it may reach up to the beam, too narrow for a pixel of its own: the rim of a
+/// post, say, whose facets are narrower than pixels.
+void BeamCutter::find_unseen(const Around& around, const Look& look, const glm::dvec3& direction,
+                             Hit& first) {
+    constexpr double clearly = 1.02;
+    for (std::size_t i = 0; i < around.shown.size(); ++i) {
+        const TriangleId shown = around.shown[i];
+        if (shown == Picture::nothing || (i > 0 && shown == around.shown[i - 1])) continue;
+        const double shown_m =
+            z_of_depth_m(double{picture_.depth[around.pixels[i]]}) / double{look.cos_alpha};
+        if (double{first.range_m} < clearly * shown_m) continue;
+        Hit unseen = first;
+        // Where the beam has met nothing, what is far behind the pixel is not in front either.
+        if (!first.met()) unseen.range_m = static_cast<float>(clearly * shown_m);
+        const TriangleRange beside = triangles_.around(shown);
+        for (TriangleId triangle = beside.first; triangle < beside.end; ++triangle)
+            take_nearer(triangle, direction, unseen);
+        if (unseen.met()) first = unseen;
+    }
+}
+
 /// At an edge: the nearest of the triangles that the beam meets. A beam that passes all of them and
 /// has no pixel beside them goes between two pixels through a third triangle, too small for either
 /// to show; the plane of the nearest pixel's is the best there is.
@@ -129,11 +158,9 @@ Hit BeamCutter::by_triangles(const Around& around, const Look& look, const glm::
         const TriangleId triangle = around.shown[i];
         beside_all = beside_all || triangle == Picture::nothing;
         const bool again = i > 0 && triangle == around.shown[i - 1];
-        if (triangle == Picture::nothing || again || !meets(triangle, direction)) continue;
-        look_at(triangle);
-        const double range_m = distance_m_ / glm::dot(normal_, direction);
-        if (range_m > 0.0 && range_m < double{first.range_m}) first = at_range(range_m, direction);
+        if (triangle != Picture::nothing && !again) take_nearer(triangle, direction, first);
     }
+    find_unseen(around, look, direction, first);
     if (first.met() || beside_all) return first;
     const std::size_t pixel = around.nearest(look);
     look_at(picture_.triangle[pixel]);

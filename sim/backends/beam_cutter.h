@@ -39,6 +39,11 @@ class BeamCutter {
     [[nodiscard]] Hit by_depth(std::size_t pixel, const Look& look, const glm::dvec3& direction);
     [[nodiscard]] Hit by_triangles(const Around& around, const Look& look,
                                    const glm::dvec3& direction);
+    /// Puts what lies unseen before the first one into its place.
+    void find_unseen(const Around& around, const Look& look, const glm::dvec3& direction,
+                     Hit& first);
+    /// Where the beam meets the triangle before that.
+    void take_nearer(TriangleId triangle, const glm::dvec3& direction, Hit& first);
     [[nodiscard]] bool agrees(double range_m, std::size_t pixel, const Look& look) const;
     [[nodiscard]] bool meets(TriangleId triangle, const glm::dvec3& direction) const;
     [[nodiscard]] double depth_between(const Around& around, const Look& look) const;

@@ -17,6 +17,8 @@ namespace {
 /// Small enough to leave most of a big mesh out of a thin strip, large enough that few are looked
 /// at.
 constexpr std::size_t part_size = 64;
+/// Objects up to this are looked through whole where a beam is at an edge of one.
+constexpr std::size_t most_around = 512;
 
 /// More than floats may be off in a world of a kilometre.
 constexpr float rounding_m = 1e-3F;
@@ -144,6 +146,8 @@ void DepthTriangles::add(ObjectId id, const Object& object, bool movable,
             triangles_.push_back({part_vertex + corners});
         }
         parts.push_back(block_from(part_first, part_vertex));
+        if (part_first == first || mesh.triangles.size() > most_around)
+            groups_.push_back(part_first);
         if (movable) std::ranges::copy(part.vertices_m, std::back_inserter(in_object_m));
     }
     faces_.resize(triangles_.size(), Face{.object = id});
@@ -156,6 +160,12 @@ void DepthTriangles::add(ObjectId id, const Object& object, bool movable,
     if (!movable) return;
     movables_.push_back({object.model, object.model_from_object, std::move(in_object_m),
                          first_vertex, bodies_.size() - 1});
+}
+
+TriangleRange DepthTriangles::around(TriangleId triangle) const {
+    const auto next = std::ranges::upper_bound(groups_, triangle);
+    const bool last = next == groups_.end();
+    return {*std::prev(next), last ? static_cast<TriangleId>(triangles_.size()) : *next};
 }
 
 /// What was added since then.

@@ -45,6 +45,11 @@ struct VertexRange {
     std::size_t count = 0;
 };
 
+struct TriangleRange {
+    TriangleId first = 0;
+    TriangleId end = 0;
+};
+
 class DepthTriangles {
   public:
     explicit DepthTriangles(const Scene& scene);
@@ -52,6 +57,9 @@ class DepthTriangles {
     [[nodiscard]] std::span<const DrawnVertex> vertices() const { return vertices_; }
     [[nodiscard]] std::span<const DrawnTriangle> triangles() const { return triangles_; }
     [[nodiscard]] std::span<const Face> faces() const { return faces_; }
+
+    /// Some of the same object around this one, itself among them.
+    [[nodiscard]] TriangleRange around(TriangleId triangle) const;
 
     /// Puts a movable model somewhere else. Returns which vertices that touched.
     VertexRange move(ModelId model, const Pose& anchored_from_model);
@@ -98,6 +106,7 @@ class DepthTriangles {
     std::vector<DrawnTriangle> triangles_;
     std::vector<Face> faces_;  ///< by TriangleId, as triangles_
     std::vector<Body> bodies_;
+    std::vector<TriangleId> groups_;  ///< where each begins: a small body, or a part of a large one
     // Of the boxes around them, once more: most bodies are left out by these alone. The fourth
     // number is nothing; with three, compilers take one box after the other.
     std::vector<glm::vec4> middles_m_;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 
 #include "tests/sim/backends/contract.h"
@@ -170,6 +171,28 @@ TEST_F(Depth, ServesSeveralScenesOnOneThread) {
         EXPECT_NEAR(hits[0].range_m, 2.0, 1e-5);
         far->cast({forward, pose}, hits);
         EXPECT_NEAR(hits[0].range_m, 4.0, 1e-5);
+    }
+}
+
+// Its facets are narrower than pixels, most of all where they turn away: between the last pixel
+// that shows the post and the first that does not, facets that no pixel shows are met all the same.
+TEST_F(Depth, SeesAPostUpToItsRim) {
+    constexpr double radius_m = 0.2;
+    constexpr double within_m = 5e-4;  // the facets are within 0.1 mm of the circle
+    const auto directions = level(201, 0.4);
+    for (int place = 0; place < 60; ++place) {
+        const glm::dvec2 post_m{4.0 + 0.05 * place, 0.003 * place};
+        const SceneBuilder scene =
+            SceneBuilder()
+                .add(Cylinder{radius_m, 2.0}, pose_from_rpy({post_m.x, post_m.y, 0}, {0, 0, 0}))
+                .add(Plane{{40, 40}}, wall_at(10.0));
+        const auto hits = cast(scene, directions);
+        for (std::size_t i = 0; i < directions.size(); ++i) {
+            const glm::dvec2 along{directions[i]};
+            const double aside_m = std::abs(along.x * post_m.y - along.y * post_m.x);
+            if (std::abs(aside_m - radius_m) < within_m) continue;
+            EXPECT_EQ(hits[i].object, aside_m < radius_m ? 0U : 1U) << place << " " << i;
+        }
     }
 }
 
