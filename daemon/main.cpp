@@ -11,6 +11,7 @@
 #include "daemon/logging.h"
 #include "daemon/options.h"
 #include "daemon/server.h"
+#include "sim/backends/depth.h"
 
 namespace {
 
@@ -46,6 +47,7 @@ int run(scipd::daemon::Options options) {
 int main(int argc, char** argv) {
     // A client that goes away is an error of one write, not the end of the program.
     std::signal(SIGPIPE, SIG_IGN);
+    scipd::sim::prepare_drivers();
     auto parsed = scipd::daemon::parse_options(argc, argv);
     if (const auto* answer = std::get_if<scipd::daemon::Answer>(&parsed)) {
         print(answer->text, answer->exit_code == ended_as_asked ? stdout : stderr);

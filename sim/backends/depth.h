@@ -26,6 +26,11 @@ namespace scipd::sim {
 std::unique_ptr<RangeBackend> make_depth_backend(SharedScene scene,
                                                  const DepthOptions& options = {});
 
+/// Settings for drivers that read them from the environment. Backends see to it themselves; a
+/// program with threads calls this before it has any, since changing the environment is for one
+/// alone.
+void prepare_drivers();
+
 /// What this machine's EGL offers, for a person.
 std::string probe_depth();
 

@@ -15,6 +15,8 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
+#include "sim/backends/depth.h"
+
 namespace scipd::sim {
 namespace {
 
@@ -55,14 +57,6 @@ void require_libraries() {
         throw std::runtime_error(std::string("there is no ") + library +
                                  " on this machine (Debian's package " + package + ")");
     }
-}
-
-/// Settings of Mesa that are read when its first driver starts; what a user has set stays. Worker
-/// threads cost more than they help with pictures as small as ours (1000 pixels of a maze: 0.29 ms
-/// without, 0.45 ms with one), and a cache of shaders on disk is for programs that have many.
-void prepare_mesa() {
-    setenv("LP_NUM_THREADS", "0", 0);
-    setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
 }
 
 EGLDisplay display_at(const EglPlace& place) {
@@ -135,13 +129,21 @@ std::vector<EglPlace> devices() {
 
 }  // namespace
 
+// Mesa reads these when its first driver starts; what a user has set stays. Worker threads cost
+// more than they help with pictures as small as ours (1000 pixels of a maze: 0.29 ms without, 0.45
+// ms with one), and a cache of shaders on disk is for programs that have many.
+void prepare_drivers() {
+    setenv("LP_NUM_THREADS", "0", 0);
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+}
+
 bool EglDescription::software() const {
     return renderer.starts_with("llvmpipe") || renderer.starts_with("softpipe");
 }
 
 std::vector<EglPlace> egl_places() {
     require_libraries();
-    prepare_mesa();
+    prepare_drivers();
     const char* offered = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     std::vector<EglPlace> places;
     if (has_word(offered, "EGL_MESA_platform_surfaceless")) places.push_back({"surfaceless"});

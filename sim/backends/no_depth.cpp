@@ -25,6 +25,8 @@ std::unique_ptr<RangeBackend> make_depth_backend(SharedScene, const DepthOptions
     throw std::runtime_error("the depth backend is " + std::string(what_is_missing));
 }
 
+void prepare_drivers() {}
+
 std::string probe_depth() {
     return "the depth backend is " + std::string(what_is_missing) + "\n";
 }
