@@ -4,13 +4,15 @@
 
 #include <functional>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "daemon/check.h"
 #include "daemon/config/demo_world.h"
 #include "daemon/config/values.h"
-#include "daemon/load_world.h"
 #include "daemon/models/registry.h"
 #include "sim/backends/depth.h"
 #include "sim/backends/registry.h"
@@ -219,20 +221,6 @@ Answer backend_list() {
     return {0, text};
 }
 
-Answer check(const fs::path& file) {
-    const auto config = load_config(file);
-    const auto world = load_world(config);
-    std::string text;
-    for (const auto& warning : world.warnings)
-        text += warning + "\n";
-    std::size_t sensors = 0;
-    for (const auto& robot : config.robots)
-        sensors += robot.sensors.size();
-    return {0, text + file.string() + ": no faults; robots: " +
-                   std::to_string(config.robots.size()) + ", sensors: " + std::to_string(sensors) +
-                   ", models: " + std::to_string(world.scene->models.size()) + "\n"};
-}
-
 /// What was left out becomes what design and help say.
 void complete(Said& said) {
     Config& config = said.options.config;
@@ -252,7 +240,7 @@ std::variant<Options, Answer> act(Said& said) {
     if (said.list_models) return model_list();
     if (said.list_backends) return backend_list();
     if (said.probe) return Answer{0, sim::probe_depth()};
-    if (!said.check.empty()) return check(said.check);
+    if (!said.check.empty()) return Answer{0, check(said.check)};
     if (said.config.empty()) {
         complete(said);
     } else {

@@ -119,9 +119,9 @@ void SceneEditor::edit(SceneEdit edit, EditDone done) {
                          std::move(now.warnings)};
                 for (const sim::Model& model : now.added->models)
                     next->placed_anew.insert(model.name);
-                return [this, next, done, other = std::holds_alternative<LoadWorld>(edit)] {
+                return [this, next, done] {
                     take_up(*next);
-                    if (other) warn_of_lost_bodies(*next);
+                    warn_of_lost_bodies(*next);
                     done({Result::done, next->warnings});
                 };
             } catch (const Refusal& refusal) {
@@ -144,8 +144,7 @@ void SceneEditor::take_up(Next& next) {
 void SceneEditor::warn_of_lost_bodies(Next& next) const {
     for (const auto& [robot, body] : world_.lost_bodies()) {
         next.warnings.push_back(file_.string() + ": has no movable model \"" + body +
-                                "\", the body of robot \"" + robot +
-                                "\", which nobody sees until one of that name is added");
+                                "\" to be the body of robot \"" + robot + "\"");
     }
 }
 

@@ -75,16 +75,16 @@ class Workshop {
 
     void serve(const BackendWish& wish, SensorBackends& backends) {
         const SharedChoice choice = settle(wish);
-        backends.assign(wish.sensor, backend(choice->backend, wish.depth), choice);
+        try {
+            backends.assign(wish.sensor, backend(choice->backend, wish.depth), choice);
+        } catch (const std::runtime_error& error) {
+            throw std::runtime_error(wish.sensor + ": backend " + choice->backend + ": " +
+                                     error.what() + "; use auto or embree");
+        }
     }
 
   private:
     using Kind = std::tuple<std::string, sim::BetweenPixels, double, double>;
-
-    struct Measured {
-        const BackendWish* wish;
-        SharedChoice choice;
-    };
 
     std::shared_ptr<sim::RangeBackend> backend(const std::string& name,
                                                const sim::DepthOptions& options) {
@@ -107,16 +107,9 @@ class Workshop {
         return stays ? settled : measured(wish);
     }
 
-    /// Scanners of one kind are measured once.
     SharedChoice measured(const BackendWish& wish) {
-        const auto known = std::ranges::find_if(measured_, [&](const Measured& other) {
-            return other.wish->directions == wish.directions && other.wish->poses == wish.poses &&
-                   other.wish->depth == wish.depth;
-        });
-        if (known != measured_.end()) return known->choice;
         auto choice = std::make_shared<const BackendChoice>(measure(wish));
         spdlog::info("{}: auto takes {}: {}", wish.sensor, choice->backend, choice->reason);
-        measured_.push_back({&wish, choice});
         return choice;
     }
 
@@ -145,7 +138,6 @@ class Workshop {
     sim::SharedScene scene_;
     std::size_t faces_;
     std::map<Kind, std::shared_ptr<sim::RangeBackend>> made_;
-    std::vector<Measured> measured_;
     std::string why_not_;
 };
 

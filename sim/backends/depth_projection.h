@@ -18,10 +18,10 @@
 
 namespace scipd::sim {
 
-/// Nothing nearer to the eye is seen. Scanners tell what is too near, so it has to be seen; a
-/// reversed depth of floating point is as exact with a near plane of a millimetre as with one of a
+/// Nothing nearer to the eye is seen, as by rays. Scanners tell what is too near, so it has to be
+/// seen; a reversed depth of floating point is as exact with so near a plane as with one at a
 /// metre.
-inline constexpr double near_m = 1e-3;
+inline constexpr double near_m = 1e-4;
 
 /// One picture through a pinhole at the sensor: evenly spaced pixels in a plane before it.
 struct Strip {

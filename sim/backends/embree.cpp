@@ -221,6 +221,10 @@ void EmbreeBackend::aim(const Fan& fan, std::size_t first, std::size_t count,
         packet.ray.dir_y[k] = direction.y;
         packet.ray.dir_z[k] = direction.z;
     }
+    // A face that the sensor lies in, the ground of a robot's frame, say, is met at no distance by
+    // all rays along it.
+    constexpr float touching_m = 1e-4F;
+    std::ranges::fill(packet.ray.tnear, touching_m);
     // Embree also goes as far as lanes reach that are not valid: one ray costs half where they end
     // at once.
     std::ranges::fill(packet.ray.tfar, 0.0F);

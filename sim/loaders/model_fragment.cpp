@@ -93,7 +93,7 @@ LoadedScene load_mesh_model(const fs::path& file, const Placement& placement, do
     Scene scene;
     scene.name = placement.name;
     scene.models.push_back({placement.name, true, placement.world_from_model.value_or(Pose{})});
-    for (MeshPart& part : load_mesh_parts(file, glm::dvec3{scale}, MeshAxes::as_in_file, limits)) {
+    for (MeshPart& part : load_mesh_parts(file, glm::dvec3{scale}, MeshAxes::z_up, limits)) {
         const auto id = material_id(material.empty() ? part.material : material, scene.materials);
         scene.objects.push_back({placement.name + "::" + file.stem().string(), 0, Pose{},
                                  std::make_shared<const Mesh>(std::move(part.mesh)), id});

@@ -101,15 +101,15 @@ TEST_F(ConfigStaringTest, SaysWhatTheyCannotBe) {
     EXPECT_THAT(
         faults("camera: {columns: 0, rows: 1000001, fov_deg: [180, 10], rate_hz: 0.5, range_m: "
                "[7.5, 0.1]}"),
-        ElementsAre(at(".camera.columns: must be a whole number from 1 to 1000000, not '0'"),
-                    at(".camera.rows: must be a whole number from 1 to 1000000, not '1000001'"),
+        ElementsAre(at(".camera.columns: must be a whole number from 1 to 307200, not '0'"),
+                    at(".camera.rows: must be a whole number from 1 to 307200, not '1000001'"),
                     at(".camera.fov_deg: must be more than 0 and up to 170 degrees, not '180'"),
                     at(".camera.rate_hz: must be 1 to 1000 Hz, not '0.5'"),
                     at(".camera.range_m: must be [NEAREST, FARTHEST] in metres, such as [0.1, "
                        "7.5]")));
     EXPECT_THAT(faults("camera: {columns: 1001, rows: 1000, fov_deg: 40, rate_hz: fast, range_m: "
                        "[0]}"),
-                ElementsAre(at(".camera: columns times rows must not exceed 1000000"),
+                ElementsAre(at(".camera: columns times rows must not exceed 307200"),
                             at(".camera.fov_deg: must be a list of two numbers, such as [1, 2]"),
                             at(".camera.rate_hz: must be a number, not 'fast'"),
                             at(".camera.range_m: must be a list of two numbers, such as [1, 2]")));

@@ -145,8 +145,7 @@ TEST_F(FleetTest, SaysWhichBodiesAnotherWorldLacks) {
     config.robots[0].body = "box";
     fleet_.apply(config);
     const std::string lacking = SCIPD_SCENES
-        "/corridor.sdf: has no movable model \"box\", the body of robot \"rescue\", "
-        "which nobody sees until one of that name is added";
+        "/corridor.sdf: has no movable model \"box\" to be the body of robot \"rescue\"";
     EXPECT_THAT(after(LoadWorld{SCIPD_SCENES "/corridor.sdf"}).messages,
                 testing::ElementsAre(lacking));
     EXPECT_THAT(after(LoadWorld{SCIPD_SCENES "/square_room.sdf"}).messages, testing::IsEmpty());

@@ -193,6 +193,19 @@ TEST_F(OptionsTest, CheckReadsTheWorldToo) {
                   ": no faults; robots: 1, sensors: 1, models: 1\n");
 }
 
+TEST_F(OptionsTest, CheckTellsFaultsOfTheWorldAndOfTrajectories) {
+    const auto file = dir_.write("fleet.yaml",
+                                 "scene: bad.sdf\n"
+                                 "robots: {r: {poses: drive.tum, sensors: {s: {model: UST-20LX, "
+                                 "pty: auto}}}}\n");
+    dir_.write("bad.sdf", room("<box><size>1 0 1</size></box>"));
+    dir_.write("drive.tum", "1 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n");
+    EXPECT_EQ(answer("--check " + file.string()).exit_code, 2);
+    EXPECT_THAT(
+        answer("--check " + file.string()).text,
+        testing::AllOf(testing::HasSubstr("bad.sdf:1: "), testing::HasSubstr("drive.tum:2: ")));
+}
+
 TEST(Options, AnswersQuestionsOnStandardOutput) {
     EXPECT_EQ(answer("--list-models").exit_code, 0);
     EXPECT_THAT(

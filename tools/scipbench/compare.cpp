@@ -104,9 +104,9 @@ Comparison compare(std::string backend, const Scans& scans, const Scans& truth,
     return it;
 }
 
-void note_differences(ComparedScans& compared, const Scans& scans, const Scans& truth,
-                      const std::vector<glm::vec3>& directions,
-                      const std::vector<sim::Pose>& poses) {
+/// For the picture: what was hit, and where it is something else by these scans, which may be none.
+void note_places(ComparedScans& compared, const Scans& scans, const Scans& truth,
+                 const std::vector<glm::vec3>& directions, const std::vector<sim::Pose>& poses) {
     constexpr double worth_showing_m = 1e-3;
     for (std::size_t scan = 0; scan < poses.size(); ++scan) {
         for (std::size_t i = 0; i < directions.size(); ++i) {
@@ -115,7 +115,7 @@ void note_differences(ComparedScans& compared, const Scans& scans, const Scans& 
             const glm::dvec3 place_m =
                 poses[scan] * (double{hit.range_m} * glm::dvec3{directions[i]});
             compared.hits_m.push_back(place_m);
-            const double off = off_m(scans[scan][i], hit);
+            const double off = scans.empty() ? 0.0 : off_m(scans[scan][i], hit);
             if (off > worth_showing_m) compared.differences.push_back({place_m, off});
         }
     }
@@ -133,19 +133,21 @@ ComparedScans compare_backends(const sim::SharedScene& scene,
     const Scans truth = cast_all(*rays, directions, poses, range_m, ms);
     const auto edges = find_edges(*rays, truth, directions, poses, range_m);
     ComparedScans compared;
+    Scans drawn;
     for (const sim::BackendInfo& info : sim::backends()) {
         try {
             const auto backend = sim::make_backend(info.name, scene);
             ms.clear();
-            const Scans scans = cast_all(*backend, directions, poses, range_m, ms);
+            Scans scans = cast_all(*backend, directions, poses, range_m, ms);
             compared.backends.push_back(compare(std::string(info.name), scans, truth, edges));
             compared.backends.back().cost_ms = spread_of(ms);
-            if (info.name == "depth") note_differences(compared, scans, truth, directions, poses);
+            if (info.name == "depth") drawn = std::move(scans);
         } catch (const std::runtime_error& error) {
             compared.backends.push_back(
                 {.backend = std::string(info.name), .missing = error.what()});
         }
     }
+    note_places(compared, drawn, truth, directions, poses);
     return compared;
 }
 

@@ -282,6 +282,25 @@ TEST_P(BackendContract, SeesWhatIsAtRightAnglesOfASensorThatIsTilted) {
     }
 }
 
+// As of a scanner at the height of the ground, where a robot's frame is. Far away the two are not
+// in one plane to the last bit.
+TEST_P(BackendContract, DoesNotMeetTheFaceThatItLiesIn) {
+    if (std::get<1>(GetParam()) == Place::far_away) GTEST_SKIP();
+    load(scene().add(Plane{{40, 40}}, Pose{}).add(Box{{2, 20, 2}}, at(4)));
+    std::vector<glm::vec3> directions;
+    for (int i = -200; i <= 200; ++i) {
+        const double angle_rad = i * std::numbers::pi / 720;
+        directions.emplace_back(std::cos(angle_rad), std::sin(angle_rad), 0.0);
+    }
+    for (const double yaw_rad : {0.0, 0.1, -0.3}) {
+        const auto hits = cast(directions, {pose_from_rpy({0, 0, 0}, {0, 0, yaw_rad})});
+        for (int i = -200; i <= 200; ++i) {
+            const double range_m = 3.0 / std::cos(i * std::numbers::pi / 720 + yaw_rad);
+            EXPECT_NEAR(hits[200 + i].range_m, range_m, range_tolerance_m) << i;
+        }
+    }
+}
+
 TEST_P(BackendContract, HasNoGapWhereFacesMeet) {
     load(scene().add(Box{{10, 10, 10}}, Pose{}));
     std::vector<glm::vec3> at_edges;

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/check.h"
+
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "daemon/load_world.h"
+#include "sim/backends/depth.h"
+#include "sim/loaders/load_error.h"
+#include "sim/loaders/trajectory.h"
+
+namespace scipd::daemon {
+namespace {
+
+using Faults = std::vector<std::string>;
+
+void note_faults(Faults& faults, const std::function<void()>& load) {
+    try {
+        load();
+    } catch (const sim::LoadError& error) {
+        faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+    }
+}
+
+void check_trajectory(const RobotConfig& robot, Faults& faults) {
+    if (!robot.poses || robot.poses->kind != PoseSource::Kind::file) return;
+    note_faults(faults, [&] { (void)sim::load_tum(robot.poses->file); });
+}
+
+/// On a machine that cannot draw, `backend: depth` would not start.
+void check_depth(const RobotConfig& robot, Faults& faults) {
+    for (const SensorConfig& sensor : robot.sensors) {
+        if (sensor.backend != "depth") continue;
+        try {
+            (void)sim::make_depth_backend(std::make_shared<const sim::Scene>(), sensor.depth);
+        } catch (const std::runtime_error& error) {
+            faults.push_back("robots." + robot.name + ".sensors." + sensor.name +
+                             ".backend: " + error.what() + "; use auto or embree");
+        }
+    }
+}
+
+}  // namespace
+
+std::string check(const std::filesystem::path& file) {
+    const Config config = load_config(file);
+    sim::LoadedScene world;
+    Faults faults;
+    note_faults(faults, [&] { world = load_world(config); });
+    std::size_t sensors = 0;
+    for (const RobotConfig& robot : config.robots) {
+        check_trajectory(robot, faults);
+        check_depth(robot, faults);
+        sensors += robot.sensors.size();
+    }
+    if (!faults.empty()) throw sim::LoadError(std::move(faults));
+    std::string text;
+    for (const std::string& warning : world.warnings)
+        text += warning + "\n";
+    return text + file.string() + ": no faults; robots: " + std::to_string(config.robots.size()) +
+           ", sensors: " + std::to_string(sensors) +
+           ", models: " + std::to_string(world.scene->models.size()) + "\n";
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// `scipd --check`: a configuration, its world, its trajectories and whether this machine has what
+// it asks for, without running any of it. One thread.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace scipd::daemon {
+
+/// Warnings and what there is, for a person. Throws ConfigError, or LoadError with every fault of
+/// all the files that a sound configuration names.
+std::string check(const std::filesystem::path& file);
+
+}  // namespace scipd::daemon
