@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/loaders/mesh_file.h"
+#include "sim/loaders/model_fragment.h"
 #include "sim/loaders/scene_file.h"
 #include "tests/sim/loaders/faults_of.h"
 #include "tests/sim/loaders/map_folder.h"
@@ -128,6 +129,17 @@ TEST_P(MeshFormats, asAWorldHaveTheRangesOfTheClosedForm) {
         } else if (std::abs(at_m.z - solid_.high_m.z) > 1e-3 || on_top) {
             ASSERT_EQ(material, on_top ? "steel" : "oak");
         }
+        ++hits;
+    });
+    EXPECT_GT(hits, 200);
+}
+
+TEST_P(MeshFormats, asAModelThatIsAddedStandTheSame) {
+    const auto loaded = load_mesh_model(write(), {"thing"});
+    Probe probe{loaded.scene};
+    int hits = 0;
+    cast_at(solid_, probe, [&](const Hit& hit, double expected_m, const glm::dvec3&) {
+        ASSERT_NEAR(hit.range_m, expected_m, 2e-6 * 8);
         ++hits;
     });
     EXPECT_GT(hits, 200);
