@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/control/pose_intake.h"
 
+#include <algorithm>
 #include <variant>
 
 namespace scipd::daemon {
@@ -14,16 +15,58 @@ using Seconds = std::chrono::duration<double>;
 // One that has gained as much on our clock since then is damaged, or the sender's clock was set.
 constexpr Seconds leap{1.0};
 
+// Jitter within this leaves poses exactly where their stamps say.
+constexpr sim::Time dead_zone = std::chrono::milliseconds(100);
+// Longer than packets are held up together.
+constexpr sim::Time patience = std::chrono::milliseconds(500);
+// Longer than what was held up takes to come in, shorter than what a sender drifts much in.
+constexpr sim::Time portion = std::chrono::milliseconds(50);
+
 }  // namespace
 
 sim::Time SenderClock::world_time(std::optional<sim::Time> stamp, sim::Time arrival) {
     if (!stamp) return arrival;
     const Seconds passed = Seconds(*stamp) - Seconds(last_stamp_);
     const bool leapt = passed < -leap || passed - Seconds(arrival - last_arrival_) > leap;
-    if (!world_minus_sender_ || leapt) world_minus_sender_ = arrival - *stamp;
+    if (!world_minus_sender_ || leapt) take_up(*stamp, arrival);
     last_stamp_ = *stamp;
     last_arrival_ = arrival;
+    // Packets that were overtaken say nothing of the clock; equal stamps are one moment.
+    if (*stamp > newest_stamp_) follow(*stamp, arrival);
     return *stamp + *world_minus_sender_;
+}
+
+void SenderClock::take_up(sim::Time stamp, sim::Time arrival) {
+    world_minus_sender_ = arrival - stamp;
+    newest_stamp_ = stamp;
+    run_ = {};
+}
+
+void SenderClock::follow(sim::Time stamp, sim::Time arrival) {
+    const sim::Time step = stamp - newest_stamp_;
+    newest_stamp_ = stamp;
+    extend_run(arrival - stamp, arrival);
+    if (run_.portions < run_.least.size() || arrival - run_.since < patience) return;
+    const auto [least, most] = std::minmax_element(run_.least.begin(), run_.least.end());
+    sim::Time& offset = *world_minus_sender_;
+    if (run_.side == Side::late) offset = std::max(offset, *least - dead_zone);
+    if (run_.side == Side::early)
+        offset = std::max(std::min(offset, *most + dead_zone), offset - step / 10 * 9);
+}
+
+void SenderClock::extend_run(sim::Time arrival_minus_stamp, sim::Time arrival) {
+    const sim::Time lateness = arrival_minus_stamp - *world_minus_sender_;
+    const Side side = lateness > dead_zone    ? Side::late
+                      : lateness < -dead_zone ? Side::early
+                                              : Side::in_time;
+    if (side != run_.side) run_ = {.side = side, .since = arrival};
+    const bool first = run_.portions == 0 || arrival - run_.portion_since >= portion;
+    if (first) {
+        run_.portion_since = arrival;
+        ++run_.portions;
+    }
+    sim::Time& least = run_.least[run_.portions % run_.least.size()];
+    if (first || (side == Side::late) == (arrival_minus_stamp < least)) least = arrival_minus_stamp;
 }
 
 std::optional<std::string> PoseIntake::take_line(std::string_view line, std::string_view robot,

@@ -6,6 +6,8 @@
 // pose stays. Lives on the I/O thread.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -21,14 +23,38 @@ namespace scipd::daemon {
 /// World time for the stamps of one sender, whose clock may begin anywhere: its first stamp is the
 /// moment of its arrival, and the spacing of the others is kept. A sender that starts over, or
 /// whose clock leaps, is taken up anew.
+///
+/// One whose clock runs at another speed is followed: where all stamps of half a second came more
+/// than 100 ms late, they are moved until the least late one of the latest is 100 ms late; the same
+/// for early ones. What is shorter is a packet held up, or a drive sent ahead, and moves nothing.
+/// World time goes on growing with the stamps, a tenth as fast as they do at least.
 class SenderClock {
   public:
     [[nodiscard]] sim::Time world_time(std::optional<sim::Time> stamp, sim::Time arrival);
 
   private:
+    enum class Side { in_time, late, early };
+
+    /// Arrivals in a row that are all late, or all early, in portions: packets that were held up
+    /// come together, and only the last of them says how late the sender is.
+    struct Run {
+        Side side = Side::in_time;
+        sim::Time since{};
+        sim::Time portion_since{};
+        std::size_t portions = 0;
+        /// Arrival minus stamp of the least late (or early) one of each, in no order.
+        std::array<sim::Time, 3> least{};
+    };
+
+    void take_up(sim::Time stamp, sim::Time arrival);
+    void follow(sim::Time stamp, sim::Time arrival);
+    void extend_run(sim::Time arrival_minus_stamp, sim::Time arrival);
+
     std::optional<sim::Time> world_minus_sender_;
     sim::Time last_stamp_{};
     sim::Time last_arrival_{};
+    sim::Time newest_stamp_{};
+    Run run_;
 };
 
 class PoseIntake {
