@@ -61,6 +61,14 @@ TEST_F(ScipctlScene, LoadsAWorldByItsWholePath) {
     EXPECT_THAT(refused({"scene", "load", "/no/such.sdf"}, 2), HasSubstr("/no/such.sdf"));
 }
 
+TEST_F(ScipctlScene, TellsWarningsToMachinesToo) {
+    const std::string file = directory_.write("other.sdf", "<sdf/>");
+    const Outcome outcome = scipctl({"scene", "load", file, "--json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "{\"warnings\":[\"the sun is nothing to a scanner\"]}\n");
+    EXPECT_EQ(outcome.err, "");
+}
+
 TEST_F(ScipctlScene, AddsTextAndMeshes) {
     const std::string text = directory_.write("crate.sdf", "<model name='x'/>");
     EXPECT_EQ(scipctl({"scene", "add", "crate", text, "--pose", "1,2,0"}).exit_code, 0);

@@ -25,7 +25,15 @@ struct AddOptions {
     std::string material;
     double scale = 1.0;
     bool replace = false;
+    bool json = false;
 };
+
+struct LoadOptions {
+    std::string file;
+    bool json = false;
+};
+
+constexpr const char* warnings_as_json = "the warnings as a JSON document on standard output";
 
 struct MoveOptions {
     std::string name;
@@ -50,7 +58,12 @@ std::string joined(const Json& names) {
     return text.empty() ? "-" : text;
 }
 
-void tell_warnings(const Json& loaded) {
+/// What scipd answers to something that it has loaded.
+void tell(const Json& loaded, bool json) {
+    if (json) {
+        std::cout << loaded.dump() << '\n';
+        return;
+    }
     if (!loaded.is_object()) return;
     for (const auto& warning : loaded.value("warnings", Json::array()))
         std::cerr << "warning: " << warning.get<std::string>() << '\n';
@@ -73,9 +86,9 @@ void list(const ControlOptions& control, bool json) {
     print_table(std::cout, rows);
 }
 
-void load(const ControlOptions& control, const std::string& file) {
+void load(const ControlOptions& control, const LoadOptions& options) {
     ControlClient client(control.socket);
-    tell_warnings(client.load("/scene", {{"file", fs::absolute(file).string()}}));
+    tell(client.load("/scene", {{"file", fs::absolute(options.file).string()}}), options.json);
 }
 
 /// What scipd reads as text; all else is a mesh.
@@ -104,7 +117,7 @@ void add(const ControlOptions& control, const AddOptions& options) {
     if (options.replace) body["replace"] = true;
     ControlClient client(control.socket);
     try {
-        tell_warnings(client.post("/scene/models", body));
+        tell(client.post("/scene/models", body), options.json);
     } catch (const ControlError& error) {
         if (error.status() != 409) throw;
         throw ControlError(
@@ -154,6 +167,7 @@ void add_add_command(CLI::App& scene, const ControlOptions& control) {
         ->capture_default_str();
     command->add_option("--material", options->material, "of a whole mesh");
     command->add_flag("--replace", options->replace, "in place of the model of this name");
+    command->add_flag("--json", options->json, warnings_as_json);
     command->callback([&control, options] { add(control, *options); });
     command->footer(
         "URIs in an SDF file start at the folder of the world.\n"
@@ -182,9 +196,10 @@ void add_scene_commands(CLI::App& program, const ControlOptions& control) {
     list_command->callback([&control, json] { list(control, *json); });
 
     auto* const load_command = scene->add_subcommand("load", "another world in place of this one");
-    const auto file = std::make_shared<std::string>();
-    load_command->add_option("FILE", *file)->required()->check(CLI::ExistingFile);
-    load_command->callback([&control, file] { load(control, *file); });
+    const auto options = std::make_shared<LoadOptions>();
+    load_command->add_option("FILE", options->file)->required()->check(CLI::ExistingFile);
+    load_command->add_flag("--json", options->json, warnings_as_json);
+    load_command->callback([&control, options] { load(control, *options); });
 
     add_add_command(*scene, control);
     add_move_command(*scene, control);
