@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <numbers>
-#include <optional>
+#include <numeric>
 
 #include <glm/geometric.hpp>
 
@@ -16,7 +18,7 @@ namespace {
 /// What a model may move between the moment that it is put at and a beam that meets it, twice.
 constexpr double within_m = 1e-3;
 
-/// For ways that are not quite what a few moments of them show.
+/// For what backends round.
 constexpr double margin_m = 5e-3;
 
 /// How far the sensor strays from its pose in the middle of the sweep.
@@ -26,45 +28,76 @@ struct Sway {
     double turned_rad = 0.0;
 };
 
-struct Waypoint {
-    Time time{};
-    Pose pose;
+/// What the points of a model have gone by when, at most. Times are told in beams and parts of
+/// them.
+class Way {
+  public:
+    /// After all that it has gone.
+    void go(double from_beam, double to_beam, double way_m) {
+        const double gone_m = marks_.empty() ? 0.0 : marks_.back().gone_m;
+        marks_.push_back({from_beam, gone_m});
+        marks_.push_back({to_beam, gone_m + way_m});
+    }
+    [[nodiscard]] double gone_m(double beam) const;
+    /// The last moment that it has gone no farther.
+    [[nodiscard]] double beam_at(double gone_m) const;
+
+  private:
+    struct Mark {
+        double beam = 0.0;
+        double gone_m = 0.0;
+    };
+    std::vector<Mark> marks_;  ///< neither ever sinks; between two it moves evenly
 };
+
+double Way::gone_m(double beam) const {
+    const auto after = std::ranges::upper_bound(marks_, beam, {}, &Mark::beam);
+    if (after == marks_.begin()) return 0.0;
+    const Mark& before = *std::prev(after);
+    if (after == marks_.end()) return before.gone_m;
+    const double share = (beam - before.beam) / (after->beam - before.beam);
+    return std::lerp(before.gone_m, after->gone_m, share);
+}
+
+double Way::beam_at(double gone_m) const {
+    const auto after = std::ranges::upper_bound(marks_, gone_m, {}, &Mark::gone_m);
+    if (after == marks_.end()) return std::numeric_limits<double>::infinity();
+    const Mark& before = *std::prev(after);  // the first has gone nowhere
+    const double share = (gone_m - before.gone_m) / (after->gone_m - before.gone_m);
+    return std::lerp(before.beam, after->beam, share);
+}
 
 /// A mover by the beams that may meet it.
 struct Encounter {
     std::size_t first = 0;
-    std::size_t end = 0;      ///< behind the last; first == end: none
-    std::size_t stretch = 0;  ///< within so many beams it moves no more than it may
-    std::size_t jump = 0;     ///< the first beam after it is somewhere else at once
+    std::size_t end = 0;  ///< behind the last; first == end: none
+    Way way;              ///< while these are fired
 
-    /// What is put for this beam holds until then.
+    /// From this beam to before that one it moves no more than it may: what is put holds.
     [[nodiscard]] std::size_t good_until(std::size_t beam) const {
-        return beam < jump ? std::min(beam + stretch, jump) : beam + stretch;
+        const auto from = static_cast<double>(beam);
+        const double last = way.beam_at(way.gone_m(from) + within_m);
+        return last < static_cast<double>(end) ? static_cast<std::size_t>(std::max(last, from)) + 1
+                                               : end;
     }
 };
 
-double angle_between(const glm::dquat& a, const glm::dquat& b) {
-    return 2.0 * std::acos(std::min(1.0, std::abs(glm::dot(a, b))));
-}
-
 Sway sway_of(std::span<const Pose> poses) {
-    constexpr std::size_t samples = 8;
     Sway sway{poses[poses.size() / 2]};
-    for (std::size_t i = 0; i <= samples; ++i) {
-        const Pose& pose = poses[i * (poses.size() - 1) / samples];
-        sway.moved_m =
-            std::max(sway.moved_m, glm::distance(pose.translation_m, sway.middle.translation_m));
-        sway.turned_rad =
-            std::max(sway.turned_rad, angle_between(pose.rotation, sway.middle.rotation));
+    double farthest_m2 = 0.0;
+    const Pose* most_turned = &sway.middle;
+    double least_cosine = 1.0;
+    for (const Pose& pose : poses) {
+        const glm::dvec3 moved_m = pose.translation_m - sway.middle.translation_m;
+        farthest_m2 = std::max(farthest_m2, glm::dot(moved_m, moved_m));
+        const double cosine = std::abs(glm::dot(pose.rotation, sway.middle.rotation));
+        if (cosine >= least_cosine) continue;
+        least_cosine = cosine;
+        most_turned = &pose;
     }
+    sway.moved_m = std::sqrt(farthest_m2);
+    sway.turned_rad = angle_between_rad(most_turned->rotation, sway.middle.rotation);
     return sway;
-}
-
-/// The farthest that a point of the model moves.
-double movement_m(const Pose& from, const Pose& to, double radius_m) {
-    return glm::distance(from.translation_m, to.translation_m) +
-           angle_between(from.rotation, to.rotation) * radius_m;
 }
 
 class Sweeping {
@@ -89,17 +122,13 @@ class Sweeping {
     /// turning sensor sees it.
     [[nodiscard]] Encounter met_within(const Pose& middle, double strays_m, double radius_m) const;
     [[nodiscard]] Encounter between(double low_rad, double high_rad) const;
-    /// What a point of it moves in the time of a beam, on its way between these two.
-    [[nodiscard]] double step_m(const Waypoint& from, const Waypoint& to, const Mover& mover) const;
+    [[nodiscard]] double beam_at(Time time) const;
+    [[nodiscard]] Time time_at(double beam) const;
     [[nodiscard]] std::size_t first_fired_at(Time time) const;
     /// The next part begins here at the latest.
     [[nodiscard]] std::size_t reach(std::span<const Encounter> met, std::size_t from) const;
-    /// At which it is put for the beams from there on.
-    [[nodiscard]] Time time_of(const Encounter& met, std::size_t from) const {
-        const std::size_t first = std::max(met.first, from);
-        const std::size_t last = std::min(met.end, met.good_until(first));
-        return first < last ? fired_((first + last) / 2) : middle_;
-    }
+    /// At which it is put for the beams from there on: halfway through what it moves meanwhile.
+    [[nodiscard]] Time time_of(const Encounter& met, std::size_t from) const;
 
     const SensorSpec& optics_;
     std::size_t beams_;
@@ -112,35 +141,50 @@ class Sweeping {
 };
 
 Encounter Sweeping::encounter(const Mover& mover) const {
-    const PoseTrack& path = *mover.path;
-    const Pose middle = path.at(middle_);
-    if (path.still(begin_, end_)) return met_within(middle, 0.0, mover.radius_m);
-    const Pose before = path.at(begin_);
-    const Pose after = path.at(end_);
-    const double strays_m = glm::distance(before.translation_m, middle.translation_m) +
-                            glm::distance(middle.translation_m, after.translation_m);
+    const std::vector<PoseTrack::Leg> legs = mover.path->legs(begin_, end_);
+    const Pose middle = mover.path->at(middle_);
+    double strays_m = 0.0;
+    for (const PoseTrack::Leg& leg : legs) {
+        strays_m = std::max({strays_m, glm::distance(leg.from_m, middle.translation_m),
+                             glm::distance(leg.to_m, middle.translation_m)});
+    }
     Encounter met = met_within(middle, strays_m, mover.radius_m);
     if (met.first == met.end) return met;
-    double most_m = 0.0;  // in the time of a beam
-    if (const std::optional<Time> jump = path.first_jump(begin_, end_)) {
-        met.jump = first_fired_at(*jump);
-        const Time just_before = *jump - Time{1};
-        most_m = std::max(step_m({begin_, before}, {just_before, path.at(just_before)}, mover),
-                          step_m({*jump, path.at(*jump)}, {end_, after}, mover));
-    } else {
-        most_m = std::max(step_m({begin_, before}, {middle_, middle}, mover),
-                          step_m({middle_, middle}, {end_, after}, mover));
+    const Time first = fired_(met.first);
+    const Time last = fired_(met.end - 1);
+    for (const PoseTrack::Leg& leg : legs) {
+        if (leg.end <= first || leg.begin >= last) continue;
+        met.way.go(beam_at(leg.begin), beam_at(leg.end),
+                   glm::distance(leg.from_m, leg.to_m) + leg.turned_rad * mover.radius_m);
     }
-    met.stretch =
-        static_cast<std::size_t>(std::clamp(within_m / most_m, 1.0, static_cast<double>(beams_)));
     return met;
 }
 
-double Sweeping::step_m(const Waypoint& from, const Waypoint& to, const Mover& mover) const {
-    const double beams = static_cast<double>(beams_) *
-                         std::chrono::duration<double>(to.time - from.time) /
-                         std::chrono::duration<double>(end_ - begin_);
-    return beams > 0.0 ? movement_m(from.pose, to.pose, mover.radius_m) / beams : 0.0;
+double Sweeping::beam_at(Time time) const {
+    const std::size_t next = first_fired_at(time);
+    if (next == 0 || next == beams_) return static_cast<double>(next);
+    const Time before = fired_(next - 1);
+    const std::chrono::duration<double> since = time - before;
+    return static_cast<double>(next - 1) + since / (fired_(next) - before);
+}
+
+Time Sweeping::time_at(double beam) const {
+    const auto before = static_cast<std::size_t>(beam);
+    const Time time = fired_(before);
+    if (before + 1 >= beams_) return time;
+    const double share = beam - static_cast<double>(before);
+    return time + std::chrono::duration_cast<Time>(
+                      share * std::chrono::duration<double>(fired_(before + 1) - time));
+}
+
+Time Sweeping::time_of(const Encounter& met, std::size_t from) const {
+    const std::size_t first = std::max(met.first, from);
+    if (first >= met.end) return middle_;
+    const std::size_t last = met.good_until(first) - 1;
+    const auto low = static_cast<double>(first);
+    const auto high = static_cast<double>(last);
+    const double halfway_m = std::midpoint(met.way.gone_m(low), met.way.gone_m(high));
+    return time_at(std::clamp(met.way.beam_at(halfway_m), low, high));
 }
 
 std::size_t Sweeping::first_fired_at(Time time) const {
@@ -156,8 +200,8 @@ std::size_t Sweeping::first_fired_at(Time time) const {
 }
 
 Encounter Sweeping::met_within(const Pose& middle, double strays_m, double radius_m) const {
-    const Encounter all{0, beams_, beams_};
-    const Encounter none{0, 0, beams_};
+    const Encounter all{0, beams_, {}};
+    const Encounter none{0, 0, {}};
     const glm::dvec3 centre_m = sensor_from_world_ * middle.translation_m;
     const double distance_m = glm::length(centre_m);
     const double ball_m =
@@ -178,7 +222,7 @@ Encounter Sweeping::met_within(const Pose& middle, double strays_m, double radiu
 Encounter Sweeping::between(double low_rad, double high_rad) const {
     const double beams_per_rad = optics_.steps_per_turn / (2.0 * std::numbers::pi);
     const double front = optics_.front_step - optics_.first_step;
-    Encounter met{beams_, 0, beams_};
+    Encounter met{beams_, 0, {}};
     for (const int turn : {-1, 0, 1}) {
         const double shift = front + turn * optics_.steps_per_turn;
         const double first = std::floor(low_rad * beams_per_rad + shift);
@@ -187,7 +231,7 @@ Encounter Sweeping::between(double low_rad, double high_rad) const {
         met.first = std::min(met.first, static_cast<std::size_t>(std::max(first, 0.0)));
         met.end = std::max(met.end, std::min(beams_, static_cast<std::size_t>(last) + 1));
     }
-    return met.first < met.end ? met : Encounter{0, 0, beams_};
+    return met.first < met.end ? met : Encounter{};
 }
 
 std::size_t Sweeping::reach(std::span<const Encounter> met, std::size_t from) const {

@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "sim/world/pose.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace scipd::sim {
@@ -43,6 +44,10 @@ Velocity velocity_between(const Pose& a, const Pose& b, double seconds) {
     const double angle_rad = 2.0 * std::atan2(sine, turn.w);
     return {(b.translation_m - a.translation_m) / seconds,
             sine > 0.0 ? axis * (angle_rad / sine / seconds) : glm::dvec3{0.0}};
+}
+
+double angle_between_rad(const glm::dquat& a, const glm::dquat& b) {
+    return 2.0 * std::acos(std::min(1.0, std::abs(glm::dot(a, b))));
 }
 
 Pose interpolate(const Pose& a, const Pose& b, double share) {

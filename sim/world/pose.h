@@ -42,6 +42,9 @@ struct Velocity {
 Pose moved(const Pose& pose, const Velocity& velocity, double seconds);
 Velocity velocity_between(const Pose& a, const Pose& b, double seconds);
 
+/// The shorter way from one to the other.
+double angle_between_rad(const glm::dquat& a, const glm::dquat& b);
+
 /// Linear in translation, slerp along the shorter arc in rotation; share 0 gives a, 1 gives b.
 Pose interpolate(const Pose& a, const Pose& b, double share);
 

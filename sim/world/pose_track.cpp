@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace scipd::sim {
@@ -114,14 +115,35 @@ bool PoseTrack::still(Time from, Time to) const {
     return true;
 }
 
-std::optional<Time> PoseTrack::first_jump(Time from, Time to) const {
+std::vector<PoseTrack::Leg> PoseTrack::legs(Time from, Time to) const {
+    std::vector<Leg> legs;
     auto entry = first_later_than(from);
-    if (entry == entries_.begin() && entry != entries_.end()) ++entry;
-    for (; entry != entries_.end() && entry->time <= to; ++entry) {
+    if (entry == entries_.begin()) ++entry;  // nothing is known of what was before the first
+    for (; entry != entries_.end(); ++entry) {
         const Entry& before = *std::prev(entry);
-        if (entry->time - instant == before.time && entry->pose != before.pose) return entry->time;
+        if (before.time >= to) return legs;
+        if (entry->pose != before.pose && from < to) legs.push_back(leg(before, *entry, from, to));
     }
-    return std::nullopt;
+    if (!moves_on()) return legs;
+    const Time begin = std::max(from, last_time());
+    const Time end = std::min(to, last_time() + policy_.stale_after);
+    if (begin >= end) return legs;
+    legs.push_back({begin, end, after_last(begin).translation_m, after_last(end).translation_m,
+                    glm::length(velocity_.angular_radps) * Seconds(end - begin).count()});
+    return legs;
+}
+
+PoseTrack::Leg PoseTrack::leg(const Entry& before, const Entry& after, Time from, Time to) {
+    const Time begin = std::max(from, before.time);
+    const Time end = std::min(to, after.time);
+    const Seconds span = after.time - before.time;
+    const auto place_m = [&](Time time) {
+        return glm::mix(before.pose.translation_m, after.pose.translation_m,
+                        Seconds(time - before.time) / span);
+    };
+    return {begin, end, place_m(begin), place_m(end),
+            angle_between_rad(before.pose.rotation, after.pose.rotation) *
+                (Seconds(end - begin) / span)};
 }
 
 PoseTrack::Entries::const_iterator PoseTrack::first_later_than(Time time) const {

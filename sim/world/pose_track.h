@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <deque>
 #include <optional>
+#include <vector>
 
 #include "sim/time.h"
 #include "sim/world/pose.h"
@@ -67,8 +68,17 @@ class PoseTrack {
     /// Whether the pose is the same at every time between the two: one pose then serves a whole
     /// sweep.
     [[nodiscard]] bool still(Time from, Time to) const;
-    /// When it is first somewhere else at once, after `from` and until `to`.
-    [[nodiscard]] std::optional<Time> first_jump(Time from, Time to) const;
+
+    /// On the way from one place to another, evenly. One of a nanosecond is a jump.
+    struct Leg {
+        Time begin{};
+        Time end{};  ///< later
+        glm::dvec3 from_m{0.0};
+        glm::dvec3 to_m{0.0};
+        double turned_rad = 0.0;  ///< more than half a turn where it goes on by itself
+    };
+    /// All between the two times, in order; at all other times the pose stays what it is.
+    [[nodiscard]] std::vector<Leg> legs(Time from, Time to) const;
 
   private:
     struct Entry {
@@ -80,6 +90,7 @@ class PoseTrack {
     [[nodiscard]] Entries::const_iterator first_later_than(Time time) const;
     [[nodiscard]] bool moves_on() const;
     [[nodiscard]] Pose after_last(Time time) const;
+    [[nodiscard]] static Leg leg(const Entry& before, const Entry& after, Time from, Time to);
     void push(Time time, const Pose& pose);
 
     PosePolicy policy_;

@@ -159,19 +159,60 @@ TEST(PoseTrack, IsStillWhereNothingChanges) {
     EXPECT_TRUE(track.still(0s, 999ms));
 }
 
-TEST(PoseTrack, TellsWhenItJumpsFirst) {
+TEST(PoseTrack, TellsEachJumpAsAShortLeg) {
     PoseTrack track(at_x(0));
     track.append(1s, at_x(1));  // nobody knows when the start was left
     track.append(2s, at_x(2));
     track.jump(3s, at_x(5));
     track.jump(4s, at_x(5));  // to where it is
     track.jump(5s, at_x(7));
-    EXPECT_EQ(track.first_jump(-1h, 1h), 1s);
-    EXPECT_EQ(track.first_jump(1s, 1h), 3s);
-    EXPECT_EQ(track.first_jump(3s, 1h), 5s);
-    EXPECT_EQ(track.first_jump(5s, 1h), std::nullopt);
-    EXPECT_EQ(track.first_jump(1s, 2999ms), std::nullopt);
-    EXPECT_EQ(track.first_jump(1s, 3s), 3s);
+    const auto jumps = [&](Time from, Time to) {
+        std::vector<Time> times;
+        for (const PoseTrack::Leg& leg : track.legs(from, to))
+            if (leg.end - leg.begin == 1ns) times.push_back(leg.end);
+        return times;
+    };
+    EXPECT_EQ(jumps(-1h, 1h), (std::vector<Time>{1s, 3s, 5s}));
+    EXPECT_EQ(jumps(1s, 1h), (std::vector<Time>{3s, 5s}));
+    EXPECT_EQ(jumps(5s, 1h), std::vector<Time>{});
+    EXPECT_EQ(jumps(1s, 3s - 1ns), std::vector<Time>{});
+    EXPECT_EQ(jumps(1s, 3s), std::vector<Time>{3s});
+}
+
+TEST(PoseTrack, TellsTheLegsOfItsWayWithinASpan) {
+    PoseTrack track(at_x(0));
+    track.append(1s, at_x(1));
+    track.append(2s, pose_from_rpy({3, 0, 0}, {0, 0, 2}));
+    track.append(3s, pose_from_rpy({3, 0, 0}, {0, 0, 2}));
+    track.append(4s, at_x(2));
+    const std::vector<PoseTrack::Leg> legs = track.legs(1500ms, 3250ms);
+    ASSERT_EQ(legs.size(), 2U);
+    EXPECT_EQ(legs[0].begin, 1500ms);
+    EXPECT_EQ(legs[0].end, 2s);
+    EXPECT_NEAR(legs[0].from_m.x, 2.0, 1e-12);
+    EXPECT_NEAR(legs[0].to_m.x, 3.0, 1e-12);
+    EXPECT_NEAR(legs[0].turned_rad, 1.0, 1e-9);
+    EXPECT_EQ(legs[1].begin, 3s);
+    EXPECT_EQ(legs[1].end, 3250ms);
+    EXPECT_NEAR(legs[1].to_m.x, 2.75, 1e-12);
+    EXPECT_NEAR(legs[1].turned_rad, 0.5, 1e-9);
+    EXPECT_TRUE(track.legs(2s, 3s).empty());
+    EXPECT_TRUE(track.legs(1500ms, 1500ms).empty());
+    EXPECT_TRUE(track.legs(4s, 1h).empty());
+}
+
+TEST(PoseTrack, GoesOnForOneLegUntilItIsStale) {
+    PoseTrack track(at_x(0), {.after = PosePolicy::After::extrapolate});
+    track.append(1s, at_x(1));
+    track.append(1100ms, pose_from_rpy({1.2, 0, 0}, {0, 0, 3}));
+    const std::vector<PoseTrack::Leg> legs = track.legs(1200ms, 1h);
+    ASSERT_EQ(legs.size(), 1U);
+    EXPECT_EQ(legs[0].begin, 1200ms);
+    EXPECT_EQ(legs[0].end, 1600ms);
+    EXPECT_NEAR(legs[0].from_m.x, 1.4, 1e-9);
+    EXPECT_NEAR(legs[0].to_m.x, 2.2, 1e-9);
+    EXPECT_NEAR(legs[0].turned_rad, 12.0, 1e-9);  // nearly two turns
+    EXPECT_TRUE(track.legs(1600ms, 1h).empty());
 }
 
 TEST(PoseTrack, IsNotStillAcrossAJumpAndBack) {
