@@ -119,6 +119,22 @@ bool BeamCutter::meets(TriangleId triangle, const glm::dvec3& direction) const {
     return (ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0);
 }
 
+/// Whether all of it lies on one side of the plane through the eye that is normal to `side`; most
+/// triangles are dismissed by that.
+bool BeamCutter::goes_aside(TriangleId triangle, const glm::dvec3& side) const {
+    constexpr double surely_m = 1e-6;
+    const glm::uvec3 corners = triangles_.triangles()[triangle].corners;
+    const auto vertices = triangles_.vertices();
+    const auto off_m = [&](std::uint32_t corner) {
+        return glm::dot(glm::dvec3{vertices[corner].position_m} - eye_m_, side);
+    };
+    const double a_m = off_m(corners.x);
+    const double b_m = off_m(corners.y);
+    const double c_m = off_m(corners.z);
+    return (a_m > surely_m && b_m > surely_m && c_m > surely_m) ||
+           (a_m < -surely_m && b_m < -surely_m && c_m < -surely_m);
+}
+
 void BeamCutter::take_nearer(TriangleId triangle, const glm::dvec3& direction, Hit& first) {
     if (!meets(triangle, direction)) return;
     look_at(triangle);
@@ -131,7 +147,8 @@ void BeamCutter::take_nearer(TriangleId triangle, const glm::dvec3& direction, H
 /// post, say, whose facets are narrower than pixels.
 void BeamCutter::find_unseen(const Around& around, const Look& look, const glm::dvec3& direction,
                              Hit& first) {
-    constexpr double clearly = 1.02;
+    constexpr double clearly = 1.05;
+    const glm::dvec3 side = anchored_from_sensor_ * glm::dvec3{-direction.y, direction.x, 0.0};
     for (std::size_t i = 0; i < around.shown.size(); ++i) {
         const TriangleId shown = around.shown[i];
         if (shown == Picture::nothing || (i > 0 && shown == around.shown[i - 1])) continue;
@@ -142,8 +159,9 @@ void BeamCutter::find_unseen(const Around& around, const Look& look, const glm::
         // Where the beam has met nothing, what is far behind the pixel is not in front either.
         if (!first.met()) unseen.range_m = static_cast<float>(clearly * shown_m);
         const TriangleRange beside = triangles_.around(shown);
-        for (TriangleId triangle = beside.first; triangle < beside.end; ++triangle)
-            take_nearer(triangle, direction, unseen);
+        for (TriangleId triangle = beside.first; triangle < beside.end; ++triangle) {
+            if (!goes_aside(triangle, side)) take_nearer(triangle, direction, unseen);
+        }
         if (unseen.met()) first = unseen;
     }
 }

@@ -42,6 +42,7 @@ class BeamCutter {
     /// Puts what lies unseen before the first one into its place.
     void find_unseen(const Around& around, const Look& look, const glm::dvec3& direction,
                      Hit& first);
+    [[nodiscard]] bool goes_aside(TriangleId triangle, const glm::dvec3& side) const;
     /// Where the beam meets the triangle before that.
     void take_nearer(TriangleId triangle, const glm::dvec3& direction, Hit& first);
     [[nodiscard]] bool agrees(double range_m, std::size_t pixel, const Look& look) const;
