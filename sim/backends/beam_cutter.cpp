@@ -147,7 +147,7 @@ void BeamCutter::take_nearer(TriangleId triangle, const glm::dvec3& direction, H
 /// post, say, whose facets are narrower than pixels.
 void BeamCutter::find_unseen(const Around& around, const Look& look, const glm::dvec3& direction,
                              Hit& first) {
-    constexpr double clearly = 1.05;
+    constexpr double clearly = 1.02;
     const glm::dvec3 side = anchored_from_sensor_ * glm::dvec3{-direction.y, direction.x, 0.0};
     for (std::size_t i = 0; i < around.shown.size(); ++i) {
         const TriangleId shown = around.shown[i];
