@@ -160,6 +160,47 @@ TEST_F(Door, IsMetWhereItIsWhenTheBeamIsFired) {
     EXPECT_GT(met, 70);
 }
 
+/// Four times as long as a revolution of the scanner in the configuration.
+sim::Time fired_slowly(int step) {
+    return 10s + 4 * (fired(step) - 10s);
+}
+
+TEST_F(Door, IsMetWhereItVibratesTo) {
+    const auto face_m = [](sim::Time time) {
+        return 2.95 + 0.05 * std::sin(30 * 2 * std::numbers::pi * seconds(time - 10s));
+    };
+    for (sim::Time time = 9990ms; time <= 10'110ms; time += 1ms) {
+        (void)world_.place_model("model 1",
+                                 {time, sim::pose_from_rpy({face_m(time) + 0.05, 0, 0}, {})});
+    }
+    const sim::SharedScan scan = sweep_in(world_, config_).measure(0, 10s, fired_slowly);
+    int met = 0;
+    for (int step = 360; step <= 720; ++step) {
+        const double angle = config_.model.optics.angle_rad(step);
+        const double ahead_m = face_m(fired_slowly(step));
+        if (std::abs(ahead_m * std::tan(angle)) > 0.49) continue;
+        ++met;
+        ASSERT_NEAR(scan->range_m[static_cast<std::size_t>(step)], ahead_m / std::cos(angle),
+                    tolerance_m)
+            << step;
+    }
+    EXPECT_GT(met, 60);
+}
+
+TEST_F(Door, IsMetWhereItHasJumpedTo) {
+    for (int step = 500; step < 580; step += 10) {
+        const double x_m = step % 20 == 0 ? 3.05 : 2.05;
+        (void)world_.place_model("model 1", {fired(step), sim::pose_from_rpy({x_m, 0, 0}, {})});
+    }
+    const sim::SharedScan scan = sweep_in(world_, config_).measure(0, 10s, fired);
+    for (int step = 510; step < 580; ++step) {
+        const double ahead_m = step / 10 % 2 == 0 ? 3.0 : 2.0;
+        const double angle = config_.model.optics.angle_rad(step);
+        ASSERT_NEAR(scan->range_m[static_cast<std::size_t>(step)], ahead_m / std::cos(angle), 1e-5)
+            << step;
+    }
+}
+
 TEST_F(Door, HasItsEdgesWhereTheyAreWhenTheBeamIsFired) {
     move_door({3, 0.2, 0}, {0, 6, 0});
     const sim::SharedScan scan = sweep_in(world_, config_).measure(0, 10s, fired);
