@@ -17,6 +17,7 @@
 #include "daemon/device/scan_loop.h"
 #include "daemon/device/staring_sensor.h"
 #include "daemon/device/stepped_clock.h"
+#include "tests/daemon/ideal_camera.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/empty_api.h"
 
@@ -30,15 +31,7 @@ using testing::HasSubstr;
 /// Five pixels across a right angle and one row: the outermost look at y = 4/5 of x. The wall ends
 /// at y = 5 and its face is 4 m ahead.
 SensorConfig camera() {
-    SensorConfig config;
-    config.name = "tof";
-    config.accuracy = sim::Accuracy::ideal;
-    config.motion = 1;
-    config.staring = sim::StaringSpec{.optics = sim::PinholeGrid{5, 1, 2 * std::atan(1.0), 0.1},
-                                      .period = 40ms,
-                                      .min_range_m = 0.1,
-                                      .max_range_m = 5.0};
-    return config;
+    return ideal_camera(5, 5.0);
 }
 
 SensorConfig ranger() {

@@ -13,6 +13,7 @@
 
 #include "daemon/device/scan_loop.h"
 #include "daemon/device/stepped_clock.h"
+#include "tests/daemon/ideal_camera.h"
 #include "tests/daemon/wall_world.h"
 
 namespace scipd::daemon {
@@ -24,15 +25,7 @@ constexpr float nothing = std::numeric_limits<float>::infinity();
 
 /// A row of three pixels: those at the sides look where y is 2/3 of x. Every 40 ms.
 SensorConfig row_of_three() {
-    SensorConfig config;
-    config.name = "tof";
-    config.accuracy = sim::Accuracy::ideal;
-    config.motion = 1;
-    config.staring = sim::StaringSpec{.optics = sim::PinholeGrid{3, 1, 2 * std::atan(1.0), 0.1},
-                                      .period = 40ms,
-                                      .min_range_m = 0.1,
-                                      .max_range_m = 8.0};
-    return config;
+    return ideal_camera(3, 8.0);
 }
 
 World wall_before_sensors() {
