@@ -17,8 +17,8 @@ namespace {
 /// Small enough to leave most of a big mesh out of a thin strip, large enough that few are looked
 /// at.
 constexpr std::size_t part_size = 64;
-/// Objects up to this are looked through whole where a beam is at an edge of one.
-constexpr std::size_t most_around = 512;
+/// So many are looked through where a beam is at an edge of them, which takes microseconds.
+constexpr std::size_t most_parts_around = 1024;
 
 /// More than floats may be off in a world of a kilometre.
 constexpr float rounding_m = 1e-3F;
@@ -146,8 +146,6 @@ void DepthTriangles::add(ObjectId id, const Object& object, bool movable,
             triangles_.push_back({part_vertex + corners});
         }
         parts.push_back(block_from(part_first, part_vertex));
-        if (part_first == first || mesh.triangles.size() > most_around)
-            groups_.push_back(part_first);
         if (movable) std::ranges::copy(part.vertices_m, std::back_inserter(in_object_m));
     }
     faces_.resize(triangles_.size(), Face{.object = id});
@@ -162,15 +160,19 @@ void DepthTriangles::add(ObjectId id, const Object& object, bool movable,
                          first_vertex, bodies_.size() - 1});
 }
 
-TriangleRange DepthTriangles::around(TriangleId triangle) const {
-    const auto next = std::ranges::upper_bound(groups_, triangle);
-    const bool last = next == groups_.end();
-    return {*std::prev(next), last ? static_cast<TriangleId>(triangles_.size()) : *next};
+std::span<const Block> DepthTriangles::around(TriangleId triangle) const {
+    const auto next = std::ranges::upper_bound(bodies_, triangle, {},
+                                               [](const Body& body) { return body.all.first; });
+    const Body& body = *std::prev(next);
+    if (body.parts.empty()) return {&body.all, 1};
+    const std::size_t count = std::min(body.parts.size(), most_parts_around);
+    const std::size_t part = (triangle - body.all.first) / part_size;
+    const std::size_t before = std::min(part, most_parts_around / 2);
+    return std::span{body.parts}.subspan(std::min(part - before, body.parts.size() - count), count);
 }
 
 /// What was added since then.
-DepthTriangles::Block DepthTriangles::block_from(TriangleId first,
-                                                 std::uint32_t first_vertex) const {
+Block DepthTriangles::block_from(TriangleId first, std::uint32_t first_vertex) const {
     Block block{{},           {},
                 first,        static_cast<std::uint32_t>(triangles_.size() - first),
                 first_vertex, static_cast<std::uint32_t>(vertices_.size() - first_vertex)};

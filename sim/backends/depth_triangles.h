@@ -45,9 +45,14 @@ struct VertexRange {
     std::size_t count = 0;
 };
 
-struct TriangleRange {
-    TriangleId first = 0;
-    TriangleId end = 0;
+/// Some triangles that lie together, with corners that no others have, and a box around them.
+struct Block {
+    glm::vec3 middle_m;
+    glm::vec3 half_m;
+    TriangleId first;
+    std::uint32_t count;
+    std::uint32_t first_vertex;
+    std::uint32_t vertex_count;
 };
 
 class DepthTriangles {
@@ -58,8 +63,8 @@ class DepthTriangles {
     [[nodiscard]] std::span<const DrawnTriangle> triangles() const { return triangles_; }
     [[nodiscard]] std::span<const Face> faces() const { return faces_; }
 
-    /// Some of the same object around this one, itself among them.
-    [[nodiscard]] TriangleRange around(TriangleId triangle) const;
+    /// All of the same object, or thousands around this one, itself among them.
+    [[nodiscard]] std::span<const Block> around(TriangleId triangle) const;
 
     /// Puts a movable model somewhere else. Returns which vertices that touched.
     VertexRange move(ModelId model, const Pose& anchored_from_model);
@@ -70,15 +75,6 @@ class DepthTriangles {
     void collect(const Frustum& frustum, ModelId unseen, std::vector<DrawnTriangle>& drawn);
 
   private:
-    /// Some triangles, with corners that no others have, and a box around them.
-    struct Block {
-        glm::vec3 middle_m;
-        glm::vec3 half_m;
-        TriangleId first;
-        std::uint32_t count;
-        std::uint32_t first_vertex;
-        std::uint32_t vertex_count;
-    };
     /// The triangles of one object.
     struct Body {
         ModelId model;
@@ -106,7 +102,6 @@ class DepthTriangles {
     std::vector<DrawnTriangle> triangles_;
     std::vector<Face> faces_;  ///< by TriangleId, as triangles_
     std::vector<Body> bodies_;
-    std::vector<TriangleId> groups_;  ///< where each begins: a small body, or a part of a large one
     // Of the boxes around them, once more: most bodies are left out by these alone. The fourth
     // number is nothing; with three, compilers take one box after the other.
     std::vector<glm::vec4> middles_m_;

@@ -196,6 +196,40 @@ TEST_F(Depth, SeesAPostUpToItsRim) {
     }
 }
 
+// Many of its facets share a pixel, and one that hides between two pixels may lie in another part
+// of the mesh than those that they show.
+TEST_F(Depth, SeesAPostOfThousandsOfFacetsAsRound) {
+    constexpr double radius_m = 0.1;
+    constexpr double sagitta_m = 2e-4;  // the facets are within 0.1 mm of the circle
+    const auto directions = level(1081, 3 * pi / 4);
+    const auto depth = make_depth_backend(
+        SceneBuilder()
+            .add(std::make_shared<const Mesh>(capsule_mesh(radius_m, 1.0)), Pose{})
+            .build());
+    std::vector<Hit> hits(directions.size());
+    int met = 0;
+    for (int place = 0; place < 100; ++place) {
+        const double bearing_rad = 0.1 * place;
+        const double far_m = 4.0 + 0.13 * place;
+        const std::vector<Pose> pose{
+            pose_from_rpy({far_m * std::cos(bearing_rad), far_m * std::sin(bearing_rad), 0},
+                          {0, 0, 0.143 * place + 3.0})};
+        const glm::dvec2 post_m{inverse(pose[0]) * glm::dvec3{0.0}};
+        depth->cast({directions, pose}, hits);
+        for (std::size_t i = 0; i < directions.size(); ++i) {
+            const glm::dvec2 along{directions[i]};
+            const double aside_m = std::abs(along.x * post_m.y - along.y * post_m.x);
+            if (glm::dot(along, post_m) < 0.0 || aside_m > radius_m - 5e-4) continue;
+            const double half_chord_m = std::sqrt(radius_m * radius_m - aside_m * aside_m);
+            const double cosine = half_chord_m / radius_m;
+            ++met;
+            EXPECT_NEAR(hits[i].range_m, glm::dot(along, post_m) - half_chord_m, sagitta_m / cosine)
+                << place << " " << i;
+        }
+    }
+    EXPECT_GT(met, 300);
+}
+
 // As when a scene is loaded beside the one that runs: made there, used here, destroyed there again.
 TEST_F(Depth, GoesFromThreadToThread) {
     const SharedScene scene = SceneBuilder().add(Plane{{10, 10}}, wall_at(2.0)).build();
