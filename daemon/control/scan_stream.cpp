@@ -3,6 +3,8 @@
 #include "daemon/control/scan_stream.h"
 
 #include <algorithm>
+#include <deque>
+#include <unordered_map>
 #include <utility>
 
 #include "daemon/control/documents.h"
@@ -11,8 +13,13 @@
 namespace scipd::daemon {
 namespace {
 
-/// A third of a second of a UST-10LX.
+/// Of one sensor: a third of a second of a UST-10LX. Others do not count: many of them measure at
+/// the same instant.
 constexpr std::size_t most_queued = 16;
+
+/// Of all sensors together; beyond, each may have one message queued, however many and large they
+/// are, so that none is heard at the cost of another.
+constexpr std::size_t most_queued_bytes = std::size_t{64} << 20U;
 
 /// The pose is that of the beam in the middle.
 Json document_of(const std::string& sensor, const ScanRecord& record) {
@@ -51,12 +58,44 @@ class ScanStream::Subscriber : public Conversation {
     [[nodiscard]] bool wants(const std::string& sensor) const {
         return sensor_.empty() || sensor_ == sensor;
     }
-    [[nodiscard]] WebSocket& socket() const { return socket_; }
+
+    [[nodiscard]] bool has_room_for(const Tap& tap) {
+        forget_what_has_left();
+        const auto queued = queued_of_.find(&tap);
+        if (queued == queued_of_.end()) return true;
+        return queued->second < most_queued && queued_bytes_ < most_queued_bytes;
+    }
+    void send(const Tap& tap, const std::shared_ptr<const std::string>& message) {
+        queued_.push_back({&tap, message->size()});
+        queued_bytes_ += message->size();
+        ++queued_of_[&tap];
+        socket_.send(message);
+    }
 
   private:
+    /// The tap is a name only: it may be gone.
+    struct Queued {
+        const Tap* tap;
+        std::size_t bytes;
+    };
+
+    /// Messages leave in the order in which they were sent, and only the stream sends any.
+    void forget_what_has_left() {
+        while (queued_.size() > socket_.queued()) {
+            const Queued& left = queued_.front();
+            queued_bytes_ -= left.bytes;
+            const auto of_tap = queued_of_.find(left.tap);
+            if (--of_tap->second == 0) queued_of_.erase(of_tap);
+            queued_.pop_front();
+        }
+    }
+
     ScanStream& stream_;
     std::string sensor_;
     WebSocket& socket_;
+    std::deque<Queued> queued_;
+    std::size_t queued_bytes_ = 0;
+    std::unordered_map<const Tap*, std::size_t> queued_of_;
 };
 
 ScanStream::Tap::Tap(ScanStream& stream, std::string sensor, Device& device)
@@ -102,14 +141,14 @@ void ScanStream::follow_all() {
 
 void ScanStream::send(Tap& tap, const std::function<std::string()>& tell) {
     std::shared_ptr<const std::string> message;
-    for (const Subscriber* client : subscribers_) {
+    for (Subscriber* client : subscribers_) {
         if (!client->wants(tap.sensor_)) continue;
-        if (client->socket().queued() >= most_queued) {
+        if (!client->has_room_for(tap)) {
             ++tap.lost_;
             continue;
         }
         if (!message) message = std::make_shared<const std::string>(tell());
-        client->socket().send(message);
+        client->send(tap, message);
     }
 }
 

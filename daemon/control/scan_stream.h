@@ -3,7 +3,8 @@
 //
 // The WebSocket /stream: every scan of all sensors, or of one, as it is measured, to whoever
 // subscribes; while somebody does, scans are cast, whether a driver wants them or not. A client
-// that is too slow loses whole messages, which are counted. Lives on the I/O thread.
+// that is too slow loses whole messages, of all sensors alike, which are counted. Lives on the I/O
+// thread.
 #pragma once
 
 #include <cstdint>
