@@ -4,6 +4,7 @@
 
 #include <exception>
 #include <iostream>
+#include <sstream>
 #include <string>
 
 namespace scipd::tools {
@@ -32,6 +33,18 @@ std::string sentence_of(const CLI::App& program, const CLI::Error& error) {
 }
 
 }  // namespace
+
+CLI::Validator number_within(double least, double most) {
+    std::ostringstream limits;
+    limits << least << " to " << most;
+    const auto why_not = [=, limits = limits.str()](const std::string& text) -> std::string {
+        double number = 0.0;
+        // What compares false is no number.
+        if (CLI::detail::lexical_cast(text, number) && number >= least && number <= most) return {};
+        return "must be a number from " + limits + ", not \"" + text + "\"";
+    };
+    return {why_not, limits.str(), "number"};
+}
 
 int run(CLI::App& program, int argc, char** argv) {
     constexpr int failed = 1;

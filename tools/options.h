@@ -16,6 +16,10 @@ struct WrongInput : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// For every option that is a real number: within these limits, and a number at all. (CLI::Range
+/// lets "nan" pass.)
+[[nodiscard]] CLI::Validator number_within(double least, double most);
+
 /// Reads the options, carries out the command and tells what went wrong on standard error. Returns
 /// the exit code.
 int run(CLI::App& program, int argc, char** argv);

@@ -239,6 +239,8 @@ TEST(Options, SaysInOneSentenceWhatIsWrong) {
          "dot"},
         {"--pose 1,2", "--pose: must be X,Y,YAW or X,Y,Z,ROLL,PITCH,YAW, not '1,2'"},
         {"--pose 1,2,x", "--pose: must be a number, not 'x'"},
+        {"--pose 1,nan,2", "--pose: must be a number, not 'nan'"},
+        {"--mount 0,0,inf,0,0,0", "--mount: must be a number, not 'inf'"},
         {"--pose 1,,2", "--pose: must be a number, not ''"},
         {"--clock pose", "--clock: must be wall or poses, not 'pose'"},
         {"--accuracy material", "--accuracy: material is not built yet; use sensor or ideal"},

@@ -149,5 +149,15 @@ TEST(Scipbench, RefusesWrongOptions) {
     EXPECT_EQ(scipbench({}).exit_code, 2);
 }
 
+TEST(Scipbench, TakesNoHeightThatIsNoNumber) {
+    for (const std::string height : {"nan", "-nan", "inf", "-inf", "1e7", "high", ""}) {
+        const Outcome outcome = scipbench({"compare", "--scene", room, "--height=" + height});
+        EXPECT_EQ(outcome.exit_code, 2) << height;
+        EXPECT_THAT(outcome.err, HasSubstr("--height")) << height;
+    }
+    EXPECT_THAT(scipbench({"table3", "--scene", room, "--height", "nan"}).err,
+                HasSubstr("--height: must be a number from -1e+06 to 1e+06, not \"nan\""));
+}
+
 }  // namespace
 }  // namespace scipd::tests

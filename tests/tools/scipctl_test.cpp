@@ -120,6 +120,15 @@ TEST(Scipctl, EndsWithTwoForWrongOptions) {
         EXPECT_EQ(outcome.exit_code, 2) << pose;
         EXPECT_THAT(outcome.err, HasSubstr("is no pose: write X,Y,YAW or X,Y,Z,R,P,Y"));
     }
+    for (const std::string number : {"nan", "inf", "-inf", "1e9", "0x", "many"}) {
+        const Outcome played = run_scipctl(
+            daemon, {"pose", "play", "/dev/null", "--speed=" + number});
+        EXPECT_EQ(played.exit_code, 2) << number;
+        EXPECT_THAT(played.err, HasSubstr("--speed: must be a number from 0.001 to 1000"));
+        const Outcome added = run_scipctl(daemon, {"scene", "add", "x", "-", "--scale=" + number});
+        EXPECT_EQ(added.exit_code, 2) << number;
+        EXPECT_THAT(added.err, HasSubstr("--scale: must be a number from -1e+06 to 1e+06"));
+    }
     EXPECT_EQ(run_scipctl(daemon, {"dance"}).exit_code, 2);
     EXPECT_EQ(run_scipctl(daemon, {"pose", "play", "/no/such.tum"}).exit_code, 2);
     EXPECT_TRUE(daemon.puts().empty());

@@ -122,8 +122,7 @@ CLI::App* add(CLI::App& program, const char* name, const char* what, Said& said,
         ->check(CLI::ExistingFile)
         ->option_text("FILE");
     command->add_option("--height", said.height_m, "of the scanner, in metres")
-        ->check(CLI::Range(-1e6, 1e6))
-        ->check(CLI::Range(-1e6, 1e6))
+        ->check(number_within(-1e6, 1e6))
         ->option_text("METRES [0.3]");
     command->callback([&said, run] { run(said); });
     return command;

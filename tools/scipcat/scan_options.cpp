@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "tools/options.h"
 #include "tools/target.h"
 
 namespace scipd::tools {
@@ -34,7 +35,7 @@ void ConnectionOptions::add_to(CLI::App& command) {
         ->check(CLI::IsMember({9600, 19200, 38400, 57600, 115200, 230400, 460800, 500000}))
         ->capture_default_str();
     command.add_option("--timeout", timeout_s, "seconds to wait for each answer")
-        ->check(CLI::Range(0.01, 3600.0))
+        ->check(number_within(0.01, 3600.0))
         ->capture_default_str();
 }
 

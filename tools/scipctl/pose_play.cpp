@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim/loaders/trajectory.h"
+#include "tools/options.h"
 #include "tools/scipctl/commands.h"
 #include "tools/scipctl/control_client.h"
 #include "tools/scipctl/pose_text.h"
@@ -72,7 +73,7 @@ void add_pose_play_command(CLI::App& pose, const ControlOptions& control) {
         ->check(CLI::ExistingFile);
     command->add_option("--robot", options->robot, "may be left out where there is one only");
     command->add_option("--speed", options->speed, "2 plays twice as fast")
-        ->check(CLI::Range(1e-3, 1e3))
+        ->check(number_within(1e-3, 1e3))
         ->capture_default_str();
     command->add_flag("--loop", options->loop, "again and again, until Ctrl-C");
     command->callback([&control, options] { play(control, *options); });

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/options.h"
 #include "tools/scipctl/commands.h"
 #include "tools/scipctl/control_client.h"
 #include "tools/scipctl/pose_text.h"
@@ -164,6 +165,7 @@ void add_add_command(CLI::App& scene, const ControlOptions& control) {
         ->check(CLI::ExistingFile | CLI::IsMember({"-"}));
     command->add_option("--pose", options->pose, "X,Y,YAW or X,Y,Z,R,P,Y; else its own");
     command->add_option("--scale", options->scale, "of a mesh: 0.001 for millimetres")
+        ->check(number_within(-1e6, 1e6))
         ->capture_default_str();
     command->add_option("--material", options->material, "of a whole mesh");
     command->add_flag("--replace", options->replace, "in place of the model of this name");
