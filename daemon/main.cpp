@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
     scipd::sim::prepare_drivers();
     auto parsed = scipd::daemon::parse_options(argc, argv);
     if (const auto* answer = std::get_if<scipd::daemon::Answer>(&parsed)) {
-        print(answer->text, answer->exit_code == ended_as_asked ? stdout : stderr);
+        print(answer->text, answer->exit_code == cannot_start ? stderr : stdout);
         return answer->exit_code;
     }
     return run(std::get<scipd::daemon::Options>(std::move(parsed)));

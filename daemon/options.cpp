@@ -42,7 +42,8 @@ constexpr const char* examples = R"(Examples:
         any number of robots and scanners; scipd --check fleet.yaml tells every fault in it
 
 Lengths are metres, angles radians; x is forward, y left, z up.
-Exit codes: 0 ended as asked, 1 failed while running, 2 wrong options, configuration or world.)";
+Exit codes: 0 ended as asked, 1 failed while running (or, of --probe, nothing can be drawn here),
+2 wrong options, configuration or world.)";
 
 SensorConfig default_sensor() {
     SensorConfig sensor;
@@ -174,7 +175,8 @@ void add_alone(CLI::App& app, Said& said) {
               [&](const auto& text) { said.check = text; });
     group.add_flag("--list-models", said.list_models, "the scanners that it can be");
     group.add_flag("--list-backends", said.list_backends, "what this build computes ranges with");
-    group.add_flag("--probe", said.probe, "what this machine offers to a depth backend");
+    group.add_flag("--probe", said.probe,
+                   "what this machine offers to a depth backend; 1 where it cannot draw");
 }
 
 /// Not CLI11's excludes(): it would list every pair in the help.
@@ -221,6 +223,12 @@ Answer backend_list() {
     return {0, text};
 }
 
+/// Told either way; the exit code is for scripts.
+Answer probe() {
+    const sim::DepthProbe found = sim::probe_depth();
+    return {found.can_draw ? 0 : 1, found.text};
+}
+
 /// What was left out becomes what design and help say.
 void complete(Said& said) {
     Config& config = said.options.config;
@@ -239,7 +247,7 @@ void complete(Said& said) {
 std::variant<Options, Answer> act(Said& said) {
     if (said.list_models) return model_list();
     if (said.list_backends) return backend_list();
-    if (said.probe) return Answer{0, sim::probe_depth()};
+    if (said.probe) return probe();
     if (!said.check.empty()) return Answer{0, check(said.check)};
     if (said.config.empty()) {
         complete(said);

@@ -25,8 +25,9 @@ struct Options {
 
 /// The end of the program: --help, --version, the lists, a checked configuration, wrong options.
 struct Answer {
-    int exit_code = 0;  ///< 0: the text is for standard output; 2: for standard error
-    std::string text;   ///< with its last line end
+    /// 2: the text is for standard error, else for standard output; 1: a question answered with no.
+    int exit_code = 0;
+    std::string text;  ///< with its last line end
 };
 
 /// Never throws on any arguments; argv[0] is the program.

@@ -116,8 +116,8 @@ std::unique_ptr<RangeBackend> make_depth_backend(SharedScene scene, const DepthO
     return std::make_unique<DepthBackend>(std::move(scene), options);
 }
 
-std::string probe_depth() {
-    return describe_depth_devices();
+DepthProbe probe_depth() {
+    return probe_depth_devices();
 }
 
 }  // namespace scipd::sim

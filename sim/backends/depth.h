@@ -31,7 +31,11 @@ std::unique_ptr<RangeBackend> make_depth_backend(SharedScene scene,
 /// alone.
 void prepare_drivers();
 
-/// What this machine's EGL offers, for a person.
-std::string probe_depth();
+struct DepthProbe {
+    std::string text;  ///< what this machine's EGL offers, for a person
+    bool can_draw = false;
+};
+
+DepthProbe probe_depth();
 
 }  // namespace scipd::sim

@@ -172,16 +172,17 @@ std::shared_ptr<EglContext> depth_context() {
     return context;
 }
 
-std::string describe_depth_devices() {
-    std::string text;
+DepthProbe probe_depth_devices() {
+    DepthProbe probe;
     try {
         for (const EglPlace& place : egl_places())
-            text += describe(place);
-        text += "used: " + depth_context()->place().name + "\n";
+            probe.text += describe(place);
+        probe.text += "used: " + depth_context()->place().name + "\n";
+        probe.can_draw = true;
     } catch (const std::runtime_error& error) {
-        text += std::string(error.what()) + "\n";
+        probe.text += std::string(error.what()) + "\n";
     }
-    return text;
+    return probe;
 }
 
 }  // namespace scipd::sim

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/backends/depth.h"
 #include "sim/backends/egl_context.h"
 
 namespace scipd::sim {
@@ -22,6 +23,6 @@ std::shared_ptr<EglContext> depth_context();
 std::optional<std::string> failure_of_self_test(const std::shared_ptr<EglContext>& context);
 
 /// Every place, what it says of itself and whether it can be used, as lines for a person.
-std::string describe_depth_devices();
+DepthProbe probe_depth_devices();
 
 }  // namespace scipd::sim

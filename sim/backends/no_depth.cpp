@@ -27,8 +27,8 @@ std::unique_ptr<RangeBackend> make_depth_backend(SharedScene, const DepthOptions
 
 void prepare_drivers() {}
 
-std::string probe_depth() {
-    return "the depth backend is " + std::string(what_is_missing) + "\n";
+DepthProbe probe_depth() {
+    return {"the depth backend is " + std::string(what_is_missing) + "\n", false};
 }
 
 }  // namespace scipd::sim

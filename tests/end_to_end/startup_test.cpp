@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -102,6 +103,18 @@ TEST_F(Startup, ReplacesWhatAKilledOneLeftBehind) {
     DaemonProcess next(directory_, on_tty());
     ASSERT_NE(next.ready_line(), "") << next.standard_error();
     EXPECT_EQ(ScannerWire::tty(next.tty()).ask("VV"), "00");
+}
+
+// Scripts go by the exit code.
+TEST_F(Startup, ProbesWhetherAnythingCanBeDrawn) {
+    DaemonProcess here(directory_, {"--probe"});
+    EXPECT_EQ(here.wait(), can_draw() ? 0 : 1);
+    setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere", 1);
+    DaemonProcess without_a_driver(directory_, {"--probe"});
+    unsetenv("__EGL_VENDOR_LIBRARY_FILENAMES");
+    EXPECT_EQ(without_a_driver.wait(), 1);
+    EXPECT_THAT(without_a_driver.standard_output(), HasSubstr("libgl1-mesa-dri"));
+    EXPECT_EQ(without_a_driver.standard_error(), "");
 }
 
 TEST_F(Startup, SaysWhereItListensAndNothingElse) {

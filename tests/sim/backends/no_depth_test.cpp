@@ -14,7 +14,8 @@ using testing::HasSubstr;
 TEST(NoDepth, SaysWhatTheBuildLacked) {
     EXPECT_THAT(std::string(depth_description()), HasSubstr("not in this build"));
     EXPECT_THAT(std::string(depth_description()), HasSubstr("libepoxy-dev"));
-    EXPECT_THAT(probe_depth(), HasSubstr("libegl-dev"));
+    EXPECT_THAT(probe_depth().text, HasSubstr("libegl-dev"));
+    EXPECT_FALSE(probe_depth().can_draw);
 }
 
 TEST(NoDepth, RefusesToBeMade) {

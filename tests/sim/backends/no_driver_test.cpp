@@ -26,7 +26,8 @@ class NoDriver : public testing::Test {
 TEST_F(NoDriver, IsToldWhereADepthBufferIsAskedFor) {
     EXPECT_THAT([&] { make_backend("depth", scene_); },
                 testing::ThrowsMessage<std::runtime_error>(HasSubstr("libgl1-mesa-dri")));
-    EXPECT_THAT(probe_depth(), HasSubstr("libgl1-mesa-dri"));
+    EXPECT_THAT(probe_depth().text, HasSubstr("libgl1-mesa-dri"));
+    EXPECT_FALSE(probe_depth().can_draw);
 }
 
 }  // namespace
