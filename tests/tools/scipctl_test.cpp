@@ -121,8 +121,8 @@ TEST(Scipctl, EndsWithTwoForWrongOptions) {
         EXPECT_THAT(outcome.err, HasSubstr("is no pose: write X,Y,YAW or X,Y,Z,R,P,Y"));
     }
     for (const std::string number : {"nan", "inf", "-inf", "1e9", "0x", "many"}) {
-        const Outcome played = run_scipctl(
-            daemon, {"pose", "play", "/dev/null", "--speed=" + number});
+        const Outcome played =
+            run_scipctl(daemon, {"pose", "play", "/dev/null", "--speed=" + number});
         EXPECT_EQ(played.exit_code, 2) << number;
         EXPECT_THAT(played.err, HasSubstr("--speed: must be a number from 0.001 to 1000"));
         const Outcome added = run_scipctl(daemon, {"scene", "add", "x", "-", "--scale=" + number});
