@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <spdlog/spdlog.h>
+
 #include "daemon/device/client.h"
 #include "daemon/device/stable_number.h"
 #include "protocol/ideal.h"
@@ -140,9 +142,6 @@ protocol::Turn Device::turn(std::int64_t revolution) const {
 
 const ScanRecord& Device::measure(std::int64_t revolution) {
     if (record_ && record_->cast->revolution == revolution) return *record_;
-    const auto fired = [&](int step) {
-        return device_clock_.world_time(timing_.fired(revolution, step));
-    };
     const sim::SensorSpec& optics = sweep_.optics();
     const protocol::Turn now = turn(revolution);
     ScanRecord record{.stamp_ms = protocol::timestamp_ms(now.start, state_.clock_zero()),
@@ -151,11 +150,28 @@ const ScanRecord& Device::measure(std::int64_t revolution) {
                       .front_step = optics.front_step,
                       .steps_per_turn = optics.steps_per_turn,
                       .origin = clock_.origin()};
-    record.cast = sweep_.measure(revolution, device_clock_.world_time(now.start), fired);
+    record.cast = cast(revolution);
     record.sent = to_wire(*record.cast, now, optics, profile_);
     record_ = std::make_shared<const ScanRecord>(std::move(record));
     log_.add(record_);
     return *record_;
+}
+
+sim::SharedScan Device::cast(std::int64_t revolution) {
+    const auto fired = [&](int step) {
+        return device_clock_.world_time(timing_.fired(revolution, step));
+    };
+    const sim::Time begin = clock_.now();
+    const sim::Time start = timing_.start(revolution);
+    sim::SharedScan scan = sweep_.measure(revolution, device_clock_.world_time(start), fired);
+    const auto slow = pace_.add({.backend = sweep_.backend()->backend,
+                                 .period = timing_.start(revolution + 1) - start,
+                                 .many_poses = scan->world_from_sensor.size() > 1,
+                                 .due = leaves(revolution) + patience_,
+                                 .begin = begin,
+                                 .end = clock_.now()});
+    if (slow) spdlog::warn("{}: {}", sweep_.name(), *slow);
+    return scan;
 }
 
 }  // namespace scipd::daemon

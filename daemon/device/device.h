@@ -18,6 +18,7 @@
 #include "daemon/device/bridge.h"
 #include "daemon/device/clock.h"
 #include "daemon/device/lateness.h"
+#include "daemon/device/pace.h"
 #include "daemon/device/scan_log.h"
 #include "daemon/device/scan_source.h"
 #include "daemon/device/sweep.h"
@@ -83,6 +84,7 @@ class Device : public ScanSource {
     void follow_motor();
     /// Of a revolution that is complete.
     const ScanRecord& measure(std::int64_t revolution);
+    [[nodiscard]] sim::SharedScan cast(std::int64_t revolution);
 
     // Constant after construction.
     protocol::DeviceProfile profile_;
@@ -100,6 +102,7 @@ class Device : public ScanSource {
     std::function<void()> on_wanted_;
     std::function<void(const ScanRecord&)> watcher_;
     SharedRecord record_;  ///< of the latest that was cast
+    Pace pace_;
     ScanLog log_;
     std::uint64_t scans_sent_ = 0;
     Lateness lateness_;

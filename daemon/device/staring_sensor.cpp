@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <spdlog/spdlog.h>
+
 #include "daemon/device/stable_number.h"
 
 namespace scipd::daemon {
@@ -88,8 +90,16 @@ SharedStaringRecord StaringSensor::measure(std::int64_t number) {
                          .backend = sweep_.backend(),
                          .spec = spec(),
                          .origin = clock_.origin()};
+    const sim::Time begin = clock_.now();
     record.cast = sweep_.measure(number, instant, fired);
     record.range_m = staring_.read(*record.cast);
+    const auto slow = pace_.add({.backend = sweep_.backend()->backend,
+                                 .period = spec().period,
+                                 .many_poses = record.cast->world_from_sensor.size() > 1,
+                                 .due = instant + patience_,
+                                 .begin = begin,
+                                 .end = clock_.now()});
+    if (slow) spdlog::warn("{}: {}", sweep_.name(), *slow);
     ++measured_;
     const auto shared = std::make_shared<const StaringRecord>(std::move(record));
     log_.add(shared);

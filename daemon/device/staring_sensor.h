@@ -18,6 +18,7 @@
 #include "daemon/control/world.h"
 #include "daemon/device/clock.h"
 #include "daemon/device/lateness.h"
+#include "daemon/device/pace.h"
 #include "daemon/device/record_log.h"
 #include "daemon/device/scan_source.h"
 #include "daemon/device/sweep.h"
@@ -84,6 +85,7 @@ class StaringSensor : public ScanSource {
     std::function<void()> on_wanted_;
     std::function<void(const StaringRecord&)> watcher_;
     StaringLog log_;
+    Pace pace_;
     std::uint64_t measured_ = 0;
     Lateness lateness_;
 };

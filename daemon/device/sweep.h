@@ -26,6 +26,8 @@ class Sweep {
     /// `world` must outlive it.
     Sweep(World& world, std::string robot, const SensorConfig& config, sim::Scanner scanner);
 
+    /// "robot/sensor"
+    [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const sim::SensorSpec& optics() const { return scanner_.spec(); }
     [[nodiscard]] bool poses_known(sim::Time until) const { return world_.poses_known(until); }
     /// What it would be cast into now.
@@ -50,7 +52,7 @@ class Sweep {
 
     World& world_;
     std::string robot_;
-    std::string name_;  ///< "robot/sensor"
+    std::string name_;
     sim::Pose robot_from_sensor_;
     std::optional<int> motion_;
     bool sees_body_;

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/device/pace.h"
+
+#include <cstdio>
+
+namespace scipd::daemon {
+namespace {
+
+constexpr sim::Time long_enough = std::chrono::seconds(5);
+/// Where nobody asks for more than one now and then.
+constexpr int enough_sweeps = 8;
+
+// A thread that cannot keep up is ever later until sweeps are given up, a second late (ScanLoop).
+// Who casts little is late because of others.
+constexpr sim::Time late = std::chrono::milliseconds(200);
+constexpr int good_part = 5;  // of its period
+
+double milliseconds(sim::Time time) {
+    return std::chrono::duration<double, std::milli>(time).count();
+}
+
+std::string remedy(const CastSweep& sweep) {
+    const bool rays = sweep.backend == "embree";
+    std::string text;
+    if (sweep.many_poses) text = "fewer poses a sweep (motion: N)";
+    if (!rays) text += (text.empty() ? "" : " or ") + std::string("rays (backend: auto or embree)");
+    return text.empty() ? "fewer beams or a lower rate" : text;
+}
+
+}  // namespace
+
+std::optional<std::string> Pace::add(const CastSweep& sweep) {
+    if (told_) return std::nullopt;
+    if (sweeps_ == 0 || backend_ != sweep.backend) {
+        backend_ = sweep.backend;
+        begin_ = sweep.begin;
+        sweeps_ = 0;
+        spent_ = {};
+        late_ = {};
+    }
+    ++sweeps_;
+    spent_ += sweep.end - sweep.begin;
+    late_ += sweep.begin - sweep.due;
+    if (sweeps_ < enough_sweeps || sweep.end - begin_ < long_enough) return std::nullopt;
+    const sim::Time mean = spent_ / sweeps_;
+    const bool is_late = late_ / sweeps_ > late && good_part * mean > sweep.period;
+    sweeps_ = 0;
+    if (mean <= sweep.period && !is_late) return std::nullopt;
+    told_ = true;
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  " takes %.1f ms to cast a sweep, of which one is due every %.1f ms,%s so that "
+                  "some are lost; what helps: ",
+                  milliseconds(mean), milliseconds(sweep.period),
+                  mean <= sweep.period ? " beside all else that this machine does," : "");
+    return backend_ + text + remedy(sweep);
+}
+
+}  // namespace scipd::daemon
