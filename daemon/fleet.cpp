@@ -34,6 +34,7 @@ Fleet::Fleet(const boost::asio::any_io_executor& executor, ClockKind clock)
       lockstep_(clock == ClockKind::poses ? std::make_unique<Lockstep>(executor) : nullptr),
       clock_(lockstep_ ? static_cast<Clock&>(lockstep_->clock()) : wall_clock_),
       editor_(world_, loader_, [this] { return backend_wishes(); }),
+      chooser_(world_, loader_, [this] { return backend_wishes(); }),
       loader_(executor) {
     world_.on_placed([this] {
         for (const auto& station : stations_)
@@ -73,27 +74,14 @@ std::vector<BackendWish> Fleet::backend_wishes() const {
 }
 
 void Fleet::choose_backends() {
-    const auto open = [](const auto& station) { return station->config.backend == "auto"; };
-    if (lockstep_ || std::ranges::none_of(stations_, open)) return;
-    loader_.add([this]() -> Loader::Work {
-        std::vector<BackendWish> wishes = backend_wishes();
-        for (BackendWish& wish : wishes)
-            wish.settled = nullptr;
-        return [this, wishes = std::move(wishes), scene = world_.scene()]() -> Loader::Finish {
-            const auto chosen = std::make_shared<SensorBackends>();
-            try {
-                *chosen = make_backends(wishes, scene);
-            } catch (const std::runtime_error& error) {
-                return [why = std::string(error.what())] {
-                    spdlog::warn("backends stay as they are: {}", why);
-                };
-            }
-            return [this, chosen] {
-                *chosen = world_.replace_backends(std::move(*chosen));
-                loader_.discard(chosen);
-            };
-        };
-    });
+    if (!lockstep_) chooser_.choose();
+}
+
+SettledBackends Fleet::settled_backends() const {
+    SettledBackends settled;
+    for (const auto& station : stations_)
+        settled[station->name()] = {station->config, world_.choice_of(station->name())};
+    return settled;
 }
 
 void Fleet::stop() {

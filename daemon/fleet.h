@@ -18,6 +18,7 @@
 
 #include "daemon/config/config.h"
 #include "daemon/control/api.h"
+#include "daemon/control/backend_chooser.h"
 #include "daemon/control/loader.h"
 #include "daemon/control/lockstep.h"
 #include "daemon/control/pose_feed.h"
@@ -43,8 +44,11 @@ class Fleet : public Api {
     /// all is as before.
     void apply(FleetPlan&& plan);
     void apply(const Config& config) { apply(make_plan(config)); }
-    /// Settles by measuring, in a while, which backends cast for sensors that leave it open.
+    /// Settles by measuring, in a while, which backends cast for sensors that leave it open, and
+    /// again for those whose scene has changed much since.
     void choose_backends();
+    /// What a configuration that comes need not measure again.
+    [[nodiscard]] SettledBackends settled_backends() const;
     void stop();
     /// Where worlds are loaded, one after the other.
     [[nodiscard]] Loader& loader() { return loader_; }
@@ -118,6 +122,7 @@ class Fleet : public Api {
     World world_;
     PoseIntake intake_{world_, lockstep_.get()};
     SceneEditor editor_;
+    BackendChooser chooser_;
     ScanStream stream_;
     Ports ports_;
     Stations stations_;

@@ -34,7 +34,10 @@ SceneView Fleet::scene() const {
 }
 
 void Fleet::edit_scene(SceneEdit edit, EditDone done) {
-    editor_.edit(std::move(edit), std::move(done));
+    editor_.edit(std::move(edit), [this, done = std::move(done)](const EditOutcome& outcome) {
+        done(outcome);
+        if (outcome.result == EditOutcome::Result::done) choose_backends();
+    });
 }
 
 std::optional<sim::TimedPose> Fleet::model_pose(const std::string& model) const {

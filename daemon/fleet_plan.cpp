@@ -8,6 +8,7 @@
 #include "daemon/sensor_directions.h"
 
 namespace scipd::daemon {
+
 BackendWish backend_wish(const std::string& robot, const SensorConfig& sensor,
                          const sim::Pose& world_from_robot, ClockKind clock) {
     const double max_range_m =
@@ -26,15 +27,16 @@ BackendWish backend_wish(const std::string& robot, const SensorConfig& sensor,
     return wish;
 }
 
-FleetPlan make_plan(Config config, AutoBackend auto_backend) {
+FleetPlan make_plan(Config config, const SettledBackends& settled) {
     sim::LoadedScene loaded = load_world(config);
     std::vector<BackendWish> wishes;
     for (const RobotConfig& robot : config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {
             BackendWish wish =
                 backend_wish(robot.name, sensor, robot.world_from_robot, config.clock);
-            if (!wish.settled && auto_backend == AutoBackend::rays)
-                wish.settled = rays_unmeasured("not measured yet");
+            const auto known = settled.find(wish.sensor);
+            if (!wish.settled && known != settled.end() && known->second.config == sensor)
+                wish.settled = known->second.choice;
             wishes.push_back(std::move(wish));
         }
     }

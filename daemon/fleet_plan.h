@@ -5,6 +5,7 @@
 // Touches nothing that runs, so that any thread may do it.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,14 +21,16 @@ struct FleetPlan {
     SensorBackends backends;
 };
 
-/// How "auto" is settled.
-enum class AutoBackend {
-    rays,      ///< for now, without a look at the others
-    measured,  ///< takes some tenths of a second
+/// What "auto" has been settled as, by sensor: good for one that is still the same.
+struct SettledBackend {
+    SensorConfig config;
+    SharedChoice choice;
 };
+using SettledBackends = std::map<std::string, SettledBackend>;
 
-/// Throws LoadError, and std::runtime_error where this machine has not a backend that is wanted.
-FleetPlan make_plan(Config config, AutoBackend auto_backend = AutoBackend::rays);
+/// "auto" is rays where nothing is settled, for now. Throws LoadError, and std::runtime_error where
+/// this machine has not a backend that is wanted.
+FleetPlan make_plan(Config config, const SettledBackends& settled = {});
 
 /// What a sensor of a robot that is there asks of the backends. In lockstep, where two runs have to
 /// be the same, "auto" is settled from the first.

@@ -97,9 +97,9 @@ void Server::reload() {
     asked_again_ = std::exchange(loading_, true);
     if (asked_again_) return;
     fleet_.loader().add([this, file = *options_.config_file] {
-        return [this, file]() -> Loader::Finish {
+        return [this, file, settled = fleet_.settled_backends()]() -> Loader::Finish {
             const auto task = std::make_shared<std::packaged_task<FleetPlan()>>(
-                [&file] { return make_plan(load_config(file), AutoBackend::measured); });
+                [&] { return make_plan(load_config(file), settled); });
             (*task)();
             return [this, task] { take_up(task->get_future()); };
         };
@@ -118,6 +118,7 @@ void Server::take_up(std::future<FleetPlan> plan) {
                 "SIGHUP: control, http and clock stay as they are until scipd is started again");
         }
         fleet_.apply(std::move(next));
+        fleet_.choose_backends();
         options_.config = std::move(config);
         spdlog::info("SIGHUP: {} is running now", options_.config_file->string());
     } catch (const std::exception& error) {

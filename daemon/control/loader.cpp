@@ -26,6 +26,7 @@ void Loader::discard(std::shared_ptr<void> what) {
 void Loader::stop() {
     *here_ = nullptr;
     waiting_.clear();
+    stopping_.request_stop();
 }
 
 void Loader::next() {

@@ -8,6 +8,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <stop_token>
 
 #include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/thread_pool.hpp>
@@ -34,6 +35,8 @@ class Loader {
     void discard(std::shared_ptr<void> what);
     /// Nothing is begun or taken up any more.
     void stop();
+    /// For work that takes long: nobody waits for it any more. On any thread.
+    [[nodiscard]] std::stop_token stopping() const { return stopping_.get_token(); }
 
   private:
     void next();
@@ -41,6 +44,7 @@ class Loader {
     boost::asio::any_io_executor io_;
     std::deque<Begin> waiting_;
     bool busy_ = false;
+    std::stop_source stopping_;
     /// Null once stopped; what was posted to the I/O thread may come after this.
     std::shared_ptr<Loader*> here_ = std::make_shared<Loader*>(this);
     boost::asio::thread_pool thread_{1};

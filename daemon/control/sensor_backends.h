@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Which backend casts for which sensor, in one scene. Sensors that want the same share one. "auto"
-// is settled by measuring, when there is time for it. Made on any thread, used on one at a time.
+// Which backend casts for which sensor, in one scene. Sensors that want the same share one. Made on
+// any thread (BackendWorkshop), used on one at a time.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ namespace scipd::daemon {
 struct BackendChoice {
     std::string backend;  ///< "embree", "depth" or "reference"
     std::string reason;   ///< what "auto" was settled by; empty: it was not "auto"
-    /// Of the scene that it was measured in; nothing: it is not measured again.
+    /// Of the scene that it was measured in; nothing: it was not measured.
     std::optional<std::size_t> faces;
 };
 
@@ -43,7 +43,7 @@ struct BackendWish {
     int poses = 1;  ///< per sweep, while it moves
     sim::Pose world_from_sensor;
     float max_range_m = 0.0F;
-    /// Null: to be settled now. Stays as long as the scene does not change much.
+    /// What "auto" has been settled by; null: nothing yet, so rays.
     SharedChoice settled;
 };
 
@@ -73,12 +73,12 @@ class SensorBackends {
     std::map<std::string, Assigned, std::less<>> sensors_;
 };
 
-/// Bound to no thread when this returns. Throws std::runtime_error where something that was asked
-/// for by name cannot be had on this machine; "auto" is content with rays.
+/// Bound to no thread when this returns. Measures nothing: "auto" is what it has been settled as.
+/// Throws std::runtime_error where something that was asked for by name cannot be had on this
+/// machine; "auto" is content with rays.
 SensorBackends make_backends(std::span<const BackendWish> wishes, const sim::SharedScene& scene);
 
-/// Rays, unmeasured: at the start, when there is no time for more, and where two runs have to be
-/// the same.
+/// Rays, unmeasured: where two runs have to be the same, and until there is time to measure.
 SharedChoice rays_unmeasured(std::string why);
 
 }  // namespace scipd::daemon

@@ -2,18 +2,21 @@
 // Copyright The scipd authors
 #include "daemon/fleet.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "daemon/models/registry.h"
 #include "sim/loaders/load_error.h"
+#include "tests/daemon/ideal_camera.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/scanner_wire.h"
 #include "tests/support/temp_dir.h"
@@ -103,6 +106,34 @@ TEST_F(FleetTest, TellsWhatThereIs) {
     EXPECT_EQ(sensor().clients, 1U);
     ASSERT_TRUE(sensor().lateness);
     EXPECT_LE(sensor().lateness->p50, sensor().lateness->max);
+}
+
+// A pose for each beam of six cameras takes a while to measure; who asks meanwhile comes first.
+TEST_F(FleetTest, MeasuresBackendsBehindWhatIsAskedForMeanwhile) {
+    std::vector<SensorConfig> cameras;
+    for (int i = 0; i < 6; ++i) {
+        SensorConfig camera = ideal_camera(1000, 8.0);
+        camera.name = "c" + std::to_string(i);
+        camera.motion = 1000;
+        camera.backend = "auto";
+        cameras.push_back(camera);
+    }
+    fleet_.apply(of(cameras));
+    fleet_.choose_backends();
+    const EditOutcome outcome = after(LoadWorld{SCIPD_SCENES "/corridor.sdf"});
+    EXPECT_EQ(outcome.result, EditOutcome::Result::done);
+    EXPECT_EQ(sensor().backend_reason, "not measured yet");
+    const auto measured = [&] {
+        return std::ranges::none_of(fleet_.status().sensors, [](const SensorStatus& sensor) {
+            return sensor.backend_reason == "not measured yet";
+        });
+    };
+    EXPECT_TRUE(run_until(io_, measured));
+    // And not again without a reason: what is settled goes with the sensors.
+    Config same = of(cameras);
+    same.scene = SCIPD_SCENES "/corridor.sdf";
+    fleet_.apply(make_plan(same, fleet_.settled_backends()));
+    EXPECT_TRUE(measured());
 }
 
 TEST_F(FleetTest, TakesAWorldOfAnyKind) {

@@ -10,7 +10,7 @@
 
 #include <gmock/gmock.h>
 
-#include "daemon/control/sensor_backends.h"
+#include "daemon/control/backend_workshop.h"
 #include "tests/support/scene_builder.h"
 
 namespace scipd::daemon {
@@ -32,6 +32,7 @@ class WithoutADriver : public testing::Test {
 };
 
 TEST_F(WithoutADriver, AutoIsContentWithRaysAndSaysWhatIsMissing) {
+    wish_.settled = BackendWorkshop(scene_).measure(wish_, {});
     const SensorBackends rays = backends();
     EXPECT_EQ(rays.of("robot/scanner").name(), "embree");
     EXPECT_EQ(rays.choice_of("robot/scanner")->backend, "embree");

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/control/sensor_backends.h"
-
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include <glm/trigonometric.hpp>
 #include <gmock/gmock.h>
 
+#include "daemon/control/backend_workshop.h"
+#include "sim/sensor/pinhole_grid.h"
 #include "tests/support/scene_builder.h"
 
 namespace scipd::daemon {
@@ -62,39 +64,65 @@ TEST(SensorBackends, AreSharedByThoseThatWantTheSame) {
     EXPECT_NE(&backends.of("a/1"), &backends.of("a/2"));
 }
 
-TEST(SensorBackends, SettleAutoByMeasuring) {
-    const std::vector<BackendWish> wishes{wish("a/1", "auto"), wish("b/1", "auto")};
-    const SensorBackends backends = make_backends(wishes, scene_of(1));
-    const BackendChoice& choice = *backends.choice_of("a/1");
-    EXPECT_EQ(choice.backend, backends.of("a/1").name());
-    // On a machine that cannot draw it says why.
-    EXPECT_THAT(choice.reason, testing::AnyOf(testing::MatchesRegex("embree takes .* ms, depth .*"),
-                                              HasSubstr("no depth: ")));
-    EXPECT_EQ(choice.faces, 1U);
-    EXPECT_FLOAT_EQ(range_ahead_m(backends, "a/1"), 4.0F);
-    EXPECT_NE(backends.choice_of("b/1"), backends.choice_of("a/1")) << "each for itself";
+TEST(SensorBackends, AreRaysForAutoThatIsNotMeasuredYet) {
+    const BackendWish open = wish("a/1", "auto");
+    const SensorBackends backends = make_backends({&open, 1}, scene_of(1));
+    EXPECT_EQ(backends.of("a/1").name(), "embree");
+    EXPECT_EQ(backends.choice_of("a/1")->reason, "not measured yet");
+    EXPECT_FALSE(backends.choice_of("a/1")->faces);
 }
 
-TEST(SensorBackends, KeepWhatIsSettledUntilTheSceneChangesMuch) {
+TEST(BackendWorkshop, SettlesAutoByMeasuring) {
+    BackendWorkshop workshop(scene_of(1));
+    BackendWish open = wish("a/1", "auto");
+    EXPECT_TRUE(workshop.is_open(open));
+    open.settled = workshop.measure(open, {});
+    EXPECT_FALSE(workshop.is_open(open));
+    // On a machine that cannot draw it says why.
+    EXPECT_THAT(open.settled->reason,
+                testing::AnyOf(testing::MatchesRegex("embree takes .* ms, depth .*"),
+                               HasSubstr("no depth: ")));
+    EXPECT_EQ(open.settled->faces, 1U);
+    const SensorBackends backends = workshop.make({&open, 1});
+    EXPECT_EQ(backends.of("a/1").name(), open.settled->backend);
+    EXPECT_EQ(backends.choice_of("a/1"), open.settled);
+    EXPECT_FLOAT_EQ(range_ahead_m(backends, "a/1"), 4.0F);
+}
+
+TEST(BackendWorkshop, MeasuresAgainWhenTheSceneHasChangedMuch) {
     BackendWish settled = wish("a/1", "auto");
     settled.settled =
         std::make_shared<const BackendChoice>(BackendChoice{"embree", "as before", 10});
-    const auto choice_in = [&](int boxes) {
-        return make_backends({&settled, 1}, scene_of(boxes)).choice_of("a/1");
+    const auto open_in = [&](int boxes) {
+        const BackendWorkshop workshop(scene_of(boxes));
+        return workshop.is_open(settled);
     };
-    EXPECT_EQ(choice_in(7), settled.settled);
-    EXPECT_EQ(choice_in(15), settled.settled);
-    EXPECT_NE(choice_in(6), settled.settled);
-    EXPECT_NE(choice_in(16), settled.settled);
-    EXPECT_EQ(choice_in(16)->faces, 16U);
+    EXPECT_FALSE(open_in(7));
+    EXPECT_FALSE(open_in(15));
+    EXPECT_TRUE(open_in(6));
+    EXPECT_TRUE(open_in(16));
+    // Until then it stays.
+    EXPECT_EQ(make_backends({&settled, 1}, scene_of(16)).choice_of("a/1"), settled.settled);
+    settled.backend = "reference";
+    EXPECT_FALSE(open_in(16));
 }
 
-TEST(SensorBackends, DoNotMeasureWhereRaysAreSettledForGood) {
-    BackendWish settled = wish("a/1", "auto");
-    settled.settled = rays_unmeasured("not now");
-    const SensorBackends backends = make_backends({&settled, 1}, scene_of(100));
-    EXPECT_EQ(backends.choice_of("a/1"), settled.settled);
-    EXPECT_EQ(backends.of("a/1").name(), "embree");
+TEST(BackendWorkshop, EndsMeasuringWhenNobodyWaitsForIt) {
+    BackendWorkshop workshop(scene_of(1));
+    const SharedChoice choice = workshop.measure(wish("a/1", "auto"), [] { return true; });
+    EXPECT_EQ(choice->backend, "embree");
+    EXPECT_THAT(choice->reason, testing::AnyOf(HasSubstr("ended"), HasSubstr("no depth: ")));
+}
+
+TEST(BackendWorkshop, DrawsNoPictureOfAbsurdSize) {
+    BackendWish camera = wish("a/1", "auto");
+    camera.directions =
+        sim::PinholeGrid{640, 480, glm::radians(170.0), glm::radians(170.0)}.directions();
+    camera.depth.oversample = 16.0;
+    BackendWorkshop workshop(scene_of(1));
+    EXPECT_THAT(workshop.measure(camera, {})->reason, testing::StartsWith("no depth: "));
+    camera.backend = "depth";
+    EXPECT_THROW((void)workshop.make({&camera, 1}), std::runtime_error);
 }
 
 }  // namespace
