@@ -6,6 +6,7 @@
 // on the I/O thread.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -35,18 +36,18 @@ class Sweep {
                                           const Fired& fired) const;
 
   private:
-    /// Beams for which all models are where they are at one time.
-    struct Part {
-        sim::Beams beams;
-        sim::Time time{};
-    };
+    /// When a beam is fired, counted from the first.
+    using BeamFired = std::function<sim::Time(std::size_t beam)>;
 
-    void cast(sim::Scan& scan, const Fired& fired) const;
-    void cast_in_equal_parts(sim::Scan& scan, const Fired& fired, sim::ModelId unseen) const;
+    [[nodiscard]] std::size_t beams() const;
+    /// How many poses its beams share while it moves.
+    [[nodiscard]] std::size_t most_poses() const;
+    [[nodiscard]] std::vector<sim::Time> pose_times(const BeamFired& fired) const;
     [[nodiscard]] std::vector<sim::Pose> poses_at(const std::vector<sim::Time>& times) const;
-    [[nodiscard]] std::vector<sim::Time> pose_times(const Fired& fired) const;
-    [[nodiscard]] std::vector<Part> parts(const Fired& fired) const;
-    [[nodiscard]] int most_parts() const;
+    void cast(sim::Scan& scan, const BeamFired& fired) const;
+    void cast_as_met(sim::Scan& scan, const BeamFired& fired, sim::ModelId unseen) const;
+    void cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired, sim::ModelId unseen) const;
+    void forget_absent(sim::Scan& scan, const BeamFired& fired) const;
 
     World& world_;
     std::string robot_;

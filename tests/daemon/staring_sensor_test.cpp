@@ -181,6 +181,25 @@ TEST_F(StaringSensorTest, HasTheSameNoiseInEveryRun) {
     EXPECT_NEAR(first[1], 4.0F, 0.12);
 }
 
+TEST_F(StaringSensorTest, RollsThroughLargePictures) {
+    SensorConfig large = row_of_three();
+    large.staring->optics = sim::PinholeGrid{300, 300, 0.1, 0.1};
+    large.motion.reset();
+    use(large);
+    move_to(1ms, 0.0);
+    move_to(200ms, 0.0398);  // 0.2 m/s
+    clock_.advance_to(80ms);
+    const SharedStaringRecord record = sensor_->latest();
+    const auto& poses = record->cast->world_from_sensor;
+    ASSERT_EQ(poses.size(), 90'000U);
+    // At 40 and at 80 ms, and evenly between.
+    EXPECT_NEAR(poses.front().translation_m.x, 0.0078, 1e-6);
+    EXPECT_NEAR(poses[45'000].translation_m.x, 0.0118, 1e-6);
+    EXPECT_NEAR(poses.back().translation_m.x, 0.0158, 1e-9);
+    EXPECT_NEAR(record->range_m.back(),
+                (4.0 - 0.0158) * std::hypot(1.0, std::tan(0.05), std::tan(0.05)), 1e-3);
+}
+
 TEST_F(StaringSensorTest, KeepsFewPicturesThatAreLarge) {
     SensorConfig large = row_of_three();
     large.staring->optics = sim::PinholeGrid{1000, 1000, 0.1, 0.1};

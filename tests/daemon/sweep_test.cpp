@@ -124,6 +124,15 @@ TEST_F(TurningRobot, SeesNothingWhereItIsNowhere) {
         ASSERT_EQ(scan->hits[beam].met(), beam <= 540) << beam;
 }
 
+TEST_F(TurningRobot, SharesThePoseThatItHasNoMoreOrNotYet) {
+    world_.set_robots({{"robot", {.policy = {.absent_before = true}}}});
+    (void)world_.place_robot("robot", {fired(500), sim::Pose{}});
+    config_.motion = 3;  // beams 0 to 359, 360 to 719, 720 to 1080, as the middle ones have it
+    const sim::SharedScan scan = sweep_in(world_, config_).measure(0, 10s, fired);
+    for (std::size_t beam = 0; beam < scan->hits.size(); ++beam)
+        ASSERT_EQ(scan->hits[beam].met(), beam >= 360) << beam;
+}
+
 class Door : public testing::Test {
   protected:
     /// A door, 0.1 m thick and 1 m wide, in front of a far wall.
@@ -173,18 +182,34 @@ TEST_F(Door, IsMetWhereItVibratesTo) {
         (void)world_.place_model("model 1",
                                  {time, sim::pose_from_rpy({face_m(time) + 0.05, 0, 0}, {})});
     }
-    const sim::SharedScan scan = sweep_in(world_, config_).measure(0, 10s, fired_slowly);
-    int met = 0;
-    for (int step = 360; step <= 720; ++step) {
-        const double angle = config_.model.optics.angle_rad(step);
-        const double ahead_m = face_m(fired_slowly(step));
-        if (std::abs(ahead_m * std::tan(angle)) > 0.49) continue;
-        ++met;
-        ASSERT_NEAR(scan->range_m[static_cast<std::size_t>(step)], ahead_m / std::cos(angle),
-                    tolerance_m)
+    for (const bool in_equal_parts : {false, true}) {
+        if (in_equal_parts) config_.motion = config_.model.optics.beams();
+        const sim::SharedScan scan = sweep_in(world_, config_).measure(0, 10s, fired_slowly);
+        int met = 0;
+        for (int step = 360; step <= 720; ++step) {
+            const double angle = config_.model.optics.angle_rad(step);
+            const double ahead_m = face_m(fired_slowly(step));
+            if (std::abs(ahead_m * std::tan(angle)) > 0.49) continue;
+            ++met;
+            ASSERT_NEAR(scan->range_m[static_cast<std::size_t>(step)], ahead_m / std::cos(angle),
+                        tolerance_m)
+                << step << " " << in_equal_parts;
+        }
+        EXPECT_GT(met, 60);
+    }
+}
+
+TEST_F(Door, IsMetAtOneInstantByBeamsThatShareAPose) {
+    move_door({3, 0, 0}, {-4, 0, 0});
+    config_.motion = 9;
+    const sim::SharedScan scan = sweep_in(world_, config_).measure(0, 10s, fired);
+    for (int step = 510; step <= 570; ++step) {
+        // Beams 480 to 599, as if all were fired when the middle one is.
+        const double face_m = 3 - 0.05 - 4 * seconds(fired(540) - 10s);
+        ASSERT_NEAR(scan->range_m[static_cast<std::size_t>(step)],
+                    face_m / std::cos(config_.model.optics.angle_rad(step)), 1e-5)
             << step;
     }
-    EXPECT_GT(met, 60);
 }
 
 TEST_F(Door, IsMetWhereItHasJumpedTo) {
