@@ -31,12 +31,20 @@ class Server {
     void run();
 
   private:
+    /// Another configuration, loaded.
+    struct Next {
+        FleetPlan plan;
+        bool asks_for_a_start = false;  ///< of what stays as it is while this program runs
+    };
+
     void wait_for_signal();
     void reload();
-    void take_up(std::future<FleetPlan> plan);
+    /// On the loader's thread.
+    static Next load_next(const Options& options);
+    void take_up(std::future<Next> loaded);
     void stop();
 
-    Options options_;
+    const Options options_;  ///< that it was started with
     boost::asio::io_context io_{1};
     boost::asio::signal_set signals_;
     Fleet fleet_;

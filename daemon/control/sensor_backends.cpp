@@ -104,13 +104,7 @@ class Workshop {
         const SharedChoice& settled = wish.settled;
         const bool stays = settled && (!settled->faces || !changed_much(*settled->faces, faces_)) &&
                            (settled->backend != depth || can_draw(wish.depth));
-        return stays ? settled : measured(wish);
-    }
-
-    SharedChoice measured(const BackendWish& wish) {
-        auto choice = std::make_shared<const BackendChoice>(measure(wish));
-        spdlog::info("{}: auto takes {}: {}", wish.sensor, choice->backend, choice->reason);
-        return choice;
+        return stays ? settled : std::make_shared<const BackendChoice>(measure(wish));
     }
 
     BackendChoice measure(const BackendWish& wish) {
@@ -148,6 +142,17 @@ void SensorBackends::assign(const std::string& sensor, std::shared_ptr<sim::Rang
     if (std::ranges::find(backends_, backend.get()) == backends_.end())
         backends_.push_back(backend.get());
     sensors_[sensor] = {std::move(backend), std::move(choice)};
+}
+
+void SensorBackends::log_changes_since(const SensorBackends& before) const {
+    for (const auto& [sensor, assigned] : sensors_) {
+        const BackendChoice& choice = *assigned.choice;
+        const auto known = before.sensors_.find(sensor);
+        const bool known_choice =
+            known != before.sensors_.end() && known->second.choice == assigned.choice;
+        if (known_choice || !choice.faces) continue;
+        spdlog::info("{}: auto takes {}: {}", sensor, choice.backend, choice.reason);
+    }
 }
 
 void SensorBackends::leave_thread() {

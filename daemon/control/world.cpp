@@ -58,6 +58,7 @@ SensorBackends World::replace_scene(sim::SharedScene scene, SensorBackends backe
 
 SensorBackends World::replace_backends(SensorBackends backends) {
     SensorBackends old = std::exchange(backends_, std::move(backends));
+    backends_.log_changes_since(old);
     old.leave_thread();
     return old;
 }
