@@ -23,7 +23,8 @@ std::filesystem::path link_of(const RobotConfig& robot, const SensorConfig& sens
 // Of a port that the system chooses, only the scanner itself says which one it is.
 std::string key_of(const RobotConfig& robot, const SensorConfig& sensor) {
     const std::string address = sensor.tcp->host + ":" + std::to_string(sensor.tcp->port);
-    return sensor.tcp->port != 0 ? address : address + " of " + robot.name + "/" + sensor.name;
+    return sensor.tcp->port != 0 ? address
+                                 : address + " of " + sensor_name(robot.name, sensor.name);
 }
 
 }  // namespace

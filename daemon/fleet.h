@@ -87,7 +87,7 @@ class Fleet : public Api {
         std::unique_ptr<Device> device;          ///< null where it stares
         std::unique_ptr<StaringSensor> staring;  ///< null where it is a scanner
 
-        [[nodiscard]] std::string name() const { return robot + "/" + config.name; }
+        [[nodiscard]] std::string name() const { return sensor_name(robot, config.name); }
 
         std::unique_ptr<ScanLoop> loop;
         std::shared_ptr<TcpPort> tcp;

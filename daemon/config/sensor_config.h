@@ -70,6 +70,11 @@ struct LinkConfig {
     bool operator==(const LinkConfig&) const = default;
 };
 
+/// What people call a sensor: "rescue/front".
+inline std::string sensor_name(const std::string& robot, const std::string& sensor) {
+    return robot + "/" + sensor;
+}
+
 struct SensorConfig {
     std::string name;  ///< of the sensor alone: "front"
     Model model;       ///< with what the configuration overrides

@@ -10,8 +10,7 @@
 namespace scipd::daemon {
 namespace {
 
-template <class Record>
-Json poses_of(const Record& record) {
+Json poses_of(const Measurement& record) {
     const sim::Scan& scan = *record.cast;
     Json poses = Json::array();
     for (std::size_t i = 0; i < scan.world_from_sensor.size(); ++i) {

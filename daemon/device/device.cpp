@@ -35,7 +35,7 @@ protocol::DeviceProfile profile_of(const SensorConfig& config) {
 Device::Device(const std::string& robot, const SensorConfig& config, std::uint64_t seed,
                World& world, Clock& clock)
     : profile_(profile_of(config)),
-      chance_{.seed = seed, .sensor = stable_number(robot + "/" + config.name)},
+      chance_{.seed = seed, .sensor = stable_number(sensor_name(robot, config.name))},
       patience_(config.wait_for_poses),
       clock_(clock),
       device_clock_(clock.now(), config.clock.ppm),
@@ -145,14 +145,12 @@ const ScanRecord& Device::measure(std::int64_t revolution) {
     };
     const sim::SensorSpec& optics = sweep_.optics();
     const protocol::Turn now = turn(revolution);
-    ScanRecord record{.stamp_ms = protocol::timestamp_ms(now.start, state_.clock_zero()),
-                      .scene = sweep_.scene(),
-                      .backend = sweep_.backend(),
-                      .front_step = optics.front_step,
-                      .steps_per_turn = optics.steps_per_turn,
-                      .origin = clock_.origin()};
-    record.cast = sweep_.measure(revolution, device_clock_.world_time(now.start), fired);
+    const sim::Time start = device_clock_.world_time(now.start);
+    ScanRecord record{sweep_.measure(revolution, start, fired, clock_.origin())};
     record.sent = to_wire(*record.cast, now, optics, profile_);
+    record.stamp_ms = protocol::timestamp_ms(now.start, state_.clock_zero());
+    record.front_step = optics.front_step;
+    record.steps_per_turn = optics.steps_per_turn;
     record_ = std::make_shared<const ScanRecord>(std::move(record));
     log_.add(record_);
     return *record_;

@@ -14,7 +14,7 @@ namespace scipd::daemon {
 Sweep::Sweep(World& world, std::string robot, const SensorConfig& config, sim::Scanner scanner)
     : world_(world),
       robot_(std::move(robot)),
-      name_(robot_ + "/" + config.name),
+      name_(sensor_name(robot_, config.name)),
       robot_from_sensor_(config.robot_from_sensor),
       motion_(config.motion),
       sees_body_(config.sees_body),
@@ -28,7 +28,8 @@ std::size_t Sweep::most_poses() const {
     return motion_ ? std::min(static_cast<std::size_t>(*motion_), beams()) : beams();
 }
 
-sim::SharedScan Sweep::measure(std::int64_t revolution, sim::Time start, const Fired& fired) const {
+Measurement Sweep::measure(std::int64_t revolution, sim::Time start, const Fired& fired,
+                           sim::Time origin) const {
     const auto beam_fired = [&](std::size_t beam) {
         return fired(optics().first_step + static_cast<int>(beam));
     };
@@ -37,7 +38,10 @@ sim::SharedScan Sweep::measure(std::int64_t revolution, sim::Time start, const F
     scan.posed_at = std::move(times);
     cast(scan, beam_fired);
     scanner_.read(scan);
-    return std::make_shared<const sim::Scan>(std::move(scan));
+    return {.cast = std::make_shared<const sim::Scan>(std::move(scan)),
+            .scene = world_.scene(),
+            .backend = world_.choice_of(name_),
+            .origin = origin};
 }
 
 std::vector<sim::Time> Sweep::pose_times(const BeamFired& fired) const {

@@ -15,6 +15,7 @@
 
 #include "daemon/config/config.h"
 #include "daemon/control/world.h"
+#include "daemon/device/measurement.h"
 #include "sim/sensor/scanner.h"
 
 namespace scipd::daemon {
@@ -29,11 +30,9 @@ class Sweep {
 
     [[nodiscard]] const sim::SensorSpec& optics() const { return scanner_.spec(); }
     [[nodiscard]] bool poses_known(sim::Time until) const { return world_.poses_known(until); }
-    /// What it would be cast into now.
-    [[nodiscard]] const sim::SharedScene& scene() const { return world_.scene(); }
-    [[nodiscard]] const SharedChoice& backend() const { return world_.choice_of(name_); }
-    [[nodiscard]] sim::SharedScan measure(std::int64_t revolution, sim::Time start,
-                                          const Fired& fired) const;
+    /// `origin`: what people call world time 0.
+    [[nodiscard]] Measurement measure(std::int64_t revolution, sim::Time start, const Fired& fired,
+                                      sim::Time origin) const;
 
   private:
     /// When a beam is fired, counted from the first.
@@ -51,7 +50,7 @@ class Sweep {
 
     World& world_;
     std::string robot_;
-    std::string name_;  ///< "robot/sensor"
+    std::string name_;  ///< sensor_name()
     sim::Pose robot_from_sensor_;
     std::optional<int> motion_;
     bool sees_body_;
