@@ -225,18 +225,4 @@ void Fleet::replace_feeds(std::vector<Feed> feeds) {
     feeds_ = std::move(feeds);
 }
 
-std::optional<sim::TimedPose> Fleet::robot_pose(const std::string& robot) const {
-    const sim::PoseTrack* track = world_.robot(robot);
-    if (track == nullptr) return std::nullopt;
-    const sim::Time now = clock_.now();
-    return sim::TimedPose{clock_.origin() + now, track->at(now)};
-}
-
-std::optional<std::string> Fleet::set_robot_pose(const std::string& robot,
-                                                 std::optional<sim::Time> time,
-                                                 const sim::Pose& world_from_robot) {
-    return intake_.take({.robot = robot, .time = time, .pose = world_from_robot}, robot,
-                        api_senders_[robot], clock_.now());
-}
-
 }  // namespace scipd::daemon

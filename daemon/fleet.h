@@ -107,6 +107,8 @@ class Fleet : public Api {
                                                     const Ports& ports);
     void replace_feeds(std::vector<Feed> feeds);
     [[nodiscard]] const Station* find(const std::string& sensor) const;
+    /// Null has none.
+    [[nodiscard]] std::optional<sim::TimedPose> pose_now(const sim::PoseTrack* track) const;
     [[nodiscard]] SensorStatus status_of(const Station& station) const;
     /// Of all sensors, as they are now.
     [[nodiscard]] std::vector<BackendWish> backend_wishes() const;
