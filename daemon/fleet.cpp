@@ -22,7 +22,7 @@ std::filesystem::path link_of(const RobotConfig& robot, const SensorConfig& sens
 
 // Of a port that the system chooses, only the scanner itself says which one it is.
 std::string key_of(const RobotConfig& robot, const SensorConfig& sensor) {
-    const std::string address = sensor.tcp->host + ":" + std::to_string(sensor.tcp->port);
+    const std::string address = text_of(*sensor.tcp);
     return sensor.tcp->port != 0 ? address
                                  : address + " of " + sensor_name(robot.name, sensor.name);
 }

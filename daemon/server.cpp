@@ -31,11 +31,6 @@ void make_folder(const std::filesystem::path& folder) {
     }
 }
 
-std::string text_of(const Address& address) {
-    const bool v6 = address.host.find(':') != std::string::npos;
-    return (v6 ? "[" + address.host + "]" : address.host) + ":" + std::to_string(address.port);
-}
-
 }  // namespace
 
 Server::Server(Options options)

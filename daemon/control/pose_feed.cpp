@@ -83,8 +83,8 @@ class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
             socket_.open(endpoint.protocol());
             socket_.bind(endpoint);
         } catch (const boost::system::system_error& error) {
-            throw std::runtime_error("cannot receive poses on " + address.host + ":" +
-                                     std::to_string(address.port) + ": " + error.code().message() +
+            throw std::runtime_error("cannot receive poses on " + text_of(address) + ": " +
+                                     error.code().message() +
                                      "; each robot needs an address of its own");
         }
     }
