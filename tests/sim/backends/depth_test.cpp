@@ -230,6 +230,47 @@ TEST_F(Depth, SeesAPostOfThousandsOfFacetsAsRound) {
     EXPECT_GT(met, 300);
 }
 
+/// A sheet of squares of a centimetre, 4 m wide and 0.4 m high, at x.
+void add_sheet(Mesh& mesh, float x_m) {
+    constexpr std::uint32_t columns = 400;
+    constexpr std::uint32_t rows = 40;
+    const auto first = static_cast<std::uint32_t>(mesh.vertices_m.size());
+    for (std::uint32_t row = 0; row <= rows; ++row) {
+        for (std::uint32_t column = 0; column <= columns; ++column)
+            mesh.vertices_m.emplace_back(x_m, 0.01F * float(column) - 2.0F,
+                                         0.01F * float(row) - 0.2F);
+    }
+    for (std::uint32_t row = 0; row < rows; ++row) {
+        for (std::uint32_t column = 0; column < columns; ++column) {
+            const std::uint32_t corner = first + row * (columns + 1) + column;
+            mesh.triangles.push_back({corner, corner + 1, corner + columns + 1});
+            mesh.triangles.push_back({corner + 1, corner + columns + 2, corner + columns + 1});
+        }
+    }
+}
+
+// Its triangles are as small as pixels, so that beams go between two that are shown through a third
+// that is not; behind that one is the back of the wall.
+TEST_F(Depth, SeesTheFrontOfAFinelyMeshedWall) {
+    auto wall = std::make_shared<Mesh>();
+    add_sheet(*wall, 0.0F);
+    add_sheet(*wall, 0.05F);
+    add_sheet(*wall, 5.0F);  // so wide that neighbours are of the front and of the back
+    const auto depth = make_depth_backend(SceneBuilder().add(SharedMesh(wall), Pose{}).build());
+    const auto directions = level(1001, 0.2);
+    std::vector<Hit> hits(directions.size());
+    for (int place = 0; place < 20; ++place) {
+        const double far_m = 5.0 + 0.2 * place;
+        const std::vector<Pose> pose{
+            pose_from_rpy({-far_m, 0.01 * place, 0.003 * place}, {0, 0.003, 0})};
+        depth->cast({directions, pose}, hits);
+        for (std::size_t i = 0; i < directions.size(); ++i) {
+            const glm::dvec3 along = pose[0].rotation * glm::dvec3{directions[i]};
+            EXPECT_NEAR(hits[i].range_m, far_m / along.x, 1e-4) << place << " " << i;
+        }
+    }
+}
+
 // As when a scene is loaded beside the one that runs: made there, used here, destroyed there again.
 TEST_F(Depth, GoesFromThreadToThread) {
     const SharedScene scene = SceneBuilder().add(Plane{{10, 10}}, wall_at(2.0)).build();
