@@ -271,6 +271,21 @@ TEST_F(Depth, SeesTheFrontOfAFinelyMeshedWall) {
     }
 }
 
+// More pixels than one picture holds: drawn and read back in several.
+TEST_F(Depth, DrawsWhatOnePictureCannotHold) {
+    std::vector<glm::vec3> directions;
+    for (int row = 0; row < 72; ++row) {
+        for (int column = 0; column < 88; ++column)
+            directions.push_back(glm::normalize(
+                glm::vec3{1.0F, 0.6F - 0.0136F * float(column), 0.5F - 0.0136F * float(row)}));
+    }
+    const SceneBuilder scene = SceneBuilder().add(Plane{{40, 40}}, wall_at(3.0));
+    const auto hits =
+        cast(scene, directions, {.oversample = 16.0, .widest_pass_rad = glm::radians(10.0)});
+    for (std::size_t i = 0; i < directions.size(); ++i)
+        EXPECT_NEAR(hits[i].range_m, 3.0 / double{directions[i].x}, 1e-4) << i;
+}
+
 // As when a scene is loaded beside the one that runs: made there, used here, destroyed there again.
 TEST_F(Depth, GoesFromThreadToThread) {
     const SharedScene scene = SceneBuilder().add(Plane{{10, 10}}, wall_at(2.0)).build();
