@@ -43,6 +43,12 @@ class ObjectText {
     std::string text_;  ///< without its last brace
 };
 
+/// All its digits; it is finite.
+void append_number(std::string& text, double value);
+
+/// {"time_s","xyz","q"}, as pose_document() has it.
+void append_timed_pose(std::string& text, double time_s, const sim::Pose& pose);
+
 /// As rounded() has it; null where it is not finite.
 void append_rounded(std::string& text, double value);
 

@@ -23,9 +23,7 @@ void add_poses(ObjectText& text, const Record& record) {
         if (i == 0 || scan.posed_at[i] != scan.posed_at[i - 1]) fans.push_back(i);
     }
     text.add_list("poses", fans, [&](std::string& list, std::size_t i) {
-        Json pose{{"time_s", seconds(record.told(scan.posed_at[i]))}};
-        pose.update(pose_document(scan.world_from_sensor[i]));
-        list += text_of(pose);
+        append_timed_pose(list, seconds(record.told(scan.posed_at[i])), scan.world_from_sensor[i]);
     });
 }
 

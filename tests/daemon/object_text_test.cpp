@@ -46,6 +46,25 @@ TEST(ObjectText, HasNumbersAsTheyAreWrittenEverywhere) {
     EXPECT_EQ(text_of_rounded(std::numeric_limits<double>::quiet_NaN()), "null");
 }
 
+TEST(ObjectText, HasPosesAsDocumentsHaveThem) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> values(-100.0, 100.0);
+    const auto next = [&] { return values(random); };
+    for (int i = 0; i < 1000; ++i) {
+        sim::Pose pose{{next(), next(), 1e-9 * next()}, {next(), next(), next(), next()}};
+        if (i == 0) pose = {};
+        const double time_s = 1e4 * next();
+        std::string text;
+        append_timed_pose(text, time_s, pose);
+        json expected(pose_document(pose));
+        expected["time_s"] = time_s;
+        ASSERT_EQ(json::parse(text), expected) << text;
+    }
+    std::string text;
+    append_timed_pose(text, 2.0, {{1, 0, -1.5}, {1, 0, 0, 0}});
+    EXPECT_EQ(text, R"({"time_s":2.0,"xyz":[1.0,0.0,-1.5],"q":[0.0,0.0,0.0,1.0]})");
+}
+
 // By another reader of numbers: the very double that rounding gives.
 TEST(ObjectText, LosesNothingOfARoundedNumber) {
     std::mt19937 random(7);
