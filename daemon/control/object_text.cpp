@@ -52,7 +52,7 @@ void append_timed_pose(std::string& text, double time_s, const sim::Pose& pose) 
     text += "]}";
 }
 
-// Digits of whole millionths take a fifth of the time of the shortest text of a double, and of so
+// Digits of whole millionths take a quarter of the time of the shortest text of a double, and of so
 // few digits that is the same.
 void append_rounded(std::string& text, double value) {
     constexpr double per_unit = 1e6;

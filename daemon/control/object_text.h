@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // A JSON object written as text, member after member, for lists as long as a picture has pixels: as
-// a tree of values they would hold the I/O thread ten times as long. A value; no thread rule.
+// a tree of values they would hold the I/O thread six times as long. A value; no thread rule.
 #pragma once
 
 #include <cstddef>
