@@ -10,11 +10,11 @@
 namespace scipd::daemon {
 namespace {
 
-/// The beams of part `i` of `count` equal ones.
-sim::Beams part_of(int beams, int i, int count) {
-    const int first = i * beams / count;
-    const int last = (i + 1) * beams / count;
-    return {static_cast<std::size_t>(first), static_cast<std::size_t>(last - first)};
+/// The beams of part `i` of `count` equal ones. The pixels of a picture squared are more than an
+/// int holds.
+sim::Beams part_of(std::size_t beams, std::size_t i, std::size_t count) {
+    const std::size_t first = i * beams / count;
+    return {first, (i + 1) * beams / count - first};
 }
 
 /// The step in the middle of some beams.

@@ -86,8 +86,7 @@ DrawnView drawn_view(const PlannedView& view, const Pose& anchored_from_sensor,
 }
 
 DepthRaster::DepthRaster(std::shared_ptr<EglContext> context) : context_(std::move(context)) {
-    context_->bind();
-    program_ = linked_program();
+    program_ = context_->program(linked_program);
     glCreateVertexArrays(1, &vertex_array_);
     glCreateBuffers(1, &vertices_);
     glCreateBuffers(1, &indices_);
@@ -116,7 +115,6 @@ DepthRaster::~DepthRaster() {
     glDeleteBuffers(1, &vertices_);
     glDeleteBuffers(1, &indices_);
     glDeleteVertexArrays(1, &vertex_array_);
-    glDeleteProgram(program_);
 }
 
 void DepthRaster::set_vertices(std::span<const DrawnVertex> vertices) {

@@ -174,6 +174,18 @@ TEST_F(Depth, ServesSeveralScenesOnOneThread) {
     }
 }
 
+// Of what they share nothing goes with one of them.
+TEST_F(Depth, OutlivesAnother) {
+    auto gone = make_depth_backend(SceneBuilder().add(Plane{{9, 9}}, wall_at(2)).build());
+    const auto stays = make_depth_backend(SceneBuilder().add(Plane{{9, 9}}, wall_at(4)).build());
+    gone.reset();
+    const std::vector<glm::vec3> forward{{1, 0, 0}};
+    const std::vector<Pose> pose(1);
+    std::vector<Hit> hits(1);
+    stays->cast({forward, pose}, hits);
+    EXPECT_NEAR(hits[0].range_m, 4.0, 1e-5);
+}
+
 // Its facets are narrower than pixels, most of all where they turn away: between the last pixel
 // that shows the post and the first that does not, facets that no pixel shows are met all the same.
 TEST_F(Depth, SeesAPostUpToItsRim) {
