@@ -79,7 +79,7 @@ HttpResponse truth_of(const Log& log, const std::string& sensor, const std::stri
     if (number.empty() || error != std::errc{} || stop != end) {
         return problem(400, "scan must be the number of one, as /stream and this tell it", "scan");
     }
-    if (const auto record = log.find(scan)) return ok(truth_document(sensor, *record));
+    if (const auto record = log.find(scan)) return ok_text(truth_text(sensor, *record));
     return problem(404,
                    "scan " + number + " is not kept: those from " + std::to_string(log.first()) +
                        " to " + std::to_string(log.last()) + " are that somebody asked for",
@@ -89,7 +89,7 @@ HttpResponse truth_of(const Log& log, const std::string& sensor, const std::stri
 HttpResponse truth_of(StaringSensor& staring, const Call& call) {
     const SharedStaringRecord latest = staring.latest();
     const std::string& query = call.request.query;
-    if (query.empty()) return ok(truth_document(sensor_of(call), *latest));
+    if (query.empty()) return ok_text(truth_text(sensor_of(call), *latest));
     return truth_of(staring.log(), sensor_of(call), query_value(query, "scan").value_or(""));
 }
 
@@ -113,7 +113,7 @@ void get_sensor(Call&& call) {
 void get_reading(Call&& call) {
     StaringSensor* const staring = call.api.staring(sensor_of(call));
     if (staring != nullptr)
-        return call.respond(ok(reading_document(sensor_of(call), *staring->latest())));
+        return call.respond(ok_text(reading_text(sensor_of(call), *staring->latest())));
     if (call.api.scans(sensor_of(call)) == nullptr) return call.respond(no_sensor(call));
     call.respond(problem(404, "\"" + sensor_of(call) +
                                   "\" is a scanner, which its driver reads over SCIP; /sensors/" +
@@ -132,7 +132,7 @@ void get_truth(Call&& call) {
                                     "scans, a driver or a client of /stream"));
     }
     const std::string& query = call.request.query;
-    if (query.empty()) return call.respond(ok(truth_document(sensor_of(call), *latest)));
+    if (query.empty()) return call.respond(ok_text(truth_text(sensor_of(call), *latest)));
     call.respond(truth_of(*log, sensor_of(call), query_value(query, "scan").value_or("")));
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace scipd::sim {
@@ -17,19 +18,45 @@ struct BeamCutter::Around {
         const std::size_t above =
             look.share.y > 0.0F ? static_cast<std::size_t>(picture.size_px.x) : 0;
         pixels = {look.pixel, look.pixel + left, look.pixel + above, look.pixel + left + above};
+        nearest = pixels[(look.share.x > 0.5F ? 1 : 0) + (look.share.y > 0.5F ? 2 : 0)];
+        note_shown(picture);
+    }
+    /// A pixel, and those on both sides of it.
+    Around(std::size_t pixel, const Picture& picture)
+        : pixels{pixel, std::max<std::size_t>(pixel, 1) - 1,
+                 std::min(pixel + 1, picture.triangle.size() - 1), pixel},
+          nearest(pixel) {
+        note_shown(picture);
+    }
+
+    void note_shown(const Picture& picture) {
         for (std::size_t i = 0; i < pixels.size(); ++i)
             shown[i] = picture.triangle[pixels[i]];
     }
-
     [[nodiscard]] bool one_triangle() const {
         return shown[0] == shown[1] && shown[0] == shown[2] && shown[0] == shown[3];
     }
-    [[nodiscard]] std::size_t nearest(const Look& look) const {
-        return pixels[(look.share.x > 0.5F ? 1 : 0) + (look.share.y > 0.5F ? 2 : 0)];
+    [[nodiscard]] bool any_nothing() const {
+        return std::ranges::find(shown, Picture::nothing) != shown.end();
     }
 
     std::array<std::size_t, 4> pixels;
+    std::size_t nearest;
     std::array<TriangleId, 4> shown;
+};
+
+/// A beam, and the normals of two planes through it, in anchored W.
+struct BeamCutter::Beam {
+    Beam(const glm::dvec3& in_sensor, const glm::dmat3& anchored_from_sensor)
+        : direction(in_sensor),
+          along(anchored_from_sensor * in_sensor),
+          side(anchored_from_sensor * glm::dvec3{-in_sensor.y, in_sensor.x, 0.0}),
+          above(glm::cross(along, side)) {}
+
+    glm::dvec3 direction;  ///< in S
+    glm::dvec3 along;
+    glm::dvec3 side;
+    glm::dvec3 above;
 };
 
 BeamCutter::BeamCutter(const Scene& scene, const DepthTriangles& triangles, const Picture& picture,
@@ -50,7 +77,7 @@ void BeamCutter::cut(std::span<const Look> looks, const Fan& fan, std::span<Hit>
 
 Hit BeamCutter::hit(const Look& look, const glm::dvec3& direction) {
     const Around around(look, picture_);
-    if (between_ == BetweenPixels::nearest) return by_depth(around.nearest(look), look, direction);
+    if (between_ == BetweenPixels::nearest) return by_depth(around.nearest, look, direction);
     if (!around.one_triangle()) return by_triangles(around, look, direction);
     if (around.shown[0] == Picture::nothing) return {};
     look_at(around.shown[0]);
@@ -60,7 +87,9 @@ Hit BeamCutter::hit(const Look& look, const glm::dvec3& direction) {
     }
     const double range_m = distance_m_ / glm::dot(normal_, direction);
     if (agrees(range_m, look.pixel, look)) return at_range(range_m, direction);
-    return by_triangles(around, look, direction);
+    // Seen so flat that a driver shows it where it is not: what the pixels beside show may be
+    // there.
+    return by_triangles(Around(around.nearest, picture_), look, direction);
 }
 
 void BeamCutter::look_at(TriangleId triangle) {
@@ -106,27 +135,37 @@ double BeamCutter::depth_between(const Around& around, const Look& look) const {
 
 /// By the sides of the edges that the beam passes on. Two triangles that share an edge compute the
 /// same number for it, so no beam slips between them.
-bool BeamCutter::meets(TriangleId triangle, const glm::dvec3& direction) const {
-    const glm::dvec3 ray = anchored_from_sensor_ * direction;
+bool BeamCutter::meets(const Beam& beam, TriangleId triangle) const {
     const glm::uvec3 corners = triangles_.triangles()[triangle].corners;
     const auto vertices = triangles_.vertices();
     const glm::dvec3 a = glm::dvec3{vertices[corners.x].position_m} - eye_m_;
     const glm::dvec3 b = glm::dvec3{vertices[corners.y].position_m} - eye_m_;
     const glm::dvec3 c = glm::dvec3{vertices[corners.z].position_m} - eye_m_;
-    const double ab = glm::dot(ray, glm::cross(a, b));
-    const double bc = glm::dot(ray, glm::cross(b, c));
-    const double ca = glm::dot(ray, glm::cross(c, a));
+    const double ab = glm::dot(beam.along, glm::cross(a, b));
+    const double bc = glm::dot(beam.along, glm::cross(b, c));
+    const double ca = glm::dot(beam.along, glm::cross(c, a));
     return (ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0);
 }
 
-/// Whether all of it lies on one side of the plane through the eye that is normal to `side`; most
-/// triangles are dismissed by that.
-bool BeamCutter::goes_aside(TriangleId triangle, const glm::dvec3& side) const {
+/// Whether all that is within the bounds lies on one side of the beam, or farther than this.
+bool BeamCutter::passes(const Beam& beam, const Bounds& bounds, double range_m) const {
+    const glm::dvec3 middle_m = glm::dvec3{bounds.middle_m} - eye_m_;
+    const glm::dvec3 half_m{bounds.half_m};
+    const auto reach_m = [&](const glm::dvec3& normal) {
+        return glm::dot(glm::abs(normal), half_m);
+    };
+    return std::abs(glm::dot(beam.side, middle_m)) > reach_m(beam.side) ||
+           std::abs(glm::dot(beam.above, middle_m)) > reach_m(beam.above) ||
+           glm::dot(beam.along, middle_m) - reach_m(beam.along) > range_m;
+}
+
+/// Whether all of it lies on one side of the beam; most triangles are dismissed by that.
+bool BeamCutter::passes(const Beam& beam, TriangleId triangle) const {
     constexpr double surely_m = 1e-6;
     const glm::uvec3 corners = triangles_.triangles()[triangle].corners;
     const auto vertices = triangles_.vertices();
     const auto off_m = [&](std::uint32_t corner) {
-        return glm::dot(glm::dvec3{vertices[corner].position_m} - eye_m_, side);
+        return glm::dot(glm::dvec3{vertices[corner].position_m} - eye_m_, beam.side);
     };
     const double a_m = off_m(corners.x);
     const double b_m = off_m(corners.y);
@@ -135,33 +174,43 @@ bool BeamCutter::goes_aside(TriangleId triangle, const glm::dvec3& side) const {
            (a_m < -surely_m && b_m < -surely_m && c_m < -surely_m);
 }
 
-void BeamCutter::take_nearer(TriangleId triangle, const glm::dvec3& direction, Hit& first) {
-    if (!meets(triangle, direction)) return;
+void BeamCutter::take_nearer(const Beam& beam, TriangleId triangle, Hit& first) {
+    if (!meets(beam, triangle)) return;
     look_at(triangle);
-    const double range_m = distance_m_ / glm::dot(normal_, direction);
-    if (range_m > 0.0 && range_m < double{first.range_m}) first = at_range(range_m, direction);
+    const double range_m = distance_m_ / glm::dot(normal_, beam.direction);
+    if (range_m > 0.0 && range_m < double{first.range_m}) first = at_range(range_m, beam.direction);
 }
 
-/// Where a pixel shows something that stands clearly before what the beam has met so far, a
-/// triangle beside it may reach up to the beam, too narrow for a pixel of its own: the rim of a
-/// post, say, whose facets are narrower than pixels.
-void BeamCutter::find_unseen(const Around& around, const Look& look, const glm::dvec3& direction,
-                             Hit& first) {
-    constexpr double clearly = 1.02;
-    const glm::dvec3 side = anchored_from_sensor_ * glm::dvec3{-direction.y, direction.x, 0.0};
+void BeamCutter::take_nearer(const Beam& beam, const Body& body, Hit& first) {
+    for (const Cluster& cluster : body.clusters) {
+        if (passes(beam, cluster.bounds, double{first.range_m})) continue;
+        for (const Block& block : body.of(cluster)) {
+            if (passes(beam, block.bounds, double{first.range_m})) continue;
+            const TriangleId end = block.first + block.count;
+            for (TriangleId triangle = block.first; triangle < end; ++triangle) {
+                if (!passes(beam, triangle)) take_nearer(beam, triangle, first);
+            }
+        }
+    }
+}
+
+/// Where a pixel shows something nearer than what the beam has met so far, a triangle beside it may
+/// reach up to the beam, too narrow for a pixel of its own: the rim of a post, say, whose facets
+/// are narrower than pixels.
+void BeamCutter::find_unseen(const Around& around, const Look& look, const Beam& beam, Hit& first) {
     for (std::size_t i = 0; i < around.shown.size(); ++i) {
         const TriangleId shown = around.shown[i];
         if (shown == Picture::nothing || (i > 0 && shown == around.shown[i - 1])) continue;
         const double shown_m =
             z_of_depth_m(double{picture_.depth[around.pixels[i]]}) / double{look.cos_alpha};
-        if (double{first.range_m} < clearly * shown_m) continue;
+        if (double{first.range_m} < shown_m) continue;
         Hit unseen = first;
-        // Where the beam has met nothing, what is far behind the pixel is not in front either.
-        if (!first.met()) unseen.range_m = static_cast<float>(clearly * shown_m);
-        const TriangleRange beside = triangles_.around(shown);
-        for (TriangleId triangle = beside.first; triangle < beside.end; ++triangle) {
-            if (!goes_aside(triangle, side)) take_nearer(triangle, direction, unseen);
-        }
+        // A beam between something and nothing goes past that, or meets it where it is seen, but
+        // nothing far behind it.
+        constexpr double where_seen = 1.02;
+        if (!first.met() && around.any_nothing())
+            unseen.range_m = static_cast<float>(where_seen * shown_m);
+        take_nearer(beam, triangles_.body_of(shown), unseen);
         if (unseen.met()) first = unseen;
     }
 }
@@ -170,17 +219,16 @@ void BeamCutter::find_unseen(const Around& around, const Look& look, const glm::
 /// has no pixel beside them goes between two pixels through a third triangle, too small for either
 /// to show; the plane of the nearest pixel's is the best there is.
 Hit BeamCutter::by_triangles(const Around& around, const Look& look, const glm::dvec3& direction) {
+    const Beam beam(direction, anchored_from_sensor_);
     Hit first;
-    bool beside_all = false;
     for (std::size_t i = 0; i < around.shown.size(); ++i) {
         const TriangleId triangle = around.shown[i];
-        beside_all = beside_all || triangle == Picture::nothing;
         const bool again = i > 0 && triangle == around.shown[i - 1];
-        if (triangle != Picture::nothing && !again) take_nearer(triangle, direction, first);
+        if (triangle != Picture::nothing && !again) take_nearer(beam, triangle, first);
     }
-    find_unseen(around, look, direction, first);
-    if (first.met() || beside_all) return first;
-    const std::size_t pixel = around.nearest(look);
+    find_unseen(around, look, beam, first);
+    if (first.met() || around.any_nothing()) return first;
+    const std::size_t pixel = around.nearest;
     look_at(picture_.triangle[pixel]);
     const double range_m = distance_m_ / glm::dot(normal_, direction);
     if (agrees(range_m, pixel, look)) return at_range(range_m, direction);

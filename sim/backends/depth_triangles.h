@@ -45,9 +45,39 @@ struct VertexRange {
     std::size_t count = 0;
 };
 
-struct TriangleRange {
-    TriangleId first = 0;
-    TriangleId end = 0;
+/// Along the axes of anchored W.
+struct Bounds {
+    glm::vec3 middle_m;
+    glm::vec3 half_m;
+};
+
+/// Some triangles that lie together, with corners that no others have.
+struct Block {
+    Bounds bounds;
+    TriangleId first;
+    std::uint32_t count;
+    std::uint32_t first_vertex;
+    std::uint32_t vertex_count;
+};
+
+/// Some blocks that lie together.
+struct Cluster {
+    Bounds bounds;
+    std::size_t first;
+    std::size_t count;
+};
+
+/// The triangles of one object.
+struct Body {
+    ModelId model;
+    Block all;
+    std::vector<Block> blocks;      ///< one, where they are few
+    std::vector<Cluster> clusters;  ///< of blocks
+    bool solid;                     ///< convex and closed: seen from outside, it hides its back
+
+    [[nodiscard]] std::span<const Block> of(const Cluster& cluster) const {
+        return std::span{blocks}.subspan(cluster.first, cluster.count);
+    }
 };
 
 class DepthTriangles {
@@ -58,8 +88,8 @@ class DepthTriangles {
     [[nodiscard]] std::span<const DrawnTriangle> triangles() const { return triangles_; }
     [[nodiscard]] std::span<const Face> faces() const { return faces_; }
 
-    /// Some of the same object around this one, itself among them.
-    [[nodiscard]] TriangleRange around(TriangleId triangle) const;
+    /// What this triangle is of.
+    [[nodiscard]] const Body& body_of(TriangleId triangle) const;
 
     /// Puts a movable model somewhere else. Returns which vertices that touched.
     VertexRange move(ModelId model, const Pose& anchored_from_model);
@@ -70,22 +100,6 @@ class DepthTriangles {
     void collect(const Frustum& frustum, ModelId unseen, std::vector<DrawnTriangle>& drawn);
 
   private:
-    /// Some triangles, with corners that no others have, and a box around them.
-    struct Block {
-        glm::vec3 middle_m;
-        glm::vec3 half_m;
-        TriangleId first;
-        std::uint32_t count;
-        std::uint32_t first_vertex;
-        std::uint32_t vertex_count;
-    };
-    /// The triangles of one object.
-    struct Body {
-        ModelId model;
-        Block all;
-        std::vector<Block> parts;  ///< of neighbours, where they are many
-        bool solid;                ///< convex and closed: seen from outside, it hides its back
-    };
     /// What it takes to place a body of a movable model again.
     struct Movable {
         ModelId model;
@@ -97,8 +111,10 @@ class DepthTriangles {
 
     void add(ObjectId id, const Object& object, bool movable, const Pose& anchored_from_object);
     [[nodiscard]] Block block_from(TriangleId first, std::uint32_t first_vertex) const;
-    void enclose(Block& block) const;
+    [[nodiscard]] Bounds bounds_of(const Block& block) const;
     void turn_faces(const Block& block);
+    void collect(const Body& body, Frustum::Place place, const Frustum& frustum,
+                 std::vector<DrawnTriangle>& drawn);
     void collect(const Block& block, Frustum::Place place, bool hides_back, const Frustum& frustum,
                  std::vector<DrawnTriangle>& drawn);
 
@@ -106,7 +122,6 @@ class DepthTriangles {
     std::vector<DrawnTriangle> triangles_;
     std::vector<Face> faces_;  ///< by TriangleId, as triangles_
     std::vector<Body> bodies_;
-    std::vector<TriangleId> groups_;  ///< where each begins: a small body, or a part of a large one
     // Of the boxes around them, once more: most bodies are left out by these alone. The fourth
     // number is nothing; with three, compilers take one box after the other.
     std::vector<glm::vec4> middles_m_;

@@ -80,7 +80,7 @@ TEST(DepthAccuracy, HoldsToItsFiguresInTheRescueMaze) {
             if (drawn[i].met() != truth[i].met() || off_m > at_edge_m) ++other_surface;
             if (edge || !truth[i].met()) continue;
             (truth[i].range_m <= 5.0F ? near_m : far_m).push_back(off_m);
-            if (off_m > at_edge_m) continue;
+            EXPECT_LT(off_m, at_edge_m);
             // Where two objects touch, either is right.
             if (drawn[i].object != truth[i].object) {
                 EXPECT_LT(off_m, 1e-3);
