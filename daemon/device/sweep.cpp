@@ -74,7 +74,11 @@ void Sweep::cast(sim::Scan& scan, const BeamFired& fired) const {
     const bool comes_or_goes = absent != track.absent(fired(beams() - 1));
     if (absent && !comes_or_goes) return;
     const sim::ModelId unseen = sees_body_ ? sim::no_model : world_.body_of(robot_);
-    motion_ ? cast_in_equal_parts(scan, fired, unseen) : cast_as_met(scan, fired, unseen);
+    if (motion_) {
+        cast_in_equal_parts(scan, fired, unseen);
+    } else {
+        cast_as_met(scan, fired, unseen);
+    }
     if (comes_or_goes) forget_absent(scan, fired);
 }
 
