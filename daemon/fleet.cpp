@@ -22,8 +22,9 @@ std::filesystem::path link_of(const RobotConfig& robot, const SensorConfig& sens
 
 // Of a port that the system chooses, only the scanner itself says which one it is.
 std::string key_of(const RobotConfig& robot, const SensorConfig& sensor) {
-    const std::string address = sensor.tcp->host + ":" + std::to_string(sensor.tcp->port);
-    return sensor.tcp->port != 0 ? address : address + " of " + robot.name + "/" + sensor.name;
+    const std::string address = text_of(*sensor.tcp);
+    return sensor.tcp->port != 0 ? address
+                                 : address + " of " + sensor_name(robot.name, sensor.name);
 }
 
 }  // namespace
@@ -210,20 +211,6 @@ void Fleet::replace_feeds(std::vector<Feed> feeds) {
     for (const Feed& feed : feeds)
         feed.feed->serve(feed.robot);
     feeds_ = std::move(feeds);
-}
-
-std::optional<sim::TimedPose> Fleet::robot_pose(const std::string& robot) const {
-    const sim::PoseTrack* track = world_.robot(robot);
-    if (track == nullptr) return std::nullopt;
-    const sim::Time now = clock_.now();
-    return sim::TimedPose{clock_.origin() + now, track->at(now)};
-}
-
-std::optional<std::string> Fleet::set_robot_pose(const std::string& robot,
-                                                 std::optional<sim::Time> time,
-                                                 const sim::Pose& world_from_robot) {
-    return intake_.take({.robot = robot, .time = time, .pose = world_from_robot}, robot,
-                        api_senders_[robot], clock_.now());
 }
 
 }  // namespace scipd::daemon

@@ -91,7 +91,7 @@ class Fleet : public Api {
         std::unique_ptr<Device> device;          ///< null where it stares
         std::unique_ptr<StaringSensor> staring;  ///< null where it is a scanner
 
-        [[nodiscard]] std::string name() const { return robot + "/" + config.name; }
+        [[nodiscard]] std::string name() const { return sensor_name(robot, config.name); }
 
         std::unique_ptr<ScanLoop> loop;
         std::shared_ptr<TcpPort> tcp;
@@ -111,6 +111,8 @@ class Fleet : public Api {
                                                     const Ports& ports);
     void replace_feeds(std::vector<Feed> feeds);
     [[nodiscard]] const Station* find(const std::string& sensor) const;
+    /// Null has none.
+    [[nodiscard]] std::optional<sim::TimedPose> pose_now(const sim::PoseTrack* track) const;
     [[nodiscard]] SensorStatus status_of(const Station& station) const;
     /// Of all sensors, as they are now.
     [[nodiscard]] std::vector<BackendWish> backend_wishes() const;

@@ -40,11 +40,25 @@ void Fleet::edit_scene(SceneEdit edit, EditDone done) {
     });
 }
 
-std::optional<sim::TimedPose> Fleet::model_pose(const std::string& model) const {
-    const sim::PoseTrack* track = world_.model(model);
+std::optional<sim::TimedPose> Fleet::pose_now(const sim::PoseTrack* track) const {
     if (track == nullptr) return std::nullopt;
     const sim::Time now = clock_.now();
     return sim::TimedPose{clock_.origin() + now, track->at(now)};
+}
+
+std::optional<sim::TimedPose> Fleet::robot_pose(const std::string& robot) const {
+    return pose_now(world_.robot(robot));
+}
+
+std::optional<std::string> Fleet::set_robot_pose(const std::string& robot,
+                                                 std::optional<sim::Time> time,
+                                                 const sim::Pose& world_from_robot) {
+    return intake_.take({.robot = robot, .time = time, .pose = world_from_robot}, robot,
+                        api_senders_[robot], clock_.now());
+}
+
+std::optional<sim::TimedPose> Fleet::model_pose(const std::string& model) const {
+    return pose_now(world_.model(model));
 }
 
 std::optional<std::string> Fleet::set_model_pose(const std::string& model,

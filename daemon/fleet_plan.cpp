@@ -15,7 +15,7 @@ BackendWish backend_wish(const std::string& robot, const SensorConfig& sensor,
         sensor.staring ? sensor.staring->max_range_m : sensor.model.optics.max_range_m;
     std::vector<glm::vec3> directions = directions_of(sensor);
     const auto beams = static_cast<int>(directions.size());
-    BackendWish wish{.sensor = robot + "/" + sensor.name,
+    BackendWish wish{.sensor = sensor_name(robot, sensor.name),
                      .backend = sensor.backend,
                      .depth = sensor.depth,
                      .directions = std::move(directions),

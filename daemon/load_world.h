@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
+//
+// The world of a configuration, from files. Touches nothing that runs: any thread may do it.
 #pragma once
 
 #include "daemon/config/config.h"
@@ -7,8 +9,8 @@
 
 namespace scipd::daemon {
 
-/// The world that a configuration names, with the models in it that its robots need. Touches
-/// nothing that runs: any thread may do it. Throws LoadError with every fault.
+/// The world that a configuration names, with the models in it that its robots need. Throws
+/// LoadError with every fault.
 sim::LoadedScene load_world(const Config& config);
 
 /// How that world is loaded, and all that takes its place or is added to it.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
+//
+// Where logs go and what their lines look like. Once, before anything logs.
 #pragma once
 
 #include <string>

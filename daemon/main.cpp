@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
+//
+// The program scipd: options, a server, and how it ends. On the main thread, which is the I/O
+// thread.
 #include <csignal>
 #include <cstdio>
 #include <exception>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
+//
+// Where the daemon's files go. Any thread, as long as nobody changes the environment.
 #pragma once
 
 #include <filesystem>

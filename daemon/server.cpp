@@ -31,11 +31,6 @@ void make_folder(const std::filesystem::path& folder) {
     }
 }
 
-std::string text_of(const Address& address) {
-    const bool v6 = address.host.find(':') != std::string::npos;
-    return (v6 ? "[" + address.host + "]" : address.host) + ":" + std::to_string(address.port);
-}
-
 }  // namespace
 
 Server::Server(Options options)
@@ -96,30 +91,35 @@ void Server::reload() {
     }
     asked_again_ = std::exchange(loading_, true);
     if (asked_again_) return;
-    fleet_.loader().add([this, file = *options_.config_file] {
-        return [this, file, settled = fleet_.settled_backends()]() -> Loader::Finish {
-            const auto task = std::make_shared<std::packaged_task<FleetPlan()>>(
-                [&] { return make_plan(load_config(file), settled); });
+    fleet_.loader().add([this] {
+        return [this, settled = fleet_.settled_backends()]() -> Loader::Finish {
+            const auto task = std::make_shared<std::packaged_task<Next()>>(
+                [&] { return load_next(options_, settled); });
             (*task)();
             return [this, task] { take_up(task->get_future()); };
         };
     });
 }
 
-void Server::take_up(std::future<FleetPlan> plan) {
+Server::Next Server::load_next(const Options& options, const SettledBackends& settled) {
+    const Config& started = options.config;
+    Config config = load_config(*options.config_file);
+    const bool asks_for_a_start = config.control != started.control ||
+                                  config.http != started.http || config.clock != started.clock;
+    config.clock = started.clock;
+    return {make_plan(std::move(config), settled), asks_for_a_start};
+}
+
+void Server::take_up(std::future<Next> loaded) {
     loading_ = false;
     try {
-        FleetPlan next = plan.get();
-        Config config = next.config;
-        const Config& running = options_.config;
-        if (config.control != running.control || config.http != running.http ||
-            config.clock != running.clock) {
+        Next next = loaded.get();
+        fleet_.apply(std::move(next.plan));
+        if (next.asks_for_a_start) {
             spdlog::warn(
                 "SIGHUP: control, http and clock stay as they are until scipd is started again");
         }
-        fleet_.apply(std::move(next));
         fleet_.choose_backends();
-        options_.config = std::move(config);
         spdlog::info("SIGHUP: {} is running now", options_.config_file->string());
     } catch (const std::exception& error) {
         spdlog::error("SIGHUP: nothing was changed, since\n{}", error.what());

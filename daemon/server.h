@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The running program: one thread, one io_context, a fleet of scanners, the control API and
-// signals. SIGINT and SIGTERM end it cleanly; SIGHUP reads the configuration again, on a
-// thread of its own so that no stream waits for it, and a faulty one changes nothing.
+// The running program: one io_context, a fleet of scanners, the control API and
+// signals. SIGINT and SIGTERM end it cleanly; SIGHUP reads the configuration again, on the
+// loader's thread so that no stream waits for it, and a faulty one changes nothing. Lives on the
+// I/O thread, which is the one that runs it.
 #pragma once
 
 #include <future>
@@ -31,12 +32,20 @@ class Server {
     void run();
 
   private:
+    /// Another configuration, loaded.
+    struct Next {
+        FleetPlan plan;
+        bool asks_for_a_start = false;  ///< of what stays as it is while this program runs
+    };
+
     void wait_for_signal();
     void reload();
-    void take_up(std::future<FleetPlan> plan);
+    /// On the loader's thread.
+    static Next load_next(const Options& options, const SettledBackends& settled);
+    void take_up(std::future<Next> loaded);
     void stop();
 
-    Options options_;
+    const Options options_;  ///< that it was started with
     boost::asio::io_context io_{1};
     boost::asio::signal_set signals_;
     Fleet fleet_;

@@ -12,7 +12,7 @@ void Claims::claim(const Field* field, const std::string& what) {
 
 void Claims::claim(const Field* field, const std::optional<Address>& address) {
     if (!address || address->port == 0) return;
-    claim(field, address->host + ":" + std::to_string(address->port));
+    claim(field, text_of(*address));
 }
 
 }  // namespace scipd::daemon

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "daemon/config/address.h"
 #include "daemon/models/model.h"
 #include "sim/backends/depth_options.h"
 #include "sim/sensor/error_model.h"
@@ -17,14 +18,6 @@
 #include "sim/world/pose.h"
 
 namespace scipd::daemon {
-
-/// Where to listen; port 0 takes a free one.
-struct Address {
-    std::string host;
-    std::uint16_t port = 0;
-
-    bool operator==(const Address&) const = default;
-};
 
 /// "auto" of the user is an empty link: one in the run directory.
 struct PtyConfig {
@@ -69,6 +62,11 @@ struct LinkConfig {
 
     bool operator==(const LinkConfig&) const = default;
 };
+
+/// What people call a sensor: "rescue/front".
+inline std::string sensor_name(const std::string& robot, const std::string& sensor) {
+    return robot + "/" + sensor;
+}
 
 struct SensorConfig {
     std::string name;  ///< of the sensor alone: "front"

@@ -38,7 +38,7 @@ struct SensorStatus {
     std::string model;                          ///< "UST-10LX"
     std::string backend;                        ///< what casts, never "auto"
     std::optional<std::string> backend_reason;  ///< what "auto" was settled by
-    std::string state;                          ///< "idle", "measuring", ..
+    std::string state;                          ///< "standby", "measuring", ..
     std::optional<std::string> tcp;  ///< "127.0.0.1:10940", the port that was really taken
     std::optional<std::string> pty;  ///< the link
     std::uint64_t clients = 0;       ///< connected now
@@ -55,7 +55,7 @@ struct PosesStatus {
 
 struct Status {
     std::chrono::duration<double> uptime{};
-    std::string clock;  ///< "wall"
+    std::string clock;  ///< "wall" or "poses"
     sim::Time time{};
     std::string scene;
     PosesStatus poses;

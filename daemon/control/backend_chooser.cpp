@@ -40,7 +40,6 @@ Loader::Work BackendChooser::measure(BackendWish wish) {
         const auto ended = [&] { return stopping.stop_requested(); };
         const SharedChoice choice = workshop->measure(wish, ended);
         return [this, workshop, sensor = wish.sensor, choice] {
-            spdlog::info("{}: auto takes {}: {}", sensor, choice->backend, choice->reason);
             measured_.choices[sensor] = choice;
             step();
         };

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace scipd::daemon {
 
@@ -26,9 +27,14 @@ std::string text_of(const Json& document) {
 }
 
 HttpResponse ok(const Json& document, int status) {
+    return ok_text(text_of(document), status);
+}
+
+HttpResponse ok_text(std::string document, int status) {
     HttpResponse response;
     response.status = status;
-    response.body = text_of(document) + "\n";
+    response.body = std::move(document);
+    response.body += '\n';
     return response;
 }
 

@@ -34,14 +34,14 @@ HttpRequest to_plain(const http::request<http::string_body>& request) {
             .body = request.body()};
 }
 
-http::response<http::string_body> to_beast(const HttpResponse& plain, bool keep_alive) {
+http::response<http::string_body> to_beast(HttpResponse plain, bool keep_alive) {
     http::response<http::string_body> response;
     response.version(11);
     response.result(static_cast<unsigned>(plain.status));
     if (!plain.content_type.empty()) response.set(http::field::content_type, plain.content_type);
     if (!plain.allow.empty()) response.set(http::field::allow, plain.allow);
     if (plain.status == 426) response.set(http::field::upgrade, "websocket");
-    response.body() = plain.body;
+    response.body() = std::move(plain.body);
     response.keep_alive(keep_alive);
     // A 204 has no length, not even 0 (RFC 9110, 8.6).
     if (plain.status != 204) response.prepare_payload();
@@ -123,8 +123,8 @@ void HttpConnection<Protocol>::answer() {
     const bool keep_alive = request.keep_alive();
     const bool with_body = request.method() != http::verb::head;
     const auto respond = [self = this->shared_from_this(), keep_alive,
-                          with_body](const HttpResponse& response) {
-        if (!self->service_->closed) self->write(response, keep_alive, with_body);
+                          with_body](HttpResponse response) {
+        if (!self->service_->closed) self->write(std::move(response), keep_alive, with_body);
     };
     try {
         service_->handler(to_plain(request), respond);
@@ -137,8 +137,8 @@ template <class Protocol>
 void HttpConnection<Protocol>::upgrade() {
     const auto& request = parser_->get();
     auto answer = service_->open_web_socket(to_plain(request));
-    if (const auto* refusal = std::get_if<HttpResponse>(&answer)) {
-        return write(*refusal, request.keep_alive());
+    if (auto* refusal = std::get_if<HttpResponse>(&answer)) {
+        return write(std::move(*refusal), request.keep_alive());
     }
     std::make_shared<WebSocketConnection<Protocol>>(std::move(stream_), service_)
         ->open(request, std::get<Converse>(std::move(answer)));
@@ -147,12 +147,12 @@ void HttpConnection<Protocol>::upgrade() {
 template <class Protocol>
 void HttpConnection<Protocol>::refuse(const Error& error) {
     if (service_->closed) return;
-    if (const auto refusal = unreadable(error, service_->limits)) write(*refusal, false);
+    if (auto refusal = unreadable(error, service_->limits)) write(std::move(*refusal), false);
 }
 
 template <class Protocol>
-void HttpConnection<Protocol>::write(const HttpResponse& plain, bool keep_alive, bool with_body) {
-    response_ = to_beast(plain, keep_alive);
+void HttpConnection<Protocol>::write(HttpResponse plain, bool keep_alive, bool with_body) {
+    response_ = to_beast(std::move(plain), keep_alive);
     if (!with_body) response_.body().clear();
     http::async_write(
         stream_, response_,

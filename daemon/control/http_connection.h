@@ -55,7 +55,7 @@ class HttpConnection : public HttpClient,
     void answer();
     void upgrade();
     void refuse(const Error& error);
-    void write(const HttpResponse& plain, bool keep_alive, bool with_body = true);
+    void write(HttpResponse plain, bool keep_alive, bool with_body = true);
     void close_gently();
     void drop_input();
 

@@ -23,7 +23,7 @@ struct HttpResponse {
     std::string allow = {};  ///< of a 405: the methods that the path has
 };
 
-/// To be called once, at any time, on the I/O thread.
-using Respond = std::function<void(const HttpResponse&)>;
+/// To be called once, at any time, on the I/O thread. By value: bodies can be large.
+using Respond = std::function<void(HttpResponse)>;
 
 }  // namespace scipd::daemon

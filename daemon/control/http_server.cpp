@@ -130,7 +130,7 @@ void HttpServer::listen(const fs::path& socket) {
 
 Address HttpServer::listen(const Address& address) {
     Address taken;
-    name_failures(address.host + ":" + std::to_string(address.port), [&] {
+    name_failures(text_of(address), [&] {
         const tcp::endpoint wanted{asio::ip::make_address(address.host), address.port};
         tcp::acceptor acceptor{executor_, wanted};
         taken = {address.host, acceptor.local_endpoint().port()};

@@ -19,7 +19,8 @@ class Loader {
   public:
     /// Takes up what was loaded; on the I/O thread again.
     using Finish = std::function<void()>;
-    /// On the loader's thread: touches nothing that runs, and does not throw.
+    /// On the loader's thread, where it also ends: touches nothing that runs, and does not throw.
+    /// What it holds of the I/O thread's goes with the Finish, moved.
     using Work = std::function<Finish()>;
     /// On the I/O thread, when all before it is taken up: what the work needs of the present goes
     /// with it.

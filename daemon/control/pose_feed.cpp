@@ -83,8 +83,8 @@ class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
             socket_.open(endpoint.protocol());
             socket_.bind(endpoint);
         } catch (const boost::system::system_error& error) {
-            throw std::runtime_error("cannot receive poses on " + address.host + ":" +
-                                     std::to_string(address.port) + ": " + error.code().message() +
+            throw std::runtime_error("cannot receive poses on " + text_of(address) + ": " +
+                                     error.code().message() +
                                      "; each robot needs an address of its own");
         }
     }
@@ -103,7 +103,8 @@ class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
     void receive() {
         socket_.async_receive(asio::buffer(datagram_),
                               [self = shared_from_this()](error_code error, std::size_t size) {
-                                  if (error == asio::error::operation_aborted) return;
+                                  // Stopped: what had come already does not say so itself.
+                                  if (!self->socket_.is_open()) return;
                                   if (!error)
                                       self->sink_.take_lines({self->datagram_.data(), size});
                                   self->sink_.when_ready([weak = self->weak_from_this()] {
@@ -147,7 +148,7 @@ class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<S
     void read() {
         input_.async_read_some(asio::buffer(input_buffer_),
                                [self = shared_from_this()](error_code error, std::size_t size) {
-                                   if (error == asio::error::operation_aborted) return;
+                                   if (!self->input_.is_open()) return;  // stopped, as above
                                    if (error) return self->end_of_input();
                                    self->take({self->input_buffer_.data(), size});
                                    self->sink_.when_ready([weak = self->weak_from_this()] {

@@ -25,6 +25,18 @@ std::string field_of(std::string_view refusal) {
     return std::find(fields.begin(), fields.end(), word) == fields.end() ? "" : std::string{word};
 }
 
+std::optional<HttpResponse> misnamed(const Call& call, const sim::PoseLine& line,
+                                     const std::string& kind) {
+    const bool of_robot = kind == "robot";
+    const std::string other = of_robot ? "model" : "robot";
+    if (!(of_robot ? line.model : line.robot).empty()) {
+        return problem(400, other + " does not belong here", other);
+    }
+    const std::string& name = of_robot ? line.robot : line.model;
+    if (name.empty() || name == call.names[0]) return std::nullopt;
+    return problem(400, kind + " must be the one of the path, or left out", kind);
+}
+
 HttpResponse no_robot(const std::string& robot) {
     return problem(404, "there is no robot \"" + robot + "\"");
 }
@@ -37,7 +49,7 @@ Json pose_line_document(const char* kind, const std::string& name, const sim::Ti
     return document;
 }
 
-std::variant<sim::PoseLine, HttpResponse> pose_in(const Call& call) {
+std::variant<sim::PoseLine, HttpResponse> pose_in(const Call& call, const char* kind) {
     const std::string& body = call.request.body;
     const auto begin = body.find_first_not_of(" \t\r\n");
     if (begin == body.npos || body[begin] != '{') {
@@ -49,6 +61,7 @@ std::variant<sim::PoseLine, HttpResponse> pose_in(const Call& call) {
     }
     const auto& line = std::get<sim::PoseLine>(parsed);
     if (line.velocity) return pose_refused("v and w belong to streams of poses, such as /poses");
+    if (auto refusal = misnamed(call, line, kind)) return *std::move(refusal);
     return line;
 }
 
@@ -69,16 +82,9 @@ void get_robot_pose(Call&& call) {
 void put_robot_pose(Call&& call) {
     const std::string& robot = call.names[0];
     if (!call.api.robot_pose(robot)) return call.respond(no_robot(robot));
-    const auto said = pose_in(call);
+    const auto said = pose_in(call, "robot");
     if (const auto* refusal = std::get_if<HttpResponse>(&said)) return call.respond(*refusal);
     const auto& line = std::get<sim::PoseLine>(said);
-    if (!line.model.empty()) {
-        return call.respond(problem(400, "model does not belong here", "model"));
-    }
-    if (!line.robot.empty() && line.robot != robot) {
-        return call.respond(
-            problem(400, "robot must be the one of the path, or left out", "robot"));
-    }
     call.respond(accepted(call.api.set_robot_pose(robot, line.time, line.pose)));
 }
 

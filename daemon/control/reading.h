@@ -6,16 +6,16 @@
 
 #include <string>
 
-#include "daemon/control/documents.h"
+#include "daemon/control/object_text.h"
 #include "daemon/device/staring_sensor.h"
 
 namespace scipd::daemon {
 
 /// {"sensor","scan","time_s","pose"}, and then of a camera {"columns","rows","range_m":[..]}, of a
 /// ranger {"range_m":x}: null where that is nothing. The pose is that of the beam in the middle.
-Json reading_document(const std::string& sensor, const StaringRecord& record);
+std::string reading_text(const std::string& sensor, const StaringRecord& record);
 
 /// Of that, what depends on the kind.
-Json said_by(const StaringRecord& record);
+void add_said(ObjectText& text, const StaringRecord& record);
 
 }  // namespace scipd::daemon

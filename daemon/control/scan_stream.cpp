@@ -113,7 +113,7 @@ ScanStream::Tap::Tap(ScanStream& stream, std::string name, StaringSensor& sensor
     : stream_(stream), sensor_(std::move(name)), watch_([this, &sensor](bool wanted) {
           if (!wanted) return sensor.watch(nullptr);
           sensor.watch([this](const StaringRecord& record) {
-              stream_.send(*this, [&] { return text_of(reading_document(sensor_, record)); });
+              stream_.send(*this, [&] { return reading_text(sensor_, record); });
           });
       }) {
     stream_.taps_.push_back(this);

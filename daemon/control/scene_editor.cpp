@@ -104,9 +104,13 @@ Edited edited(const RemoveModel& edit, const Present& present) {
 void SceneEditor::edit(SceneEdit edit, EditDone done) {
     loader_.add([this, edit = std::move(edit), done = std::move(done)]() -> Loader::Work {
         return [this, edit, done, present = Present{file_, world_.scene(), options_},
-                wishes = wishes_()]() -> Loader::Finish {
+                wishes = wishes_()]() mutable -> Loader::Finish {
+            // Whoever waits lives on the I/O thread and goes back there whole: of a copy that stays
+            // here, nobody knows which thread lets go last.
             const auto refused = [&](Result result, std::vector<std::string> why) {
-                return [done, outcome = EditOutcome{result, std::move(why)}] { done(outcome); };
+                return [done = std::move(done), outcome = EditOutcome{result, std::move(why)}] {
+                    done(outcome);
+                };
             };
             try {
                 Edited now =
@@ -119,7 +123,7 @@ void SceneEditor::edit(SceneEdit edit, EditDone done) {
                          std::move(now.warnings)};
                 for (const sim::Model& model : now.added->models)
                     next->placed_anew.insert(model.name);
-                return [this, next, done] {
+                return [this, next, done = std::move(done)] {
                     take_up(*next);
                     warn_of_lost_bodies(*next);
                     done({Result::done, next->warnings});

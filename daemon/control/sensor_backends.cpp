@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <spdlog/spdlog.h>
+
 #include "daemon/control/backend_workshop.h"
 
 namespace scipd::daemon {
@@ -14,6 +16,17 @@ void SensorBackends::assign(const std::string& sensor, std::shared_ptr<sim::Rang
     if (std::ranges::find(backends_, backend.get()) == backends_.end())
         backends_.push_back(backend.get());
     sensors_[sensor] = {std::move(backend), std::move(choice)};
+}
+
+void SensorBackends::log_changes_since(const SensorBackends& before) const {
+    for (const auto& [sensor, assigned] : sensors_) {
+        const BackendChoice& choice = *assigned.choice;
+        const auto known = before.sensors_.find(sensor);
+        const bool known_choice =
+            known != before.sensors_.end() && known->second.choice == assigned.choice;
+        if (known_choice || !choice.faces) continue;
+        spdlog::info("{}: auto takes {}: {}", sensor, choice.backend, choice.reason);
+    }
 }
 
 void SensorBackends::leave_thread() {

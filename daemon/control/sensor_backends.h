@@ -60,6 +60,9 @@ class SensorBackends {
         return sensors_.find(sensor)->second.choice;
     }
 
+    /// What "auto" takes now that it was measured again, as these take the place of those.
+    void log_changes_since(const SensorBackends& before) const;
+
     /// As RangeBackend has it.
     void leave_thread();
 

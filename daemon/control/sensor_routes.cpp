@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cstdint>
 
+#include "daemon/config/sensor_config.h"
 #include "daemon/control/documents.h"
 #include "daemon/control/problem.h"
 #include "daemon/control/reading.h"
@@ -61,12 +62,12 @@ Json to_json(const Status& status) {
             {"sensors", to_json(status.sensors)}};
 }
 
-std::string sensor_name(const Call& call) {
-    return call.names[0] + "/" + call.names[1];
+std::string sensor_of(const Call& call) {
+    return sensor_name(call.names[0], call.names[1]);
 }
 
 HttpResponse no_sensor(const Call& call) {
-    return problem(404, "there is no sensor \"" + sensor_name(call) + "\"");
+    return problem(404, "there is no sensor \"" + sensor_of(call) + "\"");
 }
 
 /// Of a log that holds something.
@@ -78,7 +79,7 @@ HttpResponse truth_of(const Log& log, const std::string& sensor, const std::stri
     if (number.empty() || error != std::errc{} || stop != end) {
         return problem(400, "scan must be the number of one, as /stream and this tell it", "scan");
     }
-    if (const auto record = log.find(scan)) return ok(truth_document(sensor, *record));
+    if (const auto record = log.find(scan)) return ok_text(truth_text(sensor, *record));
     return problem(404,
                    "scan " + number + " is not kept: those from " + std::to_string(log.first()) +
                        " to " + std::to_string(log.last()) + " are that somebody asked for",
@@ -88,8 +89,8 @@ HttpResponse truth_of(const Log& log, const std::string& sensor, const std::stri
 HttpResponse truth_of(StaringSensor& staring, const Call& call) {
     const SharedStaringRecord latest = staring.latest();
     const std::string& query = call.request.query;
-    if (query.empty()) return ok(truth_document(sensor_name(call), *latest));
-    return truth_of(staring.log(), sensor_name(call), query_value(query, "scan").value_or(""));
+    if (query.empty()) return ok_text(truth_text(sensor_of(call), *latest));
+    return truth_of(staring.log(), sensor_of(call), query_value(query, "scan").value_or(""));
 }
 
 }  // namespace
@@ -104,25 +105,25 @@ void get_sensors(Call&& call) {
 
 void get_sensor(Call&& call) {
     for (const SensorStatus& candidate : call.api.status().sensors) {
-        if (candidate.name == sensor_name(call)) return call.respond(ok(to_json(candidate)));
+        if (candidate.name == sensor_of(call)) return call.respond(ok(to_json(candidate)));
     }
     call.respond(no_sensor(call));
 }
 
 void get_reading(Call&& call) {
-    StaringSensor* const staring = call.api.staring(sensor_name(call));
+    StaringSensor* const staring = call.api.staring(sensor_of(call));
     if (staring != nullptr)
-        return call.respond(ok(reading_document(sensor_name(call), *staring->latest())));
-    if (call.api.scans(sensor_name(call)) == nullptr) return call.respond(no_sensor(call));
-    call.respond(problem(404, "\"" + sensor_name(call) +
+        return call.respond(ok_text(reading_text(sensor_of(call), *staring->latest())));
+    if (call.api.scans(sensor_of(call)) == nullptr) return call.respond(no_sensor(call));
+    call.respond(problem(404, "\"" + sensor_of(call) +
                                   "\" is a scanner, which its driver reads over SCIP; /sensors/" +
-                                  sensor_name(call) + "/truth tells what it saw"));
+                                  sensor_of(call) + "/truth tells what it saw"));
 }
 
 void get_truth(Call&& call) {
-    if (StaringSensor* const staring = call.api.staring(sensor_name(call)))
+    if (StaringSensor* const staring = call.api.staring(sensor_of(call)))
         return call.respond(truth_of(*staring, call));
-    const ScanLog* const log = call.api.scans(sensor_name(call));
+    const ScanLog* const log = call.api.scans(sensor_of(call));
     if (log == nullptr) return call.respond(no_sensor(call));
     const SharedRecord latest = log->latest();
     if (!latest) {
@@ -131,8 +132,8 @@ void get_truth(Call&& call) {
                                     "scans, a driver or a client of /stream"));
     }
     const std::string& query = call.request.query;
-    if (query.empty()) return call.respond(ok(truth_document(sensor_name(call), *latest)));
-    call.respond(truth_of(*log, sensor_name(call), query_value(query, "scan").value_or("")));
+    if (query.empty()) return call.respond(ok_text(truth_text(sensor_of(call), *latest)));
+    call.respond(truth_of(*log, sensor_of(call), query_value(query, "scan").value_or("")));
 }
 
 }  // namespace scipd::daemon

@@ -6,7 +6,6 @@
 
 #include <string>
 
-#include "daemon/control/documents.h"
 #include "daemon/device/scan_log.h"
 #include "daemon/device/staring_sensor.h"
 
@@ -15,10 +14,10 @@ namespace scipd::daemon {
 /// {"sensor","scan","time_s","stamp_ms","backend","backend_reason","poses":[{"time_s","xyz","q"}],
 /// "steps","true_m","object","material","incidence_rad","sent_mm","intensity"}: a pose for each fan
 /// that was cast, the others an element a step; null where nothing is hit.
-Json truth_document(const std::string& sensor, const ScanRecord& record);
+std::string truth_text(const std::string& sensor, const ScanRecord& record);
 
 /// The same of a camera or ranger, without what a wire has: {"sensor","scan","time_s","backend",
 /// "backend_reason","poses","true_m","object","material","incidence_rad"} and what it says.
-Json truth_document(const std::string& sensor, const StaringRecord& record);
+std::string truth_text(const std::string& sensor, const StaringRecord& record);
 
 }  // namespace scipd::daemon

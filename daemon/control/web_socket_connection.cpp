@@ -60,6 +60,8 @@ template <class Protocol>
 void WebSocketConnection<Protocol>::take(const Error& error) {
     // The conversation may hold what refers to others that end before the last handler does.
     if (error || service_->closed) return conversation_.reset();
+    // It has ended with a write that failed, while this message had already come.
+    if (!conversation_) return;
     const auto bytes = buffer_.cdata();
     conversation_->take({static_cast<const char*>(bytes.data()), bytes.size()});
     buffer_.clear();

@@ -3,7 +3,6 @@
 #include "daemon/control/world.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -35,13 +34,6 @@ std::vector<double> radii_m(const sim::Scene& scene) {
     return radii;
 }
 
-/// The farthest that a point moves which is no farther than the radius from the pose's origin.
-double movement_m(const sim::Pose& from, const sim::Pose& to, double radius_m) {
-    const double cosine_of_half = std::min(1.0, std::abs(glm::dot(from.rotation, to.rotation)));
-    const double chord = 2.0 * std::sqrt(1.0 - cosine_of_half * cosine_of_half);
-    return glm::distance(from.translation_m, to.translation_m) + chord * radius_m;
-}
-
 }  // namespace
 
 SensorBackends World::replace_scene(sim::SharedScene scene, SensorBackends backends,
@@ -66,6 +58,7 @@ SensorBackends World::replace_scene(sim::SharedScene scene, SensorBackends backe
 
 SensorBackends World::replace_backends(SensorBackends backends) {
     SensorBackends old = std::exchange(backends_, std::move(backends));
+    backends_.log_changes_since(old);
     old.leave_thread();
     return old;
 }
@@ -166,13 +159,6 @@ bool World::poses_known(sim::Time until) const {
                                 [&](const auto& model) { return expected(model.second.path()); });
 }
 
-sim::RangeBackend& World::backend_at(std::string_view sensor, sim::Time time) const {
-    sim::RangeBackend& casts = backend(sensor);
-    for (const auto& [name, model] : movable_)
-        casts.move(model.id, model.path().at(time));
-    return casts;
-}
-
 std::vector<sim::Mover> World::movers(sim::ModelId except) const {
     std::vector<sim::Mover> movers;
     movers.reserve(movable_.size());
@@ -180,17 +166,6 @@ std::vector<sim::Mover> World::movers(sim::ModelId except) const {
         if (model.id != except) movers.push_back({model.id, model.radius_m, &model.path()});
     }
     return movers;
-}
-
-double World::parts(sim::Time from, sim::Time to) const {
-    constexpr double within_one_m = 1e-3;
-    double farthest_m = 0.0;
-    for (const auto& [name, model] : movable_) {
-        const sim::PoseTrack& path = model.path();
-        if (path.still(from, to)) continue;
-        farthest_m = std::max(farthest_m, movement_m(path.at(from), path.at(to), model.radius_m));
-    }
-    return std::max(1.0, std::ceil(farthest_m / within_one_m));
 }
 
 }  // namespace scipd::daemon

@@ -91,13 +91,8 @@ class World {
     [[nodiscard]] sim::RangeBackend& backend(std::string_view sensor) const {
         return backends_.of(sensor);
     }
-    /// The same, with every movable model where it is at `time`.
-    [[nodiscard]] sim::RangeBackend& backend_at(std::string_view sensor, sim::Time time) const;
     /// The movable models but one; good until something is replaced.
     [[nodiscard]] std::vector<sim::Mover> movers(sim::ModelId except = sim::no_model) const;
-    /// Into how many equal parts this time falls so that no point of a movable model moves more
-    /// than a millimetre within one.
-    [[nodiscard]] double parts(sim::Time from, sim::Time to) const;
 
   private:
     struct Robot {

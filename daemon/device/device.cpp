@@ -37,7 +37,7 @@ protocol::DeviceProfile profile_of(const SensorConfig& config) {
 Device::Device(const std::string& robot, const SensorConfig& config, std::uint64_t seed,
                World& world, Clock& clock)
     : profile_(profile_of(config)),
-      chance_{.seed = seed, .sensor = stable_number(robot + "/" + config.name)},
+      chance_{.seed = seed, .sensor = stable_number(sensor_name(robot, config.name))},
       patience_(config.wait_for_poses),
       clock_(clock),
       device_clock_(clock.now(), config.clock.ppm),
@@ -144,34 +144,32 @@ const ScanRecord& Device::measure(std::int64_t revolution) {
     if (record_ && record_->cast->revolution == revolution) return *record_;
     const sim::SensorSpec& optics = sweep_.optics();
     const protocol::Turn now = turn(revolution);
-    ScanRecord record{.stamp_ms = protocol::timestamp_ms(now.start, state_.clock_zero()),
-                      .scene = sweep_.scene(),
-                      .backend = sweep_.backend(),
-                      .front_step = optics.front_step,
-                      .steps_per_turn = optics.steps_per_turn,
-                      .origin = clock_.origin()};
-    record.cast = cast(revolution);
+    ScanRecord record{cast(revolution)};
     record.sent = to_wire(*record.cast, now, optics, profile_);
+    record.stamp_ms = protocol::timestamp_ms(now.start, state_.clock_zero());
+    record.front_step = optics.front_step;
+    record.steps_per_turn = optics.steps_per_turn;
     record_ = std::make_shared<const ScanRecord>(std::move(record));
     log_.add(record_);
     return *record_;
 }
 
-sim::SharedScan Device::cast(std::int64_t revolution) {
+Measurement Device::cast(std::int64_t revolution) {
     const auto fired = [&](int step) {
         return device_clock_.world_time(timing_.fired(revolution, step));
     };
     const sim::Time begin = clock_.now();
     const sim::Time start = timing_.start(revolution);
-    sim::SharedScan scan = sweep_.measure(revolution, device_clock_.world_time(start), fired);
-    const auto slow = pace_.add({.backend = sweep_.backend()->backend,
+    Measurement made =
+        sweep_.measure(revolution, device_clock_.world_time(start), fired, clock_.origin());
+    const auto slow = pace_.add({.backend = made.backend->backend,
                                  .period = timing_.start(revolution + 1) - start,
-                                 .many_poses = scan->world_from_sensor.size() > 1,
+                                 .many_poses = made.cast->world_from_sensor.size() > 1,
                                  .due = leaves(revolution) + patience_,
                                  .begin = begin,
                                  .end = clock_.now()});
     if (slow) spdlog::warn("{}: {}", sweep_.name(), *slow);
-    return scan;
+    return made;
 }
 
 }  // namespace scipd::daemon

@@ -84,7 +84,7 @@ class Device : public ScanSource {
     void follow_motor();
     /// Of a revolution that is complete.
     const ScanRecord& measure(std::int64_t revolution);
-    [[nodiscard]] sim::SharedScan cast(std::int64_t revolution);
+    [[nodiscard]] Measurement cast(std::int64_t revolution);
 
     // Constant after construction.
     protocol::DeviceProfile profile_;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
+//
+// A number from a name. Pure; any thread.
 #pragma once
 
 #include <cstdint>

@@ -21,7 +21,7 @@ sim::ErrorModel errors_of(const std::string& robot, const SensorConfig& config,
                           std::uint64_t seed) {
     return {.accuracy = config.accuracy,
             .seed = seed,
-            .sensor = stable_number(robot + "/" + config.name)};
+            .sensor = stable_number(sensor_name(robot, config.name))};
 }
 
 // As many poses as beams, said as a number: its beams are no plane that turns.
@@ -86,14 +86,11 @@ SharedStaringRecord StaringSensor::measure(std::int64_t number) {
         const int left = spec().beams() - 1 - beam;
         return rolling_ ? instant - spec().period * left / spec().beams() : instant;
     };
-    StaringRecord record{.scene = sweep_.scene(),
-                         .backend = sweep_.backend(),
-                         .spec = spec(),
-                         .origin = clock_.origin()};
     const sim::Time begin = clock_.now();
-    record.cast = sweep_.measure(number, instant, fired);
+    StaringRecord record{sweep_.measure(number, instant, fired, clock_.origin())};
+    record.spec = spec();
     record.range_m = staring_.read(*record.cast);
-    const auto slow = pace_.add({.backend = sweep_.backend()->backend,
+    const auto slow = pace_.add({.backend = record.backend->backend,
                                  .period = spec().period,
                                  .many_poses = record.cast->world_from_sensor.size() > 1,
                                  .due = instant + patience_,

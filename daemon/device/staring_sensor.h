@@ -18,6 +18,7 @@
 #include "daemon/control/world.h"
 #include "daemon/device/clock.h"
 #include "daemon/device/lateness.h"
+#include "daemon/device/measurement.h"
 #include "daemon/device/pace.h"
 #include "daemon/device/record_log.h"
 #include "daemon/device/scan_source.h"
@@ -27,16 +28,9 @@
 namespace scipd::daemon {
 
 /// One measurement. A revolution is its number here, and the scan's start its instant.
-struct StaringRecord {
-    sim::SharedScan cast;        ///< of all beams
+struct StaringRecord : Measurement {
     std::vector<float> range_m;  ///< what the sensor says; infinity: nothing
-    sim::SharedScene scene;      ///< that it was cast into: what its ids mean
-    SharedChoice backend;        ///< what cast it
     sim::StaringSpec spec;       ///< of the sensor
-    sim::Time origin{};          ///< what people call world time 0 (Clock)
-
-    /// A world time as people call it.
-    [[nodiscard]] sim::Time told(sim::Time time) const { return origin + time; }
 };
 
 using SharedStaringRecord = std::shared_ptr<const StaringRecord>;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
+//
+// The clock of lockstep and of tests. Waits for nothing. Lives on the I/O thread.
 #pragma once
 
 #include <functional>

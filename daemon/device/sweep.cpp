@@ -3,43 +3,58 @@
 #include "daemon/device/sweep.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "sim/sensor/encounters.h"
+#include "sim/sensor/equal_parts.h"
 
 namespace scipd::daemon {
-namespace {
-
-/// The beams of part `i` of `count` equal ones.
-sim::Beams part_of(int beams, int i, int count) {
-    const int first = i * beams / count;
-    const int last = (i + 1) * beams / count;
-    return {static_cast<std::size_t>(first), static_cast<std::size_t>(last - first)};
-}
-
-/// The step in the middle of some beams.
-int middle(const sim::SensorSpec& optics, const sim::Beams& beams) {
-    return optics.first_step + static_cast<int>(beams.first + beams.count / 2);
-}
-
-}  // namespace
 
 Sweep::Sweep(World& world, std::string robot, const SensorConfig& config, sim::Scanner scanner)
     : world_(world),
       robot_(std::move(robot)),
-      name_(robot_ + "/" + config.name),
+      name_(sensor_name(robot_, config.name)),
       robot_from_sensor_(config.robot_from_sensor),
       motion_(config.motion),
       sees_body_(config.sees_body),
       scanner_(std::move(scanner)) {}
 
-sim::SharedScan Sweep::measure(std::int64_t revolution, sim::Time start, const Fired& fired) const {
-    std::vector<sim::Time> times = pose_times(fired);
+std::size_t Sweep::beams() const {
+    return static_cast<std::size_t>(optics().beams());
+}
+
+std::size_t Sweep::most_poses() const {
+    return motion_ ? std::min(static_cast<std::size_t>(*motion_), beams()) : beams();
+}
+
+Measurement Sweep::measure(std::int64_t revolution, sim::Time start, const Fired& fired,
+                           sim::Time origin) const {
+    const auto beam_fired = [&](std::size_t beam) {
+        return fired(optics().first_step + static_cast<int>(beam));
+    };
+    std::vector<sim::Time> times = pose_times(beam_fired);
     sim::Scan scan = scanner_.begin(revolution, start, poses_at(times));
     scan.posed_at = std::move(times);
-    cast(scan, fired);
+    cast(scan, beam_fired);
     scanner_.read(scan);
-    return std::make_shared<const sim::Scan>(std::move(scan));
+    return {.cast = std::make_shared<const sim::Scan>(std::move(scan)),
+            .scene = world_.scene(),
+            .backend = world_.choice_of(name_),
+            .origin = origin};
+}
+
+std::vector<sim::Time> Sweep::pose_times(const BeamFired& fired) const {
+    const sim::Time begin = fired(0);
+    const sim::Time end = fired(beams() - 1);
+    if (begin == end || world_.robot(robot_)->still(begin, end)) return {begin};
+    std::vector<sim::Time> times;
+    times.reserve(beams());
+    for (std::size_t i = 0; i < most_poses(); ++i) {
+        const sim::Beams shared = sim::equal_part(beams(), i, most_poses());
+        times.resize(shared.first + shared.count, fired(sim::middle_of(shared)));
+    }
+    return times;
 }
 
 std::vector<sim::Pose> Sweep::poses_at(const std::vector<sim::Time>& times) const {
@@ -53,66 +68,50 @@ std::vector<sim::Pose> Sweep::poses_at(const std::vector<sim::Time>& times) cons
     return poses;
 }
 
-void Sweep::cast(sim::Scan& scan, const Fired& fired) const {
-    const sim::ModelId unseen = sees_body_ ? sim::no_model : world_.body_of(robot_);
+void Sweep::cast(sim::Scan& scan, const BeamFired& fired) const {
     const sim::PoseTrack& track = *world_.robot(robot_);
-    const bool absent = track.absent(fired(optics().first_step));
-    const bool comes_or_goes = absent != track.absent(fired(optics().last_step));
-    if (motion_ || comes_or_goes) return cast_in_equal_parts(scan, fired, unseen);
-    if (absent) return;
+    const bool absent = track.absent(fired(0));
+    const bool comes_or_goes = absent != track.absent(fired(beams() - 1));
+    if (absent && !comes_or_goes) return;
+    const sim::ModelId unseen = sees_body_ ? sim::no_model : world_.body_of(robot_);
+    if (motion_) {
+        cast_in_equal_parts(scan, fired, unseen);
+    } else {
+        cast_as_met(scan, fired, unseen);
+    }
+    if (comes_or_goes) forget_absent(scan, fired);
+}
+
+void Sweep::cast_as_met(sim::Scan& scan, const BeamFired& fired, sim::ModelId unseen) const {
     const std::vector<sim::Mover> movers = world_.movers(unseen);
     sim::RangeBackend& backend = world_.backend(name_);
-    const auto beam_fired = [&](std::size_t beam) {
-        return fired(optics().first_step + static_cast<int>(beam));
-    };
     for (const sim::Part& part :
-         sim::parts_of_sweep(optics(), scan.world_from_sensor, beam_fired, movers)) {
+         sim::parts_of_sweep(optics(), scan.world_from_sensor, fired, movers)) {
         for (const sim::Put& put : part.puts)
             backend.move(movers[put.mover].id, movers[put.mover].path->at(put.time));
         scanner_.cast(backend, scan, part.beams, unseen, part.can_meet);
     }
 }
 
-void Sweep::cast_in_equal_parts(sim::Scan& scan, const Fired& fired, sim::ModelId unseen) const {
-    for (const Part& part : parts(fired))
-        scanner_.cast(world_.backend_at(name_, part.time), scan, part.beams, unseen);
-}
-
-int Sweep::most_parts() const {
-    return std::clamp(motion_.value_or(optics().beams()), 1, optics().beams());
-}
-
-std::vector<sim::Time> Sweep::pose_times(const Fired& fired) const {
-    const int beams = optics().beams();
-    const sim::Time begin = fired(optics().first_step);
-    const sim::Time end = fired(optics().last_step);
-    if (begin == end || world_.robot(robot_)->still(begin, end)) return {begin};
-    const int count = most_parts();
-    std::vector<sim::Time> times;
-    times.reserve(static_cast<std::size_t>(beams));
-    for (int i = 0; i < count; ++i) {
-        const sim::Beams shared = part_of(beams, i, count);
-        times.resize(shared.first + shared.count, fired(middle(optics(), shared)));
+void Sweep::cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired,
+                                sim::ModelId unseen) const {
+    const std::vector<sim::Mover> movers = world_.movers(unseen);
+    sim::RangeBackend& backend = world_.backend(name_);
+    for (const auto& [part, time] : sim::equal_parts(beams(), most_poses(), fired, movers)) {
+        for (const sim::Mover& mover : movers)
+            backend.move(mover.id, mover.path->at(time));
+        scanner_.cast(backend, scan, part, unseen);
     }
-    return times;
 }
 
-// A part without a pose of the sensor is not cast: it is nowhere then.
-std::vector<Sweep::Part> Sweep::parts(const Fired& fired) const {
-    const int beams = optics().beams();
+// While it is absent it is nowhere, and not where it was last.
+void Sweep::forget_absent(sim::Scan& scan, const BeamFired& fired) const {
     const sim::PoseTrack& track = *world_.robot(robot_);
-    const sim::Time begin = fired(optics().first_step);
-    const sim::Time end = fired(optics().last_step);
-    const bool comes_or_goes = track.absent(begin) != track.absent(end);
-    const double needed = comes_or_goes ? beams : world_.parts(begin, end);
-    const int count = static_cast<int>(std::min<double>(needed, most_parts()));
-    std::vector<Part> parts;
-    for (int i = 0; i < count; ++i) {
-        const sim::Beams shared = part_of(beams, i, count);
-        const sim::Time time = fired(middle(optics(), shared));
-        if (!track.absent(time)) parts.push_back({shared, time});
+    for (std::size_t i = 0; i < most_poses(); ++i) {
+        const auto [first, count] = sim::equal_part(beams(), i, most_poses());
+        if (track.absent(fired(sim::middle_of({first, count}))))
+            std::ranges::fill(std::span(scan.hits).subspan(first, count), sim::Hit{});
     }
-    return parts;
 }
 
 }  // namespace scipd::daemon

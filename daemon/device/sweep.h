@@ -6,6 +6,7 @@
 // on the I/O thread.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -14,6 +15,7 @@
 
 #include "daemon/config/config.h"
 #include "daemon/control/world.h"
+#include "daemon/device/measurement.h"
 #include "sim/sensor/scanner.h"
 
 namespace scipd::daemon {
@@ -26,29 +28,27 @@ class Sweep {
     /// `world` must outlive it.
     Sweep(World& world, std::string robot, const SensorConfig& config, sim::Scanner scanner);
 
-    /// "robot/sensor"
+    /// sensor_name()
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const sim::SensorSpec& optics() const { return scanner_.spec(); }
     [[nodiscard]] bool poses_known(sim::Time until) const { return world_.poses_known(until); }
-    /// What it would be cast into now.
-    [[nodiscard]] const sim::SharedScene& scene() const { return world_.scene(); }
-    [[nodiscard]] const SharedChoice& backend() const { return world_.choice_of(name_); }
-    [[nodiscard]] sim::SharedScan measure(std::int64_t revolution, sim::Time start,
-                                          const Fired& fired) const;
+    /// `origin`: what people call world time 0.
+    [[nodiscard]] Measurement measure(std::int64_t revolution, sim::Time start, const Fired& fired,
+                                      sim::Time origin) const;
 
   private:
-    /// Beams for which all models are where they are at one time.
-    struct Part {
-        sim::Beams beams;
-        sim::Time time{};
-    };
+    /// When a beam is fired, counted from the first.
+    using BeamFired = std::function<sim::Time(std::size_t beam)>;
 
-    void cast(sim::Scan& scan, const Fired& fired) const;
-    void cast_in_equal_parts(sim::Scan& scan, const Fired& fired, sim::ModelId unseen) const;
+    [[nodiscard]] std::size_t beams() const;
+    /// How many poses its beams share while it moves.
+    [[nodiscard]] std::size_t most_poses() const;
+    [[nodiscard]] std::vector<sim::Time> pose_times(const BeamFired& fired) const;
     [[nodiscard]] std::vector<sim::Pose> poses_at(const std::vector<sim::Time>& times) const;
-    [[nodiscard]] std::vector<sim::Time> pose_times(const Fired& fired) const;
-    [[nodiscard]] std::vector<Part> parts(const Fired& fired) const;
-    [[nodiscard]] int most_parts() const;
+    void cast(sim::Scan& scan, const BeamFired& fired) const;
+    void cast_as_met(sim::Scan& scan, const BeamFired& fired, sim::ModelId unseen) const;
+    void cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired, sim::ModelId unseen) const;
+    void forget_absent(sim::Scan& scan, const BeamFired& fired) const;
 
     World& world_;
     std::string robot_;

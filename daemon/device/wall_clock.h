@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
+//
+// The clock on which scanners run beside drivers that know no other. Lives on the I/O thread.
 #pragma once
 
 #include <chrono>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
+//
+// The rate of a tty, whichever it is. Nothing is kept; any thread.
 #pragma once
 
 namespace scipd::daemon {

@@ -92,13 +92,14 @@ void PtyPort::serve(Device& device, const LinkConfig& link) {
     const int descriptor = checked(::fcntl(master_.native_handle(), F_DUPFD_CLOEXEC, 0),
                                    "cannot use the pseudo-terminal");
     stop_on_close_ = link.stop_on_close;
+    const bool watched = connection_ != nullptr;
     connection_ = std::make_shared<Connection>(
         Connection::Descriptor(executor_, descriptor), device, link,
         Connection::Hooks{.somebody_there = [this] { return somebody_there(); },
                           .client_rate = [this] { return line_rate(master_.native_handle()); },
                           .survives_boot = true});
     connection_->start();
-    watch();
+    if (!watched) watch();
 }
 
 void PtyPort::stop() {

@@ -35,8 +35,8 @@ TcpPort::TcpPort(const asio::any_io_executor& executor, const Address& address)
         acceptor_.bind(endpoint);
         acceptor_.listen(backlog);
     } catch (const boost::system::system_error& error) {
-        throw std::runtime_error("cannot listen on " + address.host + ":" +
-                                 std::to_string(address.port) + ": " + error.code().message() +
+        throw std::runtime_error("cannot listen on " + text_of(address) + ": " +
+                                 error.code().message() +
                                  "; choose another address, or port 0 for any");
     }
 }
@@ -59,9 +59,7 @@ void TcpPort::stop() {
 
 std::string TcpPort::address() const {
     const tcp::endpoint endpoint = acceptor_.local_endpoint();
-    const std::string host = endpoint.address().to_string();
-    return (endpoint.address().is_v6() ? "[" + host + "]" : host) + ":" +
-           std::to_string(endpoint.port());
+    return text_of(Address{endpoint.address().to_string(), endpoint.port()});
 }
 
 std::uint64_t TcpPort::lost_scans() const {

@@ -18,21 +18,30 @@ struct BeamCutter::Around {
         const std::size_t above =
             look.share.y > 0.0F ? static_cast<std::size_t>(picture.size_px.x) : 0;
         pixels = {look.pixel, look.pixel + left, look.pixel + above, look.pixel + left + above};
+        nearest = pixels[(look.share.x > 0.5F ? 1 : 0) + (look.share.y > 0.5F ? 2 : 0)];
+        note_shown(picture);
+    }
+    /// A pixel, and those on both sides of it.
+    Around(std::size_t pixel, const Picture& picture)
+        : pixels{pixel, std::max<std::size_t>(pixel, 1) - 1,
+                 std::min(pixel + 1, picture.triangle.size() - 1), pixel},
+          nearest(pixel) {
+        note_shown(picture);
+    }
+
+    void note_shown(const Picture& picture) {
         for (std::size_t i = 0; i < pixels.size(); ++i)
             shown[i] = picture.triangle[pixels[i]];
     }
-
     [[nodiscard]] bool one_triangle() const {
         return shown[0] == shown[1] && shown[0] == shown[2] && shown[0] == shown[3];
     }
     [[nodiscard]] bool any_nothing() const {
         return std::ranges::find(shown, Picture::nothing) != shown.end();
     }
-    [[nodiscard]] std::size_t nearest(const Look& look) const {
-        return pixels[(look.share.x > 0.5F ? 1 : 0) + (look.share.y > 0.5F ? 2 : 0)];
-    }
 
     std::array<std::size_t, 4> pixels;
+    std::size_t nearest;
     std::array<TriangleId, 4> shown;
 };
 
@@ -68,7 +77,7 @@ void BeamCutter::cut(std::span<const Look> looks, const Fan& fan, std::span<Hit>
 
 Hit BeamCutter::hit(const Look& look, const glm::dvec3& direction) {
     const Around around(look, picture_);
-    if (between_ == BetweenPixels::nearest) return by_depth(around.nearest(look), look, direction);
+    if (between_ == BetweenPixels::nearest) return by_depth(around.nearest, look, direction);
     if (!around.one_triangle()) return by_triangles(around, look, direction);
     if (around.shown[0] == Picture::nothing) return {};
     look_at(around.shown[0]);
@@ -78,7 +87,9 @@ Hit BeamCutter::hit(const Look& look, const glm::dvec3& direction) {
     }
     const double range_m = distance_m_ / glm::dot(normal_, direction);
     if (agrees(range_m, look.pixel, look)) return at_range(range_m, direction);
-    return by_triangles(around, look, direction);
+    // Seen so flat that a driver shows it where it is not: what the pixels beside show may be
+    // there.
+    return by_triangles(Around(around.nearest, picture_), look, direction);
 }
 
 void BeamCutter::look_at(TriangleId triangle) {
@@ -136,10 +147,10 @@ bool BeamCutter::meets(const Beam& beam, TriangleId triangle) const {
     return (ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0);
 }
 
-/// Whether all of the block's box lies on one side of the beam, or farther than this.
-bool BeamCutter::passes(const Beam& beam, const Block& block, double range_m) const {
-    const glm::dvec3 middle_m = glm::dvec3{block.middle_m} - eye_m_;
-    const glm::dvec3 half_m{block.half_m};
+/// Whether all that is within the bounds lies on one side of the beam, or farther than this.
+bool BeamCutter::passes(const Beam& beam, const Bounds& bounds, double range_m) const {
+    const glm::dvec3 middle_m = glm::dvec3{bounds.middle_m} - eye_m_;
+    const glm::dvec3 half_m{bounds.half_m};
     const auto reach_m = [&](const glm::dvec3& normal) {
         return glm::dot(glm::abs(normal), half_m);
     };
@@ -170,10 +181,16 @@ void BeamCutter::take_nearer(const Beam& beam, TriangleId triangle, Hit& first) 
     if (range_m > 0.0 && range_m < double{first.range_m}) first = at_range(range_m, beam.direction);
 }
 
-void BeamCutter::take_nearer(const Beam& beam, const Block& block, Hit& first) {
-    if (passes(beam, block, double{first.range_m})) return;
-    for (TriangleId triangle = block.first; triangle < block.first + block.count; ++triangle) {
-        if (!passes(beam, triangle)) take_nearer(beam, triangle, first);
+void BeamCutter::take_nearer(const Beam& beam, const Body& body, Hit& first) {
+    for (const Cluster& cluster : body.clusters) {
+        if (passes(beam, cluster.bounds, double{first.range_m})) continue;
+        for (const Block& block : body.of(cluster)) {
+            if (passes(beam, block.bounds, double{first.range_m})) continue;
+            const TriangleId end = block.first + block.count;
+            for (TriangleId triangle = block.first; triangle < end; ++triangle) {
+                if (!passes(beam, triangle)) take_nearer(beam, triangle, first);
+            }
+        }
     }
 }
 
@@ -193,8 +210,7 @@ void BeamCutter::find_unseen(const Around& around, const Look& look, const Beam&
         constexpr double where_seen = 1.02;
         if (!first.met() && around.any_nothing())
             unseen.range_m = static_cast<float>(where_seen * shown_m);
-        for (const Block& block : triangles_.around(shown))
-            take_nearer(beam, block, unseen);
+        take_nearer(beam, triangles_.body_of(shown), unseen);
         if (unseen.met()) first = unseen;
     }
 }
@@ -212,7 +228,7 @@ Hit BeamCutter::by_triangles(const Around& around, const Look& look, const glm::
     }
     find_unseen(around, look, beam, first);
     if (first.met() || around.any_nothing()) return first;
-    const std::size_t pixel = around.nearest(look);
+    const std::size_t pixel = around.nearest;
     look_at(picture_.triangle[pixel]);
     const double range_m = distance_m_ / glm::dot(normal_, direction);
     if (agrees(range_m, pixel, look)) return at_range(range_m, direction);

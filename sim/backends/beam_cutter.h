@@ -42,11 +42,11 @@ class BeamCutter {
                                    const glm::dvec3& direction);
     /// Puts what lies unseen before the first one into its place.
     void find_unseen(const Around& around, const Look& look, const Beam& beam, Hit& first);
-    [[nodiscard]] bool passes(const Beam& beam, const Block& block, double range_m) const;
+    [[nodiscard]] bool passes(const Beam& beam, const Bounds& bounds, double range_m) const;
     [[nodiscard]] bool passes(const Beam& beam, TriangleId triangle) const;
-    /// Where the beam meets the triangle, or one of the block, before that.
+    /// Where the beam meets the triangle, or one of the body, before that.
     void take_nearer(const Beam& beam, TriangleId triangle, Hit& first);
-    void take_nearer(const Beam& beam, const Block& block, Hit& first);
+    void take_nearer(const Beam& beam, const Body& body, Hit& first);
     [[nodiscard]] bool agrees(double range_m, std::size_t pixel, const Look& look) const;
     [[nodiscard]] bool meets(const Beam& beam, TriangleId triangle) const;
     [[nodiscard]] double depth_between(const Around& around, const Look& look) const;

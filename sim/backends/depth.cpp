@@ -45,8 +45,9 @@ class DepthBackend final : public RangeBackend {
     }
     void draw_anything();
     const DepthPlan& plan_for(const Fan& fan);
-    void draw(const Fan& fan, const DepthPlan& plan);
-    void look_up(const Fan& fan, const DepthPlan& plan, std::span<Hit> hits) const;
+    void draw(const Fan& fan, std::span<const PlannedView> views, glm::ivec2 size_px);
+    void look_up(const Fan& fan, const DepthPlan& plan, std::span<const PlannedView> views,
+                 std::span<Hit> hits) const;
 
     DepthOptions options_;
     DepthTriangles triangles_;
@@ -77,9 +78,10 @@ void DepthBackend::do_move(ModelId model, const Pose& world_from_model) {
 
 void DepthBackend::do_cast(const Fan& fan, std::span<Hit> hits) {
     const DepthPlan& plan = plan_for(fan);
-    if (plan.views().empty()) return;
-    draw(fan, plan);
-    look_up(fan, plan, hits);
+    for (const PlannedPicture& picture : plan.pictures()) {
+        draw(fan, plan.views_of(picture), picture.size_px);
+        look_up(fan, plan, plan.views_of(picture), hits);
+    }
 }
 
 const DepthPlan& DepthBackend::plan_for(const Fan& fan) {
@@ -91,21 +93,22 @@ const DepthPlan& DepthBackend::plan_for(const Fan& fan) {
     return plans_[replaced_] = DepthPlan(fan, options_);
 }
 
-void DepthBackend::draw(const Fan& fan, const DepthPlan& plan) {
+void DepthBackend::draw(const Fan& fan, std::span<const PlannedView> views, glm::ivec2 size_px) {
     views_.clear();
     drawn_.clear();
-    for (const PlannedView& view : plan.views()) {
+    for (const PlannedView& view : views) {
         const Pose pose = anchored(fan.world_from_sensor[view.pose]);
         const std::size_t first = drawn_.size();
         triangles_.collect(Frustum(view.strip, pose), fan.unseen, drawn_);
         views_.push_back(drawn_view(view, pose, first, drawn_.size() - first));
     }
-    raster_.draw(views_, drawn_, plan.size_px());
+    raster_.draw(views_, drawn_, size_px);
     raster_.read(picture_);
 }
 
-void DepthBackend::look_up(const Fan& fan, const DepthPlan& plan, std::span<Hit> hits) const {
-    for (const PlannedView& view : plan.views()) {
+void DepthBackend::look_up(const Fan& fan, const DepthPlan& plan,
+                           std::span<const PlannedView> views, std::span<Hit> hits) const {
+    for (const PlannedView& view : views) {
         BeamCutter cutter(scene(), triangles_, picture_, options_.between_pixels,
                           anchored(fan.world_from_sensor[view.pose]));
         cutter.cut(plan.looks_of(view), fan, hits);

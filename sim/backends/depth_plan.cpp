@@ -13,7 +13,8 @@
 namespace scipd::sim {
 namespace {
 
-constexpr int picture_width_px = 4096;
+/// Every device of OpenGL 4.5 draws larger ones, and 16 million pixels take 128 MiB.
+constexpr glm::ivec2 largest_picture_px{4096, 4096};
 
 /// A beam that comes so near to a pixel's centre looks at that pixel alone.
 constexpr double on_pixel = 1e-3;
@@ -65,27 +66,38 @@ DepthPlan::DepthPlan(const Fan& fan, const DepthOptions& options)
         }
     }
     place_views();
-    for (std::size_t i = 0; i < views_.size(); ++i) {
-        views_[i].first_look = looks_.size();
-        views_[i].look_count = samples[i].size();
-        for (const Sample& sample : samples[i])
-            looks_.push_back(look_at(sample, directions_[sample.ray], views_[i], size_px_.x));
+    for (const PlannedPicture& picture : pictures_) {
+        for (std::size_t i = picture.first_view; i < picture.first_view + picture.view_count; ++i) {
+            views_[i].first_look = looks_.size();
+            views_[i].look_count = samples[i].size();
+            for (const Sample& sample : samples[i])
+                looks_.push_back(
+                    look_at(sample, directions_[sample.ray], views_[i], picture.size_px.x));
+        }
     }
 }
 
-/// From left to right in shelves, each as high as its highest strip.
+/// From left to right in shelves, each as high as its highest strip, until the picture is full.
 void DepthPlan::place_views() {
     glm::ivec2 corner_px{0, 0};
     int shelf_px = 0;
-    for (PlannedView& view : views_) {
-        if (corner_px.x + view.strip.size_px.x > picture_width_px) {
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+        const glm::ivec2 size_px = views_[i].strip.size_px;
+        if (corner_px.x + size_px.x > largest_picture_px.x) {
             corner_px = {0, corner_px.y + shelf_px};
             shelf_px = 0;
         }
-        view.corner_px = corner_px;
-        corner_px.x += view.strip.size_px.x;
-        shelf_px = std::max(shelf_px, view.strip.size_px.y);
-        size_px_ = glm::max(size_px_, view.corner_px + view.strip.size_px);
+        if (pictures_.empty() || corner_px.y + size_px.y > largest_picture_px.y) {
+            pictures_.push_back({.first_view = i});
+            corner_px = {0, 0};
+            shelf_px = 0;
+        }
+        PlannedPicture& picture = pictures_.back();
+        views_[i].corner_px = corner_px;
+        corner_px.x += size_px.x;
+        shelf_px = std::max(shelf_px, size_px.y);
+        picture.size_px = glm::max(picture.size_px, views_[i].corner_px + size_px);
+        ++picture.view_count;
     }
 }
 

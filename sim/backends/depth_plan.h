@@ -2,7 +2,8 @@
 // Copyright The scipd authors
 //
 // What has to be drawn for a fan, and where in the picture each of its beams looks: one set of
-// strips for each run of equal poses, all side by side in one picture that is read back at once.
+// strips for each run of equal poses, side by side in a picture that is read back at once, or in
+// several where they are too many for one.
 // Sensors cast the same fan over and over, so a plan is kept as long as it fits. Pure.
 #pragma once
 
@@ -36,6 +37,13 @@ struct PlannedView {
     std::size_t look_count = 0;
 };
 
+/// Some views, drawn and read back in one go.
+struct PlannedPicture {
+    glm::ivec2 size_px{0, 0};
+    std::size_t first_view = 0;
+    std::size_t view_count = 0;
+};
+
 class DepthPlan {
   public:
     DepthPlan() = default;
@@ -44,8 +52,11 @@ class DepthPlan {
     /// Whether it was made for these directions and changes of pose.
     [[nodiscard]] bool fits(const Fan& fan) const;
 
-    [[nodiscard]] glm::ivec2 size_px() const { return size_px_; }
+    [[nodiscard]] std::span<const PlannedPicture> pictures() const { return pictures_; }
     [[nodiscard]] std::span<const PlannedView> views() const { return views_; }
+    [[nodiscard]] std::span<const PlannedView> views_of(const PlannedPicture& picture) const {
+        return views().subspan(picture.first_view, picture.view_count);
+    }
     [[nodiscard]] std::span<const Look> looks_of(const PlannedView& view) const {
         return std::span{looks_}.subspan(view.first_look, view.look_count);
     }
@@ -55,7 +66,7 @@ class DepthPlan {
 
     std::vector<glm::vec3> directions_;
     std::vector<std::uint32_t> run_begins_;
-    glm::ivec2 size_px_{0, 0};
+    std::vector<PlannedPicture> pictures_;
     std::vector<PlannedView> views_;
     std::vector<Look> looks_;
 };

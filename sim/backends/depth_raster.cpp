@@ -86,8 +86,7 @@ DrawnView drawn_view(const PlannedView& view, const Pose& anchored_from_sensor,
 }
 
 DepthRaster::DepthRaster(std::shared_ptr<EglContext> context) : context_(std::move(context)) {
-    context_->bind();
-    program_ = linked_program();
+    program_ = context_->program(linked_program);
     glCreateVertexArrays(1, &vertex_array_);
     glCreateBuffers(1, &vertices_);
     glCreateBuffers(1, &indices_);
@@ -116,7 +115,6 @@ DepthRaster::~DepthRaster() {
     glDeleteBuffers(1, &vertices_);
     glDeleteBuffers(1, &indices_);
     glDeleteVertexArrays(1, &vertex_array_);
-    glDeleteProgram(program_);
 }
 
 void DepthRaster::set_vertices(std::span<const DrawnVertex> vertices) {
@@ -132,17 +130,23 @@ void DepthRaster::replace_vertices(std::size_t first, std::span<const DrawnVerte
 }
 
 void DepthRaster::make_picture(glm::ivec2 size_px) {
-    drawable_px_ = glm::max(drawable_px_, size_px);
+    const glm::ivec2 largest_px = glm::max(drawable_px_, size_px);
+    drawable_px_ = {0, 0};  // until it is there
     glDeleteRenderbuffers(1, &depth_);
     glDeleteRenderbuffers(1, &triangle_);
     glCreateRenderbuffers(1, &depth_);
     glCreateRenderbuffers(1, &triangle_);
-    glNamedRenderbufferStorage(depth_, GL_DEPTH_COMPONENT32F, drawable_px_.x, drawable_px_.y);
-    glNamedRenderbufferStorage(triangle_, GL_R32UI, drawable_px_.x, drawable_px_.y);
+    glNamedRenderbufferStorage(depth_, GL_DEPTH_COMPONENT32F, largest_px.x, largest_px.y);
+    glNamedRenderbufferStorage(triangle_, GL_R32UI, largest_px.x, largest_px.y);
+    if (glGetError() != GL_NO_ERROR)
+        throw std::runtime_error("OpenGL has no room for a picture of " +
+                                 std::to_string(largest_px.x) + " x " +
+                                 std::to_string(largest_px.y) + " pixels");
     glNamedFramebufferRenderbuffer(frame_, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
     glNamedFramebufferRenderbuffer(frame_, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, triangle_);
     if (glCheckNamedFramebufferStatus(frame_, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw std::runtime_error("OpenGL cannot draw depth as 32-bit floats beside whole numbers");
+    drawable_px_ = largest_px;
 }
 
 void DepthRaster::draw(std::span<const DrawnView> views, std::span<const DrawnTriangle> triangles,

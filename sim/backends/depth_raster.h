@@ -75,7 +75,7 @@ class DepthRaster {
     glm::ivec2 drawable_px_{0, 0};
     glm::ivec2 drawn_px_{0, 0};
     // Names of OpenGL's.
-    unsigned program_ = 0;
+    unsigned program_ = 0;  ///< the context's
     unsigned vertex_array_ = 0;
     unsigned vertices_ = 0;
     unsigned indices_ = 0;

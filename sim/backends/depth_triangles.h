@@ -45,14 +45,39 @@ struct VertexRange {
     std::size_t count = 0;
 };
 
-/// Some triangles that lie together, with corners that no others have, and a box around them.
-struct Block {
+/// Along the axes of anchored W.
+struct Bounds {
     glm::vec3 middle_m;
     glm::vec3 half_m;
+};
+
+/// Some triangles that lie together, with corners that no others have.
+struct Block {
+    Bounds bounds;
     TriangleId first;
     std::uint32_t count;
     std::uint32_t first_vertex;
     std::uint32_t vertex_count;
+};
+
+/// Some blocks that lie together.
+struct Cluster {
+    Bounds bounds;
+    std::size_t first;
+    std::size_t count;
+};
+
+/// The triangles of one object.
+struct Body {
+    ModelId model;
+    Block all;
+    std::vector<Block> blocks;      ///< one, where they are few
+    std::vector<Cluster> clusters;  ///< of blocks
+    bool solid;                     ///< convex and closed: seen from outside, it hides its back
+
+    [[nodiscard]] std::span<const Block> of(const Cluster& cluster) const {
+        return std::span{blocks}.subspan(cluster.first, cluster.count);
+    }
 };
 
 class DepthTriangles {
@@ -63,8 +88,8 @@ class DepthTriangles {
     [[nodiscard]] std::span<const DrawnTriangle> triangles() const { return triangles_; }
     [[nodiscard]] std::span<const Face> faces() const { return faces_; }
 
-    /// All of the same object, or thousands around this one, itself among them.
-    [[nodiscard]] std::span<const Block> around(TriangleId triangle) const;
+    /// What this triangle is of.
+    [[nodiscard]] const Body& body_of(TriangleId triangle) const;
 
     /// Puts a movable model somewhere else. Returns which vertices that touched.
     VertexRange move(ModelId model, const Pose& anchored_from_model);
@@ -75,13 +100,6 @@ class DepthTriangles {
     void collect(const Frustum& frustum, ModelId unseen, std::vector<DrawnTriangle>& drawn);
 
   private:
-    /// The triangles of one object.
-    struct Body {
-        ModelId model;
-        Block all;
-        std::vector<Block> parts;  ///< of neighbours, where they are many
-        bool solid;                ///< convex and closed: seen from outside, it hides its back
-    };
     /// What it takes to place a body of a movable model again.
     struct Movable {
         ModelId model;
@@ -93,8 +111,10 @@ class DepthTriangles {
 
     void add(ObjectId id, const Object& object, bool movable, const Pose& anchored_from_object);
     [[nodiscard]] Block block_from(TriangleId first, std::uint32_t first_vertex) const;
-    void enclose(Block& block) const;
+    [[nodiscard]] Bounds bounds_of(const Block& block) const;
     void turn_faces(const Block& block);
+    void collect(const Body& body, Frustum::Place place, const Frustum& frustum,
+                 std::vector<DrawnTriangle>& drawn);
     void collect(const Block& block, Frustum::Place place, bool hides_back, const Frustum& frustum,
                  std::vector<DrawnTriangle>& drawn);
 

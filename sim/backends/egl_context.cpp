@@ -193,4 +193,10 @@ void EglContext::bind() {
         throw refusal(place_, error_name(eglGetError()));
 }
 
+unsigned EglContext::program(unsigned (*make)()) {
+    bind();
+    if (program_ == 0) program_ = make();
+    return program_;
+}
+
 }  // namespace scipd::sim

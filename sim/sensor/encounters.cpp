@@ -15,9 +15,6 @@
 namespace scipd::sim {
 namespace {
 
-/// What a model may move between the moment that it is put at and a beam that meets it, twice.
-constexpr double within_m = 1e-3;
-
 /// For what backends round.
 constexpr double margin_m = 5e-3;
 
@@ -76,7 +73,7 @@ struct Encounter {
     /// From this beam to before that one it moves no more than it may: what is put holds.
     [[nodiscard]] std::size_t good_until(std::size_t beam) const {
         const auto from = static_cast<double>(beam);
-        const double last = way.beam_at(way.gone_m(from) + within_m);
+        const double last = way.beam_at(way.gone_m(from) + moves_within_part_m);
         return last < static_cast<double>(end) ? static_cast<std::size_t>(std::max(last, from)) + 1
                                                : end;
     }
@@ -154,8 +151,7 @@ Encounter Sweeping::encounter(const Mover& mover) const {
     const Time last = fired_(met.end - 1);
     for (const PoseTrack::Leg& leg : legs) {
         if (leg.end <= first || leg.begin >= last) continue;
-        met.way.go(beam_at(leg.begin), beam_at(leg.end),
-                   glm::distance(leg.from_m, leg.to_m) + leg.turned_rad * mover.radius_m);
+        met.way.go(beam_at(leg.begin), beam_at(leg.end), way_m(leg, mover.radius_m));
     }
     return met;
 }

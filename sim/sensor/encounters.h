@@ -25,6 +25,9 @@
 
 namespace scipd::sim {
 
+/// What a model may move within a part: half of it before it is where it has been put.
+inline constexpr double moves_within_part_m = 1e-3;
+
 /// A model is put where it is at that time.
 struct Put {
     std::size_t mover = 0;  ///< index

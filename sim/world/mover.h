@@ -2,6 +2,8 @@
 // Copyright The scipd authors
 #pragma once
 
+#include <glm/geometric.hpp>
+
 #include "sim/world/pose_track.h"
 #include "sim/world/scene.h"
 
@@ -13,5 +15,10 @@ struct Mover {
     double radius_m = 0.0;  ///< of all its points around its origin
     const PoseTrack* path = nullptr;
 };
+
+/// What any of its points goes on this leg, at most.
+[[nodiscard]] inline double way_m(const PoseTrack::Leg& leg, double radius_m) {
+    return glm::distance(leg.from_m, leg.to_m) + leg.turned_rad * radius_m;
+}
 
 }  // namespace scipd::sim

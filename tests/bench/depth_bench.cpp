@@ -70,9 +70,9 @@ void compare(benchmark::State& state, const Directions& directions, std::size_t 
     const auto poses = sweeps(directions.size(), runs);
     const DepthPlan plan({directions, poses.front()}, {});
     using Drawn = BareDepth::Drawn;
-    BareDepth bare(*scene, plan.views(), plan.size_px(), poses, Drawn::seen);
+    BareDepth bare(*scene, plan.views(), plan.pictures().front().size_px, poses, Drawn::seen);
     const bool draw_whole = runs <= 10;  // a thousand runs would draw millions of triangles
-    BareDepth whole(*scene, plan.views(), plan.size_px(),
+    BareDepth whole(*scene, plan.views(), plan.pictures().front().size_px,
                     draw_whole ? poses : std::vector<std::vector<Pose>>{}, Drawn::whole);
     std::vector<Hit> hits(directions.size());
     std::vector<double> depth_s;

@@ -54,7 +54,7 @@ class Row {
         const sim::BareEmbree& bare_rays, const tools::Resolution& resolution,
         const std::vector<sim::Pose>& poses)
         : poses_(poses),
-          contest_(scene, rays, depth, resolution),
+          contest_(scene, rays, &depth, resolution),
           bare_rays_(bare_rays),
           directions_(resolution.directions()),
           range_m_(directions_.size()),

@@ -5,6 +5,7 @@
 #include "daemon/control/http_server.h"
 
 #include <future>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 
@@ -15,6 +16,7 @@
 #include <boost/asio/local/stream_protocol.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/read.hpp>
+#include <boost/asio/read_until.hpp>
 #include <boost/asio/write.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -44,8 +46,20 @@ void echo(const HttpRequest& request, const Respond& respond) {
     respond(response);
 }
 
-std::variant<HttpResponse, Converse> no_sockets(const HttpRequest&) {
-    return HttpResponse{.status = 404};
+/// Says over a WebSocket what it was told.
+class Parrot : public Conversation {
+  public:
+    explicit Parrot(WebSocket& socket) : socket_(socket) {}
+    void take(std::string_view message) override {
+        socket_.send(std::make_shared<const std::string>(message));
+    }
+
+  private:
+    WebSocket& socket_;
+};
+
+std::variant<HttpResponse, Converse> parrots(const HttpRequest&) {
+    return [](WebSocket& socket) { return std::make_unique<Parrot>(socket); };
 }
 
 /// A server on a thread of its own.
@@ -74,7 +88,7 @@ class HttpServerTest : public testing::Test {
 
     void start(const HttpLimits& limits = {}) {
         on_server([&] {
-            server_.emplace(io_.get_executor(), echo, no_sockets, limits);
+            server_.emplace(io_.get_executor(), echo, parrots, limits);
             port_ = server_->listen(Address{"127.0.0.1", 0}).port;
             server_->listen(socket_path_);
         });
@@ -230,6 +244,27 @@ TEST_F(HttpServerTest, OutlivesClientsThatVanish) {
         socket.set_option(asio::socket_base::linger{true, 0});
         socket.close();
     }
+    EXPECT_THAT(ask(connect(), "GET / HTTP/1.1\r\nHost: x\r\n" + last + "\r\n"),
+                HasSubstr("200 OK"));
+}
+
+// It does not hear the answer to the first message; the others have come already.
+TEST_F(HttpServerTest, OutlivesAClientThatTalksOverAWebSocketAndVanishes) {
+    start();
+    auto socket = connect_local();
+    asio::write(socket,
+                asio::buffer(std::string{"GET /talk HTTP/1.1\r\nHost: x\r\nConnection: Upgrade\r\n"
+                                         "Upgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+                                         "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"}));
+    std::string head;
+    asio::read_until(socket, asio::dynamic_buffer(head), "\r\n\r\n");
+    ASSERT_THAT(head, StartsWith("HTTP/1.1 101 "));
+    using namespace std::string_literals;
+    const std::string x = "\x81\x81\0\0\0\0x"s;  // the letter as a text message
+    on_server([&] {                              // which looks only when all of this has happened
+        asio::write(socket, asio::buffer(x + x + x));
+        socket.close();
+    });
     EXPECT_THAT(ask(connect(), "GET / HTTP/1.1\r\nHost: x\r\n" + last + "\r\n"),
                 HasSubstr("200 OK"));
 }

@@ -97,6 +97,20 @@ TEST_F(PoseFeedTest, TakesNothingOnceStopped) {
     feed(udp())->stop();
 }
 
+// With the first one the second is on its way up already.
+TEST_F(PoseFeedTest, EndsWhenItIsStoppedBetweenTwoDatagrams) {
+    const auto poses = feed(udp());
+    poses->serve("robot");
+    sender_.send(R"({"xyz":[1,0,0]})");
+    sender_.send(R"({"xyz":[2,0,0]})");
+    ASSERT_TRUE(taken(1));
+    poses->stop();
+    io_.restart();
+    io_.run_for(15s);  // far longer than it takes, even on a busy machine
+    EXPECT_TRUE(io_.stopped());
+    EXPECT_EQ(intake_.accepted(), 1U);
+}
+
 TEST_F(PoseFeedTest, SaysThatAPortIsInUse) {
     const auto first = feed(udp());
     EXPECT_THROW(feed(udp()), std::runtime_error);

@@ -130,6 +130,22 @@ TEST_F(StaringSensorTest, TakesAPictureFromOnePoseOrRollsThroughThePeriod) {
     }
 }
 
+// More pixels than an int holds the square of.
+TEST_F(StaringSensorTest, RollsThroughALargePicture) {
+    SensorConfig config = row_of_three();
+    config.motion.reset();
+    config.staring->optics = sim::PinholeGrid{300, 200, 0.1, 0.1};
+    use(config);
+    for (const sim::Time time : {0ms, 120ms})
+        move_to(time, std::chrono::duration<double>(time).count());
+    clock_.advance_to(80ms);
+    const auto& poses = sensor_->latest()->cast->world_from_sensor;
+    ASSERT_EQ(poses.size(), 60'000U);
+    // At 1 m/s, in the period of 40 ms before 80 ms.
+    for (std::size_t i = 0; i < poses.size(); ++i)
+        ASSERT_NEAR(poses[i].translation_m.x, 0.04 + 0.04 * double(i + 1) / 60'000.0, 1e-6) << i;
+}
+
 TEST_F(StaringSensorTest, SeesNothingWhereItIsNowhere) {
     world_.set_robots({{"robot", {.policy = {.absent_before = true}}}});
     use(row_of_three());

@@ -27,9 +27,12 @@ class WorldTest : public testing::Test {
         const sim::Pose here;
         const glm::vec3 ahead(1, 0, 0);
         sim::Hit hit;
-        world_.backend_at("robot/scanner", time)
-            .cast({.directions = {&ahead, 1}, .world_from_sensor = {&here, 1}, .max_range_m = 50},
-                  {&hit, 1});
+        sim::RangeBackend& backend = world_.backend("robot/scanner");
+        for (const sim::Mover& mover : world_.movers())
+            backend.move(mover.id, mover.path->at(time));
+        backend.cast(
+            {.directions = {&ahead, 1}, .world_from_sensor = {&here, 1}, .max_range_m = 50},
+            {&hit, 1});
         return hit.range_m;
     }
 
@@ -101,19 +104,6 @@ TEST_F(WorldTest, MovesABodyWithItsRobotAndNotOtherwise) {
     world_.set_robots({{"robot", {}}});
     EXPECT_EQ(world_.body_of("robot"), sim::no_model);
     EXPECT_FALSE(world_.place_model("model 1", {2s, at_x(1)}));
-}
-
-TEST_F(WorldTest, CutsTimeIntoPartsInWhichNothingMovesFar) {
-    EXPECT_EQ(world_.parts(0s, 25ms), 1.0);
-    EXPECT_FALSE(world_.place_model("model 1", {1s, at_x(20)}));
-    EXPECT_FALSE(world_.place_model("model 1", {1500ms, at_x(21)}));
-    EXPECT_EQ(world_.parts(1s, 1s + 20ms), 40.0);  // 2 m/s for 20 ms
-    EXPECT_EQ(world_.parts(2s, 2s + 20ms), 1.0);
-    // Corners of a cube of 1 m are 0.87 m from its middle.
-    const sim::Pose turned = sim::pose_from_rpy({21, 0, 0}, {0, 0, 0.1});
-    EXPECT_FALSE(world_.place_model("model 1", {2s, at_x(21)}));
-    EXPECT_FALSE(world_.place_model("model 1", {2100ms, turned}));
-    EXPECT_EQ(world_.parts(2s, 2100ms), 87.0);
 }
 
 TEST_F(WorldTest, KnowsWhetherPosesAreStillToCome) {

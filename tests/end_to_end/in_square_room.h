@@ -50,12 +50,12 @@ inline bool eventually(const std::function<bool()>& condition) {
     return true;
 }
 
-/// Of the beam that looks ahead, for ever; each scan is about 40 bytes.
 /// By the stamps of two scans, in whole ms: a UST-10LX turns once in 25.05 ms.
 inline long turns_between(std::uint32_t earlier_ms, std::uint32_t later_ms) {
     return std::lround((static_cast<double>(later_ms) - earlier_ms) / 25.05);
 }
 
+/// Of the beam that looks ahead, for ever; each scan is about 40 bytes.
 inline const std::string stream_of_one_beam = "MD0540054000000";
 inline const std::string stream_of_all_beams = "MD0000108000000";
 

@@ -18,6 +18,7 @@ namespace scipd::tests {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 namespace fs = std::filesystem;
 
 class Reload : public testing::Test {
@@ -57,6 +58,9 @@ class Reload : public testing::Test {
     static inline const std::string top =
         "      top: {model: URG-04LX, mount: {xyz: [0, 0, 0.3]}, accuracy: ideal, pty: auto}\n";
 
+    static inline const std::string elsewhere_ = "control: elsewhere.sock\n";
+    static inline const std::string stays_ = "control, http and clock stay as they are";
+
     TempDir directory_;
     DaemonProcess daemon_;
 };
@@ -81,9 +85,12 @@ TEST_F(Reload, OfAFileWithAPortInUseChangesNothing) {
     const TempDir elsewhere;
     const DaemonProcess other(elsewhere, on_tcp());
     const std::string taken = "127.0.0.1:" + std::to_string(other.port());
-    write(top + "      front: {model: UST-10LX, tcp: \"" + taken + "\"}\n");
+    write(top + "      front: {model: UST-10LX, tcp: \"" + taken + "\"}\n" + elsewhere_);
     reload_and_wait_for("nothing was changed");
-    EXPECT_THAT(daemon_.standard_error(), HasSubstr("cannot listen on " + taken));
+    const std::string log = daemon_.standard_error();
+    EXPECT_THAT(log, HasSubstr("cannot listen on " + taken));
+    EXPECT_THAT(log, Not(HasSubstr("rescue/top: auto takes")));
+    EXPECT_THAT(log, Not(HasSubstr(stays_)));
     expect_no_gap(wire, stamp_ms);
     EXPECT_FALSE(fs::is_symlink(directory_.path() / "scipd" / "rescue-top"));
     EXPECT_EQ(daemon_.get("/sensors").size(), 2U);
@@ -98,6 +105,7 @@ TEST_F(Reload, KeepsWhatDidNotChange) {
 
     write(top + front);
     reload_and_wait_for("is running now");
+    EXPECT_THAT(daemon_.standard_error(), HasSubstr("rescue/top: auto takes"));
     expect_no_gap(kept, stamp_ms);
     EXPECT_TRUE(removed.ends());
     EXPECT_FALSE(fs::is_symlink(daemon_.tty(1)));
@@ -110,6 +118,26 @@ TEST_F(Reload, KeepsWhatDidNotChange) {
     ScannerWire added = ScannerWire::tty(sensors[0].at("pty").get<std::string>());
     EXPECT_EQ(added.ask("VV"), "00");
     EXPECT_EQ(kept.ask("QT"), "00");
+}
+
+TEST_F(Reload, SaysEachTimeWhatWaitsForTheNextStart) {
+    const auto times_said = [&] {
+        const std::string log = daemon_.standard_error();
+        int times = 0;
+        for (auto at = log.find(stays_); at != log.npos; at = log.find(stays_, at + 1))
+            ++times;
+        return times;
+    };
+    for (const int times : {1, 2}) {
+        write(front + elsewhere_);
+        daemon_.signal(SIGHUP);
+        EXPECT_TRUE(eventually([&] { return times_said() == times; })) << times;
+    }
+    // As it was started.
+    write(top);
+    daemon_.signal(SIGHUP);
+    EXPECT_TRUE(eventually([&] { return daemon_.get("/sensors")[0].at("model") == "URG-04LX"; }));
+    EXPECT_EQ(times_said(), 2);
 }
 
 TEST_F(Reload, AskedForOverAndOverCostsNoScan) {

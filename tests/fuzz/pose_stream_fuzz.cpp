@@ -24,6 +24,7 @@
 #include "daemon/control/pose_intake.h"
 #include "daemon/control/pose_socket.h"
 #include "daemon/control/world.h"
+#include "sim/sensor/equal_parts.h"
 #include "tests/support/empty_api.h"
 
 namespace {
@@ -104,7 +105,7 @@ class Daemon : public tests::EmptyApi {
             if (time == sim::Time::min()) continue;
             for (const sim::Time at : {time - 1ns, time, time + 1ns, time + 700ms}) {
                 check_at(at);
-                static_cast<void>(world_.parts(at, at + 25ms));
+                check_sweep(at);
             }
         }
     }
@@ -112,6 +113,12 @@ class Daemon : public tests::EmptyApi {
   private:
     [[nodiscard]] std::array<const sim::PoseTrack*, 3> tracks() const {
         return {world_.robot("a"), world_.robot("b"), world_.model("crate")};
+    }
+
+    void check_sweep(sim::Time begin) const {
+        const auto fired = [&](std::size_t beam) { return begin + beam * 1ms; };
+        const auto parts = sim::equal_parts(25, 7, fired, world_.movers());
+        require(!parts.empty() && parts.size() <= 7, "no more parts than poses");
     }
 
     void check_at(sim::Time time) const {

@@ -72,9 +72,10 @@ void draw_table3(const std::vector<Table3Row>& rows, const std::string& machine,
                                Method::exact};
     constexpr std::array<Colour, 3> inks{colours::wall, colours::wall, colours::scanner};
     for (std::size_t k = 0; k < shown.size(); ++k) {
+        if (!rows.front().ms(shown[k])) continue;
         std::vector<Place> values;
         for (const Table3Row& row : rows)
-            values.push_back({double(row.resolution.rays()), row.ms(shown[k]).median});
+            values.push_back({double(row.resolution.rays()), row.ms(shown[k])->median});
         const bool rays = k == 0;
         area.line(values, inks[k], 3.0, rays);
         area.legend(

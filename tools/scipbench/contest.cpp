@@ -4,15 +4,21 @@
 
 namespace scipd::tools {
 
-Contest::Contest(const sim::SharedScene& scene, sim::RangeBackend& rays, sim::RangeBackend& depth,
+Contest::Contest(const sim::SharedScene& scene, sim::RangeBackend& rays, sim::RangeBackend* depth,
                  const Resolution& resolution)
     : rays_(rays),
       depth_(depth),
-      pixels_(scene, resolution.strip()),
       directions_(resolution.directions()),
       hits_(directions_.size()),
       range_m_(directions_.size()),
-      materials_(directions_.size()) {}
+      materials_(directions_.size()) {
+    if (depth_ != nullptr) pixels_.emplace(scene, resolution.strip());
+}
+
+bool Contest::takes_part(Method method) const {
+    const bool casts = method == Method::rays || method == Method::rays_with_material;
+    return casts || depth_ != nullptr;
+}
 
 void Contest::scan(Method method, const sim::Pose& pose) {
     switch (method) {
@@ -23,7 +29,7 @@ void Contest::scan(Method method, const sim::Pose& pose) {
         case Method::depth_with_material:
             return draw(pose, method == Method::depth_with_material);
         case Method::exact:
-            return depth_.cast({directions_, {&pose, 1}}, hits_);
+            return depth_->cast({directions_, {&pose, 1}}, hits_);
     }
 }
 
@@ -37,12 +43,12 @@ void Contest::cast_rays(const sim::Pose& pose, bool with_material) {
 }
 
 void Contest::draw(const sim::Pose& pose, bool with_material) {
-    pixels_.draw(pose);
-    pixels_.read_depth();
-    pixels_.find_ranges(range_m_);
+    pixels_->draw(pose);
+    pixels_->read_depth();
+    pixels_->find_ranges(range_m_);
     if (!with_material) return;
-    pixels_.read_triangles();
-    pixels_.find_materials(materials_);
+    pixels_->read_triangles();
+    pixels_->find_materials(materials_);
 }
 
 }  // namespace scipd::tools

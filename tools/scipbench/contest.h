@@ -12,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "sim/backends/range_backend.h"
@@ -31,10 +32,13 @@ inline constexpr double robot_height_m = 0.3;
 
 class Contest {
   public:
-    /// The backends are of the scene, and outlive this.
-    Contest(const sim::SharedScene& scene, sim::RangeBackend& rays, sim::RangeBackend& depth,
+    /// The backends are of the scene, and outlive this. No `depth`: only rays take part.
+    Contest(const sim::SharedScene& scene, sim::RangeBackend& rays, sim::RangeBackend* depth,
             const Resolution& resolution);
 
+    [[nodiscard]] bool takes_part(Method method) const;
+
+    /// By a method that takes part.
     void scan(Method method, const sim::Pose& pose);
 
     /// Of the latest scan: all methods but `exact` fill the ranges, those with M the materials.
@@ -46,8 +50,8 @@ class Contest {
     void draw(const sim::Pose& pose, bool with_material);
 
     sim::RangeBackend& rays_;
-    sim::RangeBackend& depth_;
-    PixelScan pixels_;
+    sim::RangeBackend* depth_;
+    std::optional<PixelScan> pixels_;
     std::vector<glm::vec3> directions_;
     std::vector<sim::Hit> hits_;
     std::vector<float> range_m_;

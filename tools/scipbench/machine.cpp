@@ -25,12 +25,21 @@ std::string what_draws() {
         const auto context = sim::depth_context();
         const sim::EglDescription& it = context->description();
         return it.renderer + ", OpenGL " + it.opengl;
-    } catch (const std::runtime_error& error) {
-        return error.what();
+    } catch (const std::runtime_error&) {
+        return "draws no depth buffer";
     }
 }
 
 }  // namespace
+
+std::string why_nothing_is_drawn() {
+    try {
+        (void)sim::depth_context();
+        return {};
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+}
 
 std::string describe_machine() {
     return processor() + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores; " +

@@ -9,4 +9,7 @@ namespace scipd::tools {
 /// The processor, the libraries and what draws, in one line.
 std::string describe_machine();
 
+/// Why no depth buffer can be drawn on this machine; empty where one can.
+std::string why_nothing_is_drawn();
+
 }  // namespace scipd::tools

@@ -59,10 +59,24 @@ sim::SharedScene load(const Said& said) {
     }
 }
 
+/// What that means for a table, and why it is so; empty where this machine draws.
+std::string what_is_missing(const std::string& consequence) {
+    const std::string why = why_nothing_is_drawn();
+    return why.empty() ? why : consequence + ": " + why + "; `scipd --probe` tells more";
+}
+
+/// Before minutes of measuring what is left. Answers whether anything is missing.
+bool tell_what_is_missing(const std::string& consequence) {
+    const std::string missing = what_is_missing(consequence);
+    if (!missing.empty()) std::cerr << "scipbench: " << missing << "\n";
+    return !missing.empty();
+}
+
 void run_table3(const Said& said) {
     const sim::SharedScene scene = load(said);
     const std::string machine = describe_machine();
-    const auto rows = measure_table3(scene, said.repetitions, said.height_m);
+    const bool draws = !tell_what_is_missing("only rays are measured");
+    const auto rows = measure_table3(scene, said.repetitions, said.height_m, draws);
     std::cout << machine << "\n" << said.scene << "\n\n";
     print_table3(rows, std::cout);
     write_to(said.csv, [&](std::ostream& out) { write_table3_csv(rows, out); });
@@ -70,7 +84,10 @@ void run_table3(const Said& said) {
 }
 
 void run_table4(const Said& said) {
-    const auto rows = measure_table4(load(said), said.repetitions, said.height_m);
+    const sim::SharedScene scene = load(said);
+    const std::string missing = what_is_missing("there is nothing to read back");
+    if (!missing.empty()) throw std::runtime_error(missing);
+    const auto rows = measure_table4(scene, said.repetitions, said.height_m);
     std::cout << describe_machine() << "\n" << said.scene << "\n\n";
     print_table4(rows, std::cout);
     write_to(said.csv, [&](std::ostream& out) { write_table4_csv(rows, out); });
@@ -82,6 +99,7 @@ void run_compare(const Said& said) {
     const sim::BeamPattern pattern(optics);
     const std::vector<glm::vec3> directions(pattern.directions().begin(),
                                             pattern.directions().end());
+    tell_what_is_missing("depth is not compared");
     const auto scans =
         compare_backends(scene, directions, optics.max_range_m, said.poses, said.height_m);
     if (said.json) {

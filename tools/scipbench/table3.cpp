@@ -21,14 +21,17 @@ Table3Row measure_row(Contest& contest, const Resolution& resolution,
     std::array<std::vector<double>, method_count> ms;
     for (std::size_t i = 0; i < poses.size(); ++i) {
         for (std::size_t k = 0; k < method_count; ++k) {
+            const auto method = static_cast<Method>(k);
+            if (!contest.takes_part(method)) continue;
             // Not all at the same place: who comes second to it finds the processor prepared.
             const sim::Pose& pose = poses[(i + 17 * k) % poses.size()];
-            ms[k].push_back(milliseconds_for([&] { contest.scan(static_cast<Method>(k), pose); }));
+            ms[k].push_back(milliseconds_for([&] { contest.scan(method, pose); }));
         }
     }
     Table3Row row{resolution, {}};
-    for (std::size_t k = 0; k < method_count; ++k)
-        row.all_ms[k] = spread_of(std::move(ms[k]));
+    for (std::size_t k = 0; k < method_count; ++k) {
+        if (!ms[k].empty()) row.all_ms[k] = spread_of(std::move(ms[k]));
+    }
     return row;
 }
 
@@ -43,11 +46,12 @@ std::string break_even(const Costs& rays_ms, const Costs& depth_ms) {
 }
 
 std::string break_even(const std::vector<Table3Row>& rows, Method depth) {
+    if (!rows.front().ms(depth)) return "-";
     Costs rays_ms{};
     Costs depth_ms{};
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        rays_ms[i] = rows[i].ms(Method::rays_with_material).median;
-        depth_ms[i] = rows[i].ms(depth).median;
+        rays_ms[i] = rows[i].ms(Method::rays_with_material)->median;
+        depth_ms[i] = rows[i].ms(depth)->median;
     }
     return break_even(rays_ms, depth_ms);
 }
@@ -66,13 +70,13 @@ void print_break_even(const std::vector<Table3Row>& rows, std::ostream& out) {
 }  // namespace
 
 std::vector<Table3Row> measure_table3(const sim::SharedScene& scene, int repetitions,
-                                      double height_m) {
+                                      double height_m, bool draws) {
     const auto rays = sim::make_backend("embree", scene);
-    const auto depth = sim::make_backend("depth", scene);
+    const auto depth = draws ? sim::make_backend("depth", scene) : nullptr;
     const auto poses = free_poses(*rays, static_cast<std::size_t>(repetitions), height_m);
     std::vector<Table3Row> rows;
     for (const Resolution& resolution : paper_resolutions()) {
-        Contest contest(scene, *rays, *depth, resolution);
+        Contest contest(scene, *rays, depth.get(), resolution);
         measure_row(contest, resolution, {poses.front(), poses.back()});  // warms up
         rows.push_back(measure_row(contest, resolution, poses));
     }
@@ -87,9 +91,13 @@ void print_table3(const std::vector<Table3Row>& rows, std::ostream& out) {
     out << "\n";
     for (const Table3Row& row : rows) {
         out << std::left << std::setw(8) << row.resolution.name() << std::right;
-        for (const Spread& ms : row.all_ms) {
-            out << std::setw(10) << significant(ms.median, 3) << " +-" << std::setw(9)
-                << significant(0.5 * (ms.high - ms.low), 2);
+        for (const std::optional<Spread>& ms : row.all_ms) {
+            if (!ms) {
+                out << std::setw(22) << "-";
+                continue;
+            }
+            out << std::setw(10) << significant(ms->median, 3) << " +-" << std::setw(9)
+                << significant(0.5 * (ms->high - ms->low), 2);
         }
         out << "\n";
     }
@@ -104,8 +112,13 @@ void write_table3_csv(const std::vector<Table3Row>& rows, std::ostream& out) {
     out << "\n";
     for (const Table3Row& row : rows) {
         out << row.resolution.name() << "," << row.resolution.rays();
-        for (const Spread& ms : row.all_ms)
-            out << "," << ms.median << "," << ms.low << "," << ms.high;
+        for (const std::optional<Spread>& ms : row.all_ms) {
+            if (!ms) {
+                out << ",,,";
+                continue;
+            }
+            out << "," << ms->median << "," << ms->low << "," << ms->high;
+        }
         out << "\n";
     }
 }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <iosfwd>
+#include <optional>
 #include <vector>
 
 #include "sim/world/scene.h"
@@ -16,19 +17,20 @@ namespace scipd::tools {
 
 struct Table3Row {
     Resolution resolution;
-    std::array<Spread, method_count> all_ms;
+    std::array<std::optional<Spread>, method_count> all_ms;  ///< nothing: was not measured
 
-    [[nodiscard]] const Spread& ms(Method method) const {
+    [[nodiscard]] const std::optional<Spread>& ms(Method method) const {
         return all_ms[static_cast<std::size_t>(method)];
     }
 };
 
 /// Each repetition is at another of the scene's free poses, this high, and does all methods in
-/// turn.
+/// turn; only those by rays where nothing is drawn.
 std::vector<Table3Row> measure_table3(const sim::SharedScene& scene, int repetitions,
-                                      double height_m);
+                                      double height_m, bool draws);
 
-/// For a person, with the fewest rays for which the depth buffer is the faster.
+/// For a person, with the fewest rays for which the depth buffer is the faster; "-" where nothing
+/// was measured. The cells of the CSV are empty then.
 void print_table3(const std::vector<Table3Row>& rows, std::ostream& out);
 void write_table3_csv(const std::vector<Table3Row>& rows, std::ostream& out);
 

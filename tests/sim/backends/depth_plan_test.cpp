@@ -3,10 +3,11 @@
 #include "sim/backends/depth_plan.h"
 
 #include <cmath>
-#include <set>
 #include <utility>
 #include <vector>
 
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
 namespace scipd::sim {
@@ -26,7 +27,7 @@ Pose at(double x) {
 TEST(DepthPlan, OfNothingHasNoViews) {
     const DepthPlan plan({}, {});
     EXPECT_TRUE(plan.views().empty());
-    EXPECT_EQ(plan.size_px(), (glm::ivec2{0, 0}));
+    EXPECT_TRUE(plan.pictures().empty());
 }
 
 TEST(DepthPlan, DrawsEachRunOfEqualPosesByItself) {
@@ -48,35 +49,73 @@ TEST(DepthPlan, DrawsEachRunOfEqualPosesByItself) {
     }
 }
 
+/// Each pixel of each picture belongs to one view at most, and every beam looks once.
+void expect_in_place(const DepthPlan& plan, std::size_t beams) {
+    std::size_t views = 0;
+    std::vector<int> looks(beams);
+    for (const PlannedPicture& picture : plan.pictures()) {
+        std::vector<bool> taken(static_cast<std::size_t>(picture.size_px.x) *
+                                static_cast<std::size_t>(picture.size_px.y));
+        EXPECT_EQ(picture.first_view, views);
+        views += picture.view_count;
+        for (const PlannedView& view : plan.views_of(picture)) {
+            const glm::ivec2 end_px = view.corner_px + view.strip.size_px;
+            ASSERT_LE(end_px.x, picture.size_px.x);
+            ASSERT_LE(end_px.y, picture.size_px.y);
+            for (int y = view.corner_px.y; y < end_px.y; ++y) {
+                for (int x = view.corner_px.x; x < end_px.x; ++x) {
+                    const auto pixel = static_cast<std::size_t>(y * picture.size_px.x + x);
+                    ASSERT_FALSE(taken[pixel]);
+                    taken[pixel] = true;
+                }
+            }
+            for (const Look& look : plan.looks_of(view))
+                ++looks[look.ray];
+        }
+    }
+    EXPECT_EQ(views, plan.views().size());
+    EXPECT_EQ(looks, std::vector<int>(beams, 1));
+}
+
 TEST(DepthPlan, PlacesViewsBesideEachOther) {
     const auto directions = sweep(600);
     std::vector<Pose> poses;
     for (int i = 0; i < 600; ++i)
         poses.push_back(at(i / 50));  // 12 runs
     const DepthPlan plan({directions, poses}, {});
-    std::set<std::pair<int, int>> pixels;
-    std::size_t drawn = 0;
-    for (const PlannedView& view : plan.views()) {
-        for (int y = 0; y < view.strip.size_px.y; ++y) {
-            for (int x = 0; x < view.strip.size_px.x; ++x) {
-                pixels.emplace(view.corner_px.x + x, view.corner_px.y + y);
-                ++drawn;
-                EXPECT_LT(view.corner_px.x + x, plan.size_px().x);
-                EXPECT_LT(view.corner_px.y + y, plan.size_px().y);
-            }
-        }
+    EXPECT_EQ(plan.pictures().size(), 1U);
+    expect_in_place(plan, directions.size());
+}
+
+// What OpenGL can draw in one go has an end, 16 384 pixels at least.
+TEST(DepthPlan, MakesSeveralPicturesOfWhatOneCannotHold) {
+    std::vector<glm::vec3> directions;
+    for (int row = 0; row < 72; ++row) {
+        for (int column = 0; column < 88; ++column)
+            directions.push_back(glm::normalize(
+                glm::vec3{1.0F, 0.6F - 0.0136F * float(column), 0.5F - 0.0136F * float(row)}));
     }
-    EXPECT_EQ(pixels.size(), drawn);
+    const std::vector<Pose> poses{at(0)};
+    const DepthPlan plan({directions, poses},
+                         {.oversample = 16.0, .widest_pass_rad = glm::radians(10.0)});
+    EXPECT_GT(plan.pictures().size(), 1U);
+    for (const PlannedPicture& picture : plan.pictures()) {
+        EXPECT_LE(picture.size_px.x, 4096);
+        EXPECT_LE(picture.size_px.y, 4096);
+    }
+    expect_in_place(plan, directions.size());
 }
 
 TEST(DepthPlan, LooksAtPixelsOfTheBeamsOwnView) {
     const auto directions = sweep(600);
     const std::vector<Pose> poses{at(0)};
     const DepthPlan plan({directions, poses}, {.oversample = 3.0});
+    ASSERT_EQ(plan.pictures().size(), 1U);
+    const int width_px = plan.pictures().front().size_px.x;
     for (const PlannedView& view : plan.views()) {
         for (const Look& look : plan.looks_of(view)) {
-            const int row = static_cast<int>(look.pixel) / plan.size_px().x;
-            const int column = static_cast<int>(look.pixel) % plan.size_px().x;
+            const int row = static_cast<int>(look.pixel) / width_px;
+            const int column = static_cast<int>(look.pixel) % width_px;
             const glm::dvec2 pixel = pixel_of(view.strip, glm::dvec3{directions[look.ray]});
             EXPECT_NEAR(column - view.corner_px.x + double{look.share.x}, pixel.x, 2e-3);
             EXPECT_EQ(row, view.corner_px.y);

@@ -174,6 +174,18 @@ TEST_F(Depth, ServesSeveralScenesOnOneThread) {
     }
 }
 
+// Of what they share nothing goes with one of them.
+TEST_F(Depth, OutlivesAnother) {
+    auto gone = make_depth_backend(SceneBuilder().add(Plane{{9, 9}}, wall_at(2)).build());
+    const auto stays = make_depth_backend(SceneBuilder().add(Plane{{9, 9}}, wall_at(4)).build());
+    gone.reset();
+    const std::vector<glm::vec3> forward{{1, 0, 0}};
+    const std::vector<Pose> pose(1);
+    std::vector<Hit> hits(1);
+    stays->cast({forward, pose}, hits);
+    EXPECT_NEAR(hits[0].range_m, 4.0, 1e-5);
+}
+
 // Its facets are narrower than pixels, most of all where they turn away: between the last pixel
 // that shows the post and the first that does not, facets that no pixel shows are met all the same.
 TEST_F(Depth, SeesAPostUpToItsRim) {
@@ -228,6 +240,62 @@ TEST_F(Depth, SeesAPostOfThousandsOfFacetsAsRound) {
         }
     }
     EXPECT_GT(met, 300);
+}
+
+/// A sheet of squares of a centimetre, 4 m wide and 0.4 m high, at x.
+void add_sheet(Mesh& mesh, float x_m) {
+    constexpr std::uint32_t columns = 400;
+    constexpr std::uint32_t rows = 40;
+    const auto first = static_cast<std::uint32_t>(mesh.vertices_m.size());
+    for (std::uint32_t row = 0; row <= rows; ++row) {
+        for (std::uint32_t column = 0; column <= columns; ++column)
+            mesh.vertices_m.emplace_back(x_m, 0.01F * float(column) - 2.0F,
+                                         0.01F * float(row) - 0.2F);
+    }
+    for (std::uint32_t row = 0; row < rows; ++row) {
+        for (std::uint32_t column = 0; column < columns; ++column) {
+            const std::uint32_t corner = first + row * (columns + 1) + column;
+            mesh.triangles.push_back({corner, corner + 1, corner + columns + 1});
+            mesh.triangles.push_back({corner + 1, corner + columns + 2, corner + columns + 1});
+        }
+    }
+}
+
+// Its triangles are as small as pixels, so that beams go between two that are shown through a third
+// that is not; behind that one is the back of the wall.
+TEST_F(Depth, SeesTheFrontOfAFinelyMeshedWall) {
+    auto wall = std::make_shared<Mesh>();
+    add_sheet(*wall, 0.0F);
+    add_sheet(*wall, 0.05F);
+    add_sheet(*wall, 5.0F);  // so wide that neighbours are of the front and of the back
+    const auto depth = make_depth_backend(SceneBuilder().add(SharedMesh(wall), Pose{}).build());
+    const auto directions = level(1001, 0.2);
+    std::vector<Hit> hits(directions.size());
+    for (int place = 0; place < 20; ++place) {
+        const double far_m = 5.0 + 0.2 * place;
+        const std::vector<Pose> pose{
+            pose_from_rpy({-far_m, 0.01 * place, 0.003 * place}, {0, 0.003, 0})};
+        depth->cast({directions, pose}, hits);
+        for (std::size_t i = 0; i < directions.size(); ++i) {
+            const glm::dvec3 along = pose[0].rotation * glm::dvec3{directions[i]};
+            EXPECT_NEAR(hits[i].range_m, far_m / along.x, 1e-4) << place << " " << i;
+        }
+    }
+}
+
+// More pixels than one picture holds: drawn and read back in several.
+TEST_F(Depth, DrawsWhatOnePictureCannotHold) {
+    std::vector<glm::vec3> directions;
+    for (int row = 0; row < 72; ++row) {
+        for (int column = 0; column < 88; ++column)
+            directions.push_back(glm::normalize(
+                glm::vec3{1.0F, 0.6F - 0.0136F * float(column), 0.5F - 0.0136F * float(row)}));
+    }
+    const SceneBuilder scene = SceneBuilder().add(Plane{{40, 40}}, wall_at(3.0));
+    const auto hits =
+        cast(scene, directions, {.oversample = 16.0, .widest_pass_rad = glm::radians(10.0)});
+    for (std::size_t i = 0; i < directions.size(); ++i)
+        EXPECT_NEAR(hits[i].range_m, 3.0 / double{directions[i].x}, 1e-4) << i;
 }
 
 // As when a scene is loaded beside the one that runs: made there, used here, destroyed there again.

@@ -33,6 +33,8 @@ class Variable {
     std::string before_;
 };
 
+/// Folders above the temporary one are searched too, and so is the user's cache: models and
+/// packages have a name that nothing else has.
 class ResourcesTest : public ::testing::Test {
   protected:
     std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
@@ -41,49 +43,56 @@ class ResourcesTest : public ::testing::Test {
         return found.empty() ? "" : found.lexically_relative(folder_.path()).string();
     }
     tests::TempDir folder_;
+    const std::string own_ = "own_" + folder_.path().filename().string();
+    const Variable home_{"HOME", folder_.path().string()};
 };
 
 TEST_F(ResourcesTest, NearComesBeforeFar) {
-    folder_.write("far/a/model.sdf", "");
+    const std::string uri = "model://" + own_;
+    const std::string file = "/" + own_ + "/model.sdf";
+    folder_.write("far" + file, "");
     const Variable path{"GAZEBO_MODEL_PATH", "/nowhere::" + at("far").string()};
-    EXPECT_EQ(find("model://a"), "far/a");
-    folder_.write("models/a/model.sdf", "");
-    EXPECT_EQ(find("model://a"), "models/a");
-    folder_.write("world/models/a/model.sdf", "");
-    EXPECT_EQ(find("model://a"), "world/models/a");
-    folder_.write("world/a/model.sdf", "");
-    EXPECT_EQ(find("model://a"), "world/a");
-    EXPECT_EQ(find("a/model.sdf"), "world/a/model.sdf");
-    EXPECT_EQ(find("file://" + at("far/a").string()), "far/a");
+    EXPECT_EQ(find(uri), "far/" + own_);
+    folder_.write("models" + file, "");
+    EXPECT_EQ(find(uri), "models/" + own_);
+    folder_.write("world/models" + file, "");
+    EXPECT_EQ(find(uri), "world/models/" + own_);
+    folder_.write("world" + file, "");
+    EXPECT_EQ(find(uri), "world/" + own_);
+    EXPECT_EQ(find(own_ + "/model.sdf"), "world" + file);
+    EXPECT_EQ(find("file://" + at("far/" + own_).string()), "far/" + own_);
 }
 
 TEST_F(ResourcesTest, EveryVariableIsAsked) {
-    folder_.write("far/a/model.sdf", "");
-    EXPECT_EQ(find("model://a"), "");
+    folder_.write("far/" + own_ + "/model.sdf", "");
+    EXPECT_EQ(find("model://" + own_), "");
     for (const char* name :
          {"SDF_PATH", "GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH",
           "GAZEBO_RESOURCE_PATH", "ROS_PACKAGE_PATH", "AMENT_PREFIX_PATH"}) {
         const Variable path{name, at("far").string()};
-        EXPECT_EQ(find("model://a"), "far/a") << name;
+        EXPECT_EQ(find("model://" + own_), "far/" + own_) << name;
     }
 }
 
 TEST_F(ResourcesTest, PackagesAreFoundInTheirFolderAndOneDown) {
-    folder_.write("ws/pkg/m.stl", "");
-    folder_.write("ws/deep/stack/low/m.stl", "");
+    const std::string stack = own_ + "_stack";
+    folder_.write("ws/" + own_ + "/m.stl", "");
+    folder_.write("ws/deep/" + stack + "/" + own_ + "_low/m.stl", "");
     {
-        const Variable path{"ROS_PACKAGE_PATH", at("ws/pkg").string()};
-        EXPECT_EQ(find("package://pkg/m.stl"), "ws/pkg/m.stl");
-        EXPECT_EQ(find("pkg/m.stl"), "");
+        const Variable path{"ROS_PACKAGE_PATH", at("ws/" + own_).string()};
+        EXPECT_EQ(find("package://" + own_ + "/m.stl"), "ws/" + own_ + "/m.stl");
+        EXPECT_EQ(find(own_ + "/m.stl"), "");
     }
     const Variable path{"ROS_PACKAGE_PATH", at("ws").string()};
-    EXPECT_EQ(find("package://stack/low/m.stl"), "ws/deep/stack/low/m.stl");
-    EXPECT_EQ(find("package://low/m.stl"), "");
+    const std::string low = "/" + own_ + "_low/m.stl";
+    EXPECT_EQ(find("package://" + stack + low), "ws/deep/" + stack + low);
+    EXPECT_EQ(find("package:/" + low), "");
 }
 
 TEST_F(ResourcesTest, TheCallersFoldersComeLast) {
-    folder_.write("own/sun/model.sdf", "");
-    EXPECT_EQ(Resources(at("world"), {at("own")}).find("model://sun", at("world")), at("own/sun"));
+    folder_.write("more/" + own_ + "/model.sdf", "");
+    EXPECT_EQ(Resources(at("world"), {at("more")}).find("model://" + own_, at("world")),
+              at("more/" + own_));
 }
 
 TEST_F(ResourcesTest, WhatGazeboHasDownloadedIsFoundInItsCache) {

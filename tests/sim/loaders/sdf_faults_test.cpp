@@ -118,9 +118,10 @@ TEST_F(SdfFaults, framesThatLeadNowhere) {
 }
 
 TEST_F(SdfFaults, includesThatLeadNowhere) {
-    EXPECT_THAT(faults(world("<include><uri>model://none</uri></include>" +
+    const std::string lost = "model://" + folder_.path().filename().string() + "-lost";
+    EXPECT_THAT(faults(world("<include><uri>" + lost + "</uri></include>" +
                              model_of(visual("v", unit_box)))),
-                ElementsAre("a.sdf:4: there is no 'model://none' near " + folder_.path().string() +
+                ElementsAre("a.sdf:4: there is no '" + lost + "' near " + folder_.path().string() +
                             ", nor in GZ_SIM_RESOURCE_PATH, GAZEBO_MODEL_PATH, SDF_PATH, "
                             "ROS_PACKAGE_PATH or AMENT_PREFIX_PATH"));
 }

@@ -116,10 +116,11 @@ TEST_F(SdfLimits, WhatIsNestedTooDeeplyForXml) {
 
 TEST_F(SdfLimits, EveryMissingIncludeIsToldAtOnce) {
     folder_.write("empty/model.sdf", "");
-    write_model("b.sdf", include("model://lost", "x"));
+    const std::string lost = "model://" + folder_.path().filename().string() + "-lost";
+    write_model("b.sdf", include(lost, "x"));
     EXPECT_THAT(
         faults(world(include("b.sdf", "b") + include("none.sdf", "c") + include("empty", "d"))),
-        ElementsAre(HasSubstr("b.sdf:3: there is no 'model://lost' near "),
+        ElementsAre(HasSubstr("b.sdf:3: there is no '" + lost + "' near "),
                     HasSubstr("a.sdf:5: there is no 'none.sdf' near "),
                     HasSubstr("a.sdf:6: 'empty' is the folder ")));
 }

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What is kept of one measurement, whoever makes it: a scanner or a sensor that stares. What was
+// said of it is added by them. A value; any thread.
+#pragma once
+
+#include "daemon/control/sensor_backends.h"
+#include "sim/sensor/scan.h"
+#include "sim/time.h"
+#include "sim/world/scene.h"
+
+namespace scipd::daemon {
+
+struct Measurement {
+    sim::SharedScan cast;    ///< of all beams
+    sim::SharedScene scene;  ///< that it was cast into: what its ids mean
+    SharedChoice backend;    ///< what cast it
+    sim::Time origin{};      ///< what people call world time 0 (Clock)
+
+    /// A world time as people call it.
+    [[nodiscard]] sim::Time told(sim::Time time) const { return origin + time; }
+};
+
+}  // namespace scipd::daemon

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A sweep in parts of as many beams each, every one as if its beams were fired at once, when the
+// middle one is: for sensors that share few poses among their beams, and for those whose beams lie
+// in no plane, so that nobody knows which of them meet what moves. Casts nothing itself. Pure.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "sim/sensor/scanner.h"
+#include "sim/time.h"
+#include "sim/world/mover.h"
+
+namespace scipd::sim {
+
+/// The beams of part `i` of `count`, which is at most `beams`.
+[[nodiscard]] Beams equal_part(std::size_t beams, std::size_t i, std::size_t count);
+
+[[nodiscard]] constexpr std::size_t middle_of(const Beams& beams) {
+    return beams.first + beams.count / 2;
+}
+
+/// Beams that are cast with everything where it is at that time.
+struct TimedBeams {
+    Beams beams;
+    Time time{};
+};
+
+/// All parts, in order: `most` where much moves, else as few as it takes so that nothing which
+/// moves evenly moves more than a millimetre within one.
+[[nodiscard]] std::vector<TimedBeams> equal_parts(
+    std::size_t beams, std::size_t most, const std::function<Time(std::size_t beam)>& fired,
+    std::span<const Mover> movers);
+
+}  // namespace scipd::sim
