@@ -5,9 +5,18 @@
 #include <utility>
 
 #include "daemon/load_world.h"
-#include "daemon/sensor_directions.h"
+#include "sim/sensor/beam_pattern.h"
 
 namespace scipd::daemon {
+namespace {
+
+std::vector<glm::vec3> directions_of(const SensorConfig& sensor) {
+    if (sensor.staring) return sensor.staring->directions();
+    const sim::BeamPattern pattern(sensor.model.optics);
+    return {pattern.directions().begin(), pattern.directions().end()};
+}
+
+}  // namespace
 
 BackendWish backend_wish(const std::string& robot, const SensorConfig& sensor,
                          const sim::Pose& world_from_robot, ClockKind clock) {

@@ -94,7 +94,7 @@ SharedChoice BackendWorkshop::measure(const BackendWish& wish, const std::functi
 BackendChoice BackendWorkshop::fastest(const BackendWish& wish,
                                        const std::function<bool()>& ended) {
     try {
-        const std::array contenders{backend(rays, {}).get(), backend_for(wish, depth).get()};
+        const std::array contenders{backend(rays, {}).get(), backend(depth, wish.depth).get()};
         const Sweeps sweeps(wish);
         const sim::Choice choice = sim::choose(contenders, sweeps.fans(), now, {.ended = ended});
         return {choice.contender == 0 ? rays : depth, choice.reason, faces_};
@@ -108,7 +108,7 @@ SensorBackends BackendWorkshop::make(std::span<const BackendWish> wishes) {
     for (const BackendWish& wish : wishes) {
         const SharedChoice choice = settled(wish);
         try {
-            const SharedBackend made = backend_for(wish, choice->backend);
+            const SharedBackend made = backend(choice->backend, wish.depth);
             if (choice->backend == depth) warm_up(*made, wish);
             backends.assign(wish.sensor, made, choice);
         } catch (const std::runtime_error& error) {
@@ -126,18 +126,12 @@ SharedChoice BackendWorkshop::settled(const BackendWish& wish) {
     if (!wish.settled) return rays_unmeasured("not measured yet");
     if (wish.settled->backend != depth) return wish.settled;
     try {
-        backend_for(wish, depth);
+        backend(depth, wish.depth);
         return wish.settled;
     } catch (const std::runtime_error& error) {
         return std::make_shared<const BackendChoice>(
             BackendChoice{rays, std::string("no depth: ") + error.what(), faces_});
     }
-}
-
-BackendWorkshop::SharedBackend BackendWorkshop::backend_for(const BackendWish& wish,
-                                                            const std::string& name) {
-    if (name == depth) sim::check_picture(wish.directions, wish.depth);
-    return backend(name, wish.depth);
 }
 
 BackendWorkshop::SharedBackend BackendWorkshop::backend(const std::string& name,

@@ -35,7 +35,6 @@ class BackendWorkshop {
     using Kind = std::tuple<std::string, sim::BetweenPixels, double, double>;
 
     SharedBackend backend(const std::string& name, const sim::DepthOptions& options);
-    SharedBackend backend_for(const BackendWish& wish, const std::string& name);
     [[nodiscard]] SharedChoice settled(const BackendWish& wish);
     BackendChoice fastest(const BackendWish& wish, const std::function<bool()>& ended);
     void leave_thread();

@@ -3,14 +3,11 @@
 #include "sim/backends/depth.h"
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "sim/backends/beam_cutter.h"
-#include "sim/backends/depth_cover.h"
 #include "sim/backends/depth_device.h"
 #include "sim/backends/depth_plan.h"
 #include "sim/backends/depth_raster.h"
@@ -21,9 +18,6 @@ namespace {
 
 /// A sweep may be cast in parts, between which the world moves on.
 constexpr std::size_t most_plans = 32;
-
-/// As many as 4096 by 4096.
-constexpr std::size_t most_pixels = std::size_t{1} << 24U;
 
 class DepthBackend final : public RangeBackend {
   public:
@@ -123,17 +117,6 @@ std::string_view depth_description() {
 
 std::unique_ptr<RangeBackend> make_depth_backend(SharedScene scene, const DepthOptions& options) {
     return std::make_unique<DepthBackend>(std::move(scene), options);
-}
-
-void check_picture(std::span<const glm::vec3> directions, const DepthOptions& options) {
-    const std::size_t pixels = pixels_for(directions, options);
-    if (pixels <= most_pixels) return;
-    std::ostringstream text;
-    text << std::setprecision(3) << "a picture of " << 1e-6 * double(pixels)
-         << " million pixels for " << directions.size() << " beams; more than "
-         << 1e-6 * double(most_pixels) << " million are not drawn: lower oversample ("
-         << options.oversample << " now), or take fewer beams or a narrower view";
-    throw std::runtime_error(text.str());
 }
 
 DepthProbe probe_depth() {

@@ -11,7 +11,6 @@
 #pragma once
 
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -26,10 +25,6 @@ namespace scipd::sim {
 /// does a cast where a driver fails later.
 std::unique_ptr<RangeBackend> make_depth_backend(SharedScene scene,
                                                  const DepthOptions& options = {});
-
-/// Throws std::runtime_error with a sentence where the picture for these directions, from one
-/// place, would be too large to be of use: each pixel takes some 16 bytes.
-void check_picture(std::span<const glm::vec3> directions, const DepthOptions& options);
 
 /// Settings for drivers that read them from the environment. Backends see to it themselves; a
 /// program with threads calls this before it has any, since changing the environment is for one

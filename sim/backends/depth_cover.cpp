@@ -16,14 +16,6 @@ std::vector<StripView> cover(std::span<const glm::vec3> directions, const DepthO
     return cover_solid(directions, options);
 }
 
-std::size_t pixels_for(std::span<const glm::vec3> directions, const DepthOptions& options) {
-    std::size_t pixels = 0;
-    for (const StripView& view : cover(directions, options))
-        pixels += static_cast<std::size_t>(view.strip.size_px.x) *
-                  static_cast<std::size_t>(view.strip.size_px.y);
-    return pixels;
-}
-
 StripView view_through(const Strip& strip, std::span<const glm::vec3> directions,
                        std::span<const std::uint32_t> rays) {
     StripView view{strip, {}};

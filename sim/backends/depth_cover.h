@@ -6,7 +6,6 @@
 // everything else pictures as fine as its directions are dense. Pure; knows no OpenGL.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -32,9 +31,6 @@ struct StripView {
 
 /// Every direction is in exactly one view. Directions are unit vectors in S.
 std::vector<StripView> cover(std::span<const glm::vec3> directions, const DepthOptions& options);
-
-/// Of a picture for directions that are seen from one place.
-std::size_t pixels_for(std::span<const glm::vec3> directions, const DepthOptions& options);
 
 /// The unit normal, upward, of a plane through the eye that holds all directions, if there is one.
 std::optional<glm::dvec3> normal_of_common_plane(std::span<const glm::vec3> directions);

@@ -25,8 +25,6 @@ std::unique_ptr<RangeBackend> make_depth_backend(SharedScene, const DepthOptions
     throw std::runtime_error("the depth backend is " + std::string(what_is_missing));
 }
 
-void check_picture(std::span<const glm::vec3>, const DepthOptions&) {}
-
 void prepare_drivers() {}
 
 DepthProbe probe_depth() {

@@ -66,29 +66,6 @@ TEST_F(Startup, TellsEveryFaultOfABrokenWorld) {
     EXPECT_FALSE(fs::exists(run_directory() / "control.sock"));
 }
 
-// 640 x 480 beams at 170 degrees and sixteen pixels from beam to beam took a gigabyte.
-TEST_F(Startup, DrawsNoPictureOfAbsurdSize) {
-    if (!can_draw()) GTEST_SKIP() << "nothing can be drawn here; see scipd --probe";
-    const auto config = [&](const std::string& oversample) {
-        return directory_.write("camera.yaml", "scene: " + scene("square_room.sdf").string() + R"(
-robots:
-  rescue:
-    sensors:
-      tof:
-        camera: {columns: 640, rows: 480, fov_deg: [170, 170], rate_hz: 5, range_m: [0.1, 7]}
-        backend: depth
-        depth: {oversample: )" + oversample + "}\n");
-    };
-    const std::string checked = refusal({"--check", config("16")});
-    EXPECT_THAT(checked, StartsWith("robots.rescue.sensors.tof.backend: a picture of "));
-    EXPECT_THAT(checked, HasSubstr(" million pixels for 307200 beams; "));
-    EXPECT_THAT(checked, HasSubstr("lower oversample (16 now)"));
-    EXPECT_THAT(refusal({"--config", config("16")}),
-                StartsWith("rescue/tof: backend depth: a picture of "));
-    DaemonProcess smaller(directory_, {"--check", config("2")});
-    EXPECT_EQ(smaller.wait(), 0) << smaller.standard_error();
-}
-
 TEST_F(Startup, SaysWhichPortIsInUse) {
     const TempDir elsewhere;
     DaemonProcess first(elsewhere, on_tcp());
