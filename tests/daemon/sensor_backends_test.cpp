@@ -6,11 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <glm/trigonometric.hpp>
 #include <gmock/gmock.h>
 
 #include "daemon/control/backend_workshop.h"
-#include "sim/sensor/pinhole_grid.h"
 #include "tests/support/scene_builder.h"
 
 namespace scipd::daemon {
@@ -112,17 +110,6 @@ TEST(BackendWorkshop, EndsMeasuringWhenNobodyWaitsForIt) {
     const SharedChoice choice = workshop.measure(wish("a/1", "auto"), [] { return true; });
     EXPECT_EQ(choice->backend, "embree");
     EXPECT_THAT(choice->reason, testing::AnyOf(HasSubstr("ended"), HasSubstr("no depth: ")));
-}
-
-TEST(BackendWorkshop, DrawsNoPictureOfAbsurdSize) {
-    BackendWish camera = wish("a/1", "auto");
-    camera.directions =
-        sim::PinholeGrid{640, 480, glm::radians(170.0), glm::radians(170.0)}.directions();
-    camera.depth.oversample = 16.0;
-    BackendWorkshop workshop(scene_of(1));
-    EXPECT_THAT(workshop.measure(camera, {})->reason, testing::StartsWith("no depth: "));
-    camera.backend = "depth";
-    EXPECT_THROW((void)workshop.make({&camera, 1}), std::runtime_error);
 }
 
 }  // namespace
