@@ -90,17 +90,23 @@ SharedStaringRecord StaringSensor::measure(std::int64_t number) {
     StaringRecord record{sweep_.measure(number, instant, fired, clock_.origin())};
     record.spec = spec();
     record.range_m = staring_.read(*record.cast);
-    const auto slow = pace_.add({.backend = record.backend->backend,
-                                 .period = spec().period,
-                                 .many_poses = record.cast->world_from_sensor.size() > 1,
-                                 .due = instant + patience_,
-                                 .begin = begin,
-                                 .end = clock_.now()});
-    if (slow) spdlog::warn("{}: {}", sweep_.name(), *slow);
+    if (watcher_) note_pace(record, begin);
     ++measured_;
     const auto shared = std::make_shared<const StaringRecord>(std::move(record));
     log_.add(shared);
     return shared;
+}
+
+// Only of those that are measured one after the other: who asks now and then loses none, and is as
+// late as it likes.
+void StaringSensor::note_pace(const StaringRecord& record, sim::Time begin) {
+    const auto slow = pace_.add({.backend = record.backend->backend,
+                                 .period = spec().period,
+                                 .many_poses = record.cast->world_from_sensor.size() > 1,
+                                 .due = record.cast->start + patience_,
+                                 .begin = begin,
+                                 .end = clock_.now()});
+    if (slow) spdlog::warn("{}: {}", sweep_.name(), *slow);
 }
 
 }  // namespace scipd::daemon

@@ -67,6 +67,7 @@ class StaringSensor : public ScanSource {
   private:
     [[nodiscard]] std::int64_t number_at(sim::Time time) const;
     SharedStaringRecord measure(std::int64_t number);
+    void note_pace(const StaringRecord& record, sim::Time begin);
 
     // Constant after construction.
     sim::Staring staring_;
