@@ -29,7 +29,9 @@ constexpr std::nullptr_t unknown = nullptr;
 // Booting: urg_stamped's simulator; only family B answers then. Error: hokuyolx, which paraphrases
 // the Ethernet protocol, for B and C (0L to all but RB and questions); the specification's "50 to
 // 97: hardware trouble" for families A, which cannot sleep. Asleep: QT and BM wake (urg_library,
-// hokuyolx); that the rest is refused or answered as here is deduced from standby.
+// hokuyolx); that the rest is refused or answered as here is deduced from standby. GS and MS of
+// families A2: programs made for a UTM-30LX ask for them, one waits for the 2278 bytes that 1081
+// points of two characters make.
 //
 // The columns of a gate: standby, measuring, streaming, adjust, booting, error, asleep.
 // clang-format off
@@ -46,10 +48,10 @@ constexpr Command table[] = {
     {"RT",      none,   partial_reset,       no_data,    {unknown,                unknown,                "-- -- -- -- -- 0L --", "-- -- -- -- -- 0L --"}},
     {"RB",      none,   reboot,              no_data,    {unknown,                unknown,                "-- -- -- -- -- -- --", "-- -- -- -- -- -- --"}},
     {"GD",      window, single_shot,         three_char, {"10 -- -- 0E -- 50 --", "10 -- -- 0E -- 50 --", "10 -- 10 10 10 0L 10", "10 -- 10 10 10 0L 10"}},
-    {"GS",      window, single_shot,         two_char,   {"10 -- -- 0E -- 50 --", unknown,                unknown,                unknown}},
+    {"GS",      window, single_shot,         two_char,   {"10 -- -- 0E -- 50 --", "10 -- -- 0E -- 50 --", unknown,                unknown}},
     {"GE",      window, single_shot,         intensity,  {unknown,                "10 -- -- 0E -- 50 --", "10 -- 10 10 10 0L 10", "10 -- 10 10 10 0L 10"}},
     {"MD",      scans,  stream,              three_char, {"-- -- -- 0E -- 50 --", "-- -- -- 0E -- 50 --", "-- -- -- 10 10 0L 10", "-- -- -- 10 10 0L 10"}},
-    {"MS",      scans,  stream,              two_char,   {"-- -- -- 0E -- 50 --", unknown,                unknown,                unknown}},
+    {"MS",      scans,  stream,              two_char,   {"-- -- -- 0E -- 50 --", "-- -- -- 0E -- 50 --", unknown,                unknown}},
     {"ME",      scans,  stream,              intensity,  {unknown,                "-- -- -- 0E -- 50 --", "-- -- -- 10 10 0L 10", "-- -- -- 10 10 0L 10"}},
     {"HD",      window, single_shot,         echoes,     {unknown,                "10 -- -- 0E -- 50 --", "10 -- 10 10 10 0L 10", unknown}, Feature::multi_echo},
     {"HE",      window, single_shot,         both,       {unknown,                "10 -- -- 0E -- 50 --", "10 -- 10 10 10 0L 10", unknown}, Feature::multi_echo},
@@ -69,7 +71,8 @@ constexpr Command table[] = {
     {"MF",      scans,  stream,              io_distance, {unknown, unknown, unknown, "-- -- -- 10 10 0L 10"}, Feature::io_lines},
     {"MG",      scans,  stream,              io_both,    {unknown, unknown, unknown, "-- -- -- 10 10 0L 10"}, Feature::io_lines},
     // What can be set. On Ethernet SS is 0F (the rate of urg_library's dummy serial line), CR and HS are unknown.
-    {"SS",      rate,   set_bit_rate,        no_data,    {"-- -- -- 0E -- -- --", "-- -- -- 0E -- -- --", "0F 0F 0F 0F 0F 0F 0F", "0F 0F 0F 0F 0F 0F 0F"}},
+    // These models have no tty; on the one that they have here SS is 04, no bit rate to set, with which drivers go on.
+    {"SS",      rate,   set_bit_rate,        no_data,    {"-- -- -- 0E -- -- --", "-- -- -- 0E -- -- --", "-- -- -- -- -- -- --", "-- -- -- -- -- -- --"}},
     {"CR",      number, set_motor_level,     no_data,    {"-- -- -- 0E -- -- --", "-- -- -- 0E -- -- --", unknown,                unknown}},
     {"HS",      digit,  set_sensitivity,     no_data,    {"-- -- -- 0E -- -- --", "-- -- -- 0E -- -- --", unknown,                unknown}},
     {"DB",      number, rehearse,            no_data,    {"-- -- -- 0E -- -- --", "-- -- -- 0E -- -- --", unknown,                unknown}},

@@ -4,6 +4,8 @@
 // Cuts a stream of bytes into request lines, whatever pieces the bytes come in. LF and CR both end
 // a line, so CR LF ends one and leaves an empty one behind; empty lines are passed over in silence,
 // as a real scanner does (urg_library begins every session with a lone LF and expects nothing).
+// So is NUL where a line would begin: deduced, openFrameworks' TCP client sends one behind each
+// line, and programs made with it were written for real scanners.
 #pragma once
 
 #include <cstddef>

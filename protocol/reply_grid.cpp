@@ -19,7 +19,7 @@ Grid replies_of(const DeviceState& device, const DeviceProfile& profile) {
 
 Grid grid_of(const Command* command, const DeviceState& device, const DeviceProfile& profile) {
     const bool asks_time = command != nullptr && command->operation == Operation::report_time;
-    if (asks_time && profile.scan_tick > Uptime::zero()) return {.tick = profile.scan_tick};
+    if (asks_time && profile.time_tick > Uptime::zero()) return {.tick = profile.time_tick};
     const Grid grid = replies_of(device, profile);
     return device.adjusting() && grid.tick > adjust_tick ? Grid{.tick = adjust_tick} : grid;
 }
@@ -44,9 +44,9 @@ Uptime reply_leaves(Uptime ready, const Command* command, const DeviceState& dev
 }
 
 Uptime scan_leaves(Uptime complete, const DeviceState& device, const DeviceProfile& profile) {
-    if (profile.scan_tick > Uptime::zero())
-        return Grid{.tick = profile.scan_tick}.at_or_after(complete);
-    return replies_of(device, profile).at_or_after(complete);
+    const Grid grid = profile.turns_per_reply > 0 ? mirror_of(device, profile)
+                                                  : Grid{.tick = profile.scan_tick};
+    return grid.at_or_after(complete);
 }
 
 }  // namespace scipd::protocol

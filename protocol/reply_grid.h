@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// When a scanner gets round to answering: old models when the mirror passes step 0, others on
-// ticks of their own, some after a while. All of it runs on the device's own clock.
+// When a scanner gets round to answering, and when its scans leave: old models when the mirror
+// passes step 0, others on ticks of their own, some after a while. All of it runs on the device's
+// own clock.
 #pragma once
 
 #include "protocol/command_table.h"
@@ -41,7 +42,8 @@ struct Grid {
 [[nodiscard]] Uptime reply_leaves(Uptime ready, const Command* command, const DeviceState& device,
                                   const DeviceProfile& profile);
 
-/// When a scan leaves that is complete by then.
+/// When a scan leaves that is complete by then: where the mirror is waited for with its next pass
+/// of step 0, so that every scan of a stream is of the same age.
 [[nodiscard]] Uptime scan_leaves(Uptime complete, const DeviceState& device,
                                  const DeviceProfile& profile);
 

@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "protocol/reports.h"
 
+#include "protocol/command_table.h"
 #include "protocol/reply.h"
 #include "protocol/settings.h"
 #include "protocol/timestamp.h"
@@ -80,15 +81,15 @@ std::string parameter_report(std::string_view echo, const DeviceProfile& profile
 }
 
 std::string state_report(std::string_view echo, const DeviceProfile& profile,
-                         const DeviceState& device, Uptime now) {
+                         const DeviceState& device, Uptime shown) {
     Reply reply(echo, status::ok);
     reply.entry("MODL", profile.model);
     if (!device.failed()) {
         reply.entry("LASR", device.laser_on() ? "ON" : "OFF")
             .entry("SCSP", motor_speed_of(profile, device))
-            .entry("MESM", mode_of(profile, device, now))
+            .entry("MESM", mode_of(profile, device, shown))
             .entry("SBPS", bit_rate_text(profile, device))
-            .entry("TIME", time_of(profile, device, now));
+            .entry("TIME", time_of(profile, device, shown));
     }
     return reply.entry("STAT", health_of(profile, device)).finish();
 }
@@ -97,11 +98,11 @@ std::string state_number_report(std::string_view echo, const DeviceState& device
     return Reply(echo, status::ok).line(state_number(device, now)).finish();
 }
 
-std::string time_report(std::string_view echo, const DeviceState& device, Uptime now, Stamp stamp) {
+std::string time_report(const Request& request, const DeviceState& device, Uptime shown) {
     const Uptime zero = device.clock_zero();
-    return Reply(echo, status::ok)
-        .line(stamp == Stamp::microseconds ? encoded_microseconds(now, zero)
-                                           : encoded_timestamp(now, zero))
+    const bool microseconds = request.command->format.stamp == Stamp::microseconds;
+    return Reply(request.echo, status::ok)
+        .line(microseconds ? encoded_microseconds(shown, zero) : encoded_timestamp(shown, zero))
         .finish();
 }
 

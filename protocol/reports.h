@@ -7,23 +7,23 @@
 #include <string>
 #include <string_view>
 
-#include "protocol/command_table.h"
 #include "protocol/device_profile.h"
 #include "protocol/device_state.h"
+#include "protocol/request.h"
 #include "protocol/uptime.h"
 
 namespace scipd::protocol {
 
 [[nodiscard]] std::string version_report(std::string_view echo, const DeviceProfile& profile);
 [[nodiscard]] std::string parameter_report(std::string_view echo, const DeviceProfile& profile);
-/// Seven lines; two of a device that has failed.
+/// Seven lines, at the time that is to be shown; two of a device that has failed.
 [[nodiscard]] std::string state_report(std::string_view echo, const DeviceProfile& profile,
-                                       const DeviceState& device, Uptime now);
+                                       const DeviceState& device, Uptime shown);
 /// The state as a number of three digits.
 [[nodiscard]] std::string state_number_report(std::string_view echo, const DeviceState& device,
                                               Uptime now);
-/// TM1.
-[[nodiscard]] std::string time_report(std::string_view echo, const DeviceState& device, Uptime now,
-                                      Stamp stamp);
+/// TM1, with the time that is to be shown.
+[[nodiscard]] std::string time_report(const Request& request, const DeviceState& device,
+                                      Uptime shown);
 
 }  // namespace scipd::protocol

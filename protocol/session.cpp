@@ -15,9 +15,10 @@
 
 namespace scipd::protocol {
 
-Session::Session(const DeviceProfile& profile, DeviceState& device)
+Session::Session(const DeviceProfile& profile, DeviceState& device, LinkKind link)
     : profile_(profile),
       device_(device),
+      link_(link),
       boots_seen_(device.boots()),
       rate_told_(bit_rate_of(device.settings(), profile)) {}
 
@@ -58,11 +59,13 @@ void Session::advance(Uptime now) {
 }
 
 // A scanner looks at one request a tick: a request sent right after a reply is answered one tick
-// later (recordings of a URG-04LX, a UTM-30LX and a UXM-30LX-E).
+// later (recordings of a URG-04LX, a UTM-30LX and a UXM-30LX-E). Clients that stop reading at the
+// empty line behind a scan would wait for ever for a reply that is glued to it.
 Uptime Session::due(const Waiting& waiting) const {
     const Command* command = find_command(waiting.line.text, profile_);
-    const Uptime due =
-        reply_leaves(std::max(waiting.arrived, last_answer_), command, device_, profile_);
+    const Uptime due = std::max(
+        reply_leaves(std::max(waiting.arrived, last_answer_), command, device_, profile_),
+        last_scan_ + profile_.pause_after_scan);
     return profile_.answers_while_booting ? due : std::max(due, device_.booted_at());
 }
 
@@ -79,7 +82,7 @@ bool Session::waits_for(const Turn& turn) const {
 void Session::take(const ScanView& scan, Uptime now) {
     // Before the last counted scan of a stream switches the laser off.
     const bool answers_single_shot = waits_for(scan.turn);
-    if (std::erase(taken_turns_, scan.turn.start) > 0 && streaming()) send_scan(scan);
+    if (std::erase(taken_turns_, scan.turn.start) > 0 && streaming()) send_scan(scan, now);
     if (answers_single_shot) answer_single_shot(scan, now);
 }
 
@@ -164,21 +167,14 @@ void Session::answer(const Request& request, Uptime arrived, Uptime now) {
     }
 }
 
-// The state goes before the parameters: a bare GD with the laser off is 10 on a UST-10LX, not 0C.
 std::optional<Status> Session::refusal(const Request& request, Uptime now) const {
-    if (request.fault) return request.fault;
-    if (request.command == nullptr) return profile_.unknown_command;
-    const Command& command = *request.command;
-    const bool ethernet = profile_.family == Family::b || profile_.family == Family::c;
-    const auto trouble = device_.trouble();
-    const bool no_laser = trouble == Trouble::unstable || trouble == Trouble::laser;
-    if (command.operation == Operation::switch_laser_on && ethernet && no_laser)
-        return Status("01");
-    if (const auto status = protocol::refusal(command, state(now), profile_)) return status;
-    const std::size_t expected = width(command.parameters);
-    if (request.parameters_length < expected) return status::too_short;
-    if (request.parameters_length > expected) return status::too_long;
-    return std::nullopt;
+    return refusal_of(request, state(now), device_.trouble(), link_, profile_);
+}
+
+// Halfway between request and reply: urg_stamped and hokuyoaist take it for that, and the former's
+// simulator, whose author had units, waits as long before it reads the clock as after.
+Uptime Session::shown(Uptime now) const {
+    return now - profile_.reply_delay / 2;
 }
 
 void Session::carry_out(const Request& request, Uptime arrived, Uptime now) {
@@ -188,11 +184,11 @@ void Session::carry_out(const Request& request, Uptime arrived, Uptime now) {
         case Operation::report_parameters:
             return send(parameter_report(request.echo, profile_));
         case Operation::report_state:
-            return send(state_report(request.echo, profile_, device_, now));
+            return send(state_report(request.echo, profile_, device_, shown(now)));
         case Operation::report_state_number:
             return send(state_number_report(request.echo, device_, now));
         case Operation::report_time:
-            return send(time_report(request.echo, device_, now, request.command->format.stamp));
+            return send(time_report(request, device_, shown(now)));
         case Operation::single_shot:
             return begin_single_shot(request);
         case Operation::stream:
@@ -271,7 +267,8 @@ void Session::begin_stream(const Request& request, Uptime arrived, Uptime now) {
     reply(request, status::ok);
 }
 
-void Session::send_scan(const ScanView& scan) {
+void Session::send_scan(const ScanView& scan, Uptime now) {
+    last_scan_ = now;
     rehearse_in_stream(device_, *subscription_);
     if (const auto status = subscription_->trouble(device_, profile_)) {
         send(subscription_->interruption(*status), Send::Kind::scan);

@@ -20,6 +20,7 @@
 #include "protocol/device_profile.h"
 #include "protocol/device_state.h"
 #include "protocol/line_reader.h"
+#include "protocol/refusal.h"
 #include "protocol/request.h"
 #include "protocol/scan_view.h"
 #include "protocol/subscription.h"
@@ -28,7 +29,7 @@ namespace scipd::protocol {
 
 class Session {
   public:
-    Session(const DeviceProfile& profile, DeviceState& device);
+    Session(const DeviceProfile& profile, DeviceState& device, LinkKind link = LinkKind::network);
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
     /// As close().
@@ -86,6 +87,7 @@ class Session {
     void answer_scip1(const std::string& line, Uptime now);
     void answer(const Request& request, Uptime arrived, Uptime now);
     [[nodiscard]] std::optional<Status> refusal(const Request& request, Uptime now) const;
+    [[nodiscard]] Uptime shown(Uptime now) const;
     void carry_out(const Request& request, Uptime arrived, Uptime now);
     [[nodiscard]] Status change(const Request& request, Uptime now);
 
@@ -93,16 +95,18 @@ class Session {
     void refuse_single_shot(Uptime now);
     void answer_single_shot(const ScanView& scan, Uptime now);
     void begin_stream(const Request& request, Uptime arrived, Uptime now);
-    void send_scan(const ScanView& scan);
+    void send_scan(const ScanView& scan, Uptime now);
     void quit();
     void reply(const Request& request, Status status);
     void send(std::string message, Send::Kind kind = Send::Kind::reply);
 
     const DeviceProfile& profile_;
     DeviceState& device_;
+    LinkKind link_;
     LineReader reader_;
     std::deque<Waiting> requests_;
     Uptime last_answer_ = Uptime::min();
+    Uptime last_scan_ = Uptime::min();  ///< when the stream last sent one
     std::optional<SingleShot>
         single_shot_;  ///< GD and its kin, waiting for the latest complete scan
     std::optional<Subscription> subscription_;

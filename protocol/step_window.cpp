@@ -33,8 +33,8 @@ bool is_plain_copy(const ScanView& scan, const StepWindow& window, DataFormat fo
            window.last < scan.first_step + static_cast<int>(scan.distance.size());
 }
 
-// What two characters cannot hold is as good as not seen: the URG-04LX, the only kind that has
-// them, gives its range as 20 to 4095 mm in that form (its SCIP 1.1 version text).
+// What two characters cannot hold is as good as not seen: the URG-04LX gives its range as 20 to
+// 4095 mm in that form (its SCIP 1.1 version text). That the UTM-30LX does so too is deduced.
 std::uint32_t fitting(std::uint32_t distance, int width, const DeviceProfile& profile) {
     return distance <= max_encoded(width) ? distance : profile.codes.nothing;
 }

@@ -6,9 +6,9 @@
 
 namespace scipd::daemon {
 
-Client::Client(Device& device, std::function<void()> on_actions)
+Client::Client(Device& device, std::function<void()> on_actions, protocol::LinkKind link)
     : device_(device),
-      session_(device.profile_, device.state_),
+      session_(device.profile_, device.state_, link),
       on_actions_(std::move(on_actions)) {
     device_.add(*this);
 }

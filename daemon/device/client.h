@@ -20,7 +20,8 @@ class Client {
   public:
     /// `on_actions` is called whenever next_action() may have something, but not from within a
     /// call of this client's.
-    Client(Device& device, std::function<void()> on_actions);
+    Client(Device& device, std::function<void()> on_actions,
+           protocol::LinkKind link = protocol::LinkKind::network);
     Client(const Client&) = delete;
     Client& operator=(const Client&) = delete;
     ~Client();

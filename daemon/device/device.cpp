@@ -114,7 +114,7 @@ void Device::turn_complete(std::int64_t revolution) {
 
 void Device::serve_latest(Client& client) {
     // Each answer may bring a request behind it to the front that wants the latest scan as well.
-    for (std::int64_t revolution = timing_.latest_complete(uptime());
+    for (std::int64_t revolution = next_revolution() - 1;
          revolution >= 0 && client.session_.waits_for(turn(revolution)) &&
          (patience_ == sim::Time::zero() || poses_known(revolution));) {
         client.session_.take(measure(revolution).sent.view(), uptime());

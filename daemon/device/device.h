@@ -73,8 +73,8 @@ class Device : public ScanSource {
 
     void add(Client& client) { clients_.push_back(&client); }
     void remove(Client& client) { std::erase(clients_, &client); }
-    /// Answers a request for the latest scan, if it is complete by now, and sees to those that are
-    /// not.
+    /// Answers a request for the latest scan, if one has left the mirror for its clients by now,
+    /// and sees to those that have not.
     void serve_latest(Client& client);
     /// Something has happened to the device that its clients may be waiting for.
     void tell_clients(const Client* knows = nullptr);

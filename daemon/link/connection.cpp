@@ -53,7 +53,7 @@ Outbox outbox_of(const Device& device, const LinkConfig& link) {
 Connection::Connection(Descriptor descriptor, Device& device, const LinkConfig& link, Hooks hooks)
     : descriptor_(std::move(descriptor)),
       hooks_(std::move(hooks)),
-      client_(std::make_unique<Client>(device, [this] { flush(); })),
+      client_(std::make_unique<Client>(device, [this] { flush(); }, hooks_.kind)),
       clock_(device.clock()),
       alarm_(clock_.make_alarm()),
       inbox_(line_to_device(device, link)),
@@ -195,7 +195,7 @@ void Connection::end_of_input() {
 void Connection::drop() {
     drop_output();
     inbox_.clear();
-    if (!hooks_.survives_boot) input_ended_ = true;
+    if (hooks_.kind == protocol::LinkKind::network) input_ended_ = true;
     flush();
 }
 

@@ -32,8 +32,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
         /// The rate that the client's side of a serial line is set to. Asked whenever something
         /// goes either way, if the link has a rate at all.
         std::function<int()> client_rate = [] { return 0; };
-        /// Whether the link stays where the device boots.
-        bool survives_boot = false;
+        /// A tty stays where the device boots.
+        protocol::LinkKind kind = protocol::LinkKind::network;
         /// Called once, when nothing more will come or go. Not after close().
         std::function<void()> ended = [] {};
     };

@@ -97,7 +97,7 @@ void PtyPort::serve(Device& device, const LinkConfig& link) {
         Connection::Descriptor(executor_, descriptor), device, link,
         Connection::Hooks{.somebody_there = [this] { return somebody_there(); },
                           .client_rate = [this] { return line_rate(master_.native_handle()); },
-                          .survives_boot = true});
+                          .kind = protocol::LinkKind::tty});
     connection_->start();
     if (!watched) watch();
 }

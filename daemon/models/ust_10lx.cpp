@@ -48,9 +48,10 @@ protocol::DeviceProfile ust_profile(const std::string& name, const std::string& 
         // Firmware 2.23 answers 0F where the specification says 0E.
         .unknown_command = protocol::status::unsupported,
         .scan_period = 25'050us,  // urg_stamped
-        // Replies and scans leave on a tick of 1 ms (urg_stamped and its simulator), and II is
-        // never answered within 2 ms (its author's UST-05LX).
-        .reply_tick = 1ms,
+        // A scan leaves on the next frame of 1 ms; TM is answered as SCIP says, at once (README of
+        // urg_stamped), which is some 0.1 to 0.5 ms; II never within 2 ms (its author's UST-05LX).
+        .scan_tick = 1ms,
+        .reply_delay = 400us,
         .state_report_delay = 2ms,
         // UST-10LX data sheet: up to 10 s; it takes connections then, but does not answer
         // (urg_stamped). Waking: assumed.

@@ -16,9 +16,14 @@ Model ust_30lc(const std::string& firmware) {
     profile.dmin_mm = 23;
     profile.nearest_mm = 23;
     profile.dmax_mm = 60000;
-    // From 4.0.0 to 4.0.2 TM1 and scans wait for a tick of 5 ms (urg_stamped).
+    // From 4.0.0 to 4.0.2 commands are looked at on a tick of 1 ms, and TM1 and scans wait for one
+    // of 5 ms (urg_stamped).
     using namespace std::chrono_literals;
-    if (firmware.starts_with("4.0.2")) profile.scan_tick = 5ms;
+    if (firmware.starts_with("4.0.2")) {
+        profile.reply_tick = 1ms;
+        profile.reply_delay = 0ms;
+        profile.time_tick = profile.scan_tick = 5ms;
+    }
     // urg_stamped uses %TM and %ME from 4.1 of this line on.
     profile.microseconds = firmware.starts_with("4.1");
     // Its simulator answers so; 0F is known of firmware 2.23 only.

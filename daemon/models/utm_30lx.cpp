@@ -48,12 +48,11 @@ Model utm_30lx() {
         .codes = {.nothing = 1, .too_near = 2, .too_far = 1, .not_measured = 5},
 
         .unknown_command = protocol::status::undefined,
-        .scan_period = 25'050us,  // as that of the UTM-30LX-EW, which urg_stamped measured
-        // Recorded: replies 24.85 ms apart (nine of them, seen by USB polls of 1 ms; the device's
-        // clock counted 125 ms in five), a scan 24 ms after its time stamp, 5 ms after its last
-        // step. Eight turns of the mirror would have taken 200.4 ms, not 199: the grid is one of
-        // its own.
-        .reply_tick = 25ms,
+        // Recorded: replies 24.85 ms apart (nine of them, seen by USB polls of 1 ms), which the
+        // device's clock counts as 125 ms in five, and a scan 24 ms after its time stamp, 5 ms
+        // after its last step: one reply a turn of 25.0 ms.
+        .scan_period = 25ms,
+        .turns_per_reply = 1,
         .boot_time = 1s,  // assumed
     };
     return make_model(profile, utm_noise(),

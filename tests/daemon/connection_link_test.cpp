@@ -44,9 +44,10 @@ class ConnectionLink : public testing::Test {
         client_ = ends[0];
         connection_ = std::make_shared<Connection>(
             Connection::Descriptor(io_, ends[1]), *device_, link,
-            Connection::Hooks{.client_rate = [this] { return client_rate_; },
-                              .survives_boot = link.baud.has_value(),
-                              .ended = [this] { ++ended_; }});
+            Connection::Hooks{
+                .client_rate = [this] { return client_rate_; },
+                .kind = link.baud ? protocol::LinkKind::tty : protocol::LinkKind::network,
+                .ended = [this] { ++ended_; }});
         connection_->start();
     }
 

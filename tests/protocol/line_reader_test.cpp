@@ -52,8 +52,16 @@ TEST(LineReader, CutsAtItsLimitAndNotBefore) {
 }
 
 TEST(LineReader, KeepsAnyOtherByte) {
-    const std::string odd("\0\x01;\xff", 4);
+    const std::string odd("\x01\0;\xff", 4);
     EXPECT_THAT(lines_of(odd + "\n", 1), ElementsAre(odd));
+}
+
+TEST(LineReader, PassesOverNulWhereALineWouldBegin) {
+    using namespace std::string_literals;
+    const std::string bytes = "\0BM\n\0GD0000108001\n\0\0\r\n\0QT\n\0"s;
+    for (std::size_t piece = 1; piece <= bytes.size(); ++piece)
+        EXPECT_THAT(lines_of(bytes, piece), ElementsAre("BM", "GD0000108001", "QT")) << piece;
+    EXPECT_THAT(lines_of(std::string(200, '\0') + "VV\n", 7), ElementsAre("VV"));
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ TEST(ReplyGrid, OnePerTurnFollowsTheMirror) {
     profile.turns_per_reply = 2;
     DeviceState device;
     EXPECT_EQ(reply_leaves(1ms, command("VV"), device, profile), 50ms);
-    EXPECT_EQ(scan_leaves(18'750us, device, profile), 50ms);
+    EXPECT_EQ(scan_leaves(18'750us, device, profile), 25ms);
     device.settings().motor_level = 10;  // 25 ms / 0.9
     device.set_mirror_origin(75ms);
     EXPECT_EQ(reply_leaves(60ms, command("VV"), device, profile), 75ms);
@@ -78,7 +78,7 @@ TEST(ReplyGrid, InAdjustModeTheMirrorIsNotWaitedFor) {
 
 TEST(ReplyGrid, TimeAndScansMayHaveAWiderTickThanTheRest) {
     DeviceProfile profile = test_profile();
-    profile.scan_tick = 5ms;
+    profile.time_tick = profile.scan_tick = 5ms;
     DeviceState device;
     EXPECT_EQ(reply_leaves(1ms, command("TM1"), device, profile), 5ms);
     EXPECT_EQ(reply_leaves(1ms, command("TM0"), device, profile), 2ms);
@@ -89,13 +89,21 @@ TEST(ReplyGrid, TimeAndScansMayHaveAWiderTickThanTheRest) {
     EXPECT_EQ(reply_leaves(1ms, command("TM2"), device, profile), 2ms);
 }
 
+TEST(ReplyGrid, ScansAloneMayWaitForATick) {
+    DeviceProfile profile = test_profile();
+    profile.reply_tick = 0ms;
+    const DeviceState device;
+    EXPECT_EQ(reply_leaves(300us, command("TM1"), device, profile), 300us);
+    EXPECT_EQ(scan_leaves(18'750us, device, profile), 19ms);
+}
+
 TEST(ReplyGrid, AReplyMayTakeItsTime) {
     DeviceProfile profile = test_profile();
     const DeviceState device;
     profile.state_report_delay = 2ms;
     EXPECT_EQ(reply_leaves(300us, command("II"), device, profile), 3ms);
     EXPECT_EQ(reply_leaves(300us, command("VV"), device, profile), 1ms);
-    profile.reply_tick = 0ms;
+    profile.reply_tick = profile.scan_tick = 0ms;
     profile.reply_delay = 500us;
     EXPECT_EQ(reply_leaves(300us, command("VV"), device, profile), 800us);
     EXPECT_EQ(reply_leaves(300us, command("II"), device, profile), 2'300us);
@@ -113,7 +121,7 @@ TEST(ReplyGrid, AnIdealDeviceKeepsNobodyWaiting) {
     DeviceProfile profile = test_profile();
     profile.scan_period = 25'050us;
     profile.turns_per_reply = 1;
-    profile.scan_tick = 5ms;
+    profile.time_tick = profile.scan_tick = 5ms;
     profile.reply_delay = profile.state_report_delay = 2ms;
     profile = ideal(profile);
     const DeviceState device;

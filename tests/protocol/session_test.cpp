@@ -21,7 +21,7 @@ using ::testing::StartsWith;
 
 DeviceProfile prompt(Family family = Family::c) {
     DeviceProfile profile = test_profile(family);
-    profile.reply_tick = 0ms;
+    profile.reply_tick = profile.scan_tick = 0ms;
     return profile;
 }
 
@@ -197,7 +197,7 @@ TEST(Session, AnIntervalPassesOverTurnsWithoutScanningThem) {
 // the grid has no width.)
 TEST(Session, IntervalOneOfASlowModelSendsTheTurnAfterTheAcknowledgement) {
     DeviceProfile profile = test_profile(Family::a2);
-    profile.reply_tick = 25ms;
+    profile.turns_per_reply = 1;
     Shell shell(profile);
     shell.receive("BM\n");
     shell.advance_to(25'500us);
@@ -222,7 +222,7 @@ TEST(Session, ASlowerMotorSlowsScansAndRepliesFromTheNextTurnOn) {
     shell.advance_to(131ms);
     EXPECT_THAT(told(shell),
                 ElementsAre(Told{25ms, "MD0002000301000"}, Told{50ms, "MD0002000301000"},
-                            Told{50ms, "CR10"}, Told{75ms, "MD0002000301000"},
+                            Told{51ms, "CR10"}, Told{75ms, "MD0002000301000"},
                             Told{75ms + 27'777'777ns, "MD0002000301000"},
                             Told{75ms + 2 * 27'777'777ns, "MD0002000301000"}));
     shell.receive("RS\n");
@@ -231,7 +231,7 @@ TEST(Session, ASlowerMotorSlowsScansAndRepliesFromTheNextTurnOn) {
     shell.advance_to(1100ms);
     // Once more at the slow pace, then 25 ms again from 75 ms + 4 * 27.777777 ms on.
     EXPECT_THAT(told(shell), ElementsAre(Told{75ms + 3 * 27'777'777ns, "MD0002000301000"},
-                                         Told{75ms + 3 * 27'777'777ns, "RS"},
+                                         Told{76ms + 3 * 27'777'777ns, "RS"},
                                          Told{75ms + 4 * 27'777'777ns + 33 * 25ms, "VV"}));
 }
 
@@ -301,7 +301,28 @@ TEST(Session, AScanUnderWayIsDroppedByQuit) {
     shell.receive("QT\n");
     shell.advance_to(200ms);
     EXPECT_THAT(told(shell), ElementsAre(Told{1ms, "MD0002000301000"},
-                                         Told{44ms, "MD0002000301000"}, Told{44ms, "QT"}));
+                                         Told{44ms, "MD0002000301000"}, Told{45ms, "QT"}));
+}
+
+// Clients that stop reading at the empty line behind a scan wait for ever for a reply that came
+// with it.
+TEST(Session, AReplyFollowsAScanAfterAPause) {
+    DeviceProfile profile = test_profile(Family::a1);
+    profile.turns_per_reply = 1;
+    Shell shell(profile);
+    shell.receive("MD0002000301000\n");
+    shell.advance_to(60ms);
+    shell.receive("QT\nVV\n");  // their turn is when a scan leaves
+    shell.advance_to(200ms);
+    EXPECT_THAT(told(shell),
+                ElementsAre(Told{25ms, "MD0002000301000"}, Told{50ms, "MD0002000301000"},
+                            Told{75ms, "MD0002000301000"}, Told{76ms, "QT"}, Told{100ms, "VV"}));
+    Shell counted(prompt());
+    counted.receive("MD0002000301001\n");
+    counted.advance_to(19ms);  // the only one left at 18.75 ms
+    counted.receive("QT\n");
+    counted.advance_to(50ms);
+    EXPECT_EQ(told(counted).back(), (Told{19'750us, "QT"}));
 }
 
 TEST(Session, ResetEndsTheStreamAndSetsTheClockToZero) {

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // A made-up scanner that is small enough to write its replies down: 10 steps, 0 to 9, in a turn of
-// 25 ms that passes 12; measured are 2 to 9; answers on a grid of 1 ms.
+// 25 ms that passes 12; measured are 2 to 9; answers and sends scans on a grid of 1 ms.
 #pragma once
 
 #include "protocol/device_profile.h"
@@ -35,7 +35,7 @@ inline DeviceProfile test_profile(Family family = Family::c) {
     profile.codes = {.nothing = 65533, .too_near = 4, .too_far = 65532, .not_measured = 19};
     profile.unknown_command = status::undefined;
     profile.scan_period = std::chrono::milliseconds(25);
-    profile.reply_tick = std::chrono::milliseconds(1);
+    profile.reply_tick = profile.scan_tick = std::chrono::milliseconds(1);
     profile.multi_echo = family == Family::b;
     profile.boot_time = std::chrono::seconds(5);
     profile.answers_while_booting = family == Family::b;
