@@ -71,8 +71,7 @@ constexpr Command table[] = {
     {"MF",      scans,  stream,              io_distance, {unknown, unknown, unknown, "-- -- -- 10 10 0L 10"}, Feature::io_lines},
     {"MG",      scans,  stream,              io_both,    {unknown, unknown, unknown, "-- -- -- 10 10 0L 10"}, Feature::io_lines},
     // What can be set. On Ethernet SS is 0F (the rate of urg_library's dummy serial line), CR and HS are unknown.
-    // These models have no tty; on the one that they have here SS is 04, no bit rate to set, with which drivers go on.
-    {"SS",      rate,   set_bit_rate,        no_data,    {"-- -- -- 0E -- -- --", "-- -- -- 0E -- -- --", "-- -- -- -- -- -- --", "-- -- -- -- -- -- --"}},
+    {"SS",      rate,   set_bit_rate,        no_data,    {"-- -- -- 0E -- -- --", "-- -- -- 0E -- -- --", "0F 0F 0F 0F 0F 0F 0F", "0F 0F 0F 0F 0F 0F 0F"}},
     {"CR",      number, set_motor_level,     no_data,    {"-- -- -- 0E -- -- --", "-- -- -- 0E -- -- --", unknown,                unknown}},
     {"HS",      digit,  set_sensitivity,     no_data,    {"-- -- -- 0E -- -- --", "-- -- -- 0E -- -- --", unknown,                unknown}},
     {"DB",      number, rehearse,            no_data,    {"-- -- -- 0E -- -- --", "-- -- -- 0E -- -- --", unknown,                unknown}},

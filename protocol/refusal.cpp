@@ -27,13 +27,13 @@ std::optional<Status> refusal_of(const Request& request, State state, Trouble tr
     const bool no_laser = trouble == Trouble::unstable || trouble == Trouble::laser;
     if (command.operation == Operation::switch_laser_on && is_ethernet(profile) && no_laser)
         return Status("01");
-    if (const auto status = refusal(command, state, profile)) return status;
-    // Asked by network, the rate of a serial line is none of this model's; on the tty that it has
-    // here it is 04 (settings), with which drivers for serial lines go on. Deduced.
-    if (command.operation == Operation::set_bit_rate && is_ethernet(profile) &&
-        link == LinkKind::network)
-        return status::unsupported;
-    return refusal_by_length(request);
+    const auto status = refusal(command, state, profile);
+    // Models for Ethernet have no tty; on the one that they have here SS is what it is on a tty
+    // without a bit rate to set, with which drivers for serial lines go on. Deduced.
+    if (command.operation == Operation::set_bit_rate && link == LinkKind::tty &&
+        status == status::unsupported)
+        return Status("04");
+    return status ? status : refusal_by_length(request);
 }
 
 }  // namespace scipd::protocol

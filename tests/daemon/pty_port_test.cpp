@@ -86,6 +86,17 @@ TEST_F(PtyPortTest, LeavesTheLinkOfAnotherAlone) {
     EXPECT_EQ(fs::read_symlink(link_), target);
 }
 
+// Drivers for serial lines set its rate first.
+TEST_F(PtyPortTest, HasNoRateToSetOnAModelForEthernet) {
+    const auto port = make(link_);
+    port->serve(device_);
+    ScannerWire wire = ScannerWire::tty(link_);
+    wire.write("SS115200\n");
+    EXPECT_TRUE(comes(wire, "SS115200\n04T\n\n"));
+    port->stop();
+    let_things_end();
+}
+
 TEST_F(PtyPortTest, KnowsWhetherSomebodyHasItOpen) {
     const auto port = make(link_);
     port->serve(device_);
