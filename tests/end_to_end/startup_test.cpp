@@ -7,8 +7,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "tests/end_to_end/in_square_room.h"
+#include "tests/support/control_request.h"
 
 namespace scipd::tests {
 namespace {
@@ -103,6 +105,28 @@ TEST_F(Startup, ReplacesWhatAKilledOneLeftBehind) {
     DaemonProcess next(directory_, on_tty());
     ASSERT_NE(next.ready_line(), "") << next.standard_error();
     EXPECT_EQ(ScannerWire::tty(next.tty()).ask("VV"), "00");
+}
+
+TEST_F(Startup, OpensWhatIsClosedOfStandardInputAndOutput) {
+    DaemonProcess daemon(directory_, in_square_room({"--poses", "-", "--tcp", "127.0.0.1:0"}),
+                         {STDIN_FILENO, STDERR_FILENO});
+    ASSERT_NE(daemon.ready_line(), "");
+    const fs::path open = "/proc/" + std::to_string(daemon.pid()) + "/fd";
+    EXPECT_EQ(fs::read_symlink(open / "0"), "/dev/null");
+    EXPECT_EQ(fs::read_symlink(open / "2"), "/dev/null");
+    // Whoever reads the poses does not take what the loader says when it is done.
+    const nlohmann::json world{{"file", scene("corridor.sdf").string()}};
+    EXPECT_EQ(control_request(daemon.control(), "PUT", "/scene", world.dump()).status, 200);
+}
+
+TEST_F(Startup, RunsAlsoWhereNobodyHearsThatItIsReady) {
+    DaemonProcess daemon(directory_, on_tty(), {STDOUT_FILENO});
+    const fs::path control = run_directory() / "control.sock";
+    EXPECT_TRUE(eventually([&] { return fs::exists(control); }));
+    EXPECT_TRUE(eventually([&] { return fs::is_symlink(run_directory() / "robot-scanner"); }));
+    EXPECT_EQ(control_get(control, "/status").at("sensors").size(), 1U);
+    daemon.signal(SIGTERM);
+    EXPECT_EQ(daemon.wait(), 0);
 }
 
 // Scripts go by the exit code.
