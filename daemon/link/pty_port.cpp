@@ -29,12 +29,14 @@ int checked(int result, const std::string& what) {
     return result;
 }
 
-int open_master() {
-    const int master =
-        checked(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC), "cannot make a pseudo-terminal");
-    checked(::grantpt(master), "cannot make a pseudo-terminal");
-    checked(::unlockpt(master), "cannot make a pseudo-terminal");
-    return master;
+/// Closed with `owner`, and at once where that cannot take it.
+void give(asio::posix::stream_descriptor& owner, int descriptor, const std::string& what) {
+    checked(descriptor, what);
+    error_code error;
+    owner.assign(descriptor, error);
+    if (!error) return;
+    ::close(descriptor);
+    throw std::system_error(error, what);
 }
 
 std::string slave_name(int master) {
@@ -55,21 +57,27 @@ int make_raw(int slave) {
 PtyPort::PtyPort(const asio::any_io_executor& executor, std::filesystem::path link)
     : executor_(executor),
       link_(std::move(link)),
-      master_(executor, open_master()),
+      master_(executor),
       slave_(executor),
-      events_(executor) {
+      events_(executor),
+      next_(executor) {
+    const std::string no_tty = "cannot make a pseudo-terminal";
+    give(master_, ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC), no_tty);
+    checked(::grantpt(master_.native_handle()), no_tty);
+    checked(::unlockpt(master_.native_handle()), no_tty);
     device_path_ = slave_name(master_.native_handle());
     const std::string what = "cannot use " + device_path_.string();
-    slave_.assign(checked(::open(device_path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC), what));
+    give(slave_, ::open(device_path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC), what);
     checked(make_raw(slave_.native_handle()), what);
     // Watched from here on, so this open of our own does not count.
-    events_.assign(checked(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC), what));
+    give(events_, ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC), what);
     watch_for_clients(what);
+    prepare();
     make_link();
 }
 
 PtyPort::~PtyPort() {
-    remove_link();
+    stop();
 }
 
 // The kernel merges an event with an equal one right before it: of two drivers that open the tty
@@ -84,17 +92,22 @@ void PtyPort::watch_for_clients(const std::string& what) {
     watch(device_path_.parent_path());
 }
 
+void PtyPort::prepare() {
+    if (next_.is_open()) return;
+    give(next_, ::fcntl(master_.native_handle(), F_DUPFD_CLOEXEC, 0),
+         "cannot use " + device_path_.string());
+}
+
 void PtyPort::serve(Device& device, const LinkConfig& link) {
+    prepare();
     if (connection_) {
         lost_before_ += connection_->lost();
         connection_->close();
     }
-    const int descriptor = checked(::fcntl(master_.native_handle(), F_DUPFD_CLOEXEC, 0),
-                                   "cannot use the pseudo-terminal");
     stop_on_close_ = link.stop_on_close;
     const bool watched = connection_ != nullptr;
     connection_ = std::make_shared<Connection>(
-        Connection::Descriptor(executor_, descriptor), device, link,
+        std::move(next_), device, link,
         Connection::Hooks{.somebody_there = [this] { return somebody_there(); },
                           .client_rate = [this] { return line_rate(master_.native_handle()); },
                           .survives_boot = true});

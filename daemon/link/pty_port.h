@@ -28,9 +28,12 @@ class PtyPort : public std::enable_shared_from_this<PtyPort> {
     PtyPort(const boost::asio::any_io_executor& executor, std::filesystem::path link);
     PtyPort(const PtyPort&) = delete;
     PtyPort& operator=(const PtyPort&) = delete;
-    /// Takes the link away.
+    /// As stop().
     ~PtyPort();
 
+    /// Gets all that the next serve() needs, which does not fail then. Throws std::system_error;
+    /// then all is as before.
+    void prepare();
     /// As TcpPort::serve() and stop(); the latter takes the link away.
     void serve(Device& device, const LinkConfig& link = {});
     void stop();
@@ -55,7 +58,8 @@ class PtyPort : public std::enable_shared_from_this<PtyPort> {
     boost::asio::posix::stream_descriptor
         slave_;  ///< kept open, so that the terminal's settings outlive each driver
     boost::asio::posix::stream_descriptor events_;
-    int tty_watch_ = -1;  ///< what its own events are marked with
+    int tty_watch_ = -1;           ///< what its own events are marked with
+    Connection::Descriptor next_;  ///< of the connection to come; closed: not prepared
     std::shared_ptr<Connection> connection_;
     bool stop_on_close_ = false;
     int opens_ = 0;
