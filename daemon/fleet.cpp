@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include "daemon/load_world.h"
 #include "daemon/run_directory.h"
@@ -118,15 +119,28 @@ Fleet::Ports Fleet::open_ports(const Config& config) const {
                                              "; name one of them with pty");
                 }
                 const auto open = ports_.pty.find(link);
-                ports.pty[link] = open != ports_.pty.end()
-                                      ? open->second
-                                      : std::make_shared<PtyPort>(executor_, link);
+                ports.pty[link] = open != ports_.pty.end() ? open->second : open_tty(robot, sensor);
                 if (find_unchanged(robot.name, sensor, config.seed) == stations_.end())
                     ports.pty[link]->prepare();
             }
         }
     }
     return ports;
+}
+
+// A tty that nobody has named is the first scipd's; those after it have their own.
+std::shared_ptr<PtyPort> Fleet::open_tty(const RobotConfig& robot,
+                                         const SensorConfig& sensor) const {
+    const std::filesystem::path& named = sensor.pty->link;
+    if (!named.empty()) return std::make_shared<PtyPort>(executor_, named);
+    make_run_directory();
+    std::filesystem::path link = link_of(robot, sensor);
+    try {
+        return std::make_shared<PtyPort>(executor_, link);
+    } catch (const PathHeld&) {
+        link += "-" + std::to_string(::getpid());
+        return std::make_shared<PtyPort>(executor_, link);
+    }
 }
 
 std::vector<Fleet::Feed> Fleet::open_feeds(const Config& config) {

@@ -106,6 +106,8 @@ class Fleet : public Api {
 
     /// With all that it takes to serve those devices that will be new.
     [[nodiscard]] Ports open_ports(const Config& config) const;
+    [[nodiscard]] std::shared_ptr<PtyPort> open_tty(const RobotConfig& robot,
+                                                    const SensorConfig& sensor) const;
     /// The second half of apply(), in which nothing can fail.
     void take_up(FleetPlan&& plan, Ports ports, std::vector<Feed> feeds) noexcept;
     [[nodiscard]] std::vector<Feed> open_feeds(const Config& config);

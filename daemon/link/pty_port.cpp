@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <sys/inotify.h>
 #include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -50,6 +51,39 @@ int make_raw(int slave) {
     if (::tcgetattr(slave, &settings) < 0) return -1;
     ::cfmakeraw(&settings);
     return ::tcsetattr(slave, TCSANOW, &settings);
+}
+
+const std::string other_name = "; choose another name for the tty";
+
+bool is_terminal(const std::filesystem::path& path) {
+    const std::string number = path.filename();
+    return path.parent_path() == "/dev/pts" &&
+           number.find_first_not_of("0123456789") == std::string::npos;
+}
+
+// The numbers of terminals are given again: one that is younger than the link is not the one that
+// the link was made for, which is gone.
+bool leads_to_its_own(const std::filesystem::path& link) {
+    struct stat made {};
+    struct stat terminal {};
+    if (::lstat(link.c_str(), &made) != 0 || ::stat(link.c_str(), &terminal) != 0) return false;
+    const auto time = [](const timespec& at) { return std::pair(at.tv_sec, at.tv_nsec); };
+    return time(terminal.st_ctim) <= time(made.st_mtim);
+}
+
+/// Only a link of a scipd that was killed; nobody who lives holds it.
+void remove_left_behind(const std::filesystem::path& link) {
+    if (!std::filesystem::is_symlink(link))
+        throw std::runtime_error(link.string() + " is there and is no link" + other_name);
+    const std::filesystem::path target = std::filesystem::read_symlink(link);
+    const std::string leads = link.string() + " leads to " + target.string();
+    if (!is_terminal(target))
+        throw std::runtime_error(leads + ", which is no tty of scipd's; remove it, or" +
+                                 other_name.substr(1));
+    if (leads_to_its_own(link))
+        throw PathHeld(leads + ", a tty of another program; end that one, or" +
+                       other_name.substr(1));
+    std::filesystem::remove(link);
 }
 
 }  // namespace
@@ -168,28 +202,24 @@ void PtyPort::last_one_closed() {
     make_raw(slave);
 }
 
-void PtyPort::make_link() const {
+void PtyPort::make_link() {
     namespace fs = std::filesystem;
-    const std::string other_name = "; choose another name for the tty";
-    if (fs::exists(fs::symlink_status(link_)) && !fs::is_symlink(link_)) {
-        throw std::runtime_error(link_.string() + " is there and is no link" + other_name);
-    }
     try {
         if (link_.has_parent_path()) fs::create_directories(link_.parent_path());
-        const fs::path fresh = link_.string() + ".new";
-        fs::remove(fresh);
-        fs::create_symlink(device_path_, fresh);
-        fs::rename(fresh, link_);
-    } catch (const fs::filesystem_error& error) {
+        hold_.emplace(executor_, link_);
+        if (fs::exists(fs::symlink_status(link_))) remove_left_behind(link_);
+        fs::create_symlink(device_path_, link_);
+    } catch (const std::system_error& error) {
         throw std::runtime_error("cannot make the link " + link_.string() + ": " +
                                  error.code().message() + other_name);
     }
 }
 
-void PtyPort::remove_link() const {
+void PtyPort::remove_link() {
     std::error_code none;
     if (std::filesystem::read_symlink(link_, none) == device_path_)
         std::filesystem::remove(link_, none);
+    hold_.reset();
 }
 
 }  // namespace scipd::daemon

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <boost/asio/any_io_executor.hpp>
@@ -18,13 +19,14 @@
 
 #include "daemon/device/device.h"
 #include "daemon/link/connection.h"
+#include "daemon/link/path_hold.h"
 
 namespace scipd::daemon {
 
 class PtyPort : public std::enable_shared_from_this<PtyPort> {
   public:
-    /// Creates the tty and its link, replacing a link that is there but nothing else. Throws
-    /// std::runtime_error.
+    /// Creates the tty and its link, in place of one that a scipd left behind that was killed, but
+    /// of nothing else. Throws PathHeld where somebody uses the link, else std::runtime_error.
     PtyPort(const boost::asio::any_io_executor& executor, std::filesystem::path link);
     PtyPort(const PtyPort&) = delete;
     PtyPort& operator=(const PtyPort&) = delete;
@@ -48,11 +50,12 @@ class PtyPort : public std::enable_shared_from_this<PtyPort> {
     bool somebody_there();
     void last_one_closed();
     void watch_for_clients(const std::string& what);
-    void make_link() const;
-    void remove_link() const;
+    void make_link();
+    void remove_link();
 
     boost::asio::any_io_executor executor_;
     std::filesystem::path link_;
+    std::optional<PathHold> hold_;       ///< of the link
     std::filesystem::path device_path_;  ///< /dev/pts/N
     boost::asio::posix::stream_descriptor master_;
     boost::asio::posix::stream_descriptor
