@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include "daemon/load_world.h"
 #include "daemon/run_directory.h"
@@ -43,12 +44,19 @@ Fleet::Fleet(const boost::asio::any_io_executor& executor, ClockKind clock)
     });
 }
 
-void Fleet::apply(FleetPlan&& plan) {
-    auto& [config, loaded, backends] = plan;
-    Ports ports = open_ports(config);
-    std::vector<Feed> feeds = open_feeds(config);
+Fleet::~Fleet() {
+    stop();
+}
 
-    // From here on nothing can fail.
+void Fleet::apply(FleetPlan&& plan) {
+    Ports ports = open_ports(plan.config);
+    std::vector<Feed> feeds = open_feeds(plan.config);
+    take_up(std::move(plan), std::move(ports), std::move(feeds));
+}
+
+// An exception on the way would leave ports behind that serve devices which are gone.
+void Fleet::take_up(FleetPlan&& plan, Ports ports, std::vector<Feed> feeds) noexcept {
+    auto& [config, loaded, backends] = plan;
     for (const std::string& warning : loaded.warnings)
         spdlog::warn("{}", warning);
     editor_.set_file(config.scene, scene_options(config));
@@ -111,13 +119,28 @@ Fleet::Ports Fleet::open_ports(const Config& config) const {
                                              "; name one of them with pty");
                 }
                 const auto open = ports_.pty.find(link);
-                ports.pty[link] = open != ports_.pty.end()
-                                      ? open->second
-                                      : std::make_shared<PtyPort>(executor_, link);
+                ports.pty[link] = open != ports_.pty.end() ? open->second : open_tty(robot, sensor);
+                if (find_unchanged(robot.name, sensor, config.seed) == stations_.end())
+                    ports.pty[link]->prepare();
             }
         }
     }
     return ports;
+}
+
+// A tty that nobody has named is the first scipd's; those after it have their own.
+std::shared_ptr<PtyPort> Fleet::open_tty(const RobotConfig& robot,
+                                         const SensorConfig& sensor) const {
+    const std::filesystem::path& named = sensor.pty->link;
+    if (!named.empty()) return std::make_shared<PtyPort>(executor_, named);
+    make_run_directory();
+    std::filesystem::path link = link_of(robot, sensor);
+    try {
+        return std::make_shared<PtyPort>(executor_, link);
+    } catch (const PathHeld&) {
+        link += "-" + std::to_string(::getpid());
+        return std::make_shared<PtyPort>(executor_, link);
+    }
 }
 
 std::vector<Fleet::Feed> Fleet::open_feeds(const Config& config) {
@@ -142,7 +165,7 @@ std::vector<Fleet::Feed> Fleet::open_feeds(const Config& config) {
     return feeds;
 }
 
-void Fleet::replace_stations(const Config& config, const Ports& ports) {
+void Fleet::replace_stations(const Config& config, const Ports& ports) noexcept {
     Stations stations;
     for (const RobotConfig& robot : config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {
@@ -162,14 +185,20 @@ void Fleet::replace_stations(const Config& config, const Ports& ports) {
     }
 }
 
+Fleet::Stations::const_iterator Fleet::find_unchanged(const std::string& robot,
+                                                      const SensorConfig& sensor,
+                                                      std::uint64_t seed) const {
+    return std::ranges::find_if(stations_, [&](const auto& station) {
+        return station->robot == robot && station->config == sensor && station->seed == seed;
+    });
+}
+
 std::unique_ptr<Fleet::Station> Fleet::take_unchanged(const std::string& robot,
                                                       const SensorConfig& sensor,
                                                       std::uint64_t seed) {
-    const auto found = std::ranges::find_if(stations_, [&](const auto& station) {
-        return station->robot == robot && station->config == sensor && station->seed == seed;
-    });
+    const auto found = find_unchanged(robot, sensor, seed);
     if (found == stations_.end()) return nullptr;
-    auto station = std::move(*found);
+    auto station = std::move(stations_[static_cast<std::size_t>(found - stations_.begin())]);
     stations_.erase(found);
     return station;
 }
@@ -200,7 +229,7 @@ std::unique_ptr<Fleet::Station> Fleet::power_up(const RobotConfig& robot,
     return station;
 }
 
-void Fleet::replace_feeds(std::vector<Feed> feeds) {
+void Fleet::replace_feeds(std::vector<Feed> feeds) noexcept {
     const auto in = [](const std::vector<Feed>& list, const Feed& feed) {
         return std::ranges::any_of(list,
                                    [&](const Feed& other) { return other.feed == feed.feed; });

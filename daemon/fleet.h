@@ -39,6 +39,10 @@ namespace scipd::daemon {
 class Fleet : public Api {
   public:
     explicit Fleet(const boost::asio::any_io_executor& executor, ClockKind clock = ClockKind::wall);
+    /// As stop().
+    ~Fleet() override;
+    Fleet(const Fleet&) = delete;
+    Fleet& operator=(const Fleet&) = delete;
 
     /// Throws LoadError for a trajectory, std::runtime_error for a port or a source of poses: then
     /// all is as before.
@@ -100,16 +104,25 @@ class Fleet : public Api {
     };
     using Stations = std::vector<std::unique_ptr<Station>>;
 
+    /// With all that it takes to serve those devices that will be new.
     [[nodiscard]] Ports open_ports(const Config& config) const;
+    [[nodiscard]] std::shared_ptr<PtyPort> open_tty(const RobotConfig& robot,
+                                                    const SensorConfig& sensor) const;
+    /// The second half of apply(), in which nothing can fail.
+    void take_up(FleetPlan&& plan, Ports ports, std::vector<Feed> feeds) noexcept;
     [[nodiscard]] std::vector<Feed> open_feeds(const Config& config);
-    void replace_stations(const Config& config, const Ports& ports);
+    void replace_stations(const Config& config, const Ports& ports) noexcept;
+    /// Of the same robot and seed, and configured like this.
+    [[nodiscard]] Stations::const_iterator find_unchanged(const std::string& robot,
+                                                          const SensorConfig& sensor,
+                                                          std::uint64_t seed) const;
     [[nodiscard]] std::unique_ptr<Station> take_unchanged(const std::string& robot,
                                                           const SensorConfig& sensor,
                                                           std::uint64_t seed);
     [[nodiscard]] std::unique_ptr<Station> power_up(const RobotConfig& robot,
                                                     const SensorConfig& sensor, std::uint64_t seed,
                                                     const Ports& ports);
-    void replace_feeds(std::vector<Feed> feeds);
+    void replace_feeds(std::vector<Feed> feeds) noexcept;
     [[nodiscard]] const Station* find(const std::string& sensor) const;
     /// Null has none.
     [[nodiscard]] std::optional<sim::TimedPose> pose_now(const sim::PoseTrack* track) const;

@@ -9,7 +9,9 @@
 #include <string>
 #include <variant>
 
+#include <fcntl.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include "daemon/logging.h"
 #include "daemon/options.h"
@@ -17,6 +19,15 @@
 #include "sim/backends/depth.h"
 
 namespace {
+
+// What is opened next takes the number of a standard descriptor that is closed, and would be read
+// and written in its place.
+void open_standard_descriptors() {
+    int descriptor = 0;
+    while (descriptor >= 0 && descriptor <= STDERR_FILENO)
+        descriptor = ::open("/dev/null", O_RDWR);
+    if (descriptor >= 0) ::close(descriptor);
+}
 
 // Standard output carries the ready line and answers to questions; nothing else.
 void print(const std::string& text, std::FILE* stream = stdout) {
@@ -48,6 +59,7 @@ int run(scipd::daemon::Options options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    open_standard_descriptors();
     // A client that goes away is an error of one write, not the end of the program.
     std::signal(SIGPIPE, SIG_IGN);
     scipd::sim::prepare_drivers();

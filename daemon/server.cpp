@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include "daemon/config/config.h"
 #include "daemon/control/routes.h"
@@ -17,21 +18,6 @@
 namespace scipd::daemon {
 
 namespace asio = boost::asio;
-
-namespace {
-
-std::filesystem::path control_socket(const Config& config) {
-    return config.control.empty() ? run_directory() / "control.sock" : config.control;
-}
-
-// A folder that is made here is for this user alone, as the socket in it is.
-void make_folder(const std::filesystem::path& folder) {
-    if (!folder.empty() && std::filesystem::create_directories(folder)) {
-        std::filesystem::permissions(folder, std::filesystem::perms::owner_all);
-    }
-}
-
-}  // namespace
 
 Server::Server(Options options)
     : options_(std::move(options)),
@@ -44,12 +30,26 @@ Server::Server(Options options)
           },
           [this](const HttpRequest& request) { return open_socket(fleet_, request); }) {
     // The control socket first: if another scipd has it, its ttys are not touched either.
-    make_folder(control_socket(options_.config).parent_path());
-    control_.listen(control_socket(options_.config));
+    listen_for_control();
     if (options_.config.http) http_ = text_of(control_.listen(*options_.config.http));
     fleet_.apply(options_.config);
     fleet_.choose_backends();
     wait_for_signal();
+}
+
+// One that nobody has named is the first scipd's; those after it have their own.
+void Server::listen_for_control() {
+    const std::filesystem::path& named = options_.config.control;
+    control_socket_ = named.empty() ? make_run_directory() / "control.sock" : named;
+    make_folder(control_socket_.parent_path());
+    try {
+        control_hold_.emplace(io_.get_executor(), control_socket_);
+    } catch (const PathHeld&) {
+        if (!named.empty()) throw;
+        control_socket_.replace_filename("control-" + std::to_string(::getpid()) + ".sock");
+        control_hold_.emplace(io_.get_executor(), control_socket_);
+    }
+    control_.listen(control_socket_);
 }
 
 std::string Server::ready_line() const {
@@ -63,7 +63,7 @@ std::string Server::ready_line() const {
                                                          {"tcp", or_null(sensor.tcp)},
                                                          {"pty", or_null(sensor.pty)}});
     }
-    line["control"] = control_socket(options_.config);
+    line["control"] = control_socket_;
     line["http"] = or_null(http_);
     return line.dump();
 }

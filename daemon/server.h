@@ -7,6 +7,7 @@
 // I/O thread, which is the one that runs it.
 #pragma once
 
+#include <filesystem>
 #include <future>
 #include <optional>
 #include <string>
@@ -16,6 +17,7 @@
 
 #include "daemon/control/http_server.h"
 #include "daemon/fleet.h"
+#include "daemon/link/path_hold.h"
 #include "daemon/options.h"
 
 namespace scipd::daemon {
@@ -38,6 +40,7 @@ class Server {
         bool asks_for_a_start = false;  ///< of what stays as it is while this program runs
     };
 
+    void listen_for_control();
     void wait_for_signal();
     void reload();
     /// On the loader's thread.
@@ -49,6 +52,8 @@ class Server {
     boost::asio::io_context io_{1};
     boost::asio::signal_set signals_;
     Fleet fleet_;
+    std::filesystem::path control_socket_;
+    std::optional<PathHold> control_hold_;
     HttpServer control_;
     std::optional<std::string> http_;  ///< where the control API is reached by TCP
     bool loading_ = false;

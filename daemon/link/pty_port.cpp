@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <sys/inotify.h>
 #include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -29,12 +30,14 @@ int checked(int result, const std::string& what) {
     return result;
 }
 
-int open_master() {
-    const int master =
-        checked(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC), "cannot make a pseudo-terminal");
-    checked(::grantpt(master), "cannot make a pseudo-terminal");
-    checked(::unlockpt(master), "cannot make a pseudo-terminal");
-    return master;
+/// Closed with `owner`, and at once where that cannot take it.
+void give(asio::posix::stream_descriptor& owner, int descriptor, const std::string& what) {
+    checked(descriptor, what);
+    error_code error;
+    owner.assign(descriptor, error);
+    if (!error) return;
+    ::close(descriptor);
+    throw std::system_error(error, what);
 }
 
 std::string slave_name(int master) {
@@ -50,26 +53,65 @@ int make_raw(int slave) {
     return ::tcsetattr(slave, TCSANOW, &settings);
 }
 
+const std::string other_name = "; choose another name for the tty";
+
+bool is_terminal(const std::filesystem::path& path) {
+    const std::string number = path.filename();
+    return path.parent_path() == "/dev/pts" &&
+           number.find_first_not_of("0123456789") == std::string::npos;
+}
+
+// The numbers of terminals are given again: one that is younger than the link is not the one that
+// the link was made for, which is gone.
+bool leads_to_its_own(const std::filesystem::path& link) {
+    struct stat made {};
+    struct stat terminal {};
+    if (::lstat(link.c_str(), &made) != 0 || ::stat(link.c_str(), &terminal) != 0) return false;
+    const auto time = [](const timespec& at) { return std::pair(at.tv_sec, at.tv_nsec); };
+    return time(terminal.st_ctim) <= time(made.st_mtim);
+}
+
+/// Only a link of a scipd that was killed; nobody who lives holds it.
+void remove_left_behind(const std::filesystem::path& link) {
+    if (!std::filesystem::is_symlink(link))
+        throw std::runtime_error(link.string() + " is there and is no link" + other_name);
+    const std::filesystem::path target = std::filesystem::read_symlink(link);
+    const std::string leads = link.string() + " leads to " + target.string();
+    if (!is_terminal(target))
+        throw std::runtime_error(leads + ", which is no tty of scipd's; remove it, or" +
+                                 other_name.substr(1));
+    if (leads_to_its_own(link))
+        throw PathHeld(leads + ", a tty of another program; end that one, or" +
+                       other_name.substr(1));
+    std::filesystem::remove(link);
+}
+
 }  // namespace
 
 PtyPort::PtyPort(const asio::any_io_executor& executor, std::filesystem::path link)
     : executor_(executor),
       link_(std::move(link)),
-      master_(executor, open_master()),
+      master_(executor),
       slave_(executor),
-      events_(executor) {
+      events_(executor),
+      next_(executor) {
+    const std::string no_tty = "cannot make a pseudo-terminal";
+    give(master_, ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC), no_tty);
+    checked(::grantpt(master_.native_handle()), no_tty);
+    checked(::unlockpt(master_.native_handle()), no_tty);
     device_path_ = slave_name(master_.native_handle());
     const std::string what = "cannot use " + device_path_.string();
-    slave_.assign(checked(::open(device_path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC), what));
+    give(slave_, ::open(device_path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC), what);
     checked(make_raw(slave_.native_handle()), what);
     // Watched from here on, so this open of our own does not count.
-    events_.assign(checked(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC), what));
+    give(events_, ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC), what);
     watch_for_clients(what);
+    prepare();
     make_link();
 }
 
 PtyPort::~PtyPort() {
-    remove_link();
+    stop();
 }
 
 // The kernel merges an event with an equal one right before it: of two drivers that open the tty
@@ -84,17 +126,22 @@ void PtyPort::watch_for_clients(const std::string& what) {
     watch(device_path_.parent_path());
 }
 
+void PtyPort::prepare() {
+    if (next_.is_open()) return;
+    give(next_, ::fcntl(master_.native_handle(), F_DUPFD_CLOEXEC, 0),
+         "cannot use " + device_path_.string());
+}
+
 void PtyPort::serve(Device& device, const LinkConfig& link) {
+    prepare();
     if (connection_) {
         lost_before_ += connection_->lost();
         connection_->close();
     }
-    const int descriptor = checked(::fcntl(master_.native_handle(), F_DUPFD_CLOEXEC, 0),
-                                   "cannot use the pseudo-terminal");
     stop_on_close_ = link.stop_on_close;
     const bool watched = connection_ != nullptr;
     connection_ = std::make_shared<Connection>(
-        Connection::Descriptor(executor_, descriptor), device, link,
+        std::move(next_), device, link,
         Connection::Hooks{.somebody_there = [this] { return somebody_there(); },
                           .client_rate = [this] { return line_rate(master_.native_handle()); },
                           .kind = protocol::LinkKind::tty});
@@ -155,28 +202,24 @@ void PtyPort::last_one_closed() {
     make_raw(slave);
 }
 
-void PtyPort::make_link() const {
+void PtyPort::make_link() {
     namespace fs = std::filesystem;
-    const std::string other_name = "; choose another name for the tty";
-    if (fs::exists(fs::symlink_status(link_)) && !fs::is_symlink(link_)) {
-        throw std::runtime_error(link_.string() + " is there and is no link" + other_name);
-    }
     try {
         if (link_.has_parent_path()) fs::create_directories(link_.parent_path());
-        const fs::path fresh = link_.string() + ".new";
-        fs::remove(fresh);
-        fs::create_symlink(device_path_, fresh);
-        fs::rename(fresh, link_);
-    } catch (const fs::filesystem_error& error) {
+        hold_.emplace(executor_, link_);
+        if (fs::exists(fs::symlink_status(link_))) remove_left_behind(link_);
+        fs::create_symlink(device_path_, link_);
+    } catch (const std::system_error& error) {
         throw std::runtime_error("cannot make the link " + link_.string() + ": " +
                                  error.code().message() + other_name);
     }
 }
 
-void PtyPort::remove_link() const {
+void PtyPort::remove_link() {
     std::error_code none;
     if (std::filesystem::read_symlink(link_, none) == device_path_)
         std::filesystem::remove(link_, none);
+    hold_.reset();
 }
 
 }  // namespace scipd::daemon

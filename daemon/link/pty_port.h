@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <boost/asio/any_io_executor.hpp>
@@ -18,19 +19,23 @@
 
 #include "daemon/device/device.h"
 #include "daemon/link/connection.h"
+#include "daemon/link/path_hold.h"
 
 namespace scipd::daemon {
 
 class PtyPort : public std::enable_shared_from_this<PtyPort> {
   public:
-    /// Creates the tty and its link, replacing a link that is there but nothing else. Throws
-    /// std::runtime_error.
+    /// Creates the tty and its link, in place of one that a scipd left behind that was killed, but
+    /// of nothing else. Throws PathHeld where somebody uses the link, else std::runtime_error.
     PtyPort(const boost::asio::any_io_executor& executor, std::filesystem::path link);
     PtyPort(const PtyPort&) = delete;
     PtyPort& operator=(const PtyPort&) = delete;
-    /// Takes the link away.
+    /// As stop().
     ~PtyPort();
 
+    /// Gets all that the next serve() needs, which does not fail then. Throws std::system_error;
+    /// then all is as before.
+    void prepare();
     /// As TcpPort::serve() and stop(); the latter takes the link away.
     void serve(Device& device, const LinkConfig& link = {});
     void stop();
@@ -45,17 +50,19 @@ class PtyPort : public std::enable_shared_from_this<PtyPort> {
     bool somebody_there();
     void last_one_closed();
     void watch_for_clients(const std::string& what);
-    void make_link() const;
-    void remove_link() const;
+    void make_link();
+    void remove_link();
 
     boost::asio::any_io_executor executor_;
     std::filesystem::path link_;
+    std::optional<PathHold> hold_;       ///< of the link
     std::filesystem::path device_path_;  ///< /dev/pts/N
     boost::asio::posix::stream_descriptor master_;
     boost::asio::posix::stream_descriptor
         slave_;  ///< kept open, so that the terminal's settings outlive each driver
     boost::asio::posix::stream_descriptor events_;
-    int tty_watch_ = -1;  ///< what its own events are marked with
+    int tty_watch_ = -1;           ///< what its own events are marked with
+    Connection::Descriptor next_;  ///< of the connection to come; closed: not prepared
     std::shared_ptr<Connection> connection_;
     bool stop_on_close_ = false;
     int opens_ = 0;

@@ -13,6 +13,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include "daemon/models/registry.h"
 #include "sim/loaders/load_error.h"
@@ -72,6 +74,18 @@ class FleetTest : public testing::Test {
         const std::uint64_t before = sensor().scans;
         wire.write("MD0540054000000\n");
         return run_until(io_, [&] { return sensor().scans >= before + 3; });
+    }
+
+    /// That this model is at the other end.
+    bool answers(ScannerWire& wire, const std::string& model) {
+        wire.write("VV\n");
+        std::string received;
+        return run_until(io_, [&] {
+            std::array<char, 1024> buffer;
+            received.append(buffer.data(), wire.read(buffer, 0ms));
+            // Up to the end of the answer.
+            return received.find(model) != std::string::npos && received.ends_with("\n\n");
+        });
     }
 
     EditOutcome after(SceneEdit edit) {
@@ -227,6 +241,67 @@ TEST_F(FleetTest, ChangesNothingWhereSomethingFails) {
     EXPECT_TRUE(run_until(io_, [&] { return sensor().scans > scans + 3; }));
 }
 
+/// This process opens no more descriptors than so many, as long as this lives.
+class FewDescriptors {
+  public:
+    explicit FewDescriptors(rlim_t more) {
+        const int lowest = ::dup(STDIN_FILENO);
+        ::close(lowest);
+        ::getrlimit(RLIMIT_NOFILE, &before_);
+        const rlimit few{static_cast<rlim_t>(lowest) + more, before_.rlim_max};
+        ::setrlimit(RLIMIT_NOFILE, &few);
+    }
+    ~FewDescriptors() { ::setrlimit(RLIMIT_NOFILE, &before_); }
+    FewDescriptors(const FewDescriptors&) = delete;
+    FewDescriptors& operator=(const FewDescriptors&) = delete;
+
+  private:
+    rlimit before_{};
+};
+
+TEST_F(FleetTest, ChangesNothingWhereDescriptorsRunOutOnTheWay) {
+    const SensorConfig kept = on_tcp("kept");
+    fleet_.apply(of({kept, on_tty("changed"), on_tty("gone")}));
+    ScannerWire stream = connect();
+    ASSERT_TRUE(streams(stream));
+    ScannerWire tty = ScannerWire::tty(directory_.path() / "changed");
+
+    SensorConfig changed = on_tty("changed");
+    changed.model = find_model("UTM-30LX");
+    Config next = of({kept, changed, on_tty("new"), on_tcp("more")});
+    next.robots[0].poses = PoseSource{.address = {"127.0.0.1", 0}, .file = {}};
+    const auto try_with = [&](rlim_t more) {
+        FleetPlan plan = make_plan(next, fleet_.settled_backends());
+        const FewDescriptors few(more);
+        try {
+            fleet_.apply(std::move(plan));
+        } catch (const std::exception&) {
+            return false;
+        }
+        return true;
+    };
+    const auto goes_on = [&] {
+        const std::uint64_t scans = sensor().scans;
+        return run_until(io_, [&] { return sensor().scans >= scans + 3; });
+    };
+    rlim_t more = 0;
+    for (; !try_with(more); ++more) {
+        ASSERT_LT(more, 64U);
+        EXPECT_EQ(fleet_.status().sensors.size(), 3U);
+        EXPECT_TRUE(goes_on());
+        EXPECT_TRUE(answers(tty, "UST-10LX"));
+        EXPECT_TRUE(fs::is_symlink(directory_.path() / "gone"));
+        EXPECT_FALSE(fs::is_symlink(directory_.path() / "new"));
+    }
+    // A listener, a socket for poses, and a tty each with a few.
+    EXPECT_GE(more, 5U);
+    EXPECT_EQ(fleet_.status().sensors.size(), 4U);
+    EXPECT_TRUE(goes_on());
+    EXPECT_TRUE(answers(tty, "UTM-30LX"));
+    EXPECT_FALSE(fs::is_symlink(directory_.path() / "gone"));
+    EXPECT_TRUE(fs::is_symlink(directory_.path() / "new"));
+}
+
 TEST_F(FleetTest, HandsAPortToAnotherScanner) {
     SensorConfig front = on_tty("tty");
     fleet_.apply(of({front}));
@@ -238,13 +313,7 @@ TEST_F(FleetTest, HandsAPortToAnotherScanner) {
     rear.model = find_model("UTM-30LX");
     fleet_.apply(of({rear}));
     EXPECT_EQ(fs::read_symlink(*sensor().pty), target);
-    wire.write("VV\n");
-    std::string received;
-    EXPECT_TRUE(run_until(io_, [&] {
-        std::array<char, 1024> buffer;
-        received.append(buffer.data(), wire.read(buffer, 0ms));
-        return received.find("PROD:SOKUIKI Sensor TOP-URG UTM-30LX") != std::string::npos;
-    }));
+    EXPECT_TRUE(answers(wire, "UTM-30LX"));
 }
 
 TEST_F(FleetTest, MovesRobotsForTheControlApi) {

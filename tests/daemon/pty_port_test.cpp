@@ -8,7 +8,12 @@
 #include <stdexcept>
 #include <string>
 
+#include <fcntl.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <pty.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "daemon/device/wall_clock.h"
 #include "tests/daemon/wall_world.h"
@@ -19,13 +24,47 @@ namespace scipd::daemon {
 namespace {
 
 using namespace std::chrono_literals;
+using testing::HasSubstr;
 using tests::ScannerWire;
 namespace fs = std::filesystem;
+
+/// Of another program.
+class Terminal {
+  public:
+    Terminal() {
+        std::array<char, 64> name{};
+        EXPECT_EQ(::openpty(&master_, &slave_, name.data(), nullptr, nullptr), 0);
+        path_ = name.data();
+    }
+    ~Terminal() {
+        ::close(master_);
+        ::close(slave_);
+    }
+    Terminal(const Terminal&) = delete;
+    Terminal& operator=(const Terminal&) = delete;
+
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+  private:
+    int master_ = -1;
+    int slave_ = -1;
+    fs::path path_;
+};
 
 class PtyPortTest : public testing::Test {
   protected:
     [[nodiscard]] std::shared_ptr<PtyPort> make(const fs::path& link) {
         return std::make_shared<PtyPort>(io_.get_executor(), link);
+    }
+
+    /// Why it cannot be made.
+    std::string refusal(const fs::path& link) {
+        try {
+            (void)make(link);
+        } catch (const std::runtime_error& error) {
+            return error.what();
+        }
+        return "none";
     }
 
     bool comes(ScannerWire& wire, const std::string& text) {
@@ -66,24 +105,61 @@ TEST_F(PtyPortTest, TakesItsLinkAwayEvenIfItNeverServed) {
     EXPECT_FALSE(fs::is_symlink(link_));
 }
 
-TEST_F(PtyPortTest, ReplacesALinkAndNothingElse) {
+TEST_F(PtyPortTest, ReplacesTheLinkOfOneThatWasKilled) {
     const fs::path stale = directory_.path() / "stale";
-    fs::create_symlink("/dev/pts/nowhere", stale);
+    fs::create_symlink("/dev/pts/4000000", stale);
     const auto port = make(stale);
     EXPECT_TRUE(fs::is_character_file(stale));
+}
 
+// As xterm does where it gets the number of a scipd that was killed.
+TEST_F(PtyPortTest, ReplacesALinkThatIsOlderThanTheTerminalItLeadsTo) {
+    const Terminal terminal;
+    const fs::path stale = directory_.path() / "stale";
+    fs::create_symlink(terminal.path(), stale);
+    const std::array<timespec, 2> long_ago{};
+    ASSERT_EQ(::utimensat(AT_FDCWD, stale.c_str(), long_ago.data(), AT_SYMLINK_NOFOLLOW), 0);
+    const auto port = make(stale);
+    EXPECT_NE(fs::read_symlink(stale), terminal.path());
+    EXPECT_TRUE(fs::is_character_file(stale));
+}
+
+TEST_F(PtyPortTest, ReplacesNothingElse) {
     const fs::path file = directory_.write("file", "precious");
-    EXPECT_THROW((void)make(file), std::runtime_error);
+    EXPECT_THAT(refusal(file), HasSubstr("is there and is no link; choose another name"));
     EXPECT_EQ(fs::file_size(file), 8U);
-    EXPECT_FALSE(fs::is_symlink(file.string() + ".new"));
+
+    const fs::path elsewhere = directory_.path() / "elsewhere";
+    fs::create_symlink(file, elsewhere);
+    EXPECT_THAT(refusal(elsewhere),
+                HasSubstr("leads to " + file.string() + ", which is no tty of scipd's; remove it"));
+    EXPECT_EQ(fs::read_symlink(elsewhere), file);
+
+    // As socat makes one: link=elsewhere.
+    const Terminal terminal;
+    const fs::path living = directory_.path() / "living";
+    fs::create_symlink(terminal.path(), living);
+    EXPECT_THAT(refusal(living), HasSubstr("leads to " + terminal.path().string() +
+                                           ", a tty of another program; end that one, or choose"));
+    EXPECT_EQ(fs::read_symlink(living), terminal.path());
 }
 
 TEST_F(PtyPortTest, LeavesTheLinkOfAnotherAlone) {
     auto first = make(link_);
-    const auto second = make(link_);
     const fs::path target = fs::read_symlink(link_);
-    first.reset();
+    // Whatever it is called, and even where the link has been taken away meanwhile.
+    const fs::path nickname = directory_.path() / "nickname";
+    fs::create_directory_symlink(link_.parent_path(), nickname);
+    EXPECT_THROW((void)make(link_), PathHeld);
+    EXPECT_THROW((void)make(nickname / link_.filename()), PathHeld);
     EXPECT_EQ(fs::read_symlink(link_), target);
+    fs::remove(link_);
+    EXPECT_THROW((void)make(link_), PathHeld);
+
+    first->stop();
+    const auto second = make(link_);
+    first.reset();
+    EXPECT_TRUE(fs::is_character_file(link_));
 }
 
 // Drivers for serial lines set its rate first.

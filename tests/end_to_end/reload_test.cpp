@@ -6,11 +6,13 @@
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "tests/end_to_end/in_square_room.h"
 
@@ -20,6 +22,28 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
+
+/// A process can open no more descriptors than so many, until this is lifted.
+class DescriptorLimit {
+  public:
+    /// Those of connections that are about to end are counted too.
+    DescriptorLimit(pid_t process, std::size_t more) : process_(process) {
+        const fs::directory_iterator open("/proc/" + std::to_string(process) + "/fd");
+        const auto count = static_cast<rlim_t>(std::distance(begin(open), end(open)));
+        ::prlimit(process_, RLIMIT_NOFILE, nullptr, &before_);
+        const rlimit few{count - 3 + more, before_.rlim_max};
+        ::prlimit(process_, RLIMIT_NOFILE, &few, nullptr);
+    }
+    ~DescriptorLimit() { lift(); }
+    DescriptorLimit(const DescriptorLimit&) = delete;
+    DescriptorLimit& operator=(const DescriptorLimit&) = delete;
+
+    void lift() const { ::prlimit(process_, RLIMIT_NOFILE, &before_, nullptr); }
+
+  private:
+    pid_t process_;
+    rlimit before_{};
+};
 
 class Reload : public testing::Test {
   protected:
@@ -41,8 +65,8 @@ class Reload : public testing::Test {
         })) << daemon_.standard_error();
     }
 
-    static void expect_no_gap(ScannerWire& wire, std::uint32_t& stamp_ms) {
-        for (int i = 0; i < 20; ++i) {
+    static void expect_no_gap(ScannerWire& wire, std::uint32_t& stamp_ms, int scans = 20) {
+        for (int i = 0; i < scans; ++i) {
             const std::uint32_t next_ms = wire.next_scan().stamp_ms;
             ASSERT_EQ(turns_between(stamp_ms, next_ms), 1);
             stamp_ms = next_ms;
@@ -94,6 +118,44 @@ TEST_F(Reload, OfAFileWithAPortInUseChangesNothing) {
     expect_no_gap(wire, stamp_ms);
     EXPECT_FALSE(fs::is_symlink(directory_.path() / "scipd" / "rescue-top"));
     EXPECT_EQ(daemon_.get("/sensors").size(), 2U);
+}
+
+// Whichever descriptor it is that cannot be had any more.
+TEST_F(Reload, ThatRunsOutOfDescriptorsChangesNothing) {
+    ScannerWire wire = ScannerWire::tcp(daemon_.port(0));
+    EXPECT_EQ(wire.ask(stream_of_one_beam), "00");
+    std::uint32_t stamp_ms = wire.next_scan().stamp_ms;
+    const auto count = [&](const std::string& word) {
+        const std::string log = daemon_.standard_error();
+        std::size_t times = 0;
+        for (auto at = log.find(word); at != log.npos; at = log.find(word, at + 1))
+            ++times;
+        return times;
+    };
+    std::string turned = rear;
+    turned.replace(turned.find("[0, 0, 0.3]"), 11, "[1, 0, 0.3]");
+    write(front + turned + top);
+
+    const std::string running = "is running now";
+    const std::string refused = "nothing was changed";
+    for (std::size_t more = 0; count(running) == 0; ++more) {
+        ASSERT_LT(more, 64U);
+        const DescriptorLimit limit(daemon_.pid(), more);
+        daemon_.signal(SIGHUP);
+        ASSERT_TRUE(eventually([&] { return count(refused) + count(running) > more; }));
+        if (count(running) > 0) break;
+        limit.lift();
+        expect_no_gap(wire, stamp_ms, 4);
+        EXPECT_EQ(daemon_.get("/sensors").size(), 2U);
+        EXPECT_EQ(ScannerWire::tty(daemon_.tty(1)).ask("VV"), "00");
+        EXPECT_FALSE(fs::is_symlink(directory_.path() / "scipd" / "rescue-top"));
+    }
+    EXPECT_GE(count(refused), 5U);
+    expect_no_gap(wire, stamp_ms);
+    EXPECT_EQ(daemon_.get("/sensors").size(), 3U);
+    EXPECT_EQ(ScannerWire::tty(directory_.path() / "scipd" / "rescue-top").ask("VV"), "00");
+    daemon_.signal(SIGTERM);
+    EXPECT_EQ(daemon_.wait(), 0);
 }
 
 TEST_F(Reload, KeepsWhatDidNotChange) {

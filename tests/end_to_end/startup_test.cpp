@@ -7,8 +7,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "tests/end_to_end/in_square_room.h"
+#include "tests/support/control_request.h"
 
 namespace scipd::tests {
 namespace {
@@ -88,9 +90,53 @@ robots:
 
 TEST_F(Startup, LeavesAnotherScipdAlone) {
     DaemonProcess first(directory_, on_tty());
-    EXPECT_THAT(refusal(on_tty()), HasSubstr("control.sock"));
+    const std::string used =
+        " is used by another scipd, process " + std::to_string(first.pid()) + "; end that one";
+    EXPECT_THAT(refusal(in_square_room({"--tcp", "none", "--pty", first.tty()})),
+                HasSubstr(first.tty().string() + used));
+    EXPECT_THAT(refusal(in_square_room({"--tcp", "none", "--control", first.control()})),
+                HasSubstr(first.control().string() + used));
     EXPECT_EQ(ScannerWire::tty(first.tty()).ask("VV"), "00");
     EXPECT_EQ(first.get("/status").at("sensors").size(), 1U);
+}
+
+TEST_F(Startup, GivesItsProcessToTheNamesThatTheFirstScipdHas) {
+    DaemonProcess first(directory_, on_tty());
+    DaemonProcess second(directory_, on_tty());
+    ASSERT_NE(second.ready_line(), "") << second.standard_error();
+    const std::string process = std::to_string(second.pid());
+    EXPECT_EQ(first.tty(), run_directory() / "robot-scanner");
+    EXPECT_EQ(first.control(), run_directory() / "control.sock");
+    EXPECT_EQ(second.tty(), run_directory() / ("robot-scanner-" + process));
+    EXPECT_EQ(second.control(), run_directory() / ("control-" + process + ".sock"));
+    for (const DaemonProcess* daemon : {&first, &second}) {
+        EXPECT_EQ(ScannerWire::tty(daemon->tty()).ask("VV"), "00");
+        EXPECT_EQ(daemon->get("/sensors")[0].at("pty"), daemon->tty().string());
+    }
+    // The end of one is not felt by the other.
+    first.signal(SIGTERM);
+    EXPECT_EQ(first.wait(), 0);
+    EXPECT_EQ(ScannerWire::tty(second.tty()).ask("VV"), "00");
+    EXPECT_EQ(second.get("/sensors").size(), 1U);
+    DaemonProcess third(directory_, on_tty());
+    EXPECT_EQ(third.tty(), first.tty());
+    EXPECT_EQ(third.control(), first.control());
+    second.signal(SIGTERM);
+    EXPECT_EQ(second.wait(), 0);
+    EXPECT_FALSE(fs::exists(second.control()));
+    EXPECT_EQ(ScannerWire::tty(third.tty()).ask("VV"), "00");
+}
+
+// Else what the second one puts there would go with the first.
+TEST_F(Startup, LeavesNamesToAnotherScipdWhoseFilesAreGone) {
+    DaemonProcess first(directory_, on_tty());
+    fs::remove(first.tty());
+    fs::remove(first.control());
+    DaemonProcess second(directory_, on_tty());
+    first.signal(SIGTERM);
+    EXPECT_EQ(first.wait(), 0);
+    EXPECT_EQ(ScannerWire::tty(second.tty()).ask("VV"), "00");
+    EXPECT_EQ(second.get("/sensors").size(), 1U);
 }
 
 TEST_F(Startup, ReplacesWhatAKilledOneLeftBehind) {
@@ -99,10 +145,35 @@ TEST_F(Startup, ReplacesWhatAKilledOneLeftBehind) {
         killed.signal(SIGKILL);
         EXPECT_EQ(killed.wait(), 128 + SIGKILL);
     }
-    ASSERT_TRUE(fs::is_symlink(run_directory() / "robot-scanner"));
+    const fs::path link = run_directory() / "robot-scanner";
+    ASSERT_TRUE(fs::is_symlink(link));
     DaemonProcess next(directory_, on_tty());
     ASSERT_NE(next.ready_line(), "") << next.standard_error();
+    EXPECT_EQ(next.tty(), link);
+    EXPECT_EQ(next.control(), run_directory() / "control.sock");
     EXPECT_EQ(ScannerWire::tty(next.tty()).ask("VV"), "00");
+}
+
+TEST_F(Startup, OpensWhatIsClosedOfStandardInputAndOutput) {
+    DaemonProcess daemon(directory_, in_square_room({"--poses", "-", "--tcp", "127.0.0.1:0"}),
+                         {STDIN_FILENO, STDERR_FILENO});
+    ASSERT_NE(daemon.ready_line(), "");
+    const fs::path open = "/proc/" + std::to_string(daemon.pid()) + "/fd";
+    EXPECT_EQ(fs::read_symlink(open / "0"), "/dev/null");
+    EXPECT_EQ(fs::read_symlink(open / "2"), "/dev/null");
+    // Whoever reads the poses does not take what the loader says when it is done.
+    const nlohmann::json world{{"file", scene("corridor.sdf").string()}};
+    EXPECT_EQ(control_request(daemon.control(), "PUT", "/scene", world.dump()).status, 200);
+}
+
+TEST_F(Startup, RunsAlsoWhereNobodyHearsThatItIsReady) {
+    DaemonProcess daemon(directory_, on_tty(), {STDOUT_FILENO});
+    const fs::path control = run_directory() / "control.sock";
+    EXPECT_TRUE(eventually([&] { return fs::exists(control); }));
+    EXPECT_TRUE(eventually([&] { return fs::is_symlink(run_directory() / "robot-scanner"); }));
+    EXPECT_EQ(control_get(control, "/status").at("sensors").size(), 1U);
+    daemon.signal(SIGTERM);
+    EXPECT_EQ(daemon.wait(), 0);
 }
 
 // Scripts go by the exit code.

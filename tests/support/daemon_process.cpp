@@ -70,10 +70,11 @@ bool can_draw() {
     return probe.standard_output().find("self-test   passed") != std::string::npos;
 }
 
-DaemonProcess::DaemonProcess(const TempDir& directory, std::vector<std::string> arguments)
+DaemonProcess::DaemonProcess(const TempDir& directory, std::vector<std::string> arguments,
+                             const std::vector<int>& closed)
     : directory_(directory.path()), error_file_(new_error_file(directory_)) {
     arguments.insert(arguments.begin(), SCIPD_PROGRAM);
-    start(arguments);
+    start(arguments, closed);
     read_ready_line();
 }
 
@@ -86,7 +87,8 @@ DaemonProcess::~DaemonProcess() {
     ::close(output_descriptor_);
 }
 
-void DaemonProcess::start(const std::vector<std::string>& arguments) {
+void DaemonProcess::start(const std::vector<std::string>& arguments,
+                          const std::vector<int>& closed) {
     std::vector<char*> argv;
     for (const std::string& argument : arguments)
         argv.push_back(const_cast<char*>(argument.c_str()));
@@ -105,6 +107,8 @@ void DaemonProcess::start(const std::vector<std::string>& arguments) {
         ::dup2(input.read_end, STDIN_FILENO);
         ::dup2(output.write_end, STDOUT_FILENO);
         ::dup2(error, STDERR_FILENO);
+        for (const int descriptor : closed)
+            ::close(descriptor);
         ::execv(argv[0], argv.data());
         ::_exit(127);
     }

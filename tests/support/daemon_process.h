@@ -31,8 +31,10 @@ bool can_draw();
 class DaemonProcess {
   public:
     /// Starts scipd with these arguments and `directory` as the parent of its run directory; waits
-    /// until it is ready or has ended. Throws std::runtime_error if neither comes about.
-    DaemonProcess(const TempDir& directory, std::vector<std::string> arguments);
+    /// until it is ready or has ended. Throws std::runtime_error if neither comes about. Of its
+    /// standard descriptors these are `closed`; who closes its output waits for nothing.
+    DaemonProcess(const TempDir& directory, std::vector<std::string> arguments,
+                  const std::vector<int>& closed = {});
     DaemonProcess(const DaemonProcess&) = delete;
     DaemonProcess& operator=(const DaemonProcess&) = delete;
     /// Kills it if it still runs.
@@ -65,7 +67,7 @@ class DaemonProcess {
     [[nodiscard]] std::string standard_error() const;
 
   private:
-    void start(const std::vector<std::string>& arguments);
+    void start(const std::vector<std::string>& arguments, const std::vector<int>& closed);
     void read_ready_line();
     [[nodiscard]] bool read_output(std::chrono::milliseconds patience);
     [[nodiscard]] nlohmann::json sensor(std::size_t index) const;
