@@ -3,6 +3,7 @@
 #include "daemon/control/pose_feed.h"
 
 #include <array>
+#include <chrono>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -16,6 +17,7 @@
 #include <unistd.h>
 
 #include "daemon/control/some_lines.h"
+#include "daemon/control/throttle.h"
 #include "sim/loaders/trajectory.h"
 
 namespace scipd::daemon {
@@ -25,8 +27,7 @@ using boost::system::error_code;
 
 namespace {
 
-/// Lines from anywhere into the intake; a person is told of the first refusal and then of every
-/// thousandth.
+/// Lines from anywhere into the intake; a person is told of refusals, not of every one.
 class LineSink {
   public:
     /// `robot` is the feed's own, whichever it is at the time.
@@ -58,13 +59,20 @@ class LineSink {
     void take(std::string_view line) {
         if (sim::says_nothing(line)) return;
         const auto refusal = context_.intake.take_line(line, robot_, sender_, context_.clock.now());
-        if (refusal && refused_++ % 1000 == 0)
-            context_.report("pose of " + robot_ + " refused: " + *refusal);
+        if (refusal) tell(*refusal);
     }
 
     [[nodiscard]] const FeedContext& context() const { return context_; }
 
   private:
+    void tell(const std::string& refusal) {
+        const auto left_out = throttle_.admit(std::chrono::steady_clock::now());
+        if (!left_out) return;
+        const std::string others =
+            *left_out == 0 ? "" : " (" + std::to_string(*left_out) + " others before)";
+        context_.report("pose of " + robot_ + " refused: " + refusal + others);
+    }
+
     void when_ready(const std::function<void()>& call) {
         if (context_.lockstep == nullptr) return call();
         context_.lockstep->when_caught_up(call);
@@ -74,7 +82,7 @@ class LineSink {
     const std::string& robot_;
     SenderClock sender_;
     bool ended_ = false;
-    std::uint64_t refused_ = 0;
+    Throttle throttle_;
 };
 
 /// Every datagram holds one line or several.

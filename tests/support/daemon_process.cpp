@@ -70,10 +70,11 @@ bool can_draw() {
     return probe.standard_output().find("self-test   passed") != std::string::npos;
 }
 
-DaemonProcess::DaemonProcess(const TempDir& directory, std::vector<std::string> arguments)
+DaemonProcess::DaemonProcess(const TempDir& directory, std::vector<std::string> arguments,
+                             std::optional<int> error)
     : directory_(directory.path()), error_file_(new_error_file(directory_)) {
     arguments.insert(arguments.begin(), SCIPD_PROGRAM);
-    start(arguments);
+    start(arguments, error);
     read_ready_line();
 }
 
@@ -86,7 +87,7 @@ DaemonProcess::~DaemonProcess() {
     ::close(output_descriptor_);
 }
 
-void DaemonProcess::start(const std::vector<std::string>& arguments) {
+void DaemonProcess::start(const std::vector<std::string>& arguments, std::optional<int> elsewhere) {
     std::vector<char*> argv;
     for (const std::string& argument : arguments)
         argv.push_back(const_cast<char*>(argument.c_str()));
@@ -104,7 +105,7 @@ void DaemonProcess::start(const std::vector<std::string>& arguments) {
         if (::getppid() != parent) ::_exit(126);
         ::dup2(input.read_end, STDIN_FILENO);
         ::dup2(output.write_end, STDOUT_FILENO);
-        ::dup2(error, STDERR_FILENO);
+        ::dup2(elsewhere.value_or(error), STDERR_FILENO);
         ::execv(argv[0], argv.data());
         ::_exit(127);
     }

@@ -31,8 +31,10 @@ bool can_draw();
 class DaemonProcess {
   public:
     /// Starts scipd with these arguments and `directory` as the parent of its run directory; waits
-    /// until it is ready or has ended. Throws std::runtime_error if neither comes about.
-    DaemonProcess(const TempDir& directory, std::vector<std::string> arguments);
+    /// until it is ready or has ended. Throws std::runtime_error if neither comes about. `error`: a
+    /// descriptor that is its standard error instead of a file.
+    DaemonProcess(const TempDir& directory, std::vector<std::string> arguments,
+                  std::optional<int> error = std::nullopt);
     DaemonProcess(const DaemonProcess&) = delete;
     DaemonProcess& operator=(const DaemonProcess&) = delete;
     /// Kills it if it still runs.
@@ -65,7 +67,7 @@ class DaemonProcess {
     [[nodiscard]] std::string standard_error() const;
 
   private:
-    void start(const std::vector<std::string>& arguments);
+    void start(const std::vector<std::string>& arguments, std::optional<int> elsewhere);
     void read_ready_line();
     [[nodiscard]] bool read_output(std::chrono::milliseconds patience);
     [[nodiscard]] nlohmann::json sensor(std::size_t index) const;
