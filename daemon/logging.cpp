@@ -2,22 +2,93 @@
 // Copyright The scipd authors
 #include "daemon/logging.h"
 
+#include <chrono>
+#include <memory>
+#include <semaphore>
 #include <stdexcept>
+#include <utility>
 
+#include <spdlog/async.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
 namespace scipd::daemon {
+namespace {
 
-void start_logging(const std::string& level) {
+using Thread = spdlog::details::thread_pool;
+
+constexpr std::chrono::seconds patience{1};
+
+/// Standard error; on the thread that writes. Never made unblocking: other programs share it.
+class Sink : public spdlog::sinks::ansicolor_stderr_sink_mt {
+  public:
+    using Base = spdlog::sinks::ansicolor_stderr_sink_mt;
+
+    void watch(std::weak_ptr<Thread> thread) { thread_ = std::move(thread); }
+
+    void log(const spdlog::details::log_msg& line) override {
+        tell_what_was_lost();
+        Base::log(line);
+    }
+
+    void flush() override {
+        tell_what_was_lost();
+        Base::flush();
+        flushed_.release();
+    }
+    /// Once for each flush() that was asked for.
+    [[nodiscard]] bool flushed() { return flushed_.try_acquire_for(patience); }
+
+  private:
+    void tell_what_was_lost() {
+        const auto thread = thread_.lock();
+        const std::size_t lost = thread ? thread->overrun_counter() : told_;
+        const std::size_t untold = lost - std::exchange(told_, lost);
+        if (untold == 0) return;
+        const std::string text = std::to_string(untold) + " lines of log were lost";
+        Base::log({"scipd", spdlog::level::warn, text});
+    }
+
+    std::weak_ptr<Thread> thread_;
+    std::size_t told_ = 0;
+    std::counting_semaphore<> flushed_{0};
+};
+
+struct Log {
+    std::shared_ptr<Thread> thread;
+    std::shared_ptr<Sink> sink;
+};
+
+/// Never destroyed, since that waits for the thread, which may wait for ever.
+Log& the_log() {
+    static Log& log = *new Log;
+    return log;
+}
+
+}  // namespace
+
+void start_logging(const std::string& level, std::size_t most_waiting) {
     const auto parsed = spdlog::level::from_str(level);
     if (parsed == spdlog::level::off && level != "off") {
         throw std::invalid_argument("there is no log level \"" + level +
                                     "\"; use trace, debug, info, warning, error, critical or off");
     }
-    spdlog::set_default_logger(spdlog::stderr_color_mt("scipd"));
+    the_log() = {std::make_shared<Thread>(most_waiting, 1), std::make_shared<Sink>()};
+    const auto& [thread, sink] = the_log();
+    sink->watch(thread);
+    spdlog::set_default_logger(std::make_shared<spdlog::async_logger>(
+        "scipd", sink, thread, spdlog::async_overflow_policy::overrun_oldest));
     spdlog::set_pattern("%Y-%m-%d %H:%M:%S.%e %^%l%$ %v");
     spdlog::set_level(parsed);
+}
+
+bool finish_logging() {
+    auto& [thread, sink] = the_log();
+    if (!thread) return true;
+    spdlog::default_logger_raw()->flush();
+    if (!sink->flushed()) return false;
+    thread.reset();
+    return true;
 }
 
 }  // namespace scipd::daemon

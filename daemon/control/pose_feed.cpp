@@ -2,8 +2,8 @@
 // Copyright The scipd authors
 #include "daemon/control/pose_feed.h"
 
-#include <algorithm>
 #include <array>
+#include <chrono>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -13,8 +13,11 @@
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/ip/udp.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
+#include <boost/asio/post.hpp>
 #include <unistd.h>
 
+#include "daemon/control/some_lines.h"
+#include "daemon/control/throttle.h"
 #include "sim/loaders/trajectory.h"
 
 namespace scipd::daemon {
@@ -24,8 +27,7 @@ using boost::system::error_code;
 
 namespace {
 
-/// Lines from anywhere into the intake; a person is told of the first refusal and then of every
-/// thousandth.
+/// Lines from anywhere into the intake; a person is told of refusals, not of every one.
 class LineSink {
   public:
     /// `robot` is the feed's own, whichever it is at the time.
@@ -39,37 +41,48 @@ class LineSink {
 
     /// Nothing comes any more.
     void end() {
+        ended_ = true;
         if (context_.lockstep != nullptr) context_.lockstep->remove(&sender_);
     }
 
-    /// Calls when there is room for more.
-    void when_ready(const std::function<void()>& call) {
-        if (context_.lockstep == nullptr) return call();
-        context_.lockstep->when_caught_up(call);
-    }
-
-    void take_lines(std::string_view text) {
-        while (!text.empty()) {
-            const std::size_t end = std::min(text.find('\n'), text.size());
-            take(text.substr(0, end));
-            text.remove_prefix(std::min(end + 1, text.size()));
-        }
+    /// Some in each turn of the event loop; calls when all are taken and there is room for more.
+    /// `feed` has both this and the text.
+    void take_lines(std::string_view text, const std::shared_ptr<PoseFeed>& feed,
+                    const std::function<void()>& call) {
+        text.remove_prefix(take_some_lines(text, [&](std::string_view line) { take(line); }));
+        if (text.empty()) return when_ready(call);
+        asio::post(context_.executor, [this, text, feed, call] {
+            if (!ended_) take_lines(text, feed, call);
+        });
     }
 
     void take(std::string_view line) {
         if (sim::says_nothing(line)) return;
         const auto refusal = context_.intake.take_line(line, robot_, sender_, context_.clock.now());
-        if (refusal && refused_++ % 1000 == 0)
-            context_.report("pose of " + robot_ + " refused: " + *refusal);
+        if (refusal) tell(*refusal);
     }
 
     [[nodiscard]] const FeedContext& context() const { return context_; }
 
   private:
+    void tell(const std::string& refusal) {
+        const auto left_out = throttle_.admit(std::chrono::steady_clock::now());
+        if (!left_out) return;
+        const std::string others =
+            *left_out == 0 ? "" : " (" + std::to_string(*left_out) + " others before)";
+        context_.report("pose of " + robot_ + " refused: " + refusal + others);
+    }
+
+    void when_ready(const std::function<void()>& call) {
+        if (context_.lockstep == nullptr) return call();
+        context_.lockstep->when_caught_up(call);
+    }
+
     FeedContext context_;
     const std::string& robot_;
     SenderClock sender_;
-    std::uint64_t refused_ = 0;
+    bool ended_ = false;
+    Throttle throttle_;
 };
 
 /// Every datagram holds one line or several.
@@ -105,12 +118,14 @@ class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
                               [self = shared_from_this()](error_code error, std::size_t size) {
                                   // Stopped: what had come already does not say so itself.
                                   if (!self->socket_.is_open()) return;
-                                  if (!error)
-                                      self->sink_.take_lines({self->datagram_.data(), size});
-                                  self->sink_.when_ready([weak = self->weak_from_this()] {
-                                      if (const auto feed = weak.lock()) feed->receive();
-                                  });
+                                  self->take({self->datagram_.data(), error ? 0 : size});
                               });
+    }
+
+    void take(std::string_view datagram) {
+        sink_.take_lines(datagram, shared_from_this(), [weak = weak_from_this()] {
+            if (const auto feed = weak.lock()) feed->receive();
+        });
     }
 
     LineSink sink_;
@@ -151,14 +166,11 @@ class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<S
                                    if (!self->input_.is_open()) return;  // stopped, as above
                                    if (error) return self->end_of_input();
                                    self->take({self->input_buffer_.data(), size});
-                                   self->sink_.when_ready([weak = self->weak_from_this()] {
-                                       if (const auto feed = weak.lock()) feed->read();
-                                   });
                                });
     }
 
     void end_of_input() {
-        sink_.take_lines(std::exchange(line_, {}));
+        sink_.take(line_);
         sink_.end();
         sink_.context().report("standard input has ended: " + robot() + " stays where it is");
     }
@@ -166,13 +178,17 @@ class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<S
     void take(std::string_view bytes) {
         line_.append(bytes);
         const std::size_t end = line_.rfind('\n');
-        if (end != std::string::npos) {
-            sink_.take_lines(std::string_view(line_).substr(0, end));
-            line_.erase(0, end + 1);
-        } else if (line_.size() > max_line) {
-            sink_.take(line_);
-            line_.clear();
-        }
+        const bool too_long = end == line_.npos && line_.size() > max_line;
+        const std::size_t whole = too_long ? line_.size() : end + 1;  // of no line end it is 0
+        sink_.take_lines(std::string_view(line_).substr(0, whole), shared_from_this(),
+                         [weak = weak_from_this(), whole] {
+                             if (const auto feed = weak.lock()) feed->read_on(whole);
+                         });
+    }
+
+    void read_on(std::size_t taken) {
+        line_.erase(0, taken);
+        read();
     }
 
     LineSink sink_;

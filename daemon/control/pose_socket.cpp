@@ -2,12 +2,14 @@
 // Copyright The scipd authors
 #include "daemon/control/pose_socket.h"
 
-#include <algorithm>
 #include <cstdint>
+#include <string>
+#include <utility>
 
 #include "daemon/control/documents.h"
 #include "daemon/control/pose_intake.h"
 #include "daemon/control/pose_routes.h"
+#include "daemon/control/some_lines.h"
 
 namespace scipd::daemon {
 namespace {
@@ -16,22 +18,34 @@ class PoseSocket : public Conversation {
   public:
     PoseSocket(Api& api, WebSocket& socket) : api_(api), socket_(socket) {}
 
-    void take(std::string_view message) override {
-        while (!message.empty()) {
-            const std::size_t end = std::min(message.find('\n'), message.size());
-            take_line(message.substr(0, end));
-            message.remove_prefix(std::min(end + 1, message.size()));
-        }
+    std::size_t take(std::string_view rest) override {
+        const std::size_t taken =
+            take_some_lines(rest, [this](std::string_view line) { take_line(line); });
+        if (taken == rest.size()) answer();
+        return taken;
     }
 
   private:
+    /// Of one message.
+    struct Refused {
+        std::uint64_t lines = 0;
+        std::uint64_t first_line = 0;
+        std::string first_reason;
+    };
+
     void take_line(std::string_view line) {
         ++lines_;
         if (sim::says_nothing(line)) return;
-        const auto refusal = api_.take_pose_line(line, sender_);
-        if (!refusal) return;
-        Json document = Json::parse(pose_refused(*refusal).body);
-        document["line"] = lines_;
+        auto refusal = api_.take_pose_line(line, sender_);
+        if (refusal && ++refused_.lines == 1) refused_ = {1, lines_, *std::move(refusal)};
+    }
+
+    void answer() {
+        const Refused refused = std::exchange(refused_, {});
+        if (refused.lines == 0) return;
+        Json document = Json::parse(pose_refused(refused.first_reason).body);
+        document["line"] = refused.first_line;
+        document["refused"] = refused.lines;
         socket_.send(std::make_shared<const std::string>(text_of(document)));
     }
 
@@ -39,6 +53,7 @@ class PoseSocket : public Conversation {
     WebSocket& socket_;
     SenderClock sender_;
     std::uint64_t lines_ = 0;  ///< since the beginning, empty ones as well
+    Refused refused_;
 };
 
 }  // namespace

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The WebSocket /poses: pose lines from a simulator, in any number a message. What is refused is
-// answered with a problem document; the rest is not answered. Lives on the I/O thread.
+// The WebSocket /poses: pose lines from a simulator, in any number a message. A message of which
+// something is refused is answered with one problem document; the others are not answered. Lives on
+// the I/O thread.
 #pragma once
 
 #include "daemon/control/api.h"

@@ -53,7 +53,7 @@ class ScanStream::Subscriber : public Conversation {
     }
 
     /// Nobody has anything to say here.
-    void take(std::string_view) override {}
+    std::size_t take(std::string_view rest) override { return rest.size(); }
 
     [[nodiscard]] bool wants(const std::string& sensor) const {
         return sensor_.empty() || sensor_ == sensor;

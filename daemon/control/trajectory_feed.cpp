@@ -37,6 +37,9 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
   private:
     static constexpr sim::Time ahead = std::chrono::milliseconds(500);
 
+    // Poses may lie close, and be played fast: the sweeps are served in between.
+    static constexpr int poses_in_one_go = 256;
+
     // Round after round of no time at all would never reach the next moment, and what takes more
     // than a Time can tell would go backwards.
     static constexpr double shortest_lap_s = 1e-3;
@@ -67,10 +70,11 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
     }
 
     void play() {
-        const sim::Time until = context_.clock.now() + 2 * ahead;
-        while (next_ < poses_.size() && next_time() <= until)
+        const sim::Time now = context_.clock.now();
+        const auto due = [&] { return next_ < poses_.size() && next_time() <= now + 2 * ahead; };
+        for (int i = 0; i < poses_in_one_go && due(); ++i)
             hand_on();
-        if (next_ < poses_.size()) alarm_->set(context_.clock.now() + ahead, [this] { play(); });
+        if (next_ < poses_.size()) alarm_->set(due() ? now : now + ahead, [this] { play(); });
     }
 
     void step() {

@@ -30,8 +30,10 @@ class WebSocket {
 class Conversation {
   public:
     virtual ~Conversation() = default;
-    /// Not called while much is queued that the client does not read.
-    virtual void take(std::string_view message) = 0;
+    /// What is left of a message: answers with how many bytes of it, 1 or more where there are any,
+    /// it has taken within a short time, and is called with the others in another turn of the event
+    /// loop. Not called while much is queued that the client does not read.
+    virtual std::size_t take(std::string_view rest) = 0;
 };
 
 /// Begins one over a socket that outlives it.

@@ -8,6 +8,7 @@
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
+#include <boost/asio/post.hpp>
 
 namespace scipd::daemon {
 namespace {
@@ -52,20 +53,26 @@ void WebSocketConnection<Protocol>::read() {
     waits_for_room_ = queue_.size() >= most_unread;
     if (waits_for_room_) return;
     socket_.async_read(buffer_, [self = this->shared_from_this()](const Error& error, std::size_t) {
-        self->take(error);
+        self->received(error);
     });
 }
 
 template <class Protocol>
-void WebSocketConnection<Protocol>::take(const Error& error) {
+void WebSocketConnection<Protocol>::received(const Error& error) {
     // The conversation may hold what refers to others that end before the last handler does.
     if (error || service_->closed) return conversation_.reset();
+    work_off();
+}
+
+/// A long message in many turns of the event loop.
+template <class Protocol>
+void WebSocketConnection<Protocol>::work_off() {
     // It has ended with a write that failed, while this message had already come.
     if (!conversation_) return;
     const auto bytes = buffer_.cdata();
-    conversation_->take({static_cast<const char*>(bytes.data()), bytes.size()});
-    buffer_.clear();
-    read();
+    buffer_.consume(conversation_->take({static_cast<const char*>(bytes.data()), bytes.size()}));
+    if (buffer_.size() == 0) return read();
+    asio::post(socket_.get_executor(), [self = this->shared_from_this()] { self->work_off(); });
 }
 
 template <class Protocol>

@@ -41,7 +41,8 @@ class WebSocketConnection : public HttpClient,
     using Error = boost::system::error_code;
 
     void read();
-    void take(const Error& error);
+    void received(const Error& error);
+    void work_off();
     void write();
     void written(const Error& error);
 

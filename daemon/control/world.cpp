@@ -14,9 +14,13 @@ namespace {
 
 template <class Map>
 std::string names_of(const Map& map) {
+    constexpr std::size_t most = 16;
     std::string text;
-    for (const auto& [name, value] : map)
+    std::size_t told = 0;
+    for (const auto& [name, value] : map) {
+        if (told++ == most) return text + " and " + std::to_string(map.size() - most) + " more";
         text += (text.empty() ? "" : ", ") + name;
+    }
     return text.empty() ? "none" : text;
 }
 

@@ -50,16 +50,34 @@ void echo(const HttpRequest& request, const Respond& respond) {
 class Parrot : public Conversation {
   public:
     explicit Parrot(WebSocket& socket) : socket_(socket) {}
-    void take(std::string_view message) override {
+    std::size_t take(std::string_view message) override {
         socket_.send(std::make_shared<const std::string>(message));
+        return message.size();
     }
 
   private:
     WebSocket& socket_;
 };
 
-std::variant<HttpResponse, Converse> parrots(const HttpRequest&) {
-    return [](WebSocket& socket) { return std::make_unique<Parrot>(socket); };
+/// Takes a byte at a time, and says when it has had enough.
+class Nibbler : public Conversation {
+  public:
+    explicit Nibbler(WebSocket& socket) : socket_(socket) {}
+    std::size_t take(std::string_view rest) override {
+        if (rest.size() == 1) socket_.send(std::make_shared<const std::string>("all"));
+        return 1;
+    }
+
+  private:
+    WebSocket& socket_;
+};
+
+std::variant<HttpResponse, Converse> parrots(const HttpRequest& request) {
+    const bool nibbles = request.path == "/nibble";
+    return [nibbles](WebSocket& socket) -> std::unique_ptr<Conversation> {
+        if (nibbles) return std::make_unique<Nibbler>(socket);
+        return std::make_unique<Parrot>(socket);
+    };
 }
 
 /// A server on a thread of its own.
@@ -267,6 +285,28 @@ TEST_F(HttpServerTest, OutlivesAClientThatTalksOverAWebSocketAndVanishes) {
     });
     EXPECT_THAT(ask(connect(), "GET / HTTP/1.1\r\nHost: x\r\n" + last + "\r\n"),
                 HasSubstr("200 OK"));
+}
+
+TEST_F(HttpServerTest, AnswersOthersWhileAConversationTakesALongMessage) {
+    start();
+    auto socket = connect_local();
+    const std::string message(1 << 20, 'x');
+    std::string bytes =
+        "GET /nibble HTTP/1.1\r\nHost: x\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
+        "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n";
+    asio::write(socket, asio::buffer(bytes));
+    std::string head;
+    asio::read_until(socket, asio::dynamic_buffer(head), "\r\n\r\n");
+    using namespace std::string_literals;
+    asio::write(socket, asio::buffer("\x81\xff\0\0\0\0\0\x10\0\0\0\0\0\0"s + message));
+    EXPECT_THAT(ask(connect(), "GET / HTTP/1.1\r\nHost: x\r\n" + last + "\r\n"),
+                HasSubstr("200 OK"));
+    EXPECT_EQ(socket.available(), 0U) << "it has not had enough yet";
+    std::string answer(5, '\0');
+    asio::read(socket, asio::buffer(answer));
+    EXPECT_EQ(answer,
+              "\x81\x03"
+              "all");
 }
 
 TEST_F(HttpServerTest, DropsAClientThatNeverFinishes) {

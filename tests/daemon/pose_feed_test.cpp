@@ -2,8 +2,11 @@
 // Copyright The scipd authors
 #include "daemon/control/pose_feed.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -86,6 +89,43 @@ TEST_F(PoseFeedTest, ReportsTheFirstRefusalAndNotEveryOne) {
     poses->stop();
 }
 
+TEST_F(PoseFeedTest, TakesALongDatagramInParts) {
+    const auto poses = feed(udp());
+    poses->serve("robot");
+    std::string datagram;
+    for (int i = 0; i < 20'000; ++i)
+        datagram += "x\n";
+    sender_.send(datagram);
+    std::uint64_t most_at_once = 0;
+    std::uint64_t before = 0;
+    const bool all = run_until(io_, [&] {  // is asked after each handler
+        most_at_once = std::max(most_at_once, intake_.refused() - before);
+        before = intake_.refused();
+        return before == 20'000;
+    });
+    EXPECT_TRUE(all);
+    EXPECT_LE(most_at_once, 100U);
+    sender_.send(R"({"xyz":[1,0,0]})");
+    EXPECT_TRUE(taken(1));
+    poses->stop();
+}
+
+TEST_F(PoseFeedTest, LeavesTheRestOfADatagramOnceStopped) {
+    const auto poses = feed(udp());
+    poses->serve("robot");
+    std::string datagram;
+    for (int i = 0; i < 20'000; ++i)
+        datagram += "x\n";
+    sender_.send(datagram);
+    ASSERT_TRUE(taken(0, 1));
+    poses->stop();
+    const std::uint64_t refused = intake_.refused();
+    io_.restart();
+    io_.run_for(15s);  // far longer than it takes, even on a busy machine
+    EXPECT_TRUE(io_.stopped());
+    EXPECT_EQ(intake_.refused(), refused);
+}
+
 TEST_F(PoseFeedTest, TakesNothingOnceStopped) {
     const auto poses = feed(udp());
     poses->serve("robot");
@@ -133,6 +173,23 @@ TEST_F(PoseFeedTest, PlaysATrajectoryFromTheMomentOfItsStart) {
     clock_.advance_to(12s);
     ASSERT_TRUE(taken(3));
     EXPECT_DOUBLE_EQ(robot_x(13s), 3.0);
+    poses->stop();
+}
+
+// Poses as close as these would be handed on for seconds.
+TEST_F(PoseFeedTest, PlaysManyPosesAtOneMomentInParts) {
+    constexpr int count = 10'000;
+    std::string text;
+    for (int i = 0; i < count; ++i) {
+        const std::string digits = std::to_string(100'000 + i);
+        text += "5." + digits + " 1 0 0 0 0 0 1\n";
+    }
+    const tests::TempDir directory;
+    const auto poses = feed(trajectory(directory.write("dense.tum", text)));
+    poses->serve("robot");
+    EXPECT_LE(intake_.accepted(), 1000U);
+    clock_.advance_to(clock_.now());
+    EXPECT_EQ(intake_.accepted(), static_cast<std::uint64_t>(count));
     poses->stop();
 }
 

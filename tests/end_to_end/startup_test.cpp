@@ -156,7 +156,7 @@ TEST_F(Startup, ReplacesWhatAKilledOneLeftBehind) {
 
 TEST_F(Startup, OpensWhatIsClosedOfStandardInputAndOutput) {
     DaemonProcess daemon(directory_, in_square_room({"--poses", "-", "--tcp", "127.0.0.1:0"}),
-                         {STDIN_FILENO, STDERR_FILENO});
+                         {.closed = {STDIN_FILENO, STDERR_FILENO}});
     ASSERT_NE(daemon.ready_line(), "");
     const fs::path open = "/proc/" + std::to_string(daemon.pid()) + "/fd";
     EXPECT_EQ(fs::read_symlink(open / "0"), "/dev/null");
@@ -167,7 +167,7 @@ TEST_F(Startup, OpensWhatIsClosedOfStandardInputAndOutput) {
 }
 
 TEST_F(Startup, RunsAlsoWhereNobodyHearsThatItIsReady) {
-    DaemonProcess daemon(directory_, on_tty(), {STDOUT_FILENO});
+    DaemonProcess daemon(directory_, on_tty(), {.closed = {STDOUT_FILENO}});
     const fs::path control = run_directory() / "control.sock";
     EXPECT_TRUE(eventually([&] { return fs::exists(control); }));
     EXPECT_TRUE(eventually([&] { return fs::is_symlink(run_directory() / "robot-scanner"); }));

@@ -104,6 +104,30 @@ TEST_F(WebSockets, OneWhoDoesNotReadLosesScansAndHoldsNobodyUp) {
     }
 }
 
+TEST_F(WebSockets, ALongMessageOfRubbishIsAnsweredOnceAndHoldsNobodyUp) {
+    ScannerWire wire = ScannerWire::tcp(daemon_.port());
+    EXPECT_EQ(wire.ask(stream_of_one_beam), "00");
+    std::uint32_t stamp_ms = wire.next_scan().stamp_ms;
+    WebSocketClient poses(daemon_.control(), "/poses");
+    std::string rubbish;
+    for (int i = 0; i < 500'000; ++i)
+        rubbish += "x\n";
+    poses.send(rubbish);
+    const auto refused = [&] {
+        return daemon_.get("/status").at("poses").at("refused").get<int>();
+    };
+    while (refused() < 500'000) {
+        const std::uint32_t next_ms = wire.next_scan().stamp_ms;
+        ASSERT_EQ(turns_between(stamp_ms, next_ms), 1);
+        stamp_ms = next_ms;
+    }
+    const json answer = json::parse(poses.receive());
+    EXPECT_EQ(answer.at("line"), 1);
+    EXPECT_EQ(answer.at("refused"), 500'000);
+    poses.send("y");
+    EXPECT_EQ(json::parse(poses.receive()).at("line"), 500'001);
+}
+
 TEST_F(WebSockets, AreRefusedWhereThereAreNone) {
     for (const char* path : {"/status", "/poses/x", "/stream?sensor=no/body", "/stream?x=1"}) {
         EXPECT_THROW(WebSocketClient(daemon_.control(), path), boost::system::system_error) << path;

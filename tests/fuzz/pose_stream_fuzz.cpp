@@ -2,9 +2,9 @@
 // Copyright The scipd authors
 //
 // Any bytes over the WebSocket of poses, to a world with two robots and a crate. The first byte
-// says whether time is that of the stamps, and the policy; zero bytes end messages. Every refused
-// line is told with its number, nothing else is told, and whatever was taken, everything is
-// somewhere.
+// says whether time is that of the stamps, and the policy; zero bytes end messages. Of a message
+// the first refused line is told with its number and how many there were, nothing else is told, and
+// whatever was taken, everything is somewhere.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -60,7 +60,9 @@ class Client : public daemon::WebSocket {
         const auto line = document["line"].get<std::uint64_t>();
         require(line > last_line_, "and which line, in their order");
         last_line_ = line;
-        ++told_;
+        const auto refused = document["refused"].get<std::uint64_t>();
+        require(refused > 0, "and how many");
+        told_ += refused;
     }
     [[nodiscard]] std::size_t queued() const override { return 0; }
     [[nodiscard]] std::uint64_t told() const { return told_; }
@@ -154,7 +156,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto conversation = daemon::take_poses(daemon, client);
     while (!rest.empty()) {
         const auto end = std::min(rest.find('\0'), rest.size());
-        conversation->take(rest.substr(0, end));
+        for (std::string_view message = rest.substr(0, end); !message.empty();)
+            message.remove_prefix(conversation->take(message));
         rest.remove_prefix(std::min(end + 1, rest.size()));
         daemon.settle();
     }

@@ -71,10 +71,10 @@ bool can_draw() {
 }
 
 DaemonProcess::DaemonProcess(const TempDir& directory, std::vector<std::string> arguments,
-                             const std::vector<int>& closed)
+                             const StandardDescriptors& descriptors)
     : directory_(directory.path()), error_file_(new_error_file(directory_)) {
     arguments.insert(arguments.begin(), SCIPD_PROGRAM);
-    start(arguments, closed);
+    start(arguments, descriptors);
     read_ready_line();
 }
 
@@ -88,7 +88,7 @@ DaemonProcess::~DaemonProcess() {
 }
 
 void DaemonProcess::start(const std::vector<std::string>& arguments,
-                          const std::vector<int>& closed) {
+                          const StandardDescriptors& descriptors) {
     std::vector<char*> argv;
     for (const std::string& argument : arguments)
         argv.push_back(const_cast<char*>(argument.c_str()));
@@ -106,8 +106,8 @@ void DaemonProcess::start(const std::vector<std::string>& arguments,
         if (::getppid() != parent) ::_exit(126);
         ::dup2(input.read_end, STDIN_FILENO);
         ::dup2(output.write_end, STDOUT_FILENO);
-        ::dup2(error, STDERR_FILENO);
-        for (const int descriptor : closed)
+        ::dup2(descriptors.error.value_or(error), STDERR_FILENO);
+        for (const int descriptor : descriptors.closed)
             ::close(descriptor);
         ::execv(argv[0], argv.data());
         ::_exit(127);

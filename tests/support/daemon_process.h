@@ -30,11 +30,17 @@ bool can_draw();
 
 class DaemonProcess {
   public:
+    /// What is other than usual about its standard descriptors.
+    struct StandardDescriptors {
+        std::vector<int> closed;   ///< of the three
+        std::optional<int> error;  ///< in the place of a file
+    };
+
     /// Starts scipd with these arguments and `directory` as the parent of its run directory; waits
-    /// until it is ready or has ended. Throws std::runtime_error if neither comes about. Of its
-    /// standard descriptors these are `closed`; who closes its output waits for nothing.
+    /// until it is ready or has ended. Throws std::runtime_error if neither comes about. Who closes
+    /// its output waits for nothing.
     DaemonProcess(const TempDir& directory, std::vector<std::string> arguments,
-                  const std::vector<int>& closed = {});
+                  const StandardDescriptors& descriptors = {});
     DaemonProcess(const DaemonProcess&) = delete;
     DaemonProcess& operator=(const DaemonProcess&) = delete;
     /// Kills it if it still runs.
@@ -67,7 +73,7 @@ class DaemonProcess {
     [[nodiscard]] std::string standard_error() const;
 
   private:
-    void start(const std::vector<std::string>& arguments, const std::vector<int>& closed);
+    void start(const std::vector<std::string>& arguments, const StandardDescriptors& descriptors);
     void read_ready_line();
     [[nodiscard]] bool read_output(std::chrono::milliseconds patience);
     [[nodiscard]] nlohmann::json sensor(std::size_t index) const;
