@@ -13,6 +13,7 @@
 #include "daemon/config/numbers.h"
 #include "daemon/models/registry.h"
 #include "sim/backends/registry.h"
+#include "sim/loaders/plain_file.h"
 #include "sim/loaders/quote.h"
 
 namespace scipd::daemon {
@@ -203,9 +204,9 @@ PoseSource parse_pose_source(std::string_view text, const fs::path& base) {
 fs::path parse_file(std::string_view text, const fs::path& base) {
     auto file = absolute_path(text, base);
     std::error_code error;
-    const auto status = fs::status(file, error);
-    if (!fs::exists(status)) refuse("there is no file " + quote(file.native()));
-    if (fs::is_directory(status)) refuse(quote(file.native()) + " is a directory; name a file");
+    if (!fs::exists(file, error)) refuse("there is no file " + quote(file.native()));
+    const auto why = sim::why_no_file(file);
+    if (!why.empty()) refuse(quote(file.native()) + ' ' + why + "; name a file");
     return file;
 }
 

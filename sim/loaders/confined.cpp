@@ -11,9 +11,11 @@
 #include <string>
 #include <system_error>
 
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,6 +23,8 @@ namespace scipd::sim {
 namespace {
 
 constexpr int failed_with_words = 1;
+/// For a mesh and the files beside it, many times over.
+constexpr rlim_t most_descriptors = 64;
 
 File new_file() {
     const int descriptor = memfd_create("confined", MFD_CLOEXEC);
@@ -53,18 +57,20 @@ void close_all_but(int kept) {
     close_range(kept + 1, ~0U, 0);
 }
 
-void enter(const Confines& confines) {
+void enter(const Confines& confines, pid_t parent) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(failed_with_words);  // which was too late to be told
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
         std::signal(signal, SIG_DFL);
     limit(RLIMIT_CORE, 0);
+    limit(RLIMIT_NOFILE, most_descriptors);
     limit(RLIMIT_CPU, static_cast<rlim_t>(confines.processor_time.count()));
     limit(RLIMIT_AS, memory_in_use() + confines.memory_bytes);
 }
 
 /// In the child: the answer is in the file, and the status says whether it is one.
 [[noreturn]] void run(const Confines& confines, const std::function<void(std::FILE* out)>& work,
-                      std::FILE* out) {
+                      std::FILE* out, pid_t parent) {
     // Made while there is room for it.
     const std::string too_much =
         "takes more than " + std::to_string(confines.memory_bytes / 1'000'000) + " MB of memory";
@@ -76,7 +82,7 @@ void enter(const Confines& confines) {
     };
     try {
         close_all_but(fileno(out));
-        enter(confines);
+        enter(confines, parent);
         work(out);
         if (std::fflush(out) != 0) leave_with("its outcome cannot be kept in memory");
         _exit(0);
@@ -106,19 +112,76 @@ std::string end_of(int status, const Confines& confines) {
            (signal != 0 ? " (signal " + std::to_string(signal) + ")" : std::string{});
 }
 
+/// A child process, which does not outlive this object.
+class Child {
+  public:
+    /// Where the system has no descriptors of processes, ends are noticed a glance later.
+    explicit Child(pid_t pid)
+        : pid_(pid), descriptor_(static_cast<int>(syscall(SYS_pidfd_open, pid, 0))) {}
+    ~Child() {
+        if (!ended_) kill();
+        if (descriptor_ >= 0) close(descriptor_);
+    }
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+
+    /// False where it still runs after so long.
+    bool ends_within(std::chrono::milliseconds patience) {
+        pollfd end{.fd = descriptor_, .events = POLLIN, .revents = 0};
+        poll(&end, 1, static_cast<int>(patience.count()));
+        reap(WNOHANG);
+        return ended_;
+    }
+
+    void kill() {
+        ::kill(pid_, SIGKILL);
+        reap(0);
+    }
+
+    [[nodiscard]] int status() const { return status_; }
+
+  private:
+    void reap(int how) {
+        pid_t reaped = -1;
+        do
+            reaped = waitpid(pid_, &status_, how);
+        while (reaped < 0 && errno == EINTR);
+        ended_ = reaped != 0;
+        if (reaped < 0) status_ = -1;  // of no child
+    }
+
+    pid_t pid_;
+    int descriptor_;
+    int status_ = 0;
+    bool ended_ = false;
+};
+
+void wait_for(Child& child, const Confines& confines) {
+    // How long a stop goes unnoticed.
+    constexpr std::chrono::milliseconds glance{20};
+    const auto deadline = std::chrono::steady_clock::now() + confines.wall_time;
+    while (!child.ends_within(glance)) {
+        if (confines.stop.stop_requested()) throw std::runtime_error("was not read to its end");
+        if (std::chrono::steady_clock::now() < deadline) continue;
+        const auto seconds = std::chrono::ceil<std::chrono::seconds>(confines.wall_time).count();
+        throw std::runtime_error("was not read within " + std::to_string(seconds) +
+                                 " s; does it lie on a disk that does not answer?");
+    }
+}
+
 }  // namespace
 
 File run_confined(const Confines& confines, const std::function<void(std::FILE* out)>& work) {
     File file = new_file();
-    const pid_t child = fork();
-    if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
-    if (child == 0) run(confines, work, file.get());
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0) {
-        if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "waitpid");
-    }
+    const pid_t parent = getpid();
+    const pid_t pid = fork();
+    if (pid < 0) throw std::system_error(errno, std::generic_category(), "fork");
+    if (pid == 0) run(confines, work, file.get(), parent);
+    Child child{pid};
+    wait_for(child, confines);
     // The child wrote through the same open file, whose place is shared.
     std::rewind(file.get());
+    const int status = child.status();
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return file;
     if (WIFEXITED(status) && WEXITSTATUS(status) == failed_with_words) {
         throw std::runtime_error(all_of(file.get()));

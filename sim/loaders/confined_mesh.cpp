@@ -80,24 +80,27 @@ std::string known_kinds() {
 Confines confines_of(const fs::path& file, std::uintmax_t size, const MeshLimits& limits) {
     constexpr std::chrono::seconds most_time{60};
     constexpr std::uintmax_t little_memory = 1ULL << 30;
+    Confines confines{.processor_time = most_time,
+                      .memory_bytes = limits.memory_bytes,
+                      .wall_time = limits.wall_time};
     // What it consists of may lie beside it.
-    if (extension_of(file) == ".gltf")
-        return {.processor_time = most_time, .memory_bytes = limits.memory_bytes};
+    if (extension_of(file) == ".gltf") return confines;
     const std::chrono::seconds time{5 + size / 4'000'000};
     const auto memory_bytes = static_cast<std::size_t>(little_memory + 100 * size);
-    return {.processor_time = std::min(most_time, time),
-            .memory_bytes = std::min(limits.memory_bytes, memory_bytes)};
+    confines.processor_time = std::min(most_time, time);
+    confines.memory_bytes = std::min(limits.memory_bytes, memory_bytes);
+    return confines;
 }
 
 /// Its size.
 std::uintmax_t check_file(const fs::path& file) {
-    std::error_code error;
-    if (!fs::is_regular_file(file, error)) {
-        throw std::runtime_error("no such file; a mesh is wanted here");
+    if (const auto why = why_no_file(file); !why.empty()) {
+        throw std::runtime_error(why + "; a mesh is wanted here");
     }
     if (!is_mesh_file(file)) {
         throw std::runtime_error("is no kind of mesh that is known; name one of " + known_kinds());
     }
+    std::error_code error;
     const auto size = fs::file_size(file, error);
     if (error || size > largest_file) throw std::runtime_error("is larger than 1 GiB");
     return size;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -28,6 +29,7 @@ struct MeshPart {
 struct MeshLimits {
     std::size_t memory_bytes = std::size_t{8} << 30U;
     std::size_t triangles = 10'000'000;
+    std::chrono::milliseconds wall_time = std::chrono::minutes{2};
 };
 
 /// One named thing of a mesh file.

@@ -17,6 +17,7 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include "sim/loaders/mesh_folder.h"
 #include "sim/loaders/quote.h"
 
 namespace scipd::sim {
@@ -75,12 +76,15 @@ bool is_finite(const aiMesh* mesh) {
 [[noreturn]] void refuse(const Assimp::Importer& importer) {
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != reason.npos) throw std::bad_alloc();
-    throw std::runtime_error("cannot be read as a mesh: " + printable(reason));
+    const auto& folder = dynamic_cast<const MeshFolder&>(*importer.GetIOHandler());
+    throw std::runtime_error("cannot be read as a mesh: " + printable(reason) +
+                             (folder.refusal().empty() ? "" : "; it " + folder.refusal()));
 }
 
 /// All that is asked of a file before and after the steps that make what is wanted of it.
 const aiScene& read(Assimp::Importer& importer, const std::filesystem::path& file, MeshAxes axes,
                     unsigned int steps, const MeshLimits& limits) {
+    importer.SetIOHandler(new MeshFolder(file));  // which the importer owns from here on
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, unwanted);
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
-#include <fstream>
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -17,35 +17,19 @@
 #include "sim/loaders/map_image.h"
 #include "sim/loaders/map_walls.h"
 #include "sim/loaders/occupancy.h"
+#include "sim/loaders/plain_file.h"
 
 namespace scipd::sim {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr unsigned largest_yaml_mib = 1;
-constexpr unsigned largest_picture_mib = 512;
-
-std::string read_all(const fs::path& file, unsigned most_mib, const char* wanted) {
-    std::error_code error;
-    if (!fs::is_regular_file(file, error)) {
-        throw LoadError({file.string() + ": no such file; " + wanted});
-    }
-    const auto size = fs::file_size(file, error);
-    if (error || size > most_mib * std::uintmax_t{1 << 20}) {
-        throw LoadError(
-            {file.string() + ": is larger than " + std::to_string(most_mib) + " MiB; " + wanted});
-    }
-    std::ifstream in{file, std::ios::binary};
-    std::string bytes(size, '\0');
-    in.read(bytes.data(), static_cast<std::streamsize>(size));
-    if (!in) throw LoadError({file.string() + ": cannot be read; " + wanted});
-    return bytes;
-}
+constexpr std::uintmax_t largest_yaml = 1U << 20U;
+constexpr std::uintmax_t largest_picture = 512U << 20U;
 
 CellGrid load_cells(const MapFile& map) {
     const std::string bytes =
-        read_all(map.image, largest_picture_mib, "the map's picture is wanted here");
+        read_file(map.image, largest_picture, "the map's picture is wanted here");
     try {
         return cells_of(read_map_image(bytes), map);
     } catch (const std::invalid_argument& wrong) {
@@ -101,7 +85,7 @@ LoadedScene load_ros_map(const fs::path& given, const MapOptions& options) {
     assert(options.bottom_m < options.top_m);
     const auto file = fs::absolute(given).lexically_normal();
     const MapFile map =
-        parse_map_file(read_all(file, largest_yaml_mib, "name the YAML of a ROS map"), file);
+        parse_map_file(read_file(file, largest_yaml, "name the YAML of a ROS map"), file);
     CellGrid grid = load_cells(map);
     if (options.unknown == UnknownCells::wall) {
         std::ranges::replace(grid.cells, Cell::unknown, Cell::occupied);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/loaders/load_error.h"
+#include "sim/loaders/plain_file.h"
 #include "sim/loaders/resources.h"
 #include "sim/loaders/sdf_file.h"
 #include "sim/loaders/sdf_scene.h"
@@ -47,8 +48,8 @@ std::size_t first_element(std::string_view text) {
 LoadedScene load_sdf(const fs::path& given, const SdfOptions& options) {
     // Absolute from here on, as the library does it: a message then names every file in one way.
     const auto file = fs::absolute(given).lexically_normal();
-    if (!fs::is_regular_file(file)) {
-        throw LoadError({file.string() + ": no such file; name an SDF world or model"});
+    if (const auto why = why_no_file(file); !why.empty()) {
+        throw LoadError({file.string() + ": " + why + "; name an SDF world or model"});
     }
     return load({file}, file.parent_path(), options);
 }

@@ -12,6 +12,7 @@
 #include <sdf/ParserConfig.hh>
 
 #include "sim/loaders/load_error.h"
+#include "sim/loaders/model_folder.h"
 #include "sim/loaders/sdf_console.h"
 #include "sim/loaders/urdf.h"
 

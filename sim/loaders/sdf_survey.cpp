@@ -7,9 +7,10 @@
 #include <cmath>
 #include <string_view>
 
-#include <sdf/parser.hh>
 #include <tinyxml2.h>
 
+#include "sim/loaders/model_folder.h"
+#include "sim/loaders/plain_file.h"
 #include "sim/loaders/quote.h"
 
 namespace scipd::sim {
@@ -36,6 +37,15 @@ constexpr double other_element_bytes = 2e3;
 double cost_of(std::string_view element) {
     const auto known = std::ranges::find(costs, element, &Cost::element);
     return known == costs.end() ? other_element_bytes : known->bytes;
+}
+
+/// Empty where `model`, the file that the library has for what an include names, can be read.
+std::string why_no_model(const fs::path& found, const fs::path& model) {
+    const auto why = why_no_file(model);
+    std::error_code error;
+    if (why.empty() || !fs::is_directory(found, error)) return why.empty() ? why : ' ' + why;
+    return " is the folder " + found.string() +
+           ", which has no model.config that names an SDF file";
 }
 
 std::string trimmed(const char* text) {
@@ -139,10 +149,8 @@ class Surveyor {
             known = survey_.includes.emplace(uri, found.lexically_normal()).first;
         }
         const fs::path model = model_file_of(known->second);
-        if (!fs::is_regular_file(model)) {
-            survey_.faults.push_back(place + quote(uri) + " is the folder " +
-                                     known->second.string() +
-                                     ", which has no model.config that names an SDF file");
+        if (const auto why = why_no_model(known->second, model); !why.empty()) {
+            survey_.faults.push_back(place + quote(uri) + why);
             return;
         }
         survey_file(model, place);
@@ -174,11 +182,6 @@ class Surveyor {
 SdfSurvey survey_sdf(const SdfSource& source, const Resources& resources,
                      std::size_t most_memory_bytes) {
     return Surveyor{resources, static_cast<double>(most_memory_bytes)}.run(source);
-}
-
-fs::path model_file_of(const fs::path& path) {
-    std::error_code error;
-    return fs::is_directory(path, error) ? fs::path{sdf::getModelFilePath(path.string())} : path;
 }
 
 }  // namespace scipd::sim

@@ -33,7 +33,4 @@ struct SdfSurvey {
 SdfSurvey survey_sdf(const SdfSource& source, const Resources& resources,
                      std::size_t most_memory_bytes);
 
-/// The file of a model's folder that its model.config names; a file is itself.
-std::filesystem::path model_file_of(const std::filesystem::path& path);
-
 }  // namespace scipd::sim

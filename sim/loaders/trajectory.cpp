@@ -3,11 +3,11 @@
 #include "sim/loaders/trajectory.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
+#include <cstdint>
 #include <utility>
 
 #include "sim/loaders/load_error.h"
+#include "sim/loaders/plain_file.h"
 #include "sim/loaders/tum_line.h"
 
 namespace scipd::sim {
@@ -18,18 +18,8 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 /// Past this many faults a file is not a trajectory at all, and a list of them helps nobody.
 constexpr std::size_t fault_limit = 100;
 
-std::string read_all(const std::filesystem::path& file) {
-    if (!std::filesystem::exists(file)) {
-        throw LoadError({file.string() + ": no such file; name a TUM trajectory"});
-    }
-    std::ifstream in{file, std::ios::binary};
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in || std::filesystem::is_directory(file)) {
-        throw LoadError({file.string() + ": cannot be read; name a TUM trajectory"});
-    }
-    return std::move(text).str();
-}
+/// A week of a hundred poses a second is half of this.
+constexpr std::uintmax_t largest_file = 1U << 30U;
 
 using Seconds = std::chrono::duration<double>;
 
@@ -89,7 +79,7 @@ class TumReader {
 }  // namespace
 
 std::vector<TimedPose> load_tum(const std::filesystem::path& file) {
-    return parse_tum(read_all(file), file);
+    return parse_tum(read_file(file, largest_file, "name a TUM trajectory"), file);
 }
 
 std::vector<TimedPose> parse_tum(std::string_view text, const std::filesystem::path& file) {

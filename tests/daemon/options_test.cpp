@@ -229,6 +229,8 @@ TEST(Options, SaysInOneSentenceWhatIsWrong) {
     const std::pair<const char*, const char*> table[] = {
         {"--scene /nowhere.sdf", "--scene: there is no file '/nowhere.sdf'"},
         {"--scene /", "--scene: '/' is a directory; name a file"},
+        {"--scene /dev/zero", "--scene: '/dev/zero' is a device; name a file"},
+        {"--poses /dev/zero", "--poses: '/dev/zero' is a device; name a file"},
         {"--tcp 10940",
          "--tcp: must be ADDRESS:PORT such as 127.0.0.1:10940, [::1]:10940 or localhost:0, not "
          "'10940'"},

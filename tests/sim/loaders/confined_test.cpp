@@ -3,12 +3,16 @@
 #include "sim/loaders/confined.h"
 
 #include <csignal>
+#include <filesystem>
+#include <iterator>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace scipd::sim {
@@ -17,8 +21,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr Confines roomy{.processor_time = std::chrono::seconds{20},
-                         .memory_bytes = std::size_t{1} << 30};
+const Confines roomy{.processor_time = std::chrono::seconds{20},
+                     .memory_bytes = std::size_t{1} << 30};
 
 std::string outcome(const Confines& confines, const std::function<void(std::FILE*)>& work) {
     try {
@@ -86,6 +90,59 @@ TEST(Confined, endsWhatNeverEnds) {
                                 continue;
                         }),
                 HasSubstr("takes more than 1 s of processor time"));
+}
+
+/// What waits for ever and takes no processor time: a FIFO, a disk that does not answer.
+void wait_for_ever(std::FILE* /*out*/) {
+    while (true)
+        pause();
+}
+
+TEST(Confined, endsWhatWaitsForEver) {
+    Confines short_of_time = roomy;
+    short_of_time.wall_time = std::chrono::milliseconds{50};
+    EXPECT_THAT(outcome(short_of_time, wait_for_ever),
+                StartsWith("error: was not read within 1 s"));
+}
+
+TEST(Confined, endsWhatNobodyWaitsForAnyMore) {
+    std::stop_source stop;
+    Confines stoppable = roomy;
+    stoppable.stop = stop.get_token();
+    const std::jthread asks([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds{50});
+        stop.request_stop();
+    });
+    EXPECT_EQ(outcome(stoppable, wait_for_ever), "error: was not read to its end");
+}
+
+std::size_t open_descriptors() {
+    const std::filesystem::directory_iterator all{"/proc/self/fd"};
+    return static_cast<std::size_t>(std::distance(begin(all), end(all)));
+}
+
+TEST(Confined, leavesNothingOpenAndNobodyBehind) {
+    Confines short_of_time = roomy;
+    short_of_time.wall_time = std::chrono::milliseconds{1};
+    const auto before = open_descriptors();
+    for (int i = 0; i < 10; ++i) {
+        (void)outcome(short_of_time, wait_for_ever);
+        (void)outcome(roomy, [](std::FILE*) { throw std::runtime_error("x"); });
+        (void)outcome(roomy, [](std::FILE*) {});
+    }
+    EXPECT_EQ(open_descriptors(), before);
+    EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
+}
+
+TEST(Confined, opensFewFilesAtOnce) {
+    EXPECT_EQ(outcome(roomy,
+                      [](std::FILE* out) {
+                          int count = 0;
+                          while (count < 1000 && open("/dev/null", O_RDONLY) >= 0)
+                              ++count;
+                          std::fputs(count < 100 ? "few" : "many", out);
+                      }),
+              "few");
 }
 
 TEST(Confined, refusesMemoryPastItsLimit) {

@@ -63,7 +63,7 @@ TEST_F(RosMapFaults, whatIsNoMap) {
     EXPECT_THAT(faults_of([&] { load_ros_map(folder_.path() / "b.yaml"); }, folder_),
                 ElementsAre("b.yaml: no such file; name the YAML of a ROS map"));
     EXPECT_THAT(faults_of([&] { load_ros_map(folder_.path()); }, folder_),
-                ElementsAre(HasSubstr("no such file; name the YAML of a ROS map")));
+                ElementsAre(HasSubstr("is a directory; name the YAML of a ROS map")));
     EXPECT_THAT(faults(yaml("none.pgm")),
                 ElementsAre("none.pgm: no such file; the map's picture is wanted here"));
 }

@@ -34,7 +34,7 @@ TEST_F(SdfFaults, missingFilesAndFolders) {
                 ElementsAre("b.sdf: no such file; name an SDF world or model"));
     folder_.write("c/d", "");
     EXPECT_THAT(faults_of([&] { load_sdf(folder_.path() / "c"); }, folder_),
-                ElementsAre("c: no such file; name an SDF world or model"));
+                ElementsAre("c: is a directory; name an SDF world or model"));
 }
 
 TEST_F(SdfFaults, noWorld) {

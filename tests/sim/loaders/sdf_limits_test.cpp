@@ -12,6 +12,7 @@
 namespace scipd::sim {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -123,6 +124,26 @@ TEST_F(SdfLimits, EveryMissingIncludeIsToldAtOnce) {
         ElementsAre(HasSubstr("b.sdf:3: there is no '" + lost + "' near "),
                     HasSubstr("a.sdf:5: there is no 'none.sdf' near "),
                     HasSubstr("a.sdf:6: 'empty' is the folder ")));
+}
+
+// Where libsdformat 12 finds no version that it knows, it reads through a null pointer.
+TEST_F(SdfLimits, AModelNamesAFileOfAVersionThatIsRead) {
+    folder_.write("m/old.sdf", sdf("<model name='old'><link name='l'/></model>"));
+    folder_.write("m/new.sdf", sdf("<model name='new'>" + include("lost", "x") + "</model>"));
+    const auto config = [&](const std::string& files) {
+        folder_.write("m/model.config", "<model><name>m</name>" + files + "</model>");
+        return faults(world(include("m", "m")));
+    };
+    const auto none = ElementsAre(
+        "a.sdf:4: 'm' is the folder m, which has no model.config that names an SDF file");
+    EXPECT_THAT(config("<sdf>new.sdf</sdf>"), none);
+    EXPECT_THAT(config("<sdf version='1.10'>new.sdf</sdf>"), none);
+    EXPECT_THAT(config("<sdf version='1.9'/>"), none);
+    EXPECT_THAT(config(""), none);
+    const auto reads_old = Contains(HasSubstr("holds nothing that a scanner could see"));
+    const std::string old = "<sdf version='1.6'>old.sdf</sdf>";
+    EXPECT_THAT(config(old + "<sdf version='1.10'>new.sdf</sdf>"), reads_old);
+    EXPECT_THAT(config("<sdf version='1.5'>new.sdf</sdf>" + old), reads_old);
 }
 
 }  // namespace

@@ -154,7 +154,7 @@ TEST_F(Tum, emptyMissingAndFoldersAreNotTrajectories) {
                 ElementsAre("b.tum: no such file; name a TUM trajectory"));
     folder_.write("c/d.tum", "");
     EXPECT_THAT(faults_of([&] { load_tum(folder_.path() / "c"); }, folder_),
-                ElementsAre("c: cannot be read; name a TUM trajectory"));
+                ElementsAre("c: is a directory; name a TUM trajectory"));
 }
 
 }  // namespace

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The folder of a model as Gazebo has it: model.config names its SDF files, one for each version.
+// By hand, since libsdformat 12 crashes where it can read none of them. Any thread.
+#pragma once
+
+#include <filesystem>
+
+namespace scipd::sim {
+
+/// The file of a model's folder with the highest version that we read; empty where there is none. A
+/// file is itself.
+std::filesystem::path model_file_of(const std::filesystem::path& path);
+
+}  // namespace scipd::sim

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/plain_file.h"
+
+#include <cerrno>
+#include <stdexcept>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "sim/loaders/load_error.h"
+
+namespace scipd::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason(int error) {
+    return std::generic_category().message(error);
+}
+
+std::string why_not_plain(mode_t mode) {
+    if (S_ISREG(mode)) return {};
+    if (S_ISDIR(mode)) return "is a directory";
+    if (S_ISFIFO(mode)) return "is a FIFO";
+    if (S_ISSOCK(mode)) return "is a socket";
+    return "is a device";
+}
+
+}  // namespace
+
+std::string why_no_file(const fs::path& path) {
+    struct stat status {};
+    if (stat(path.c_str(), &status) == 0) return why_not_plain(status.st_mode);
+    return errno == ENOENT || errno == ENOTDIR ? "no such file" : "cannot be had: " + reason(errno);
+}
+
+File open_file(const fs::path& path) {
+    if (const auto why = why_no_file(path); !why.empty()) throw std::runtime_error(why);
+    const int descriptor = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    if (descriptor < 0) throw std::runtime_error("cannot be read: " + reason(errno));
+    File file{fdopen(descriptor, "rb")};
+    if (!file) {
+        close(descriptor);
+        throw std::runtime_error("cannot be read: " + reason(errno));
+    }
+    // Somebody may have put something else there meanwhile.
+    struct stat status {};
+    fstat(descriptor, &status);
+    if (const auto why = why_not_plain(status.st_mode); !why.empty()) throw std::runtime_error(why);
+    return file;
+}
+
+std::string read_file(const fs::path& path, std::uintmax_t most_bytes, const std::string& wanted) {
+    const auto refuse = [&](const std::string& why) {
+        throw LoadError({path.string() + ": " + why + "; " + wanted});
+    };
+    std::string bytes;
+    try {
+        const File file = open_file(path);
+        // What a file of /proc says of its size is 0.
+        struct stat status {};
+        fstat(fileno(file.get()), &status);
+        const auto size = static_cast<std::uintmax_t>(status.st_size);
+        if (size > most_bytes)
+            refuse("is larger than " + std::to_string(most_bytes >> 20U) + " MiB");
+        bytes.resize(size);
+        bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file.get()));
+        if (std::ferror(file.get()) != 0) refuse("cannot be read");
+    } catch (const LoadError&) {
+        throw;
+    } catch (const std::runtime_error& why) {
+        refuse(why.what());
+    }
+    return bytes;
+}
+
+}  // namespace scipd::sim
