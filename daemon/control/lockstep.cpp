@@ -18,6 +18,12 @@ constexpr int calls_in_one_go = 64;
 using Seconds = std::chrono::duration<double>;
 // So that any two times of the world are no farther apart than a Time can tell.
 constexpr Seconds farthest{4.5e9};
+constexpr Seconds farthest_origin{9.2e9};
+
+// In floating point: two stamps may lie farther apart than a Time can tell.
+bool too_far(sim::Time a, sim::Time b, Seconds limit = farthest) {
+    return std::abs(Seconds(a).count() - Seconds(b).count()) > limit.count();
+}
 
 }  // namespace
 
@@ -26,16 +32,27 @@ Lockstep::Lockstep(boost::asio::any_io_executor executor) : executor_(std::move(
     clock_.on_awaited([this] { go_on(); });
 }
 
-// In floating point: two stamps may lie farther apart than a Time can tell.
 std::optional<sim::Time> Lockstep::world_time(sim::Time stamp) const {
     const sim::Time origin = origin_with(stamp);
-    if (std::abs(Seconds(stamp).count() - Seconds(origin).count()) > farthest.count())
-        return std::nullopt;
+    if (too_far(stamp, origin)) return std::nullopt;
     return stamp - origin;
 }
 
 void Lockstep::begin_with(sim::Time stamp) {
     clock_.set_origin(origin_with(stamp));
+    begun_ = true;
+}
+
+std::optional<sim::Time> Lockstep::time_anew(Stream stream, sim::Time first,
+                                             sim::Time stamp) const {
+    const sim::Time from = come_to(stream);
+    if (too_far(first, from, farthest_origin) || too_far(stamp, first, farthest - from))
+        return std::nullopt;
+    return from + (stamp - first);
+}
+
+void Lockstep::begin_anew_with(Stream stream, sim::Time first) {
+    clock_.set_origin(first - come_to(stream));
     begun_ = true;
 }
 
@@ -49,6 +66,15 @@ void Lockstep::remove(Stream stream) {
     const auto gone = streams_.extract(stream);
     if (gone && gone.mapped().latest) come_to(stream, *gone.mapped().latest, true);
     go_on();
+}
+
+const Lockstep::Progress& Lockstep::progress(Stream stream) const {
+    const auto known = streams_.find(stream);
+    return known != streams_.end() ? known->second : others_;
+}
+
+sim::Time Lockstep::come_to(Stream stream) const {
+    return std::max(progress(stream).latest.value_or(clock_.now()), clock_.now());
 }
 
 void Lockstep::come_to(Stream stream, sim::Time time, bool said_all) {

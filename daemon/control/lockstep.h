@@ -36,6 +36,11 @@ class Lockstep {
     [[nodiscard]] std::optional<sim::Time> world_time(sim::Time stamp) const;
     /// A pose of this stamp holds: if it is the first of all, the clock's origin.
     void begin_with(sim::Time stamp);
+    /// World time of a stamp if time went on with `first` from how far this stream has come.
+    [[nodiscard]] std::optional<sim::Time> time_anew(Stream stream, sim::Time first,
+                                                     sim::Time stamp) const;
+    /// So it does, for all streams. World time goes on; what people call it, its origin, leaps.
+    void begin_anew_with(Stream stream, sim::Time first);
 
     /// Time does not go on before this one has said so.
     void add(Stream stream) { streams_.try_emplace(stream); }
@@ -45,6 +50,12 @@ class Lockstep {
     /// time goes on to it when the stream has come farther. Streams that were not added lead where
     /// there is no other.
     void come_to(Stream stream, sim::Time time, bool said_all);
+    /// The latest that it has come to, or what time it is.
+    [[nodiscard]] sim::Time come_to(Stream stream) const;
+    /// It leads time, alone or with others.
+    [[nodiscard]] bool leads(Stream stream) const {
+        return streams_.empty() || streams_.contains(stream);
+    }
 
     /// Calls once everything that is due by the poses that have come has been done.
     void when_caught_up(Call call);
@@ -57,6 +68,7 @@ class Lockstep {
         std::optional<sim::Time> known;   ///< all is known until then
     };
 
+    [[nodiscard]] const Progress& progress(Stream stream) const;
     [[nodiscard]] sim::Time target() const;
     [[nodiscard]] sim::Time origin_with(sim::Time stamp) const;
     void call_whoever_waits();

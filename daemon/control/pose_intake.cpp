@@ -3,7 +3,11 @@
 #include "daemon/control/pose_intake.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <variant>
+
+#include <spdlog/spdlog.h>
 
 namespace scipd::daemon {
 namespace {
@@ -13,7 +17,7 @@ using Seconds = std::chrono::duration<double>;
 
 // A stamp this far before the one ahead of it is no late packet: the sender has been started again.
 // One that has gained as much on our clock since then is damaged, or the sender's clock was set.
-constexpr Seconds leap{1.0};
+constexpr Seconds largest_slip = StampLeap::longest_back;
 
 // Jitter within this leaves poses exactly where their stamps say.
 constexpr sim::Time dead_zone = std::chrono::milliseconds(100);
@@ -22,12 +26,20 @@ constexpr sim::Time patience = std::chrono::milliseconds(500);
 // Longer than what was held up takes to come in, shorter than what a sender drifts much in.
 constexpr sim::Time portion = std::chrono::milliseconds(50);
 
+std::string from_to(sim::Time before, sim::Time now) {
+    std::array<char, 80> text{};
+    std::snprintf(text.data(), text.size(), " from %.3f s to %.3f s", Seconds(before).count(),
+                  Seconds(now).count());
+    return text.data();
+}
+
 }  // namespace
 
 sim::Time SenderClock::world_time(std::optional<sim::Time> stamp, sim::Time arrival) {
     if (!stamp) return arrival;
     const Seconds passed = Seconds(*stamp) - Seconds(last_stamp_);
-    const bool leapt = passed < -leap || passed - Seconds(arrival - last_arrival_) > leap;
+    const bool leapt =
+        passed < -largest_slip || passed - Seconds(arrival - last_arrival_) > largest_slip;
     if (!world_minus_sender_ || leapt) take_up(*stamp, arrival);
     last_stamp_ = *stamp;
     last_arrival_ = arrival;
@@ -81,11 +93,43 @@ std::optional<std::string> PoseIntake::take(const sim::PoseLine& line, std::stri
                                             SenderClock& sender, sim::Time arrival) {
     if (lockstep_ == nullptr) return take_at(sender.world_time(line.time, arrival), line, robot);
     if (!line.time) return count("t is missing: time is that of the poses");
-    const auto time = lockstep_->world_time(*line.time);
-    if (!time) return count("t: too far from the first one");
-    auto refusal = take_at(*time, line, robot);
+    return count(take_stamped(*line.time, line, robot, sender));
+}
+
+std::optional<std::string> PoseIntake::take_stamped(sim::Time stamp, const sim::PoseLine& line,
+                                                    std::string_view robot, SenderClock& sender) {
+    const auto time = lockstep_->world_time(stamp);
+    const sim::Time before = lockstep_->come_to(&sender);
+    if (!time || *time - before > StampLeap::longest_ahead)
+        return take_leaping(stamp, line, robot, sender);
+    const auto refusal = place(line, robot, *time);
+    if (refusal == World::not_later && before - *time > StampLeap::longest_back)
+        return take_leaping(stamp, line, robot, sender);
     if (refusal) return refusal;
-    lockstep_->begin_with(*line.time);
+    if (*time > before) sender.leap().forget();
+    lockstep_->begin_with(stamp);
+    lockstep_->come_to(&sender, *time, world_.has_one_mover());
+    return std::nullopt;
+}
+
+// World time goes on from the last pose that was taken; where the stamps of it were, they go on
+// from the first one behind the leap.
+std::optional<std::string> PoseIntake::take_leaping(sim::Time stamp, const sim::PoseLine& line,
+                                                    std::string_view robot, SenderClock& sender) {
+    const sim::Time before = lockstep_->clock().origin() + lockstep_->come_to(&sender);
+    const std::string leaps = "t: leaps" + from_to(before, stamp);
+    if (!lockstep_->leads(&sender))
+        return leaps + "; others lead time, and stamps must keep to theirs";
+    if (!sender.leap().take(stamp))
+        return leaps + "; a second of stamps that follow it makes it the time";
+    const sim::Time first = sender.leap().first();
+    const auto time = lockstep_->time_anew(&sender, first, stamp);
+    if (!time) return leaps + ", too far for one run";
+    if (auto refusal = place(line, robot, *time)) return refusal;
+    spdlog::warn("the stamps of poses have leapt{}: time goes on from there",
+                 from_to(before, first));
+    sender.leap().forget();
+    lockstep_->begin_anew_with(&sender, first);
     lockstep_->come_to(&sender, *time, world_.has_one_mover());
     return std::nullopt;
 }

@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "daemon/control/lockstep.h"
+#include "daemon/control/stamp_leap.h"
 #include "daemon/control/world.h"
 #include "sim/loaders/trajectory.h"
 #include "sim/time.h"
@@ -31,6 +32,9 @@ namespace scipd::daemon {
 class SenderClock {
   public:
     [[nodiscard]] sim::Time world_time(std::optional<sim::Time> stamp, sim::Time arrival);
+
+    /// In lockstep, where all senders share the time: what this one says away from it.
+    [[nodiscard]] StampLeap& leap() { return leap_; }
 
   private:
     enum class Side { in_time, late, early };
@@ -55,6 +59,7 @@ class SenderClock {
     sim::Time last_arrival_{};
     sim::Time newest_stamp_{};
     Run run_;
+    StampLeap leap_;
 };
 
 class PoseIntake {
@@ -79,6 +84,10 @@ class PoseIntake {
     [[nodiscard]] const std::optional<std::string>& last_refusal() const { return last_refusal_; }
 
   private:
+    std::optional<std::string> take_stamped(sim::Time stamp, const sim::PoseLine& line,
+                                            std::string_view robot, SenderClock& sender);
+    std::optional<std::string> take_leaping(sim::Time stamp, const sim::PoseLine& line,
+                                            std::string_view robot, SenderClock& sender);
     std::optional<std::string> place(const sim::PoseLine& line, std::string_view robot,
                                      sim::Time time);
     std::optional<std::string> count(std::optional<std::string> refusal);

@@ -142,7 +142,7 @@ std::optional<std::string> World::place(sim::PoseTrack& track, const Placement& 
     if (placement.from_now_on && placement.time <= track.last_time()) {
         track.jump(placement.time, placement.pose);
     } else if (!track.place(placement.time, placement.pose, placement.velocity)) {
-        return "t: not later than the pose before it";
+        return std::string(not_later);
     }
     if (on_placed_) on_placed_();
     return std::nullopt;

@@ -45,6 +45,9 @@ struct Placement {
 
 class World {
   public:
+    /// Why a pose is refused whose time lies before what is known already.
+    static constexpr std::string_view not_later = "t: not later than the pose before it";
+
     /// Another scene in place of this one, with the backends made for it. Robots stay where they
     /// are; movable models start where the new scene has them, unless they were there before,
     /// started at the same place and are not placed anew. Answers with the backends of before,

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <random>
 
-#include <boost/asio/io_context.hpp>
 #include <gtest/gtest.h>
 
 #include "tests/daemon/wall_world.h"
@@ -281,19 +280,41 @@ TEST_F(PoseIntakeTest, KnowsWhomALineMeans) {
     EXPECT_EQ(take(R"({"xyz":[8,0,0]})", 2s, ""), "robot: say which; robots are robot, second");
 }
 
-TEST(PoseIntakeInLockstep, LetsNoRefusedPoseSayWhereTimeBegins) {
-    boost::asio::io_context io;
-    Lockstep lockstep(io.get_executor());
-    World world = wall_world();
-    PoseIntake intake(world, &lockstep);
-    SenderClock sender;
-    const auto take = [&](const char* line) { return intake.take_line(line, {}, sender, 0s); };
-    EXPECT_TRUE(take(R"({"robot":"nobody","t":5,"xyz":[0,0,0]})"));
-    EXPECT_EQ(take(R"({"t":-8999999999,"xyz":[1,0,0]})"), std::nullopt);
-    EXPECT_EQ(lockstep.clock().origin(), -8'999'999'999s);
-    EXPECT_EQ(world.robot("robot")->at(0s).translation_m.x, 1.0);
-    EXPECT_EQ(take(R"({"t":9,"xyz":[2,0,0]})"), "t: too far from the first one");
-    EXPECT_EQ(intake.refused(), 2U);
+// A packet of 50 Hz comes every 20 ms, whatever its stamp says.
+class StampsOnTheWallClock : public PoseIntakeTest {
+  protected:
+    /// Whether poses from this stamp on are taken once half a second has passed.
+    void expect_taken_from(double first_s, int packets = 100) {
+        for (int i = 0; i < packets; ++i) {
+            const auto refusal = take_stamped(first_s + i * 0.02, i);
+            if (i < 25) continue;
+            ASSERT_EQ(refusal, std::nullopt) << i;
+            ASSERT_DOUBLE_EQ(robot_x(), i);
+        }
+    }
+    std::optional<std::string> take_stamped(double t_s, int x) {
+        arrival_ += 20ms;
+        const std::string line =
+            "{\"t\":" + std::to_string(t_s) + ",\"xyz\":[" + std::to_string(x) + ",0,0]}";
+        return take(line.c_str(), arrival_);
+    }
+
+    sim::Time arrival_ = 3s;
+};
+
+TEST_F(StampsOnTheWallClock, MayBeginAgain) {
+    expect_taken_from(1000.0);
+    expect_taken_from(0.0);
+    expect_taken_from(1e6);
+    expect_taken_from(0.0);
+}
+
+TEST_F(StampsOnTheWallClock, MayLeapOnce) {
+    expect_taken_from(10.0);
+    take_stamped(1e6, 0);
+    expect_taken_from(12.02);
+    take_stamped(-1e6, 0);
+    expect_taken_from(14.04);
 }
 
 }  // namespace

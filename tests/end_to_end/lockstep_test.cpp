@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -25,16 +26,15 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int simulated_s = 600;
 constexpr int poses_per_s = 50;
 
-/// A drive in circles of 1 m, stamped as if since 1970.
-std::string pose_line(int i) {
+/// A drive in circles of 1 m, stamped as if since 1970 or since that.
+std::string pose_line(int i, double first_s = 1.7e9) {
     const double t_s = static_cast<double>(i) / poses_per_s;
     std::array<char, 160> line;
     const int length = std::snprintf(
         line.data(), line.size(), "{\"t\":%.3f,\"xyz\":[%.6f,%.6f,0],\"rpy\":[0,0,%.6f]}\n",
-        1.7e9 + t_s, std::cos(t_s) - 1.0, std::sin(t_s), std::remainder(t_s + 1.5, 6.283185307));
+        first_s + t_s, std::cos(t_s) - 1.0, std::sin(t_s), std::remainder(t_s + 1.5, 6.283185307));
     return {line.data(), static_cast<std::size_t>(length)};
 }
 
@@ -105,7 +105,8 @@ struct Drive {
     std::uint64_t lost;
 };
 
-Drive drive(int pause_every, bool company) {
+Drive drive(int simulated_s, int pause_every, bool company,
+            const std::function<std::string(int)>& line) {
     const TempDir directory;
     const DaemonProcess daemon(directory, in_lockstep());
     Reader reader(ScannerWire::tcp(daemon.port(), pause_every > 0 ? 4096 : 0), pause_every);
@@ -117,13 +118,13 @@ Drive drive(int pause_every, bool company) {
     std::thread sender([&] {
         std::string lines;
         for (int i = 0; i <= simulated_s * poses_per_s; ++i) {
-            lines += pose_line(i);
+            lines += line(i);
             if (i % 40 == 0) daemon.say(std::exchange(lines, {}));
         }
         daemon.say(lines);
     });
     // The last turns may end behind the last pose.
-    constexpr int scans = simulated_s * 39;
+    const int scans = simulated_s * 39;
     reader.read(scans);
     sender.join();
     EXPECT_EQ(reader.scans(), scans);
@@ -133,12 +134,30 @@ Drive drive(int pause_every, bool company) {
 }
 
 TEST(InLockstep, TenMinutesGiveTheSameBytesToAQuickAndToASlowReader) {
-    const Drive quick = drive(0, false);
-    const Drive slow = drive(3, true);
+    constexpr int simulated_s = 600;
+    const auto line = [](int i) { return pose_line(i); };
+    const Drive quick = drive(simulated_s, 0, false, line);
+    const Drive slow = drive(simulated_s, 3, true, line);
     EXPECT_EQ(quick.digest, slow.digest);
     EXPECT_EQ(quick.lost, 0U);
     EXPECT_EQ(slow.lost, 0U);
     EXPECT_NEAR(quick.time_s, 1.7e9 + simulated_s, 0.5 * simulated_s);
+}
+
+// With a damaged stamp in between, and again from 0 after half of it.
+TEST(InLockstep, ASimulatorThatIsStartedAgainGivesTheSameBytesToAllReaders) {
+    constexpr int simulated_s = 60;
+    const auto line = [](int i) {
+        constexpr int half = simulated_s * poses_per_s / 2;
+        if (i == half / 2) return pose_line(i, 1e6);
+        return i <= half ? pose_line(i) : pose_line(i - half - 1, 0.0);
+    };
+    const Drive quick = drive(simulated_s, 0, false, line);
+    const Drive slow = drive(simulated_s, 3, true, line);
+    EXPECT_EQ(quick.digest, slow.digest);
+    EXPECT_EQ(quick.lost, 0U);
+    EXPECT_LE(quick.time_s, simulated_s / 2.0);
+    EXPECT_GE(quick.time_s, simulated_s / 2.0 - 3.0);
 }
 
 TEST(InLockstep, TimeStandsStillWithoutPosesAndAnswersComeAllTheSame) {
@@ -159,6 +178,12 @@ TEST(InLockstep, TimeStandsStillWithoutPosesAndAnswersComeAllTheSame) {
     EXPECT_EQ(wire.ask("VV"), "00");
     EXPECT_EQ(daemon.get("/status").at("poses").at("last_refusal"),
               "t is missing: time is that of the poses");
+    daemon.say("{\"t\":1e6,\"xyz\":[0,0,0]}\n");
+    EXPECT_TRUE(eventually([&] {
+        return daemon.get("/status").at("poses").at("last_refusal") ==
+               "t: leaps from 100.070 s to 1000000.000 s; a second of stamps that follow it makes "
+               "it the time";
+    }));
 }
 
 /// Both are of the same sweep, which takes 25 ms.
