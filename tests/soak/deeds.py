@@ -18,8 +18,8 @@ from variants import reload, stderr  # they are deeds as well
 PATIENCE_S = 2.0
 REQUESTS = [b"VV", b"PP", b"II", b"BM", b"QT", b"RS", b"TM0", b"TM1", b"TM2", b"GD0000108001", b"MD0000108000000", b"ME0000108000000",
             b"GS0044072501", b"MD0044072501000", b"%ST", b"SS115200", b"CR00", b"HS1", b"SCIP2.0", b"RB", b"DB10"]
-PATHS = ["/status", "/sensors", "/scene", "/sensors/victim/tof/reading", "/sensors/victim/tof/truth", "/sensors/%zz/x", "/robots/victim/pose",
-         "/stream", "/poses", "/" + "x" * 2000, "/scene/models/%00/pose"]
+LONG_ANSWERS = ["/status", "/sensors", "/scene", "/sensors/good/ust/truth", "/sensors/driven/ust/truth"]
+PATHS = LONG_ANSWERS + ["/sensors/%zz/x", "/robots/victim/pose", "/stream", "/poses", "/" + "x" * 2000, "/scene/models/%00/pose"]
 POSES = [b"x", b"{", b"{}", b"[" * 200, b'{"robot":"nobody","xyz":[0,0,0]}', b'{"robot":"victim","xyz":[0,0]}', b"\0\xff\xfe",
          b'{"robot":"victim","xyz":[1e999,0,0]}', b'{"robot":"victim","t":-1e300,"xyz":[0,0,0]}', b'{"robot":' + b'"' * 500]
 
@@ -122,25 +122,26 @@ def resets(scipd, rng):
 
 
 def streams(scipd, rng):
-    """25 clients of /stream that never read."""
+    """25 clients of /stream that never read, come at different times and so leave different messages unread."""
     with contextlib.ExitStack() as clients:
         for _ in range(25):
             client = clients.enter_context(connected(scipd.http, receive_buffer=4096))
             request = wire.http_request("GET", "/stream", fields=wire.UPGRADE)
             client.sendall(request)
             yield len(request)
-            yield from rest(0.1)
+            yield from rest(rng.choice([0.1, 2.0]))
         while True:
             yield from rest(1.0)
 
 
 def answers(scipd, rng):
-    """Many requests at once of which no answer is read."""
+    """Many requests at once of which no answer is read; one picture a second, since each takes its time."""
     while True:
         with contextlib.ExitStack() as clients:
-            for _ in range(20):
+            for i in range(20):
                 client = clients.enter_context(connected(scipd.http, receive_buffer=4096))
-                requests = b"".join(wire.http_request("GET", rng.choice(PATHS[:7])) for _ in range(20))
+                paths = ["/sensors/victim/tof/reading"] if i == 0 else rng.choices(LONG_ANSWERS, k=20)
+                requests = b"".join(wire.http_request("GET", path) for path in paths)
                 client.sendall(requests)
                 yield len(requests)
             yield from rest(1.0)

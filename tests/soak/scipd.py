@@ -18,7 +18,7 @@ STREAMS = {
     "good/urg": (b"MD0044072501000", 682, 100.0),
     "driven/ust": (b"MD0000108000000", 1081, 25.0),
 }
-# Those that hostile clients turn to have the names of their kinds.
+# Hostile clients turn to `victim`, whose pictures take a megabyte each.
 CONFIGURATION = """scene: {scenes}/square_room.sdf
 seed: {seed}
 control: control.sock
@@ -44,7 +44,7 @@ robots:
       ust: {{model: UST-10LX, mount: {{xyz: [0, 0, 0.3]}}, tcp: '127.0.0.1:0'}}
       urg: {{model: URG-04LX, mount: {{xyz: [0, 0, 0.3]}}, pty: victim-urg}}
       utm: {{model: UTM-30LX, mount: {{xyz: [0, 0, 0.3]}}, tcp: '127.0.0.1:0', pty: victim-utm}}
-      tof: {{camera: {{columns: 320, rows: 240, fov_deg: [60, 45], rate_hz: 10, range_m: [0.1, 7.5]}}}}
+      tof: {{camera: {{columns: 400, rows: 300, fov_deg: [60, 45], rate_hz: 20, range_m: [0.1, 7.5]}}}}
 """
 STDERR_PIPE_BYTES = 4096  # a reader that pauses is felt after a few lines
 

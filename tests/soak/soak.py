@@ -133,7 +133,7 @@ def options():
     parser.add_argument("--seed", type=int, default=1, help="of all chance in what the hostile clients do; default: 1")
     parser.add_argument("--status-ms", type=float, default=50.0, help="the longest that an answer to /status may take; default: 50")
     parser.add_argument("--edit-s", type=float, default=15.0, help="and one to a change of the scene; default: 15")
-    parser.add_argument("--rss-mb", type=float, default=512.0, help="the most memory at any time; default: 512")
+    parser.add_argument("--rss-mb", type=float, default=400.0, help="the most memory at any time; default: 400")
     parser.add_argument("--scipd", default=str(ROOT / "build/release/bin/scipd"), help="which one")
     said = parser.parse_args()
     without = said.without.split(",") if said.without else []

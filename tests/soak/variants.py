@@ -17,7 +17,7 @@ def right(text, rng):
         lambda: text,
         lambda: text + MORE,
         lambda: text.replace("square_room", "corridor"),
-        lambda: text.replace("rate_hz: 10", "rate_hz: 5"),
+        lambda: text.replace("columns: 400", "columns: 40"),
         lambda: text.replace("[-1, 1, 0]", "[-1, 1.5, 0]"),
     ])()
 
