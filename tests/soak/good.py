@@ -4,6 +4,7 @@
 # The good clients, which must miss nothing whatever the hostile ones do. All of them share one loop in one thread; its own
 # delays and what scipd waits for a core are measured beside, so that a busy machine is not taken for a scipd that stands still.
 import asyncio
+import dataclasses
 import json
 import math
 import os
@@ -18,11 +19,10 @@ CROOKED_MS = 2.0  # a stamp that lies so far beside its period, which a mirror a
 
 
 class Machine:
-    """What the machine adds to the time of an answer: how long scipd waited for a core, and how late this loop hears of it."""
+    """How late this loop is woken."""
     BEAT_S = 0.005
 
-    def __init__(self, scipd):
-        self.scipd = scipd
+    def __init__(self):
         self.due_s = self.beat_s = time.monotonic()
         self.overshoot_s = 0.0  # of the last beat
 
@@ -33,12 +33,28 @@ class Machine:
             self.beat_s = time.monotonic()
             self.overshoot_s = self.beat_s - self.due_s
 
-    def delay_s(self, waited_s):
-        """Of an answer that was heard just now, where scipd had waited so long for a core when it was asked for."""
+    def late_s(self):
+        """How late what is heard just now is heard."""
         now_s = time.monotonic()
         woken_with_the_beat = now_s - self.beat_s < 0.2 * self.BEAT_S
-        late_s = self.overshoot_s if woken_with_the_beat else max(0.0, now_s - self.due_s)
-        return late_s + self.scipd.waited_for_core_s() - waited_s
+        return self.overshoot_s if woken_with_the_beat else max(0.0, now_s - self.due_s)
+
+
+@dataclasses.dataclass
+class Answer:
+    """To a request, in s: since when it is late, how long it took, how long scipd ran and waited for a core meanwhile, and how late it
+    was heard here."""
+    since_s: float
+    took_s: float
+    ran_s: float
+    waited_s: float
+    late_s: float
+
+    def machine_s(self):
+        return self.waited_s + self.late_s
+
+    def by_scipd_s(self):
+        return max(0.0, self.took_s - self.machine_s())
 
 
 class Stream(asyncio.Protocol):
@@ -128,22 +144,22 @@ class Http:
 
 
 class StatusClient:
-    """Asks ten times a second. An answer that keeps the next requests waiting is late for them as well. `answered(since, s, of
-    which the machine's own delay)` hears of each."""
+    """Asks ten times a second. An answer that keeps the next requests waiting is late for them as well. `answered` hears
+    of each."""
     PERIOD_S = 0.1
 
     def __init__(self, scipd, machine, answered):
         self.scipd, self.machine, self.answered = scipd, machine, answered
         self.latest = {}
-        self.unanswered = None  # since when, and what scipd had waited for a core then
+        self.unanswered = None  # since when, and scipd's times then
 
     async def run(self):
         http = Http(self.scipd.http)
         due = time.monotonic()
         while True:
-            waited_s = self.scipd.waited_for_core_s()
+            times_s = self.scipd.times_s()
             begin = min(due + self.PERIOD_S, time.monotonic())  # of what could not be asked when it was due, then
-            self.unanswered = begin, waited_s
+            self.unanswered = begin, times_s
             status, body = await http.ask("GET", "/status")
             self.take_time()
             if status != 200:
@@ -155,9 +171,10 @@ class StatusClient:
     def take_time(self):
         """Of an answer, or of one that has not come so far."""
         if self.unanswered:
-            begin, waited_s = self.unanswered
+            begin, (ran_s, waited_s) = self.unanswered
             self.unanswered = None
-            self.answered(begin, time.monotonic() - begin, self.machine.delay_s(waited_s))
+            now_ran_s, now_waited_s = self.scipd.times_s()
+            self.answered(Answer(begin, time.monotonic() - begin, now_ran_s - ran_s, now_waited_s - waited_s, self.machine.late_s()))
 
 
 def place_at(now_s):

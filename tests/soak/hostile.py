@@ -48,20 +48,23 @@ class Reader(threading.Thread):
 
 
 class Doer(threading.Thread):
-    """One deed until then."""
+    """One deed until then, or until all is over."""
 
-    def __init__(self, scipd, name, rng, until_s):
+    def __init__(self, scipd, name, rng, until_s, over):
         super().__init__(daemon=True)
-        self.scipd, self.name, self.rng, self.until_s = scipd, name, rng, until_s
+        self.scipd, self.name, self.rng, self.until_s, self.over = scipd, name, rng, until_s, over
         self.times = self.bytes = 0
         self.fault = None
 
     def run(self):
         try:
-            while time.monotonic() < self.until_s:
+            while not self.done():
                 self.go_on()
         except Exception as error:
             self.fault = f"{self.name}: {error!r}"
+
+    def done(self):
+        return time.monotonic() >= self.until_s or self.over.is_set()
 
     def go_on(self):
         deed = DEEDS[self.name](self.scipd, self.rng)
@@ -70,7 +73,7 @@ class Doer(threading.Thread):
                 if size is not None:
                     self.times += 1
                     self.bytes += size
-                if time.monotonic() >= self.until_s:
+                if self.done():
                     return
         except OSError:
             time.sleep(0.05)
@@ -78,8 +81,8 @@ class Doer(threading.Thread):
             deed.close()
 
 
-def do_together(scipd, names, seconds, seed):
-    doers = [Doer(scipd, name, random.Random(f"{seed} {name}"), time.monotonic() + seconds) for name in names]
+def do_together(scipd, names, seconds, seed, over):
+    doers = [Doer(scipd, name, random.Random(f"{seed} {name}"), time.monotonic() + seconds, over) for name in names]
     for doer in doers:
         doer.start()
     for doer in doers:
@@ -88,8 +91,8 @@ def do_together(scipd, names, seconds, seed):
     return {doer.name: (doer.times, doer.bytes) for doer in doers}, faults
 
 
-def run(scipd, names, seconds, seed, tell):
-    """Tells of each slice as it begins, ("begin", names), and has ended, ("end", {name: (times, bytes)}, faults); then ("over",)
+def run(scipd, names, seconds, seed, tell, over):
+    """Until `over` is set, or so long. Tells of each slice as it begins, ("begin", names), and has ended, ("end", {name: (times, bytes)}, faults); then ("over",)
     and, once scipd has ended, ("said", bytes on standard error, reloads, its end)."""
     os.nice(10)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -101,11 +104,11 @@ def run(scipd, names, seconds, seed, tell):
     end = time.monotonic() + seconds
     for number, (together, slice_s) in enumerate(schedule(names, seconds, seed)):
         left_s = end - time.monotonic()
-        if left_s < 0.1:
+        if left_s < 0.1 or over.is_set():
             break
         tell.send(("begin", together))
-        tell.send(("end", *do_together(scipd, together, min(slice_s, left_s), f"{seed} {number}")))
-    time.sleep(max(0.0, end - time.monotonic()))
+        tell.send(("end", *do_together(scipd, together, min(slice_s, left_s), f"{seed} {number}", over)))
+    over.wait(max(0.0, end - time.monotonic()))
     tell.send(("over",))
     reader.join()
     tell.send(("said", reader.bytes, reader.reloads, reader.tail.decode(errors="replace")))

@@ -76,16 +76,23 @@ def tell_streams(judge, soak, seconds):
                    f"{stream.name} has every scan, undamaged{': ' + stream.fault if stream.fault else ''}")
 
 
+def tell_status(judge, soak, said):
+    took = [1000 * answer.took_s for answer in soak.answers]
+    own = [1000 * answer.by_scipd_s() for answer in soak.answers]
+    machine = [1000 * answer.machine_s() for answer in soak.answers]
+    print("\n/status, ms                           p50     p99      max")
+    for name, values in (("answered in", took), ("less what the machine delayed", own), ("what the machine delayed", machine)):
+        print(f"  {name:30} {quantile(values, 0.5):8.1f} {quantile(values, 0.99):7.1f} {max(values, default=0):8.1f}")
+    for answer in sorted(soak.answers, key=lambda answer: -answer.by_scipd_s())[:3]:
+        print(f"  {1000 * answer.took_s:.0f} ms at {answer.since_s - soak.begin_s:.1f} s ({soak.done_at(answer.since_s)}): scipd ran for "
+              f"{1000 * answer.ran_s:.0f}, had no core for {1000 * answer.waited_s:.0f}, heard {1000 * answer.late_s:.0f} too late")
+    slow, by_scipd = (sum(value > said.status_ms for value in values) for values in (took, own))
+    judge.that(bool(own) and by_scipd == 0, f"no answer to /status takes longer than {said.status_ms:g} ms: {slow} of {len(took)} do, "
+               f"{by_scipd} by scipd itself")
+
+
 def tell_clients(judge, soak, said):
-    latencies = [1000 * latency for latency, _ in soak.answers]
-    own = [1000 * max(0.0, latency - machine) for latency, machine in soak.answers]
-    slow = sum(latency > said.status_ms for latency in latencies)
-    by_scipd = sum(latency > said.status_ms for latency in own)
-    print(f"\n/status: {len(latencies)} answers in p50 {quantile(latencies, 0.5):.1f}, p99 {quantile(latencies, 0.99):.1f}, "
-          f"max {max(latencies, default=0):.1f} ms; less the delays of the machine (at most "
-          f"{1000 * max((machine for _, machine in soak.answers), default=0):.1f} ms, this program woken late or scipd without a core) "
-          f"{quantile(own, 0.5):.1f}, {quantile(own, 0.99):.1f}, {max(own, default=0):.1f} ms")
-    judge.that(bool(own) and by_scipd == 0, f"no answer to /status takes longer than {said.status_ms:g} ms: {slow} do, {by_scipd} by scipd itself")
+    tell_status(judge, soak, said)
     print(f"changes of the scene: {len(soak.edits_s)}, p50 {quantile(soak.edits_s, 0.5):.3f}, max {max(soak.edits_s, default=0):.3f} s")
     judge.that(bool(soak.edits_s) and max(soak.edits_s) <= said.edit_s, f"none takes longer than {said.edit_s:g} s")
     poses = soak.poses

@@ -117,13 +117,15 @@ class Scipd:
             fields = dict(line.split(":", 1) for line in status)
         return int(fields["VmRSS"].split()[0]) / 1024, len(os.listdir(f"/proc/{self.pid}/fd")), int(fields["Threads"])
 
-    def waited_for_core_s(self):
-        """How long its first thread, which serves all clients, was ready to run and had no core; 0 where the kernel does not tell."""
+    def times_s(self):
+        """Of its first thread, which serves all clients: how long it ran, and how long it was ready to run and had no core; 0 where the
+        kernel does not tell."""
         try:
             with open(f"/proc/{self.pid}/task/{self.pid}/schedstat") as schedule:
-                return int(schedule.read().split()[1]) * 1e-9
-        except (OSError, IndexError):
-            return 0.0
+                ran, waited = schedule.read().split()[:2]
+                return int(ran) * 1e-9, int(waited) * 1e-9
+        except (OSError, ValueError):
+            return 0.0, 0.0
 
 
 def address(text):

@@ -6,7 +6,9 @@
 import argparse
 import asyncio
 import multiprocessing
+import os
 import pathlib
+import socket
 import time
 
 import good
@@ -17,6 +19,8 @@ import wire
 from deeds import DEEDS
 
 CALM_S = 3.0  # after all deeds, until their clients are gone
+BOOTED_S = 20.0  # longer than any scanner takes
+PATIENCE_S = 60.0
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
@@ -26,12 +30,12 @@ class Soak:
     def __init__(self, scipd):
         self.scipd = scipd
         self.begin_s = time.monotonic()
-        self.machine = good.Machine(scipd)
+        self.machine = good.Machine()
         self.status = good.StatusClient(scipd, self.machine, self.take_answer)
         self.poses = good.PoseSenders(scipd)
         self.editor = good.Editor(scipd, self.take_edit)
         self.streams = [good.Stream(name, *stream, self.take_missing) for name, stream in under_load.STREAMS.items()]
-        self.answers = []  # (latency, of which the machine's own delay) in s
+        self.answers = []
         self.edits_s = []
         self.sizes = []  # (MB, descriptors, threads), once a second
         self.doings = [(self.begin_s, "none")]  # since when what is done
@@ -41,14 +45,17 @@ class Soak:
     def deed(self, name):
         return self.deeds.setdefault(name, report.Deed())
 
-    def culprit(self, when_s):
-        """The deed that was done then, `several`, or `none`."""
-        return self.deed(next(name for since_s, name in reversed(self.doings) if since_s <= max(when_s, self.begin_s)))
+    def done_at(self, when_s):
+        """The name of the deed that was done then, `several`, or `none`."""
+        return next(name for since_s, name in reversed(self.doings) if since_s <= max(when_s, self.begin_s))
 
-    def take_answer(self, since_s, latency_s, machine_s):
-        self.answers.append((latency_s, machine_s))
-        deed = self.culprit(since_s)
-        deed.slowest_s = max(deed.slowest_s, latency_s - machine_s)
+    def culprit(self, when_s):
+        return self.deed(self.done_at(when_s))
+
+    def take_answer(self, answer):
+        self.answers.append(answer)
+        deed = self.culprit(answer.since_s)
+        deed.slowest_s = max(deed.slowest_s, answer.by_scipd_s())
 
     def take_edit(self, since_s, latency_s):
         self.edits_s.append(latency_s)
@@ -110,19 +117,41 @@ class Soak:
             client.cancel()
         self.status.take_time()
         self.editor.take_time()
-        self.faults += [await self.victim_answers(name) for name in self.scipd.sensors if name.startswith("victim/")]
 
-    async def victim_answers(self, name):
-        """What is wrong with it after all that, if anything is."""
-        sensor = self.scipd.sensors[name]
+    def ask_victims(self):
+        """What is wrong with them after all that. Where scipd is gone their ttys may be another's by now."""
+        if self.scipd.exit_code() is not None:
+            return
+        self.faults += [f"{name} does not answer any more" for name, sensor in self.scipd.sensors.items()
+                        if name.startswith("victim/") and (sensor["tcp"] or sensor["pty"]) and not answers(self.scipd, name)]
+
+
+def answers(scipd, name):
+    """The scanner, which may have to boot first; asked by its tty where it has one."""
+    end = time.monotonic() + BOOTED_S
+    heard = b""
+    while b"VV\n00P\n" not in heard and time.monotonic() < end:
         try:
-            if sensor["tcp"]:
-                reader, writer = await asyncio.open_connection(*self.scipd.tcp(name))
-                writer.write(b"QT\nVV\n")
-                await asyncio.wait_for(reader.readuntil(b"VV\n00P\n"), 10)
-                writer.close()
-        except (OSError, EOFError, asyncio.TimeoutError) as error:
-            return f"{name} does not answer any more: {error!r}"
+            if scipd.tty(name):
+                heard = ask_tty(scipd.tty(name))
+            else:
+                with socket.create_connection(scipd.tcp(name), 2.0) as client:
+                    client.sendall(b"QT\nVV\n")
+                    time.sleep(0.5)
+                    heard = client.recv(65536)
+        except OSError:
+            time.sleep(0.5)
+    return b"VV\n00P\n" in heard
+
+
+def ask_tty(path):
+    descriptor = wire.open_tty(path)
+    try:
+        os.write(descriptor, b"\nQT\nVV\n")
+        time.sleep(0.5)
+        return os.read(descriptor, 65536)
+    finally:
+        os.close(descriptor)
 
 
 def options():
@@ -145,23 +174,34 @@ def options():
     return said
 
 
+def last_words(soak, told):
+    """What the hostile process says once scipd has ended."""
+    while told.poll(PATIENCE_S):
+        what, *words = told.recv()
+        if what == "said":
+            return words
+        soak.take_told(what, *words)
+    soak.faults.append("the hostile process does not end")
+    return 0, 0, ""
+
+
 def main():
     said = options()
     scipd = under_load.Scipd(said.scipd, ROOT / "scenes", said.seed)
+    fork = multiprocessing.get_context("fork")
+    told, tell = fork.Pipe(duplex=False)
+    over = fork.Event()
     try:
         scipd.wait_until_ready()
-        told, tell = multiprocessing.Pipe(duplex=False)
-        attack = multiprocessing.get_context("fork").Process(
-            target=hostile.run, args=(scipd, said.deeds, said.minutes * 60.0, said.seed, tell), daemon=True)
-        attack.start()
+        fork.Process(target=hostile.run, args=(scipd, said.deeds, said.minutes * 60.0, said.seed, tell, over), daemon=True).start()
         tell.close()
         soak = Soak(scipd)
         asyncio.run(soak.run(told))
+        soak.ask_victims()
     finally:
+        over.set()
         exit_code = scipd.end()
-    while told.poll(10) and (last := told.recv())[0] != "said":
-        soak.take_told(*last)
-    return report.tell(soak, said, exit_code, last[1:])
+    return report.tell(soak, said, exit_code, last_words(soak, told))
 
 
 if __name__ == "__main__":
