@@ -1,0 +1,279 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright The scipd authors
+#
+# What hostile and careless clients do. A deed is a generator that goes on for ever: it yields the bytes of each thing that it
+# did, or None where it only waits, and may be ended at any yield. Whatever scipd does to a connection is fine: OSError begins
+# the deed anew. `scipd` is the one of scipd.py, `rng` all chance. Nothing here waits for longer than PATIENCE_S.
+import contextlib
+import json
+import os
+import select
+import socket
+import struct
+import time
+
+import wire
+from variants import reload, stderr  # they are deeds as well
+
+PATIENCE_S = 2.0
+REQUESTS = [b"VV", b"PP", b"II", b"BM", b"QT", b"RS", b"TM0", b"TM1", b"TM2", b"GD0000108001", b"MD0000108000000", b"ME0000108000000",
+            b"GS0044072501", b"MD0044072501000", b"%ST", b"SS115200", b"CR00", b"HS1", b"SCIP2.0", b"RB", b"DB10"]
+LONG_ANSWERS = ["/status", "/sensors", "/scene", "/sensors/good/ust/truth", "/sensors/driven/ust/truth"]
+PATHS = LONG_ANSWERS + ["/sensors/%zz/x", "/robots/victim/pose", "/stream", "/poses", "/" + "x" * 2000, "/scene/models/%00/pose"]
+POSES = [b"x", b"{", b"{}", b"[" * 200, b'{"robot":"nobody","xyz":[0,0,0]}', b'{"robot":"victim","xyz":[0,0]}', b"\0\xff\xfe",
+         b'{"robot":"victim","xyz":[1e999,0,0]}', b'{"robot":"victim","t":-1e300,"xyz":[0,0,0]}', b'{"robot":' + b'"' * 500]
+
+
+@contextlib.contextmanager
+def connected(where, receive_buffer=0, patience_s=PATIENCE_S):
+    with socket.socket() as client:
+        client.settimeout(patience_s)
+        if receive_buffer:
+            client.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, receive_buffer)
+        client.connect(where)
+        yield client
+
+
+def reset(client):
+    client.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+    client.close()
+
+
+def junk(rng):
+    request = rng.choice(REQUESTS)
+    return rng.choice([
+        lambda: rng.randbytes(rng.randrange(1, 4096)),
+        lambda: request[:rng.randrange(len(request))],
+        lambda: request + b"\n",
+        lambda: request + b";" + rng.randbytes(20) + b"\n",
+        lambda: b"\0" * rng.randrange(1, 100) + request + b"\r\n",
+        lambda: b"A" * rng.randrange(1, 65536),
+        lambda: bytes(rng.randrange(32, 127) for _ in range(rng.randrange(1, 30))) + b"\n",
+    ])()
+
+
+def victim(scipd, rng):
+    return scipd.tcp(rng.choice(["victim/ust", "victim/utm"]))
+
+
+def garbage(scipd, rng):
+    """Bytes of any kind and half lines to the scanners' ports, closed politely or not."""
+    while True:
+        with connected(victim(scipd, rng)) as client:
+            for _ in range(rng.randrange(1, 20)):
+                data = junk(rng)
+                client.sendall(data)
+                yield len(data)
+                time.sleep(rng.random() * 0.01)
+            if rng.random() < 0.5:
+                reset(client)
+
+
+def ttys(scipd, rng):
+    """The same to their ttys."""
+    while True:
+        descriptor = wire.open_tty(scipd.tty(rng.choice(["victim/urg", "victim/utm"])))
+        try:
+            for _ in range(rng.randrange(1, 20)):
+                with contextlib.suppress(BlockingIOError):
+                    yield os.write(descriptor, junk(rng))
+                time.sleep(rng.random() * 0.01)
+        finally:
+            os.close(descriptor)
+
+
+def flood(scipd, rng):
+    """Requests as fast as they are taken, of which no answer is read."""
+    while True:
+        with connected(victim(scipd, rng), receive_buffer=4096) as client:
+            requests = b"\n".join(rng.choice(REQUESTS) for _ in range(2000)) + b"\n"
+            client.setblocking(False)
+            end = time.monotonic() + 0.5
+            while time.monotonic() < end:
+                with contextlib.suppress(BlockingIOError):
+                    yield client.send(requests)
+                time.sleep(0.002)
+
+
+def deaf(scipd, rng):
+    """Clients of streams that never read, on TCP and on a tty."""
+    while True:
+        with connected(victim(scipd, rng), receive_buffer=4096) as client:
+            client.sendall(b"MD0000108000000\n")
+            descriptor = wire.open_tty(scipd.tty("victim/urg"))
+            try:
+                yield os.write(descriptor, b"MD0044072501000\n") + 16
+                yield from rest(1.0)
+            finally:
+                os.close(descriptor)
+
+
+def resets(scipd, rng):
+    """Connections that are reset at once, also to the ports of good clients and of the control API."""
+    places = [scipd.tcp(name) for name in ("victim/ust", "victim/utm", "good/ust", "driven/ust")] + [scipd.http]
+    while True:
+        data = rng.choice([b"", b"V", b"GET /stat"])
+        # Those who wait behind a good client fill its queue: then there is no answer.
+        with contextlib.suppress(TimeoutError), connected(rng.choice(places), patience_s=0.02) as client:
+            client.sendall(data)
+            reset(client)
+        yield len(data)
+        time.sleep(0.003)
+
+
+def streams(scipd, rng):
+    """25 clients of /stream that never read, come at different times and so leave different messages unread."""
+    with contextlib.ExitStack() as clients:
+        for _ in range(25):
+            client = clients.enter_context(connected(scipd.http, receive_buffer=4096))
+            request = wire.http_request("GET", "/stream", fields=wire.UPGRADE)
+            client.sendall(request)
+            yield len(request)
+            yield from rest(rng.choice([0.1, 2.0]))
+        while True:
+            yield from rest(1.0)
+
+
+def answers(scipd, rng):
+    """Many requests at once of which no answer is read; one picture a second, since each takes its time."""
+    while True:
+        with contextlib.ExitStack() as clients:
+            for i in range(20):
+                client = clients.enter_context(connected(scipd.http, receive_buffer=4096))
+                paths = ["/sensors/victim/tof/reading"] if i == 0 else rng.choices(LONG_ANSWERS, k=20)
+                requests = b"".join(wire.http_request("GET", path) for path in paths)
+                client.sendall(requests)
+                yield len(requests)
+            yield from rest(1.0)
+
+
+def http(scipd, rng):
+    """What is no HTTP, or only nearly."""
+    while True:
+        with connected(scipd.http) as client:
+            data = rng.choice([
+                lambda: rng.randbytes(rng.randrange(1, 4096)),
+                lambda: f"{rng.choice(['GET', 'PATCH', 'BREW', 'PUT'])} {rng.choice(PATHS)} HTTP/{rng.choice(['1.1', '1.0', '9'])}\r\n\r\n".encode(),
+                lambda: wire.http_request("PUT", "/robots/victim/pose", rng.randbytes(200)),
+                lambda: wire.http_request("POST", "/scene/models", b"ffff\r\nxx", fields="Transfer-Encoding: chunked\r\n"),
+                lambda: wire.http_request("GET", "/poses", fields=wire.UPGRADE) + rng.randbytes(2000),
+                lambda: wire.http_request("GET", "/stream", fields=wire.UPGRADE)[:-rng.randrange(1, 100)],
+            ])()
+            client.sendall(data)
+            if rng.random() < 0.5:
+                client.settimeout(0.05)
+                with contextlib.suppress(TimeoutError):
+                    client.recv(65536)
+            yield len(data)
+            time.sleep(0.003)
+
+
+def headers(scipd, rng):
+    """Headers byte by byte, and without an end."""
+    while True:
+        with contextlib.ExitStack() as clients:
+            slow = [clients.enter_context(connected(scipd.http)) for _ in range(20)]
+            for byte in wire.http_request("GET", "/status")[:-2]:
+                for client in slow:
+                    client.sendall(bytes([byte]))
+                yield len(slow)
+                time.sleep(0.01)
+            with connected(scipd.http) as client, contextlib.suppress(OSError):
+                for _ in range(100):
+                    client.sendall(b"X-Filler: " + b"x" * 10000 + b"\r\n")
+                    yield 10012
+
+
+def bodies(scipd, rng):
+    """Bodies that are too large, or do not come."""
+    while True:
+        path, length = rng.choice(["/scene", "/scene/models", "/robots/victim/pose"]), rng.choice([1 << 20, 100 << 20, 1 << 63])
+        with connected(scipd.http) as client, contextlib.suppress(OSError):
+            client.sendall(f"PUT {path} HTTP/1.1\r\nHost: scipd\r\nContent-Length: {length}\r\n\r\n".encode())
+            for _ in range(rng.randrange(32)):
+                client.sendall(bytes(65536))
+                yield 65536
+        yield from rest(0.02)
+
+
+def deep(scipd, rng):
+    """JSON that is nested as deep as a body may be long."""
+    while True:
+        depth = rng.choice([1000, 100_000, 250_000])
+        text = rng.choice([b"[" * depth + b"]" * depth, b"[" * 2 * depth, b'{"xyz":' + b"[" * 2 * depth, b'{"a":' * (depth // 3)])
+        method, path = rng.choice([("PUT", "/scene"), ("POST", "/scene/models"), ("PUT", "/robots/victim/pose")])
+        with connected(scipd.http) as client:
+            client.sendall(wire.http_request(method, path, text))
+            yield len(text)
+            client.recv(65536)
+        time.sleep(0.02)
+
+
+def junk_poses(scipd, rng):
+    """Messages of a megabyte of lines that are no poses to the WebSocket /poses, whose answers are read or not."""
+    while True:
+        with connected(scipd.http) as client:
+            client.sendall(wire.http_request("GET", "/poses", fields=wire.UPGRADE))
+            client.recv(65536)
+            line = rng.choice(POSES + [b"x"] * 10) + b"\n"
+            message = line * (1_000_000 // len(line))
+            client.sendall(wire.text_frame(message))
+            yield len(message)
+            end = time.monotonic() + rng.choice([0.0, 1.0])
+            while time.monotonic() < end and select.select([client], [], [], 0.1)[0] and client.recv(1 << 20):
+                yield None
+
+
+def udp(scipd, rng):
+    """Datagrams that are no poses, in bursts of 500."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
+        client.connect(("127.0.0.1", scipd.udp["victim"]))
+        client.setblocking(False)
+        while True:
+            data = rng.choice(POSES + [b"x\n" * 5000, rng.randbytes(1000)])
+            for _ in range(500 if len(data) < 5000 else 20):
+                with contextlib.suppress(BlockingIOError, ConnectionRefusedError):
+                    client.send(data)
+            yield 500 * len(data) if len(data) < 5000 else 20 * len(data)
+            time.sleep(0.02)
+
+
+def abandon(scipd, rng):
+    """Worlds that are to be loaded for clients that are gone at once."""
+    while True:
+        with connected(scipd.http) as client:
+            request = wire.http_request("PUT", "/scene", {"file": f"{scipd.scenes}/rescue_maze.sdf"})
+            client.sendall(request)
+            if rng.random() < 0.5:
+                reset(client)
+        yield len(request)
+        time.sleep(0.01)
+
+
+def scenes(scipd, rng):
+    """Worlds loaded, models added, moved and taken away, each with its answer."""
+    sdf = "<model name='m'><link name='l'><visual name='v'><geometry><sphere><radius>0.1</radius></sphere></geometry></visual></link></model>"
+    with connected(scipd.http) as client:
+        while True:
+            requests = [("PUT", "/scene", {"file": f"{scipd.scenes}/{rng.choice(['square_room', 'corridor', 'rescue_maze'])}.sdf"})]
+            for i in range(rng.randrange(10)):
+                requests.append(("POST", "/scene/models", {"name": f"m{i}", "sdf": sdf, "replace": rng.random() < 0.5}))
+                requests += [("PUT", f"/scene/models/m{i}/pose", {"xyz": [rng.random(), rng.random(), 0.3]}) for _ in range(5)]
+                requests.append(("DELETE", f"/scene/models/m{rng.randrange(10)}", None))
+            for method, path, body in requests:
+                request = wire.http_request(method, path, body)
+                client.sendall(request)
+                yield len(request)
+                if not client.recv(65536):
+                    raise ConnectionResetError
+
+
+def rest(seconds):
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        time.sleep(0.05)
+        yield None
+
+
+DEEDS = {deed.__name__: deed for deed in (garbage, ttys, flood, deaf, resets, streams, answers, http, headers, bodies, deep, junk_poses, udp,
+                                          abandon, scenes, reload, stderr)}

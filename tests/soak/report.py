@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright The scipd authors
+#
+# What a soak says at its end, and what of it must hold.
+import dataclasses
+import statistics
+
+# Memory and descriptors are flat where the median of the last quarter is at most this much of the second one's and a little; in
+# less time than that a quarter does not hold every deed.
+GROWTH = 1.1
+GROWTH_MB = 8.0
+GROWTH_DESCRIPTORS = 8
+JUDGED_FROM_S = 600.0
+# Descriptors in use after all deeds, beyond those before them: connections that linger.
+LEFT_DESCRIPTORS = 8
+CALM_SIZES = 2  # of the end, in seconds
+
+
+@dataclasses.dataclass
+class Deed:
+    times: int = 0
+    bytes: int = 0
+    missed: int = 0  # of good clients, while this was done alone
+    slowest_s: float = 0.0  # answer to /status, less the delay of the machine, while this was done alone
+    slowest_edit_s: float = 0.0
+    most_mb: float = 0.0
+
+
+class Judge:
+    def __init__(self):
+        self.failed = []
+
+    def that(self, holds, text):
+        """The text, and that it must hold."""
+        if not holds:
+            self.failed.append(text)
+        print(f"  {'ok  ' if holds else 'FAIL'}  {text}")
+
+
+def quantile(values, share):
+    return sorted(values)[min(len(values) - 1, int(share * len(values)))] if values else float("nan")
+
+
+def tell(soak, said, exit_code, stderr):
+    judge = Judge()
+    seconds = soak.end_s - soak.begin_s
+    print(f"{seconds:.0f} s of {', '.join(said.deeds) or 'no deed'}; seed {said.seed}")
+    tell_streams(judge, soak, seconds)
+    tell_clients(judge, soak, said)
+    tell_sizes(judge, soak, said, seconds)
+    tell_deeds(judge, soak, said)
+    print("\nthe end")
+    judge.that(exit_code == 0, f"scipd ends when asked to: {exit_code}")
+    faults = [fault for fault in soak.faults if fault]
+    judge.that(not faults, f"no other faults: {faults[:5]}")
+    size, reloads, last = stderr
+    print(f"standard error: {size} bytes, which tell of {reloads} reloads")
+    judge.that(reloads > 0 or not {"reload", "stderr"} & set(said.deeds), "reloads come about")
+    if judge.failed:
+        print(f"the last of standard error:\n{last}")
+        print("\nFAILED:\n  " + "\n  ".join(judge.failed))
+    return 1 if judge.failed else 0
+
+
+def tell_streams(judge, soak, seconds):
+    print("\ngood client     scans  missed  damaged  crooked  lost   longest silence   late by p50, p99, max ms")
+    sensors = {sensor["name"]: sensor for sensor in soak.status.latest.get("sensors", ())}
+    for stream in soak.streams:
+        sensor = sensors.get(stream.name, {"lost": -1, "lateness_ms": {"p50": None, "p99": None, "max": None}})
+        late = ", ".join(f"{sensor['lateness_ms'][key] or 0:.1f}" for key in ("p50", "p99", "max"))
+        still_s = soak.end_s - (stream.last_s or soak.begin_s)
+        print(f"  {stream.name:12} {stream.scans:6} {stream.missed:7} {stream.damaged:8} {stream.crooked:8} {sensor['lost']:5} "
+              f"{max(stream.silence_s, still_s):14.3f} s    {late}")
+        enough = stream.scans + stream.missed >= 0.9 * seconds * 1000 / stream.period_ms - 20
+        judge.that(stream.missed == stream.damaged == stream.crooked == sensor["lost"] == 0 and enough and not stream.fault,
+                   f"{stream.name} has every scan, undamaged{': ' + stream.fault if stream.fault else ''}")
+
+
+def tell_status(judge, soak, said):
+    took = [1000 * answer.took_s for answer in soak.answers]
+    own = [1000 * answer.by_scipd_s() for answer in soak.answers]
+    machine = [1000 * answer.machine_s() for answer in soak.answers]
+    print("\n/status, ms                           p50     p99      max")
+    for name, values in (("answered in", took), ("less what the machine delayed", own), ("what the machine delayed", machine)):
+        print(f"  {name:30} {quantile(values, 0.5):8.1f} {quantile(values, 0.99):7.1f} {max(values, default=0):8.1f}")
+    for answer in sorted(soak.answers, key=lambda answer: -answer.by_scipd_s())[:3]:
+        print(f"  {1000 * answer.took_s:.0f} ms at {answer.since_s - soak.begin_s:.1f} s ({soak.done_at(answer.since_s)}): scipd ran for "
+              f"{1000 * answer.ran_s:.0f}, had no core for {1000 * answer.waited_s:.0f}, heard {1000 * answer.late_s:.0f} too late")
+    slow, by_scipd = (sum(value > said.status_ms for value in values) for values in (took, own))
+    judge.that(bool(own) and by_scipd == 0, f"no answer to /status takes longer than {said.status_ms:g} ms: {slow} of {len(took)} do, "
+               f"{by_scipd} by scipd itself")
+
+
+def tell_clients(judge, soak, said):
+    tell_status(judge, soak, said)
+    print(f"changes of the scene: {len(soak.edits_s)}, p50 {quantile(soak.edits_s, 0.5):.3f}, max {max(soak.edits_s, default=0):.3f} s")
+    judge.that(bool(soak.edits_s) and max(soak.edits_s) <= said.edit_s, f"none takes longer than {said.edit_s:g} s")
+    poses = soak.poses
+    print(f"poses: {poses.sent} by UDP and as many by WebSocket; {poses.asked} times asked where their robot is")
+    judge.that(poses.sent > 0 and poses.refused == 0, f"none is refused: {poses.refused}")
+    judge.that(poses.asked > 0 and poses.strayed == 0, f"they are heeded: {poses.strayed} times the robot was elsewhere. {poses.fault or ''}")
+
+
+def tell_sizes(judge, soak, said, seconds):
+    print("\nscipd                 first  2nd quarter  last quarter   end  most")
+    for column, name, slack in ((0, "RSS, MB", GROWTH_MB), (1, "descriptors", GROWTH_DESCRIPTORS), (2, "threads", 1)):
+        values = [size[column] for size in soak.sizes]
+        quarter = len(values) // 4
+        second = statistics.median(values[quarter:2 * quarter] or [0])
+        last = statistics.median(values[3 * quarter:] or [0])
+        end = statistics.median(values[-CALM_SIZES:] or [0])
+        print(f"  {name:18} {values[0]:7.0f} {second:12.0f} {last:13.0f} {end:5.0f} {max(values):5.0f}")
+        if seconds >= JUDGED_FROM_S:
+            judge.that(last <= GROWTH * second + slack, f"{name}: flat, the last quarter's at most {GROWTH} x the second's + {slack:g}")
+        if name == "descriptors":
+            judge.that(end <= values[0] + LEFT_DESCRIPTORS, f"descriptors: those of hostile clients are closed, {values[0]} before and {end:.0f} after")
+        if name == "RSS, MB":
+            judge.that(max(values) <= said.rss_mb, f"RSS never exceeds {said.rss_mb:g} MB")
+
+
+def tell_deeds(judge, soak, said):
+    print("\ndeed            times        MB   alone: scans missed  /status by scipd, ms  change of the scene, s  RSS, MB")
+    for name in [*said.deeds, "several", "none"]:
+        deed = soak.deed(name)
+        print(f"  {name:12} {deed.times:7} {deed.bytes / 1e6:9.1f} {deed.missed:21} {1000 * deed.slowest_s:21.1f} "
+              f"{deed.slowest_edit_s:23.3f} {deed.most_mb:8.0f}")
+    idle = [name for name in said.deeds if soak.deed(name).times == 0]
+    judge.that(not idle, f"every deed was done: {idle or 'all'}")

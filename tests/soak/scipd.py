@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright The scipd authors
+#
+# The scipd under load: its configuration, its start and end, and what the kernel tells of it.
+import fcntl
+import json
+import os
+import pathlib
+import signal
+import socket
+import subprocess
+import tempfile
+
+# Name: (request for a stream without an end, points of a scan, period in ms).
+STREAMS = {
+    "good/ust": (b"MD0000108000000", 1081, 25.0),
+    "good/utm": (b"MD0000108000000", 1081, 25.0),
+    "good/urg": (b"MD0044072501000", 682, 100.0),
+    "driven/ust": (b"MD0000108000000", 1081, 25.0),
+}
+# Hostile clients turn to `victim`, whose pictures take a megabyte each.
+CONFIGURATION = """scene: {scenes}/square_room.sdf
+seed: {seed}
+control: control.sock
+http: 127.0.0.1:0
+robots:
+  good:
+    sensors:
+      ust: {{model: UST-10LX, mount: {{xyz: [0, 0, 0.3]}}, tcp: '127.0.0.1:0', accuracy: sensor}}
+      utm: {{model: UTM-30LX, mount: {{xyz: [0, 0, 0.3]}}, pty: good-utm}}
+      urg: {{model: URG-04LX, mount: {{xyz: [0, 0, 0.3]}}, pty: good-urg}}
+  driven:
+    pose: {{xyz: [-1, -1, 0]}}
+    poses: {{from: 'udp:127.0.0.1:{driven}'}}
+    sensors:
+      ust: {{model: UST-10LX, mount: {{xyz: [0, 0, 0.3]}}, tcp: '127.0.0.1:0'}}
+  steered:
+    sensors:
+      sonar: {{ranger: {{cone_deg: 30, beams: 61, rate_hz: 20, range_m: [0.02, 4.0]}}, mount: {{xyz: [0, 0, 0.3]}}}}
+  victim:
+    pose: {{xyz: [-1, 1, 0]}}
+    poses: {{from: 'udp:127.0.0.1:{victim}'}}
+    sensors:
+      ust: {{model: UST-10LX, mount: {{xyz: [0, 0, 0.3]}}, tcp: '127.0.0.1:0'}}
+      urg: {{model: URG-04LX, mount: {{xyz: [0, 0, 0.3]}}, pty: victim-urg}}
+      utm: {{model: UTM-30LX, mount: {{xyz: [0, 0, 0.3]}}, tcp: '127.0.0.1:0', pty: victim-utm}}
+      tof: {{camera: {{columns: 400, rows: 300, fov_deg: [60, 45], rate_hz: 20, range_m: [0.1, 7.5]}}}}
+"""
+STDERR_PIPE_BYTES = 4096  # a reader that pauses is felt after a few lines
+
+
+def free_udp_port():
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+class Scipd:
+    def __init__(self, program, scenes, seed):
+        self.folder = tempfile.TemporaryDirectory(prefix="scipd-soak-")
+        self.scenes = scenes
+        self.udp = {"driven": free_udp_port(), "victim": free_udp_port()}
+        self.file = pathlib.Path(self.folder.name) / "fleet.yaml"
+        self.configuration = CONFIGURATION.format(scenes=scenes, seed=seed, **self.udp)
+        self.configure(self.configuration)
+        reading, writing = os.pipe()
+        self.standard_error = open(reading, "rb", buffering=0)
+        try:
+            fcntl.fcntl(writing, fcntl.F_SETPIPE_SZ, STDERR_PIPE_BYTES)
+            self.process = subprocess.Popen([program, "--config", str(self.file)], stdout=subprocess.PIPE, stderr=writing,
+                                            stdin=subprocess.DEVNULL)
+        finally:
+            os.close(writing)
+        self.pid = self.process.pid
+
+    def wait_until_ready(self):
+        line = self.process.stdout.readline()
+        if not line:
+            raise RuntimeError("scipd does not start:\n" + self.standard_error.read().decode(errors="replace"))
+        self.ready = json.loads(line)
+        self.sensors = {sensor["name"]: sensor for sensor in self.ready["sensors"]}
+        self.http = address(self.ready["http"])
+
+    def tcp(self, sensor):
+        return address(self.sensors[sensor]["tcp"])
+
+    def tty(self, sensor):
+        return self.sensors[sensor]["pty"]
+
+    def configure(self, text):
+        """Whole or not at all: it may be read at any moment."""
+        fresh = self.file.with_suffix(".new")
+        fresh.write_text(text)
+        fresh.rename(self.file)
+
+    def reload(self):
+        os.kill(self.pid, signal.SIGHUP)  # by any process: send_signal does so for the parent alone
+
+    def exit_code(self):
+        return self.process.poll()
+
+    def end(self):
+        """Its exit code once asked to end; None where it does not."""
+        self.process.terminate()
+        try:
+            return self.process.wait(30)
+        except subprocess.TimeoutExpired:
+            return None
+        finally:
+            self.process.kill()
+            self.process.wait()
+            self.folder.cleanup()
+
+    def size(self):
+        """Resident memory in MB, descriptors, threads."""
+        with open(f"/proc/{self.pid}/status") as status:
+            fields = dict(line.split(":", 1) for line in status)
+        return int(fields["VmRSS"].split()[0]) / 1024, len(os.listdir(f"/proc/{self.pid}/fd")), int(fields["Threads"])
+
+    def times_s(self):
+        """Of its first thread, which serves all clients: how long it ran, and how long it was ready to run and had no core; 0 where the
+        kernel does not tell."""
+        try:
+            with open(f"/proc/{self.pid}/task/{self.pid}/schedstat") as schedule:
+                ran, waited = schedule.read().split()[:2]
+                return int(ran) * 1e-9, int(waited) * 1e-9
+        except (OSError, ValueError):
+            return 0.0, 0.0
+
+
+def address(text):
+    host, port = text.rsplit(":", 1)
+    return host, int(port)

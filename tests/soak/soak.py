@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright The scipd authors
+#
+# Mixed hostile load on a running scipd, beside which good clients must miss nothing. `tools/soak` builds and starts it;
+# `soak.py --help` tells the options. Exit code 0: all that is judged (report.py) holds.
+import argparse
+import asyncio
+import multiprocessing
+import os
+import pathlib
+import socket
+import time
+
+import good
+import hostile
+import report
+import scipd as under_load
+import wire
+from deeds import DEEDS
+
+CALM_S = 3.0  # after all deeds, until their clients are gone
+BOOTED_S = 20.0  # longer than any scanner takes
+PATIENCE_S = 60.0
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+class Soak:
+    """What is measured, and by whom it was disturbed."""
+
+    def __init__(self, scipd):
+        self.scipd = scipd
+        self.begin_s = time.monotonic()
+        self.machine = good.Machine()
+        self.status = good.StatusClient(scipd, self.machine, self.take_answer)
+        self.poses = good.PoseSenders(scipd)
+        self.editor = good.Editor(scipd, self.take_edit)
+        self.streams = [good.Stream(name, *stream, self.take_missing) for name, stream in under_load.STREAMS.items()]
+        self.answers = []
+        self.edits_s = []
+        self.sizes = []  # (MB, descriptors, threads), once a second
+        self.doings = [(self.begin_s, "none")]  # since when what is done
+        self.deeds = {}
+        self.faults = []
+
+    def deed(self, name):
+        return self.deeds.setdefault(name, report.Deed())
+
+    def done_at(self, when_s):
+        """The name of the deed that was done then, `several`, or `none`."""
+        return next(name for since_s, name in reversed(self.doings) if since_s <= max(when_s, self.begin_s))
+
+    def culprit(self, when_s):
+        return self.deed(self.done_at(when_s))
+
+    def take_answer(self, answer):
+        self.answers.append(answer)
+        deed = self.culprit(answer.since_s)
+        deed.slowest_s = max(deed.slowest_s, answer.by_scipd_s())
+
+    def take_edit(self, since_s, latency_s):
+        self.edits_s.append(latency_s)
+        deed = self.culprit(since_s)
+        deed.slowest_edit_s = max(deed.slowest_edit_s, latency_s)
+
+    def take_missing(self, scans, since_s):
+        self.culprit(since_s).missed += scans
+
+    def take_size(self):
+        size = self.scipd.size()
+        self.sizes.append(size)
+        deed = self.culprit(time.monotonic())
+        deed.most_mb = max(deed.most_mb, size[0])
+
+    def take_told(self, what, *told):
+        """By the hostile process."""
+        if what == "begin":
+            self.doings.append((time.monotonic(), told[0][0] if len(told[0]) == 1 else "several"))
+        elif what == "end":
+            self.doings.append((time.monotonic(), "none"))
+            for name, (times, size) in told[0].items():
+                self.deed(name).times += times
+                self.deed(name).bytes += size
+            self.faults += told[1]
+        return what == "over"
+
+    async def measure(self):
+        while self.scipd.exit_code() is None:
+            self.take_size()
+            await asyncio.sleep(1.0)
+        raise RuntimeError(f"scipd has ended by itself, {self.scipd.exit_code()}")
+
+    async def connect_streams(self):
+        for stream in self.streams:
+            if self.scipd.sensors[stream.name]["tcp"]:
+                await asyncio.get_running_loop().create_connection(lambda stream=stream: stream, *self.scipd.tcp(stream.name))
+            else:
+                good.stream_from_tty(self.scipd.tty(stream.name), stream)
+
+    async def run(self, told):
+        """Until the hostile process says that it is over, or a good client fails."""
+        await self.connect_streams()
+        clients = [asyncio.ensure_future(work) for work in (self.machine.run(), self.status.run(), self.poses.send(), self.poses.look(),
+                                                            self.editor.run(), self.measure())]
+        over = asyncio.get_running_loop().create_future()
+
+        def hear():
+            if self.take_told(*told.recv()):
+                over.set_result(None)
+
+        asyncio.get_running_loop().add_reader(told.fileno(), hear)
+        done, _ = await asyncio.wait([over, *clients], return_when=asyncio.FIRST_COMPLETED)
+        self.faults += [f"a good client: {task.exception()!r}" for task in done if task is not over]
+        asyncio.get_running_loop().remove_reader(told.fileno())
+        await asyncio.sleep(CALM_S)
+        self.end_s = time.monotonic()
+        for client in clients:
+            client.cancel()
+        self.status.take_time()
+        self.editor.take_time()
+
+    def ask_victims(self):
+        """What is wrong with them after all that. Where scipd is gone their ttys may be another's by now."""
+        if self.scipd.exit_code() is not None:
+            return
+        self.faults += [f"{name} does not answer any more" for name, sensor in self.scipd.sensors.items()
+                        if name.startswith("victim/") and (sensor["tcp"] or sensor["pty"]) and not answers(self.scipd, name)]
+
+
+def answers(scipd, name):
+    """The scanner, which may have to boot first; asked by its tty where it has one."""
+    end = time.monotonic() + BOOTED_S
+    heard = b""
+    while b"VV\n00P\n" not in heard and time.monotonic() < end:
+        try:
+            if scipd.tty(name):
+                heard = ask_tty(scipd.tty(name))
+            else:
+                with socket.create_connection(scipd.tcp(name), 2.0) as client:
+                    client.sendall(b"QT\nVV\n")
+                    time.sleep(0.5)
+                    heard = client.recv(65536)
+        except OSError:
+            time.sleep(0.5)
+    return b"VV\n00P\n" in heard
+
+
+def ask_tty(path):
+    descriptor = wire.open_tty(path)
+    try:
+        os.write(descriptor, b"\nQT\nVV\n")
+        time.sleep(0.5)
+        return os.read(descriptor, 65536)
+    finally:
+        os.close(descriptor)
+
+
+def options():
+    parser = argparse.ArgumentParser(prog="tools/soak", description="Mixed hostile load on scipd; good clients must miss nothing.")
+    parser.add_argument("minutes", nargs="?", type=float, default=60.0, help="how long; default: 60")
+    parser.add_argument("--only", default="", metavar="DEED,...", help="of " + ", ".join(DEEDS) + "; or none")
+    parser.add_argument("--except", default="", metavar="DEED,...", help="all others", dest="without")
+    parser.add_argument("--seed", type=int, default=1, help="of all chance in what the hostile clients do; default: 1")
+    parser.add_argument("--status-ms", type=float, default=50.0, help="the longest that an answer to /status may take; default: 50")
+    parser.add_argument("--edit-s", type=float, default=15.0, help="and one to a change of the scene; default: 15")
+    parser.add_argument("--rss-mb", type=float, default=400.0, help="the most memory at any time; default: 400")
+    parser.add_argument("--scipd", default=str(ROOT / "build/release/bin/scipd"), help="which one")
+    said = parser.parse_args()
+    without = said.without.split(",") if said.without else []
+    only = [] if said.only == "none" else said.only.split(",") if said.only else list(DEEDS)
+    for name in only + without:
+        if name not in DEEDS:
+            parser.error(f"there is no deed {name}; use some of {', '.join(DEEDS)}")
+    said.deeds = [name for name in only if name not in without]
+    return said
+
+
+def last_words(soak, told):
+    """What the hostile process says once scipd has ended."""
+    while told.poll(PATIENCE_S):
+        what, *words = told.recv()
+        if what == "said":
+            return words
+        soak.take_told(what, *words)
+    soak.faults.append("the hostile process does not end")
+    return 0, 0, ""
+
+
+def main():
+    said = options()
+    scipd = under_load.Scipd(said.scipd, ROOT / "scenes", said.seed)
+    fork = multiprocessing.get_context("fork")
+    told, tell = fork.Pipe(duplex=False)
+    over = fork.Event()
+    try:
+        scipd.wait_until_ready()
+        fork.Process(target=hostile.run, args=(scipd, said.deeds, said.minutes * 60.0, said.seed, tell, over), daemon=True).start()
+        tell.close()
+        soak = Soak(scipd)
+        asyncio.run(soak.run(told))
+        soak.ask_victims()
+    finally:
+        over.set()
+        exit_code = scipd.end()
+    return report.tell(soak, said, exit_code, last_words(soak, told))
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

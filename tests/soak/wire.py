@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright The scipd authors
+#
+# What the good clients and the hostile ones say to scipd: SCIP messages and their sums, HTTP requests, WebSocket frames, ttys.
+import base64
+import json
+import os
+import struct
+import termios
+import tty
+
+UPGRADE = ("Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: " +
+           base64.b64encode(bytes(16)).decode() + "\r\n")
+TEXT_FRAME = 0x81  # the last of its message
+
+
+def sum_is_right(line):
+    return len(line) > 1 and (sum(line[:-1]) & 0x3F) + 0x30 == line[-1]
+
+
+def decoded(characters):
+    value = 0
+    for character in characters:
+        value = value << 6 | character - 0x30
+    return value
+
+
+def http_request(method, path, body=None, fields=""):
+    text = b"" if body is None else body if isinstance(body, bytes) else json.dumps(body).encode()
+    length = f"Content-Length: {len(text)}\r\n" if body is not None else ""
+    return f"{method} {path} HTTP/1.1\r\nHost: scipd\r\n{fields}{length}\r\n".encode() + text
+
+
+def text_frame(text):
+    """As a client sends one, with a mask that changes nothing."""
+    size = len(text)
+    length = (bytes([0x80 | size]) if size < 126 else
+              bytes([0xFE]) + struct.pack("!H", size) if size < 65536 else
+              bytes([0xFF]) + struct.pack("!Q", size))
+    return bytes([TEXT_FRAME]) + length + bytes(4) + text
+
+
+def open_tty(path):
+    """Not waited for, raw."""
+    descriptor = os.open(path, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
+    try:
+        tty.setraw(descriptor, termios.TCSANOW)
+    except termios.error:
+        os.close(descriptor)
+        raise
+    return descriptor
