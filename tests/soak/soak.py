@@ -30,7 +30,7 @@ class Soak:
     def __init__(self, scipd):
         self.scipd = scipd
         self.begin_s = time.monotonic()
-        self.machine = good.Machine()
+        self.machine = good.Machine(scipd)
         self.status = good.StatusClient(scipd, self.machine, self.take_answer)
         self.poses = good.PoseSenders(scipd)
         self.editor = good.Editor(scipd, self.take_edit)
