@@ -122,14 +122,14 @@ class Soak:
         """What is wrong with them after all that. Where scipd is gone their ttys may be another's by now."""
         if self.scipd.exit_code() is not None:
             return
-        self.faults += [f"{name} does not answer any more" for name, sensor in self.scipd.sensors.items()
-                        if name.startswith("victim/") and (sensor["tcp"] or sensor["pty"]) and not answers(self.scipd, name)]
+        self.faults += [fault_of(self.scipd, name) for name, sensor in self.scipd.sensors.items()
+                        if name.startswith("victim/") and (sensor["tcp"] or sensor["pty"])]
 
 
-def answers(scipd, name):
-    """The scanner, which may have to boot first; asked by its tty where it has one."""
+def fault_of(scipd, name):
+    """Why the scanner does not answer, if so. It may have to boot first, and is asked by its tty where it has one."""
     end = time.monotonic() + BOOTED_S
-    heard = b""
+    heard, fault = b"", None
     while b"VV\n00P\n" not in heard and time.monotonic() < end:
         try:
             if scipd.tty(name):
@@ -139,9 +139,10 @@ def answers(scipd, name):
                     client.sendall(b"QT\nVV\n")
                     time.sleep(0.5)
                     heard = client.recv(65536)
-        except OSError:
+        except OSError as error:
+            fault = error
             time.sleep(0.5)
-    return b"VV\n00P\n" in heard
+    return None if b"VV\n00P\n" in heard else f"{name} does not answer any more: {heard[:200]!r}, {fault!r}"
 
 
 def ask_tty(path):
