@@ -127,7 +127,8 @@ class Soak:
 
 
 def fault_of(scipd, name):
-    """Why the scanner does not answer, if so. It may have to boot first, and is asked by its tty where it has one."""
+    """Why the scanner does not answer, if so. It may have to boot first or be in time-adjust mode, and is asked by
+    its tty where it has one."""
     end = time.monotonic() + BOOTED_S
     heard, fault = b"", None
     while b"VV\n00P\n" not in heard and time.monotonic() < end:
@@ -136,7 +137,7 @@ def fault_of(scipd, name):
                 heard = ask_tty(scipd.tty(name))
             else:
                 with socket.create_connection(scipd.tcp(name), 2.0) as client:
-                    client.sendall(b"QT\nVV\n")
+                    client.sendall(b"TM2\nQT\nVV\n")
                     time.sleep(0.5)
                     heard = client.recv(65536)
         except OSError as error:
@@ -148,7 +149,7 @@ def fault_of(scipd, name):
 def ask_tty(path):
     descriptor = wire.open_tty(path)
     try:
-        os.write(descriptor, b"\nQT\nVV\n")
+        os.write(descriptor, b"\nTM2\nQT\nVV\n")
         time.sleep(0.5)
         return os.read(descriptor, 65536)
     finally:
