@@ -4,6 +4,7 @@
 # The good clients, which must miss nothing whatever the hostile ones do. All of them share one loop in one thread; its own
 # delays and what scipd waits for a core are measured beside, so that a busy machine is not taken for a scipd that stands still.
 import asyncio
+import collections
 import dataclasses
 import json
 import math
@@ -19,12 +20,14 @@ CROOKED_MS = 2.0  # a stamp that lies so far beside its period, which a mirror a
 
 
 class Machine:
-    """How late this loop is woken."""
+    """How late this loop is woken, and what scipd's first thread had run and waited at each of the last beats."""
     BEAT_S = 0.005
 
-    def __init__(self):
+    def __init__(self, scipd):
+        self.scipd = scipd
         self.due_s = self.beat_s = time.monotonic()
         self.overshoot_s = 0.0  # of the last beat
+        self.times = collections.deque([(self.beat_s, *scipd.times_s())], maxlen=20_000)
 
     async def run(self):
         while True:
@@ -32,6 +35,13 @@ class Machine:
             await asyncio.sleep(self.BEAT_S)
             self.beat_s = time.monotonic()
             self.overshoot_s = self.beat_s - self.due_s
+            self.times.append((self.beat_s, *self.scipd.times_s()))
+
+    def times_since_s(self, when_s):
+        """What scipd has run and waited since then, by the last beat before."""
+        ran_s, waited_s = self.scipd.times_s()
+        _, then_ran_s, then_waited_s = next((beat for beat in reversed(self.times) if beat[0] <= when_s), self.times[0])
+        return ran_s - then_ran_s, waited_s - then_waited_s
 
     def late_s(self):
         """How late what is heard just now is heard."""
@@ -99,7 +109,7 @@ class Stream(asyncio.Protocol):
             turns = round(step_ms / self.period_ms)
             if turns != 1:
                 self.missed += max(turns - 1, 1)
-                self.tell_missing(max(turns - 1, 1), self.last_s)
+                self.tell_missing(max(turns - 1, 1), self.last_s + self.period_ms / 1000)
             self.crooked += abs(step_ms - turns * self.period_ms) >= CROOKED_MS
             self.silence_s = max(self.silence_s, now_s - self.last_s)
         self.stamp_ms, self.last_s = stamp_ms, now_s
@@ -151,15 +161,14 @@ class StatusClient:
     def __init__(self, scipd, machine, answered):
         self.scipd, self.machine, self.answered = scipd, machine, answered
         self.latest = {}
-        self.unanswered = None  # since when, and scipd's times then
+        self.unanswered = None  # since when
 
     async def run(self):
         http = Http(self.scipd.http)
         due = time.monotonic()
         while True:
-            times_s = self.scipd.times_s()
             begin = min(due + self.PERIOD_S, time.monotonic())  # of what could not be asked when it was due, then
-            self.unanswered = begin, times_s
+            self.unanswered = begin
             status, body = await http.ask("GET", "/status")
             self.take_time()
             if status != 200:
@@ -171,10 +180,8 @@ class StatusClient:
     def take_time(self):
         """Of an answer, or of one that has not come so far."""
         if self.unanswered:
-            begin, (ran_s, waited_s) = self.unanswered
-            self.unanswered = None
-            now_ran_s, now_waited_s = self.scipd.times_s()
-            self.answered(Answer(begin, time.monotonic() - begin, now_ran_s - ran_s, now_waited_s - waited_s, self.machine.late_s()))
+            begin, self.unanswered = self.unanswered, None
+            self.answered(Answer(begin, time.monotonic() - begin, *self.machine.times_since_s(begin), self.machine.late_s()))
 
 
 def place_at(now_s):

@@ -92,8 +92,9 @@ def do_together(scipd, names, seconds, seed, over):
 
 
 def run(scipd, names, seconds, seed, tell, over):
-    """Until `over` is set, or so long. Tells of each slice as it begins, ("begin", names), and has ended, ("end", {name: (times, bytes)}, faults); then ("over",)
-    and, once scipd has ended, ("said", bytes on standard error, reloads, its end)."""
+    """Until `over` is set, or so long. Tells of each slice as it begins, ("begin", names), and has ended,
+    ("end", {name: (times, bytes)}, faults); then ("over",) and, once scipd has ended, ("said", bytes on standard error, reloads,
+    its end)."""
     os.nice(10)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     scipd.listens = threading.Event()

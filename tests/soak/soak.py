@@ -30,7 +30,7 @@ class Soak:
     def __init__(self, scipd):
         self.scipd = scipd
         self.begin_s = time.monotonic()
-        self.machine = good.Machine()
+        self.machine = good.Machine(scipd)
         self.status = good.StatusClient(scipd, self.machine, self.take_answer)
         self.poses = good.PoseSenders(scipd)
         self.editor = good.Editor(scipd, self.take_edit)
@@ -122,32 +122,34 @@ class Soak:
         """What is wrong with them after all that. Where scipd is gone their ttys may be another's by now."""
         if self.scipd.exit_code() is not None:
             return
-        self.faults += [f"{name} does not answer any more" for name, sensor in self.scipd.sensors.items()
-                        if name.startswith("victim/") and (sensor["tcp"] or sensor["pty"]) and not answers(self.scipd, name)]
+        self.faults += [fault_of(self.scipd, name) for name, sensor in self.scipd.sensors.items()
+                        if name.startswith("victim/") and (sensor["tcp"] or sensor["pty"])]
 
 
-def answers(scipd, name):
-    """The scanner, which may have to boot first; asked by its tty where it has one."""
+def fault_of(scipd, name):
+    """Why the scanner does not answer, if so. It may have to boot first or be in time-adjust mode, and is asked by
+    its tty where it has one."""
     end = time.monotonic() + BOOTED_S
-    heard = b""
+    heard, fault = b"", None
     while b"VV\n00P\n" not in heard and time.monotonic() < end:
         try:
             if scipd.tty(name):
                 heard = ask_tty(scipd.tty(name))
             else:
                 with socket.create_connection(scipd.tcp(name), 2.0) as client:
-                    client.sendall(b"QT\nVV\n")
+                    client.sendall(b"TM2\nQT\nVV\n")
                     time.sleep(0.5)
                     heard = client.recv(65536)
-        except OSError:
+        except OSError as error:
+            fault = error
             time.sleep(0.5)
-    return b"VV\n00P\n" in heard
+    return None if b"VV\n00P\n" in heard else f"{name} does not answer any more: {heard[:200]!r}, {fault!r}"
 
 
 def ask_tty(path):
     descriptor = wire.open_tty(path)
     try:
-        os.write(descriptor, b"\nQT\nVV\n")
+        os.write(descriptor, b"\nTM2\nQT\nVV\n")
         time.sleep(0.5)
         return os.read(descriptor, 65536)
     finally:
