@@ -10,7 +10,6 @@
 
 #include "daemon/load_world.h"
 #include "sim/backends/depth.h"
-#include "sim/loaders/load_error.h"
 #include "sim/loaders/trajectory.h"
 
 namespace scipd::daemon {
@@ -26,9 +25,15 @@ void note_faults(Faults& faults, const std::function<void()>& load) {
     }
 }
 
-void check_trajectory(const RobotConfig& robot, Faults& faults) {
+void check_trajectory(const Config& config, const RobotConfig& robot, Faults& faults) {
     if (!robot.poses || robot.poses->kind != PoseSource::Kind::file) return;
-    note_faults(faults, [&] { (void)sim::load_tum(robot.poses->file); });
+    note_faults(faults, [&] {
+        try {
+            (void)sim::load_tum(robot.poses->file);
+        } catch (const sim::LoadError& error) {
+            throw named_at(config.place_of("robots." + robot.name + ".poses"), error);
+        }
+    });
 }
 
 /// On a machine that cannot draw, `backend: depth` would not start.
@@ -53,7 +58,7 @@ std::string check(const std::filesystem::path& file) {
     note_faults(faults, [&] { world = load_world(config); });
     std::size_t sensors = 0;
     for (const RobotConfig& robot : config.robots) {
-        check_trajectory(robot, faults);
+        check_trajectory(config, robot, faults);
         check_depth(robot, faults);
         sensors += robot.sensors.size();
     }

@@ -18,7 +18,7 @@ namespace {
 
 std::filesystem::path link_of(const RobotConfig& robot, const SensorConfig& sensor) {
     const bool is_auto = sensor.pty->link.empty();
-    return is_auto ? run_directory() / (robot.name + "-" + sensor.name) : sensor.pty->link;
+    return is_auto ? run_directory() / tty_name(robot.name, sensor.name) : sensor.pty->link;
 }
 
 // Of a port that the system chooses, only the scanner itself says which one it is.
@@ -26,6 +26,28 @@ std::string key_of(const RobotConfig& robot, const SensorConfig& sensor) {
     const std::string address = text_of(*sensor.tcp);
     return sensor.tcp->port != 0 ? address
                                  : address + " of " + sensor_name(robot.name, sensor.name);
+}
+
+// A tty that nobody has named is the first scipd's; those after it have their own.
+std::shared_ptr<PtyPort> open_tty(const boost::asio::any_io_executor& executor,
+                                  const RobotConfig& robot, const SensorConfig& sensor) {
+    std::filesystem::path link = link_of(robot, sensor);
+    if (!sensor.pty->link.empty()) return std::make_shared<PtyPort>(executor, link);
+    make_run_directory();
+    try {
+        return std::make_shared<PtyPort>(executor, link);
+    } catch (const PathHeld&) {
+        link += "-" + std::to_string(::getpid());
+        return std::make_shared<PtyPort>(executor, link);
+    }
+}
+
+/// Whether what serves the one will do for the other: a port or the standard input can change
+/// hands. A trajectory is played by each robot anew, and a port that the system chooses is its own.
+bool can_serve(const std::string& robot, const PoseSource& source, const RobotConfig& other) {
+    const bool changes_hands = source.kind == PoseSource::Kind::standard_input ||
+                               (source.kind == PoseSource::Kind::udp && source.address.port != 0);
+    return source == *other.poses && (changes_hands || robot == other.name);
 }
 
 }  // namespace
@@ -119,28 +141,14 @@ Fleet::Ports Fleet::open_ports(const Config& config) const {
                                              "; name one of them with pty");
                 }
                 const auto open = ports_.pty.find(link);
-                ports.pty[link] = open != ports_.pty.end() ? open->second : open_tty(robot, sensor);
+                ports.pty[link] =
+                    open != ports_.pty.end() ? open->second : open_tty(executor_, robot, sensor);
                 if (find_unchanged(robot.name, sensor, config.seed) == stations_.end())
                     ports.pty[link]->prepare();
             }
         }
     }
     return ports;
-}
-
-// A tty that nobody has named is the first scipd's; those after it have their own.
-std::shared_ptr<PtyPort> Fleet::open_tty(const RobotConfig& robot,
-                                         const SensorConfig& sensor) const {
-    const std::filesystem::path& named = sensor.pty->link;
-    if (!named.empty()) return std::make_shared<PtyPort>(executor_, named);
-    make_run_directory();
-    std::filesystem::path link = link_of(robot, sensor);
-    try {
-        return std::make_shared<PtyPort>(executor_, link);
-    } catch (const PathHeld&) {
-        link += "-" + std::to_string(::getpid());
-        return std::make_shared<PtyPort>(executor_, link);
-    }
 }
 
 std::vector<Fleet::Feed> Fleet::open_feeds(const Config& config) {
@@ -153,12 +161,8 @@ std::vector<Fleet::Feed> Fleet::open_feeds(const Config& config) {
     std::vector<Feed> feeds;
     for (const RobotConfig& robot : config.robots) {
         if (!robot.poses) continue;
-        // A port or the standard input can change hands; a trajectory is played by each robot anew.
-        const auto open = std::ranges::find_if(feeds_, [&](const Feed& feed) {
-            const bool can_serve =
-                feed.robot == robot.name || feed.source.kind != PoseSource::Kind::file;
-            return can_serve && feed.source == *robot.poses;
-        });
+        const auto open = std::ranges::find_if(
+            feeds_, [&](const Feed& feed) { return can_serve(feed.robot, feed.source, robot); });
         feeds.push_back({robot.name, *robot.poses,
                          open != feeds_.end() ? open->feed : make_feed(context, *robot.poses)});
     }

@@ -41,8 +41,6 @@ class Fleet : public Api {
     explicit Fleet(const boost::asio::any_io_executor& executor, ClockKind clock = ClockKind::wall);
     /// As stop().
     ~Fleet() override;
-    Fleet(const Fleet&) = delete;
-    Fleet& operator=(const Fleet&) = delete;
 
     /// Throws LoadError for a trajectory, std::runtime_error for a port or a source of poses: then
     /// all is as before.
@@ -56,6 +54,9 @@ class Fleet : public Api {
     void stop();
     /// Where worlds are loaded, one after the other.
     [[nodiscard]] Loader& loader() { return loader_; }
+
+    /// Of robots whose poses come by UDP.
+    [[nodiscard]] std::map<std::string, Address> pose_addresses() const;
 
     [[nodiscard]] Status status() const override;
     [[nodiscard]] const ScanLog* scans(const std::string& sensor) const override;
@@ -106,8 +107,6 @@ class Fleet : public Api {
 
     /// With all that it takes to serve those devices that will be new.
     [[nodiscard]] Ports open_ports(const Config& config) const;
-    [[nodiscard]] std::shared_ptr<PtyPort> open_tty(const RobotConfig& robot,
-                                                    const SensorConfig& sensor) const;
     /// The second half of apply(), in which nothing can fail.
     void take_up(FleetPlan&& plan, Ports ports, std::vector<Feed> feeds) noexcept;
     [[nodiscard]] std::vector<Feed> open_feeds(const Config& config);

@@ -25,6 +25,14 @@ StaringSensor* Fleet::staring(const std::string& sensor) {
     return station != nullptr ? station->staring.get() : nullptr;
 }
 
+std::map<std::string, Address> Fleet::pose_addresses() const {
+    std::map<std::string, Address> addresses;
+    for (const Feed& feed : feeds_) {
+        if (const auto address = feed.feed->address()) addresses[feed.robot] = *address;
+    }
+    return addresses;
+}
+
 std::optional<std::string> Fleet::take_pose_line(std::string_view line, SenderClock& sender) {
     return intake_.take_line(line, {}, sender, clock_.now());
 }

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "daemon/config/demo_world.h"
-#include "sim/loaders/load_error.h"
 
 namespace scipd::daemon {
 namespace {
@@ -25,7 +24,22 @@ bool moves(const sim::Scene& scene, const std::string& name) {
     return model && scene.models[*model].movable;
 }
 
+sim::LoadedScene load_scene(const Config& config) {
+    try {
+        return sim::load_scene(config.scene, scene_options(config));
+    } catch (const sim::LoadError& error) {
+        throw named_at(config.place_of("scene"), error);
+    }
+}
+
 }  // namespace
+
+sim::LoadError named_at(const std::string& place, const sim::LoadError& error) {
+    std::vector<std::string> faults;
+    for (const std::string& fault : error.faults())
+        faults.push_back(place + fault);
+    return sim::LoadError(std::move(faults));
+}
 
 sim::SceneOptions scene_options(const Config& config) {
     return {.sdf = {.geometry = config.geometry, .model_folders = stock_models()},
@@ -33,11 +47,11 @@ sim::SceneOptions scene_options(const Config& config) {
 }
 
 sim::LoadedScene load_world(const Config& config) {
-    sim::LoadedScene loaded = sim::load_scene(config.scene, scene_options(config));
+    sim::LoadedScene loaded = load_scene(config);
     std::vector<std::string> faults;
     for (const RobotConfig& robot : config.robots) {
         if (robot.body.empty() || moves(*loaded.scene, robot.body)) continue;
-        faults.push_back("robots." + robot.name + ".body: " + config.scene.string() +
+        faults.push_back(config.place_of("robots." + robot.name + ".body") + config.scene.string() +
                          " has no movable model \"" + robot.body + "\"; movable models are " +
                          movable_models(*loaded.scene));
     }

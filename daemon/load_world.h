@@ -4,7 +4,10 @@
 // The world of a configuration, from files. Touches nothing that runs: any thread may do it.
 #pragma once
 
+#include <string>
+
 #include "daemon/config/config.h"
+#include "sim/loaders/load_error.h"
 #include "sim/loaders/scene_file.h"
 
 namespace scipd::daemon {
@@ -12,6 +15,9 @@ namespace scipd::daemon {
 /// The world that a configuration names, with the models in it that its robots need. Throws
 /// LoadError with every fault.
 sim::LoadedScene load_world(const Config& config);
+
+/// The faults of a file, each with the `place` where the configuration names it.
+sim::LoadError named_at(const std::string& place, const sim::LoadError& error);
 
 /// How that world is loaded, and all that takes its place or is added to it.
 sim::SceneOptions scene_options(const Config& config);

@@ -65,6 +65,8 @@ std::string Server::ready_line() const {
     }
     line["control"] = control_socket_;
     line["http"] = or_null(http_);
+    for (const auto& [robot, address] : fleet_.pose_addresses())
+        line["poses"][robot] = "udp:" + text_of(address);
     return line.dump();
 }
 

@@ -2,7 +2,46 @@
 // Copyright The scipd authors
 #include "daemon/config/claims.h"
 
+#include <algorithm>
+
+#include <arpa/inet.h>
+
 namespace scipd::daemon {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// As IPv6 has it: those of IPv4 are ::ffff:A.B.C.D.
+in6_addr host_of(const Address& address) {
+    const bool v6 = address.host.find(':') != std::string::npos;
+    in6_addr host{};
+    inet_pton(AF_INET6, (v6 ? address.host : "::ffff:" + address.host).c_str(), &host);
+    return host;
+}
+
+/// Whether all of `other` is in it.
+bool has(const in6_addr& host, const in6_addr& other) {
+    const in6_addr all_v4 = host_of({"0.0.0.0"});
+    if (IN6_IS_ADDR_UNSPECIFIED(&host)) return true;
+    if (IN6_ARE_ADDR_EQUAL(&host, &all_v4)) return IN6_IS_ADDR_V4MAPPED(&other);
+    return IN6_ARE_ADDR_EQUAL(&host, &other);
+}
+
+/// Links among its folders are followed; the last of it is taken as it is, since a tty is a link
+/// itself.
+std::string real_path(const fs::path& file) {
+    std::error_code error;
+    const fs::path folder = fs::weakly_canonical(file.parent_path(), error);
+    return error ? file : folder / file.filename();
+}
+
+}  // namespace
+
+bool exclude_each_other(const Address& one, const Address& other) {
+    const in6_addr first = host_of(one);
+    const in6_addr second = host_of(other);
+    return one.port == other.port && (has(first, second) || has(second, first));
+}
 
 void Claims::claim(const Field* field, const std::string& what) {
     if (!field) return;
@@ -10,9 +49,24 @@ void Claims::claim(const Field* field, const std::string& what) {
     if (!is_new) faults_.add(*field, what + " is taken by " + owner->second + "; use another");
 }
 
-void Claims::claim(const Field* field, const std::optional<Address>& address) {
-    if (!address || address->port == 0) return;
-    claim(field, text_of(*address));
+void Claims::claim_file(const Field* field, const fs::path& file) {
+    claim(field, real_path(file));
+}
+
+void Claims::claim_file(const std::string& owner, const fs::path& file) {
+    owner_of_.emplace(real_path(file), owner);
+}
+
+void Claims::claim(const Field* field, Transport transport, const std::optional<Address>& address) {
+    if (!field || !address || address->port == 0) return;
+    auto& taken = taken_[{transport, address->port}];
+    const auto other = std::ranges::find_if(
+        taken, [&](const Taken& by) { return exclude_each_other(by.address, *address); });
+    if (other == taken.end()) return taken.push_back({*address, field->path});
+    const bool equal = other->address == *address;
+    faults_.add(*field, text_of(*address) + " is taken by " + other->owner +
+                            (equal ? "" : ", which has " + text_of(other->address)) +
+                            "; use another");
 }
 
 }  // namespace scipd::daemon

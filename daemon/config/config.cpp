@@ -7,6 +7,7 @@
 
 #include <array>
 #include <fstream>
+#include <initializer_list>
 #include <utility>
 
 #include <yaml-cpp/yaml.h>
@@ -21,6 +22,7 @@
 #include "daemon/config/section.h"
 #include "daemon/config/sensor.h"
 #include "daemon/config/values.h"
+#include "daemon/run_directory.h"
 
 namespace scipd::daemon {
 namespace {
@@ -50,6 +52,9 @@ class Reader {
 
   private:
     RobotConfig read_robot(const Field& field, SensorContext& context);
+    void claim_sockets(const Section& section, const Config& config);
+    /// Where these keys of it stand.
+    void note_places(const Section& section, std::initializer_list<std::string_view> keys);
 
     /// A parser of paths, from the place of the file.
     template <class Parse>
@@ -60,6 +65,7 @@ class Reader {
     fs::path base_;
     Faults& faults_;
     Claims claims_;
+    std::map<std::string, std::string> places_;
     std::size_t sensor_count_ = 0;
 };
 
@@ -67,6 +73,8 @@ RobotConfig Reader::read_robot(const Field& field, SensorContext& context) {
     const Section section{field, {robot_keys, {}}, faults_};
     RobotConfig robot;
     faults_.guard(field, [&] { robot.name = parse_name(field.key); });
+    context.robot = robot.name;
+    note_places(section, {"body", "poses"});
     robot.world_from_robot = read_pose(section, "pose", faults_);
     section.read("body", robot.body, [](const std::string& text) { return text; });
     const Field* sensors = section.find("sensors");
@@ -86,6 +94,19 @@ RobotConfig Reader::read_robot(const Field& field, SensorContext& context) {
     return robot;
 }
 
+void Reader::claim_sockets(const Section& section, const Config& config) {
+    claims_.claim(section.find("http"), Transport::tcp, config.http);
+    claims_.claim_file("control",
+                       config.control.empty() ? run_directory() / "control.sock" : config.control);
+}
+
+void Reader::note_places(const Section& section, std::initializer_list<std::string_view> keys) {
+    for (const std::string_view key : keys) {
+        const Field* const field = section.find(key);
+        if (field) places_[field->path] = faults_.place(field->line, field->path);
+    }
+}
+
 Config Reader::read(const YAML::Node& document) {
     const Field whole{{}, {}, 1, document};
     const Section section{whole, {root_keys, later_root_keys}, faults_};
@@ -101,7 +122,8 @@ Config Reader::read(const YAML::Node& document) {
     section.read("clock", config.clock, parse_clock);
     section.read("control", config.control, from_base(parse_socket));
     section.read("http", config.http, parse_listener);
-    claims_.claim(section.find("http"), config.http);
+    claim_sockets(section, config);
+    note_places(section, {"scene"});
 
     const ModelChoice models{section.find("models"), faults_};
     SensorContext context{models, claims_, base_, faults_};
@@ -112,6 +134,7 @@ Config Reader::read(const YAML::Node& document) {
     }
     for (const Field& robot : fields)
         config.robots.push_back(read_robot(robot, context));
+    config.places = std::move(places_);
     return config;
 }
 

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -58,6 +59,14 @@ struct Config {
     std::vector<RobotConfig> robots;
     std::filesystem::path control;  ///< empty: control.sock in the run directory
     std::optional<Address> http;
+    /// By key, where it stands, "FILE:LINE: KEY: ": of those whose faults only show in other files.
+    std::map<std::string, std::string> places;
+
+    /// Empty: nobody knows, as of what options say.
+    [[nodiscard]] std::string place_of(const std::string& key) const {
+        const auto found = places.find(key);
+        return found == places.end() ? std::string{} : found->second;
+    }
 
     bool operator==(const Config&) const = default;
 };

@@ -53,6 +53,8 @@ void read_poses(const Field& field, RobotConfig& robot, const std::filesystem::p
     faults.guard(*source, [&] { robot.poses = parse(text_of(source->value)); });
     if (robot.poses && robot.poses->kind == PoseSource::Kind::standard_input)
         claims.claim(source, "standard input");
+    if (robot.poses && robot.poses->kind == PoseSource::Kind::udp)
+        claims.claim(source, Transport::udp, robot.poses->address);
     if (!section) return;
     section->read("before", robot.policy.absent_before, parse_absent_before);
     section->read("after", robot.policy.after, parse_after);

@@ -58,11 +58,15 @@ std::string path_of(const Field& map, std::string_view key) {
 
 }  // namespace
 
+std::string Faults::place(int line, std::string_view path) const {
+    std::string place = file_ + ":" + std::to_string(line) + ": ";
+    if (!path.empty()) place.append(path).append(": ");
+    return place;
+}
+
 void Faults::add(int line, std::string_view path, std::string_view sentence) {
-    std::string fault = file_ + ":" + std::to_string(line) + ": ";
-    if (!path.empty()) fault.append(path).append(": ");
     // Sentences may hold what a library quotes as it is: a fault stays one line that can be shown.
-    by_line_.emplace_back(line, fault.append(sim::printable(sentence, longest_sentence)));
+    by_line_.emplace_back(line, place(line, path) + sim::printable(sentence, longest_sentence));
     if (by_line_.size() < most_faults) return;
     by_line_.emplace_back(line, file_ + ":" + std::to_string(line) +
                                     ": too many faults; there may be more from here on");

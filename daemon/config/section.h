@@ -47,6 +47,9 @@ class Faults {
         }
     }
 
+    /// "FILE:LINE: KEY.PATH: "
+    [[nodiscard]] std::string place(int line, std::string_view path) const;
+
     [[nodiscard]] std::size_t count() const { return by_line_.size(); }
 
     /// Throws ConfigError, ordered by line, if there is any.

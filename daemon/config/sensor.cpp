@@ -12,6 +12,7 @@
 #include "daemon/config/profile.h"
 #include "daemon/config/staring.h"
 #include "daemon/config/values.h"
+#include "daemon/run_directory.h"
 
 namespace scipd::daemon {
 namespace {
@@ -137,9 +138,12 @@ void read_scanner(const Field& field, const Section& section, SensorConfig& sens
     if (const Field* link = section.find("link")) {
         sensor.link = read_link(*link, !is_none(section.find("pty")), model, faults);
     }
-    context.claims.claim(section.find("tcp"), sensor.tcp);
-    if (sensor.pty && !sensor.pty->link.empty()) {
-        context.claims.claim(section.find("pty"), sensor.pty->link.string());
+    context.claims.claim(section.find("tcp"), Transport::tcp, sensor.tcp);
+    if (sensor.pty) {
+        const bool is_auto = sensor.pty->link.empty();
+        context.claims.claim_file(
+            section.find("pty"),
+            is_auto ? run_directory() / tty_name(context.robot, sensor.name) : sensor.pty->link);
     }
     check_reach(field, section, faults);
 }

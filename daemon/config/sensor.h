@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "daemon/config/claims.h"
 #include "daemon/config/config.h"
@@ -19,6 +20,7 @@ struct SensorContext {
     Claims& claims;
     std::filesystem::path base;  ///< of relative paths
     Faults& faults;
+    std::string robot = {};  ///< whose sensors are read
 };
 
 SensorConfig read_sensor(const Field& field, SensorContext& context);

@@ -68,6 +68,11 @@ inline std::string sensor_name(const std::string& robot, const std::string& sens
     return robot + "/" + sensor;
 }
 
+/// What its tty is called in the run directory, unless the user names one: "rescue-front".
+inline std::string tty_name(const std::string& robot, const std::string& sensor) {
+    return robot + "-" + sensor;
+}
+
 struct SensorConfig {
     std::string name;  ///< of the sensor alone: "front"
     Model model;       ///< with what the configuration overrides

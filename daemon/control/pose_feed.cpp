@@ -107,6 +107,11 @@ class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
         socket_.close();
     }
 
+    [[nodiscard]] std::optional<Address> address() const override {
+        const asio::ip::udp::endpoint taken = socket_.local_endpoint();
+        return Address{taken.address().to_string(), taken.port()};
+    }
+
   private:
     void begin() override {
         sink_.begin();

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -30,6 +31,8 @@ class PoseFeed {
         if (!std::exchange(begun_, true)) begin();
     }
     virtual void stop() = 0;
+    /// Where poses are to be sent, with the port that was really taken; nothing: not by a network.
+    [[nodiscard]] virtual std::optional<Address> address() const { return std::nullopt; }
 
   protected:
     [[nodiscard]] const std::string& robot() const { return robot_; }

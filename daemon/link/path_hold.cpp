@@ -41,9 +41,10 @@ pid_t holder_of(const boost::asio::any_io_executor& executor, const Local::endpo
 }
 
 std::string who(pid_t holder) {
-    if (holder == 0) return "another scipd";
-    if (holder == ::getpid()) return "this scipd for something else";
-    return "another scipd, process " + std::to_string(holder);
+    const std::string end_it = "; end that one, or choose another path";
+    if (holder == 0) return "another scipd" + end_it;
+    if (holder == ::getpid()) return "this scipd for something else; choose another path";
+    return "another scipd, process " + std::to_string(holder) + end_it;
 }
 
 }  // namespace
@@ -54,8 +55,7 @@ PathHold::PathHold(const boost::asio::any_io_executor& executor, const std::file
     boost::system::error_code error;
     socket_.bind(name, error);
     if (error == boost::asio::error::address_in_use) {
-        throw PathHeld(path.string() + " is used by " + who(holder_of(executor, name)) +
-                       "; end that one, or choose another path");
+        throw PathHeld(path.string() + " is used by " + who(holder_of(executor, name)));
     }
     if (error) throw std::system_error(error, path.string());
     socket_.listen();

@@ -353,6 +353,23 @@ TEST_F(FleetTest, KeepsThePoseFeedsThatStay) {
     EXPECT_EQ(fleet_.status().poses.accepted, 2U);
 }
 
+// To each robot its own.
+TEST_F(FleetTest, KeepsThePortsForPosesThatTheSystemChose) {
+    Config config = of({on_tcp("front")}, "a");
+    config.robots[0].poses = PoseSource{.address = {"127.0.0.1", 0}, .file = {}};
+    fleet_.apply(config);
+    const Address of_a = fleet_.pose_addresses().at("a");
+    EXPECT_NE(of_a.port, 0);
+    config.robots.push_back(config.robots[0]);
+    config.robots[1].name = "b";
+    fleet_.apply(config);
+    EXPECT_EQ(fleet_.pose_addresses().at("a"), of_a);
+    EXPECT_NE(fleet_.pose_addresses().at("b").port, of_a.port);
+    config.robots[1].poses.reset();
+    fleet_.apply(config);
+    EXPECT_EQ(fleet_.pose_addresses().size(), 1U);
+}
+
 TEST_F(FleetTest, HandsAPoseAddressOnToARenamedRobot) {
     const tests::UdpSender sender;
     PoseSource source;

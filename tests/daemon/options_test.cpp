@@ -182,7 +182,8 @@ TEST_F(OptionsTest, CheckReadsTheWorldToo) {
     const auto bad = dir_.write("bad.sdf", room("<box><size>1 0 1</size></box>"));
     EXPECT_EQ(answer("--check " + file.string()).exit_code, 2);
     EXPECT_EQ(answer("--check " + file.string()).text,
-              bad.string() + ":1: m::l::v: every size must be above 0 and at most 1e7 m\n");
+              file.string() + ":1: scene: " + bad.string() +
+                  ":1: m::l::v: every size must be above 0 and at most 1e7 m\n");
     dir_.write("bad.sdf",
                "<sdf version='1.9'><world name='w'><include><uri>model://sun</uri></include>"
                "<include><uri>model://ground_plane</uri></include><actor name='a'/>"
@@ -201,9 +202,22 @@ TEST_F(OptionsTest, CheckTellsFaultsOfTheWorldAndOfTrajectories) {
     dir_.write("bad.sdf", room("<box><size>1 0 1</size></box>"));
     dir_.write("drive.tum", "1 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n");
     EXPECT_EQ(answer("--check " + file.string()).exit_code, 2);
-    EXPECT_THAT(
-        answer("--check " + file.string()).text,
-        testing::AllOf(testing::HasSubstr("bad.sdf:1: "), testing::HasSubstr("drive.tum:2: ")));
+    EXPECT_THAT(answer("--check " + file.string()).text,
+                testing::AllOf(testing::HasSubstr(file.string() + ":1: scene: " +
+                                                  dir_.path().string() + "/bad.sdf:1: "),
+                               testing::HasSubstr(file.string() + ":2: robots.r.poses: " +
+                                                  dir_.path().string() + "/drive.tum:2: ")));
+}
+
+TEST_F(OptionsTest, CheckTellsWhereABodyIsMissing) {
+    const auto file = dir_.write("fleet.yaml",
+                                 "scene: room.sdf\n"
+                                 "robots:\n  r:\n    body: hull\n"
+                                 "    sensors: {s: {model: UST-20LX, pty: auto}}\n");
+    EXPECT_EQ(answer("--check " + file.string()).exit_code, 2);
+    EXPECT_EQ(answer("--check " + file.string()).text,
+              file.string() + ":4: robots.r.body: " + (dir_.path() / "room.sdf").string() +
+                  " has no movable model \"hull\"; movable models are m\n");
 }
 
 TEST(Options, AnswersQuestionsOnStandardOutput) {

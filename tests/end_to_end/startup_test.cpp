@@ -11,6 +11,7 @@
 
 #include "tests/end_to_end/in_square_room.h"
 #include "tests/support/control_request.h"
+#include "tests/support/udp_sender.h"
 
 namespace scipd::tests {
 namespace {
@@ -205,6 +206,18 @@ TEST_F(Startup, SaysWhereItListensAndNothingElse) {
     daemon.signal(SIGTERM);
     EXPECT_EQ(daemon.wait(), 0);
     EXPECT_EQ(daemon.standard_output(), daemon.ready_line() + "\n");
+}
+
+TEST_F(Startup, SaysWherePosesMayBeSent) {
+    DaemonProcess daemon(directory_, on_tcp({"--poses", "udp:127.0.0.1:0", "--name", "r2/top"}));
+    const auto poses = nlohmann::json::parse(daemon.ready_line()).at("poses");
+    ASSERT_EQ(poses.size(), 1U);
+    const std::string source = poses.at("r2");
+    EXPECT_THAT(source, StartsWith("udp:127.0.0.1:"));
+    const UdpSender sender(
+        static_cast<std::uint16_t>(std::stoul(source.substr(source.rfind(':') + 1))));
+    sender.send(R"({"xyz":[1,0,0]})");
+    EXPECT_TRUE(eventually([&] { return daemon.get("/status").at("poses").at("accepted") == 1; }));
 }
 
 class Ending : public testing::TestWithParam<int> {};

@@ -15,10 +15,10 @@ namespace scipd::tests {
 
 class UdpSender {
   public:
-    UdpSender() : port_(free_port()), socket_(io_, boost::asio::ip::udp::v4()) {}
+    explicit UdpSender(std::uint16_t port = free_port())
+        : port_(port), socket_(io_, boost::asio::ip::udp::v4()) {}
 
-    /// Free when this was made: nobody tells which port a pose feed has taken, so it is chosen
-    /// here.
+    /// Unless it was given, free when this was made.
     [[nodiscard]] std::uint16_t port() const { return port_; }
 
     void send(std::string_view datagram) const {
