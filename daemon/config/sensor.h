@@ -21,6 +21,9 @@ struct SensorContext {
     Faults& faults;
 };
 
+/// Throws std::invalid_argument, with what to do, where the model cannot power up so.
+void check_power_up(PowerUp power_up, const protocol::DeviceProfile& profile);
+
 SensorConfig read_sensor(const Field& field, SensorContext& context);
 
 }  // namespace scipd::daemon
