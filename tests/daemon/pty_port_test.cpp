@@ -3,12 +3,15 @@
 #include "daemon/link/pty_port.h"
 
 #include <array>
+#include <cerrno>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
+#include <sys/ioctl.h>
+#include <termios.h>
 
 #include "daemon/device/wall_clock.h"
 #include "tests/daemon/wall_world.h"
@@ -100,6 +103,29 @@ TEST_F(PtyPortTest, KnowsWhetherSomebodyHasItOpen) {
         EXPECT_TRUE(port->open());
     }
     EXPECT_TRUE(run_until(io_, [&] { return !port->open(); }));
+    port->stop();
+    let_things_end();
+}
+
+// What the README tells of pseudo-terminals, which a kernel may have otherwise some day.
+TEST_F(PtyPortTest, HasNoModemLinesAndLosesWhatIsFlushed) {
+    const auto port = make(link_);
+    port->serve(device_);
+    ScannerWire wire = ScannerWire::tty(link_);
+    int modem_lines = 0;
+    EXPECT_EQ(::ioctl(wire.descriptor(), TIOCMGET, &modem_lines), -1);
+    EXPECT_EQ(errno, ENOTTY);
+
+    const std::string reply = "QT\n00P\n\n";
+    wire.write("QT\n");
+    EXPECT_TRUE(run_until(io_, [&] {
+        int there = 0;
+        return ::ioctl(wire.descriptor(), FIONREAD, &there) == 0 &&
+               there >= static_cast<int>(reply.size());
+    }));
+    EXPECT_EQ(::tcflush(wire.descriptor(), TCIFLUSH), 0);
+    wire.write("QT\n");
+    EXPECT_TRUE(comes(wire, reply));  // one, not two
     port->stop();
     let_things_end();
 }
