@@ -63,16 +63,14 @@ class Fleet : public Api {
     [[nodiscard]] StaringSensor* staring(const std::string& sensor) override;
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string& robot) const override;
     std::optional<std::string> set_robot_pose(const std::string& robot,
-                                              std::optional<sim::Time> time,
-                                              const sim::Pose& world_from_robot) override;
+                                              const sim::PoseLine& said) override;
     std::optional<std::string> take_pose_line(std::string_view line, SenderClock& sender) override;
     ScanStream& stream() override { return stream_; }
     [[nodiscard]] SceneView scene() const override;
     void edit_scene(SceneEdit edit, EditDone done) override;
     [[nodiscard]] std::optional<sim::TimedPose> model_pose(const std::string& model) const override;
     std::optional<std::string> set_model_pose(const std::string& model,
-                                              std::optional<sim::Time> time,
-                                              const sim::Pose& world_from_model) override;
+                                              const sim::PoseLine& said) override;
 
   private:
     /// By what the configuration asks for, so that a port outlives a change of the scanner behind

@@ -59,10 +59,8 @@ std::optional<sim::TimedPose> Fleet::robot_pose(const std::string& robot) const 
 }
 
 std::optional<std::string> Fleet::set_robot_pose(const std::string& robot,
-                                                 std::optional<sim::Time> time,
-                                                 const sim::Pose& world_from_robot) {
-    return intake_.take({.robot = robot, .time = time, .pose = world_from_robot}, robot,
-                        api_senders_[robot], clock_.now());
+                                                 const sim::PoseLine& said) {
+    return intake_.take(said, robot, api_senders_[robot], clock_.now());
 }
 
 std::optional<sim::TimedPose> Fleet::model_pose(const std::string& model) const {
@@ -70,10 +68,10 @@ std::optional<sim::TimedPose> Fleet::model_pose(const std::string& model) const 
 }
 
 std::optional<std::string> Fleet::set_model_pose(const std::string& model,
-                                                 std::optional<sim::Time> time,
-                                                 const sim::Pose& world_from_model) {
-    return intake_.take({.model = model, .time = time, .pose = world_from_model}, {},
-                        api_model_senders_[model], clock_.now());
+                                                 const sim::PoseLine& said) {
+    sim::PoseLine line = said;
+    line.model = model;
+    return intake_.take(line, {}, api_model_senders_[model], clock_.now());
 }
 
 }  // namespace scipd::daemon

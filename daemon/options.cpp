@@ -12,6 +12,7 @@
 
 #include "daemon/check.h"
 #include "daemon/config/demo_world.h"
+#include "daemon/config/sensor.h"
 #include "daemon/config/values.h"
 #include "daemon/models/registry.h"
 #include "sim/backends/depth.h"
@@ -152,6 +153,10 @@ void add_scanner(CLI::App& app, Said& said) {
               [&](const auto& text) { sensor.accuracy = parse_accuracy(text); });
     group.add("--timing", "real|ideal", "replies on the firmware's grid, or at once; default: real",
               [&](const auto& text) { sensor.timing = parse_timing(text); });
+    group.add("--power-up", "scip2.0|scip1.1|boot",
+              "booted, the same but in the old protocol (URG-04LX alone), or from cold; default: "
+              "scip2.0",
+              [&](const auto& text) { sensor.power_up = parse_power_up(text); });
 }
 
 void add_daemon(CLI::App& app, Said& said) {
@@ -196,7 +201,8 @@ void check_alone(const CLI::App& app) {
 /// Those that go with all others.
 void add_general(CLI::App& app, Said& said) {
     app.add_option("--log-level", said.options.log_level, "how much goes to standard error")
-        ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "critical", "off"}))
+        ->check(CLI::IsMember(
+            {"trace", "debug", "info", "warning", "warn", "error", "critical", "off"}))
         ->capture_default_str()
         ->group(general_title);
     app.set_version_flag("--version", "scipd " SCIPD_VERSION, "which scipd this is")
@@ -240,6 +246,7 @@ void complete(Said& said) {
     if (!said.sensor.tcp && !said.sensor.pty) {
         throw std::invalid_argument("--tcp none and --pty none: nobody could reach the scanner");
     }
+    check_power_up(said.sensor.power_up, said.sensor.model.profile);
     said.robot.sensors = {said.sensor};
     config.robots = {said.robot};
 }

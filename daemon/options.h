@@ -19,7 +19,7 @@ struct Options {
     Config config;
     /// Where the configuration came from, to be read again at SIGHUP; nothing: from options.
     std::optional<std::filesystem::path> config_file;
-    /// trace, debug, info, warn, error, critical or off.
+    /// trace, debug, info, warning (or warn), error, critical or off.
     std::string log_level = "info";
 };
 

@@ -2,13 +2,10 @@
 // Copyright The scipd authors
 #include "tools/scip_transport.h"
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -23,6 +20,7 @@
 #include <unistd.h>
 
 #include "protocol/client/error.h"
+#include "tools/line_rate.h"
 
 namespace scipd::tools {
 namespace {
@@ -123,24 +121,7 @@ std::unique_ptr<ScipTransport> open(const TcpTarget& target, const OpenOptions& 
     return transport;
 }
 
-speed_t speed_of(int baud) {
-    constexpr std::array<std::pair<int, speed_t>, 8> speeds{{{9600, B9600},
-                                                             {19200, B19200},
-                                                             {38400, B38400},
-                                                             {57600, B57600},
-                                                             {115200, B115200},
-                                                             {230400, B230400},
-                                                             {460800, B460800},
-                                                             {500000, B500000}}};
-    const auto* const found = std::ranges::find(speeds, baud, &std::pair<int, speed_t>::first);
-    if (found == speeds.end()) {
-        throw std::invalid_argument(std::to_string(baud) + " baud is no rate of a tty");
-    }
-    return found->second;
-}
-
 std::unique_ptr<ScipTransport> open(const TtyTarget& target, const OpenOptions& options) {
-    const speed_t speed = speed_of(options.baud);
     const int descriptor = ::open(target.path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
     if (descriptor < 0) {
         throw unreachable("cannot open " + target.path + ": " + std::strerror(errno));
@@ -152,8 +133,11 @@ std::unique_ptr<ScipTransport> open(const TtyTarget& target, const OpenOptions& 
     if (tcgetattr(descriptor, &settings) != 0) throw unreachable(target.path + " is no tty");
     cfmakeraw(&settings);
     settings.c_cflag |= CLOCAL | CREAD;
-    cfsetspeed(&settings, speed);
     tcsetattr(descriptor, TCSANOW, &settings);
+    if (!set_line_rate(descriptor, options.baud)) {
+        throw unreachable(target.path + " cannot be set to " + std::to_string(options.baud) +
+                          " baud: " + std::strerror(errno) + "; --baud names another rate");
+    }
     tcflush(descriptor, TCIOFLUSH);
     return transport;
 }

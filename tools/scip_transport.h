@@ -31,8 +31,7 @@ struct OpenOptions {
     int baud = 115200;  ///< for a tty; a USB scanner does not care
 };
 
-/// Connects, or opens the tty and puts it into raw mode. Throws protocol::client::Error, and
-/// std::invalid_argument for a rate that the system does not have.
+/// Connects, or opens the tty and puts it into raw mode. Throws protocol::client::Error.
 [[nodiscard]] std::unique_ptr<ScipTransport> open_target(const Target& target,
                                                          const OpenOptions& options = {});
 

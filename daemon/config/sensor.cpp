@@ -130,10 +130,8 @@ void read_scanner(const Field& field, const Section& section, SensorConfig& sens
                  [&](const std::string& text) { return parse_pty(text, context.base); });
     section.read("timing", sensor.timing, parse_timing);
     section.read("power_up", sensor.power_up, parse_power_up);
-    if (sensor.power_up == PowerUp::scip1 && model && !model->profile.speaks_scip1()) {
-        faults.add(*section.find("power_up"),
-                   model->profile.name + " never spoke SCIP 1.1; use scip2.0 or boot");
-    }
+    if (const Field* power_up = section.find("power_up"); power_up && model)
+        faults.guard(*power_up, [&] { check_power_up(sensor.power_up, model->profile); });
     sensor.clock = read_clock(section, faults);
     if (const Field* link = section.find("link")) {
         sensor.link = read_link(*link, !is_none(section.find("pty")), model, faults);
@@ -165,6 +163,11 @@ bool read_staring(const Section& section, SensorConfig& sensor, Faults& faults) 
 }
 
 }  // namespace
+
+void check_power_up(PowerUp power_up, const protocol::DeviceProfile& profile) {
+    if (power_up == PowerUp::scip1 && !profile.speaks_scip1())
+        throw std::invalid_argument(profile.name + " never spoke SCIP 1.1; use scip2.0 or boot");
+}
 
 SensorConfig read_sensor(const Field& field, SensorContext& context) {
     Faults& faults = context.faults;

@@ -23,6 +23,9 @@ struct SensorContext {
     std::string robot = {};  ///< whose sensors are read
 };
 
+/// Throws std::invalid_argument, with what to do, where the model cannot power up so.
+void check_power_up(PowerUp power_up, const protocol::DeviceProfile& profile);
+
 SensorConfig read_sensor(const Field& field, SensorContext& context);
 
 }  // namespace scipd::daemon

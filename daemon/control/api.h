@@ -84,11 +84,10 @@ class Api {
     [[nodiscard]] virtual std::optional<sim::TimedPose> robot_pose(
         const std::string& robot) const = 0;
 
-    /// `robot` exists, and `time` is of the sender: nothing means now. Answers why the pose is
-    /// refused, or nothing once it holds.
+    /// `robot` exists, and it is the one that is meant. The time is of the sender: nothing means
+    /// now. Answers why the pose is refused, or nothing once it holds.
     virtual std::optional<std::string> set_robot_pose(const std::string& robot,
-                                                      std::optional<sim::Time> time,
-                                                      const sim::Pose& world_from_robot) = 0;
+                                                      const sim::PoseLine& said) = 0;
 
     /// A line of a stream of many: why it is refused.
     virtual std::optional<std::string> take_pose_line(std::string_view line,
@@ -106,8 +105,7 @@ class Api {
     [[nodiscard]] virtual std::optional<sim::TimedPose> model_pose(
         const std::string& model) const = 0;
     virtual std::optional<std::string> set_model_pose(const std::string& model,
-                                                      std::optional<sim::Time> time,
-                                                      const sim::Pose& world_from_model) = 0;
+                                                      const sim::PoseLine& said) = 0;
 };
 
 }  // namespace scipd::daemon

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include <boost/asio/ip/udp.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/asio/post.hpp>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "daemon/control/some_lines.h"
@@ -85,6 +85,11 @@ class LineSink {
     Throttle throttle_;
 };
 
+bool is_regular_file(int descriptor) {
+    struct stat status {};
+    return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+}
+
 /// Every datagram holds one line or several.
 class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
   public:
@@ -142,13 +147,13 @@ class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<S
   public:
     explicit StandardInputFeed(const FeedContext& context)
         : sink_(context, robot()), input_(context.executor) {
-        error_code error;
-        input_.assign(::dup(STDIN_FILENO), error);
-        // A regular file cannot be waited for, and its poses would all have the same time.
-        if (error)
-            throw std::system_error(
-                error,
-                "poses from standard input need a pipe or a terminal; name a TUM file instead");
+        // All of its poses would come at once, more than are kept; in lockstep they are read as
+        // time goes on.
+        if (context.lockstep == nullptr && is_regular_file(STDIN_FILENO))
+            throw std::runtime_error(
+                "poses from standard input need a pipe or a terminal, not a file: play a TUM file "
+                "with --poses FILE.tum, or let its stamps be the time with --clock poses");
+        input_.assign(::dup(STDIN_FILENO));
     }
 
     void stop() override {
@@ -177,7 +182,8 @@ class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<S
     void end_of_input() {
         sink_.take(line_);
         sink_.end();
-        sink_.context().report("standard input has ended: " + robot() + " stays where it is");
+        sink_.context().report("standard input has ended: " + robot() +
+                               " stays where its last pose puts it");
     }
 
     void take(std::string_view bytes) {

@@ -60,7 +60,6 @@ std::variant<sim::PoseLine, HttpResponse> pose_in(const Call& call, const char* 
         return pose_refused(*refusal);
     }
     const auto& line = std::get<sim::PoseLine>(parsed);
-    if (line.velocity) return pose_refused("v and w belong to streams of poses, such as /poses");
     if (auto refusal = misnamed(call, line, kind)) return *std::move(refusal);
     return line;
 }
@@ -84,8 +83,7 @@ void put_robot_pose(Call&& call) {
     if (!call.api.robot_pose(robot)) return call.respond(no_robot(robot));
     const auto said = pose_in(call, "robot");
     if (const auto* refusal = std::get_if<HttpResponse>(&said)) return call.respond(*refusal);
-    const auto& line = std::get<sim::PoseLine>(said);
-    call.respond(accepted(call.api.set_robot_pose(robot, line.time, line.pose)));
+    call.respond(accepted(call.api.set_robot_pose(robot, std::get<sim::PoseLine>(said))));
 }
 
 }  // namespace scipd::daemon

@@ -130,8 +130,7 @@ void put_model_pose(Call&& call) {
     if (!call.api.model_pose(name)) return call.respond(no_model(name));
     const auto said = pose_in(call, "model");
     if (const auto* refusal = std::get_if<HttpResponse>(&said)) return call.respond(*refusal);
-    const auto& line = std::get<sim::PoseLine>(said);
-    call.respond(accepted(call.api.set_model_pose(name, line.time, line.pose)));
+    call.respond(accepted(call.api.set_model_pose(name, std::get<sim::PoseLine>(said))));
 }
 
 }  // namespace scipd::daemon

@@ -46,20 +46,12 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
     static constexpr double longest_lap_s = 4e9;
 
     void check_length(const std::filesystem::path& file) const {
-        const double lap_s = std::chrono::duration<double>(lap()).count() / speed_;
+        const double lap_s = std::chrono::duration<double>(lap_time(poses_)).count() / speed_;
         const bool too_short = loop_ && poses_.size() > 1 && lap_s < shortest_lap_s;
         if (!too_short && lap_s <= longest_lap_s) return;
         throw sim::LoadError(
             {file.string() + ": at this speed it takes " +
              (too_short ? "less than a millisecond, which is no loop" : "more than 4e9 s")});
-    }
-
-    /// In the file's time. The way from the last pose back to the first takes as long as the last
-    /// step.
-    [[nodiscard]] sim::Time lap() const {
-        if (poses_.size() < 2) return {};
-        const sim::Time last_step = poses_.back().time - poses_[poses_.size() - 2].time;
-        return poses_.back().time - poses_.front().time + last_step;
     }
 
     void begin() override {
@@ -105,7 +97,7 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
     }
 
     void begin_lap() {
-        lap_begin_ += scaled(lap());
+        lap_begin_ += scaled(lap_time(poses_));
         next_ = 0;
     }
 

@@ -82,6 +82,12 @@ std::vector<TimedPose> load_tum(const std::filesystem::path& file) {
     return parse_tum(read_file(file, largest_file, "name a TUM trajectory"), file);
 }
 
+Time lap_time(const std::vector<TimedPose>& poses) {
+    if (poses.size() < 2) return {};
+    const Time last_step = poses.back().time - poses[poses.size() - 2].time;
+    return poses.back().time - poses.front().time + last_step;
+}
+
 std::vector<TimedPose> parse_tum(std::string_view text, const std::filesystem::path& file) {
     std::string_view rest = text;
     if (rest.starts_with(byte_order_mark)) rest.remove_prefix(byte_order_mark.size());

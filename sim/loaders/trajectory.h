@@ -29,6 +29,10 @@ std::vector<TimedPose> load_tum(const std::filesystem::path& file);
 /// The same of a text that is there already; `file` names it in faults.
 std::vector<TimedPose> parse_tum(std::string_view text, const std::filesystem::path& file);
 
+/// Of a loop, from its first pose to the same one of the next lap: the way back takes as long as
+/// the last step. Nothing where there is but one pose, which makes no loop.
+Time lap_time(const std::vector<TimedPose>& poses);
+
 /// What a pose line says. At most one of `robot` and `model` is set; neither: the only robot.
 struct PoseLine {
     std::string robot;

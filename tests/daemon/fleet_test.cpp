@@ -321,12 +321,13 @@ TEST_F(FleetTest, MovesRobotsForTheControlApi) {
     EXPECT_FALSE(fleet_.robot_pose("nobody"));
     EXPECT_EQ(fleet_.robot_pose("rescue")->pose, sim::Pose{});
     const sim::Pose there = sim::pose_from_rpy({1, 2, 0}, {0, 0, 0});
-    EXPECT_FALSE(fleet_.set_robot_pose("rescue", std::nullopt, there));
+    EXPECT_FALSE(fleet_.set_robot_pose("rescue", {.pose = there}));
     EXPECT_EQ(fleet_.robot_pose("rescue")->pose, there);
     EXPECT_EQ(fleet_.status().poses.accepted, 1U);
     // Stamps of the sender begin anywhere but must grow.
-    EXPECT_FALSE(fleet_.set_robot_pose("rescue", 500s, there));
-    EXPECT_EQ(fleet_.set_robot_pose("rescue", 500s, there), "t: not later than the pose before it");
+    const sim::PoseLine stamped{.time = 500s, .pose = there};
+    EXPECT_FALSE(fleet_.set_robot_pose("rescue", stamped));
+    EXPECT_EQ(fleet_.set_robot_pose("rescue", stamped), "t: not later than the pose before it");
     EXPECT_EQ(fleet_.status().poses.refused, 1U);
 }
 

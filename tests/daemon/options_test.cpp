@@ -110,6 +110,9 @@ TEST_F(OptionsTest, EachOptionHasItsPlace) {
     EXPECT_EQ(sensor(run(base + "--backend reference")).backend, "reference");
     EXPECT_EQ(sensor(run(base + "--accuracy ideal")).accuracy, sim::Accuracy::ideal);
     EXPECT_EQ(sensor(run(base + "--timing ideal")).timing, Timing::ideal);
+    EXPECT_EQ(sensor(run(base)).power_up, PowerUp::scip2);
+    EXPECT_EQ(sensor(run(base + "--power-up boot")).power_up, PowerUp::boot);
+    EXPECT_EQ(sensor(run(base + "--power-up scip1.1 --model URG-04LX")).power_up, PowerUp::scip1);
     EXPECT_EQ(sensor(run(base + "--mount 0.1,0,0.2,0,0,3")).robot_from_sensor,
               sim::pose_from_rpy({0.1, 0.0, 0.2}, {0.0, 0.0, 3.0}));
     EXPECT_EQ(sensor(run(base + "--name tank/top")).name, "top");
@@ -120,6 +123,7 @@ TEST_F(OptionsTest, EachOptionHasItsPlace) {
     EXPECT_EQ(run(base + "--http none").config.http, std::nullopt);
     EXPECT_EQ(run(base + "--clock wall").config, run(base).config);
     EXPECT_EQ(run(base + "--log-level debug").log_level, "debug");
+    EXPECT_EQ(run(base + "--log-level warning").log_level, "warning");  // as log lines have it
 }
 
 TEST_F(OptionsTest, APoseMayBeginWithAMinus) {
@@ -262,6 +266,9 @@ TEST(Options, SaysInOneSentenceWhatIsWrong) {
         {"--accuracy material", "--accuracy: material is not built yet; use sensor or ideal"},
         {"--backend radar",
          "--backend: this build has no backend 'radar'; use auto, embree, depth, reference"},
+        {"--power-up cold", "--power-up: must be scip2.0, scip1.1 or boot, not 'cold'"},
+        {"--power-up scip1.1 --model UST-20LX",
+         "UST-20LX never spoke SCIP 1.1; use scip2.0 or boot"},
         {"--seed 1.5", "--seed: must be a whole number from 0 to 18446744073709551615, not '1.5'"},
     };
     for (const auto& [line, sentence] : table) {

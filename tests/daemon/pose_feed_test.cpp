@@ -9,7 +9,10 @@
 #include <string>
 #include <vector>
 
+#include <fcntl.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "daemon/device/stepped_clock.h"
 #include "sim/loaders/load_error.h"
@@ -149,6 +152,59 @@ TEST_F(PoseFeedTest, EndsWhenItIsStoppedBetweenTwoDatagrams) {
     io_.run_for(15s);  // far longer than it takes, even on a busy machine
     EXPECT_TRUE(io_.stopped());
     EXPECT_EQ(intake_.accepted(), 1U);
+}
+
+/// Puts something else in the place of standard input while it lives.
+class StandardInput {
+  public:
+    explicit StandardInput(const std::filesystem::path& file) {
+        const int other = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+        ::dup2(other, STDIN_FILENO);
+        ::close(other);
+    }
+    ~StandardInput() {
+        ::dup2(before_, STDIN_FILENO);
+        ::close(before_);
+    }
+    StandardInput(const StandardInput&) = delete;
+    StandardInput& operator=(const StandardInput&) = delete;
+
+  private:
+    int before_ = ::dup(STDIN_FILENO);
+};
+
+TEST_F(PoseFeedTest, TakesNoFileForStandardInputOnTheWallClock) {
+    const tests::TempDir directory;
+    const StandardInput input(directory.write("drive.tum", "5 1 0 0 0 0 0 1\n"));
+    const PoseSource standard_input{.kind = PoseSource::Kind::standard_input};
+    try {
+        feed(standard_input)->stop();
+        FAIL() << "takes it";
+    } catch (const std::runtime_error& refusal) {
+        EXPECT_THAT(refusal.what(), testing::HasSubstr("--poses FILE.tum"));
+    }
+}
+
+TEST_F(PoseFeedTest, ReadsAFileAsStandardInputInLockstep) {
+    const tests::TempDir directory;
+    std::string drive;
+    for (int i = 0; i < 5000; ++i)
+        drive += std::to_string(i) + " 1 0 0 0 0 0 1\n";
+    const StandardInput input(directory.write("drive.tum", drive));
+    Lockstep lockstep(io_.get_executor());
+    PoseIntake intake(world_, &lockstep);
+    const auto poses =
+        make_feed({.executor = io_.get_executor(),
+                   .intake = intake,
+                   .clock = lockstep.clock(),
+                   .lockstep = &lockstep,
+                   .report = [this](const std::string& text) { reports_.push_back(text); }},
+                  {.kind = PoseSource::Kind::standard_input});
+    poses->serve("robot");
+    ASSERT_TRUE(run_until(io_, [&] { return !reports_.empty(); }));
+    EXPECT_EQ(intake.accepted(), 5000U);
+    EXPECT_EQ(reports_[0], "standard input has ended: robot stays where its last pose puts it");
+    poses->stop();
 }
 
 TEST_F(PoseFeedTest, SaysThatAPortIsInUse) {

@@ -3,6 +3,7 @@
 #include "daemon/link/pty_port.h"
 
 #include <array>
+#include <cerrno>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -12,7 +13,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <pty.h>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include "daemon/device/wall_clock.h"
@@ -187,6 +190,29 @@ TEST_F(PtyPortTest, KnowsWhetherSomebodyHasItOpen) {
         EXPECT_TRUE(port->open());
     }
     EXPECT_TRUE(run_until(io_, [&] { return !port->open(); }));
+    port->stop();
+    let_things_end();
+}
+
+// What the README tells of pseudo-terminals, which a kernel may have otherwise some day.
+TEST_F(PtyPortTest, HasNoModemLinesAndLosesWhatIsFlushed) {
+    const auto port = make(link_);
+    port->serve(device_);
+    ScannerWire wire = ScannerWire::tty(link_);
+    int modem_lines = 0;
+    EXPECT_EQ(::ioctl(wire.descriptor(), TIOCMGET, &modem_lines), -1);
+    EXPECT_EQ(errno, ENOTTY);
+
+    const std::string reply = "QT\n00P\n\n";
+    wire.write("QT\n");
+    EXPECT_TRUE(run_until(io_, [&] {
+        int there = 0;
+        return ::ioctl(wire.descriptor(), FIONREAD, &there) == 0 &&
+               there >= static_cast<int>(reply.size());
+    }));
+    EXPECT_EQ(::tcflush(wire.descriptor(), TCIFLUSH), 0);
+    wire.write("QT\n");
+    EXPECT_TRUE(comes(wire, reply));  // one, not two
     port->stop();
     let_things_end();
 }

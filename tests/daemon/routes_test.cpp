@@ -37,12 +37,12 @@ class FakeApi : public tests::EmptyApi {
     }
 
     std::optional<std::string> set_robot_pose(const std::string& robot,
-                                              std::optional<sim::Time> time,
-                                              const sim::Pose& pose) override {
+                                              const sim::PoseLine& said) override {
         if (refusal_) return refusal_;
         robot_ = robot;
-        time_ = time;
-        now_.pose = pose;
+        time_ = said.time;
+        now_.pose = said.pose;
+        velocity_ = said.velocity;
         return {};
     }
 
@@ -59,10 +59,11 @@ class FakeApi : public tests::EmptyApi {
         return door_;
     }
 
-    std::optional<std::string> set_model_pose(const std::string&, std::optional<sim::Time> time,
-                                              const sim::Pose& pose) override {
+    std::optional<std::string> set_model_pose(const std::string&,
+                                              const sim::PoseLine& said) override {
         if (refusal_) return refusal_;
-        door_ = {time.value_or(0ns), pose};
+        door_ = {said.time.value_or(0ns), said.pose};
+        velocity_ = said.velocity;
         return {};
     }
 
@@ -81,6 +82,7 @@ class FakeApi : public tests::EmptyApi {
     std::optional<std::string> refusal_;
     std::string robot_;
     std::optional<sim::Time> time_;
+    std::optional<sim::Velocity> velocity_;
 };
 
 class RoutesTest : public testing::Test {
@@ -204,6 +206,15 @@ TEST_F(RoutesTest, APoseIsSetFromQuaternionOrAngles) {
     EXPECT_EQ(api_.now_.pose, sim::pose_from_rpy({0, 0, 0}, {0, 0, 1.5}));
 }
 
+TEST_F(RoutesTest, APoseMayHaveItsVelocity) {
+    const sim::Velocity velocity{{1, 0, 0}, {0, 0, 0.5}};
+    const char* const body = R"({"xyz":[1,2,3],"v":[1,0,0],"w":[0,0,0.5]})";
+    EXPECT_EQ(put("/robots/rescue/pose", body).status, 204);
+    EXPECT_EQ(std::exchange(api_.velocity_, {}), velocity);
+    EXPECT_EQ(put("/scene/models/model%201/pose", body).status, 204);
+    EXPECT_EQ(api_.velocity_, velocity);
+}
+
 TEST_F(RoutesTest, AWrongPoseNamesItsField) {
     const std::pair<const char*, const char*> table[] = {
         {R"({"xyz":[1,2]})", "xyz"},
@@ -216,7 +227,7 @@ TEST_F(RoutesTest, AWrongPoseNamesItsField) {
         {R"({"xyz":[1,2,3],"yaw":1})", "yaw"},
         {R"({"xyz":[1,2,3],"robot":"other"})", "robot"},
         {R"({"xyz":[1,2,3],"model":"door"})", "model"},
-        {R"({"xyz":[1,2,3],"v":[1,0,0]})", "v"},
+        {R"({"xyz":[1,2,3],"v":[1,0]})", "v"},
         {R"({"xyz":[1,2,3],"w":[1,0]})", "w"},
     };
     for (const auto& [body, field] : table) {

@@ -58,17 +58,17 @@ class AnyName : public tests::EmptyApi {
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string&) const override {
         return sim::TimedPose{};
     }
-    std::optional<std::string> set_robot_pose(const std::string&, std::optional<sim::Time>,
-                                              const sim::Pose& pose) override {
-        require_sane(pose);
+    std::optional<std::string> set_robot_pose(const std::string&,
+                                              const sim::PoseLine& said) override {
+        require_sane(said.pose);
         return {};
     }
     [[nodiscard]] std::optional<sim::TimedPose> model_pose(const std::string&) const override {
         return sim::TimedPose{};
     }
-    std::optional<std::string> set_model_pose(const std::string&, std::optional<sim::Time>,
-                                              const sim::Pose& pose) override {
-        require_sane(pose);
+    std::optional<std::string> set_model_pose(const std::string&,
+                                              const sim::PoseLine& said) override {
+        require_sane(said.pose);
         return {};
     }
     void edit_scene(daemon::SceneEdit edit, daemon::EditDone done) override {

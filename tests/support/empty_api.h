@@ -24,8 +24,7 @@ class EmptyApi : public daemon::Api {
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string&) const override {
         return {};
     }
-    std::optional<std::string> set_robot_pose(const std::string&, std::optional<sim::Time>,
-                                              const sim::Pose&) override {
+    std::optional<std::string> set_robot_pose(const std::string&, const sim::PoseLine&) override {
         return {};
     }
     std::optional<std::string> take_pose_line(std::string_view, daemon::SenderClock&) override {
@@ -37,8 +36,7 @@ class EmptyApi : public daemon::Api {
     [[nodiscard]] std::optional<sim::TimedPose> model_pose(const std::string&) const override {
         return {};
     }
-    std::optional<std::string> set_model_pose(const std::string&, std::optional<sim::Time>,
-                                              const sim::Pose&) override {
+    std::optional<std::string> set_model_pose(const std::string&, const sim::PoseLine&) override {
         return {};
     }
 

@@ -22,4 +22,11 @@ void set_tty_rate(int tty, int bits_per_second) {
     if (result != 0) throw std::system_error(errno, std::generic_category(), "rate of a tty");
 }
 
+int tty_rate(int tty) {
+    termios2 settings{};
+    if (::ioctl(tty, TCGETS2, &settings) != 0)
+        throw std::system_error(errno, std::generic_category(), "rate of a tty");
+    return static_cast<int>(settings.c_ospeed);
+}
+
 }  // namespace scipd::tests

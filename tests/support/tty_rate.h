@@ -8,4 +8,7 @@ namespace scipd::tests {
 /// Throws std::system_error.
 void set_tty_rate(int tty, int bits_per_second);
 
+/// The rate that a tty is set to. Throws std::system_error.
+[[nodiscard]] int tty_rate(int tty);
+
 }  // namespace scipd::tests

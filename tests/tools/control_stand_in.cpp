@@ -82,12 +82,11 @@ std::optional<sim::TimedPose> ControlStandIn::robot_pose(const std::string& robo
 }
 
 std::optional<std::string> ControlStandIn::set_robot_pose(const std::string& robot,
-                                                          std::optional<sim::Time> time,
-                                                          const sim::Pose& world_from_robot) {
-    if (world_from_robot.translation_m.x > 1000.0) return "that is outside the world";
+                                                          const sim::PoseLine& said) {
+    if (said.pose.translation_m.x > 1000.0) return "that is outside the world";
     const std::scoped_lock lock(mutex_);
-    poses_[robot] = world_from_robot;
-    puts_.push_back({robot, time, world_from_robot});
+    poses_[robot] = said.pose;
+    puts_.push_back({robot, said.time, said.pose, said.velocity});
     return std::nullopt;
 }
 
@@ -121,10 +120,9 @@ std::optional<sim::TimedPose> ControlStandIn::model_pose(const std::string& mode
 }
 
 std::optional<std::string> ControlStandIn::set_model_pose(const std::string& model,
-                                                          std::optional<sim::Time> time,
-                                                          const sim::Pose& world_from_model) {
+                                                          const sim::PoseLine& said) {
     const std::scoped_lock lock(mutex_);
-    puts_.push_back({model, time, world_from_model});
+    puts_.push_back({model, said.time, said.pose, said.velocity});
     return std::nullopt;
 }
 

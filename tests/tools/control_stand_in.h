@@ -27,6 +27,7 @@ struct Put {
     std::string robot;
     std::optional<sim::Time> time;
     sim::Pose pose;
+    std::optional<sim::Velocity> velocity;
 };
 
 class ControlStandIn : EmptyApi {
@@ -46,15 +47,13 @@ class ControlStandIn : EmptyApi {
     [[nodiscard]] daemon::Status status() const override;
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string& robot) const override;
     std::optional<std::string> set_robot_pose(const std::string& robot,
-                                              std::optional<sim::Time> time,
-                                              const sim::Pose& world_from_robot) override;
+                                              const sim::PoseLine& said) override;
     [[nodiscard]] const daemon::ScanLog* scans(const std::string& sensor) const override;
     [[nodiscard]] daemon::SceneView scene() const override { return {"maze.sdf", scene_}; }
     void edit_scene(daemon::SceneEdit edit, daemon::EditDone done) override;
     [[nodiscard]] std::optional<sim::TimedPose> model_pose(const std::string& model) const override;
     std::optional<std::string> set_model_pose(const std::string& model,
-                                              std::optional<sim::Time> time,
-                                              const sim::Pose& world_from_model) override;
+                                              const sim::PoseLine& said) override;
 
     TempDir directory_;
     std::string clock_;

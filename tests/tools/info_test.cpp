@@ -2,10 +2,13 @@
 // Copyright The scipd authors
 #include <string>
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "daemon/models/registry.h"
+#include "tests/support/tty_rate.h"
 #include "tests/tools/room.h"
 #include "tests/tools/scipcat.h"
 
@@ -50,6 +53,22 @@ TEST(ScipcatInfo, WorksByTtyAgainAndAgain) {
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         EXPECT_THAT(outcome.out, HasSubstr("serial    00903971\n"));
     }
+}
+
+// Some of these have no name in POSIX.
+TEST(ScipcatInfo, WorksAtEachRateOfTheScanner) {
+    const auto& profile = daemon::find_model("URG-04LX").profile;
+    const RoomScanner scanner(profile);
+    const int tty = ::open(scanner.tty().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+    ASSERT_GE(tty, 0);
+    EXPECT_THAT(profile.bit_rates, testing::IsSupersetOf({19200, 250000, 750000}));
+    for (const int rate : profile.bit_rates) {
+        const Outcome outcome =
+            run_scipcat({"info", scanner.tty(), "--baud", std::to_string(rate)});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_EQ(tty_rate(tty), rate);
+    }
+    ::close(tty);
 }
 
 }  // namespace

@@ -183,6 +183,33 @@ TEST(Scipctl, PlaysInALoop) {
     }
 }
 
+// As scipd does that is given the file: from the last pose to the first in the time of the last
+// step. Steps of 10 and 30 ms.
+TEST(Scipctl, ClosesALoopInTheTimeOfTheLastStep) {
+    const ControlStandIn daemon({"rescue"}, "poses");
+    const TempDir directory;
+    const auto file =
+        directory.write("lap.tum", "5 1 0 0 0 0 0 1\n5.01 2 0 0 0 0 0 1\n5.04 3 0 0 0 0 0 1\n");
+    Child child(scipctl(daemon, {"pose", "play", file, "--loop"}));
+    while (daemon.puts().size() < 7)
+        std::this_thread::sleep_for(5ms);
+    child.signal(SIGTERM);
+    (void)child.wait();
+    const auto puts = daemon.puts();
+    for (const std::size_t first : {3U, 6U}) {
+        EXPECT_EQ(puts[first].pose.translation_m.x, 1.0);
+        EXPECT_EQ(*puts[first].time - *puts[first - 1].time, 30ms);
+    }
+}
+
+TEST(Scipctl, PlaysOnePoseOnceThoughInALoop) {
+    const ControlStandIn daemon({"rescue"});
+    const TempDir directory;
+    const auto file = directory.write("here.tum", "5 1 0 0 0 0 0 1\n");
+    EXPECT_EQ(run_scipctl(daemon, {"pose", "play", file, "--loop"}).exit_code, 0);
+    EXPECT_EQ(daemon.puts().size(), 1U);
+}
+
 TEST(Scipctl, ForwardsAStream) {
     const ControlStandIn daemon({"left", "right"});
     const Outcome outcome = run_scipctl(daemon, {"pose", "stream", "--robot", "left"},
@@ -200,6 +227,22 @@ TEST(Scipctl, ForwardsAStream) {
     EXPECT_EQ(puts[1].pose.translation_m, glm::dvec3(4, 5, 6));
     EXPECT_EQ(puts[2].robot, "left");
     EXPECT_EQ(*puts[2].time, 1500ms);
+}
+
+TEST(Scipctl, ForwardsVelocitiesAndPassesOverComments) {
+    const ControlStandIn daemon({"rescue"});
+    const Outcome outcome = run_scipctl(daemon, {"pose", "stream"},
+                                        "# t x y z qx qy qz qw\n"
+                                        R"({"t":1,"xyz":[1,2,3],"v":[1,2,3],"w":[0,0,0.5]})"
+                                        "\n  # half way\r\n"
+                                        R"({"model":"model 1","t":1,"xyz":[0,0,0],"w":[4,5,6]})"
+                                        "\n2 7 8 9 0 0 0 1\n");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto puts = daemon.puts();
+    ASSERT_EQ(puts.size(), 3U);
+    EXPECT_EQ(puts[0].velocity, (sim::Velocity{{1, 2, 3}, {0, 0, 0.5}}));
+    EXPECT_EQ(puts[1].velocity, (sim::Velocity{{0, 0, 0}, {4, 5, 6}}));
+    EXPECT_EQ(puts[2].velocity, std::nullopt);
 }
 
 TEST(Scipctl, GoesOnAfterALineThatIsRefused) {

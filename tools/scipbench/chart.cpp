@@ -64,12 +64,12 @@ void equalise(AxisRange& x, AxisRange& y) {
 
 void draw_table3(const std::vector<Table3Row>& rows, const std::string& machine,
                  const std::filesystem::path& file) {
-    Page page(file);
+    constexpr std::array shown{Method::rays_with_material, Method::depth_with_material,
+                               Method::exact};
+    Page page(file, PlotArea::page_height(shown.size() + 2 * paper_computers.size()));
     PlotArea area(page, {1.0, 1e5, true}, {1e-4, 1e3, true});
     area.title("One scan: rays (R) and depth buffer (ZB), with material", machine);
     area.grid("rays", "ms");
-    constexpr std::array shown{Method::rays_with_material, Method::depth_with_material,
-                               Method::exact};
     constexpr std::array<Colour, 3> inks{colours::wall, colours::wall, colours::scanner};
     for (std::size_t k = 0; k < shown.size(); ++k) {
         if (!rows.front().ms(shown[k])) continue;
@@ -88,7 +88,7 @@ void draw_table3(const std::vector<Table3Row>& rows, const std::string& machine,
 
 void draw_differences(const ComparedScans& scans, const std::string& title,
                       const std::filesystem::path& file) {
-    Page page(file);
+    Page page(file, PlotArea::page_height(0));
     AxisRange x = around(scans, &glm::dvec3::x);
     AxisRange y = around(scans, &glm::dvec3::y);
     equalise(x, y);

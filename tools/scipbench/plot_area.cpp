@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "tools/scipbench/plot_area.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -10,12 +11,13 @@ namespace scipd::tools {
 namespace {
 
 constexpr double left = 90.0;
-constexpr double top = 90.0;
+constexpr double top = 100.0;
 constexpr double width = Page::width - left - 40.0;
 constexpr double height = 700.0;
 constexpr double legend_top = top + height + 84.0;
 constexpr double legend_line = 22.0;
 constexpr int legend_rows = 6;
+constexpr double smaller = 0.95;
 
 void use(cairo_t* context, const Colour& colour) {
     cairo_set_source_rgba(context, colour.red, colour.green, colour.blue, colour.opacity);
@@ -62,6 +64,12 @@ double AxisRange::share(double value) const {
     return std::log(value / low) / std::log(high / low);
 }
 
+double PlotArea::page_height(std::size_t legend_lines) {
+    if (legend_lines == 0) return top + height + 70.0;
+    const auto rows = std::min<std::size_t>(legend_lines, legend_rows);
+    return legend_top + static_cast<double>(rows) * legend_line + 20.0;
+}
+
 double PlotArea::aspect() {
     return width / height;
 }
@@ -76,14 +84,19 @@ Place PlotArea::on_page(const Place& value) const {
     return {left + width * x_.share(value.x), top + height * (1.0 - y_.share(value.y))};
 }
 
-void PlotArea::write(const std::string& text, const Place& at, double size, double anchor,
-                     const Colour& colour) {
+double PlotArea::length_of(const std::string& text, double size) {
     cairo_select_font_face(context_, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
                            CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(context_, size);
     cairo_text_extents_t extents;
     cairo_text_extents(context_, text.c_str(), &extents);
-    cairo_move_to(context_, at.x - anchor * extents.x_advance, at.y);
+    return extents.x_advance;
+}
+
+void PlotArea::write(const std::string& text, const Place& at, double size, double anchor,
+                     const Colour& colour) {
+    const double length = length_of(text, size);
+    cairo_move_to(context_, at.x - anchor * length, at.y);
     use(context_, colour);
     cairo_show_text(context_, text.c_str());
 }
@@ -125,9 +138,28 @@ void PlotArea::dot(const Place& value, const Colour& colour, double radius) {
     cairo_fill(context_);
 }
 
+std::size_t PlotArea::line_end(const std::string& text, double size) {
+    std::size_t end = text.size();
+    while (length_of(text.substr(0, end), size) > width) {
+        end = text.rfind(' ', end - 1);
+        if (end == text.npos || end == 0) return 0;
+    }
+    return end;
+}
+
 void PlotArea::title(const std::string& text, const std::string& below) {
-    write(text, {left, 36.0}, 22.0, 0.0, colours::ink);
-    write(below, {left, 60.0}, 13.0, 0.0, colours::faint_ink);
+    double size = 22.0;
+    while (length_of(text, size) > width)
+        size *= smaller;
+    write(text, {left, 36.0}, size, 0.0, colours::ink);
+
+    size = 13.0;
+    while (length_of(below.substr(line_end(below, size)), size) > width)
+        size *= smaller;
+    const std::size_t end = line_end(below, size);
+    write(below.substr(0, end), {left, 58.0}, size, 0.0, colours::faint_ink);
+    const std::size_t rest = std::min(below.find_first_not_of(' ', end), below.size());
+    write(below.substr(rest), {left, 74.0}, size, 0.0, colours::faint_ink);
 }
 
 void PlotArea::legend(const std::string& text, const Colour& colour, double line_width,

@@ -4,6 +4,7 @@
 // A frame on a page with numbers along two axes, and strokes in it. One thread.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -32,10 +33,13 @@ class PlotArea {
 
     /// How much wider it is than high.
     static double aspect();
+    /// Of a page that has so many lines of legend.
+    static double page_height(std::size_t legend_lines);
 
     void grid(const std::string& x_title, const std::string& y_title);
     void line(const std::vector<Place>& values, const Colour& colour, double width, bool dashed);
     void dot(const Place& value, const Colour& colour, double radius);
+    /// As small as they must be to fit, `below` on two lines if need be.
     void title(const std::string& text, const std::string& below);
     /// The next line of the legend, under the frame.
     void legend(const std::string& text, const Colour& colour, double width, bool dashed);
@@ -44,6 +48,9 @@ class PlotArea {
     [[nodiscard]] Place on_page(const Place& value) const;
     void write(const std::string& text, const Place& at, double size, double anchor,
                const Colour& colour);
+    [[nodiscard]] double length_of(const std::string& text, double size);
+    /// Where the text is to be broken, at a blank, so that what is before fits into one line.
+    [[nodiscard]] std::size_t line_end(const std::string& text, double size);
     void numbers(const AxisRange& axis, bool along_x);
 
     cairo_t* context_;

@@ -11,19 +11,19 @@ namespace {
 
 constexpr double pixels_per_unit = 1.6;
 
-cairo_surface_t* make_surface(const std::filesystem::path& file, bool pixels) {
-    if (!pixels) return cairo_svg_surface_create(file.c_str(), Page::width, Page::height);
+cairo_surface_t* make_surface(const std::filesystem::path& file, bool pixels, double height) {
+    if (!pixels) return cairo_svg_surface_create(file.c_str(), Page::width, height);
     return cairo_image_surface_create(CAIRO_FORMAT_RGB24,
                                       static_cast<int>(Page::width * pixels_per_unit),
-                                      static_cast<int>(Page::height * pixels_per_unit));
+                                      static_cast<int>(height * pixels_per_unit));
 }
 
 }  // namespace
 
-Page::Page(std::filesystem::path file)
+Page::Page(std::filesystem::path file, double page_height)
     : file_(std::move(file)),
       pixels_(file_.extension() == ".png"),
-      surface_(make_surface(file_, pixels_), cairo_surface_destroy),
+      surface_(make_surface(file_, pixels_, page_height), cairo_surface_destroy),
       context_(cairo_create(surface_.get()), cairo_destroy) {
     if (pixels_) cairo_scale(context(), pixels_per_unit, pixels_per_unit);
 }

@@ -19,7 +19,7 @@ class Page {
     static constexpr double width = 1000.0;
     static constexpr double height = 1060.0;
 
-    explicit Page(std::filesystem::path file);
+    explicit Page(std::filesystem::path file, double page_height = height);
 
     [[nodiscard]] cairo_t* context() { return context_.get(); }
     /// Writes the file; returns why it could not. Nothing may be drawn afterwards.

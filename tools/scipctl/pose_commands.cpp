@@ -44,7 +44,7 @@ void set_pose(const ControlOptions& control, const SetOptions& options) {
     ControlClient client(control.socket);
     const std::string wanted = options.words.size() == 2 ? options.words.front() : std::string();
     const auto pose = *parse_pose_text(options.words.back());
-    client.put(pose_path(choose_robot(client, wanted)), pose_body(pose, std::nullopt));
+    client.put(pose_path(choose_robot(client, wanted)), pose_body({.pose = pose}));
 }
 
 void add_get_command(CLI::App& pose, const ControlOptions& control) {

@@ -4,7 +4,6 @@
 // Each pose leaves at its own instant, reckoned from the start and not from the pose before, so
 // that nothing adds up.
 #include <chrono>
-#include <cstddef>
 #include <memory>
 #include <string>
 #include <thread>
@@ -35,14 +34,6 @@ sim::Time first_stamp(ControlClient& client, const std::vector<sim::TimedPose>& 
     return std::chrono::system_clock::now().time_since_epoch();
 }
 
-/// From the first pose to the same one of the next round: the way back takes as long as an average
-/// step.
-sim::Time round_time(const std::vector<sim::TimedPose>& poses) {
-    const auto length = poses.back().time - poses.front().time;
-    const auto steps = static_cast<sim::Time::rep>(poses.size()) - 1;
-    return steps > 0 ? length + length / steps : std::chrono::seconds(1);
-}
-
 void play(const ControlOptions& control, const PlayOptions& options) {
     const auto poses = sim::load_tum(options.file);
     if (poses.empty()) throw ControlError(0, options.file + " has no poses");
@@ -50,17 +41,18 @@ void play(const ControlOptions& control, const PlayOptions& options) {
     const std::string path = pose_path(choose_robot(client, options.robot));
     const sim::Time stamp = first_stamp(client, poses);
     const auto start = std::chrono::steady_clock::now();
-    sim::Time round{};
+    const sim::Time lap = sim::lap_time(poses);
+    sim::Time laps{};
     do {
         for (const sim::TimedPose& pose : poses) {
             const std::chrono::duration<double, std::nano> played =
-                (round + pose.time - poses.front().time) / options.speed;
+                (laps + pose.time - poses.front().time) / options.speed;
             const auto offset = std::chrono::round<sim::Time>(played);
             std::this_thread::sleep_until(start + offset);
-            client.put(path, pose_body(pose.pose, stamp + offset));
+            client.put(path, pose_body({.time = stamp + offset, .pose = pose.pose}));
         }
-        round += round_time(poses);
-    } while (options.loop);
+        laps += lap;
+    } while (options.loop && lap > sim::Time{});
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ class PoseForwarder {
             throw ControlError(400, *why);
         }
         const auto& line = std::get<sim::PoseLine>(parsed);
-        client_.put(path_of(line), pose_body(line.pose, line.time));
+        client_.put(path_of(line), pose_body(line));
     }
 
   private:
@@ -56,7 +56,7 @@ void stream(const ControlOptions& control, const StreamOptions& options) {
     std::uint64_t refused = 0;
     for (std::string line; std::getline(std::cin, line);) {
         ++number;
-        if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+        if (sim::says_nothing(line)) continue;
         try {
             forwarder.forward(line);
         } catch (const ControlError& error) {

@@ -20,6 +20,10 @@ glm::dvec3 rpy_rad(const glm::dquat& q) {
             std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))};
 }
 
+nlohmann::ordered_json three(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
 }  // namespace
 
 std::optional<sim::Pose> parse_pose_text(std::string_view text) {
@@ -52,11 +56,15 @@ std::string pose_text(const sim::Pose& pose) {
     return text;
 }
 
-nlohmann::ordered_json pose_body(const sim::Pose& pose, std::optional<sim::Time> time) {
-    const auto& at = pose.translation_m;
-    const auto& q = pose.rotation;
-    nlohmann::ordered_json body{{"xyz", {at.x, at.y, at.z}}, {"q", {q.x, q.y, q.z, q.w}}};
-    if (time) body["t"] = std::chrono::duration<double>(*time).count();
+nlohmann::ordered_json pose_body(const sim::PoseLine& line) {
+    const auto& q = line.pose.rotation;
+    nlohmann::ordered_json body{{"xyz", three(line.pose.translation_m)},
+                                {"q", {q.x, q.y, q.z, q.w}}};
+    if (line.time) body["t"] = std::chrono::duration<double>(*line.time).count();
+    if (line.velocity) {
+        body["v"] = three(line.velocity->linear_mps);
+        body["w"] = three(line.velocity->angular_radps);
+    }
     return body;
 }
 

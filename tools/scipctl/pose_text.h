@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/time.h"
+#include "sim/loaders/trajectory.h"
 #include "sim/world/pose.h"
 
 namespace scipd::tools {
@@ -21,8 +21,7 @@ namespace scipd::tools {
 /// X,Y,Z,R,P,Y: what parse_pose_text() reads.
 [[nodiscard]] std::string pose_text(const sim::Pose& pose);
 
-/// The body of PUT .../pose.
-[[nodiscard]] nlohmann::ordered_json pose_body(const sim::Pose& pose,
-                                               std::optional<sim::Time> time);
+/// The body of PUT .../pose, which names nobody.
+[[nodiscard]] nlohmann::ordered_json pose_body(const sim::PoseLine& line);
 
 }  // namespace scipd::tools

@@ -114,7 +114,7 @@ void add(const ControlOptions& control, const AddOptions& options) {
         body["scale"] = options.scale;
         if (!options.material.empty()) body["material"] = options.material;
     }
-    if (!options.pose.empty()) body["pose"] = pose_body(pose_of(options.pose), std::nullopt);
+    if (!options.pose.empty()) body["pose"] = pose_body({.pose = pose_of(options.pose)});
     if (options.replace) body["replace"] = true;
     ControlClient client(control.socket);
     try {
@@ -145,7 +145,7 @@ void change(ControlClient& client, const std::string& model, bool must_move, Cha
 }
 
 void move(const ControlOptions& control, const MoveOptions& options) {
-    const auto body = pose_body(pose_of(options.pose), std::nullopt);
+    const auto body = pose_body({.pose = pose_of(options.pose)});
     ControlClient client(control.socket);
     change(client, options.name, true,
            [&](const std::string& path) { client.put(path + "/pose", body); });
