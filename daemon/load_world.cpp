@@ -32,8 +32,10 @@ sim::SceneOptions scene_options(const Config& config) {
             .map = config.map};
 }
 
-sim::LoadedScene load_world(const Config& config) {
-    sim::LoadedScene loaded = sim::load_scene(config.scene, scene_options(config));
+sim::LoadedScene load_world(const Config& config, const std::stop_token& stop) {
+    sim::SceneOptions options = scene_options(config);
+    options.limits.stop = stop;
+    sim::LoadedScene loaded = sim::load_scene(config.scene, options);
     std::vector<std::string> faults;
     for (const RobotConfig& robot : config.robots) {
         if (robot.body.empty() || moves(*loaded.scene, robot.body)) continue;

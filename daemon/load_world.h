@@ -4,14 +4,16 @@
 // The world of a configuration, from files. Touches nothing that runs: any thread may do it.
 #pragma once
 
+#include <stop_token>
+
 #include "daemon/config/config.h"
 #include "sim/loaders/scene_file.h"
 
 namespace scipd::daemon {
 
 /// The world that a configuration names, with the models in it that its robots need. Throws
-/// LoadError with every fault.
-sim::LoadedScene load_world(const Config& config);
+/// LoadError with every fault, or soon after `stop`.
+sim::LoadedScene load_world(const Config& config, const std::stop_token& stop = {});
 
 /// How that world is loaded, and all that takes its place or is added to it.
 sim::SceneOptions scene_options(const Config& config);

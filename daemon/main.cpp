@@ -26,11 +26,11 @@ void print(const std::string& text, std::FILE* stream = stdout) {
 
 enum ExitCode { ended_as_asked = 0, failed_while_running = 1, cannot_start = 2 };
 
-int run(scipd::daemon::Options options) {
+int run(const scipd::daemon::Options& options) {
     std::optional<scipd::daemon::Server> server;
     try {
         scipd::daemon::start_logging(options.log_level);
-        server.emplace(std::move(options));
+        server.emplace(options);
     } catch (const std::exception& error) {
         print(std::string(error.what()) + "\n", stderr);
         return cannot_start;
