@@ -36,8 +36,8 @@ BackendWish backend_wish(const std::string& robot, const SensorConfig& sensor,
     return wish;
 }
 
-FleetPlan make_plan(Config config, const SettledBackends& settled) {
-    sim::LoadedScene loaded = load_world(config);
+FleetPlan make_plan(Config config, const SettledBackends& settled, const std::stop_token& stop) {
+    sim::LoadedScene loaded = load_world(config, stop);
     std::vector<BackendWish> wishes;
     for (const RobotConfig& robot : config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <map>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -28,9 +29,10 @@ struct SettledBackend {
 };
 using SettledBackends = std::map<std::string, SettledBackend>;
 
-/// "auto" is rays where nothing is settled, for now. Throws LoadError, and std::runtime_error where
-/// this machine has not a backend that is wanted.
-FleetPlan make_plan(Config config, const SettledBackends& settled = {});
+/// "auto" is rays where nothing is settled, for now. Throws LoadError, also soon after `stop`, and
+/// std::runtime_error where this machine has not a backend that is wanted.
+FleetPlan make_plan(Config config, const SettledBackends& settled = {},
+                    const std::stop_token& stop = {});
 
 /// What a sensor of a robot that is there asks of the backends. In lockstep, where two runs have to
 /// be the same, "auto" is settled from the first.

@@ -24,9 +24,11 @@ bool moves(const sim::Scene& scene, const std::string& name) {
     return model && scene.models[*model].movable;
 }
 
-sim::LoadedScene load_scene(const Config& config) {
+sim::LoadedScene load_scene(const Config& config, const std::stop_token& stop) {
+    sim::SceneOptions options = scene_options(config);
+    options.limits.stop = stop;
     try {
-        return sim::load_scene(config.scene, scene_options(config));
+        return sim::load_scene(config.scene, options);
     } catch (const sim::LoadError& error) {
         throw named_at(config.place_of("scene"), error);
     }
@@ -46,8 +48,8 @@ sim::SceneOptions scene_options(const Config& config) {
             .map = config.map};
 }
 
-sim::LoadedScene load_world(const Config& config) {
-    sim::LoadedScene loaded = load_scene(config);
+sim::LoadedScene load_world(const Config& config, const std::stop_token& stop) {
+    sim::LoadedScene loaded = load_scene(config, stop);
     std::vector<std::string> faults;
     for (const RobotConfig& robot : config.robots) {
         if (robot.body.empty() || moves(*loaded.scene, robot.body)) continue;

@@ -4,6 +4,7 @@
 // The world of a configuration, from files. Touches nothing that runs: any thread may do it.
 #pragma once
 
+#include <stop_token>
 #include <string>
 
 #include "daemon/config/config.h"
@@ -13,8 +14,8 @@
 namespace scipd::daemon {
 
 /// The world that a configuration names, with the models in it that its robots need. Throws
-/// LoadError with every fault.
-sim::LoadedScene load_world(const Config& config);
+/// LoadError with every fault, or soon after `stop`.
+sim::LoadedScene load_world(const Config& config, const std::stop_token& stop = {});
 
 /// The faults of a file, each with the `place` where the configuration names it.
 sim::LoadError named_at(const std::string& place, const sim::LoadError& error);

@@ -38,10 +38,10 @@ void print(const std::string& text, std::FILE* stream = stdout) {
 
 enum ExitCode { ended_as_asked = 0, failed_while_running = 1, cannot_start = 2 };
 
-int serve(scipd::daemon::Options options) {
+int serve(const scipd::daemon::Options& options) {
     std::optional<scipd::daemon::Server> server;
     try {
-        server.emplace(std::move(options));
+        server.emplace(options);
     } catch (const std::exception& error) {
         scipd::daemon::finish_logging();
         print(std::string(error.what()) + "\n", stderr);
@@ -57,14 +57,14 @@ int serve(scipd::daemon::Options options) {
     return ended_as_asked;
 }
 
-int run(scipd::daemon::Options options) {
+int run(const scipd::daemon::Options& options) {
     try {
         scipd::daemon::start_logging(options.log_level);
     } catch (const std::exception& error) {
         print(std::string(error.what()) + "\n", stderr);
         return cannot_start;
     }
-    const int exit_code = serve(std::move(options));
+    const int exit_code = serve(options);
     // Whoever does not read the log does not keep scipd from ending.
     if (!scipd::daemon::finish_logging()) std::_Exit(exit_code);
     return exit_code;

@@ -19,8 +19,11 @@ namespace scipd::daemon {
 
 namespace asio = boost::asio;
 
-Server::Server(Options options)
-    : options_(std::move(options)),
+// The world before all else: until signals_ is made they end the program, and nothing is left.
+Server::Server(const Options& options) : Server(options, make_plan(options.config)) {}
+
+Server::Server(const Options& options, FleetPlan&& plan)
+    : options_(options),
       signals_(io_, SIGINT, SIGTERM, SIGHUP),
       fleet_(io_.get_executor(), options_.config.clock),
       control_(
@@ -29,10 +32,10 @@ Server::Server(Options options)
               route(fleet_, request, std::move(respond));
           },
           [this](const HttpRequest& request) { return open_socket(fleet_, request); }) {
-    // The control socket first: if another scipd has it, its ttys are not touched either.
+    // The control socket next: if another scipd has it, its ttys are not touched either.
     listen_for_control();
     if (options_.config.http) http_ = text_of(control_.listen(*options_.config.http));
-    fleet_.apply(options_.config);
+    fleet_.apply(std::move(plan));
     fleet_.choose_backends();
     wait_for_signal();
 }
@@ -94,22 +97,24 @@ void Server::reload() {
     asked_again_ = std::exchange(loading_, true);
     if (asked_again_) return;
     fleet_.loader().add([this] {
-        return [this, settled = fleet_.settled_backends()]() -> Loader::Finish {
+        return [this, settled = fleet_.settled_backends(),
+                stop = fleet_.loader().stopping()]() -> Loader::Finish {
             const auto task = std::make_shared<std::packaged_task<Next()>>(
-                [&] { return load_next(options_, settled); });
+                [&] { return load_next(options_, settled, stop); });
             (*task)();
             return [this, task] { take_up(task->get_future()); };
         };
     });
 }
 
-Server::Next Server::load_next(const Options& options, const SettledBackends& settled) {
+Server::Next Server::load_next(const Options& options, const SettledBackends& settled,
+                               const std::stop_token& stop) {
     const Config& started = options.config;
     Config config = load_config(*options.config_file);
     const bool asks_for_a_start = config.control != started.control ||
                                   config.http != started.http || config.clock != started.clock;
     config.clock = started.clock;
-    return {make_plan(std::move(config), settled), asks_for_a_start};
+    return {make_plan(std::move(config), settled, stop), asks_for_a_start};
 }
 
 void Server::take_up(std::future<Next> loaded) {

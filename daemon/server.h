@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <future>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include <boost/asio/io_context.hpp>
@@ -25,7 +26,7 @@ namespace scipd::daemon {
 class Server {
   public:
     /// Everything listens when this returns. Throws what Fleet::apply() and HttpServer throw.
-    explicit Server(Options options);
+    explicit Server(const Options& options);
 
     /// One JSON document without line end: where everything listens.
     [[nodiscard]] std::string ready_line() const;
@@ -40,11 +41,13 @@ class Server {
         bool asks_for_a_start = false;  ///< of what stays as it is while this program runs
     };
 
+    Server(const Options& options, FleetPlan&& plan);
     void listen_for_control();
     void wait_for_signal();
     void reload();
     /// On the loader's thread.
-    static Next load_next(const Options& options, const SettledBackends& settled);
+    static Next load_next(const Options& options, const SettledBackends& settled,
+                          const std::stop_token& stop);
     void take_up(std::future<Next> loaded);
     void stop();
 

@@ -57,9 +57,12 @@ Edited edited(const LoadWorld& edit, const Present& present) {
 sim::LoadedScene load_model(const AddModel& edit, const Present& present) {
     const std::filesystem::path folder = present.file.parent_path();
     const sim::SdfOptions options = sim::within_a_models_share(present.options.sdf);
-    if (!edit.sdf.empty()) return sim::load_model_text(edit.sdf, edit.placement, folder, options);
-    return sim::load_mesh_model(folder / edit.mesh, edit.placement, edit.scale, edit.material,
-                                options.mesh);
+    return sim::load_confined(edit.placement.name, present.options.limits, [&] {
+        if (!edit.sdf.empty())
+            return sim::load_model_text(edit.sdf, edit.placement, folder, options);
+        return sim::load_mesh_model(folder / edit.mesh, edit.placement, edit.scale, edit.material,
+                                    options.mesh);
+    });
 }
 
 /// Models that are each small may be many.
@@ -103,7 +106,9 @@ Edited edited(const RemoveModel& edit, const Present& present) {
 
 void SceneEditor::edit(SceneEdit edit, EditDone done) {
     loader_.add([this, edit = std::move(edit), done = std::move(done)]() -> Loader::Work {
-        return [this, edit, done, present = Present{file_, world_.scene(), options_},
+        Present present{file_, world_.scene(), options_};
+        present.options.limits.stop = loader_.stopping();
+        return [this, edit, done, present = std::move(present),
                 wishes = wishes_()]() mutable -> Loader::Finish {
             // Whoever waits lives on the I/O thread and goes back there whole: of a copy that stays
             // here, nobody knows which thread lets go last.

@@ -90,6 +90,8 @@ void enter(const Confines& confines, pid_t parent) {
         leave_with(too_much.c_str());
     } catch (const std::exception& error) {
         leave_with(error.what());
+    } catch (...) {
+        leave_with("throws what is no exception of the standard library");
     }
     _exit(failed_with_words);
 }

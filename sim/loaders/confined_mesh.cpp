@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <new>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 
+#include "sim/loaders/between_processes.h"
 #include "sim/loaders/confined.h"
 #include "sim/loaders/load_error.h"
 
@@ -19,52 +18,19 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largest_file = 1ULL << 30;
-// From the child to us: the two are one program, and no byte of the file is in between.
 
-template <typename Value>
-void put(const Value* values, std::size_t count, std::FILE* out) {
-    static_assert(std::is_trivially_copyable_v<Value>);
-    if (std::fwrite(values, sizeof(Value), count, out) != count) throw std::bad_alloc();
+void put_part(const MeshPart& part, std::FILE* out) {
+    put_all(part.material, out);
+    put_all(part.mesh.vertices_m, out);
+    put_all(part.mesh.triangles, out);
 }
 
-template <typename Container>
-void put_all(const Container& values, std::FILE* out) {
-    const std::uint64_t count = values.size();
-    put(&count, 1, out);
-    put(values.data(), values.size(), out);
-}
-
-template <typename Container>
-void take_all(Container& values, std::FILE* in) {
-    std::uint64_t count = 0;
-    const bool is_told = std::fread(&count, sizeof count, 1, in) == 1;
-    values.resize(count);
-    const auto size = sizeof(typename Container::value_type);
-    if (!is_told || std::fread(values.data(), size, count, in) != count) {
-        throw std::runtime_error("was read but did not arrive");
-    }
-}
-
-void put_parts(const std::vector<MeshPart>& parts, std::FILE* out) {
-    const std::uint64_t count = parts.size();
-    put(&count, 1, out);
-    for (const MeshPart& part : parts) {
-        put_all(part.material, out);
-        put_all(part.mesh.vertices_m, out);
-        put_all(part.mesh.triangles, out);
-    }
-}
-
-std::vector<MeshPart> take_parts(std::FILE* in) {
-    std::uint64_t count = 0;
-    if (std::fread(&count, sizeof count, 1, in) != 1) throw std::runtime_error("did not arrive");
-    std::vector<MeshPart> parts(count);
-    for (MeshPart& part : parts) {
-        take_all(part.material, in);
-        take_all(part.mesh.vertices_m, in);
-        take_all(part.mesh.triangles, in);
-    }
-    return parts;
+MeshPart take_part(std::FILE* in) {
+    MeshPart part;
+    part.material = take_all<std::string>(in);
+    part.mesh.vertices_m = take_all<std::vector<glm::vec3>>(in);
+    part.mesh.triangles = take_all<std::vector<glm::uvec3>>(in);
+    return part;
 }
 
 std::string known_kinds() {
@@ -112,8 +78,8 @@ std::vector<MeshPart> read_confined(const fs::path& file, const MeshLimits& limi
                                     const std::function<std::vector<MeshPart>()>& read) {
     try {
         const Confines confines = confines_of(file, check_file(file), limits);
-        const auto work = [&](std::FILE* out) { put_parts(read(), out); };
-        return take_parts(run_confined(confines, work).get());
+        const auto work = [&](std::FILE* out) { put_each(read(), out, put_part); };
+        return take_each<std::vector<MeshPart>>(run_confined(confines, work).get(), take_part);
     } catch (const std::runtime_error& wrong) {
         throw LoadError({file.string() + ": " + wrong.what()});
     }

@@ -10,7 +10,9 @@
 
 namespace scipd::sim {
 
-LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& options) {
+namespace {
+
+LoadedScene load_here(const std::filesystem::path& file, const SceneOptions& options) {
     const std::string extension = extension_of(file);
     if (extension == ".sdf" || extension == ".world" || extension == ".urdf") {
         return load_sdf(file, options.sdf);
@@ -21,6 +23,12 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& op
                      ": is no kind of world that is known; name an SDF (.sdf, .world), a URDF "
                      "(.urdf), a ROS map (.yaml, .yml) or a mesh (.obj, .stl, .ply, .dae, .gltf, "
                      ".glb)"});
+}
+
+}  // namespace
+
+LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& options) {
+    return load_confined(file.string(), options.limits, [&] { return load_here(file, options); });
 }
 
 }  // namespace scipd::sim

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A world from a file of any kind that we read. Any thread; nothing shared.
+// A world from a file of any kind that we read, in a child process. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>
 
+#include "sim/loaders/confined_scene.h"
 #include "sim/loaders/ros_map.h"
 #include "sim/loaders/sdf.h"
 
@@ -15,6 +16,7 @@ namespace scipd::sim {
 struct SceneOptions {
     SdfOptions sdf;  ///< of URDF too
     MapOptions map;
+    LoadLimits limits = {};
 };
 
 /// The file's extension tells its kind: .sdf, .world and .urdf, .yaml and .yml for ROS maps, and

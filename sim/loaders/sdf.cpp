@@ -5,8 +5,11 @@
 #include <exception>
 #include <utility>
 
+#include <sdf/Exception.hh>
+
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/plain_file.h"
+#include "sim/loaders/quote.h"
 #include "sim/loaders/resources.h"
 #include "sim/loaders/sdf_file.h"
 #include "sim/loaders/sdf_scene.h"
@@ -27,6 +30,10 @@ LoadedScene load(const SdfSource& source, const fs::path& folder, const SdfOptio
     } catch (const std::exception& error) {
         // The library lets some through, of what converts numbers.
         throw LoadError({source.file.string() + ": libsdformat cannot read it: " + error.what()});
+    } catch (const sdf::Exception& error) {
+        // Which is none of the standard library.
+        throw LoadError({source.file.string() +
+                         ": libsdformat cannot read it: " + printable(error.GetErrorStr(), 400)});
     }
 }
 

@@ -70,6 +70,11 @@ TEST(Confined, keepsNoFileOpenButItsOwn) {
     close(ends[1]);
 }
 
+// sdf::Exception is such a thing; past it the child would go on as if it were this process.
+TEST(Confined, endsWithWhatIsNoException) {
+    EXPECT_THAT(outcome(roomy, [](std::FILE*) { throw 42; }), StartsWith("error: throws what"));
+}
+
 TEST(Confined, survivesACrash) {
     EXPECT_THAT(outcome(roomy,
                         [](std::FILE*) {

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Worlds that take long to load: whoever ends scipd does not wait for them.
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/end_to_end/in_square_room.h"
+#include "tests/support/child.h"
+
+namespace scipd::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+namespace fs = std::filesystem;
+
+class Loading : public testing::Test {
+  protected:
+    /// libsdformat takes six seconds and more for it.
+    fs::path large_world() {
+        std::string models;
+        for (int i = 0; i < 1600; ++i) {
+            const std::string n = std::to_string(i);
+            models += "<model name='m" + n + "'><pose>" + n +
+                      " 0 0 0 0 0</pose><link name='l'><visual name='v'><geometry><box><size>1 1 "
+                      "1</size></box></geometry></visual></link></model>\n";
+        }
+        return directory_.write("large.sdf",
+                                "<sdf version='1.9'><world name='w'>" + models + "</world></sdf>");
+    }
+
+    fs::path write(const fs::path& world) {
+        return directory_.write("fleet.yaml", "scene: " + world.string() +
+                                                  "\ncontrol: control.sock\nrobots: {r: {sensors: "
+                                                  "{s: {model: UST-10LX, tcp: 127.0.0.1:0}}}}\n");
+    }
+
+    /// Long enough to have begun to load.
+    static void wait_a_little() { std::this_thread::sleep_for(std::chrono::milliseconds{500}); }
+
+    TempDir directory_;
+};
+
+// By the signal itself: what only notes it until all is loaded ends with 0.
+TEST_F(Loading, EndsAtOnceAtTheStart) {
+    const fs::path file = write(large_world());
+    for (const char* how : {"--config", "--check"}) {
+        Child scipd({SCIPD_PROGRAM, how, file});
+        wait_a_little();
+        scipd.signal(SIGTERM);
+        EXPECT_EQ(scipd.wait().exit_code, -1) << how;
+        EXPECT_FALSE(fs::exists(directory_.path() / "control.sock"));
+    }
+}
+
+TEST_F(Loading, EndsAtOnceWhileScannersRun) {
+    DaemonProcess daemon(directory_, {"--config", write(scene("square_room.sdf"))});
+    ASSERT_NE(daemon.ready_line(), "") << daemon.standard_error();
+    write(large_world());
+    daemon.signal(SIGHUP);
+    wait_a_little();
+    const auto begin = std::chrono::steady_clock::now();
+    daemon.signal(SIGTERM);
+    EXPECT_EQ(daemon.wait(), 0);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds{5});
+    EXPECT_THAT(daemon.standard_error(), Not(HasSubstr("SIGHUP")));
+}
+
+}  // namespace
+}  // namespace scipd::tests

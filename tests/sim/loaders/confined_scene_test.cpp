@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/confined_scene.h"
+
+#include <csignal>
+#include <memory>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "sim/loaders/load_error.h"
+
+namespace scipd::sim {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+/// One of everything that a scene can hold.
+Scene full_scene() {
+    const auto mesh = std::make_shared<const Mesh>(
+        Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.25F}}, {{0, 1, 2}, {2, 1, 0}}});
+    const auto other = std::make_shared<const Mesh>(Mesh{{{5, 0, 0}}, {}});
+    Scene scene;
+    scene.name = "w";
+    scene.models = {{"a", false, {}}, {"b::c", true, pose_from_rpy({1, 2, 3}, {0.1, 0.2, 0.3})}};
+    scene.materials = {{"default"}, {"oak", 7.5}, {"", std::nullopt}};
+    const Pose pose = pose_from_rpy({4, 5, 6}, {0.4, 0.5, 0.6});
+    scene.objects = {{"a::box", 0, {}, Box{{1, 2, 3}}, 0}, {"a::can", 0, pose, Cylinder{0.5, 2}, 1},
+                     {"b::ball", 1, {}, Sphere{0.25}, 2},  {"b::floor", 1, {}, Plane{{10, 20}}, 0},
+                     {"b::mesh", 1, {}, mesh, 1},          {"b::other", 1, {}, other, 1},
+                     {"b::again", 1, pose, mesh, 2}};
+    scene.anchor_m = {100, -200, 3};
+    return scene;
+}
+
+LoadedScene through_a_child(const Scene& scene, std::vector<std::string> warnings) {
+    return load_confined("x", {}, [&] {
+        return LoadedScene{std::make_shared<const Scene>(scene), warnings};
+    });
+}
+
+std::vector<std::string> faults_of_child(const std::function<void()>& work,
+                                         const LoadLimits& limits = {}) {
+    try {
+        load_confined("x", limits, [&] {
+            work();
+            return LoadedScene{};
+        });
+    } catch (const LoadError& error) {
+        return error.faults();
+    }
+    return {};
+}
+
+TEST(ConfinedScene, ArrivesWhole) {
+    const Scene sent = full_scene();
+    const auto [arrived, warnings] = through_a_child(sent, {"one", "", "three\nlines"});
+    EXPECT_THAT(warnings, ElementsAre("one", "", "three\nlines"));
+    EXPECT_EQ(arrived->name, sent.name);
+    EXPECT_EQ(arrived->anchor_m, sent.anchor_m);
+    EXPECT_EQ(arrived->materials, sent.materials);
+    ASSERT_EQ(arrived->models.size(), 2U);
+    EXPECT_EQ(arrived->models[1].name, "b::c");
+    EXPECT_FALSE(arrived->models[0].movable);
+    EXPECT_TRUE(arrived->models[1].movable);
+    EXPECT_EQ(arrived->models[1].world_from_model, sent.models[1].world_from_model);
+    ASSERT_EQ(arrived->objects.size(), sent.objects.size());
+    for (std::size_t i = 0; i < sent.objects.size(); ++i) {
+        const Object& is = arrived->objects[i];
+        const Object& was = sent.objects[i];
+        EXPECT_EQ(is.name, was.name);
+        EXPECT_EQ(is.model, was.model);
+        EXPECT_EQ(is.model_from_object, was.model_from_object);
+        EXPECT_EQ(is.material, was.material);
+        EXPECT_EQ(is.shape.index(), was.shape.index());
+        EXPECT_EQ(tessellate(is.shape).vertices_m, tessellate(was.shape).vertices_m);
+        EXPECT_EQ(tessellate(is.shape).triangles, tessellate(was.shape).triangles);
+    }
+    // What was shared is.
+    EXPECT_EQ(std::get<SharedMesh>(arrived->objects[4].shape),
+              std::get<SharedMesh>(arrived->objects[6].shape));
+}
+
+TEST(ConfinedScene, FaultsArriveEach) {
+    EXPECT_THAT(faults_of_child([] {
+                    throw LoadError({"a.sdf:1: one", "a.sdf:2: two\nlines"});
+                }),
+                ElementsAre("a.sdf:1: one", "a.sdf:2: two\nlines"));
+    EXPECT_THAT(faults_of_child([] { throw std::logic_error("slip"); }), ElementsAre("x: slip"));
+}
+
+TEST(ConfinedScene, WhatCrashesOrNeverEndsIsAFault) {
+    EXPECT_THAT(faults_of_child([] {
+                    std::signal(SIGABRT, SIG_DFL);
+                    std::raise(SIGABRT);
+                }),
+                ElementsAre(HasSubstr("x: crashes the library that reads it (signal 6)")));
+    EXPECT_THAT(faults_of_child([] { pause(); }, {.wall_time = std::chrono::seconds{1}}),
+                ElementsAre(HasSubstr("x: was not read within 1 s")));
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_THAT(faults_of_child([] { pause(); }, {.stop = stop.get_token()}),
+                ElementsAre("x: was not read to its end"));
+}
+
+}  // namespace
+}  // namespace scipd::sim
