@@ -104,8 +104,8 @@ Edited edited(const RemoveModel& edit, const Present& present) {
 
 }  // namespace
 
-void SceneEditor::edit(SceneEdit edit, EditDone done) {
-    loader_.add([this, edit = std::move(edit), done = std::move(done)]() -> Loader::Work {
+void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn) {
+    auto begin = [this, edit = std::move(edit), done = std::move(done)]() -> Loader::Work {
         Present present{file_, world_.scene(), options_};
         present.options.limits.stop = loader_.stopping();
         return [this, edit, done, present = std::move(present),
@@ -141,7 +141,8 @@ void SceneEditor::edit(SceneEdit edit, EditDone done) {
                 return refused(Result::faulty, {error.what()});
             }
         };
-    });
+    };
+    loader_.add(std::move(begin), std::move(withdrawn));
 }
 
 void SceneEditor::take_up(Next& next) {
