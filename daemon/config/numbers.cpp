@@ -9,13 +9,13 @@
 
 #include "daemon/models/profile_check.h"
 #include "sim/loaders/quote.h"
+#include "sim/world/reach.h"
 
 namespace scipd::daemon {
 namespace {
 
 using sim::quote;
 
-constexpr double position_limit_m = 1e7;
 constexpr double angle_limit_rad = 1e6;
 constexpr double largest_ppm = 10'000.0;
 constexpr int largest_device_time_ms = (1 << 24) - 1;
@@ -151,7 +151,8 @@ double parse_pass(std::string_view text) {
 
 double parse_metres(std::string_view text) {
     const double length_m = parse_number(text);
-    if (std::abs(length_m) > position_limit_m) refuse("must lie within 1e7 m, not " + quote(text));
+    if (std::abs(length_m) > sim::position_limit_m)
+        refuse("must lie within 1e7 m, not " + quote(text));
     return length_m;
 }
 

@@ -21,6 +21,12 @@ namespace {
 constexpr const char* rays = "embree";
 constexpr const char* depth = "depth";
 
+/// What helps where this one cannot be made.
+std::string instead_of(const std::string& backend) {
+    if (backend == depth) return "; use auto or embree";
+    return backend == rays ? "; give scipd more memory, or use reference, which is slow" : "";
+}
+
 /// How much work a scene is for any backend, roughly.
 std::size_t faces_of(const sim::Scene& scene) {
     std::size_t faces = 0;
@@ -113,7 +119,7 @@ SensorBackends BackendWorkshop::make(std::span<const BackendWish> wishes) {
             backends.assign(wish.sensor, made, choice);
         } catch (const std::runtime_error& error) {
             throw std::runtime_error(wish.sensor + ": backend " + choice->backend + ": " +
-                                     error.what() + "; use auto or embree");
+                                     error.what() + instead_of(choice->backend));
         }
     }
     leave_thread();

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 #include <pmmintrin.h>
 #include <xmmintrin.h>
@@ -95,10 +96,22 @@ inline void look_through(const RTCFilterFunctionNArguments* hits) {
     }
 }
 
+/// Why the last call on this thread made no device.
+inline std::string reason_without_device() {
+    switch (rtcGetDeviceError(nullptr)) {
+        case RTC_ERROR_OUT_OF_MEMORY:
+            return ": there is too little memory";
+        case RTC_ERROR_UNSUPPORTED_CPU:
+            return ": it does not know this processor";
+        default:
+            return {};
+    }
+}
+
 inline DeviceHandle new_device() {
     // One thread: the commits after each move are small, and more threads only wait for each other.
     DeviceHandle device{rtcNewDevice("threads=1")};
-    if (!device) throw std::runtime_error("Embree does not start on this machine");
+    if (!device) throw std::runtime_error("Embree does not start" + reason_without_device());
     return device;
 }
 

@@ -15,13 +15,12 @@
 
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/quote.h"
+#include "sim/world/reach.h"
 
 namespace scipd::sim {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double farthest_m = 1e7;
 
 constexpr std::array<std::pair<std::string_view, MapMode>, 3> modes{
     {{"trinary", MapMode::trinary}, {"scale", MapMode::scale}, {"raw", MapMode::raw}}};
@@ -106,7 +105,8 @@ void MapFileReader::want(const char* key, bool found) {
 
 void MapFileReader::read_origin() {
     const auto metres = [](const YAML::Node& node) {
-        return number(node, -farthest_m, farthest_m, "x and y must be metres within 1e7");
+        return number(node, -position_limit_m, position_limit_m,
+                      "x and y must be metres within 1e7");
     };
     const bool found = use("origin", [&](const YAML::Node& node) {
         if (!node.IsSequence() || node.size() != 3) {

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 
 #include "sim/loaders/confined_mesh.h"
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/mesh_reader.h"
 #include "sim/world/bounds.h"
+#include "sim/world/reach.h"
 
 namespace scipd::sim {
 namespace {
@@ -25,9 +25,9 @@ Bounds bounds_of_all(const std::vector<MeshPart>& parts) {
     return bounds;
 }
 
-bool is_finite(const MeshPart& part) {
+bool is_plausible(const MeshPart& part) {
     return std::ranges::all_of(part.mesh.vertices_m, [](const glm::vec3& vertex) {
-        return std::isfinite(vertex.x + vertex.y + vertex.z);
+        return plausible_position(glm::dvec3{vertex});
     });
 }
 
@@ -38,8 +38,10 @@ void place(std::vector<MeshPart>& parts, const glm::dvec3& origin, const glm::dv
         for (glm::vec3& vertex : part.mesh.vertices_m)
             vertex = glm::vec3{(glm::dvec3{vertex} - origin) * scale};
     }
-    if (!std::ranges::all_of(parts, is_finite)) {
-        throw LoadError({file.string() + ": has a vertex that is not finite once scaled"});
+    if (!std::ranges::all_of(parts, is_plausible)) {
+        throw LoadError({file.string() +
+                         ": has a vertex that is not finite, or more than 1e7 m from its origin; "
+                         "is it in metres, and its scale right?"});
     }
 }
 

@@ -11,6 +11,7 @@
 #include "sim/loaders/small_json.h"
 #include "sim/loaders/trajectory.h"
 #include "sim/loaders/tum_line.h"
+#include "sim/world/reach.h"
 
 namespace scipd::sim {
 namespace {

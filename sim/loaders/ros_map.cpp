@@ -18,6 +18,7 @@
 #include "sim/loaders/map_walls.h"
 #include "sim/loaders/occupancy.h"
 #include "sim/loaders/plain_file.h"
+#include "sim/world/reach.h"
 
 namespace scipd::sim {
 namespace {
@@ -35,6 +36,14 @@ CellGrid load_cells(const MapFile& map) {
     } catch (const std::invalid_argument& wrong) {
         throw LoadError({map.image.string() + ": " + wrong.what()});
     }
+}
+
+/// A large picture of large pixels.
+void check_extent(const MapFile& map, const CellGrid& grid) {
+    const double side_m = map.resolution_m * static_cast<double>(std::max(grid.columns, grid.rows));
+    if (side_m <= position_limit_m) return;
+    throw LoadError(
+        {map.image.string() + ": is more than 1e7 m long at the resolution that the map says"});
 }
 
 /// The scene of one map, object by object.
@@ -87,6 +96,7 @@ LoadedScene load_ros_map(const fs::path& given, const MapOptions& options) {
     const MapFile map =
         parse_map_file(read_file(file, largest_yaml, "name the YAML of a ROS map"), file);
     CellGrid grid = load_cells(map);
+    check_extent(map, grid);
     if (options.unknown == UnknownCells::wall) {
         std::ranges::replace(grid.cells, Cell::unknown, Cell::occupied);
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <set>
 #include <utility>
 
@@ -19,6 +20,7 @@
 #include "sim/loaders/mesh_shelf.h"
 #include "sim/loaders/sdf_shape.h"
 #include "sim/loaders/sdf_surface.h"
+#include "sim/world/reach.h"
 
 namespace scipd::sim {
 namespace {
@@ -41,6 +43,12 @@ Pose to_pose(const ignition::math::Pose3d& pose) {
 Place operator*(const Place& outer, const Pose& outer_from_here) {
     return {outer.body, outer.body_from_here * outer_from_here,
             outer.world_from_here * outer_from_here};
+}
+
+std::string text_of(const glm::dvec3& xyz_m) {
+    std::array<char, 100> text{};
+    std::snprintf(text.data(), text.size(), "%g %g %g", xyz_m.x, xyz_m.y, xyz_m.z);
+    return text.data();
 }
 
 bool says_not_static(const sdf::Model& model) {
@@ -73,6 +81,8 @@ class SceneCollector {
     void add_surface(const SdfSurface& surface, const Place& link, const std::string& link_name);
     void add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object);
     void warn_of_unseen(const sdf::Link& link, const std::string& name);
+    Place place_of(const Place& outer, const sdf::SemanticPose& pose,
+                   const sdf::ElementPtr& element, const std::string& name);
     Pose resolve(const sdf::SemanticPose& pose, const std::string& name);
     MaterialId material_id(const Material& material);
     void add_warning(std::string text);
@@ -125,7 +135,8 @@ void SceneCollector::add_warning(std::string text) {
 }
 
 void SceneCollector::add_model(const sdf::Model& model) {
-    const Pose world_from_model = resolve(model.SemanticPose(), model.Name());
+    const Pose world_from_model =
+        place_of({}, model.SemanticPose(), model.Element(), model.Name()).world_from_here;
     scene_.models.push_back({model.Name(), !model.Static(), world_from_model});
     add_parts(model, {ModelId(scene_.models.size() - 1), {}, world_from_model}, model.Name());
 }
@@ -135,7 +146,7 @@ void SceneCollector::add_parts(const sdf::Model& model, const Place& place,
     for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
         const auto& link = *model.LinkByIndex(i);
         const auto link_name = name + "::" + link.Name();
-        add_link(link, place * resolve(link.SemanticPose(), link_name), link_name);
+        add_link(link, place_of(place, link.SemanticPose(), link.Element(), link_name), link_name);
     }
     for (std::uint64_t i = 0; i < model.ModelCount(); ++i)
         add_nested(*model.ModelByIndex(i), place, name);
@@ -144,7 +155,7 @@ void SceneCollector::add_parts(const sdf::Model& model, const Place& place,
 void SceneCollector::add_nested(const sdf::Model& model, const Place& outer,
                                 const std::string& outer_name) {
     const auto name = outer_name + "::" + model.Name();
-    Place place = outer * resolve(model.SemanticPose(), name);
+    Place place = place_of(outer, model.SemanticPose(), model.Element(), name);
     if (!scene_.models[outer.body].movable && says_not_static(model)) {
         scene_.models.push_back({name, true, place.world_from_here});
         place = {ModelId(scene_.models.size() - 1), {}, place.world_from_here};
@@ -173,7 +184,8 @@ void SceneCollector::add_surface(const SdfSurface& surface, const Place& link,
     Object object;
     object.name = link_name + "::" + surface.name;
     object.model = link.body;
-    object.model_from_object = link.body_from_here * resolve(surface.pose, object.name);
+    object.model_from_object =
+        place_of(link, surface.pose, surface.element, object.name).body_from_here;
     if (surface.geometry == nullptr || kind_of(*surface.geometry) == "empty") return;
     const auto place = read_.place_of(surface.element, file_) + ": " + object.name + ": ";
     if (surface.laser_retro && !std::isfinite(*surface.laser_retro)) {
@@ -202,7 +214,9 @@ void SceneCollector::add_surface(const SdfSurface& surface, const Place& link,
 }
 
 void SceneCollector::add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object) {
-    const auto folder = read_.file_of(mesh.Element(), file_).parent_path();
+    const auto file = read_.file_of(mesh.Element(), file_);
+    // A text is called by a name, and lies in no folder.
+    const auto folder = file.is_absolute() ? file.parent_path() : resources_.folder();
     const auto found = resources_.find(mesh.Uri(), folder);
     if (found.empty()) throw LoadError({resources_.not_found(mesh.Uri(), folder)});
     for (const auto& part : shelf_.parts_of(found, mesh)) {
@@ -211,6 +225,18 @@ void SceneCollector::add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, 
             {surface.material.empty() ? part.material : surface.material, surface.laser_retro});
         scene_.objects.push_back(object);
     }
+}
+
+/// What lies in `outer` at this pose; `outer` itself where that is a fault, so that it is told
+/// once.
+Place SceneCollector::place_of(const Place& outer, const sdf::SemanticPose& pose,
+                               const sdf::ElementPtr& element, const std::string& name) {
+    const Place here = outer * resolve(pose, name);
+    const auto& [at_m, rotation] = here.world_from_here;
+    if (plausible_position(at_m) && std::isfinite(glm::length(rotation))) return here;
+    faults_.push_back(read_.place_of(element, file_) + ": " + name + ": lies at " + text_of(at_m) +
+                      "; everything must lie within 1e7 m of the origin");
+    return outer;
 }
 
 Pose SceneCollector::resolve(const sdf::SemanticPose& pose, const std::string& name) {

@@ -18,6 +18,7 @@
 
 #include "sim/loaders/load_error.h"
 #include "sim/world/extrusion.h"
+#include "sim/world/reach.h"
 
 namespace scipd::sim {
 namespace {
@@ -26,8 +27,8 @@ namespace {
 constexpr std::size_t most_outline_points = 2000;
 
 void check_sizes(std::initializer_list<double> sizes_m) {
-    if (!std::ranges::all_of(sizes_m,
-                             [](double size_m) { return size_m > 0.0 && size_m <= 1e7; })) {
+    const auto plausible = [](double size_m) { return size_m > 0.0 && size_m <= position_limit_m; };
+    if (!std::ranges::all_of(sizes_m, plausible)) {
         throw LoadError({"every size must be above 0 and at most 1e7 m"});
     }
 }
@@ -76,7 +77,7 @@ Outline outline_of(sdf::Element& polyline) {
     for (auto point = polyline.FindElement("point"); point;
          point = point->GetNextElement("point")) {
         const auto at = point->Get<ignition::math::Vector2d>();
-        if (!at.IsFinite() || std::max(std::abs(at.X()), std::abs(at.Y())) > 1e7) {
+        if (!plausible_position({at.X(), at.Y(), 0.0})) {
             throw LoadError(
                 {"every <point> of a <polyline> must be finite and at most 1e7 m away"});
         }

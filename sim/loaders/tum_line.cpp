@@ -11,6 +11,7 @@
 #include <string>
 
 #include "sim/loaders/quote.h"
+#include "sim/world/reach.h"
 
 namespace scipd::sim {
 namespace {
@@ -104,12 +105,6 @@ std::string_view trimmed(std::string_view text) {
 bool says_nothing(std::string_view line) {
     const auto text = trimmed(line);
     return text.empty() || text.front() == '#';
-}
-
-bool plausible_position(const glm::dvec3& xyz_m) {
-    // Written so that a NaN is implausible.
-    return std::abs(xyz_m.x) <= position_limit_m && std::abs(xyz_m.y) <= position_limit_m &&
-           std::abs(xyz_m.z) <= position_limit_m;
 }
 
 std::optional<glm::dquat> normalised_quaternion(double x, double y, double z, double w) {

@@ -10,14 +10,9 @@
 #include <string_view>
 #include <variant>
 
-#include <glm/vec3.hpp>
-
 #include "sim/loaders/trajectory.h"
 
 namespace scipd::sim {
-
-/// Further out than this a position is taken for damage.
-inline constexpr double position_limit_m = 1e7;
 
 /// Stamps beyond this many seconds do not fit into nanoseconds of 64 bits (9.2e9 s).
 inline constexpr double time_limit_s = 9e9;
@@ -27,9 +22,6 @@ std::string_view trimmed(std::string_view text);
 
 /// The pose, or a sentence that names the column at fault.
 std::variant<TimedPose, std::string> parse_tum_line(std::string_view line);
-
-/// False where it is not finite or further out than position_limit_m in any coordinate.
-bool plausible_position(const glm::dvec3& xyz_m);
 
 /// Unit length, or nothing where there is no direction in it. Order as in files: x, y, z, w.
 std::optional<glm::dquat> normalised_quaternion(double x, double y, double z, double w);

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 
 #include "daemon/control/backend_workshop.h"
+#include "sim/loaders/confined.h"
 #include "tests/support/scene_builder.h"
 
 namespace scipd::daemon {
@@ -52,6 +53,24 @@ TEST(SensorBackends, AreWhatWasAskedForByName) {
     EXPECT_EQ(backends.choice_of("a/2")->backend, "reference");
     EXPECT_EQ(backends.choice_of("a/2")->reason, "");
     EXPECT_FLOAT_EQ(range_ahead_m(backends, "a/2"), 4.0F);
+}
+
+// Who has no Embree is not told to use it.
+TEST(SensorBackends, ThatCannotBeHadSayWhatElseThereIs) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "a sanitizer ends what has too little memory in words of its own";
+#endif
+    const sim::Confines little{.processor_time = std::chrono::seconds{20},
+                               .memory_bytes = 10'000'000};
+    const auto made_with_little = [&] {
+        sim::run_confined(little, [](std::FILE*) {
+            (void)make_backends(std::vector{wish("a/1", "auto")}, scene_of(1));
+        });
+    };
+    EXPECT_THAT(made_with_little,
+                testing::ThrowsMessage<std::runtime_error>(
+                    "a/1: backend embree: Embree does not start: there is too little memory; give "
+                    "scipd more memory, or use reference, which is slow"));
 }
 
 TEST(SensorBackends, AreSharedByThoseThatWantTheSame) {

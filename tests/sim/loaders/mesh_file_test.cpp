@@ -151,12 +151,15 @@ TEST(MeshFile, refusesVerticesThatAreNotFinite) {
                     ElementsAre("a.stl: has a vertex that is not finite"));
     }
     const auto file = folder.write("b.stl", binary_stl(1e30F));
-    EXPECT_THAT(faults_of(
-                    [&] {
-                        load_mesh(file, {1.0, 1.0, 1e30});
-                    },
-                    folder),
-                ElementsAre("b.stl: has a vertex that is not finite once scaled"));
+    EXPECT_THAT(
+        faults_of(
+            [&] {
+                load_mesh(file, {1.0, 1.0, 1e30});
+            },
+            folder),
+        ElementsAre(
+            "b.stl: has a vertex that is not finite, or more than 1e7 m from its origin; is "
+            "it in metres, and its scale right?"));
 }
 
 }  // namespace

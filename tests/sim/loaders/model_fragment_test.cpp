@@ -131,6 +131,15 @@ TEST_F(ModelFragment, RefusesWhatIsNoModel) {
                 ElementsAre("b.obj: no such file; a mesh is wanted here"));
 }
 
+// A text lies in no file: what it names is looked for where the caller says, and there alone.
+TEST_F(ModelFragment, SaysWhereItLooked) {
+    EXPECT_THAT(
+        faults("<model name='m'><link name='l'>" + visual("v", mesh_of("gone.obj")) +
+                   "</link></model>",
+               {"crate"}),
+        ElementsAre("crate:1: m::l::v: there is no 'gone.obj' near " + folder_.path().string()));
+}
+
 // A part of what a world may take; figures of sdf_survey.cpp.
 TEST_F(ModelFragment, TakesNoMoreThanAModelsShare) {
     const SdfOptions share = within_a_models_share({.geometry = SdfGeometry::collision});

@@ -14,6 +14,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 class RosMapFaults : public ::testing::Test {
   protected:
@@ -72,6 +73,14 @@ TEST_F(RosMapFaults, aMapWithoutWalls) {
     EXPECT_THAT(
         picture_faults(pgm(2, {254, 254, 205, 254})),
         ElementsAre("a.pgm: holds no wall: no cell is above the occupied_thresh of a.yaml"));
+}
+
+TEST_F(RosMapFaults, aMapThatIsTooLarge) {
+    folder_.write("a.pgm", "P5 20000 1 255\n" + std::string(20'000, '\0'));
+    const std::string rest = "\norigin: [0, 0, 0]\nnegate: 0\n";
+    EXPECT_THAT(faults("image: a.pgm\nresolution: 600" + rest),
+                ElementsAre("a.pgm: is more than 1e7 m long at the resolution that the map says"));
+    EXPECT_THAT(faults("image: a.pgm\nresolution: 400" + rest), IsEmpty());
 }
 
 TEST_F(RosMapFaults, brokenPictures) {

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/loaders/sdf.h"
+#include "sim/loaders/scene_file.h"
 #include "tests/sim/loaders/faults_of.h"
 #include "tests/sim/loaders/sdf_text.h"
 
@@ -15,6 +15,8 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
 
 class SdfFaults : public ::testing::Test {
   protected:
@@ -124,6 +126,69 @@ TEST_F(SdfFaults, includesThatLeadNowhere) {
                 ElementsAre("a.sdf:4: there is no '" + lost + "' near " + folder_.path().string() +
                             ", nor in GZ_SIM_RESOURCE_PATH, GAZEBO_MODEL_PATH, SDF_PATH, "
                             "ROS_PACKAGE_PATH or AMENT_PREFIX_PATH"));
+}
+
+// A box at 3e8 m once made all other things so coarse that most beams met nothing.
+TEST_F(SdfFaults, whatLiesTooFarOut) {
+    const std::string far = "<pose>3e8 0 -1 0 0 0</pose>";
+    const std::string end = " lies at 3e+08 0 -1; everything must lie within 1e7 m of the origin";
+    const std::string box = visual("v", unit_box);
+    const auto one = [&](const std::string& model) { return faults(world(model)); };
+    EXPECT_THAT(one("<model name='m'>" + far + "<link name='l'>" + box + "</link></model>"),
+                ElementsAre("a.sdf:4: m:" + end));
+    EXPECT_THAT(one("<model name='m'>\n<link name='l'>" + far + box + "</link></model>"),
+                ElementsAre("a.sdf:5: m::l:" + end));
+    EXPECT_THAT(one(model_of(visual("w", unit_box) + visual("v", unit_box, far))),
+                ElementsAre("a.sdf:6: m::l::v:" + end));
+    EXPECT_THAT(one("<model name='m'>\n<model name='n'>" + far + "<link name='l'>" + box +
+                    "</link></model></model>"),
+                ElementsAre("a.sdf:5: m::n:" + end));
+    folder_.write("b.sdf", sdf("<model name='b'><link name='l'>" + box + "</link></model>"));
+    EXPECT_THAT(one("<include><uri>b.sdf</uri>" + far + "</include>"),
+                ElementsAre("b.sdf:3: b:" + end));
+    // Each within it, and not so together.
+    EXPECT_THAT(one("<model name='m'><pose>6e6 0 0 0 0 0</pose>\n<link name='l'><pose>6e6 0 0 0 0 "
+                    "0</pose>" +
+                    box + "</link></model>"),
+                ElementsAre("a.sdf:5: m::l: lies at 1.2e+07 0 0; everything must lie within 1e7 m "
+                            "of the origin"));
+}
+
+TEST_F(SdfFaults, whatTurnsNowhere) {
+    EXPECT_THAT(faults(world("<model name='m'><pose rotation_format='quat_xyzw'>0 0 0 0 0 0 0"
+                             "</pose><link name='l'>" +
+                             visual("v", unit_box) + "</link></model>")),
+                IsEmpty());
+    EXPECT_THAT(faults(world("<model name='m'><pose>1e400 0 0 0 0 0</pose><link name='l'>" +
+                             visual("v", unit_box) + "</link></model>")),
+                Not(IsEmpty()));
+}
+
+TEST_F(SdfFaults, meshesThatAreTooLarge) {
+    folder_.write("a.obj", triangle_obj);
+    const auto scaled = [&](const std::string& scale) {
+        return faults(world(model_of(
+            visual("v", "<mesh><uri>a.obj</uri><scale>" + scale + " 1 1</scale></mesh>"))));
+    };
+    EXPECT_THAT(scaled("9e6"), IsEmpty());
+    const auto refused = ElementsAre(
+        "a.sdf:5: m::l::v: a.obj: has a vertex that is not finite, or more than 1e7 m from its "
+        "origin; is it in metres, and its scale right?");
+    EXPECT_THAT(scaled("2e7"), refused);
+    EXPECT_THAT(scaled("-1e300"), refused);
+    folder_.write("b.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_THAT(faults_of([&] { load_scene(folder_.path() / "b.obj"); }, folder_),
+                ElementsAre(HasSubstr("b.obj: has a vertex that is not finite, or more than 1e7")));
+}
+
+TEST_F(SdfFaults, robotsThatReachTooFar) {
+    folder_.write("a.urdf",
+                  "<robot name='r'><link name='a'/><link name='b'><visual><geometry><box size='1 1 "
+                  "1'/></geometry></visual></link><joint name='j' type='fixed'><parent link='a'/>"
+                  "<child link='b'/><origin xyz='0 3e8 0'/></joint></robot>");
+    EXPECT_THAT(faults_of([&] { load_sdf(folder_.path() / "a.urdf"); }, folder_),
+                ElementsAre("a.urdf: r::b: lies at 0 3e+08 0; everything must lie within 1e7 m of "
+                            "the origin"));
 }
 
 }  // namespace
