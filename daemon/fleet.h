@@ -63,7 +63,7 @@ class Fleet : public Api {
     std::optional<std::string> take_pose_line(std::string_view line, SenderClock& sender) override;
     ScanStream& stream() override { return stream_; }
     [[nodiscard]] SceneView scene() const override;
-    void edit_scene(SceneEdit edit, EditDone done) override;
+    void edit_scene(SceneEdit edit, EditDone done, std::stop_token withdrawn) override;
     [[nodiscard]] std::optional<sim::TimedPose> model_pose(const std::string& model) const override;
     std::optional<std::string> set_model_pose(const std::string& model,
                                               std::optional<sim::Time> time,

@@ -33,11 +33,12 @@ SceneView Fleet::scene() const {
     return {editor_.file(), world_.scene()};
 }
 
-void Fleet::edit_scene(SceneEdit edit, EditDone done) {
-    editor_.edit(std::move(edit), [this, done = std::move(done)](const EditOutcome& outcome) {
+void Fleet::edit_scene(SceneEdit edit, EditDone done, std::stop_token withdrawn) {
+    auto told = [this, done = std::move(done)](const EditOutcome& outcome) {
         done(outcome);
         if (outcome.result == EditOutcome::Result::done) choose_backends();
-    });
+    };
+    editor_.edit(std::move(edit), std::move(told), std::move(withdrawn));
 }
 
 std::optional<sim::TimedPose> Fleet::pose_now(const sim::PoseTrack* track) const {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -99,8 +100,9 @@ class Api {
 
     [[nodiscard]] virtual SceneView scene() const = 0;
 
-    /// `done` is called when the change is in effect or refused, after those before it.
-    virtual void edit_scene(SceneEdit edit, EditDone done) = 0;
+    /// `done` is called when the change is in effect or refused, after those before it; never where
+    /// it is withdrawn before it has begun.
+    virtual void edit_scene(SceneEdit edit, EditDone done, std::stop_token withdrawn) = 0;
 
     /// As of robots; nothing: no such movable model.
     [[nodiscard]] virtual std::optional<sim::TimedPose> model_pose(

@@ -2,11 +2,13 @@
 // Copyright The scipd authors
 #include "daemon/control/http_connection.h"
 
+#include <chrono>
 #include <exception>
 #include <utility>
 
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
+#include <poll.h>
 
 #include "daemon/control/problem.h"
 #include "daemon/control/web_socket_connection.h"
@@ -22,6 +24,15 @@ using boost::system::error_code;
 /// How long a client may take to read what it was refused with.
 constexpr std::chrono::seconds linger{2};
 
+/// How soon it is noticed that a client who waits has hung up.
+constexpr std::chrono::milliseconds glance_period{100};
+
+/// Whether nothing comes from there any more.
+bool has_ended(int socket) {
+    pollfd state{socket, POLLRDHUP, 0};
+    return ::poll(&state, 1, 0) == 1;
+}
+
 HttpRequest to_plain(const http::request<http::string_body>& request) {
     const std::string target{request.target().data(), request.target().size()};
     const auto mark = target.find('?');
@@ -31,7 +42,8 @@ HttpRequest to_plain(const http::request<http::string_body>& request) {
     return {.method = is_head ? "GET" : method,
             .path = target.substr(0, mark),
             .query = mark == target.npos ? "" : target.substr(mark + 1),
-            .body = request.body()};
+            .body = request.body(),
+            .withdrawn = {}};
 }
 
 http::response<http::string_body> to_beast(HttpResponse plain, bool keep_alive) {
@@ -70,7 +82,7 @@ std::optional<HttpResponse> unreadable(const error_code& error, const HttpLimits
 template <class Protocol>
 HttpConnection<Protocol>::HttpConnection(typename Protocol::socket socket,
                                          std::shared_ptr<HttpService> service)
-    : service_(std::move(service)), stream_(std::move(socket)) {
+    : service_(std::move(service)), stream_(std::move(socket)), glance_(stream_.get_executor()) {
     service_->clients.insert(this);
 }
 
@@ -126,11 +138,28 @@ void HttpConnection<Protocol>::answer() {
                           with_body](HttpResponse response) {
         if (!self->service_->closed) self->write(std::move(response), keep_alive, with_body);
     };
+    answered_ = false;
+    hung_up_ = {};
+    HttpRequest plain = to_plain(request);
+    plain.withdrawn = hung_up_.get_token();
     try {
-        service_->handler(to_plain(request), respond);
+        service_->handler(plain, respond);
     } catch (const std::exception& error) {
         respond(problem(500, error.what()));
     }
+    if (!answered_) watch();
+}
+
+/// Not by reading: what a client has sent meanwhile would hide that it has ended.
+template <class Protocol>
+void HttpConnection<Protocol>::watch() {
+    glance_.expires_after(glance_period);
+    glance_.async_wait([weak = this->weak_from_this()](const Error& error) {
+        const auto self = weak.lock();
+        if (error || !self || self->answered_ || self->service_->closed) return;
+        if (!has_ended(self->stream_.socket().native_handle())) return self->watch();
+        self->hung_up_.request_stop();
+    });
 }
 
 template <class Protocol>
@@ -152,6 +181,8 @@ void HttpConnection<Protocol>::refuse(const Error& error) {
 
 template <class Protocol>
 void HttpConnection<Protocol>::write(HttpResponse plain, bool keep_alive, bool with_body) {
+    answered_ = true;
+    glance_.cancel();
     response_ = to_beast(std::move(plain), keep_alive);
     if (!with_body) response_.body().clear();
     http::async_write(

@@ -10,8 +10,10 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <stop_token>
 #include <string>
 
+#include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/basic_stream.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http.hpp>
@@ -53,6 +55,7 @@ class HttpConnection : public HttpClient,
     void allow_body();
     void read_body();
     void answer();
+    void watch();
     void upgrade();
     void refuse(const Error& error);
     void write(HttpResponse plain, bool keep_alive, bool with_body = true);
@@ -63,6 +66,9 @@ class HttpConnection : public HttpClient,
     boost::beast::basic_stream<Protocol> stream_;
     boost::beast::flat_buffer buffer_;
     std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
+    bool answered_ = false;
+    std::stop_source hung_up_;
+    boost::asio::steady_timer glance_;  ///< at whether it has
     boost::beast::http::response<boost::beast::http::empty_body> go_on_;
     boost::beast::http::response<boost::beast::http::string_body> response_;
 };

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <stop_token>
 #include <string>
 
 namespace scipd::daemon {
@@ -14,6 +15,8 @@ struct HttpRequest {
     std::string path;    ///< as it was sent, without the query: "/robots/rescue/pose"
     std::string query;   ///< what followed the question mark, as it was sent
     std::string body;
+    /// The client has hung up and waits for no answer any more. Requested on the I/O thread.
+    std::stop_token withdrawn = {};
 };
 
 struct HttpResponse {

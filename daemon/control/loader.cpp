@@ -13,10 +13,15 @@ Loader::~Loader() {
     thread_.join();
 }
 
-void Loader::add(Begin begin) {
+void Loader::add(Begin begin, std::stop_token withdrawn) {
     if (*here_ == nullptr) return;
-    waiting_.push_back(std::move(begin));
+    forget_withdrawn();
+    waiting_.push_back({std::move(begin), std::move(withdrawn)});
     if (!busy_) next();
+}
+
+void Loader::forget_withdrawn() {
+    std::erase_if(waiting_, [](const Waiting& one) { return one.withdrawn.stop_requested(); });
 }
 
 void Loader::discard(std::shared_ptr<void> what) {
@@ -30,9 +35,10 @@ void Loader::stop() {
 }
 
 void Loader::next() {
+    forget_withdrawn();
     busy_ = !waiting_.empty();
     if (!busy_) return;
-    const Begin begin = std::move(waiting_.front());
+    const Begin begin = std::move(waiting_.front().begin);
     waiting_.pop_front();
     boost::asio::post(thread_, [io = io_, here = here_, work = begin()] {
         boost::asio::post(io, [here, finish = work()] {

@@ -31,7 +31,8 @@ class Loader {
     Loader(const Loader&) = delete;
     Loader& operator=(const Loader&) = delete;
 
-    void add(Begin begin);
+    /// Leaves the queue where it is withdrawn, on the I/O thread, before it has begun.
+    void add(Begin begin, std::stop_token withdrawn = {});
     /// What is large takes long to destroy, too.
     void discard(std::shared_ptr<void> what);
     /// Nothing is begun or taken up any more.
@@ -40,10 +41,16 @@ class Loader {
     [[nodiscard]] std::stop_token stopping() const { return stopping_.get_token(); }
 
   private:
+    struct Waiting {
+        Begin begin;
+        std::stop_token withdrawn;
+    };
+
+    void forget_withdrawn();
     void next();
 
     boost::asio::any_io_executor io_;
-    std::deque<Begin> waiting_;
+    std::deque<Waiting> waiting_;
     bool busy_ = false;
     std::stop_source stopping_;
     /// Null once stopped; what was posted to the I/O thread may come after this.

@@ -3,9 +3,9 @@
 #include "daemon/control/scan_stream.h"
 
 #include <algorithm>
-#include <deque>
-#include <unordered_map>
 #include <utility>
+
+#include <malloc.h>
 
 #include "daemon/control/documents.h"
 #include "daemon/control/reading.h"
@@ -13,13 +13,8 @@
 namespace scipd::daemon {
 namespace {
 
-/// Of one sensor: a third of a second of a UST-10LX. Others do not count: many of them measure at
-/// the same instant.
-constexpr std::size_t most_queued = 16;
-
-/// Of all sensors together; beyond, each may have one message queued, however many and large they
-/// are, so that none is heard at the cost of another.
-constexpr std::size_t most_queued_bytes = std::size_t{64} << 20U;
+/// That less is given back to the system is not worth its while.
+constexpr std::size_t much = std::size_t{8} << 20U;
 
 /// The pose is that of the beam in the middle.
 Json document_of(const std::string& sensor, const ScanRecord& record) {
@@ -39,70 +34,66 @@ Json document_of(const std::string& sensor, const ScanRecord& record) {
 
 }  // namespace
 
-/// One client.
+/// One client. Has one message at a time on its way.
 class ScanStream::Subscriber : public Conversation {
   public:
     Subscriber(ScanStream& stream, std::string sensor, WebSocket& socket)
-        : stream_(stream), sensor_(std::move(sensor)), socket_(socket) {
+        : stream_(stream),
+          sensor_(std::move(sensor)),
+          socket_(socket),
+          next_(stream.backlog_.end()) {
         stream_.subscribers_.push_back(this);
         stream_.follow_all();
     }
     ~Subscriber() override {
         std::erase(stream_.subscribers_, this);
         stream_.follow_all();
+        const std::size_t before = stream_.backlog_.bytes();
+        stream_.forget_what_all_have();
+        // The allocator would keep it.
+        if (before - stream_.backlog_.bytes() > much) malloc_trim(0);
     }
 
     /// Nobody has anything to say here.
     std::size_t take(std::string_view rest) override { return rest.size(); }
 
+    void left() override {
+        on_its_way_ = false;
+        go_on();
+    }
+
+    void go_on() {
+        if (on_its_way_) return;
+        const Backlog::Message* message = stream_.backlog_.from(next_);
+        while (message != nullptr && !wants(message->source->name))
+            message = stream_.backlog_.from(++next_);
+        if (message == nullptr) return;
+        ++next_;
+        on_its_way_ = true;
+        socket_.send(message->text);
+    }
+
     [[nodiscard]] bool wants(const std::string& sensor) const {
         return sensor_.empty() || sensor_ == sensor;
     }
-
-    [[nodiscard]] bool has_room_for(const Tap& tap) {
-        forget_what_has_left();
-        const auto queued = queued_of_.find(&tap);
-        if (queued == queued_of_.end()) return true;
-        return queued->second < most_queued && queued_bytes_ < most_queued_bytes;
-    }
-    void send(const Tap& tap, const std::shared_ptr<const std::string>& message) {
-        queued_.push_back({&tap, message->size()});
-        queued_bytes_ += message->size();
-        ++queued_of_[&tap];
-        socket_.send(message);
-    }
+    /// The first message that it has not been sent.
+    [[nodiscard]] Backlog::Number next() const { return next_; }
 
   private:
-    /// The tap is a name only: it may be gone.
-    struct Queued {
-        const Tap* tap;
-        std::size_t bytes;
-    };
-
-    /// Messages leave in the order in which they were sent, and only the stream sends any.
-    void forget_what_has_left() {
-        while (queued_.size() > socket_.queued()) {
-            const Queued& left = queued_.front();
-            queued_bytes_ -= left.bytes;
-            const auto of_tap = queued_of_.find(left.tap);
-            if (--of_tap->second == 0) queued_of_.erase(of_tap);
-            queued_.pop_front();
-        }
-    }
-
     ScanStream& stream_;
     std::string sensor_;
     WebSocket& socket_;
-    std::deque<Queued> queued_;
-    std::size_t queued_bytes_ = 0;
-    std::unordered_map<const Tap*, std::size_t> queued_of_;
+    Backlog::Number next_;
+    bool on_its_way_ = false;
 };
 
 ScanStream::Tap::Tap(ScanStream& stream, std::string sensor, Device& device)
-    : stream_(stream), sensor_(std::move(sensor)), watch_([this, &device](bool wanted) {
+    : stream_(stream),
+      source_(std::make_shared<Backlog::Source>(Backlog::Source{.name = std::move(sensor)})),
+      watch_([this, &device](bool wanted) {
           if (!wanted) return device.watch(nullptr);
           device.watch([this](const ScanRecord& record) {
-              stream_.send(*this, [&] { return text_of(document_of(sensor_, record)); });
+              stream_.send(*this, text_of(document_of(source_->name, record)));
           });
       }) {
     stream_.taps_.push_back(this);
@@ -110,10 +101,12 @@ ScanStream::Tap::Tap(ScanStream& stream, std::string sensor, Device& device)
 }
 
 ScanStream::Tap::Tap(ScanStream& stream, std::string name, StaringSensor& sensor)
-    : stream_(stream), sensor_(std::move(name)), watch_([this, &sensor](bool wanted) {
+    : stream_(stream),
+      source_(std::make_shared<Backlog::Source>(Backlog::Source{.name = std::move(name)})),
+      watch_([this, &sensor](bool wanted) {
           if (!wanted) return sensor.watch(nullptr);
           sensor.watch([this](const StaringRecord& record) {
-              stream_.send(*this, [&] { return reading_text(sensor_, record); });
+              stream_.send(*this, reading_text(source_->name, record));
           });
       }) {
     stream_.taps_.push_back(this);
@@ -125,13 +118,18 @@ ScanStream::Tap::~Tap() {
     watch_(false);
 }
 
+ScanStream::ScanStream()
+    : backlog_([this](Backlog::Number number, const Backlog::Message& message) {
+          count_lost(number, message);
+      }) {}
+
 std::unique_ptr<Conversation> ScanStream::subscribe(const std::string& sensor, WebSocket& socket) {
     return std::make_unique<Subscriber>(*this, sensor, socket);
 }
 
 void ScanStream::follow(Tap& tap) {
     tap.watch_(std::ranges::any_of(
-        subscribers_, [&](const Subscriber* client) { return client->wants(tap.sensor_); }));
+        subscribers_, [&](const Subscriber* client) { return client->wants(tap.source_->name); }));
 }
 
 void ScanStream::follow_all() {
@@ -139,17 +137,27 @@ void ScanStream::follow_all() {
         follow(*tap);
 }
 
-void ScanStream::send(Tap& tap, const std::function<std::string()>& tell) {
-    std::shared_ptr<const std::string> message;
-    for (Subscriber* client : subscribers_) {
-        if (!client->wants(tap.sensor_)) continue;
-        if (!client->has_room_for(tap)) {
-            ++tap.lost_;
-            continue;
-        }
-        if (!message) message = std::make_shared<const std::string>(tell());
-        client->send(tap, message);
-    }
+// A sensor is watched as long as somebody wants its scans.
+void ScanStream::send(const Tap& tap, std::string message) {
+    backlog_.add(tap.source_, std::move(message));
+    for (Subscriber* client : subscribers_)
+        client->go_on();
+    forget_what_all_have();
+}
+
+void ScanStream::count_lost(Backlog::Number number, const Backlog::Message& message) {
+    Backlog::Source& source = *message.source;
+    source.lost += static_cast<std::uint64_t>(
+        std::ranges::count_if(subscribers_, [&](const Subscriber* client) {
+            return client->next() <= number && client->wants(source.name);
+        }));
+}
+
+void ScanStream::forget_what_all_have() {
+    Backlog::Number first = backlog_.end();
+    for (const Subscriber* client : subscribers_)
+        first = std::min(first, client->next());
+    backlog_.forget_before(first);
 }
 
 }  // namespace scipd::daemon

@@ -2,9 +2,9 @@
 // Copyright The scipd authors
 //
 // The WebSocket /stream: every scan of all sensors, or of one, as it is measured, to whoever
-// subscribes; while somebody does, scans are cast, whether a driver wants them or not. A client
-// that is too slow loses whole messages, of all sensors alike, which are counted. Lives on the I/O
-// thread.
+// subscribes; while somebody does, scans are cast, whether a driver wants them or not. A message is
+// made once for all clients. One that is too slow loses whole messages, of all sensors alike, which
+// are counted. Lives on the I/O thread.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "daemon/control/backlog.h"
 #include "daemon/control/web_socket.h"
 #include "daemon/device/device.h"
 #include "daemon/device/staring_sensor.h"
@@ -31,18 +32,17 @@ class ScanStream {
         ~Tap();
 
         /// Messages that a subscriber was too slow for.
-        [[nodiscard]] std::uint64_t lost() const { return lost_; }
+        [[nodiscard]] std::uint64_t lost() const { return source_->lost; }
 
       private:
         friend class ScanStream;
 
         ScanStream& stream_;
-        std::string sensor_;
+        std::shared_ptr<Backlog::Source> source_;
         std::function<void(bool wanted)> watch_;
-        std::uint64_t lost_ = 0;
     };
 
-    ScanStream() = default;
+    ScanStream();
     ScanStream(const ScanStream&) = delete;
     ScanStream& operator=(const ScanStream&) = delete;
 
@@ -55,9 +55,11 @@ class ScanStream {
     /// Its sensor casts as long as somebody looks.
     void follow(Tap& tap);
     void follow_all();
-    /// `tell` makes the message, if there is anybody to send it to.
-    void send(Tap& tap, const std::function<std::string()>& tell);
+    void send(const Tap& tap, std::string message);
+    void count_lost(Backlog::Number number, const Backlog::Message& message);
+    void forget_what_all_have();
 
+    Backlog backlog_;
     std::vector<Tap*> taps_;
     std::vector<Subscriber*> subscribers_;
 };

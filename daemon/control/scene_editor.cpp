@@ -101,8 +101,8 @@ Edited edited(const RemoveModel& edit, const Present& present) {
 
 }  // namespace
 
-void SceneEditor::edit(SceneEdit edit, EditDone done) {
-    loader_.add([this, edit = std::move(edit), done = std::move(done)]() -> Loader::Work {
+void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn) {
+    auto begin = [this, edit = std::move(edit), done = std::move(done)]() -> Loader::Work {
         return [this, edit, done, present = Present{file_, world_.scene(), options_},
                 wishes = wishes_()]() mutable -> Loader::Finish {
             // Whoever waits lives on the I/O thread and goes back there whole: of a copy that stays
@@ -136,7 +136,8 @@ void SceneEditor::edit(SceneEdit edit, EditDone done) {
                 return refused(Result::faulty, {error.what()});
             }
         };
-    });
+    };
+    loader_.add(std::move(begin), std::move(withdrawn));
 }
 
 void SceneEditor::take_up(Next& next) {

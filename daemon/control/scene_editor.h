@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -34,8 +35,9 @@ class SceneEditor {
     }
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
-    /// After all that was asked for before; `done` is called when it is in effect or refused.
-    void edit(SceneEdit edit, EditDone done);
+    /// After all that was asked for before; `done` is called when it is in effect or refused, and
+    /// never where it is withdrawn before it has begun.
+    void edit(SceneEdit edit, EditDone done, std::stop_token withdrawn = {});
 
   private:
     struct Next;

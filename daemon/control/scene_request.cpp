@@ -6,11 +6,12 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
+#include "sim/loaders/quote.h"
+#include "sim/loaders/small_json.h"
 #include "sim/loaders/trajectory.h"
 
 namespace scipd::daemon {
@@ -24,14 +25,20 @@ constexpr std::array<std::string_view, 7> model_keys{"name",     "sdf",  "mesh",
 
 /// Of an object with no other keys than these. Throws BodyFault, as all below do.
 Json object_in(const std::string& body, std::span<const std::string_view> keys) {
-    Json object = Json::parse(body, nullptr, false);
+    Json object;
+    try {
+        object = sim::parse_small_json(body);
+    } catch (const std::runtime_error& error) {
+        throw BodyFault{std::string("the body must be a JSON object: ") + error.what(), {}};
+    }
     if (!object.is_object()) throw BodyFault{"the body must be a JSON object", {}};
     for (const auto& [key, value] : object.items()) {
         if (std::ranges::find(keys, key) != keys.end()) continue;
         std::string known;
         for (const auto name : keys)
             known += (known.empty() ? "" : ", ") + std::string(name);
-        throw BodyFault{"the key '" + key + "' is unknown; there are " + known, key};
+        throw BodyFault{"the key " + sim::quote(key) + " is unknown; there are " + known,
+                        sim::printable(key, 64)};
     }
     return object;
 }
@@ -57,11 +64,6 @@ std::optional<sim::Pose> pose_at(const Json& object) {
     for (const char* key : {"robot", "model", "t", "v", "w"}) {
         if (value.contains(key)) throw BodyFault{"pose: has no " + std::string(key), "pose"};
     }
-    // Deep ones are not worth a stack.
-    const bool flat = std::ranges::all_of(value, [](const Json& part) {
-        return !part.is_object() && std::ranges::none_of(part, &Json::is_structured);
-    });
-    if (!flat) throw BodyFault{"pose: must hold lists of numbers", "pose"};
     const std::string line = value.dump(-1, ' ', false, Json::error_handler_t::replace);
     const auto parsed = sim::parse_pose_line(line);
     if (const auto* why = std::get_if<std::string>(&parsed)) {

@@ -71,15 +71,16 @@ std::string lines_of(const std::vector<std::string>& messages) {
 /// Responds when the edit is in effect or refused. `field`: what of the request was at fault if
 /// something cannot be loaded.
 void edit(const Call& call, SceneEdit wanted, int status, std::string field) {
-    call.api.edit_scene(std::move(wanted), [respond = call.respond, status,
-                                            field = std::move(field)](const EditOutcome& outcome) {
+    auto done = [respond = call.respond, status,
+                 field = std::move(field)](const EditOutcome& outcome) {
         if (outcome.result == EditOutcome::Result::done) {
             return respond(status == 204 ? no_content()
                                          : ok({{"warnings", outcome.messages}}, status));
         }
         const bool named = outcome.result == EditOutcome::Result::faulty;
         respond(problem(status_of(outcome.result), lines_of(outcome.messages), named ? field : ""));
-    });
+    };
+    call.api.edit_scene(std::move(wanted), std::move(done), call.request.withdrawn);
 }
 
 HttpResponse no_model(const std::string& name) {

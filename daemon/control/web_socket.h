@@ -22,8 +22,6 @@ class WebSocket {
     virtual ~WebSocket() = default;
     /// After what is queued already. One text can be sent to many.
     virtual void send(std::shared_ptr<const std::string> message) = 0;
-    /// Messages that have not left yet.
-    [[nodiscard]] virtual std::size_t queued() const = 0;
 };
 
 /// One talk over one connection; ends, with its destruction, before the connection does.
@@ -34,6 +32,8 @@ class Conversation {
     /// it has taken within a short time, and is called with the others in another turn of the event
     /// loop. Not called while much is queued that the client does not read.
     virtual std::size_t take(std::string_view rest) = 0;
+    /// The oldest message that was sent has left.
+    virtual void left() {}
 };
 
 /// Begins one over a socket that outlives it.

@@ -94,7 +94,9 @@ void WebSocketConnection<Protocol>::written(const Error& error) {
     if (error || service_->closed) return conversation_.reset();
     queue_.pop_front();
     if (!queue_.empty()) write();
-    if (waits_for_room_ && conversation_) read();
+    if (!conversation_) return;
+    conversation_->left();
+    if (waits_for_room_) read();
 }
 
 template <class Protocol>

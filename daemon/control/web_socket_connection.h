@@ -34,7 +34,6 @@ class WebSocketConnection : public HttpClient,
     void open(const Request& request, Converse converse);
 
     void send(std::shared_ptr<const std::string> message) override;
-    [[nodiscard]] std::size_t queued() const override { return queue_.size(); }
     void close() override;
 
   private:

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "sim/loaders/quote.h"
+#include "sim/loaders/small_json.h"
 #include "sim/loaders/trajectory.h"
 #include "sim/loaders/tum_line.h"
 
@@ -125,19 +125,12 @@ Refusal read_velocity(const Json& object, std::optional<Velocity>& velocity) {
     return refusal;
 }
 
-/// The library's own words, without its name and number in brackets.
-Refusal not_json(const Json::exception& error) {
-    const std::string_view text = error.what();
-    const auto bracket = text.find("] ");
-    return "not JSON: " + printable(bracket == text.npos ? text : text.substr(bracket + 2));
-}
-
 std::variant<PoseLine, std::string> parse_json_line(std::string_view line) {
     Json object;
     try {
-        object = Json::parse(line);
-    } catch (const Json::exception& error) {
-        return not_json(error);
+        object = parse_small_json(line);
+    } catch (const std::runtime_error& error) {
+        return error.what();
     }
     PoseLine said;
     auto refusal = check_keys(object);

@@ -76,7 +76,7 @@ class FleetTest : public testing::Test {
 
     EditOutcome after(SceneEdit edit) {
         std::optional<EditOutcome> outcome;
-        fleet_.edit_scene(std::move(edit), [&](const EditOutcome& now) { outcome = now; });
+        fleet_.edit_scene(std::move(edit), [&](const EditOutcome& now) { outcome = now; }, {});
         EXPECT_TRUE(run_until(io_, [&] { return outcome.has_value(); }));
         return outcome.value_or(EditOutcome{});
     }

@@ -4,9 +4,11 @@
 // The HTTP server over real sockets, against clients that behave and clients that do not.
 #include "daemon/control/http_server.h"
 
+#include <chrono>
 #include <future>
 #include <memory>
 #include <stdexcept>
+#include <stop_token>
 #include <thread>
 
 #include <boost/asio/connect.hpp>
@@ -33,8 +35,16 @@ using Local = asio::local::stream_protocol;
 using testing::HasSubstr;
 using testing::StartsWith;
 
+/// Who asked for /never.
+struct Waiting {
+    std::stop_token withdrawn;
+    Respond respond;
+};
+std::vector<Waiting> waiting;
+
 /// Says what it was asked; "/throw" does.
 void echo(const HttpRequest& request, const Respond& respond) {
+    if (request.path == "/never") return waiting.push_back({request.withdrawn, respond});
     if (request.path == "/throw") throw std::runtime_error("a bug");
     HttpResponse response;
     response.content_type = "text/plain";
@@ -132,6 +142,18 @@ class HttpServerTest : public testing::Test {
         asio::read(socket, asio::dynamic_buffer(text), error);
         EXPECT_EQ(error, asio::error::eof);
         return text;
+    }
+
+    /// Looks again and again, on the server's thread.
+    template <class Condition>
+    bool eventually(Condition condition) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+        bool holds = false;
+        while (!holds && std::chrono::steady_clock::now() < end) {
+            on_server([&] { holds = condition(); });
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        return holds;
     }
 
     template <class Socket>
@@ -264,6 +286,32 @@ TEST_F(HttpServerTest, OutlivesClientsThatVanish) {
     }
     EXPECT_THAT(ask(connect(), "GET / HTTP/1.1\r\nHost: x\r\n" + last + "\r\n"),
                 HasSubstr("200 OK"));
+}
+
+TEST_F(HttpServerTest, NoticesThatAClientWhoWaitsHasHungUp) {
+    start();
+    auto stays = connect();
+    auto goes = connect();
+    auto goes_in_a_hurry = connect_local();
+    const std::string request = "GET /never HTTP/1.1\r\nHost: x\r\n\r\n";
+    asio::write(stays, asio::buffer(request));
+    const auto asked = [&](std::size_t clients) {
+        return eventually([&] { return waiting.size() == clients; });
+    };
+    ASSERT_TRUE(asked(1));
+    asio::write(goes, asio::buffer(request + request));  // the second hides that it goes
+    ASSERT_TRUE(asked(2));
+    asio::write(goes_in_a_hurry, asio::buffer(request));
+    ASSERT_TRUE(asked(3));
+    goes.close();
+    goes_in_a_hurry.close();
+    EXPECT_TRUE(eventually([] {
+        return waiting[1].withdrawn.stop_requested() && waiting[2].withdrawn.stop_requested();
+    }));
+    on_server([] {
+        EXPECT_FALSE(waiting[0].withdrawn.stop_requested());
+        waiting.clear();
+    });
 }
 
 // It does not hear the answer to the first message; the others have come already.

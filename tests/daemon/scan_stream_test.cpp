@@ -5,8 +5,12 @@
 // that does not.
 #include "daemon/control/scan_stream.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,44 +27,51 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Holds what it is sent until it is read.
-class Socket : public WebSocket {
+/// One client, that holds what it is sent until it reads.
+class Client : public WebSocket {
   public:
+    explicit Client(ScanStream& stream) : talk_(stream.subscribe("", *this)) {}
+
     void send(std::shared_ptr<const std::string> message) override {
         unread_.push_back(std::move(message));
     }
-    [[nodiscard]] std::size_t queued() const override { return unread_.size(); }
 
-    [[nodiscard]] std::size_t bytes() const {
-        std::size_t bytes = 0;
-        for (const auto& message : unread_)
-            bytes += message->size();
-        return bytes;
+    /// All that there is.
+    std::vector<std::shared_ptr<const std::string>> take_all() {
+        std::vector<std::shared_ptr<const std::string>> all;
+        while (!unread_.empty()) {
+            all.push_back(std::move(unread_.front()));
+            unread_.pop_front();
+            talk_->left();
+        }
+        return all;
     }
-    /// How many messages there were of each sensor.
-    std::map<std::string, int> read() {
-        std::map<std::string, int> heard;
-        for (const auto& message : unread_)
+    /// The same: how many messages of each sensor.
+    std::map<std::string, std::uint64_t> read() {
+        std::map<std::string, std::uint64_t> heard;
+        for (const auto& message : take_all())
             ++heard[nlohmann::json::parse(*message).at("sensor").get<std::string>()];
-        unread_.clear();
         return heard;
     }
 
   private:
-    std::vector<std::shared_ptr<const std::string>> unread_;
+    std::deque<std::shared_ptr<const std::string>> unread_;
+    std::unique_ptr<Conversation> talk_;
 };
 
 class ScanStreamTest : public testing::Test {
   protected:
     struct Camera {
+        std::string name;
         StaringSensor sensor;
         ScanLoop loop;
         ScanStream::Tap tap;
 
         Camera(const SensorConfig& config, World& world, Clock& clock, ScanStream& stream)
-            : sensor("robot", config, 1, world, clock),
+            : name("robot/" + config.name),
+              sensor("robot", config, 1, world, clock),
               loop(sensor, clock),
-              tap(stream, "robot/" + config.name, sensor) {}
+              tap(stream, name, sensor) {}
     };
 
     /// Cameras that all measure every 40 ms.
@@ -82,18 +93,17 @@ class ScanStreamTest : public testing::Test {
     World world_ = wall_world();
     ScanStream stream_;
     std::vector<std::unique_ptr<Camera>> cameras_;
-    Socket socket_;
 };
 
 TEST_F(ScanStreamTest, IsHeardOfHoweverManyMeasureAtOneInstant) {
     add(40, 1);
-    const auto talk = stream_.subscribe("", socket_);
+    Client client(stream_);
     for (int round = 0; round < 3; ++round) {
         instants(2);
-        const auto heard = socket_.read();
+        const auto heard = client.read();
         ASSERT_EQ(heard.size(), 40U);
         for (const auto& [sensor, messages] : heard)
-            EXPECT_EQ(messages, 2) << sensor;
+            EXPECT_EQ(messages, 2U) << sensor;
     }
     for (const auto& camera : cameras_)
         EXPECT_EQ(camera->tap.lost(), 0U);
@@ -101,33 +111,74 @@ TEST_F(ScanStreamTest, IsHeardOfHoweverManyMeasureAtOneInstant) {
 
 TEST_F(ScanStreamTest, LosesOfAllAlikeForOneWhoDoesNotRead) {
     add(20, 1);
-    Socket quick;
-    const auto slow_talk = stream_.subscribe("", socket_);
-    const auto quick_talk = stream_.subscribe("", quick);
+    Client slow(stream_);
+    Client quick(stream_);
     for (int i = 0; i < 50; ++i) {
         instants(1);
         EXPECT_EQ(quick.read().size(), 20U);
     }
-    for (const auto& camera : cameras_)
-        EXPECT_EQ(camera->tap.lost(), 50U - 16U);
-    for (const auto& [sensor, messages] : socket_.read())
-        EXPECT_EQ(messages, 16) << sensor;
+    const auto heard = slow.read();
+    ASSERT_EQ(heard.size(), 20U);
+    for (const auto& camera : cameras_) {
+        const std::uint64_t messages = heard.at(camera->name);
+        EXPECT_EQ(messages + camera->tap.lost(), 50U) << camera->name;
+        EXPECT_GE(messages, 16U) << camera->name;
+        EXPECT_LE(messages, 17U) << camera->name << ": with one that was on its way";
+    }
     instants(16);
-    EXPECT_EQ(socket_.read().size(), 20U) << "there is room again";
-    EXPECT_EQ(cameras_[0]->tap.lost(), 50U - 16U);
+    for (const auto& [sensor, messages] : slow.read())
+        EXPECT_EQ(messages, 16U) << sensor << ": there is room again";
 }
 
-// Sixteen of each would be 150 MB.
-TEST_F(ScanStreamTest, QueuesNoMoreThanItsBoundOfLargePictures) {
-    add(6, 200'000);
-    const auto talk = stream_.subscribe("", socket_);
-    instants(1);
-    const std::size_t one_of_each = socket_.bytes();
-    ASSERT_GT(one_of_each, std::size_t{4'000'000});
+TEST_F(ScanStreamTest, AnswersThoseWhoWantOneSensorWithThatOne) {
+    add(3, 1);
+    struct Reader : WebSocket {
+        void send(std::shared_ptr<const std::string> message) override {
+            sensors.push_back(nlohmann::json::parse(*message).at("sensor"));
+        }
+        std::vector<std::string> sensors;
+    } reader;
+    const auto talk = stream_.subscribe("robot/c1", reader);
+    for (std::size_t scan = 1; scan <= 3; ++scan) {
+        instants(1);
+        EXPECT_EQ(reader.sensors, std::vector<std::string>(scan, "robot/c1"));
+        talk->left();
+    }
+    EXPECT_EQ(cameras_[1]->tap.lost(), 0U);
+    Client all(stream_);
+    talk->left();
+    // Camera 1 measures first, since it was watched already: one of its messages is on the way to
+    // both.
     instants(20);
-    EXPECT_LT(socket_.bytes(), (std::size_t{64} << 20U) + one_of_each);
-    const auto heard = socket_.read();
-    ASSERT_EQ(heard.size(), 6U);
+    EXPECT_EQ(cameras_[0]->tap.lost(), 20U - 16U);
+    EXPECT_EQ(cameras_[1]->tap.lost(), 2 * (20U - 1U - 16U));
+    EXPECT_EQ(cameras_[2]->tap.lost(), 20U - 16U);
+}
+
+// Nine megabytes an instant, and the clients begin at different ones.
+TEST_F(ScanStreamTest, KeepsNoMoreThanItsBoundOfLargePicturesForAllClients) {
+    add(6, 200'000);
+    std::vector<std::unique_ptr<Client>> clients;
+    for (int i = 0; i < 4; ++i) {
+        clients.push_back(std::make_unique<Client>(stream_));
+        instants(4);
+    }
+    std::set<std::shared_ptr<const std::string>> kept;
+    for (const auto& client : clients) {
+        for (const auto& message : client->take_all())
+            kept.insert(message);
+    }
+    std::size_t bytes = 0;
+    std::map<std::string, int> heard;
+    for (const auto& message : kept) {
+        bytes += message->size();
+        ++heard[message->substr(0, message->find(','))];  // {"sensor":"robot/c0"
+    }
+    const std::size_t one = (*kept.begin())->size();
+    ASSERT_GT(one, 1'000'000U);
+    // Besides, one is on its way to each client.
+    EXPECT_LT(bytes, (std::size_t{64} << 20U) + (clients.size() + 1) * one * 11 / 10);
+    EXPECT_EQ(heard.size(), 6U);
     for (const auto& [sensor, messages] : heard)
         EXPECT_GE(messages, 2) << sensor;
 }

@@ -4,6 +4,7 @@
 
 #include <future>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,6 +47,33 @@ TEST(SceneEditor, LeavesNothingOfThoseWhoAreAnsweredToTheLoader) {
         EXPECT_TRUE(still_there.expired()) << model;
         opens.set_value();
     }
+}
+
+TEST(SceneEditor, ForgetsWhatIsWithdrawnBeforeItHasBegun) {
+    boost::asio::io_context io;
+    World world = wall_world();
+    Loader loader(io.get_executor());
+    SceneEditor editor(world, loader, [] { return std::vector<BackendWish>{}; });
+    std::string answered;
+    const auto says = [&](const std::string& word) {
+        return [&answered, word](const EditOutcome&) { answered += word; };
+    };
+    std::stop_source first_goes;
+    std::stop_source second_goes;
+    auto somebody = std::make_shared<int>();
+    const std::weak_ptr<int> still_there = somebody;
+    editor.edit(RemoveModel{"nobody"}, says("first "), first_goes.get_token());
+    editor.edit(
+        RemoveModel{"model 1"},
+        [&answered, asks = std::move(somebody)](const EditOutcome&) { answered += "second "; },
+        second_goes.get_token());
+    first_goes.request_stop();  // it has begun
+    second_goes.request_stop();
+    editor.edit(RemoveModel{"nobody"}, says("third"));
+    EXPECT_TRUE(still_there.expired()) << "a connection, which would stay open";
+    EXPECT_TRUE(run_until(io, [&] { return answered.ends_with("third"); }));
+    EXPECT_EQ(answered, "first third");
+    EXPECT_NE(world.model("model 1"), nullptr);
 }
 
 }  // namespace

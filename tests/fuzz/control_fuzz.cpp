@@ -10,6 +10,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include <boost/asio/buffer.hpp>
@@ -71,7 +72,7 @@ class AnyName : public tests::EmptyApi {
         require_sane(pose);
         return {};
     }
-    void edit_scene(daemon::SceneEdit edit, daemon::EditDone done) override {
+    void edit_scene(daemon::SceneEdit edit, daemon::EditDone done, std::stop_token) override {
         if (const auto* model = std::get_if<daemon::AddModel>(&edit)) {
             require(!model->placement.name.empty(), "a model has a name");
             require(model->sdf.empty() != model->mesh.empty(), "a text or a mesh");

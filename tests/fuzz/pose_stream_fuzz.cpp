@@ -64,7 +64,6 @@ class Client : public daemon::WebSocket {
         require(refused > 0, "and how many");
         told_ += refused;
     }
-    [[nodiscard]] std::size_t queued() const override { return 0; }
     [[nodiscard]] std::uint64_t told() const { return told_; }
 
   private:

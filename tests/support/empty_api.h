@@ -33,7 +33,9 @@ class EmptyApi : public daemon::Api {
     }
     daemon::ScanStream& stream() override { return stream_; }
     [[nodiscard]] daemon::SceneView scene() const override { return {"empty.sdf", scene_}; }
-    void edit_scene(daemon::SceneEdit, daemon::EditDone done) override { done({}); }
+    void edit_scene(daemon::SceneEdit, daemon::EditDone done, std::stop_token) override {
+        done({});
+    }
     [[nodiscard]] std::optional<sim::TimedPose> model_pose(const std::string&) const override {
         return {};
     }

@@ -100,7 +100,7 @@ std::vector<daemon::SceneEdit> ControlStandIn::edits() const {
     return edits_;
 }
 
-void ControlStandIn::edit_scene(daemon::SceneEdit edit, daemon::EditDone done) {
+void ControlStandIn::edit_scene(daemon::SceneEdit edit, daemon::EditDone done, std::stop_token) {
     using Result = daemon::EditOutcome::Result;
     const auto* const added = std::get_if<daemon::AddModel>(&edit);
     const auto* const removed = std::get_if<daemon::RemoveModel>(&edit);

@@ -50,7 +50,7 @@ class ControlStandIn : EmptyApi {
                                               const sim::Pose& world_from_robot) override;
     [[nodiscard]] const daemon::ScanLog* scans(const std::string& sensor) const override;
     [[nodiscard]] daemon::SceneView scene() const override { return {"maze.sdf", scene_}; }
-    void edit_scene(daemon::SceneEdit edit, daemon::EditDone done) override;
+    void edit_scene(daemon::SceneEdit edit, daemon::EditDone done, std::stop_token) override;
     [[nodiscard]] std::optional<sim::TimedPose> model_pose(const std::string& model) const override;
     std::optional<std::string> set_model_pose(const std::string& model,
                                               std::optional<sim::Time> time,
