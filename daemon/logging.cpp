@@ -6,11 +6,14 @@
 #include <memory>
 #include <semaphore>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include <spdlog/async.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+
+#include "sim/loaders/quote.h"
 
 namespace scipd::daemon {
 namespace {
@@ -18,6 +21,15 @@ namespace {
 using Thread = spdlog::details::thread_pool;
 
 constexpr std::chrono::seconds patience{1};
+
+/// What somebody else has written can neither do harm there nor pass for a line of the log.
+std::string fit_for_terminals(spdlog::string_view_t payload) {
+    std::string text = sim::shown({payload.data(), payload.size()});
+    constexpr std::string_view indent = "    ";
+    for (auto end = text.find('\n'); end != text.npos; end = text.find('\n', end + 1))
+        text.insert(end + 1, indent);
+    return text;
+}
 
 /// Standard error; on the thread that writes. Never made unblocking: other programs share it.
 class Sink : public spdlog::sinks::ansicolor_stderr_sink_mt {
@@ -28,7 +40,10 @@ class Sink : public spdlog::sinks::ansicolor_stderr_sink_mt {
 
     void log(const spdlog::details::log_msg& line) override {
         tell_what_was_lost();
-        Base::log(line);
+        const std::string text = fit_for_terminals(line.payload);
+        spdlog::details::log_msg fit = line;
+        fit.payload = text;
+        Base::log(fit);
     }
 
     void flush() override {

@@ -18,6 +18,7 @@
 #include "daemon/options.h"
 #include "daemon/server.h"
 #include "sim/backends/depth.h"
+#include "sim/loaders/quote.h"
 
 namespace {
 
@@ -36,6 +37,10 @@ void print(const std::string& text, std::FILE* stream = stdout) {
     std::fflush(stream);
 }
 
+void print_error(const std::exception& error) {
+    print(scipd::sim::shown(error.what()) + "\n", stderr);
+}
+
 enum ExitCode { ended_as_asked = 0, failed_while_running = 1, cannot_start = 2 };
 
 int serve(const scipd::daemon::Options& options) {
@@ -44,7 +49,7 @@ int serve(const scipd::daemon::Options& options) {
         server.emplace(options);
     } catch (const std::exception& error) {
         scipd::daemon::finish_logging();
-        print(std::string(error.what()) + "\n", stderr);
+        print_error(error);
         return cannot_start;
     }
     print(server->ready_line() + "\n");
@@ -61,7 +66,7 @@ int run(const scipd::daemon::Options& options) {
     try {
         scipd::daemon::start_logging(options.log_level);
     } catch (const std::exception& error) {
-        print(std::string(error.what()) + "\n", stderr);
+        print_error(error);
         return cannot_start;
     }
     const int exit_code = serve(options);
@@ -79,7 +84,7 @@ int main(int argc, char** argv) {
     scipd::sim::prepare_drivers();
     auto parsed = scipd::daemon::parse_options(argc, argv);
     if (const auto* answer = std::get_if<scipd::daemon::Answer>(&parsed)) {
-        print(answer->text, answer->exit_code == cannot_start ? stderr : stdout);
+        print(scipd::sim::shown(answer->text), answer->exit_code == cannot_start ? stderr : stdout);
         return answer->exit_code;
     }
     return run(std::get<scipd::daemon::Options>(std::move(parsed)));

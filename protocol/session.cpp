@@ -164,11 +164,8 @@ void Session::answer_scip1(const std::string& line, Uptime now) {
 }
 
 void Session::answer(const Request& request, Uptime arrived, Uptime now) {
-    if (const auto status = refusal(request, now)) {
-        reply(request, *status);
-    } else {
-        carry_out(request, arrived, now);
-    }
+    if (const auto status = refusal(request, now)) return reply(request, *status);
+    carry_out(request, arrived, now);
 }
 
 std::optional<Status> Session::refusal(const Request& request, Uptime now) const {

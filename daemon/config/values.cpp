@@ -13,6 +13,7 @@
 #include "daemon/config/numbers.h"
 #include "daemon/models/registry.h"
 #include "sim/backends/registry.h"
+#include "sim/loaders/name.h"
 #include "sim/loaders/plain_file.h"
 #include "sim/loaders/quote.h"
 
@@ -23,7 +24,6 @@ namespace fs = std::filesystem;
 
 using sim::quote;
 
-constexpr std::size_t longest_name = 64;
 constexpr int most_poses_per_sweep = 100'000;
 
 [[noreturn]] void refuse(const std::string& sentence) {
@@ -65,7 +65,7 @@ fs::path absolute_path(std::string_view text, const fs::path& base) {
 }  // namespace
 
 std::string parse_name(std::string_view text) {
-    const bool legal = !text.empty() && text.size() <= longest_name && text.front() != '.' &&
+    const bool legal = !text.empty() && text.size() <= sim::longest_name && text.front() != '.' &&
                        std::all_of(text.begin(), text.end(), is_legal_in_names);
     if (!legal) {
         refuse(quote(text) +

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "sim/loaders/name.h"
 #include "sim/loaders/quote.h"
 #include "sim/loaders/small_json.h"
 #include "sim/loaders/trajectory.h"
@@ -75,6 +76,8 @@ std::optional<sim::Pose> pose_at(const Json& object) {
 AddModel model_in(const Json& object) {
     AddModel edit;
     edit.placement = {required_text(object, "name"), pose_at(object)};
+    const std::string fault = sim::name_fault(edit.placement.name);
+    if (!fault.empty()) throw BodyFault{"name " + fault, "name"};
     edit.sdf = text_at(object, "sdf");
     edit.mesh = text_at(object, "mesh");
     edit.material = text_at(object, "material");

@@ -18,4 +18,12 @@ std::string printable(std::string_view text, std::size_t limit = 160);
 /// The same, short and between single quotes.
 std::string quote(std::string_view text);
 
+/// Lines and all that people write stay; bytes that are no UTF-8, and characters that would move
+/// the cursor, colour what follows or change the order in which it is read, become \xNN. For what
+/// goes to a log or a terminal, whoever has written it.
+std::string shown(std::string_view text);
+
+/// How many bytes of the text, which are so many at most, are whole characters.
+std::size_t whole_characters(std::string_view text, std::size_t most);
+
 }  // namespace scipd::sim

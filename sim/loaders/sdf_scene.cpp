@@ -18,6 +18,7 @@
 
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/mesh_shelf.h"
+#include "sim/loaders/name.h"
 #include "sim/loaders/sdf_shape.h"
 #include "sim/loaders/sdf_surface.h"
 #include "sim/world/reach.h"
@@ -75,6 +76,8 @@ class SceneCollector {
   private:
     void add_world(const sdf::World& world);
     void add_model(const sdf::Model& model);
+    /// Short enough.
+    std::string name_of(const sdf::Model& model);
     void add_parts(const sdf::Model& model, const Place& place, const std::string& name);
     void add_nested(const sdf::Model& model, const Place& outer, const std::string& outer_name);
     void add_link(const sdf::Link& link, const Place& place, const std::string& name);
@@ -135,10 +138,20 @@ void SceneCollector::add_warning(std::string text) {
 }
 
 void SceneCollector::add_model(const sdf::Model& model) {
+    const std::string name = name_of(model);
     const Pose world_from_model =
-        place_of({}, model.SemanticPose(), model.Element(), model.Name()).world_from_here;
-    scene_.models.push_back({model.Name(), !model.Static(), world_from_model});
-    add_parts(model, {ModelId(scene_.models.size() - 1), {}, world_from_model}, model.Name());
+        place_of({}, model.SemanticPose(), model.Element(), name).world_from_here;
+    scene_.models.push_back({name, !model.Static(), world_from_model});
+    add_parts(model, {ModelId(scene_.models.size() - 1), {}, world_from_model}, name);
+}
+
+std::string SceneCollector::name_of(const sdf::Model& model) {
+    std::string name = short_name(model.Name());
+    if (name != model.Name()) {
+        add_warning(read_.place_of(model.Element(), file_) +
+                    ": the name has more than 64 bytes; the model is called " + name);
+    }
+    return name;
 }
 
 void SceneCollector::add_parts(const sdf::Model& model, const Place& place,
@@ -154,7 +167,7 @@ void SceneCollector::add_parts(const sdf::Model& model, const Place& place,
 
 void SceneCollector::add_nested(const sdf::Model& model, const Place& outer,
                                 const std::string& outer_name) {
-    const auto name = outer_name + "::" + model.Name();
+    const auto name = outer_name + "::" + name_of(model);
     Place place = place_of(outer, model.SemanticPose(), model.Element(), name);
     if (!scene_.models[outer.body].movable && says_not_static(model)) {
         scene_.models.push_back({name, true, place.world_from_here});

@@ -103,6 +103,16 @@ TEST(Logging, LosesTheOldestLinesOfWhoeverDoesNotReadAndTellsHowMany) {
     EXPECT_TRUE(finish_logging()) << "somebody has read";
 }
 
+TEST(Logging, ShowsWhatOthersWroteAsOneEntryThatDoesNoHarm) {
+    Pipe pipe;
+    start_logging("info");
+    spdlog::warn("no model \"{}\"", "\x1b[2J\n2026-01-01 00:00:00.000 info all is well\xff");
+    EXPECT_TRUE(finish_logging());
+    EXPECT_THAT(pipe.read_until("\\xff\"\n"),
+                testing::EndsWith(" warning no model \"\\x1b[2J\n"
+                                  "    2026-01-01 00:00:00.000 info all is well\\xff\"\n"));
+}
+
 TEST(Logging, RefusesALevelThatThereIsNot) {
     EXPECT_THROW(start_logging("loud"), std::invalid_argument);
 }

@@ -378,6 +378,12 @@ TEST_F(RoutesTest, AWrongModelNamesItsField) {
         EXPECT_EQ(problem_status(response), 400) << body;
         EXPECT_EQ(document(response)["field"], field) << body;
     }
+    for (const std::string& name : {std::string(65, 'n'), std::string(R"(a\u001b[2J)")}) {
+        const auto response =
+            ask({"POST", "/scene/models", "", R"({"sdf":"x","name":")" + name + "\"}"});
+        EXPECT_EQ(problem_status(response), 400) << name;
+        EXPECT_EQ(document(response)["field"], "name") << name;
+    }
     for (const char* body : {"", "[]", "{", "\xff"}) {
         EXPECT_EQ(problem_status(ask({"POST", "/scene/models", "", body})), 400);
         EXPECT_EQ(problem_status(put("/scene", body)), 400);

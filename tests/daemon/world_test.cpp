@@ -2,6 +2,9 @@
 // Copyright The scipd authors
 #include "daemon/control/world.h"
 
+#include <map>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "sim/backends/fan.h"
@@ -63,6 +66,17 @@ TEST_F(WorldTest, SaysWhyAPoseIsRefused) {
     EXPECT_FALSE(world_.place_robot("robot", {1s, at_x(1)}));
     EXPECT_EQ(world_.place_robot("robot", {1s, at_x(2)}), "t: not later than the pose before it");
     EXPECT_DOUBLE_EQ(robot_x(2s), 1.0);
+}
+
+// Each refused line of a stream is answered with such a sentence.
+TEST_F(WorldTest, NamesSomeOfManyWhereAPoseIsRefused) {
+    std::map<std::string, RobotStart> robots;
+    for (int i = 100; i < 120; ++i)
+        robots[std::to_string(i)] = {at_x(0)};
+    world_.set_robots(robots);
+    EXPECT_EQ(world_.place_only_robot({1s, at_x(1)}),
+              "robot: say which; robots are 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, "
+              "111, 112, 113, 114, 115 and 4 more");
 }
 
 TEST_F(WorldTest, TakesAPoseWithoutANameForTheOnlyRobot) {

@@ -21,11 +21,13 @@ void demand(bool fact) {
     if (!fact) std::abort();
 }
 
-// The rule, word for word: CR and LF end a line, empty ones do not count, what is too long is cut.
+// The rule, word for word: CR and LF end a line, empty ones do not count, what is too long is cut,
+// NUL does not begin a line.
 std::vector<Line> plain_split(std::string_view bytes) {
     std::vector<Line> lines;
     std::string text;
     for (const char c : bytes) {
+        if (c == '\0' && text.empty()) continue;
         if (c != '\n' && c != '\r') {
             text += c;
         } else if (!text.empty()) {

@@ -52,6 +52,22 @@ TEST(Scipctl, HandsTheStatusOnAsItIs) {
     EXPECT_EQ(sensors, status["sensors"]);
 }
 
+TEST(Scipctl, KeepsWhatWouldDoHarmFromTheTerminal) {
+    const std::string name = "evil\x1b[2J\nname\xc2\x9b";
+    const ControlStandIn daemon({name});
+    const Outcome shown = run_scipctl(daemon, {"status"});
+    EXPECT_THAT(shown.out, HasSubstr("evil\\x1b[2J name\\xc2\\x9b/front  UST-10LX"));
+    const Outcome refused = run_scipctl(daemon, {"truth", "no\x1b[2Jbody/x"});
+    EXPECT_NE(refused.exit_code, 0);
+    EXPECT_THAT(refused.err, HasSubstr("no\\x1b[2Jbody"));
+    const Outcome json = run_scipctl(daemon, {"sensors", "--json"});
+    EXPECT_EQ(nlohmann::json::parse(json.out)[0]["name"], name + "/front");
+    for (const std::string& text : {shown.out, refused.err, json.out}) {
+        EXPECT_EQ(text.find('\x1b'), text.npos);
+        EXPECT_EQ(text.find('\x9b'), text.npos);
+    }
+}
+
 TEST(Scipctl, SetsAndGetsAPose) {
     const ControlStandIn daemon({"rescue"});
     Outcome outcome = run_scipctl(daemon, {"pose", "set", "-1.5,2,1.25"});

@@ -105,7 +105,8 @@ void show(const InfoOptions& options) {
     Scanner scanner = options.connection.open();
     const SensorState state = scanner.driver().state();
     if (!options.json) return print(scanner, state);
-    std::cout << as_json(scanner, state).dump(2) << '\n';
+    const nlohmann::ordered_json document = as_json(scanner, state);
+    std::cout << document.dump(2, ' ', true, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
 }  // namespace

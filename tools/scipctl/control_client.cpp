@@ -141,6 +141,10 @@ ControlError ControlClient::unreachable(const std::string& why) const {
                    " (does it run? --control names another socket)"};
 }
 
+std::string json_text(const ControlClient::Json& document, int indent) {
+    return document.dump(indent, ' ', true);
+}
+
 std::string path_segment(const std::string& text) {
     constexpr std::string_view unreserved = "-._~";
     constexpr std::string_view digits = "0123456789ABCDEF";

@@ -56,6 +56,9 @@ class ControlClient {
     std::unique_ptr<Connection> connection_;  ///< null: none yet, or the last one has ended
 };
 
+/// For programs: in ASCII, of which nothing needs to be changed on its way to a terminal.
+[[nodiscard]] std::string json_text(const ControlClient::Json& document, int indent = -1);
+
 /// One part of a path, with everything but letters, digits and -._~ escaped.
 [[nodiscard]] std::string path_segment(const std::string& text);
 

@@ -29,7 +29,7 @@ void get_pose(const ControlOptions& control, const GetOptions& options) {
     ControlClient client(control.socket);
     const auto document = client.get(pose_path(choose_robot(client, options.robot)));
     if (options.json) {
-        std::cout << document.dump() << '\n';
+        std::cout << json_text(document) << '\n';
         return;
     }
     // The answer is a pose line.

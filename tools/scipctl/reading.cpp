@@ -52,7 +52,7 @@ void show(const ControlOptions& control, const ReadingOptions& options) {
     ControlClient client(control.socket);
     const Json reading = ask_sensor(client, options.sensor, path);
     if (!options.json) return print(reading);
-    std::cout << reading.dump() << '\n';
+    std::cout << json_text(reading) << '\n';
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ std::string joined(const Json& names) {
 /// What scipd answers to something that it has loaded.
 void tell(const Json& loaded, bool json) {
     if (json) {
-        std::cout << loaded.dump() << '\n';
+        std::cout << json_text(loaded) << '\n';
         return;
     }
     if (!loaded.is_object()) return;
@@ -74,7 +74,7 @@ void list(const ControlOptions& control, bool json) {
     ControlClient client(control.socket);
     const Json scene = client.get("/scene");
     if (json) {
-        std::cout << scene.dump(2) << '\n';
+        std::cout << json_text(scene, 2) << '\n';
         return;
     }
     std::cout << scene.value("file", "-") << "\n\n";

@@ -67,7 +67,7 @@ void add_command(CLI::App& program, const ControlOptions& control, const std::st
         ControlClient client(control.socket);
         const Json document = client.get("/" + name);
         if (!*json) return print(document);
-        std::cout << document.dump(2) << '\n';
+        std::cout << json_text(document, 2) << '\n';
     });
 }
 

@@ -5,9 +5,26 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace scipd::tools {
+#include "sim/loaders/quote.h"
 
-void print_table(std::ostream& out, const std::vector<Row>& rows) {
+namespace scipd::tools {
+namespace {
+
+/// No cell passes for a row.
+std::string in_a_line(const std::string& cell) {
+    std::string text = sim::shown(cell);
+    std::ranges::replace_if(
+        text, [](char c) { return c == '\n' || c == '\t'; }, ' ');
+    return text;
+}
+
+}  // namespace
+
+void print_table(std::ostream& out, std::vector<Row> rows) {
+    for (Row& row : rows) {
+        for (std::string& cell : row)
+            cell = in_a_line(cell);
+    }
     std::vector<std::size_t> widths;
     for (const Row& row : rows) {
         widths.resize(std::max(widths.size(), row.size()));

@@ -11,6 +11,6 @@ namespace scipd::tools {
 using Row = std::vector<std::string>;
 
 /// Columns as wide as their widest cell, two blanks apart. All rows have as many cells.
-void print_table(std::ostream& out, const std::vector<Row>& rows);
+void print_table(std::ostream& out, std::vector<Row> rows);
 
 }  // namespace scipd::tools

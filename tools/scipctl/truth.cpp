@@ -69,7 +69,7 @@ void show(const ControlOptions& control, const TruthOptions& options) {
     ControlClient client(control.socket);
     const Json truth = ask_sensor(client, options.sensor, path);
     if (options.json) {
-        std::cout << truth.dump() << '\n';
+        std::cout << json_text(truth) << '\n';
     } else {
         truth.contains("steps") ? print(truth) : print_staring(truth);
     }

@@ -74,6 +74,29 @@ std::string cube_link(const std::string& more = {}) {
     return "<link name='l'>" + more + visual("v", unit_box) + "</link>";
 }
 
+// As the control API could not name them.
+TEST_F(SdfWorld, ShortensNamesThatAreTooLong) {
+    const std::string longest(16'000, 'n');
+    const auto model = [](const std::string& name, const std::string& inside) {
+        return "<model name='" + name + "'>" + inside + "</model>";
+    };
+    const std::string link =
+        "<link name='l'><visual name='v'><geometry><sphere><radius>1</radius></sphere></geometry>"
+        "</visual></link>";
+    load("<sdf version='1.9'><world name='w'>" +
+         model(longest + "1",
+               "<static>true</static>" + link + model("inner", "<static>false</static>" + link)) +
+         model(longest + "2", link) + "</world></sdf>");
+    ASSERT_EQ(scene_->models.size(), 3U);
+    const std::string& outer = scene_->models[0].name;
+    EXPECT_EQ(outer.size(), 64U);
+    EXPECT_EQ(scene_->models[1].name, outer + "::inner");
+    EXPECT_EQ(scene_->models[2].name.size(), 64U);
+    EXPECT_NE(scene_->models[2].name, outer);
+    EXPECT_THAT(warnings_, testing::Contains(HasSubstr(outer)));
+    EXPECT_EQ(without_model(*scene_, outer)->models.size(), 1U);
+}
+
 TEST_F(SdfWorld, IncludesMayBeRenamedMovedAndPinned) {
     write_model("crate", "<pose>0 0 50 0 0 0</pose>" + cube_link());
     load(

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Names and messages come from configurations, worlds and scanners, whoever wrote them: what goes
+// to a terminal goes through here. One thread.
+#pragma once
+
+#include <ostream>
+#include <streambuf>
+#include <string>
+
+namespace scipd::tools {
+
+/// As long as this is there, what is written to the stream leaves it as sim::shown() has it.
+class SafeOutput : public std::streambuf {
+  public:
+    explicit SafeOutput(std::ostream& stream);
+    ~SafeOutput() override;
+    SafeOutput(const SafeOutput&) = delete;
+    SafeOutput& operator=(const SafeOutput&) = delete;
+
+  protected:
+    int_type overflow(int_type character) override;
+    std::streamsize xsputn(const char* text, std::streamsize size) override;
+    int sync() override;
+
+  private:
+    bool pass_on(std::size_t size);
+
+    std::ostream& stream_;
+    std::streambuf* out_;
+    std::string line_;  ///< that has not ended yet
+};
+
+}  // namespace scipd::tools
