@@ -63,9 +63,9 @@ void Session::advance(Uptime now) {
 // empty line behind a scan would wait for ever for a reply that is glued to it.
 Uptime Session::due(const Waiting& waiting) const {
     const Command* command = find_command(waiting.line.text, profile_);
-    const Uptime due = std::max(
-        reply_leaves(std::max(waiting.arrived, last_answer_), command, device_, profile_),
-        last_scan_ + profile_.pause_after_scan);
+    const Uptime due =
+        std::max(reply_leaves(std::max(waiting.arrived, last_answer_), command, device_, profile_),
+                 last_scan_ + profile_.pause_after_scan);
     return profile_.answers_while_booting ? due : std::max(due, device_.booted_at());
 }
 
