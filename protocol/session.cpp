@@ -95,6 +95,10 @@ void Session::close() {
         quit();
         device_.leave_adjust();
     }
+    forget();
+}
+
+void Session::forget() {
     requests_.clear();
     single_shot_.reset();
     // The rate of the line is the device's and outlives its clients.
