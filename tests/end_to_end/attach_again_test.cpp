@@ -45,8 +45,8 @@ std::vector<Carried> every_model_on_both() {
 }
 
 std::string configuration(const std::vector<Carried>& scanners, const std::string& tcp_keys) {
-    std::string text = "scene: " + scene("square_room.sdf").string() +
-                       "\nrobots:\n  robot:\n    sensors:\n";
+    std::string text =
+        "scene: " + scene("square_room.sdf").string() + "\nrobots:\n  robot:\n    sensors:\n";
     for (std::size_t i = 0; i < scanners.size(); ++i) {
         const auto& [model, link] = scanners[i];
         text += "      s" + std::to_string(i) + ": {model: " + model +
@@ -67,8 +67,9 @@ using ClientProgram = std::function<void(const DaemonProcess&, std::size_t senso
         try {
             client(daemon, sensor, scanner.link);
         } catch (const std::exception& error) {
-            std::cerr << scanner.model << (scanner.link == Link::tcp ? " over TCP: " : " on a tty: ")
-                      << error.what() << std::endl;
+            std::cerr << scanner.model
+                      << (scanner.link == Link::tcp ? " over TCP: " : " on a tty: ") << error.what()
+                      << std::endl;
         }
     } while (Steady::now() < until);
     ::_exit(1);
