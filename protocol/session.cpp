@@ -22,10 +22,6 @@ Session::Session(const DeviceProfile& profile, DeviceState& device, LinkKind lin
       boots_seen_(device.boots()),
       rate_told_(bit_rate_of(device.settings(), profile)) {}
 
-Session::~Session() {
-    close();
-}
-
 void Session::receive(std::string_view bytes, Uptime now) {
     while (auto line = reader_.next(bytes))
         requests_.push_back({std::move(*line), now});

@@ -33,7 +33,7 @@ class Session {
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
     /// As close().
-    ~Session();
+    ~Session() { close(); }
 
     /// Bytes in any pieces. Answers what is due at `now`; the rest waits for advance().
     void receive(std::string_view bytes, Uptime now);
