@@ -21,10 +21,6 @@ Session::Session(const DeviceProfile& profile, DeviceState& device)
       boots_seen_(device.boots()),
       rate_told_(bit_rate_of(device.settings(), profile)) {}
 
-Session::~Session() {
-    close();
-}
-
 void Session::receive(std::string_view bytes, Uptime now) {
     while (auto line = reader_.next(bytes))
         requests_.push_back({std::move(*line), now});
@@ -95,6 +91,10 @@ void Session::close() {
         quit();
         device_.leave_adjust();
     }
+    forget();
+}
+
+void Session::forget() {
     requests_.clear();
     single_shot_.reset();
     // The rate of the line is the device's and outlives its clients.

@@ -32,7 +32,7 @@ class Session {
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
     /// As close().
-    ~Session();
+    ~Session() { close(); }
 
     /// Bytes in any pieces. Answers what is due at `now`; the rest waits for advance().
     void receive(std::string_view bytes, Uptime now);
@@ -61,6 +61,9 @@ class Session {
     /// The client is gone: what it began (stream, laser, adjust mode) ends as by QT and TM2; what
     /// it asked and what was to be sent is forgotten. What other clients began stays.
     void close();
+    /// What the client asked, a half request too, and what was to be sent is forgotten; what it
+    /// began goes on.
+    void forget();
 
   private:
     static constexpr std::size_t max_waiting = 64;

@@ -57,8 +57,8 @@ struct LinkConfig {
     int split_bytes = 0;
     /// What is sent within so long leaves in one write.
     std::chrono::nanoseconds coalesce{};
-    /// A tty's close ends the streams that were begun on it; else they go on unheard.
-    bool stop_on_close = false;
+    /// A tty's last close ends what was begun on it; else it goes on unheard.
+    bool stop_on_close = true;
 
     bool operator==(const LinkConfig&) const = default;
 };

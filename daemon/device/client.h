@@ -40,6 +40,8 @@ class Client {
 
     /// What the client began ends, what it asked is forgotten; another one may follow.
     void hang_up() { session_.close(); }
+    /// What it asked is forgotten, what it began goes on; another one may follow.
+    void forget() { session_.forget(); }
 
     [[nodiscard]] std::optional<protocol::Action> next_action() { return session_.next_action(); }
 

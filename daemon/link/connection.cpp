@@ -8,7 +8,6 @@
 
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/asio/write.hpp>
 
 #include "daemon/link/uart.h"
 
@@ -72,21 +71,27 @@ void Connection::close() {
     descriptor_.close(ignored);
 }
 
-void Connection::drop_output() {
-    if (writing_) {
-        // The half of a message must not reach whoever comes next; write() goes on when the
-        // cancelled one reports.
-        error_code ignored;
-        descriptor_.cancel(ignored);
-    }
-    outbox_.line().clear();
-    device_rate_ = outbox_.line().rate();
+void Connection::forget() {
+    drop_under_way();
+    client_->forget();
 }
 
 void Connection::hang_up() {
-    drop_output();
-    inbox_.clear();
+    drop_under_way();
     client_->hang_up();
+}
+
+void Connection::drop_under_way() {
+    if (writing_) {
+        // The rest of a message must not reach whoever comes next, also where a part of it has
+        // just been written, so that nothing is left to cancel.
+        error_code ignored;
+        descriptor_.cancel(ignored);
+        sending_.clear();
+    }
+    outbox_.line().clear();
+    device_rate_ = outbox_.line().rate();
+    inbox_.clear();
 }
 
 // Reading pauses while the client has asked more than it takes answers for, and goes on from
@@ -108,10 +113,12 @@ void Connection::read() {
 }
 
 void Connection::take_input(std::size_t count) {
-    if (count > 0 && hooks_.somebody_there()) {
+    received_ = count;
+    if (hooks_.somebody_there() && received_ > 0) {
         if (device_rate_ != 0) inbox_.set_rate(hooks_.client_rate());
-        inbox_.send(std::string(input_.data(), count), clock_.now());
+        inbox_.send(std::string(input_.data(), received_), clock_.now());
     }
+    received_ = 0;
     flush();
 }
 
@@ -152,21 +159,25 @@ void Connection::perform(protocol::Action action, bool somebody_there) {
 
 void Connection::write() {
     while (!writing_) {
-        auto piece = outbox_.line().take(clock_.now());
-        if (!piece) return;
-        device_rate_ = piece->bits_per_second;
-        sending_ = device_rate_ == 0 ? std::move(piece->bytes)
-                                     : heard(piece->bytes, device_rate_, hooks_.client_rate());
-        if (sending_.empty()) continue;
+        if (sending_.empty()) {
+            auto piece = outbox_.line().take(clock_.now());
+            if (!piece) return;
+            device_rate_ = piece->bits_per_second;
+            sending_ = device_rate_ == 0 ? std::move(piece->bytes)
+                                         : heard(piece->bytes, device_rate_, hooks_.client_rate());
+            continue;
+        }
         writing_ = true;
-        asio::async_write(descriptor_, asio::buffer(sending_),
-                          [self = shared_from_this()](error_code error, std::size_t) {
-                              self->writing_ = false;
-                              if (!self->client_) return;
-                              if (error && error != asio::error::operation_aborted)
-                                  return self->end();
-                              self->flush();
-                          });
+        descriptor_.async_write_some(
+            asio::buffer(sending_),
+            [self = shared_from_this()](error_code error, std::size_t count) {
+                self->writing_ = false;
+                if (!self->client_) return;
+                if (error && error != asio::error::operation_aborted) return self->end();
+                // Of what has been dropped meanwhile nothing is left.
+                self->sending_.erase(0, count);
+                self->flush();
+            });
     }
 }
 
@@ -193,8 +204,7 @@ void Connection::end_of_input() {
 
 // The device boots. A tty outlives that: only what was under way is lost.
 void Connection::drop() {
-    drop_output();
-    inbox_.clear();
+    drop_under_way();
     if (!hooks_.survives_boot) input_ended_ = true;
     flush();
 }

@@ -43,10 +43,14 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
     void start();
     void close();
-    /// Forgets what waits to be sent, also what is half sent.
-    void drop_output();
-    /// Ends what the client began, as close() does; whoever comes next is a new client.
+    /// The client is gone, and whoever comes next is a new one, who gets nothing of what the first
+    /// one asked, of a half request or of what was to be sent, also half sent. What it began goes
+    /// on, ..
+    void forget();
+    /// .. or ends, as by close().
     void hang_up();
+    /// To be called from within somebody_there(): what has just been read is not for the device.
+    void drop_input() { received_ = 0; }
 
     /// Scans that the client read too slowly for.
     [[nodiscard]] std::uint64_t lost() const { return lost_; }
@@ -61,6 +65,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     void wait();
     void end_of_input();
     void drop();
+    void drop_under_way();
     void end_if_done();
     void end();
 
@@ -74,6 +79,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     int device_rate_;      ///< of the device's side of a serial line; 0: there is none
     std::string sending_;  ///< what is being written
     std::array<char, 4096> input_;
+    std::size_t received_ = 0;  ///< of it, and not yet on its way to the device
     bool reading_ = false;
     bool writing_ = false;
     bool input_ended_ = false;

@@ -74,14 +74,14 @@ PtyPort::~PtyPort() {
 
 // The kernel merges an event with an equal one right before it: of two drivers that open the tty
 // while this thread is busy one would be missed. So each of them is told twice, by the folder and
-// by the tty, and none is like the one before it.
+// by the tty, and none is like the one before it. Writes are told by the tty alone: others write to
+// other terminals.
 void PtyPort::watch_for_clients(const std::string& what) {
-    const auto watch = [&](const std::filesystem::path& path) {
-        return checked(
-            ::inotify_add_watch(events_.native_handle(), path.c_str(), IN_OPEN | IN_CLOSE), what);
+    const auto watch = [&](const std::filesystem::path& path, std::uint32_t events) {
+        return checked(::inotify_add_watch(events_.native_handle(), path.c_str(), events), what);
     };
-    tty_watch_ = watch(device_path_);
-    watch(device_path_.parent_path());
+    tty_watch_ = watch(device_path_, IN_OPEN | IN_CLOSE | IN_MODIFY);
+    watch(device_path_.parent_path(), IN_OPEN | IN_CLOSE);
 }
 
 void PtyPort::serve(Device& device, const LinkConfig& link) {
@@ -126,28 +126,45 @@ void PtyPort::watch() {
 // new one is answered.
 bool PtyPort::somebody_there() {
     alignas(inotify_event) std::array<char, 4096> buffer;
+    bool closed = false;
+    bool written = false;  // by whoever has it open
+    bool unread = false;   // by whoever has closed it
     for (;;) {
         const ssize_t count = ::read(events_.native_handle(), buffer.data(), buffer.size());
-        if (count <= 0) return opens_ > 0;
+        if (count <= 0) break;
         for (ssize_t at = 0; at < count;) {
             inotify_event event;
             std::memcpy(&event, buffer.data() + at, sizeof(event));
             at += static_cast<ssize_t>(sizeof(event) + event.len);
             if (event.wd != tty_watch_) continue;
+            if ((event.mask & IN_MODIFY) != 0) written = true;
             if ((event.mask & IN_OPEN) != 0) ++opens_;
-            if ((event.mask & IN_CLOSE) != 0 && opens_ > 0 && --opens_ == 0) last_one_closed();
+            if ((event.mask & IN_CLOSE) == 0 || opens_ == 0 || --opens_ > 0) continue;
+            closed = true;
+            unread = unread || std::exchange(written, false);
         }
     }
+    if (closed) last_one_closed(written && !unread);
+    return opens_ > 0;
+}
+
+// Where both the one before and the next one have written since the tty was looked at, nobody can
+// tell whose bytes are whose, and neither is heard: drivers ask again, and none of them gets over
+// an answer to another one's request.
+void PtyPort::last_one_closed(bool next_was_heard) {
+    if (connection_ && stop_on_close_) {
+        connection_->hang_up();
+    } else if (connection_) {
+        connection_->forget();
+    }
+    if (connection_ && !next_was_heard) connection_->drop_input();
+    if (!next_was_heard) ::tcflush(master_.native_handle(), TCIFLUSH);
+    clean_tty();
 }
 
 // A tty forgets its settings with its last close; this one is still open here, so that it is for us
 // to undo what a driver did. Errors are ignored: a hang-up (vhangup) has left nothing to undo.
-void PtyPort::last_one_closed() {
-    if (connection_ && stop_on_close_) {
-        connection_->hang_up();
-    } else if (connection_) {
-        connection_->drop_output();
-    }
+void PtyPort::clean_tty() {
     const int slave = slave_.native_handle();
     ::tcflush(slave, TCIFLUSH);
     ::tcflow(slave, TCOON);

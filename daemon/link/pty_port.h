@@ -4,8 +4,9 @@
 // A scanner's tty: a pseudo-terminal behind a symlink that stays the same. To a driver it looks
 // like the USB scanner's CDC-ACM device: raw from the start, nothing echoed, any line speed
 // accepted; and like that one it goes on existing while nobody has it open, and what is sent then
-// is lost. Where its link has a rate it is a serial line instead, on which only those understand
-// each other that run at the same one. Lives on the I/O thread.
+// is lost. Its last close ends what was begun on it, unless its link has that go on, and leaves
+// nothing to the next client. Where its link has a rate it is a serial line instead, on which only
+// those understand each other that run at the same one. Lives on the I/O thread.
 #pragma once
 
 #include <cstdint>
@@ -43,7 +44,8 @@ class PtyPort : public std::enable_shared_from_this<PtyPort> {
     void watch();
     /// Reads what has happened to the tty since last time; whether somebody has it open now.
     bool somebody_there();
-    void last_one_closed();
+    void last_one_closed(bool next_was_heard);
+    void clean_tty();
     void watch_for_clients(const std::string& what);
     void make_link() const;
     void remove_link() const;
@@ -57,7 +59,7 @@ class PtyPort : public std::enable_shared_from_this<PtyPort> {
     boost::asio::posix::stream_descriptor events_;
     int tty_watch_ = -1;  ///< what its own events are marked with
     std::shared_ptr<Connection> connection_;
-    bool stop_on_close_ = false;
+    bool stop_on_close_ = true;
     int opens_ = 0;
     std::uint64_t lost_before_ = 0;
 };

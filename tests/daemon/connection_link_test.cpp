@@ -171,8 +171,23 @@ TEST_F(ConnectionLink, ForgetsWhatIsUnderWay) {
     write("QT\n");
     EXPECT_THAT(writes_until(15ms), IsEmpty());
     write("TM0\n");
-    connection_->drop_output();
-    EXPECT_EQ(bytes_until(50ms), "TM0\n00P\n\n");
+    connection_->forget();
+    write("BM\n");
+    EXPECT_EQ(bytes_until(50ms), "BM\n00P\n\n");
+    EXPECT_FALSE(device_->state().adjusting());
+}
+
+TEST_F(ConnectionLink, ForgetsARequestThatWaitsAndHalfOfOne) {
+    connect({});
+    write("BM\nGD0540054000\n");
+    EXPECT_THAT(writes(), ElementsAre("BM\n00P\n\n"));
+    write("TM");
+    connection_->forget();
+    write("QT\n");
+    EXPECT_THAT(writes(), ElementsAre("QT\n00P\n\n"));
+    clock_.advance_to(100ms);
+    device_->turn_complete(device_->next_revolution());
+    EXPECT_THAT(writes(), IsEmpty());
 }
 
 TEST_F(ConnectionLink, EndsWhatItsClientBeganWhenThatHangsUp) {
@@ -288,7 +303,7 @@ TEST_F(SerialLine, ChangesItsRateAlsoWhereTheReplyIsForgotten) {
     connect_at(19200);
     write("SS115200\n");
     EXPECT_EQ(bytes_until(11 * byte_time), "SS");
-    connection_->drop_output();
+    connection_->forget();
     client_rate_ = 115200;
     write("\nBM\n");
     EXPECT_EQ(bytes_until(1s), "BM\n00P\n\n");

@@ -26,6 +26,7 @@ class ConnectionTest : public testing::Test {
         std::array<int, 2> ends{};
         EXPECT_EQ(::socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, ends.data()), 0);
         client_ = ends[0];
+        scanner_ = ends[1];
         connection_ = std::make_shared<Connection>(
             Connection::Descriptor(io_, ends[1]), device_, LinkConfig{},
             Connection::Hooks{.somebody_there = [this] { return somebody_there_; },
@@ -67,6 +68,7 @@ class ConnectionTest : public testing::Test {
     bool somebody_there_ = true;
     int ended_ = 0;
     int client_ = -1;
+    int scanner_ = -1;  ///< the other end, which the connection has
     std::string received_;
     std::shared_ptr<Connection> connection_;
 };
@@ -162,7 +164,7 @@ TEST_F(ConnectionTest, ForgetsWhatWaitsToBeSent) {
         io_.poll();
     }
     ASSERT_GT(connection_->lost(), 0U);
-    connection_->drop_output();
+    connection_->forget();
     io_.restart();
     io_.poll();
     // What the kernel has is out of reach; nothing follows it, though there is room again.
@@ -171,6 +173,22 @@ TEST_F(ConnectionTest, ForgetsWhatWaitsToBeSent) {
     io_.run_for(50ms);
     EXPECT_EQ(read().size(), held);
     // And the next message is whole.
+    write("QT\n");
+    EXPECT_TRUE(run_until(io_, [&] { return read().size() > held; }));
+    EXPECT_EQ(read().substr(held), "QT\n00P\n\n");
+}
+
+TEST_F(ConnectionTest, ForgetsTheRestOfAMessageOfWhichAPartHasJustBeenWritten) {
+    const int smallest = 1;  // that the kernel has, which is less than a scan
+    ASSERT_EQ(::setsockopt(scanner_, SOL_SOCKET, SO_SNDBUF, &smallest, sizeof(smallest)), 0);
+    write("ME0000108000000\n");
+    EXPECT_TRUE(comes("ME0000108000000\n00P\n\n"));
+    io_.restart();
+    io_.poll();
+    device_.turn_complete(device_.next_revolution() + 1);
+    connection_->forget();
+    const std::size_t held = read().size();
+    ASSERT_FALSE(received_.ends_with("\n\n")) << "it was written whole";
     write("QT\n");
     EXPECT_TRUE(run_until(io_, [&] { return read().size() > held; }));
     EXPECT_EQ(read().substr(held), "QT\n00P\n\n");

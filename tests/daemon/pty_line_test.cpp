@@ -170,8 +170,8 @@ TEST_F(PtyLineTest, TakesAnyRateWhereItIsUsb) {
     }
 }
 
-TEST_F(PtyLineTest, GoesOnUnheardWhenItIsClosed) {
-    serve({});
+TEST_F(PtyLineTest, GoesOnUnheardWhenItIsClosedIfSo) {
+    serve({.stop_on_close = false});
     {
         ScannerWire wire = open_at(19200);
         wire.write("MD0384038400000\n");
@@ -181,8 +181,8 @@ TEST_F(PtyLineTest, GoesOnUnheardWhenItIsClosed) {
     EXPECT_TRUE(device_->wanted());
 }
 
-TEST_F(PtyLineTest, EndsWhatWasBegunOnItWhenItIsClosedIfSo) {
-    serve({.stop_on_close = true});
+TEST_F(PtyLineTest, EndsWhatWasBegunOnItWhenItIsClosed) {
+    serve({});
     {
         ScannerWire wire = open_at(19200);
         wire.write("MD0384038400000\n");

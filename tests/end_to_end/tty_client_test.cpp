@@ -45,12 +45,22 @@ std::string read_for(ScannerWire& wire, std::chrono::milliseconds time) {
 
 class TtyClient : public testing::Test {
   protected:
+    TtyClient() : daemon_(directory_, on_tty()) {}
+    explicit TtyClient(const std::string& link)
+        : daemon_(directory_,
+                  {"--config",
+                   directory_.write("tty.yaml",
+                                    "scene: " + scene("square_room.sdf").string() +
+                                        "\nrobots: {r: {sensors: {s: {model: UST-10LX, pty: auto, "
+                                        "link: " +
+                                        link + "}}}}\n")}) {}
+
     [[nodiscard]] ScannerWire open() const { return ScannerWire::tty(daemon_.tty()); }
     [[nodiscard]] int scans() const { return daemon_.sensor_status().at("scans").get<int>(); }
     [[nodiscard]] bool seen_open() const { return daemon_.sensor_status().at("clients") == 1; }
 
     TempDir directory_;
-    DaemonProcess daemon_{directory_, on_tty()};
+    DaemonProcess daemon_;
 };
 
 TEST_F(TtyClient, FindsItRawAndHearsNoEcho) {
@@ -83,7 +93,26 @@ TEST_F(TtyClient, FindsItRawAfterOneWhoChangedEverything) {
     EXPECT_EQ(read_for(wire, 500ms), "QT\n00P\n\n");
 }
 
-TEST_F(TtyClient, FindsItsStreamStillRunning) {
+TEST_F(TtyClient, FindsItSilentAfterOneThatDiedInMidStream) {
+    {
+        ScannerWire wire = open();
+        EXPECT_EQ(wire.ask(stream_of_all_beams), "00");
+        (void)wire.next_scan();
+    }
+    ASSERT_TRUE(eventually([&] { return !seen_open(); }));
+    EXPECT_EQ(daemon_.sensor_status().at("state"), "standby");
+    ScannerWire wire = open();
+    EXPECT_EQ(read_for(wire, 200ms), "");
+    EXPECT_EQ(wire.ask(stream_of_all_beams), "00");
+    EXPECT_EQ(wire.next_scan().distances_mm.size(), 1081U);
+}
+
+class TtyClientWhereStreamsGoOn : public TtyClient {
+  protected:
+    TtyClientWhereStreamsGoOn() : TtyClient("{on_close: keep}") {}
+};
+
+TEST_F(TtyClientWhereStreamsGoOn, FindsItsStreamStillRunning) {
     const fs::path target = fs::read_symlink(daemon_.tty());
     std::uint32_t last_stamp_ms = 0;
     {

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
@@ -68,6 +69,17 @@ bool can_draw() {
     DaemonProcess probe(directory, {"--probe"});
     probe.wait();
     return probe.standard_output().find("self-test   passed") != std::string::npos;
+}
+
+std::vector<std::string> all_models() {
+    const TempDir directory;
+    DaemonProcess list(directory, {"--list-models"});
+    list.wait();
+    std::istringstream lines(list.standard_output());
+    std::vector<std::string> models;
+    for (std::string line; std::getline(lines, line);)
+        models.push_back(line.substr(0, line.find(' ')));
+    return models;
 }
 
 DaemonProcess::DaemonProcess(const TempDir& directory, std::vector<std::string> arguments)

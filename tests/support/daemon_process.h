@@ -28,6 +28,9 @@ std::filesystem::path scene(std::string_view file);
 /// Whether scipd has a depth backend here: `scipd --probe` says that the self-test has passed.
 bool can_draw();
 
+/// As `scipd --list-models` names them, with their firmwares.
+std::vector<std::string> all_models();
+
 class DaemonProcess {
   public:
     /// Starts scipd with these arguments and `directory` as the parent of its run directory; waits
