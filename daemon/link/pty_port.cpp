@@ -43,6 +43,11 @@ std::string slave_name(int master) {
     return name.data();
 }
 
+bool hung_up(int slave) {
+    termios settings{};
+    return ::tcgetattr(slave, &settings) < 0 && errno == EIO;
+}
+
 int make_raw(int slave) {
     termios settings{};
     if (::tcgetattr(slave, &settings) < 0) return -1;
@@ -99,13 +104,16 @@ void PtyPort::serve(Device& device, const LinkConfig& link) {
                           .client_rate = [this] { return line_rate(master_.native_handle()); },
                           .survives_boot = true});
     connection_->start();
-    if (!watched) watch();
+    if (watched) return;
+    watch();
+    watch_for_hang_up();
 }
 
 void PtyPort::stop() {
     if (connection_) connection_->close();
     error_code ignored;
     events_.close(ignored);
+    slave_.close(ignored);
     remove_link();
 }
 
@@ -163,13 +171,40 @@ void PtyPort::last_one_closed(bool next_was_heard) {
 }
 
 // A tty forgets its settings with its last close; this one is still open here, so that it is for us
-// to undo what a driver did. Errors are ignored: a hang-up (vhangup) has left nothing to undo.
+// to undo what a driver did.
 void PtyPort::clean_tty() {
+    if (hung_up(slave_.native_handle())) reopen();
     const int slave = slave_.native_handle();
     ::tcflush(slave, TCIFLUSH);
     ::tcflow(slave, TCOON);
     ::ioctl(slave, TIOCNXCL);
     make_raw(slave);
+}
+
+// A hang-up (vhangup) cuts off whoever has the tty open, which we are as well, and takes the
+// settings back. Opened before it is closed: without anybody the tty would end. Where it cannot be
+// opened the next close tries again.
+void PtyPort::reopen() {
+    const int fresh = ::open(device_path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+    if (fresh < 0) return;
+    error_code error;
+    slave_.close(error);
+    slave_.assign(fresh, error);
+    if (error) {
+        ::close(fresh);
+        return;
+    }
+    watch_for_hang_up();
+}
+
+// Those that were cut off may keep their descriptors for long.
+void PtyPort::watch_for_hang_up() {
+    slave_.async_wait(asio::posix::stream_descriptor::wait_error,
+                      [self = shared_from_this()](error_code error) {
+                          if (error) return;
+                          self->somebody_there();
+                          if (hung_up(self->slave_.native_handle())) self->last_one_closed(true);
+                      });
 }
 
 void PtyPort::make_link() const {

@@ -46,6 +46,8 @@ class PtyPort : public std::enable_shared_from_this<PtyPort> {
     bool somebody_there();
     void last_one_closed(bool next_was_heard);
     void clean_tty();
+    void reopen();
+    void watch_for_hang_up();
     void watch_for_clients(const std::string& what);
     void make_link() const;
     void remove_link() const;

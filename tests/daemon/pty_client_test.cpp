@@ -148,5 +148,69 @@ TEST_P(NextClient, IsHeardThoughTheOneBeforeIsNotSeenToGo) {
     }
 }
 
+/// As vhangup() does; only root may.
+bool hang_up(const ScannerWire& wire) {
+    return ::ioctl(wire.descriptor(), TIOCVHANGUP) == 0;
+}
+
+void leave_modes(const ScannerWire& wire) {
+    termios settings{};
+    EXPECT_EQ(::tcgetattr(wire.descriptor(), &settings), 0);
+    settings.c_lflag |= ECHO | ICANON;
+    EXPECT_EQ(::tcsetattr(wire.descriptor(), TCSANOW, &settings), 0);
+    EXPECT_EQ(::tcflow(wire.descriptor(), TCOOFF), 0);
+    EXPECT_EQ(::ioctl(wire.descriptor(), TIOCEXCL), 0);
+}
+
+void expect_no_modes(const ScannerWire& wire) {
+    termios settings{};
+    EXPECT_EQ(::tcgetattr(wire.descriptor(), &settings), 0);
+    EXPECT_EQ(settings.c_lflag & (ECHO | ICANON | ISIG), 0U);
+    EXPECT_EQ(settings.c_oflag & OPOST, 0U);
+    int exclusive = -1;
+    EXPECT_EQ(::ioctl(wire.descriptor(), TIOCGEXCL, &exclusive), 0);
+    EXPECT_EQ(exclusive, 0);
+}
+
+TEST_F(PtyClients, FindNoModeOfOneThatWasHungUp) {
+    serve({});
+    for (int round = 0; round < 2; ++round) {
+        {
+            ScannerWire wire = open();
+            wire.write("MD0540054000000\n");
+            ASSERT_TRUE(comes(wire, "MD0540054000000\n00P\n\n"));
+            leave_modes(wire);
+            if (!hang_up(wire)) GTEST_SKIP() << "only root may hang up a tty";
+        }
+        wait_until_closed();
+        EXPECT_FALSE(device_.wanted());
+        ScannerWire wire = open();
+        ASSERT_TRUE(run_until(io_, [&] { return port_->open(); }));
+        expect_no_modes(wire);
+        expect_a_clean_start(std::move(wire));
+        wait_until_closed();
+    }
+}
+
+// One that was cut off keeps its descriptor, so that the tty is never seen to be closed.
+TEST_F(PtyClients, NeedNotWaitUntilOneThatWasHungUpHasClosed) {
+    serve({});
+    ScannerWire cut_off = open();
+    cut_off.write("MD0540054000000\n");
+    ASSERT_TRUE(comes(cut_off, "MD0540054000000\n00P\n\n"));
+    {
+        const ScannerWire wire = open();
+        leave_modes(wire);
+        if (!hang_up(wire)) GTEST_SKIP() << "only root may hang up a tty";
+    }
+    EXPECT_TRUE(run_until(io_, [&] { return !device_.wanted(); }));
+    ScannerWire wire = open();
+    expect_no_modes(wire);
+    expect_a_clean_start(std::move(wire));
+    cut_off.close();
+    wait_until_closed();
+    expect_a_clean_start(open());
+}
+
 }  // namespace
 }  // namespace scipd::daemon
