@@ -89,6 +89,13 @@ std::chrono::nanoseconds parse_link_delay(std::string_view text) {
     return parse_milliseconds(text, longest_link_delay_ms);
 }
 
+std::chrono::nanoseconds parse_dead_after(std::string_view text) {
+    const double seconds = parse_number(text);
+    if (seconds != 0.0 && (seconds < 1.0 || seconds > 3600.0))
+        refuse("must be 1 to 3600 s, or 0 for never, not " + quote(text));
+    return std::chrono::round<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds));
+}
+
 std::chrono::nanoseconds parse_wait(std::string_view text) {
     return parse_milliseconds(text, longest_wait_ms);
 }

@@ -35,6 +35,8 @@ std::uint32_t parse_device_time(std::string_view text);
 std::chrono::nanoseconds parse_period(std::string_view text);
 /// Milliseconds, up to 10 seconds: what a link adds.
 std::chrono::nanoseconds parse_link_delay(std::string_view text);
+/// Seconds, 1 to 3600, or 0: when a client that does not acknowledge anything is gone.
+std::chrono::nanoseconds parse_dead_after(std::string_view text);
 /// Milliseconds, up to 900: how long scans wait for poses. A daemon that is later by a second gives
 /// a scan up.
 std::chrono::nanoseconds parse_wait(std::string_view text);

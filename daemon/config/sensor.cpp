@@ -23,8 +23,8 @@ constexpr std::array<std::string_view, 1> later_sensor_keys{"echo"};
 constexpr std::array<std::string_view, 3> depth_keys{"between_pixels", "oversample",
                                                      "widest_pass_deg"};
 constexpr std::array<std::string_view, 2> clock_keys{"ppm", "start_ms"};
-constexpr std::array<std::string_view, 6> link_keys{"latency_ms",  "jitter_ms",   "baud",
-                                                    "split_bytes", "coalesce_ms", "on_close"};
+constexpr std::array<std::string_view, 7> link_keys{
+    "latency_ms", "jitter_ms", "baud", "split_bytes", "coalesce_ms", "on_close", "dead_after_s"};
 
 bool is_none(const Field* listener) {
     return !listener || (listener->value.IsScalar() && listener->value.Scalar() == "none");
@@ -83,7 +83,7 @@ void check_baud(int baud, const protocol::DeviceProfile& profile) {
     }
 }
 
-LinkConfig read_link(const Field& field, bool has_pty, const std::optional<Model>& model,
+LinkConfig read_link(const Field& field, const Section& sensor, const std::optional<Model>& model,
                      Faults& faults) {
     const Section section{field, {link_keys, {}}, faults};
     LinkConfig link;
@@ -93,14 +93,18 @@ LinkConfig read_link(const Field& field, bool has_pty, const std::optional<Model
     section.read("split_bytes", link.split_bytes, parse_split);
     section.read("coalesce_ms", link.coalesce, parse_link_delay);
     section.read("on_close", link.stop_on_close, parse_on_close);
+    section.read("dead_after_s", link.dead_after, parse_dead_after);
     if (link.jitter > link.latency) {
         faults.add(*section.find("jitter_ms"),
                    "must not exceed latency_ms: nothing arrives before it is sent");
     }
     for (const std::string_view key : {"baud", "on_close"}) {
-        if (!has_pty && section.find(key)) {
+        if (is_none(sensor.find("pty")) && section.find(key)) {
             faults.add(*section.find(key), "is of a tty; give pty, or leave it out");
         }
+    }
+    if (is_none(sensor.find("tcp")) && section.find("dead_after_s")) {
+        faults.add(*section.find("dead_after_s"), "is of TCP; give tcp, or leave it out");
     }
     if (link.baud && model) {
         faults.guard(*section.find("baud"), [&] { check_baud(*link.baud, model->profile); });
@@ -135,7 +139,7 @@ void read_scanner(const Field& field, const Section& section, SensorConfig& sens
     }
     sensor.clock = read_clock(section, faults);
     if (const Field* link = section.find("link")) {
-        sensor.link = read_link(*link, !is_none(section.find("pty")), model, faults);
+        sensor.link = read_link(*link, section, model, faults);
     }
     context.claims.claim(section.find("tcp"), sensor.tcp);
     if (sensor.pty && !sensor.pty->link.empty()) {

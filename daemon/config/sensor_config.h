@@ -59,6 +59,8 @@ struct LinkConfig {
     std::chrono::nanoseconds coalesce{};
     /// A tty's last close ends what was begun on it; else it goes on unheard.
     bool stop_on_close = true;
+    /// A TCP client that has not acknowledged anything for so long is gone; 0: never.
+    std::chrono::nanoseconds dead_after = std::chrono::seconds(30);
 
     bool operator==(const LinkConfig&) const = default;
 };

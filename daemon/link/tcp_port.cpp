@@ -27,7 +27,7 @@ constexpr std::chrono::milliseconds accept_pause{100};
 }  // namespace
 
 TcpPort::TcpPort(const asio::any_io_executor& executor, const Address& address)
-    : acceptor_(executor), pause_(executor) {
+    : acceptor_(executor), pause_(executor), peer_timer_(executor) {
     try {
         const tcp::endpoint endpoint(asio::ip::make_address(address.host), address.port);
         acceptor_.open(endpoint.protocol());
@@ -97,6 +97,24 @@ void TcpPort::connect(tcp::socket socket) {
                                                    accept();
                                                }});
     connection_->start();
+    watch(descriptor);
+}
+
+// Looked at so often that it is at most an eighth too late.
+void TcpPort::watch(int socket) {
+    if (link_.dead_after == link_.dead_after.zero()) return;
+    peer_.emplace(socket, link_.dead_after);
+    watch_on();
+}
+
+void TcpPort::watch_on() {
+    peer_timer_.expires_after(link_.dead_after / 8);
+    peer_timer_.async_wait([self = shared_from_this()](error_code error) {
+        if (error || !self->peer_) return;
+        if (!self->peer_->stalled()) return self->watch_on();
+        self->disconnect();
+        self->accept();
+    });
 }
 
 void TcpPort::disconnect() {
@@ -104,6 +122,8 @@ void TcpPort::disconnect() {
     lost_before_ += connection_->lost();
     connection_->close();
     connection_.reset();
+    peer_.reset();
+    peer_timer_.cancel();
 }
 
 }  // namespace scipd::daemon

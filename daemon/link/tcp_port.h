@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <boost/asio/any_io_executor.hpp>
@@ -16,6 +17,7 @@
 #include "daemon/config/config.h"
 #include "daemon/device/device.h"
 #include "daemon/link/connection.h"
+#include "daemon/link/tcp_peer.h"
 
 namespace scipd::daemon {
 
@@ -39,12 +41,17 @@ class TcpPort : public std::enable_shared_from_this<TcpPort> {
     void accept_later();
     void connect(boost::asio::ip::tcp::socket socket);
     void disconnect();
+    /// Until it disconnects.
+    void watch(int socket);
+    void watch_on();
 
     boost::asio::ip::tcp::acceptor acceptor_;
     boost::asio::steady_timer pause_;
     Device* device_ = nullptr;
     LinkConfig link_;
     std::shared_ptr<Connection> connection_;
+    std::optional<TcpPeer> peer_;  ///< where there is a bound for it
+    boost::asio::steady_timer peer_timer_;
     std::uint64_t lost_before_ = 0;  ///< by connections that have ended
     bool accepting_ = false;
 };

@@ -111,34 +111,41 @@ TEST_F(ConfigSensorTest, HasAClockThatRunsAsItLikes) {
 }
 
 TEST_F(ConfigSensorTest, HasALinkWithTroublesOfItsOwn) {
-    const LinkConfig link = sensor(
-                                "link: {latency_ms: 0.5, jitter_ms: 0.1, baud: 750000, "
-                                "split_bytes: 7, coalesce_ms: 2, on_close: stop}",
-                                "URG-04LX")
-                                .link;
+    const LinkConfig link =
+        sensor(
+            "tcp: 127.0.0.1:0, link: {latency_ms: 0.5, jitter_ms: 0.1, baud: 750000, "
+            "split_bytes: 7, coalesce_ms: 2, on_close: keep, dead_after_s: 2.5}",
+            "URG-04LX")
+            .link;
     EXPECT_EQ(link.latency, 500us);
     EXPECT_EQ(link.jitter, 100us);
     EXPECT_EQ(link.baud, 750000);
     EXPECT_EQ(link.split_bytes, 7);
     EXPECT_EQ(link.coalesce, 2ms);
-    EXPECT_TRUE(link.stop_on_close);
-    EXPECT_FALSE(sensor("link: {on_close: keep}").link.stop_on_close);
+    EXPECT_FALSE(link.stop_on_close);
+    EXPECT_EQ(link.dead_after, 2500ms);
+    EXPECT_TRUE(sensor("link: {on_close: stop}").link.stop_on_close);
+    EXPECT_TRUE(sensor("").link.stop_on_close);
+    EXPECT_EQ(sensor("").link.dead_after, 30s);
+    EXPECT_EQ(sensor("tcp: 127.0.0.1:0, link: {dead_after_s: 0}").link.dead_after, 0s);
     EXPECT_EQ(sensor("link: {latency_ms: 10000, jitter_ms: 10000}").link.jitter, 10s);
 }
 
 TEST_F(ConfigSensorTest, SaysWhatALinkCannotBe) {
     EXPECT_THAT(
-        sensor_faults("link: {latency_ms: -1, jitter_ms: 1e9, baud: 9.6, split_bytes: 65537, "
-                      "coalesce_ms: nan, on_close: hang, delay: 1}",
+        sensor_faults("tcp: 127.0.0.1:0, link: {latency_ms: -1, jitter_ms: 1e9, baud: 9.6, "
+                      "split_bytes: 65537, "
+                      "coalesce_ms: nan, on_close: hang, dead_after_s: 0.5, delay: 1}",
                       "URG-04LX"),
         ElementsAre(at("link.delay: unknown key; known here are latency_ms, jitter_ms, baud, "
-                       "split_bytes, coalesce_ms, on_close"),
+                       "split_bytes, coalesce_ms, on_close, dead_after_s"),
                     at("link.latency_ms: must be 0 to 10000 ms, not '-1'"),
                     at("link.jitter_ms: must be 0 to 10000 ms, not '1e9'"),
                     at("link.baud: must be a whole number from 300 to 999999, not '9.6'"),
                     at("link.split_bytes: must be a whole number from 0 to 65536, not '65537'"),
                     at("link.coalesce_ms: must be a number, not 'nan'"),
-                    at("link.on_close: must be keep or stop, not 'hang'")));
+                    at("link.on_close: must be keep or stop, not 'hang'"),
+                    at("link.dead_after_s: must be 1 to 3600 s, or 0 for never, not '0.5'")));
     EXPECT_THAT(sensor_faults("link: {latency_ms: 1, jitter_ms: 1.5}"),
                 ElementsAre(at("link.jitter_ms: must not exceed latency_ms: nothing arrives before "
                                "it is sent")));
@@ -152,6 +159,10 @@ TEST_F(ConfigSensorTest, SaysWhatALinkCannotBe) {
                        "link: {baud: 19200, on_close: keep}}}}}\n"),
                 ElementsAre(at("link.baud: is of a tty; give pty, or leave it out"),
                             at("link.on_close: is of a tty; give pty, or leave it out")));
+    EXPECT_THAT(faults("scene: room.sdf\n"
+                       "robots: {r: {sensors: {s: {model: URG-04LX, pty: auto,\n"
+                       "link: {dead_after_s: 5}}}}}\n"),
+                ElementsAre(at("link.dead_after_s: is of TCP; give tcp, or leave it out")));
 }
 
 TEST_F(ConfigSensorTest, PacesTheRatesThatAProfileAdds) {

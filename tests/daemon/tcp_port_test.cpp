@@ -164,6 +164,36 @@ TEST_F(TcpPortTest, CutsAsItsLinkDoes) {
     EXPECT_GT(reads, received.size() / 7 / 2);
 }
 
+TEST_F(TcpPortTest, KeepsAClientThatReadsSlowlyAndNotOneThatNeverDoes) {
+    port_->serve(device_, {.dead_after = 3s});
+    const std::string address = port_->address();
+    ScannerWire wire = ScannerWire::tcp(
+        static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1))), 4096);
+    wire.write("MD0000108000000\n");
+    EXPECT_TRUE(comes(wire, "MD0000108000000\n00P\n\n"));
+    std::int64_t revolution = device_.next_revolution() + 1;
+    const auto fill = [&] {
+        const std::uint64_t lost = port_->lost_scans();
+        while (port_->lost_scans() == lost) {
+            device_.turn_complete(revolution++);
+            io_.restart();
+            io_.poll();
+        }
+    };
+    for (int round = 0; round < 3; ++round) {
+        fill();
+        io_.restart();
+        io_.run_for(1200ms);
+        ASSERT_TRUE(port_->connected()) << round;
+        ASSERT_TRUE(run_until(io_, [&] {
+            std::array<char, 4096> buffer;
+            return wire.read(buffer, 0ms) == 0;
+        }));
+    }
+    fill();
+    EXPECT_TRUE(run_until(io_, [&] { return !port_->connected(); }));
+}
+
 TEST_F(TcpPortTest, EndsWithItsClient) {
     port_->serve(device_);
     ScannerWire wire = connect();

@@ -36,7 +36,7 @@ milliseconds left_until(Steady::time_point end) {
 
 }  // namespace
 
-ScannerWire ScannerWire::tcp(std::uint16_t port, int receive_buffer) {
+ScannerWire ScannerWire::tcp(std::uint16_t port, int receive_buffer, const char* host) {
     ScannerWire wire(checked(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0), "socket"));
     if (receive_buffer > 0) {
         ::setsockopt(wire.descriptor_, SOL_SOCKET, SO_RCVBUF, &receive_buffer,
@@ -47,7 +47,7 @@ ScannerWire ScannerWire::tcp(std::uint16_t port, int receive_buffer) {
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_port = htons(port);
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    checked(::inet_pton(AF_INET, host, &address.sin_addr), "address");
     checked(
         ::connect(wire.descriptor_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)),
         "connect");

@@ -25,9 +25,10 @@ class ScannerWire : public protocol::client::Transport {
     /// Far more than any answer takes on a machine that is busy with other things.
     static constexpr std::chrono::seconds patience{15};
 
-    /// To a port of 127.0.0.1. A `receive_buffer` of the kernel's that is small makes a slow reader
-    /// felt early. Throws std::system_error.
-    [[nodiscard]] static ScannerWire tcp(std::uint16_t port, int receive_buffer = 0);
+    /// To a port of this machine or of `host`. A `receive_buffer` of the kernel's that is small
+    /// makes a slow reader felt early. Throws std::system_error.
+    [[nodiscard]] static ScannerWire tcp(std::uint16_t port, int receive_buffer = 0,
+                                         const char* host = "127.0.0.1");
     /// The tty as it is: no setting is changed.
     [[nodiscard]] static ScannerWire tty(const std::filesystem::path& path);
     ScannerWire(ScannerWire&& other) noexcept;
