@@ -57,7 +57,8 @@ SensorStatus Fleet::status_of(const Station& station) const {
         .name = station.name(),
         .backend = choice.backend,
         .backend_reason = choice.reason.empty() ? std::optional<std::string>() : choice.reason,
-        .lost = station.loop->missed() + station.tap->lost()};
+        .lost = station.loop->missed(),
+        .stream_lost = station.loop->missed_by_watchers() + station.tap->lost()};
     station.staring ? describe(*station.staring, status) : describe(*station.device, status);
     if (station.tcp) {
         status.tcp = station.tcp->address();

@@ -43,7 +43,8 @@ struct SensorStatus {
     std::optional<std::string> pty;  ///< the link
     std::uint64_t clients = 0;       ///< connected now
     std::uint64_t scans = 0;
-    std::uint64_t lost = 0;
+    std::uint64_t lost = 0;                  ///< scans that drivers did not get
+    std::uint64_t stream_lost = 0;           ///< and clients of /stream
     std::optional<LatenessStatus> lateness;  ///< nothing: no scan yet
 };
 

@@ -40,6 +40,7 @@ Json to_json(const SensorStatus& sensor) {
             {"clients", sensor.clients},
             {"scans", sensor.scans},
             {"lost", sensor.lost},
+            {"stream_lost", sensor.stream_lost},
             {"lateness_ms", to_json(sensor.lateness)}};
 }
 

@@ -60,10 +60,9 @@ sim::ChanceKey Device::chance(sim::Purpose purpose) const {
     return key;
 }
 
-bool Device::wanted() const {
-    return watcher_ || std::ranges::any_of(clients_, [](const Client* client) {
-               return client->session_.measuring();
-           });
+bool Device::driven() const {
+    return std::ranges::any_of(clients_,
+                               [](const Client* client) { return client->session_.measuring(); });
 }
 
 void Device::watch(std::function<void(const ScanRecord&)> watcher) {

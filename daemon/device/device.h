@@ -49,7 +49,8 @@ class Device : public ScanSource {
     /// For what is random about it and its links, the same in every run.
     [[nodiscard]] sim::ChanceKey chance(sim::Purpose purpose) const;
 
-    [[nodiscard]] bool wanted() const override;
+    [[nodiscard]] bool driven() const override;
+    [[nodiscard]] bool watched() const override { return watcher_ != nullptr; }
     void on_wanted(std::function<void()> callback) override { on_wanted_ = std::move(callback); }
 
     /// Somebody who sees every scan, whatever clients want; null: nobody.

@@ -47,7 +47,9 @@ void ScanLoop::serve() {
     if (lacks_poses_) return wait(at_the_latest);
     if (clock_.now() - leaves > too_late) {
         const std::int64_t next = source_.next_revolution();
-        missed_ += static_cast<std::uint64_t>(next - revolution_);
+        const auto passed = static_cast<std::uint64_t>(next - revolution_);
+        if (source_.driven()) missed_ += passed;
+        if (source_.watched()) missed_by_watchers_ += passed;
         revolution_ = next;
     } else {
         source_.turn_complete(revolution_++);

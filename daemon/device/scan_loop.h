@@ -25,8 +25,11 @@ class ScanLoop {
     /// To be called when poses have come: scans may wait for them.
     void poses_came();
 
-    /// Revolutions that could not be served because the machine was too slow or asleep.
+    /// Revolutions that could not be served because the machine was too slow or asleep, and that a
+    /// driver waited for, ..
     [[nodiscard]] std::uint64_t missed() const { return missed_; }
+    /// .. or somebody who watches.
+    [[nodiscard]] std::uint64_t missed_by_watchers() const { return missed_by_watchers_; }
 
   private:
     void wake();
@@ -40,6 +43,7 @@ class ScanLoop {
     bool waiting_ = false;
     bool lacks_poses_ = false;
     std::uint64_t missed_ = 0;
+    std::uint64_t missed_by_watchers_ = 0;
 };
 
 }  // namespace scipd::daemon

@@ -19,8 +19,12 @@ class ScanSource {
     ScanSource& operator=(const ScanSource&) = delete;
     virtual ~ScanSource() = default;
 
-    /// Somebody waits for scans.
-    [[nodiscard]] virtual bool wanted() const = 0;
+    /// Somebody waits for scans, ..
+    [[nodiscard]] bool wanted() const { return driven() || watched(); }
+    /// .. a driver, ..
+    [[nodiscard]] virtual bool driven() const = 0;
+    /// .. or somebody who sees every scan, whatever drivers want.
+    [[nodiscard]] virtual bool watched() const = 0;
     /// Called when wanted() may have become true.
     virtual void on_wanted(std::function<void()> callback) = 0;
 

@@ -44,7 +44,9 @@ class StaringSensor : public ScanSource {
 
     [[nodiscard]] const sim::StaringSpec& spec() const { return staring_.spec(); }
 
-    [[nodiscard]] bool wanted() const override { return watcher_ != nullptr; }
+    /// Drivers need SCIP.
+    [[nodiscard]] bool driven() const override { return false; }
+    [[nodiscard]] bool watched() const override { return watcher_ != nullptr; }
     void on_wanted(std::function<void()> callback) override { on_wanted_ = std::move(callback); }
     /// Somebody who sees every measurement; null: nobody.
     void watch(std::function<void(const StaringRecord&)> watcher);

@@ -80,6 +80,30 @@ TEST_F(ScanLoopTest, CountsTurnsThatItSleptThrough) {
               device_.latest_scan()->revolution - first);
 }
 
+TEST_F(ScanLoopTest, CountsForThoseWhoWaited) {
+    const auto sleep_through = [&] {
+        std::int64_t latest = device_.next_revolution();
+        ASSERT_TRUE(run_until(io_, [&] {
+            return device_.latest_scan() && device_.latest_scan()->revolution > latest;
+        }));
+        latest = device_.latest_scan()->revolution;
+        std::this_thread::sleep_for(1300ms);
+        ASSERT_TRUE(run_until(io_, [&] { return device_.latest_scan()->revolution > latest; }));
+    };
+    device_.watch([](const ScanRecord&) {});
+    sleep_through();
+    EXPECT_EQ(loop_->missed(), 0U);
+    const std::uint64_t unwatched = loop_->missed_by_watchers();
+    EXPECT_GT(unwatched, 40U);
+
+    device_.watch(nullptr);
+    Client client(device_, [] {});
+    client.receive("MD0540054000000\n");
+    sleep_through();
+    EXPECT_GT(loop_->missed(), 40U);
+    EXPECT_EQ(loop_->missed_by_watchers(), unwatched);
+}
+
 TEST_F(ScanLoopTest, ServesNobodyOnceItIsGone) {
     Client client(device_, [] {});
     client.receive("MD0540054000000\n");

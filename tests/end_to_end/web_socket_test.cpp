@@ -89,12 +89,13 @@ TEST_F(WebSockets, OneWhoDoesNotReadLosesScansAndHoldsNobodyUp) {
     ScannerWire wire = ScannerWire::tcp(daemon_.port());
     EXPECT_EQ(wire.ask(stream_of_one_beam), "00");
     std::uint32_t stamp_ms = wire.next_scan().stamp_ms;
-    const auto lost = [&] { return daemon_.sensor_status().at("lost").get<int>(); };
+    const auto lost = [&] { return daemon_.sensor_status().at("stream_lost").get<int>(); };
     while (lost() == 0) {
         const std::uint32_t next_ms = wire.next_scan().stamp_ms;
         ASSERT_EQ(turns_between(stamp_ms, next_ms), 1);
         stamp_ms = next_ms;
     }
+    EXPECT_EQ(daemon_.sensor_status().at("lost"), 0) << "the driver got all";
     // What was queued comes whole and in order.
     std::int64_t last = -1;
     for (int i = 0; i < 16; ++i) {

@@ -69,6 +69,7 @@ daemon::Status ControlStandIn::status() const {
                                   .clients = 1,
                                   .scans = 4000,
                                   .lost = 2,
+                                  .stream_lost = 3,
                                   .lateness = {}});
     }
     return status;

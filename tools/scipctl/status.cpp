@@ -33,12 +33,12 @@ std::string lateness(const Json& sensor) {
 
 void print_sensors(const Json& sensors) {
     std::vector<Row> rows{{"SENSOR", "MODEL", "BACKEND", "STATE", "CLIENTS", "SCANS", "LOST",
-                           "LATE p50/p99/max ms", "TCP", "TTY"}};
+                           "STREAM LOST", "LATE p50/p99/max ms", "TCP", "TTY"}};
     for (const Json& sensor : sensors) {
         rows.push_back({text(sensor, "name"), text(sensor, "model"), text(sensor, "backend"),
                         text(sensor, "state"), text(sensor, "clients"), text(sensor, "scans"),
-                        text(sensor, "lost"), lateness(sensor), text(sensor, "tcp"),
-                        text(sensor, "pty")});
+                        text(sensor, "lost"), text(sensor, "stream_lost"), lateness(sensor),
+                        text(sensor, "tcp"), text(sensor, "pty")});
     }
     print_table(std::cout, rows);
 }
