@@ -135,11 +135,6 @@ Fleet::Ports Fleet::open_ports(const Config& config) const {
             }
             if (sensor.pty) {
                 const std::filesystem::path link = link_of(robot, sensor);
-                // a-b/c and a/b-c
-                if (ports.pty.contains(link)) {
-                    throw std::runtime_error("two scanners would have the tty " + link.string() +
-                                             "; name one of them with pty");
-                }
                 const auto open = ports_.pty.find(link);
                 ports.pty[link] =
                     open != ports_.pty.end() ? open->second : open_tty(executor_, robot, sensor);

@@ -18,7 +18,7 @@ void start_logging(const std::string& level, std::size_t most_waiting = 4096);
 
 /// Waits until all is written that was logged, but no longer than a second: false where standard
 /// error does not take it. Then only std::_Exit() ends the program, for the thread still waits.
-/// Nothing is logged from here on.
+/// Nothing is logged from here on; called again it waits again where it waited in vain.
 bool finish_logging();
 
 }  // namespace scipd::daemon

@@ -48,8 +48,7 @@ int serve(const scipd::daemon::Options& options) {
     try {
         server.emplace(options);
     } catch (const std::exception& error) {
-        scipd::daemon::finish_logging();
-        print_error(error);
+        if (scipd::daemon::finish_logging()) print_error(error);
         return cannot_start;
     }
     print(server->ready_line() + "\n");

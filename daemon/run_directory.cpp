@@ -37,10 +37,17 @@ std::filesystem::path run_directory() {
     return in_tmp();
 }
 
+std::filesystem::path usual_control_socket() {
+    return run_directory() / "control.sock";
+}
+
 std::filesystem::path make_run_directory() {
     std::filesystem::path folder = run_directory();
-    // The others are somebody's choice.
-    folder == in_tmp() ? make_private_folder(folder) : make_folder(folder);
+    if (folder == in_tmp()) {
+        make_private_folder(folder);
+    } else {
+        make_folder(folder);  // somebody's choice
+    }
     return folder;
 }
 

@@ -12,7 +12,10 @@ namespace scipd::daemon {
 /// $XDG_RUNTIME_DIR/scipd, else /tmp/scipd-UID. Not created.
 std::filesystem::path run_directory();
 
-/// The same, created. Throws std::runtime_error.
+/// The control socket that nobody has named.
+std::filesystem::path usual_control_socket();
+
+/// The same folder, created. Throws std::runtime_error.
 std::filesystem::path make_run_directory();
 
 /// Where there is none yet it is for this user alone. Throws std::runtime_error.

@@ -14,12 +14,14 @@
 #include "daemon/control/routes.h"
 #include "daemon/control/socket_routes.h"
 #include "daemon/run_directory.h"
+#include "sim/loaders/plain_file.h"
 
 namespace scipd::daemon {
 
 namespace asio = boost::asio;
 
-// The world before all else: until signals_ is made they end the program, and nothing is left.
+// The world before all else: until signals_ is made SIGINT and SIGTERM end the program, and nothing
+// is left behind.
 Server::Server(const Options& options) : Server(options, make_plan(options.config)) {}
 
 Server::Server(const Options& options, FleetPlan&& plan)
@@ -43,8 +45,12 @@ Server::Server(const Options& options, FleetPlan&& plan)
 // One that nobody has named is the first scipd's; those after it have their own.
 void Server::listen_for_control() {
     const std::filesystem::path& named = options_.config.control;
-    control_socket_ = named.empty() ? make_run_directory() / "control.sock" : named;
-    make_folder(control_socket_.parent_path());
+    if (named.empty()) {
+        make_run_directory();
+    } else {
+        make_folder(named.parent_path());
+    }
+    control_socket_ = named.empty() ? usual_control_socket() : named;
     try {
         control_hold_.emplace(io_.get_executor(), control_socket_);
     } catch (const PathHeld&) {
@@ -110,7 +116,11 @@ void Server::reload() {
 Server::Next Server::load_next(const Options& options, const SettledBackends& settled,
                                const std::stop_token& stop) {
     const Config& started = options.config;
-    Config config = load_config(*options.config_file);
+    // A FIFO was read at the start; another one in its place would hold the loader up for good.
+    const std::filesystem::path& file = *options.config_file;
+    if (const auto why = sim::why_no_file(file); !why.empty())
+        throw ConfigError({file.string() + ": " + why + "; a configuration to reload is a file"});
+    Config config = load_config(file);
     const bool asks_for_a_start = config.control != started.control ||
                                   config.http != started.http || config.clock != started.clock;
     config.clock = started.clock;

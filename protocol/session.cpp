@@ -168,8 +168,9 @@ std::optional<Status> Session::refusal(const Request& request, Uptime now) const
     return refusal_of(request, state(now), device_.trouble(), link_, profile_);
 }
 
-// Halfway between request and reply: urg_stamped and hokuyoaist take it for that, and the former's
-// simulator, whose author had units, waits as long before it reads the clock as after.
+// Of a reply that leaves at once, halfway between it and its request: urg_stamped and hokuyoaist
+// take it for that, and the former's simulator, whose author had units, waits as long before it
+// reads the clock as after. Who waits for a tick reads it then.
 Uptime Session::shown(Uptime now) const {
     return now - profile_.reply_delay / 2;
 }

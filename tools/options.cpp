@@ -51,8 +51,8 @@ CLI::Validator number_within(double least, double most) {
 int run(CLI::App& program, int argc, char** argv) {
     constexpr int failed = 1;
     constexpr int wrong_options = 2;
-    const SafeOutput out(std::cout);
-    const SafeOutput errors(std::cerr);
+    SafeOutput out(std::cout);
+    SafeOutput errors(std::cerr);
     program.failure_message([](const CLI::App* app, const CLI::Error& error) {
         return app->get_name() + ": " + sentence_of(*app, error) + " (see " + app->get_name() +
                " --help)\n";

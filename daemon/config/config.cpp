@@ -96,8 +96,7 @@ RobotConfig Reader::read_robot(const Field& field, SensorContext& context) {
 
 void Reader::claim_sockets(const Section& section, const Config& config) {
     claims_.claim(section.find("http"), Transport::tcp, config.http);
-    claims_.claim_file("control",
-                       config.control.empty() ? run_directory() / "control.sock" : config.control);
+    claims_.claim_file("control", config.control.empty() ? usual_control_socket() : config.control);
 }
 
 void Reader::note_places(const Section& section, std::initializer_list<std::string_view> keys) {

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include <boost/asio/ip/udp.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/asio/post.hpp>
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -66,11 +68,8 @@ class LineSink {
 
   private:
     void tell(const std::string& refusal) {
-        const auto left_out = throttle_.admit(std::chrono::steady_clock::now());
-        if (!left_out) return;
-        const std::string others =
-            *left_out == 0 ? "" : " (" + std::to_string(*left_out) + " others before)";
-        context_.report("pose of " + robot_ + " refused: " + refusal + others);
+        const auto others = throttle_.admit(std::chrono::steady_clock::now());
+        if (others) context_.report("pose of " + robot_ + " refused: " + refusal + *others);
     }
 
     void when_ready(const std::function<void()>& call) {
@@ -153,7 +152,10 @@ class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<S
             throw std::runtime_error(
                 "poses from standard input need a pipe or a terminal, not a file: play a TUM file "
                 "with --poses FILE.tum, or let its stamps be the time with --clock poses");
-        input_.assign(::dup(STDIN_FILENO));
+        const int descriptor = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0);
+        if (descriptor < 0)
+            throw std::system_error(errno, std::generic_category(), "cannot read standard input");
+        input_.assign(descriptor);
     }
 
     void stop() override {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdio>
 #include <variant>
 
@@ -126,8 +127,10 @@ std::optional<std::string> PoseIntake::take_leaping(sim::Time stamp, const sim::
     const auto time = lockstep_->time_anew(&sender, first, stamp);
     if (!time) return leaps + ", too far for one run";
     if (auto refusal = place(line, robot, *time)) return refusal;
-    spdlog::warn("the stamps of poses have leapt{}: time goes on from there",
-                 from_to(before, first));
+    if (const auto others = leaps_told_.admit(std::chrono::steady_clock::now())) {
+        spdlog::warn("the stamps of poses have leapt{}: time goes on from there{}",
+                     from_to(before, first), *others);
+    }
     sender.leap().forget();
     lockstep_->begin_anew_with(&sender, first);
     lockstep_->come_to(&sender, *time, world_.has_one_mover());

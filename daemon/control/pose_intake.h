@@ -15,6 +15,7 @@
 
 #include "daemon/control/lockstep.h"
 #include "daemon/control/stamp_leap.h"
+#include "daemon/control/throttle.h"
 #include "daemon/control/world.h"
 #include "sim/loaders/trajectory.h"
 #include "sim/time.h"
@@ -97,6 +98,7 @@ class PoseIntake {
     std::uint64_t accepted_ = 0;
     std::uint64_t refused_ = 0;
     std::optional<std::string> last_refusal_;
+    Throttle leaps_told_;
 };
 
 }  // namespace scipd::daemon

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace scipd::daemon {
@@ -16,14 +17,16 @@ class Throttle {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// It has happened once more. Nothing: not to be told now; else how many before it were not.
-    std::optional<std::uint64_t> admit(Time now) {
+    /// It has happened once more. Nothing: not to be told now; else what to add when it is told, of
+    /// how many before it were not.
+    std::optional<std::string> admit(Time now) {
         if (last_ && now - *last_ < std::chrono::seconds(1)) {
             ++left_out_;
             return std::nullopt;
         }
         last_ = now;
-        return std::exchange(left_out_, 0);
+        const std::uint64_t others = std::exchange(left_out_, 0);
+        return others == 0 ? "" : " (" + std::to_string(others) + " others before)";
     }
 
   private:

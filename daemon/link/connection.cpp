@@ -52,7 +52,8 @@ Outbox outbox_of(const Device& device, const LinkConfig& link) {
 Connection::Connection(Descriptor descriptor, Device& device, const LinkConfig& link, Hooks hooks)
     : descriptor_(std::move(descriptor)),
       hooks_(std::move(hooks)),
-      client_(std::make_unique<Client>(device, [this] { flush(); }, hooks_.kind)),
+      client_(std::make_unique<Client>(
+          device, [this] { flush(); }, hooks_.kind)),
       clock_(device.clock()),
       alarm_(clock_.make_alarm()),
       inbox_(line_to_device(device, link)),
@@ -112,8 +113,16 @@ void Connection::read() {
                                 });
 }
 
+void Connection::drop_input() {
+    received_ = 0;
+    if (!reading_) return;
+    error_code ignored;
+    descriptor_.cancel(ignored);
+    drops_reading_ = true;
+}
+
 void Connection::take_input(std::size_t count) {
-    received_ = count;
+    received_ = std::exchange(drops_reading_, false) ? 0 : count;
     if (hooks_.somebody_there() && received_ > 0) {
         if (device_rate_ != 0) inbox_.set_rate(hooks_.client_rate());
         inbox_.send(std::string(input_.data(), received_), clock_.now());

@@ -49,8 +49,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
     void forget();
     /// .. or ends, as by close().
     void hang_up();
-    /// To be called from within somebody_there(): what has just been read is not for the device.
-    void drop_input() { received_ = 0; }
+    /// To be called from within somebody_there(): what has been read and is not on its way to the
+    /// device is not for it.
+    void drop_input();
 
     /// Scans that the client read too slowly for.
     [[nodiscard]] std::uint64_t lost() const { return lost_; }
@@ -79,7 +80,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
     int device_rate_;      ///< of the device's side of a serial line; 0: there is none
     std::string sending_;  ///< what is being written
     std::array<char, 4096> input_;
-    std::size_t received_ = 0;  ///< of it, and not yet on its way to the device
+    std::size_t received_ = 0;    ///< of it, and not yet on its way to the device
+    bool drops_reading_ = false;  ///< what is being read, or has been and is still to be reported
     bool reading_ = false;
     bool writing_ = false;
     bool input_ended_ = false;

@@ -23,7 +23,7 @@ namespace scipd::sim {
 namespace {
 
 constexpr int failed_with_words = 1;
-/// For a mesh and the files beside it, many times over.
+/// For a world or a mesh and the files beside it, many times over.
 constexpr rlim_t most_descriptors = 64;
 
 File new_file() {

@@ -19,6 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+LoadError unreadable(const fs::path& file, const std::string& why) {
+    constexpr std::size_t most_told = 400;
+    return LoadError(
+        {file.string() + ": libsdformat cannot read it: " + printable(why, most_told)});
+}
+
 LoadedScene load(const SdfSource& source, const fs::path& folder, const SdfOptions& options) {
     const Resources resources{folder, options.model_folders};
     try {
@@ -29,11 +35,10 @@ LoadedScene load(const SdfSource& source, const fs::path& folder, const SdfOptio
         throw;
     } catch (const std::exception& error) {
         // The library lets some through, of what converts numbers.
-        throw LoadError({source.file.string() + ": libsdformat cannot read it: " + error.what()});
+        throw unreadable(source.file, error.what());
     } catch (const sdf::Exception& error) {
         // Which is none of the standard library.
-        throw LoadError({source.file.string() +
-                         ": libsdformat cannot read it: " + printable(error.GetErrorStr(), 400)});
+        throw unreadable(source.file, error.GetErrorStr());
     }
 }
 

@@ -78,11 +78,11 @@ TEST(Logging, WritesAllThatWasLoggedBeforeItEnds) {
     Pipe pipe;
     start_logging("info");
     spdlog::debug("not this");
-    for (int i = 0; i < 100; ++i)
+    for (int i = 0; i < 50; ++i)  // the pipe holds twice as many
         spdlog::warn("line {}", i);
     EXPECT_TRUE(finish_logging());
-    const std::string text = pipe.read_until(" line 99\n");
-    EXPECT_EQ(count(text, " warning line "), 100U);
+    const std::string text = pipe.read_until(" line 49\n");
+    EXPECT_EQ(count(text, " warning line "), 50U);
     EXPECT_THAT(text, testing::Not(HasSubstr("not this")));
     EXPECT_THAT(text, testing::Not(HasSubstr("lost")));
 }
