@@ -28,7 +28,9 @@ bool moves(const sim::Scene& scene, const std::string& name) {
 }  // namespace
 
 sim::SceneOptions scene_options(const Config& config) {
-    return {.sdf = {.geometry = config.geometry, .model_folders = stock_models()},
+    return {.sdf = {.geometry = config.geometry,
+                    .model_folders = stock_models(),
+                    .strict = config.strict},
             .map = config.map};
 }
 

@@ -199,6 +199,10 @@ void add_general(CLI::App& app, Said& said) {
         ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "critical", "off"}))
         ->capture_default_str()
         ->group(general_title);
+    app.add_flag(
+           "--strict", said.options.strict,
+           "refuse a world of which anything would be left out or changed, instead of warning")
+        ->group(general_title);
     app.set_version_flag("--version", "scipd " SCIPD_VERSION, "which scipd this is")
         ->group(general_title);
     app.set_help_flag();
@@ -248,13 +252,14 @@ std::variant<Options, Answer> act(Said& said) {
     if (said.list_models) return model_list();
     if (said.list_backends) return backend_list();
     if (said.probe) return probe();
-    if (!said.check.empty()) return Answer{0, check(said.check)};
+    if (!said.check.empty()) return Answer{0, check(said.check, said.options.strict)};
     if (said.config.empty()) {
         complete(said);
     } else {
         said.options.config = load_config(said.config);
         said.options.config_file = fs::absolute(said.config);
     }
+    said.options.config.strict |= said.options.strict;
     return std::move(said.options);
 }
 

@@ -21,6 +21,7 @@ struct Options {
     std::optional<std::filesystem::path> config_file;
     /// trace, debug, info, warn, error, critical or off.
     std::string log_level = "info";
+    bool strict = false;  ///< whatever the configuration says
 };
 
 /// The end of the program: --help, --version, the lists, a checked configuration, wrong options.
