@@ -51,8 +51,9 @@ void check_depth(const RobotConfig& robot, Faults& faults) {
 
 }  // namespace
 
-std::string check(const std::filesystem::path& file) {
-    const Config config = load_config(file);
+std::string check(const std::filesystem::path& file, bool strict) {
+    Config config = load_config(file);
+    config.strict |= strict;
     sim::LoadedScene world;
     Faults faults;
     note_faults(faults, [&] { world = load_world(config); });

@@ -10,8 +10,8 @@
 
 namespace scipd::daemon {
 
-/// Warnings and what there is, for a person. Throws ConfigError, or LoadError with every fault of
-/// all the files that a sound configuration names.
-std::string check(const std::filesystem::path& file);
+/// `strict` as in Config. Warnings and what there is, for a person. Throws ConfigError, or
+/// LoadError with every fault of all the files that a sound configuration names.
+std::string check(const std::filesystem::path& file, bool strict = false);
 
 }  // namespace scipd::daemon

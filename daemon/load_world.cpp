@@ -44,7 +44,9 @@ sim::LoadError named_at(const std::string& place, const sim::LoadError& error) {
 }
 
 sim::SceneOptions scene_options(const Config& config) {
-    return {.sdf = {.geometry = config.geometry, .model_folders = stock_models()},
+    return {.sdf = {.geometry = config.geometry,
+                    .model_folders = stock_models(),
+                    .strict = config.strict},
             .map = config.map};
 }
 

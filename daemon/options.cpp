@@ -14,9 +14,6 @@
 #include "daemon/config/demo_world.h"
 #include "daemon/config/sensor.h"
 #include "daemon/config/values.h"
-#include "daemon/models/registry.h"
-#include "sim/backends/depth.h"
-#include "sim/backends/registry.h"
 #include "sim/loaders/load_error.h"
 
 namespace scipd::daemon {
@@ -205,6 +202,10 @@ void add_general(CLI::App& app, Said& said) {
             {"trace", "debug", "info", "warning", "warn", "error", "critical", "off"}))
         ->capture_default_str()
         ->group(general_title);
+    app.add_flag(
+           "--strict", said.options.strict,
+           "refuse a world of which anything would be left out or changed, instead of warning")
+        ->group(general_title);
     app.set_version_flag("--version", "scipd " SCIPD_VERSION, "which scipd this is")
         ->group(general_title);
     app.set_help_flag();
@@ -213,26 +214,6 @@ void add_general(CLI::App& app, Said& said) {
 
 Answer refusal(const std::string& sentence) {
     return {2, sentence + "\n"};
-}
-
-Answer model_list() {
-    std::string text;
-    for (const Model& model : models())
-        text += describe(model) + "\n";
-    return {0, text};
-}
-
-Answer backend_list() {
-    std::string text;
-    for (const auto& backend : sim::backends())
-        text += std::string{backend.name} + "  " + std::string{backend.description} + "\n";
-    return {0, text};
-}
-
-/// Told either way; the exit code is for scripts.
-Answer probe() {
-    const sim::DepthProbe found = sim::probe_depth();
-    return {found.can_draw ? 0 : 1, found.text};
 }
 
 /// What was left out becomes what design and help say.
@@ -255,13 +236,14 @@ std::variant<Options, Answer> act(Said& said) {
     if (said.list_models) return model_list();
     if (said.list_backends) return backend_list();
     if (said.probe) return probe();
-    if (!said.check.empty()) return Answer{0, check(said.check)};
+    if (!said.check.empty()) return Answer{0, check(said.check, said.options.strict)};
     if (said.config.empty()) {
         complete(said);
     } else {
         said.options.config = load_config(said.config);
         said.options.config_file = fs::absolute(said.config);
     }
+    said.options.config.strict |= said.options.strict;
     return std::move(said.options);
 }
 

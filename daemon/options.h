@@ -10,6 +10,7 @@
 #include <string>
 #include <variant>
 
+#include "daemon/answers.h"
 #include "daemon/config/config.h"
 
 namespace scipd::daemon {
@@ -21,13 +22,7 @@ struct Options {
     std::optional<std::filesystem::path> config_file;
     /// trace, debug, info, warning (or warn), error, critical or off.
     std::string log_level = "info";
-};
-
-/// The end of the program: --help, --version, the lists, a checked configuration, wrong options.
-struct Answer {
-    /// 2: the text is for standard error, else for standard output; 1: a question answered with no.
-    int exit_code = 0;
-    std::string text;  ///< with its last line end
+    bool strict = false;  ///< whatever the configuration says
 };
 
 /// Never throws on any arguments; argv[0] is the program.

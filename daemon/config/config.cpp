@@ -32,8 +32,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t largest_file = 1 << 20;
 constexpr std::size_t most_sensors = 4096;
 
-constexpr std::array<std::string_view, 9> root_keys{
-    "scene", "geometry", "map", "seed", "clock", "models", "robots", "control", "http"};
+constexpr std::array<std::string_view, 10> root_keys{
+    "scene", "geometry", "strict", "map", "seed", "clock", "models", "robots", "control", "http"};
 constexpr std::array<std::string_view, 1> later_root_keys{"materials"};
 constexpr std::array<std::string_view, 4> robot_keys{"pose", "body", "poses", "sensors"};
 
@@ -116,6 +116,7 @@ Config Reader::read(const YAML::Node& document) {
         faults_.guard(whole, [&] { config.scene = demo_scene(); });
     }
     section.read("geometry", config.geometry, parse_geometry);
+    section.read("strict", config.strict, parse_switch);
     if (const Field* map = section.find("map")) config.map = read_map(*map, faults_);
     section.read("seed", config.seed, parse_seed);
     section.read("clock", config.clock, parse_clock);

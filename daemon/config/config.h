@@ -53,6 +53,7 @@ enum class ClockKind {
 struct Config {
     std::filesystem::path scene;
     sim::SdfGeometry geometry = sim::SdfGeometry::visual;
+    bool strict = false;  ///< what a world would be warned of is a fault
     sim::MapOptions map;
     ClockKind clock = ClockKind::wall;
     std::uint64_t seed = 1;

@@ -12,7 +12,6 @@
 #include <system_error>
 
 #include <poll.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -23,19 +22,8 @@ namespace scipd::sim {
 namespace {
 
 constexpr int failed_with_words = 1;
-/// For a world or a mesh and the files beside it, many times over.
-constexpr rlim_t most_descriptors = 64;
-
-File new_file() {
-    const int descriptor = memfd_create("confined", MFD_CLOEXEC);
-    if (descriptor < 0) throw std::system_error(errno, std::generic_category(), "memfd_create");
-    File file{fdopen(descriptor, "w+")};
-    if (!file) {
-        close(descriptor);
-        throw std::system_error(errno, std::generic_category(), "fdopen");
-    }
-    return file;
-}
+/// For a world of so many models, each of which is a file.
+constexpr rlim_t most_descriptors = 1024;
 
 std::size_t memory_in_use() {
     std::size_t pages = 0;
@@ -174,7 +162,7 @@ void wait_for(Child& child, const Confines& confines) {
 }  // namespace
 
 File run_confined(const Confines& confines, const std::function<void(std::FILE* out)>& work) {
-    File file = new_file();
+    File file = memory_file();
     const pid_t parent = getpid();
     const pid_t pid = fork();
     if (pid < 0) throw std::system_error(errno, std::generic_category(), "fork");

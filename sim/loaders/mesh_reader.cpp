@@ -14,6 +14,7 @@
 
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
+#include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -81,6 +82,16 @@ bool is_finite(const aiMesh* mesh) {
                              (folder.refusal().empty() ? "" : "; it " + folder.refusal()));
 }
 
+/// The importer hands out its scene as const, and has no step for this.
+void keep_names_only(const aiScene& scene) {
+    for (aiMaterial* material : std::span{scene.mMaterials, scene.mNumMaterials}) {
+        aiString name;
+        const bool is_named = material->Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS;
+        material->Clear();
+        if (is_named) material->AddProperty(&name, AI_MATKEY_NAME);
+    }
+}
+
 /// All that is asked of a file before and after the steps that make what is wanted of it.
 const aiScene& read(Assimp::Importer& importer, const std::filesystem::path& file, MeshAxes axes,
                     unsigned int steps, const MeshLimits& limits) {
@@ -90,7 +101,12 @@ const aiScene& read(Assimp::Importer& importer, const std::filesystem::path& fil
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION,
                              axes == MeshAxes::as_in_file);
-    const aiScene* scene = importer.ReadFile(file.string(), aiProcess_ValidateDataStructure);
+    const aiScene* scene = importer.ReadFile(file.string(), 0);
+    if (scene == nullptr) refuse(importer);
+    // What is in nobody's way is not asked whether it is right: two cameras of one name, a texture.
+    keep_names_only(*scene);
+    importer.ApplyPostProcessing(aiProcess_RemoveComponent);
+    scene = importer.ApplyPostProcessing(aiProcess_ValidateDataStructure);
     if (scene == nullptr) refuse(importer);
     check_triangle_count(*scene, limits);
     scene = importer.ApplyPostProcessing(steps);

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -29,6 +30,13 @@ std::string why_not_plain(mode_t mode) {
     return "is a device";
 }
 
+File stream_of(int descriptor, const char* mode) {
+    File file{fdopen(descriptor, mode)};
+    if (file) return file;
+    close(descriptor);
+    throw std::runtime_error("cannot be read: " + reason(errno));
+}
+
 }  // namespace
 
 std::string why_no_file(const fs::path& path) {
@@ -41,16 +49,18 @@ File open_file(const fs::path& path) {
     if (const auto why = why_no_file(path); !why.empty()) throw std::runtime_error(why);
     const int descriptor = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     if (descriptor < 0) throw std::runtime_error("cannot be read: " + reason(errno));
-    File file{fdopen(descriptor, "rb")};
-    if (!file) {
-        close(descriptor);
-        throw std::runtime_error("cannot be read: " + reason(errno));
-    }
+    File file = stream_of(descriptor, "rb");
     // Somebody may have put something else there meanwhile.
     struct stat status {};
     fstat(descriptor, &status);
     if (const auto why = why_not_plain(status.st_mode); !why.empty()) throw std::runtime_error(why);
     return file;
+}
+
+File memory_file() {
+    const int descriptor = memfd_create("scipd", MFD_CLOEXEC);
+    if (descriptor < 0) throw std::runtime_error("no file in memory can be had: " + reason(errno));
+    return stream_of(descriptor, "w+");
 }
 
 std::string read_file(const fs::path& path, std::uintmax_t most_bytes, const std::string& wanted) {

@@ -24,6 +24,9 @@ std::string why_no_file(const std::filesystem::path& path);
 /// For reading. Throws std::runtime_error, saying why it cannot be had.
 File open_file(const std::filesystem::path& path);
 
+/// Without a name, in memory. Throws std::runtime_error.
+File memory_file();
+
 /// All of it. Throws LoadError, which names the file and says what is `wanted` there.
 std::string read_file(const std::filesystem::path& path, std::uintmax_t most_bytes,
                       const std::string& wanted);

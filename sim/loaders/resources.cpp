@@ -112,6 +112,23 @@ fs::path newest_version(const fs::path& model) {
     return newest;
 }
 
+/// The two that most worlds of Gazebo name on the web: "Ground Plane" there, ground_plane in a
+/// folder. Nothing for all others.
+std::string name_in_folders(const Uri& uri) {
+    std::string name = lower(uri.name);
+    for (const std::string_view blank : {"%20", " "}) {
+        for (auto at = name.find(blank); at != name.npos; at = name.find(blank))
+            name.replace(at, blank.size(), 1, '_');
+    }
+    constexpr std::string_view owner = "/openrobotics/models/";
+    for (const std::string_view model : {"sun", "ground_plane"}) {
+        if (name.ends_with(model) && name.substr(0, name.size() - model.size()).ends_with(owner)) {
+            return std::string{model};
+        }
+    }
+    return {};
+}
+
 /// HOST/1.0/OWNER/models/NAME[/VERSION[/files/PATH]] lies in HOST/owner/models/name/VERSION/PATH,
 /// in lower case up to the name: how gz-fuel-tools keeps it.
 fs::path downloaded_to(const fs::path& cache, const Uri& uri) {
@@ -154,7 +171,11 @@ Resources::Resources(fs::path folder, std::vector<fs::path> more) : folder_(std:
 fs::path Resources::find(const std::string& text, const fs::path& beside) const {
     const Uri uri{text};
     if (uri.name.empty()) return {};
-    if (uri.downloaded()) return find_download(uri);
+    if (uri.downloaded()) {
+        const fs::path found = find_download(uri);
+        const std::string ours = found.empty() ? name_in_folders(uri) : "";
+        return ours.empty() ? found : find(std::string{"model://"}.append(ours), beside);
+    }
     if (auto found = near(beside, uri); !found.empty()) return found;
     if (auto found = near(folder_, uri); !found.empty()) return found;
     for (const auto& folder : search_path_) {
@@ -167,8 +188,8 @@ std::string Resources::not_found(const std::string& text, const fs::path& beside
     const Uri uri{text};
     if (uri.downloaded()) {
         return printable("'" + text +
-                             "' has not been downloaded; fetch it with `gz fuel download -u " +
-                             text + "`, or name a copy",
+                             "' has not been downloaded; fetch it with `gz fuel download -u '" +
+                             text + "'`, or name a copy",
                          400);
     }
     std::string sentence = "there is no " + quote(text) + " near " + beside.string();

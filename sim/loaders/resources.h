@@ -10,7 +10,8 @@
 //      GAZEBO_MODEL_PATH, GAZEBO_RESOURCE_PATH, ROS_PACKAGE_PATH and AMENT_PREFIX_PATH, in their
 //      share/ and, for packages in stacks, one folder further down;
 //   4  in the folders that the caller adds;
-//   5  for http and https, where Gazebo keeps what it has downloaded. Nothing is ever downloaded.
+//   5  for http and https, where Gazebo keeps what it has downloaded; its Sun and its Ground Plane
+//      also as model://sun and model://ground_plane. Nothing is ever downloaded.
 //
 // What lies two folders down a ROS_PACKAGE_PATH is not found, nor what only a package.xml names.
 // Any thread; the environment is read when it is made.

@@ -28,7 +28,11 @@ LoadedScene load_here(const std::filesystem::path& file, const SceneOptions& opt
 }  // namespace
 
 LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& options) {
-    return load_confined(file.string(), options.limits, [&] { return load_here(file, options); });
+    return load_confined(file.string(), options.limits, [&] {
+        LoadedScene loaded = load_here(file, options);
+        if (options.sdf.strict && !loaded.warnings.empty()) throw LoadError(loaded.warnings);
+        return loaded;
+    });
 }
 
 }  // namespace scipd::sim

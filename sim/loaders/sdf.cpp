@@ -28,9 +28,11 @@ LoadError unreadable(const fs::path& file, const std::string& why) {
 LoadedScene load(const SdfSource& source, const fs::path& folder, const SdfOptions& options) {
     const Resources resources{folder, options.model_folders};
     try {
-        SdfFile read = read_sdf(source, resources, options.most_memory_bytes);
+        SdfFile read = read_sdf(source, resources, options.most_memory_bytes, options.strict);
         if (!read.faults.empty()) throw LoadError(std::move(read.faults));
-        return scene_of(std::move(read), source.file, resources, options);
+        LoadedScene loaded = scene_of(std::move(read), source.file, resources, options);
+        if (options.strict && !loaded.warnings.empty()) throw LoadError(loaded.warnings);
+        return loaded;
     } catch (const LoadError&) {
         throw;
     } catch (const std::exception& error) {

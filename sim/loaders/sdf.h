@@ -32,6 +32,9 @@ struct SdfOptions {
     std::size_t most_memory_bytes = std::size_t{4} << 30U;
     std::size_t most_triangles = 20'000'000;
     MeshLimits mesh = {};  ///< of each file
+    /// Every warning is a fault, and so is what libsdformat has against the parts that are nothing
+    /// to a scanner.
+    bool strict = false;
 };
 
 /// A world, a model or a robot. Throws LoadError where the file cannot be used; nothing half-loaded

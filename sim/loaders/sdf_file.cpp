@@ -3,16 +3,14 @@
 #include "sim/loaders/sdf_file.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
+#include <array>
 #include <utility>
 
 #include <sdf/Element.hh>
 #include <sdf/ParserConfig.hh>
 
 #include "sim/loaders/load_error.h"
-#include "sim/loaders/model_folder.h"
+#include "sim/loaders/plain_file.h"
 #include "sim/loaders/sdf_console.h"
 #include "sim/loaders/urdf.h"
 
@@ -21,38 +19,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What libsdformat calls a text.
-constexpr auto text_path = "data-string";
+/// What libsdformat calls a text, in an element and in messages.
+constexpr std::array text_names{"", "<data-string>", "data-string"};
 
-std::string contents_of(const fs::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    return {std::istreambuf_iterator<char>{stream}, {}};
-}
-
-/// For robots that a world includes: the library wants files.
-class TemporaryFolder {
+/// For what a world includes: the library wants files.
+class MemoryFiles {
   public:
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        if (!path_.empty()) fs::remove_all(path_, ignored);
-    }
-
     fs::path write(const std::string& text) {
-        if (path_.empty()) {
-            std::string pattern = fs::temp_directory_path() / "scipd-XXXXXX";
-            if (mkdtemp(pattern.data()) == nullptr) {
-                throw LoadError({pattern + ": cannot be made; it is for robots in URDF"});
-            }
-            path_ = pattern;
-        }
-        const fs::path file = path_ / (std::to_string(count_++) + ".sdf");
-        std::ofstream{file, std::ios::binary} << text;
-        return file;
+        files_.push_back(memory_file());
+        std::FILE* file = files_.back().get();
+        std::fwrite(text.data(), 1, text.size(), file);
+        std::fflush(file);
+        return "/proc/self/fd/" + std::to_string(fileno(file));
     }
 
   private:
-    fs::path path_;
-    int count_ = 0;
+    std::vector<File> files_;
 };
 
 /// The global configuration is the only one that the library has for includes within includes.
@@ -68,20 +50,14 @@ class GlobalConfig {
     sdf::ParserConfig before_;
 };
 
-sdf::ParserConfig config_for(const std::map<std::string, fs::path>& includes) {
+using Includes = std::map<std::string, fs::path>;
+
+sdf::ParserConfig config_for(Includes includes) {
     sdf::ParserConfig config;
     config.SetWarningsPolicy(sdf::EnforcementPolicy::WARN);
     config.SetUnrecognizedElementsPolicy(sdf::EnforcementPolicy::WARN);
     config.SetDeprecatedElementsPolicy(sdf::EnforcementPolicy::WARN);
-    for (const auto& [uri, path] : includes) {
-        // Otherwise the library would look first where the program runs.
-        const fs::path name = fs::path{uri}.filename();
-        if (path.filename() == name) {
-            config.AddURIPath(uri.substr(0, uri.size() - name.string().size()),
-                              path.parent_path().string());
-        }
-    }
-    config.SetFindCallback([includes](const std::string& uri) {
+    config.SetFindCallback([includes = std::move(includes)](const std::string& uri) {
         const auto known = includes.find(uri);
         return known == includes.end() ? std::string{} : known->second.string();
     });
@@ -112,38 +88,42 @@ bool is_echo(const sdf::Error& error, const std::string& last_path) {
 
 class Reader {
   public:
-    Reader(const SdfSource& source, SdfFile& result) : source_(source), result_(result) {
-        result_.stand_ins.emplace(text_path, source.file);
-    }
+    Reader(const SdfSource& source, SdfFile& result) : source_(source), result_(result) {}
 
-    void read(std::map<std::string, fs::path> includes) {
-        for (auto& [uri, path] : includes) {
-            const fs::path model = model_file_of(path);
-            const std::string text = contents_of(model);
-            if (is_urdf(text)) path = stand_in_for(text, model);
-        }
-        fs::path file = source_.file;
-        const std::string text = source_.text ? *source_.text : contents_of(file);
-        const bool urdf = is_urdf(text);
-        if (urdf) file = stand_in_for(text, file);
+    void read(const std::vector<SdfDocument>& documents) {
+        Includes includes;
+        for (std::size_t i = 1; i < documents.size(); ++i)
+            includes[uri_of(i)] = stand_in_for(documents[i]);
+        const SdfDocument& main = documents.front();
+        const bool urdf = is_urdf(main.text);
+        const std::string text = urdf ? converted(main) : main.text;
+        for (const char* name : text_names)
+            result_.stand_ins[name] = {main.file, !urdf};
         if (!result_.faults.empty()) return;
 
-        const sdf::ParserConfig config = config_for(includes);
+        const sdf::ParserConfig config = config_for(std::move(includes));
         const GlobalConfig global{config};
-        const sdf::Errors errors = source_.text && !urdf ? result_.root.LoadSdfString(text, config)
-                                                         : result_.root.Load(file.string(), config);
+        const sdf::Errors errors = result_.root.LoadSdfString(text, config);
         add_printed();
         add_errors(errors);
     }
 
   private:
+    fs::path stand_in_for(const SdfDocument& document) {
+        const bool urdf = is_urdf(document.text);
+        const fs::path path = files_.write(urdf ? converted(document) : document.text);
+        result_.stand_ins[path] = {document.file, !urdf};
+        return path;
+    }
+
     /// What is wrong with the robot becomes faults.
-    fs::path stand_in_for(const std::string& urdf, const fs::path& file) {
-        const std::string text = sdf_from_urdf(urdf);
+    std::string converted(const SdfDocument& robot) {
+        const fs::path& file = robot.file;
+        std::string text = sdf_from_urdf(robot.text);
         const auto said = console_.take();
         for (const auto& fault : said.faults) {
             if (is_echo(fault)) continue;
-            const int line = line_in_urdf(urdf, fault);
+            const int line = line_in_urdf(robot.text, fault);
             result_.faults.push_back(file.string() + (line > 0 ? ':' + std::to_string(line) : "") +
                                      ": " + fault);
         }
@@ -152,19 +132,27 @@ class Reader {
         if (text.empty() && said.faults.empty()) {
             result_.faults.push_back(file.string() + ": is no robot that libsdformat can read");
         }
-        const fs::path stand_in = folder_.write(text);
-        result_.stand_ins.emplace(stand_in, file);
-        return stand_in;
+        return text;
     }
 
     void add_printed() {
         const auto said = console_.take();
         for (const auto& text : said.faults) {
             if (is_echo(text)) continue;
-            result_.faults.push_back(source_.file.string() + ": " + text);
+            result_.faults.push_back(source_.file.string() + ": " + with_real_names(text));
         }
         for (const auto& text : said.warnings)
-            result_.warnings.push_back(source_.file.string() + ": " + text);
+            result_.warnings.push_back(source_.file.string() + ": " + with_real_names(text));
+    }
+
+    /// "<data-string>:L5" is in no file that anybody has.
+    [[nodiscard]] std::string with_real_names(std::string text) const {
+        for (const auto& [name, real] : result_.stand_ins) {
+            const std::string place = name + ":L";
+            const auto at = name.empty() ? text.npos : text.find(place);
+            if (at != text.npos) text.replace(at, name.size(), real.file.string());
+        }
+        return text;
     }
 
     void add_errors(const sdf::Errors& errors) {
@@ -185,9 +173,9 @@ class Reader {
     }
 
     [[nodiscard]] std::string describe(const sdf::Error& error) const {
-        const auto path = error.FilePath().value_or(source_.file.string());
+        const auto path = error.FilePath().value_or("");
         const auto real = result_.stand_ins.find(path);
-        std::string text = real == result_.stand_ins.end() ? path : real->second.string();
+        std::string text = real == result_.stand_ins.end() ? path : real->second.file.string();
         if (error.LineNumber()) text += ':' + std::to_string(*error.LineNumber());
         text += ": " + error.Message();
         if (error.XmlPath()) text += " (" + *error.XmlPath() + ")";
@@ -197,33 +185,33 @@ class Reader {
     const SdfSource& source_;
     SdfFile& result_;
     SdfConsole console_;
-    TemporaryFolder folder_;
+    MemoryFiles files_;
 };
 
 }  // namespace
 
 fs::path SdfFile::file_of(const sdf::ElementPtr& element, const fs::path& otherwise) const {
-    if (!element || element->FilePath().empty()) return otherwise;
+    if (!element) return otherwise;
     const auto real = stand_ins.find(element->FilePath());
-    return real == stand_ins.end() ? fs::path{element->FilePath()} : real->second;
+    return real == stand_ins.end() ? fs::path{element->FilePath()} : real->second.file;
 }
 
 std::string SdfFile::place_of(const sdf::ElementPtr& element, const fs::path& otherwise) const {
     const std::string file = file_of(element, otherwise).string();
-    // The lines of a stand-in are not those of the file.
-    const bool own =
-        element && (!stand_ins.contains(element->FilePath()) || element->FilePath() == text_path);
-    if (!own || !element->LineNumber()) return file;
+    const auto stand_in = element ? stand_ins.find(element->FilePath()) : stand_ins.end();
+    if (stand_in == stand_ins.end() || !stand_in->second.same_lines || !element->LineNumber())
+        return file;
     return file + ':' + std::to_string(*element->LineNumber());
 }
 
-SdfFile read_sdf(const SdfSource& source, const Resources& resources,
-                 std::size_t most_memory_bytes) {
+SdfFile read_sdf(const SdfSource& source, const Resources& resources, std::size_t most_memory_bytes,
+                 bool strict) {
     SdfFile result;
     Reader reader{source, result};
-    auto survey = survey_sdf(source, resources, most_memory_bytes);
+    auto survey = survey_sdf(source, resources, most_memory_bytes, strict);
     result.faults = std::move(survey.faults);
-    if (result.faults.empty()) reader.read(std::move(survey.includes));
+    result.warnings = std::move(survey.warnings);
+    if (result.faults.empty()) reader.read(survey.documents);
     return result;
 }
 

@@ -17,12 +17,17 @@
 
 namespace scipd::sim {
 
+struct StandIn {
+    std::filesystem::path file;  ///< as the user knows it
+    bool same_lines;
+};
+
 struct SdfFile {
     sdf::Root root;  ///< complete where there are no faults
     std::vector<std::string> faults;
     std::vector<std::string> warnings;
     /// Files that the library was given in place of others, by what it calls them: they are gone.
-    std::map<std::string, std::filesystem::path> stand_ins;
+    std::map<std::string, StandIn> stand_ins;
 
     /// The file of an element as the user knows it.
     [[nodiscard]] std::filesystem::path file_of(const sdf::ElementPtr& element,
@@ -32,9 +37,8 @@ struct SdfFile {
                                        const std::filesystem::path& otherwise) const;
 };
 
-/// Wants an absolute path. Reads nothing that would take more than this much memory, and nothing
-/// whose includes are not all there.
-SdfFile read_sdf(const SdfSource& source, const Resources& resources,
-                 std::size_t most_memory_bytes);
+/// Wants an absolute path. Reads nothing that would take more than this much memory.
+SdfFile read_sdf(const SdfSource& source, const Resources& resources, std::size_t most_memory_bytes,
+                 bool strict);
 
 }  // namespace scipd::sim

@@ -19,6 +19,7 @@
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/mesh_shelf.h"
 #include "sim/loaders/name.h"
+#include "sim/loaders/sdf_document.h"
 #include "sim/loaders/sdf_shape.h"
 #include "sim/loaders/sdf_surface.h"
 #include "sim/world/reach.h"
@@ -66,6 +67,7 @@ class SceneCollector {
           resources_(resources),
           options_(std::move(options)),
           shelf_(options_.most_triangles, options_.mesh) {
+        anything_left_out_ = !read_.warnings.empty();
         for (auto& warning : read_.warnings)
             add_warning(std::move(warning));
     }
@@ -74,7 +76,6 @@ class SceneCollector {
     LoadedScene finish() &&;
 
   private:
-    void add_world(const sdf::World& world);
     void add_model(const sdf::Model& model);
     /// Short enough.
     std::string name_of(const sdf::Model& model);
@@ -84,11 +85,12 @@ class SceneCollector {
     void add_surface(const SdfSurface& surface, const Place& link, const std::string& link_name);
     void add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object);
     void warn_of_unseen(const sdf::Link& link, const std::string& name);
-    Place place_of(const Place& outer, const sdf::SemanticPose& pose,
-                   const sdf::ElementPtr& element, const std::string& name);
-    Pose resolve(const sdf::SemanticPose& pose, const std::string& name);
+    std::optional<Place> place_of(const Place& outer, const sdf::SemanticPose& pose,
+                                  const sdf::ElementPtr& element, const std::string& name);
+    void leave_out(const std::string& why);
     MaterialId material_id(const Material& material);
     void add_warning(std::string text);
+    void show_names();
 
     SdfFile read_;
     fs::path file_;
@@ -98,6 +100,7 @@ class SceneCollector {
     std::vector<std::string> faults_;
     std::vector<std::string> warnings_;
     std::set<std::string> warned_kinds_;
+    bool anything_left_out_ = false;
     MeshShelf shelf_;
 };
 
@@ -116,19 +119,8 @@ void SceneCollector::add_root() {
         add_warning(file_.string() + ": holds several worlds; only the first, '" + scene_.name +
                     "', is used");
     }
-    add_world(*world);
-}
-
-void SceneCollector::add_world(const sdf::World& world) {
-    // What a scanner would see, or what would put models elsewhere.
-    for (const char* kind : {"actor", "population", "road", "state"}) {
-        const auto element = world.Element();
-        if (!element || !element->HasElement(kind)) continue;
-        add_warning(read_.place_of(element->GetElement(kind), file_) + ": <" + kind +
-                    "> is not supported and left out");
-    }
-    for (std::uint64_t i = 0; i < world.ModelCount(); ++i)
-        add_model(*world.ModelByIndex(i));
+    for (std::uint64_t i = 0; i < world->ModelCount(); ++i)
+        add_model(*world->ModelByIndex(i));
 }
 
 void SceneCollector::add_warning(std::string text) {
@@ -139,8 +131,9 @@ void SceneCollector::add_warning(std::string text) {
 
 void SceneCollector::add_model(const sdf::Model& model) {
     const std::string name = name_of(model);
-    const Pose world_from_model =
-        place_of({}, model.SemanticPose(), model.Element(), name).world_from_here;
+    const auto place = place_of({}, model.SemanticPose(), model.Element(), name);
+    if (!place) return;
+    const Pose& world_from_model = place->world_from_here;
     scene_.models.push_back({name, !model.Static(), world_from_model});
     add_parts(model, {ModelId(scene_.models.size() - 1), {}, world_from_model}, name);
 }
@@ -148,8 +141,8 @@ void SceneCollector::add_model(const sdf::Model& model) {
 std::string SceneCollector::name_of(const sdf::Model& model) {
     std::string name = short_name(model.Name());
     if (name != model.Name()) {
-        add_warning(read_.place_of(model.Element(), file_) +
-                    ": the name has more than 64 bytes; the model is called " + name);
+        add_warning(read_.place_of(model.Element(), file_) + ": the name has more than " +
+                    std::to_string(longest_name) + " bytes; the model is called " + name);
     }
     return name;
 }
@@ -159,7 +152,8 @@ void SceneCollector::add_parts(const sdf::Model& model, const Place& place,
     for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
         const auto& link = *model.LinkByIndex(i);
         const auto link_name = name + "::" + link.Name();
-        add_link(link, place_of(place, link.SemanticPose(), link.Element(), link_name), link_name);
+        const auto here = place_of(place, link.SemanticPose(), link.Element(), link_name);
+        if (here) add_link(link, *here, link_name);
     }
     for (std::uint64_t i = 0; i < model.ModelCount(); ++i)
         add_nested(*model.ModelByIndex(i), place, name);
@@ -168,12 +162,13 @@ void SceneCollector::add_parts(const sdf::Model& model, const Place& place,
 void SceneCollector::add_nested(const sdf::Model& model, const Place& outer,
                                 const std::string& outer_name) {
     const auto name = outer_name + "::" + name_of(model);
-    Place place = place_of(outer, model.SemanticPose(), model.Element(), name);
+    auto place = place_of(outer, model.SemanticPose(), model.Element(), name);
+    if (!place) return;
     if (!scene_.models[outer.body].movable && says_not_static(model)) {
-        scene_.models.push_back({name, true, place.world_from_here});
-        place = {ModelId(scene_.models.size() - 1), {}, place.world_from_here};
+        scene_.models.push_back({name, true, place->world_from_here});
+        place = {ModelId(scene_.models.size() - 1), {}, place->world_from_here};
     }
-    add_parts(model, place, name);
+    add_parts(model, *place, name);
 }
 
 void SceneCollector::add_link(const sdf::Link& link, const Place& place, const std::string& name) {
@@ -197,12 +192,13 @@ void SceneCollector::add_surface(const SdfSurface& surface, const Place& link,
     Object object;
     object.name = link_name + "::" + surface.name;
     object.model = link.body;
-    object.model_from_object =
-        place_of(link, surface.pose, surface.element, object.name).body_from_here;
     if (surface.geometry == nullptr || kind_of(*surface.geometry) == "empty") return;
+    const auto here = place_of(link, surface.pose, surface.element, object.name);
+    if (!here) return;
+    object.model_from_object = here->body_from_here;
     const auto place = read_.place_of(surface.element, file_) + ": " + object.name + ": ";
     if (surface.laser_retro && !std::isfinite(*surface.laser_retro)) {
-        faults_.push_back(place + "laser_retro must be finite");
+        return leave_out(place + "laser_retro must be finite");
     }
     try {
         if (const auto* mesh = surface.geometry->MeshShape()) {
@@ -211,6 +207,7 @@ void SceneCollector::add_surface(const SdfSurface& surface, const Place& link,
         const auto primitive = primitive_of(*surface.geometry);
         if (!primitive) {
             const auto kind = kind_of(*surface.geometry);
+            anything_left_out_ = true;
             if (!warned_kinds_.insert(kind).second) return;
             return add_warning(place + '<' + kind +
                                "> is not supported and left out, here and elsewhere");
@@ -222,7 +219,7 @@ void SceneCollector::add_surface(const SdfSurface& surface, const Place& link,
         scene_.objects.push_back(std::move(object));
     } catch (const LoadError& error) {
         for (const auto& fault : error.faults())
-            faults_.push_back(place + fault);
+            leave_out(place + fault);
     }
 }
 
@@ -240,24 +237,22 @@ void SceneCollector::add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, 
     }
 }
 
-/// What lies in `outer` at this pose; `outer` itself where that is a fault, so that it is told
-/// once.
-Place SceneCollector::place_of(const Place& outer, const sdf::SemanticPose& pose,
-                               const sdf::ElementPtr& element, const std::string& name) {
-    const Place here = outer * resolve(pose, name);
+/// What lies in `outer` at this pose; nothing where it cannot lie there.
+std::optional<Place> SceneCollector::place_of(const Place& outer, const sdf::SemanticPose& pose,
+                                              const sdf::ElementPtr& element,
+                                              const std::string& name) {
+    const auto where = read_.place_of(element, file_) + ": " + name + ": ";
+    ignition::math::Pose3d resolved;
+    if (const auto errors = pose.Resolve(resolved); !errors.empty()) {
+        leave_out(where + errors.front().Message());
+        return {};
+    }
+    const Place here = outer * to_pose(resolved);
     const auto& [at_m, rotation] = here.world_from_here;
     if (plausible_position(at_m) && std::isfinite(glm::length(rotation))) return here;
-    faults_.push_back(read_.place_of(element, file_) + ": " + name + ": lies at " + text_of(at_m) +
-                      "; everything must lie within 1e7 m of the origin");
-    return outer;
-}
-
-Pose SceneCollector::resolve(const sdf::SemanticPose& pose, const std::string& name) {
-    ignition::math::Pose3d resolved;
-    for (const auto& error : pose.Resolve(resolved)) {
-        faults_.push_back(file_.string() + ": " + name + ": " + error.Message());
-    }
-    return to_pose(resolved);
+    leave_out(where + "lies at " + text_of(at_m) +
+              "; everything must lie within 1e7 m of the origin");
+    return {};
 }
 
 MaterialId SceneCollector::material_id(const Material& material) {
@@ -269,16 +264,34 @@ MaterialId SceneCollector::material_id(const Material& material) {
     return static_cast<MaterialId>(found - all.begin());
 }
 
+void SceneCollector::leave_out(const std::string& why) {
+    anything_left_out_ = true;
+    if (options_.strict) {
+        faults_.push_back(why);
+    } else {
+        add_warning(why + (why.ends_with('?') ? " It is left out" : "; left out"));
+    }
+}
+
+void SceneCollector::show_names() {
+    for (Model& model : scene_.models)
+        model.name = shown(model.name);
+    for (Object& object : scene_.objects)
+        object.name = shown(object.name);
+    std::ranges::transform(warnings_, warnings_.begin(), shown);
+    std::ranges::transform(faults_, faults_.begin(), shown);
+}
+
 LoadedScene SceneCollector::finish() && {
     if (scene_.objects.empty() && faults_.empty()) {
-        // What was left out is now the reason, not a remark.
-        faults_ = std::move(warnings_);
         const std::string kind =
             options_.geometry == SdfGeometry::visual ? "<visual>" : "<collision>";
-        faults_.push_back(file_.string() +
-                          ": holds nothing that a scanner could see; give a model a " + kind +
-                          " with a box, cylinder, sphere, plane or mesh");
+        add_warning(file_.string() + ": holds nothing that a scanner could see; give a model a " +
+                    kind + " with a box, cylinder, sphere, plane or mesh");
+        // What was left out is then the reason, not a remark.
+        if (anything_left_out_) faults_ = warnings_;
     }
+    show_names();
     if (!faults_.empty()) throw LoadError(std::move(faults_));
     // Always, not only far out: floats are finest around zero. Whole metres, so that round
     // coordinates stay round.

@@ -5,13 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <string_view>
 
 #include <tinyxml2.h>
 
+#include "sim/loaders/load_error.h"
 #include "sim/loaders/model_folder.h"
 #include "sim/loaders/plain_file.h"
 #include "sim/loaders/quote.h"
+#include "sim/loaders/sdf_document.h"
 
 namespace scipd::sim {
 namespace {
@@ -55,26 +59,42 @@ std::string trimmed(const char* text) {
     return std::string{all.substr(0, all.find_last_not_of(blank) + 1)};
 }
 
+/// In the words of the library that found it, less its prefix.
+std::string broken_xml(const tinyxml2::XMLDocument& document) {
+    std::string_view name = document.ErrorName();
+    for (const std::string_view prefix : {"XML_", "ERROR_"}) {
+        if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
+    }
+    const int line = std::max(document.ErrorLineNum(), 1);
+    return ':' + std::to_string(line) + ": is no XML that can be read: " + std::string{name};
+}
+
 class Surveyor {
   public:
-    Surveyor(const Resources& resources, double most_bytes)
-        : resources_(resources), most_bytes_(most_bytes) {}
+    Surveyor(const Resources& resources, double most_bytes, bool strict)
+        : resources_(resources), most_bytes_(most_bytes), strict_(strict) {}
 
     SdfSurvey run(const SdfSource& source) {
-        if (!source.text) {
-            survey_file(source.file);
-        } else if (tinyxml2::XMLDocument document;
-                   document.Parse(source.text->c_str()) == tinyxml2::XML_SUCCESS) {
-            open_ = {source.file};
-            survey_root(document, source.file);
+        try {
+            if (source.text || may_enter(source.file, "")) {
+                (void)add_document(source.file, source.text ? *source.text : read(source.file));
+            }
+        } catch (const LoadError& error) {
+            survey_.faults.push_back(error.what());
         }
         if (bytes_ > most_bytes_ && survey_.faults.empty()) add_too_large(source.file);
         return std::move(survey_);
     }
 
   private:
-    /// False where it need not be looked into.
-    bool enter(const fs::path& file, const std::string& place) {
+    /// What is known of a file that was looked at.
+    struct Known {
+        std::size_t document;
+        double bytes;  ///< with all that it includes
+    };
+
+    /// False where it is not to be looked into.
+    bool may_enter(const fs::path& file, const std::string& place) {
         std::error_code error;
         const bool loops = std::ranges::find(open_, file) != open_.end();
         if (loops) {
@@ -96,64 +116,109 @@ class Surveyor {
 
     [[nodiscard]] double largest_file_bytes() const { return most_bytes_ * largest_part; }
 
-    void survey_file(const fs::path& file, const std::string& place = {}) {
-        if (!enter(file, place)) return;
-        // Again for each include of it, since each is a copy; known ones cost no time.
-        if (const auto known = bytes_of_.find(file); known != bytes_of_.end()) {
-            bytes_ += known->second;
-            return;
-        }
-        const double before = bytes_;
-        open_.push_back(file);
+    [[nodiscard]] std::string read(const fs::path& file) const {
+        return read_file(file, static_cast<std::uintmax_t>(largest_file_bytes()),
+                         "an SDF or URDF file is wanted here");
+    }
+
+    /// Its place among the documents. Throws LoadError where it is no XML.
+    std::size_t add_document(const fs::path& file, const std::string& text) {
         tinyxml2::XMLDocument document;
-        if (document.LoadFile(file.c_str()) == tinyxml2::XML_SUCCESS) {
-            survey_root(document, file);
+        if (document.Parse(text.c_str()) != tinyxml2::XML_SUCCESS) {
+            throw LoadError({file.string() + broken_xml(document)});
         }
+        const std::size_t place = survey_.documents.size();
+        survey_.documents.push_back({file, text});
+        auto* root = document.RootElement();
+        if (root == nullptr || root->Name() == std::string_view{"robot"}) {
+            bytes_ += robot_bytes(root);
+            return place;
+        }
+        open_.push_back(file);
+        const bool holds_anything = holds_thing(*root);
+        std::ranges::move(take_unreadable(*root, file), std::back_inserter(survey_.warnings));
+        if (!strict_) relieve(*root);
+        survey(*root, file);
         open_.pop_back();
-        bytes_of_[file] = bytes_ - before;
+        SdfDocument& ready = survey_.documents[place];
+        ready.text = line_for_line(document);
+        ready.is_relieved_of_all = holds_anything && !holds_thing(*root);
+        return place;
     }
 
-    /// A document of comments alone has none.
-    void survey_root(const tinyxml2::XMLDocument& document, const fs::path& file) {
-        if (const auto* root = document.RootElement()) survey(*root, file);
+    /// What an include may be of.
+    static bool holds_thing(const tinyxml2::XMLElement& root) {
+        constexpr std::array things{"model", "actor", "light"};
+        return std::ranges::any_of(
+            things, [&](const char* name) { return root.FirstChildElement(name) != nullptr; });
     }
 
-    void survey(const tinyxml2::XMLElement& element, const fs::path& file) {
+    /// Its links become links.
+    static double robot_bytes(const tinyxml2::XMLElement* element) {
+        double bytes = 0.0;
+        for (; element != nullptr; element = element->NextSiblingElement())
+            bytes += cost_of(element->Name()) + robot_bytes(element->FirstChildElement());
+        return bytes;
+    }
+
+    void survey(tinyxml2::XMLElement& element, const fs::path& file) {
         bytes_ += cost_of(element.Name());
-        if (element.Name() == std::string_view{"include"}) add_include(element, file);
         // The library copies what is in there and does not look at it.
         const bool opaque = element.Name() == std::string_view{"plugin"};
-        for (auto* child = element.FirstChildElement(); child != nullptr;
-             child = child->NextSiblingElement()) {
+        for (auto* child = element.FirstChildElement(); child != nullptr;) {
+            auto* next = child->NextSiblingElement();
             if (opaque) {
                 bytes_ += other_element_bytes;
+            } else if (child->Name() == std::string_view{"include"} && !add_include(*child, file)) {
+                element.DeleteChild(child);
             } else {
                 survey(*child, file);
             }
+            child = next;
         }
     }
 
-    void add_include(const tinyxml2::XMLElement& include, const fs::path& file) {
-        const auto* element = include.FirstChildElement("uri");
-        if (element == nullptr || survey_.faults.size() >= most_faults) return;
+    /// False where there is nothing to include.
+    bool add_include(tinyxml2::XMLElement& include, const fs::path& file) {
+        auto* element = include.FirstChildElement("uri");
+        if (element == nullptr) return true;  // the library has words for it
         const std::string uri = trimmed(element->GetText());
         const std::string place = file.string() + ':' + std::to_string(include.GetLineNum()) + ": ";
-        auto known = survey_.includes.find(uri);
-        if (known == survey_.includes.end()) {
-            const auto folder = open_.size() > 1 ? file.parent_path() : resources_.folder();
-            const fs::path found = resources_.find(uri, folder);
-            if (found.empty()) {
-                survey_.faults.push_back(place + resources_.not_found(uri, folder));
-                return;
-            }
-            known = survey_.includes.emplace(uri, found.lexically_normal()).first;
+        const auto folder = open_.size() > 1 ? file.parent_path() : resources_.folder();
+        const fs::path found = resources_.find(uri, folder).lexically_normal();
+        if (found.empty()) return leave_out(place + resources_.not_found(uri, folder));
+        const fs::path model = model_file_of(found);
+        const auto why = why_no_model(found, model);
+        if (!why.empty()) return leave_out(place + quote(uri) + why);
+        const auto document = document_of(model, place);
+        // A lamp, say.
+        if (!document || survey_.documents[*document].is_relieved_of_all) return false;
+        element->SetText(uri_of(*document).c_str());
+        return true;
+    }
+
+    bool leave_out(const std::string& why) {
+        auto& list = strict_ ? survey_.faults : survey_.warnings;
+        if (list.size() < most_faults) list.push_back(strict_ ? why : why + "; left out");
+        return false;
+    }
+
+    std::optional<std::size_t> document_of(const fs::path& file, const std::string& place) {
+        if (!may_enter(file, place)) return {};
+        // Again for each include of it, since each is a copy; known ones cost no time.
+        if (const auto known = known_.find(file); known != known_.end()) {
+            bytes_ += known->second.bytes;
+            return known->second.document;
         }
-        const fs::path model = model_file_of(known->second);
-        if (const auto why = why_no_model(known->second, model); !why.empty()) {
-            survey_.faults.push_back(place + quote(uri) + why);
-            return;
+        const double before = bytes_;
+        try {
+            const std::size_t document = add_document(file, read(file));
+            known_[file] = {document, bytes_ - before};
+            return document;
+        } catch (const LoadError& error) {
+            leave_out(error.what());
+            return {};
         }
-        survey_file(model, place);
     }
 
     void add_too_large(const fs::path& file) {
@@ -171,17 +236,22 @@ class Surveyor {
 
     const Resources& resources_;
     double most_bytes_;
+    bool strict_;
     SdfSurvey survey_;
     std::vector<fs::path> open_;  ///< the file that is looked at, and those that include it
-    std::map<fs::path, double> bytes_of_;
+    std::map<fs::path, Known> known_;
     double bytes_ = 0.0;
 };
 
 }  // namespace
 
+std::string uri_of(std::size_t document) {
+    return "scipd://" + std::to_string(document);
+}
+
 SdfSurvey survey_sdf(const SdfSource& source, const Resources& resources,
-                     std::size_t most_memory_bytes) {
-    return Surveyor{resources, static_cast<double>(most_memory_bytes)}.run(source);
+                     std::size_t most_memory_bytes, bool strict) {
+    return Surveyor{resources, static_cast<double>(most_memory_bytes), strict}.run(source);
 }
 
 }  // namespace scipd::sim

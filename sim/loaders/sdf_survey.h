@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A look at an SDF or URDF file and all that it includes before libsdformat sees them: the library
-// follows includes without end, stops at the first that it cannot find, and takes much more memory
-// than the file has bytes. Any thread.
+// An SDF or URDF file and all that it includes, made ready for libsdformat: the library follows
+// includes without end, stops at the first that it cannot find, takes much more memory than the
+// file has bytes and refuses what is nothing to a scanner (sdf_document.h). Any thread.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,14 +22,25 @@ struct SdfSource {
     std::optional<std::string> text = std::nullopt;
 };
 
-struct SdfSurvey {
-    /// What every include names, by its URI: a file, or the folder of a model.
-    std::map<std::string, std::filesystem::path> includes;
-    std::vector<std::string> faults;
+/// As the library is to read it: an include names the document that it means by uri_of().
+struct SdfDocument {
+    std::filesystem::path file;
+    std::string text;
+    bool is_relieved_of_all = false;  ///< there was something in it, but nothing to a scanner
 };
 
-/// Broken XML is not its business: the library tells of it.
+struct SdfSurvey {
+    std::vector<SdfDocument> documents;  ///< the source first, then each include once
+    std::vector<std::string> faults;
+    std::vector<std::string> warnings;
+};
+
+/// Of a document by its place among them, by which the library asks for it.
+std::string uri_of(std::size_t document);
+
+/// What cannot be included is left out with a warning; `strict` makes that a fault, and leaves the
+/// documents as they are.
 SdfSurvey survey_sdf(const SdfSource& source, const Resources& resources,
-                     std::size_t most_memory_bytes);
+                     std::size_t most_memory_bytes, bool strict);
 
 }  // namespace scipd::sim

@@ -198,9 +198,11 @@ robots:
 
 TEST_F(ConfigTest, ReadsWhatAMapAndAnSdfLeaveOpen) {
     const std::string robots = "robots: {r: {sensors: {s: {model: UST-10LX, pty: auto}}}}\n";
-    const Config config =
-        parse(robots + "geometry: collision\nmap: {z: [-0.5, 3], material: brick, unknown: wall}");
+    const Config config = parse(
+        robots +
+        "geometry: collision\nstrict: true\nmap: {z: [-0.5, 3], material: brick, unknown: wall}");
     EXPECT_EQ(config.geometry, sim::SdfGeometry::collision);
+    EXPECT_TRUE(config.strict);
     EXPECT_EQ(config.map, (sim::MapOptions{-0.5, 3.0, "brick", sim::UnknownCells::wall}));
     EXPECT_THAT(faults(robots + "geometry: both\nmap: {z: [2, 1], unknown: maybe, height: 2}"),
                 ElementsAre("fleet.yaml:2: geometry: must be visual or collision, not 'both'",

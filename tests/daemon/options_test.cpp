@@ -185,9 +185,11 @@ TEST_F(OptionsTest, CheckReadsTheWorldToo) {
                                  "robots: {r: {sensors: {s: {model: UST-20LX, pty: auto}}}}\n");
     const auto bad = dir_.write("bad.sdf", room("<box><size>1 0 1</size></box>"));
     EXPECT_EQ(answer("--check " + file.string()).exit_code, 2);
-    EXPECT_EQ(answer("--check " + file.string()).text,
-              file.string() + ":1: scene: " + bad.string() +
-                  ":1: m::l::v: every size must be above 0 and at most 1e7 m\n");
+    const std::string size = ":1: m::l::v: every size must be above 0 and at most 1e7 m";
+    EXPECT_THAT(answer("--check " + file.string()).text,
+                testing::StartsWith(bad.string() + size + "; left out\n"));
+    EXPECT_EQ(answer("--strict --check " + file.string()).text,
+              file.string() + ":1: scene: " + bad.string() + size + "\n");
     dir_.write("bad.sdf",
                "<sdf version='1.9'><world name='w'><include><uri>model://sun</uri></include>"
                "<include><uri>model://ground_plane</uri></include><actor name='a'/>"
@@ -196,6 +198,9 @@ TEST_F(OptionsTest, CheckReadsTheWorldToo) {
     EXPECT_EQ(answer("--check " + file.string()).text,
               bad.string() + ":1: <actor> is not supported and left out\n" + file.string() +
                   ": no faults; robots: 1, sensors: 1, models: 1\n");
+    EXPECT_EQ(answer("--check " + file.string() + " --strict").exit_code, 2);
+    EXPECT_TRUE(run("--strict " + scene()).config.strict);
+    EXPECT_FALSE(run(scene()).config.strict);
 }
 
 TEST_F(OptionsTest, CheckTellsFaultsOfTheWorldAndOfTrajectories) {

@@ -143,9 +143,9 @@ TEST(Confined, opensFewFilesAtOnce) {
     EXPECT_EQ(outcome(roomy,
                       [](std::FILE* out) {
                           int count = 0;
-                          while (count < 1000 && open("/dev/null", O_RDONLY) >= 0)
+                          while (count < 10'000 && open("/dev/null", O_RDONLY) >= 0)
                               ++count;
-                          std::fputs(count < 100 ? "few" : "many", out);
+                          std::fputs(count < 1025 ? "few" : "many", out);
                       }),
               "few");
 }

@@ -199,6 +199,27 @@ TEST(MeshFormat, aFileThatNamesNoMaterialHasNone) {
     EXPECT_EQ(material("a.ply", ply_text(corners)), "");
 }
 
+// Assimp calls a camera as its node, and wants each name once.
+TEST(MeshFormat, camerasOfOneNameAreInNobodysWay) {
+    const TempDir folder;
+    std::string text = dae_text(corners_of({}, as_it_is), "<up_axis>Z_UP</up_axis>");
+    const auto insert = [&](const std::string& before, const std::string& what) {
+        const auto at = text.find(before);
+        ASSERT_NE(at, text.npos) << before;
+        text.insert(at, what);
+    };
+    const std::string camera =
+        "<camera id='c' name='Camera'><optics><technique_common><perspective><xfov>49</xfov>"
+        "</perspective></technique_common></optics></camera>";
+    insert("<library_geometries>", "<library_cameras>" + camera + "</library_cameras>");
+    insert("</visual_scene>",
+           "<node id='n' name='Camera'><instance_camera url='#c'/><instance_camera "
+           "url='#c'/></node>");
+    const auto parts = load_mesh_parts(folder.write("a.dae", text));
+    ASSERT_EQ(parts.size(), 2U);
+    EXPECT_EQ(parts[0].mesh.triangles.size() + parts[1].mesh.triangles.size(), 12U);
+}
+
 TEST(MeshFormat, aMeshInMillimetresIsWarnedOf) {
     const TempDir folder;
     const auto file =

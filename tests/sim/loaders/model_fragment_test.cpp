@@ -15,6 +15,7 @@ namespace scipd::sim {
 namespace {
 
 using ::testing::AnyOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -119,9 +120,7 @@ TEST_F(ModelFragment, RefusesWhatIsNoModel) {
                 ElementsAre("name: 'a::b': '::' stands between a model and what lies in it"));
     EXPECT_THAT(faults(world(box_ + "<model name='other'><link name='l'/></model>"), {"a"}),
                 ElementsAre("a: holds several models; one is wanted here"));
-    EXPECT_THAT(faults("", {"a"}),
-                ElementsAre("a: Error parsing XML from string: Error=XML_ERROR_EMPTY_DOCUMENT "
-                            "ErrorID=13 (0xd) Line number=0"));
+    EXPECT_THAT(faults("", {"a"}), ElementsAre("a:1: is no XML that can be read: EMPTY_DOCUMENT"));
     EXPECT_THAT(faults("<model name='m'/>", {"a"}),
                 ElementsAre("a: A model must have at least one link."));
     const auto file = folder_.write("part.obj", triangle_obj);
@@ -133,11 +132,11 @@ TEST_F(ModelFragment, RefusesWhatIsNoModel) {
 
 // A text lies in no file: what it names is looked for where the caller says, and there alone.
 TEST_F(ModelFragment, SaysWhereItLooked) {
-    EXPECT_THAT(
-        faults("<model name='m'><link name='l'>" + visual("v", mesh_of("gone.obj")) +
-                   "</link></model>",
-               {"crate"}),
-        ElementsAre("crate:1: m::l::v: there is no 'gone.obj' near " + folder_.path().string()));
+    EXPECT_THAT(faults("<model name='m'><link name='l'>" + visual("v", mesh_of("gone.obj")) +
+                           "</link></model>",
+                       {"crate"}),
+                Contains("crate:1: m::l::v: there is no 'gone.obj' near " +
+                         folder_.path().string() + "; left out"));
 }
 
 // A part of what a world may take; figures of sdf_survey.cpp.
@@ -148,10 +147,10 @@ TEST_F(ModelFragment, TakesNoMoreThanAModelsShare) {
         return faults_of([&] { load_model_text(text, {"a"}, folder_.path(), share); }, folder_);
     };
     std::string many = "<model name='m'>";
-    for (int i = 0; i < 400; ++i)
-        many += "<model name='" + std::to_string(i) + "'/>";
+    for (int i = 0; i < 700; ++i)
+        many += "<link name='" + std::to_string(i) + "'/>";
     EXPECT_THAT(refused(many + "</model>"),
-                ElementsAre("a: would take about 562 MB to read with all its includes, at most 537 "
+                ElementsAre("a: would take about 597 MB to read with all its includes, at most 537 "
                             "MB is allowed; put parts that never move into one link or one mesh"));
 
     const auto large = folder_.write("large.sdf", "");
@@ -167,7 +166,7 @@ TEST_F(ModelFragment, TakesNoMoreThanAModelsShare) {
                       ElementsAre(StartsWith("huge.stl: crashes the library"))));
     EXPECT_THAT(refused("<model name='m'><link name='l'><collision name='c'><geometry><mesh><uri>"
                         "huge.stl</uri></mesh></geometry></collision></link></model>"),
-                ElementsAre(HasSubstr("huge.stl: ")));
+                Contains(HasSubstr("huge.stl: ")));
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ class PlainFile : public ::testing::Test {
     }
 
     std::vector<std::string> scene_faults(const fs::path& file) {
-        return faults_of([&] { load_scene(file); }, folder_);
+        return faults_of([&] { load_scene(file, {.sdf = {.strict = true}}); }, folder_);
     }
 
     TempDir folder_;

@@ -109,7 +109,27 @@ TEST_F(ResourcesTest, WhatGazeboHasDownloadedIsFoundInItsCache) {
     EXPECT_EQ(find(uri + "/3"), "");
     EXPECT_EQ(Resources{at("world")}.not_found("https://h/1.0/o/models/n", at("world")),
               "'https://h/1.0/o/models/n' has not been downloaded; fetch it with `gz fuel download "
-              "-u https://h/1.0/o/models/n`, or name a copy");
+              "-u 'https://h/1.0/o/models/n'`, or name a copy");
+}
+
+TEST_F(ResourcesTest, TheSunAndTheGroundOfTheWebAreOurs) {
+    folder_.write("more/sun/model.sdf", "");
+    folder_.write("more/ground_plane/model.sdf", "");
+    folder_.write("more/moon/model.sdf", "");
+    const Resources resources{at("world"), {at("more")}};
+    const auto found = [&](const std::string& name) {
+        return resources.find("https://fuel.gazebosim.org/1.0/" + name, at("world"));
+    };
+    EXPECT_EQ(found("OpenRobotics/models/Sun"), at("more/sun"));
+    EXPECT_EQ(found("openrobotics/models/Ground Plane"), at("more/ground_plane"));
+    EXPECT_EQ(found("OpenRobotics/models/Ground%20Plane"), at("more/ground_plane"));
+    EXPECT_EQ(found("OpenRobotics/models/Moon"), "");
+    EXPECT_EQ(found("Somebody/models/Sun"), "");
+    // What was downloaded is what Gazebo shows.
+    const Variable cache{"GZ_FUEL_CACHE_PATH", at("cache").string()};
+    const std::string downloaded = "cache/fuel.gazebosim.org/openrobotics/models/sun/1";
+    folder_.write(downloaded + "/model.sdf", "");
+    EXPECT_EQ(found("OpenRobotics/models/Sun"), at(downloaded));
 }
 
 TEST_F(ResourcesTest, NothingIsNowhere) {

@@ -359,7 +359,8 @@ TEST_F(SdfWorld, SubmeshesArePickedByNameAndMayBeCentred) {
     EXPECT_NEAR(range_m({}, {1, 0, 0}), 16.0, 1e-6);
     load(showing("<name>far</name><center>true</center>"));
     EXPECT_NEAR(range_m({}, {1, 0, 0}), 10.0, 1e-6);
-    const auto faults = faults_of([&] { load(showing("<name>none</name>")); }, folder_);
+    const auto faults =
+        faults_of([&] { load(showing("<name>none</name>"), {.strict = true}); }, folder_);
     EXPECT_THAT(faults, ElementsAre("worlds/a.sdf:5: m::l::v: worlds/two.obj: has no submesh "
                                     "'none'; there are 'far', 'near', 'two.obj'"));
 }

@@ -18,6 +18,7 @@
 namespace scipd::sim {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -151,10 +152,10 @@ TEST_F(Urdf, FindsPackagesAbroadAndAround) {
     unsetenv("ROS_PACKAGE_PATH");
     unsetenv("AMENT_PREFIX_PATH");
     EXPECT_THAT(faults(mesh("package://other/b.obj")),
-                ElementsAre("a.urdf: r::l::l_visual: there is no 'model://other/b.obj' near " +
-                            folder_.path().string() +
-                            ", nor in GZ_SIM_RESOURCE_PATH, GAZEBO_MODEL_PATH, SDF_PATH, "
-                            "ROS_PACKAGE_PATH or AMENT_PREFIX_PATH"));
+                Contains("a.urdf: r::l::l_visual: there is no 'model://other/b.obj' near " +
+                         folder_.path().string() +
+                         ", nor in GZ_SIM_RESOURCE_PATH, GAZEBO_MODEL_PATH, SDF_PATH, "
+                         "ROS_PACKAGE_PATH or AMENT_PREFIX_PATH; left out"));
 }
 
 TEST_F(Urdf, TellsEveryFaultAndItsLine) {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What scipd answers of itself where there is nothing to run. Any thread; nothing shared.
+#pragma once
+
+#include <string>
+
+namespace scipd::daemon {
+
+/// The end of the program: --help, --version, the lists, a checked configuration, wrong options.
+struct Answer {
+    /// 2: the text is for standard error, else for standard output; 1: a question answered with no.
+    int exit_code = 0;
+    std::string text;  ///< with its last line end
+};
+
+/// A line for each product and firmware, and for each way to cast.
+Answer model_list();
+Answer backend_list();
+/// What can be drawn here. Told either way; the exit code is for scripts.
+Answer probe();
+
+}  // namespace scipd::daemon

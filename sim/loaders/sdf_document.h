@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// An SDF document on its way to libsdformat 12, which refuses a whole world for an inertia that no
+// mass can have, a script without a uri or a version newer than itself. What is nothing to a
+// scanner is taken out before the library sees it, and what it cannot read is put in its words. Any
+// thread; nothing shared.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tinyxml2 {
+class XMLDocument;
+class XMLElement;
+}  // namespace tinyxml2
+
+namespace scipd::sim {
+
+/// Takes out what a scanner would see and we cannot read. Answers with a warning for each, which
+/// begins with its place in `file`.
+std::vector<std::string> take_unreadable(tinyxml2::XMLElement& root,
+                                         const std::filesystem::path& file);
+
+/// Takes out what is nothing to a scanner: physics, lights, sensors, plugins, colours, and joints
+/// that no frame refers to.
+void relieve(tinyxml2::XMLElement& root);
+
+/// As text in which every element begins on the line that it had.
+std::string line_for_line(const tinyxml2::XMLDocument& document);
+
+/// A name as its file has it: a document that went through relieve() has no "::" in names, which
+/// the library takes for its own.
+std::string shown(const std::string& name);
+
+}  // namespace scipd::sim
