@@ -14,6 +14,7 @@
 #include "daemon/config/demo_world.h"
 #include "daemon/config/sensor.h"
 #include "daemon/config/values.h"
+#include "daemon/models/registry.h"
 #include "sim/loaders/load_error.h"
 
 namespace scipd::daemon {
