@@ -129,7 +129,7 @@ struct DeviceProfile {
     Uptime time_tick{};       ///< TM1 waits for one of this spacing; 0: as other replies
     Uptime scan_tick{};       ///< scans leave on a grid of this spacing; 0: at once
     Uptime reply_delay{};     ///< at least so long after its request a reply leaves
-    Uptime state_report_delay{};  ///< so long at least the reply to II
+    Uptime state_report_delay{};                             ///< so long at least the reply to II
     Uptime pause_after_scan = std::chrono::milliseconds(1);  ///< before a reply; deduced
     Uptime boot_time{};
     bool answers_while_booting = false;  ///< else what is asked then waits until it is up

@@ -8,9 +8,9 @@ namespace scipd::protocol {
 
 DeviceProfile answering_at_once(DeviceProfile profile) {
     profile.turns_per_reply = 0;
-    for (Uptime* wait : {&profile.reply_tick, &profile.time_tick, &profile.scan_tick,
-                         &profile.reply_delay, &profile.state_report_delay,
-                         &profile.pause_after_scan})
+    for (Uptime* wait :
+         {&profile.reply_tick, &profile.time_tick, &profile.scan_tick, &profile.reply_delay,
+          &profile.state_report_delay, &profile.pause_after_scan})
         *wait = Uptime::zero();
     return profile;
 }

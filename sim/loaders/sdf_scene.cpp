@@ -20,6 +20,7 @@
 #include "sim/loaders/mesh_shelf.h"
 #include "sim/loaders/name.h"
 #include "sim/loaders/sdf_document.h"
+#include "sim/loaders/sdf_place.h"
 #include "sim/loaders/sdf_shape.h"
 #include "sim/loaders/sdf_surface.h"
 #include "sim/world/reach.h"
@@ -28,24 +29,6 @@ namespace scipd::sim {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Where a link or a nested model lies, and what it belongs to.
-struct Place {
-    ModelId body;
-    Pose body_from_here;
-    Pose world_from_here;  ///< at load
-};
-
-Pose to_pose(const ignition::math::Pose3d& pose) {
-    const auto& p = pose.Pos();
-    const auto& q = pose.Rot();
-    return {{p.X(), p.Y(), p.Z()}, glm::normalize(glm::dquat{q.W(), q.X(), q.Y(), q.Z()})};
-}
-
-Place operator*(const Place& outer, const Pose& outer_from_here) {
-    return {outer.body, outer.body_from_here * outer_from_here,
-            outer.world_from_here * outer_from_here};
-}
 
 std::string text_of(const glm::dvec3& xyz_m) {
     std::array<char, 100> text{};

@@ -186,8 +186,9 @@ TEST_F(OptionsTest, CheckReadsTheWorldToo) {
     const auto bad = dir_.write("bad.sdf", room("<box><size>1 0 1</size></box>"));
     EXPECT_EQ(answer("--check " + file.string()).exit_code, 2);
     const std::string size = ":1: m::l::v: every size must be above 0 and at most 1e7 m";
-    EXPECT_THAT(answer("--check " + file.string()).text,
-                testing::StartsWith(bad.string() + size + "; left out\n"));
+    EXPECT_THAT(
+        answer("--check " + file.string()).text,
+        testing::StartsWith(file.string() + ":1: scene: " + bad.string() + size + "; left out\n"));
     EXPECT_EQ(answer("--strict --check " + file.string()).text,
               file.string() + ":1: scene: " + bad.string() + size + "\n");
     dir_.write("bad.sdf",
