@@ -3,7 +3,7 @@
 //
 // How long a client waits for an answer. VV against a bare echo server: both as processes of their
 // own, asked in turns, so that whatever else the machine does disturbs both alike. QT and PP as a
-// UST-10LX answers them, on the tick of its firmware.
+// UST-10LX answers them, 0.4 ms after they came at the earliest.
 //
 //   build/release/bin/latency_bench
 #include <algorithm>
@@ -128,7 +128,7 @@ void time_requests() {
     for (const char* request : {"QT", "PP"}) {
         std::vector<Microseconds> times;
         for (int i = 0; i < rounds; ++i) {
-            // At all phases of the firmware's tick of 1 ms.
+            // At all phases of the mirror, in whatever order.
             std::this_thread::sleep_for(std::chrono::microseconds(i * 617 % 2000));
             times.push_back(round_trip(scanner, std::string(request) + "\n", "\n\n"));
         }
