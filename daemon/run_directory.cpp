@@ -52,8 +52,13 @@ std::filesystem::path make_run_directory() {
 }
 
 void make_folder(const std::filesystem::path& folder) {
-    if (!folder.empty() && std::filesystem::create_directories(folder))
-        std::filesystem::permissions(folder, std::filesystem::perms::owner_all);
+    try {
+        if (!folder.empty() && std::filesystem::create_directories(folder))
+            std::filesystem::permissions(folder, std::filesystem::perms::owner_all);
+    } catch (const std::filesystem::filesystem_error& error) {
+        throw std::runtime_error("cannot make the folder " + folder.string() + ": " +
+                                 error.code().message() + "; choose another one");
+    }
 }
 
 // In /tmp somebody else may have been first, with a folder or a link of his own.

@@ -14,7 +14,6 @@
 #include "daemon/control/routes.h"
 #include "daemon/control/socket_routes.h"
 #include "daemon/run_directory.h"
-#include "sim/loaders/plain_file.h"
 
 namespace scipd::daemon {
 
@@ -76,7 +75,8 @@ std::string Server::ready_line() const {
     line["http"] = or_null(http_);
     for (const auto& [robot, address] : fleet_.pose_addresses())
         line["poses"][robot] = "udp:" + text_of(address);
-    return line.dump();
+    constexpr bool ascii = true;  // what a path holds does a terminal no harm
+    return line.dump(-1, ' ', ascii, nlohmann::json::error_handler_t::replace);
 }
 
 void Server::run() {
@@ -116,11 +116,7 @@ void Server::reload() {
 Server::Next Server::load_next(const Options& options, const SettledBackends& settled,
                                const std::stop_token& stop) {
     const Config& started = options.config;
-    // A FIFO was read at the start; another one in its place would hold the loader up for good.
-    const std::filesystem::path& file = *options.config_file;
-    if (const auto why = sim::why_no_file(file); !why.empty())
-        throw ConfigError({file.string() + ": " + why + "; a configuration to reload is a file"});
-    Config config = load_config(file);
+    Config config = load_config(*options.config_file);
     const bool asks_for_a_start = config.control != started.control ||
                                   config.http != started.http || config.clock != started.clock;
     config.clock = started.clock;

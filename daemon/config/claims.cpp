@@ -35,6 +35,10 @@ std::string real_path(const fs::path& file) {
     return error ? file : folder / file.filename();
 }
 
+bool lies_below(const std::string& file, const std::string& folder) {
+    return file.starts_with(folder + "/");
+}
+
 }  // namespace
 
 bool exclude_each_other(const Address& one, const Address& other) {
@@ -50,11 +54,23 @@ void Claims::claim(const Field* field, const std::string& what) {
 }
 
 void Claims::claim_file(const Field* field, const fs::path& file) {
-    claim(field, real_path(file));
+    if (!field) return;
+    const std::string path = real_path(file);
+    const auto in_its_way = std::ranges::find_if(files_, [&](const auto& other) {
+        return lies_below(path, other.first) || lies_below(other.first, path);
+    });
+    if (in_its_way != files_.end()) {
+        faults_.add(*field, path + " and " + in_its_way->first + " of " + in_its_way->second +
+                                " cannot both be: one is a folder of the other; use another");
+    }
+    files_.emplace(path, field->path);
+    claim(field, path);
 }
 
 void Claims::claim_file(const std::string& owner, const fs::path& file) {
-    owner_of_.emplace(real_path(file), owner);
+    const std::string path = real_path(file);
+    files_.emplace(path, owner);
+    owner_of_.emplace(path, owner);
 }
 
 void Claims::claim(const Field* field, Transport transport, const std::optional<Address>& address) {

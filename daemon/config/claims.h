@@ -21,7 +21,7 @@ namespace scipd::daemon {
 enum class Transport { tcp, udp };
 
 /// Whether only one of two sockets can have its address: the same one, or all interfaces of it.
-/// [::] is those of IPv4 as well, as Linux has it unless told otherwise. False: ports differ.
+/// [::] is those of IPv4 as well, as Linux has it unless told otherwise.
 bool exclude_each_other(const Address& one, const Address& other);
 
 class Claims {
@@ -45,6 +45,7 @@ class Claims {
 
     Faults& faults_;
     std::map<std::string, std::string> owner_of_;
+    std::map<std::string, std::string> files_;  ///< whose they are, of those among them
     std::map<std::pair<Transport, std::uint16_t>, std::vector<Taken>> taken_;
 };
 

@@ -6,7 +6,6 @@
 #include "daemon/config/config.h"
 
 #include <array>
-#include <fstream>
 #include <initializer_list>
 #include <utility>
 
@@ -23,6 +22,8 @@
 #include "daemon/config/sensor.h"
 #include "daemon/config/values.h"
 #include "daemon/run_directory.h"
+#include "sim/loaders/load_error.h"
+#include "sim/loaders/plain_file.h"
 
 namespace scipd::daemon {
 namespace {
@@ -46,7 +47,9 @@ bool is_empty(const Field* map) {
 class Reader {
   public:
     Reader(const fs::path& file, Faults& faults)
-        : base_(fs::absolute(file).parent_path()), faults_(faults), claims_(faults) {}
+        : base_(fs::absolute(file).parent_path()), faults_(faults), claims_(faults) {
+        claims_.claim_file("this configuration", fs::absolute(file));
+    }
 
     Config read(const YAML::Node& document);
 
@@ -150,13 +153,12 @@ Config parse_config(const std::string& text, const fs::path& file) {
 }
 
 Config load_config(const fs::path& file) {
-    std::ifstream stream{file, std::ios::binary};
-    std::string text(largest_file + 1, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (!stream.eof() && stream.gcount() == 0) {
-        throw ConfigError({file.string() + ": cannot be read; is it there, and a file?"});
+    std::string text;
+    try {
+        text = sim::read_file(file, largest_file, "name a configuration of at most 1 MiB");
+    } catch (const sim::LoadError& error) {
+        throw ConfigError(error.faults());
     }
-    text.resize(static_cast<std::size_t>(stream.gcount()));
     return parse_config(text, file);
 }
 

@@ -23,7 +23,7 @@ Json pose_document(const sim::Pose& pose) {
 }
 
 std::string text_of(const Json& document) {
-    return document.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return document.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
 HttpResponse ok(const Json& document, int status) {

@@ -38,7 +38,7 @@ HttpResponse problem(int status, std::string_view detail, std::string_view field
     // Whatever bytes a sentence quotes, the document is JSON.
     return {.status = status,
             .content_type = "application/problem+json",
-            .body = document.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace),
+            .body = document.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace),
             .allow = {}};
 }
 

@@ -146,6 +146,25 @@ robots:
                             "control; use another"));
 }
 
+TEST_F(ClaimsTest, LetNoFileBeAFolderOfAnother) {
+    const std::string here = dir_.path().string();
+    EXPECT_THAT(faults(R"(scene: room.sdf
+control: c.sock
+robots:
+  a:
+    sensors:
+      one: {model: UST-10LX, pty: tty}
+      two: {model: UST-10LX, pty: tty/u}
+      three: {model: UST-10LX, pty: c.sock/u}
+      four: {model: UST-10LX, pty: tty2}
+)"),
+                ElementsAre("fleet.yaml:7: robots.a.sensors.two.pty: tty/u and tty of "
+                            "robots.a.sensors.one.pty cannot both be: one is a folder of the "
+                            "other; use another",
+                            "fleet.yaml:8: robots.a.sensors.three.pty: c.sock/u and c.sock of "
+                            "control cannot both be: one is a folder of the other; use another"));
+}
+
 TEST_F(ClaimsTest, AreOfTheNamesThatScipdChooses) {
     setenv("XDG_RUNTIME_DIR", dir_.path().c_str(), 1);
     unsetenv("RUNTIME_DIRECTORY");

@@ -390,7 +390,7 @@ TEST_F(ConfigTest, NamesAFileThatCannotBeRead) {
         load_config(missing);
         FAIL();
     } catch (const ConfigError& error) {
-        EXPECT_EQ(error.what(), missing + ": cannot be read; is it there, and a file?");
+        EXPECT_EQ(error.what(), missing + ": no such file; name a configuration of at most 1 MiB");
     }
     EXPECT_THROW(load_config(dir_.path()), ConfigError);
 }

@@ -13,6 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include "tests/end_to_end/in_square_room.h"
 
@@ -99,6 +100,19 @@ TEST_F(Reload, OfAFaultyFileChangesNothing) {
     EXPECT_THAT(daemon_.standard_error(), HasSubstr(file + ":6: robots.rescue.sensors.rear.model"));
     expect_no_gap(wire, stamp_ms);
     EXPECT_EQ(ScannerWire::tty(daemon_.tty(1)).ask("VV"), "00");
+}
+
+// Whoever opens one waits for somebody to write.
+TEST_F(Reload, OfAFifoChangesNothing) {
+    const fs::path file = write(front + rear);
+    fs::remove(file);
+    ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
+    daemon_.signal(SIGHUP);
+    EXPECT_TRUE(eventually(
+        [&] { return daemon_.standard_error().find("is a FIFO") != std::string::npos; }));
+    EXPECT_EQ(daemon_.get("/sensors").size(), 2U);
+    daemon_.signal(SIGTERM);
+    EXPECT_EQ(daemon_.wait(), 0);
 }
 
 TEST_F(Reload, OfAFileWithAPortInUseChangesNothing) {
