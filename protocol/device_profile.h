@@ -123,14 +123,14 @@ struct DeviceProfile {
     Status unknown_command = status::undefined;
     std::vector<Answer> answers;  ///< where it differs from its family in the command table
     Uptime scan_period{};     ///< one turn of the mirror, as measured; nominally what scan_rpm says
-    int turns_per_reply = 0;  ///< replies leave once in so many turns, a scan with the next turn;
-                              ///< 0: on the ticks
+    int turns_per_reply = 0;  ///< replies leave once in so many, scans once a turn; 0: on ticks
     Uptime reply_tick{};      ///< replies leave on a grid of this spacing; 0: at once
     Uptime time_tick{};       ///< TM1 waits for one of this spacing; 0: as other replies
     Uptime scan_tick{};       ///< scans leave on a grid of this spacing; 0: at once
     Uptime reply_delay{};     ///< at least so long after its request a reply leaves
     Uptime state_report_delay{};                             ///< so long at least the reply to II
     Uptime pause_after_scan = std::chrono::milliseconds(1);  ///< before a reply; deduced
+    bool single_scan_is_next = false;  ///< GD brings the next that leaves, not the latest
     Uptime boot_time{};
     bool answers_while_booting = false;  ///< else what is asked then waits until it is up
     Uptime wake_time{};                  ///< until the motor is up to speed again

@@ -72,7 +72,11 @@ bool Session::turn_complete(const Turn& turn) {
 }
 
 bool Session::waits_for(const Turn& turn) const {
-    return single_shot_ && device_.laser_on() && turn.start >= device_.laser_on_since();
+    if (!single_shot_ || !device_.laser_on() || turn.start < device_.laser_on_since()) return false;
+    if (!profile_.single_scan_is_next) return true;
+    const Uptime period = scan_period_of(device_.settings(), profile_);
+    const Uptime complete = turn.start + period * profile_.amax / profile_.ares;
+    return scan_leaves(complete, device_, profile_) > single_shot_->begun;
 }
 
 void Session::take(const ScanView& scan, Uptime now) {
@@ -188,7 +192,7 @@ void Session::carry_out(const Request& request, Uptime arrived, Uptime now) {
         case Operation::report_time:
             return send(time_report(request, device_, shown(now)));
         case Operation::single_shot:
-            return begin_single_shot(request);
+            return begin_single_shot(request, now);
         case Operation::stream:
             return begin_stream(request, arrived, now);
         default:
@@ -225,10 +229,10 @@ bool Session::single_shot_in_vain() const {
     return single_shot_ && (!device_.laser_on() || device_.failed());
 }
 
-void Session::begin_single_shot(const Request& request) {
+void Session::begin_single_shot(const Request& request, Uptime now) {
     const auto window = parse_step_window(request.parameters(), profile_);
     if (const Status* fault = std::get_if<Status>(&window)) return reply(request, *fault);
-    single_shot_ = SingleShot{request, std::get<StepWindow>(window)};
+    single_shot_ = SingleShot{request, std::get<StepWindow>(window), now};
 }
 
 // The laser has gone off or the device has failed while this one waited for a turn.

@@ -76,6 +76,7 @@ class Session {
     struct SingleShot {
         Request request;  ///< without a command: in SCIP 1.1
         StepWindow window;
+        Uptime begun{};
     };
 
     [[nodiscard]] State state(Uptime now) const;
@@ -94,7 +95,7 @@ class Session {
     void carry_out(const Request& request, Uptime arrived, Uptime now);
     [[nodiscard]] Status change(const Request& request, Uptime now);
 
-    void begin_single_shot(const Request& request);
+    void begin_single_shot(const Request& request, Uptime now);
     void refuse_single_shot(Uptime now);
     void answer_single_shot(const ScanView& scan, Uptime now);
     void begin_stream(const Request& request, Uptime arrived, Uptime now);

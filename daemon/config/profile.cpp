@@ -220,6 +220,7 @@ constexpr Member<DeviceProfile> profile_members[] = {
     {"state_report_delay_ms", read_period<&DeviceProfile::state_report_delay>},
     {"pause_after_scan_ms", read_period<&DeviceProfile::pause_after_scan>},
     {"boot_time_ms", read_period<&DeviceProfile::boot_time>},
+    {"single_scan_is_next", read_flag<&DeviceProfile::single_scan_is_next>},
     {"answers_while_booting", read_flag<&DeviceProfile::answers_while_booting>},
     {"wake_time_ms", read_period<&DeviceProfile::wake_time>},
 };

@@ -53,6 +53,9 @@ protocol::DeviceProfile ust_profile(const std::string& name, const std::string& 
         .scan_tick = 1ms,
         .reply_delay = 400us,
         .state_report_delay = 2ms,
+        // Deduced: the document says "the latest"; two equal stamps in a row are an error to
+        // hokuyo_node and Rock's driver.
+        .single_scan_is_next = true,
         // UST-10LX data sheet: up to 10 s; it takes connections then, but does not answer
         // (urg_stamped). Waking: assumed.
         .boot_time = 10s,

@@ -54,6 +54,7 @@ protocol::DeviceProfile ew_profile(const std::string& name, const std::string& s
         // A scan is sent right after its last step, a reply about 0.5 ms after its request
         // (urg_stamped's simulator).
         .reply_delay = 500us,
+        .single_scan_is_next = true,  // as the UST
         // Some seconds, in which it answers (urg_stamped); the figures are assumed.
         .boot_time = 5s,
         .answers_while_booting = true,

@@ -124,6 +124,8 @@ const std::vector<Case>& cases() {
         {"state_report_delay_ms", "3", "UST-10LX", [](Profile p) { p.state_report_delay = 3ms; }},
         {"pause_after_scan_ms", "2", "UST-10LX", [](Profile p) { p.pause_after_scan = 2ms; }},
         {"boot_time_ms", "0", "UST-10LX", [](Profile p) { p.boot_time = 0ms; }},
+        {"single_scan_is_next", "false", "UST-10LX",
+         [](Profile p) { p.single_scan_is_next = false; }},
         {"answers_while_booting", "true", "UST-10LX",
          [](Profile p) { p.answers_while_booting = true; }},
         {"wake_time_ms", "600000", "UST-10LX", [](Profile p) { p.wake_time = 600s; }},
