@@ -19,6 +19,7 @@ import wire
 from deeds import DEEDS
 
 CALM_S = 3.0  # after all deeds, until their clients are gone
+DRAINED_S = 30.0  # at most, until scipd has closed what was idle or was still to be worked off
 BOOTED_S = 20.0  # longer than any scanner takes
 PATIENCE_S = 60.0
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -111,6 +112,10 @@ class Soak:
         done, _ = await asyncio.wait([over, *clients], return_when=asyncio.FIRST_COMPLETED)
         self.faults += [f"a good client: {task.exception()!r}" for task in done if task is not over]
         asyncio.get_running_loop().remove_reader(told.fileno())
+        await asyncio.sleep(CALM_S)
+        patience = time.monotonic() + DRAINED_S
+        while self.sizes[-1][1] > self.sizes[0][1] + 8 and time.monotonic() < patience:
+            await asyncio.sleep(1.0)
         await asyncio.sleep(CALM_S)
         self.end_s = time.monotonic()
         for client in clients:
