@@ -114,7 +114,7 @@ class Soak:
         asyncio.get_running_loop().remove_reader(told.fileno())
         await asyncio.sleep(CALM_S)
         patience = time.monotonic() + DRAINED_S
-        while self.sizes[-1][1] > self.sizes[0][1] + 8 and time.monotonic() < patience:
+        while self.sizes[-1][1] > self.sizes[0][1] + report.LEFT_DESCRIPTORS and time.monotonic() < patience:
             await asyncio.sleep(1.0)
         await asyncio.sleep(CALM_S)
         self.end_s = time.monotonic()
