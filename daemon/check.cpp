@@ -10,7 +10,7 @@
 
 #include "daemon/load_world.h"
 #include "sim/backends/depth.h"
-#include "sim/loaders/trajectory.h"
+#include "sim/loaders/poses/trajectory.h"
 
 namespace scipd::daemon {
 namespace {

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "daemon/config/sensor_config.h"
-#include "sim/loaders/ros_map.h"
-#include "sim/loaders/sdf.h"
+#include "sim/loaders/map/ros_map.h"
+#include "sim/loaders/sdf/sdf.h"
 #include "sim/world/pose_track.h"
 
 namespace scipd::daemon {

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "daemon/config/section.h"
-#include "sim/loaders/ros_map.h"
+#include "sim/loaders/map/ros_map.h"
 
 namespace scipd::daemon {
 

@@ -16,7 +16,7 @@
 
 #include "daemon/control/pose_intake.h"
 #include "daemon/control/scene_edit.h"
-#include "sim/loaders/trajectory.h"
+#include "sim/loaders/poses/trajectory.h"
 #include "sim/time.h"
 #include "sim/world/pose.h"
 #include "sim/world/scene.h"

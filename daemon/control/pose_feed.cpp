@@ -20,7 +20,7 @@
 
 #include "daemon/control/some_lines.h"
 #include "daemon/control/throttle.h"
-#include "sim/loaders/trajectory.h"
+#include "sim/loaders/poses/trajectory.h"
 
 namespace scipd::daemon {
 

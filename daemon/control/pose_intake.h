@@ -17,7 +17,7 @@
 #include "daemon/control/stamp_leap.h"
 #include "daemon/control/throttle.h"
 #include "daemon/control/world.h"
-#include "sim/loaders/trajectory.h"
+#include "sim/loaders/poses/trajectory.h"
 #include "sim/time.h"
 
 namespace scipd::daemon {

@@ -10,7 +10,7 @@
 
 #include "daemon/control/documents.h"
 #include "daemon/control/routes.h"
-#include "sim/loaders/trajectory.h"
+#include "sim/loaders/poses/trajectory.h"
 
 namespace scipd::daemon {
 

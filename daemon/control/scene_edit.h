@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "sim/loaders/model_fragment.h"
+#include "sim/loaders/sdf/model_fragment.h"
 
 namespace scipd::daemon {
 

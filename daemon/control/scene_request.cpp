@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "sim/loaders/name.h"
+#include "sim/loaders/poses/small_json.h"
+#include "sim/loaders/poses/trajectory.h"
 #include "sim/loaders/quote.h"
-#include "sim/loaders/small_json.h"
-#include "sim/loaders/trajectory.h"
 
 namespace scipd::daemon {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "daemon/control/pose_feed.h"
 #include "sim/loaders/load_error.h"
-#include "sim/loaders/trajectory.h"
+#include "sim/loaders/poses/trajectory.h"
 
 namespace scipd::daemon {
 namespace {

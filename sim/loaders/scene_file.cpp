@@ -5,8 +5,8 @@
 #include <string>
 
 #include "sim/loaders/load_error.h"
-#include "sim/loaders/mesh_file.h"
-#include "sim/loaders/mesh_scene.h"
+#include "sim/loaders/mesh/mesh_file.h"
+#include "sim/loaders/mesh/mesh_scene.h"
 
 namespace scipd::sim {
 

@@ -7,8 +7,8 @@
 #include <filesystem>
 
 #include "sim/loaders/confined_scene.h"
-#include "sim/loaders/ros_map.h"
-#include "sim/loaders/sdf.h"
+#include "sim/loaders/map/ros_map.h"
+#include "sim/loaders/sdf/sdf.h"
 
 namespace scipd::sim {
 

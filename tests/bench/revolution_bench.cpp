@@ -17,7 +17,7 @@
 #include "daemon/device/device.h"
 #include "daemon/device/stepped_clock.h"
 #include "daemon/models/registry.h"
-#include "sim/loaders/sdf.h"
+#include "sim/loaders/sdf/sdf.h"
 #include "tests/support/one_backend.h"
 
 namespace {

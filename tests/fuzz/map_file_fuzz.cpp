@@ -9,7 +9,7 @@
 #include <string>
 
 #include "sim/loaders/load_error.h"
-#include "sim/loaders/map_file.h"
+#include "sim/loaders/map/map_file.h"
 
 namespace {
 

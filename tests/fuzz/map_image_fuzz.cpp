@@ -10,9 +10,9 @@
 #include <string>
 #include <string_view>
 
-#include "sim/loaders/map_image.h"
-#include "sim/loaders/map_walls.h"
-#include "sim/loaders/occupancy.h"
+#include "sim/loaders/map/map_image.h"
+#include "sim/loaders/map/map_walls.h"
+#include "sim/loaders/map/occupancy.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <iostream>
 #include <string_view>
 
-#include "sim/loaders/trajectory.h"
+#include "sim/loaders/poses/trajectory.h"
 
 namespace {
 

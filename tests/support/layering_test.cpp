@@ -203,7 +203,7 @@ TEST(FolderLawsSelfTest, ForbidTheArrowsThatGoBack) {
                 ElementsAre(HasSubstr("know no sensor")));
     EXPECT_THAT(faults("sim/backends/reference.cpp", "<embree3/rtcore.h>"),
                 ElementsAre(HasSubstr("know no sensor")));
-    EXPECT_THAT(faults("sim/sensor/a.h", "\"sim/loaders/sdf.h\""),
+    EXPECT_THAT(faults("sim/sensor/a.h", "\"sim/loaders/sdf/sdf.h\""),
                 ElementsAre(HasSubstr("read from")));
     EXPECT_THAT(faults("sim/loaders/a.h", "<spdlog/spdlog.h>"),
                 ElementsAre(HasSubstr("into worlds")));

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "sim/loaders/trajectory.h"
+#include "sim/loaders/poses/trajectory.h"
 #include "tools/scipctl/commands.h"
 #include "tools/scipctl/control_client.h"
 #include "tools/scipctl/pose_text.h"

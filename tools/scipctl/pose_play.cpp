@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "sim/loaders/trajectory.h"
+#include "sim/loaders/poses/trajectory.h"
 #include "tools/options.h"
 #include "tools/scipctl/commands.h"
 #include "tools/scipctl/control_client.h"

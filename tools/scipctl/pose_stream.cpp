@@ -9,7 +9,7 @@
 #include <utility>
 #include <variant>
 
-#include "sim/loaders/trajectory.h"
+#include "sim/loaders/poses/trajectory.h"
 #include "tools/scipctl/commands.h"
 #include "tools/scipctl/control_client.h"
 #include "tools/scipctl/pose_text.h"

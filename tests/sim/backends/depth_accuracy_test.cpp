@@ -10,7 +10,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
 
-#include "sim/loaders/sdf.h"
+#include "sim/loaders/sdf/sdf.h"
 #include "tests/sim/backends/contract.h"
 
 namespace scipd::sim {

@@ -14,10 +14,10 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include "sim/loaders/poses/trajectory.h"
 #include "sim/loaders/scene_file.h"
-#include "sim/loaders/trajectory.h"
 #include "tests/sim/loaders/faults_of.h"
-#include "tests/sim/loaders/sdf_text.h"
+#include "tests/sim/loaders/sdf/sdf_text.h"
 
 namespace scipd::sim {
 namespace {

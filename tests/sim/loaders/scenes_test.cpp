@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/backends/registry.h"
+#include "sim/loaders/poses/trajectory.h"
 #include "sim/loaders/scene_file.h"
-#include "sim/loaders/trajectory.h"
 
 namespace scipd::sim {
 namespace {

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/map/map_image.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "sim/loaders/map/pgm.h"
+#include "sim/loaders/map/png.h"
+
+namespace scipd::sim {
+
+MapImage read_map_image(std::string_view bytes) {
+    if (is_png(bytes)) return read_png(bytes);
+    if (is_pgm(bytes)) return read_pgm(bytes);
+    throw std::invalid_argument("is neither PGM nor PNG; save the map as one of these");
+}
+
+void check_map_size(std::uint64_t width, std::uint64_t height) {
+    if (width == 0 || height == 0) throw std::invalid_argument("has no pixels");
+    if (width <= most_map_cells && height <= most_map_cells / width) return;
+    throw std::invalid_argument("has " + std::to_string(width) + " x " + std::to_string(height) +
+                                " pixels; a map has at most 100 million");
+}
+
+}  // namespace scipd::sim

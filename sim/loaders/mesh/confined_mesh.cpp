@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/mesh/confined_mesh.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+#include "sim/loaders/between_processes.h"
+#include "sim/loaders/confined.h"
+#include "sim/loaders/load_error.h"
+
+namespace scipd::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t largest_file = 1ULL << 30;
+
+void put_part(const MeshPart& part, std::FILE* out) {
+    put_all(part.material, out);
+    put_all(part.mesh.vertices_m, out);
+    put_all(part.mesh.triangles, out);
+}
+
+MeshPart take_part(std::FILE* in) {
+    MeshPart part;
+    part.material = take_all<std::string>(in);
+    part.mesh.vertices_m = take_all<std::vector<glm::vec3>>(in);
+    part.mesh.triangles = take_all<std::vector<glm::uvec3>>(in);
+    return part;
+}
+
+std::string known_kinds() {
+    std::string text;
+    for (const auto extension : mesh_extensions)
+        text += (text.empty() ? "" : ", ") + std::string(extension);
+    return text;
+}
+
+/// What a sound file of this size cannot come near, so that a few damaged bytes on which the
+/// library turns in circles do not eat a minute and all memory. Assimp takes up to 2 us a triangle
+/// (load_bench), and a triangle is no less than 12 bytes.
+Confines confines_of(const fs::path& file, std::uintmax_t size, const MeshLimits& limits) {
+    constexpr std::chrono::seconds most_time{60};
+    constexpr std::uintmax_t little_memory = 1ULL << 30;
+    Confines confines{.processor_time = most_time,
+                      .memory_bytes = limits.memory_bytes,
+                      .wall_time = limits.wall_time};
+    // What it consists of may lie beside it.
+    if (extension_of(file) == ".gltf") return confines;
+    const std::chrono::seconds time{5 + size / 4'000'000};
+    const auto memory_bytes = static_cast<std::size_t>(little_memory + 100 * size);
+    confines.processor_time = std::min(most_time, time);
+    confines.memory_bytes = std::min(limits.memory_bytes, memory_bytes);
+    return confines;
+}
+
+/// Its size.
+std::uintmax_t check_file(const fs::path& file) {
+    if (const auto why = why_no_file(file); !why.empty()) {
+        throw std::runtime_error(why + "; a mesh is wanted here");
+    }
+    if (!is_mesh_file(file)) {
+        throw std::runtime_error("is no kind of mesh that is known; name one of " + known_kinds());
+    }
+    std::error_code error;
+    const auto size = fs::file_size(file, error);
+    if (error || size > largest_file) throw std::runtime_error("is larger than 1 GiB");
+    return size;
+}
+
+}  // namespace
+
+std::vector<MeshPart> read_confined(const fs::path& file, const MeshLimits& limits,
+                                    const std::function<std::vector<MeshPart>()>& read) {
+    try {
+        const Confines confines = confines_of(file, check_file(file), limits);
+        const auto work = [&](std::FILE* out) { put_each(read(), out, put_part); };
+        return take_each<std::vector<MeshPart>>(run_confined(confines, work).get(), take_part);
+    } catch (const std::runtime_error& wrong) {
+        throw LoadError({file.string() + ": " + wrong.what()});
+    }
+}
+
+}  // namespace scipd::sim

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/mesh/mesh_folder.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+
+#include <assimp/DefaultIOStream.h>
+
+#include "sim/loaders/plain_file.h"
+#include "sim/loaders/quote.h"
+
+namespace scipd::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Assimp's own, of a file that is open already.
+class Stream final : public Assimp::DefaultIOStream {
+  public:
+    Stream(File file, const std::string& name) : DefaultIOStream(file.release(), name) {}
+};
+
+/// Nothing lies below the root of all files: that would be everything.
+bool lies_in(const fs::path& file, const fs::path& folder) {
+    if (file.parent_path() == folder) return true;
+    const auto [end, ignored] =
+        std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
+    return folder.has_relative_path() && end == folder.end();
+}
+
+}  // namespace
+
+MeshFolder::MeshFolder(const fs::path& mesh) : mesh_(mesh) {
+    std::error_code error;
+    folders_.push_back(fs::canonical(fs::absolute(mesh).parent_path(), error));
+    folders_.push_back(fs::canonical(mesh, error).parent_path());
+}
+
+std::string MeshFolder::why_not(const fs::path& file) const {
+    if (file == mesh_) return {};
+    // Links and dots followed to their ends.
+    std::error_code error;
+    const fs::path real = fs::canonical(file, error);
+    if (error) return "no such file";
+    const bool inside = std::ranges::any_of(
+        folders_, [&](const fs::path& folder) { return lies_in(real, folder); });
+    return inside ? why_no_file(real) : "does not lie in the folder of the mesh";
+}
+
+bool MeshFolder::Exists(const char* file) const {
+    return why_not(file).empty();
+}
+
+Assimp::IOStream* MeshFolder::Open(const char* file, const char* mode) {
+    std::string why = mode[0] == 'r' ? why_not(file) : "is only read";
+    try {
+        if (why.empty()) return new Stream(open_file(file), file);
+    } catch (const std::runtime_error& error) {
+        why = error.what();
+    }
+    const fs::path name = fs::path{file}.lexically_relative(mesh_.parent_path());
+    if (refusal_.empty()) refusal_ = "names " + quote(name.string()) + ", which " + why;
+    return nullptr;
+}
+
+}  // namespace scipd::sim

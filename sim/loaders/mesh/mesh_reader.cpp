@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/mesh/mesh_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <new>
+#include <set>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/material.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include "sim/loaders/mesh/mesh_folder.h"
+#include "sim/loaders/quote.h"
+
+namespace scipd::sim {
+namespace {
+
+/// Positions and faces are all that a range needs; without the rest more vertices are identical and
+/// can be shared.
+constexpr int unwanted = aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
+                         aiComponent_COLORS | aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS |
+                         aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
+                         aiComponent_CAMERAS;
+
+constexpr unsigned int plain = aiProcess_Triangulate | aiProcess_RemoveComponent;
+/// Takes the nodes away, and with them their names.
+constexpr unsigned int flat = aiProcess_PreTransformVertices | aiProcess_SortByPType;
+
+constexpr std::size_t most_names_told = 10;
+
+std::span<aiMesh* const> meshes_of(const aiScene& scene) {
+    return {scene.mMeshes, scene.mNumMeshes};
+}
+
+/// A polygon of n corners becomes n - 2 triangles.
+std::uint64_t triangle_count(const aiMesh& mesh) {
+    std::uint64_t count = 0;
+    for (const aiFace& face : std::span{mesh.mFaces, mesh.mNumFaces})
+        count += std::max(face.mNumIndices, 2U) - 2;
+    return count;
+}
+
+/// A node shows any mesh again, and so a small file can stand for any number of triangles.
+void check_triangle_count(const aiScene& scene, const MeshLimits& limits) {
+    std::vector<std::uint64_t> of_mesh;
+    for (const aiMesh* mesh : meshes_of(scene))
+        of_mesh.push_back(triangle_count(*mesh));
+    std::uint64_t count = 0;
+    std::vector<const aiNode*> nodes{scene.mRootNode};
+    while (!nodes.empty()) {
+        const aiNode& node = *nodes.back();
+        nodes.pop_back();
+        nodes.insert(nodes.end(), node.mChildren, node.mChildren + node.mNumChildren);
+        for (const unsigned mesh : std::span{node.mMeshes, node.mNumMeshes})
+            count += of_mesh.at(mesh);
+        if (count > limits.triangles) {
+            throw std::runtime_error("has more than " + std::to_string(limits.triangles) +
+                                     " triangles");
+        }
+    }
+}
+
+bool is_finite(const aiMesh* mesh) {
+    return std::ranges::all_of(std::span{mesh->mVertices, mesh->mNumVertices},
+                               [](const aiVector3D& v) { return std::isfinite(v.x + v.y + v.z); });
+}
+
+[[noreturn]] void refuse(const Assimp::Importer& importer) {
+    const std::string reason = importer.GetErrorString();
+    if (reason.find("bad_alloc") != reason.npos) throw std::bad_alloc();
+    const auto& folder = dynamic_cast<const MeshFolder&>(*importer.GetIOHandler());
+    throw std::runtime_error("cannot be read as a mesh: " + printable(reason) +
+                             (folder.refusal().empty() ? "" : "; it " + folder.refusal()));
+}
+
+/// The importer hands out its scene as const, and has no step for this.
+void keep_names_only(const aiScene& scene) {
+    for (aiMaterial* material : std::span{scene.mMaterials, scene.mNumMaterials}) {
+        aiString name;
+        const bool is_named = material->Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS;
+        material->Clear();
+        if (is_named) material->AddProperty(&name, AI_MATKEY_NAME);
+    }
+}
+
+/// All that is asked of a file before and after the steps that make what is wanted of it.
+const aiScene& read(Assimp::Importer& importer, const std::filesystem::path& file, MeshAxes axes,
+                    unsigned int steps, const MeshLimits& limits) {
+    importer.SetIOHandler(new MeshFolder(file));  // which the importer owns from here on
+    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, unwanted);
+    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                                aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION,
+                             axes == MeshAxes::as_in_file);
+    const aiScene* scene = importer.ReadFile(file.string(), 0);
+    if (scene == nullptr) refuse(importer);
+    // What is in nobody's way is not asked whether it is right: two cameras of one name, a texture.
+    keep_names_only(*scene);
+    importer.ApplyPostProcessing(aiProcess_RemoveComponent);
+    scene = importer.ApplyPostProcessing(aiProcess_ValidateDataStructure);
+    if (scene == nullptr) refuse(importer);
+    check_triangle_count(*scene, limits);
+    scene = importer.ApplyPostProcessing(steps);
+    if (scene == nullptr) refuse(importer);
+    if (!std::ranges::all_of(meshes_of(*scene), is_finite)) {
+        throw std::runtime_error("has a vertex that is not finite");
+    }
+    // Last, since it takes a NaN for identical to any vertex and would hide it.
+    scene = importer.ApplyPostProcessing(aiProcess_JoinIdenticalVertices);
+    if (scene == nullptr) refuse(importer);
+    return *scene;
+}
+
+/// Whether Assimp hands y up: it does so itself with COLLADA, unless it is told to leave the axes,
+/// and glTF has it by its specification.
+bool is_y_up(const std::filesystem::path& file, MeshAxes axes) {
+    const std::string extension = extension_of(file);
+    return axes == MeshAxes::z_up &&
+           (extension == ".dae" || extension == ".gltf" || extension == ".glb");
+}
+
+template <typename Move>
+void append(const aiMesh& from, Move move, Mesh& to) {
+    const auto first = static_cast<glm::uint>(to.vertices_m.size());
+    for (const aiVector3D& vertex : std::span{from.mVertices, from.mNumVertices})
+        to.vertices_m.push_back(move(vertex));
+    for (const aiFace& face : std::span{from.mFaces, from.mNumFaces}) {
+        if (face.mNumIndices != 3) continue;
+        const std::span corner{face.mIndices, 3};
+        to.triangles.emplace_back(first + corner[0], first + corner[1], first + corner[2]);
+    }
+}
+
+/// Assimp makes up a name where the file gives none.
+std::string material_name(const aiScene& scene, const aiMesh& mesh) {
+    if (mesh.mMaterialIndex >= scene.mNumMaterials) return {};
+    const std::string name = scene.mMaterials[mesh.mMaterialIndex]->GetName().C_Str();
+    return name == AI_DEFAULT_MATERIAL_NAME ? std::string{} : name;
+}
+
+MeshPart& part_of(const std::string& material, std::vector<MeshPart>& parts) {
+    const auto known = std::ranges::find(parts, material, &MeshPart::material);
+    return known != parts.end() ? *known : parts.emplace_back(MeshPart{material, {}});
+}
+
+void drop_empty(std::vector<MeshPart>& parts) {
+    std::erase_if(parts, [](const MeshPart& part) { return part.mesh.triangles.empty(); });
+}
+
+/// Walks the nodes of a file and keeps what lies in those of one name, or is a mesh of that name.
+class Picker {
+  public:
+    Picker(const aiScene& scene, const std::string& name) : scene_(scene), name_(name) {}
+
+    /// All that lies in a node of this name belongs to it.
+    void walk(const aiNode& node, const aiMatrix4x4& file_from_parent, bool inside) {
+        const aiMatrix4x4 file_from_node = file_from_parent * node.mTransformation;
+        const bool wanted = named(node.mName) || inside;
+        for (const unsigned index : std::span{node.mMeshes, node.mNumMeshes}) {
+            const aiMesh& mesh = *scene_.mMeshes[index];
+            if (named(mesh.mName) || wanted) pick(mesh, file_from_node);
+        }
+        for (const aiNode* child : std::span{node.mChildren, node.mNumChildren})
+            walk(*child, file_from_node, wanted);
+    }
+
+    [[nodiscard]] std::vector<MeshPart>& parts() { return parts_; }
+
+    [[nodiscard]] std::string names() const {
+        std::string text;
+        std::size_t told = 0;
+        for (const auto& name : names_) {
+            if (told++ == most_names_told) return text + ", ...";
+            text += (text.empty() ? "" : ", ") + quote(name);
+        }
+        return text.empty() ? "none" : text;
+    }
+
+  private:
+    bool named(const aiString& name) {
+        if (name.length > 0) names_.insert(name.C_Str());
+        return name_ == name.C_Str();
+    }
+
+    void pick(const aiMesh& mesh, const aiMatrix4x4& file_from_node) {
+        const auto move = [&](const aiVector3D& vertex) {
+            const aiVector3D at = file_from_node * vertex;
+            return glm::vec3{at.x, at.y, at.z};
+        };
+        append(mesh, move, part_of(material_name(scene_, mesh), parts_).mesh);
+    }
+
+    const aiScene& scene_;
+    const std::string& name_;
+    std::set<std::string> names_;
+    std::vector<MeshPart> parts_;
+};
+
+}  // namespace
+
+std::vector<MeshPart> read_mesh(const std::filesystem::path& file, MeshAxes axes,
+                                const MeshLimits& limits) {
+    Assimp::Importer importer;
+    const aiScene& scene = read(importer, file, axes, plain | flat, limits);
+    const auto move = [y_up = is_y_up(file, axes)](const aiVector3D& v) {
+        return y_up ? glm::vec3{v.x, -v.z, v.y} : glm::vec3{v.x, v.y, v.z};
+    };
+    std::vector<MeshPart> parts;
+    for (const aiMesh* mesh : meshes_of(scene))
+        append(*mesh, move, part_of(material_name(scene, *mesh), parts).mesh);
+    drop_empty(parts);
+    if (parts.empty()) throw std::runtime_error("holds no triangles");
+    return parts;
+}
+
+std::vector<MeshPart> read_submesh(const std::filesystem::path& file, const std::string& name,
+                                   const MeshLimits& limits) {
+    Assimp::Importer importer;
+    const aiScene& scene = read(importer, file, MeshAxes::as_in_file, plain, limits);
+    Picker picker{scene, name};
+    picker.walk(*scene.mRootNode, aiMatrix4x4{}, false);
+    auto& parts = picker.parts();
+    drop_empty(parts);
+    if (parts.empty()) {
+        throw std::runtime_error("has no submesh " + quote(name) + "; there are " + picker.names());
+    }
+    return std::move(parts);
+}
+
+}  // namespace scipd::sim

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The one place that knows Assimp. What it is given comes from anywhere and the library is large:
+// mesh_file.h calls this where it can do no harm. Any thread; nothing shared.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/loaders/mesh/mesh_file.h"
+
+namespace scipd::sim {
+
+/// As load_mesh_parts() without a scale. Throws std::runtime_error, saying what is wrong, or
+/// std::bad_alloc.
+std::vector<MeshPart> read_mesh(const std::filesystem::path& file, MeshAxes axes,
+                                const MeshLimits& limits);
+
+/// As load_submesh() without a scale, where it lies in the file. Throws the same.
+std::vector<MeshPart> read_submesh(const std::filesystem::path& file, const std::string& name,
+                                   const MeshLimits& limits);
+
+}  // namespace scipd::sim

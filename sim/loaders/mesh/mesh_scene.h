@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#pragma once
+
+#include <filesystem>
+
+#include "sim/loaders/sdf/sdf.h"
+
+namespace scipd::sim {
+
+/// A mesh file as a world: one model that never moves, named as the file, an object for every
+/// material, z up (MeshAxes::z_up), in metres. Throws LoadError.
+LoadedScene load_mesh_scene(const std::filesystem::path& file);
+
+}  // namespace scipd::sim

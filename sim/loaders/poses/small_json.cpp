@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/poses/small_json.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "sim/loaders/quote.h"
+
+namespace scipd::sim {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int deepest = 8;
+constexpr int most_values = 256;
+
+/// The library's own words, without its name and number in brackets.
+std::string words_of(const Json::exception& error) {
+    const std::string_view text = error.what();
+    const auto bracket = text.find("] ");
+    return printable(bracket == text.npos ? text : text.substr(bracket + 2));
+}
+
+}  // namespace
+
+Json parse_small_json(std::string_view text) {
+    int values = 0;
+    const auto count = [&values](int depth, Json::parse_event_t, const Json&) {
+        if (depth > deepest) {
+            throw std::runtime_error("nests deeper than " + std::to_string(deepest) + " levels");
+        }
+        if (++values > most_values) {
+            throw std::runtime_error("has more than " + std::to_string(most_values) +
+                                     " keys and values");
+        }
+        return true;
+    };
+    try {
+        return Json::parse(text, count);
+    } catch (const Json::exception& error) {
+        throw std::runtime_error("not JSON: " + words_of(error));
+    }
+}
+
+}  // namespace scipd::sim

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// One line of a TUM trajectory: `t tx ty tz qx qy qz qw`, without its line end. Files and pose
+// streams share it. Any thread; nothing shared.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "sim/loaders/poses/trajectory.h"
+
+namespace scipd::sim {
+
+/// Stamps beyond this many seconds do not fit into nanoseconds of 64 bits (9.2e9 s).
+inline constexpr double time_limit_s = 9e9;
+
+/// Without the blanks, tabs and carriage returns around it.
+std::string_view trimmed(std::string_view text);
+
+/// The pose, or a sentence that names the column at fault.
+std::variant<TimedPose, std::string> parse_tum_line(std::string_view line);
+
+/// Unit length, or nothing where there is no direction in it. Order as in files: x, y, z, w.
+std::optional<glm::dquat> normalised_quaternion(double x, double y, double z, double w);
+
+}  // namespace scipd::sim

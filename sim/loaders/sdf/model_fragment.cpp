@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/sdf/model_fragment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "sim/loaders/load_error.h"
+#include "sim/loaders/mesh/mesh_file.h"
+#include "sim/loaders/quote.h"
+
+namespace scipd::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_name(const std::string& name) {
+    if (name.empty()) throw LoadError({"name: is empty; give the model one"});
+    if (name.find("::") != name.npos) {
+        throw LoadError(
+            {"name: " + quote(name) + ": '::' stands between a model and what lies in it"});
+    }
+}
+
+/// NAME in place of that of the first model, with which all other names begin.
+void rename(Scene& scene, const std::string& name) {
+    const auto length = scene.models.front().name.size();
+    for (Model& model : scene.models)
+        model.name.replace(0, length, name);
+    for (Object& object : scene.objects)
+        object.name.replace(0, length, name);
+}
+
+/// The first model at this pose; what lies in it and moves by itself goes along.
+void move_to(Scene& scene, const Pose& world_from_model) {
+    const Pose shift = world_from_model * inverse(scene.models.front().world_from_model);
+    for (Model& model : scene.models)
+        model.world_from_model = shift * model.world_from_model;
+    scene.models.front().world_from_model = world_from_model;
+}
+
+LoadedScene placed(LoadedScene loaded, const Placement& placement, const std::string& source) {
+    const auto& all = loaded.scene->models;
+    const auto inside = all.front().name + "::";
+    const bool one = std::all_of(all.begin() + 1, all.end(), [&](const Model& model) {
+        return model.name.starts_with(inside);
+    });
+    if (!one) throw LoadError({source + ": holds several models; one is wanted here"});
+    Scene scene = *loaded.scene;
+    rename(scene, placement.name);
+    if (placement.world_from_model) move_to(scene, *placement.world_from_model);
+    loaded.scene = std::make_shared<const Scene>(std::move(scene));
+    return loaded;
+}
+
+MaterialId material_id(const std::string& name, std::vector<Material>& all) {
+    auto found = name.empty() ? all.begin() : std::ranges::find(all, name, &Material::name);
+    if (found == all.end()) found = all.insert(found, {name});
+    return static_cast<MaterialId>(found - all.begin());
+}
+
+}  // namespace
+
+SdfOptions within_a_models_share(SdfOptions options) {
+    constexpr std::size_t memory_bytes = std::size_t{512} << 20U;
+    constexpr std::size_t triangles = 2'000'000;
+    options.most_memory_bytes = memory_bytes;
+    options.most_triangles = triangles;
+    options.mesh = {.memory_bytes = memory_bytes, .triangles = triangles};
+    return options;
+}
+
+LoadedScene load_model_text(const std::string& text, const Placement& placement,
+                            const fs::path& folder, const SdfOptions& options) {
+    check_name(placement.name);
+    return placed(load_sdf_text(text, placement.name, folder, options), placement, placement.name);
+}
+
+LoadedScene load_model_file(const fs::path& file, const Placement& placement,
+                            const SdfOptions& options) {
+    check_name(placement.name);
+    return placed(load_sdf(file, options), placement, file.string());
+}
+
+LoadedScene load_mesh_model(const fs::path& file, const Placement& placement, double scale,
+                            const std::string& material, const MeshLimits& limits) {
+    check_name(placement.name);
+    if (!(scale > 0.0 && scale <= 1e7)) {
+        throw LoadError({"scale: must be above 0 and at most 1e7"});
+    }
+    Scene scene;
+    scene.name = placement.name;
+    scene.models.push_back({placement.name, true, placement.world_from_model.value_or(Pose{})});
+    for (MeshPart& part : load_mesh_parts(file, glm::dvec3{scale}, MeshAxes::z_up, limits)) {
+        const auto id = material_id(material.empty() ? part.material : material, scene.materials);
+        scene.objects.push_back({placement.name + "::" + file.stem().string(), 0, Pose{},
+                                 std::make_shared<const Mesh>(std::move(part.mesh)), id});
+    }
+    scene.anchor_m = Scene::middle_of(scene);
+    return {std::make_shared<const Scene>(std::move(scene)), {}};
+}
+
+}  // namespace scipd::sim

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/sdf/resources.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "sim/loaders/quote.h"
+
+namespace scipd::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array variables{
+    "SDF_PATH",          "GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH",
+    "GAZEBO_MODEL_PATH", "GAZEBO_RESOURCE_PATH", "ROS_PACKAGE_PATH",
+    "AMENT_PREFIX_PATH"};
+
+/// SCHEME://NAME in two; a plain path has no scheme.
+struct Uri {
+    std::string scheme;
+    std::string name;
+
+    explicit Uri(const std::string& text) {
+        const auto end = text.find("://");
+        if (end != text.npos) scheme = text.substr(0, end);
+        name = end == text.npos ? text : text.substr(end + 3);
+    }
+
+    [[nodiscard]] bool downloaded() const { return scheme == "http" || scheme == "https"; }
+    /// NAME begins with that of a model or a package.
+    [[nodiscard]] bool named() const { return scheme == "model" || scheme == "package"; }
+};
+
+bool is_there(const fs::path& path) {
+    std::error_code error;
+    return !path.empty() && fs::exists(path, error);
+}
+
+std::vector<fs::path> folders_of(std::string_view variable) {
+    std::vector<fs::path> folders;
+    while (!variable.empty()) {
+        const auto end = variable.find(':');
+        if (const auto folder = variable.substr(0, end); !folder.empty()) {
+            folders.emplace_back(folder);
+        }
+        variable.remove_prefix(end == variable.npos ? variable.size() : end + 1);
+    }
+    return folders;
+}
+
+fs::path near(const fs::path& folder, const Uri& uri) {
+    const fs::path above = folder.parent_path();
+    for (const auto& place : {folder, above, folder / "models", above / "models"}) {
+        if (is_there(place / uri.name)) return place / uri.name;
+    }
+    if (!uri.named()) return {};
+    for (fs::path up = above.parent_path(); up.has_relative_path(); up = up.parent_path()) {
+        if (is_there(up / uri.name)) return up / uri.name;
+    }
+    // MODEL/meshes/x from within MODEL, whatever its folder is called.
+    const fs::path name = uri.name;
+    const fs::path inside = folder / name.lexically_relative(*name.begin());
+    return is_there(inside) && !fs::is_directory(inside) ? inside : fs::path{};
+}
+
+fs::path below(const fs::path& folder, const Uri& uri) {
+    for (const auto& place : {folder, folder / "share"}) {
+        if (is_there(place / uri.name)) return place / uri.name;
+    }
+    const fs::path name = uri.name;
+    if (!uri.named() || name.empty()) return {};
+    // The folder may be the package itself.
+    if (folder.filename() == *name.begin() && is_there(folder.parent_path() / name)) {
+        return folder.parent_path() / name;
+    }
+    std::error_code error;
+    std::vector<fs::path> stacks;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+        if (is_there(entry.path() / name)) stacks.push_back(entry.path() / name);
+    }
+    // A folder is listed in no order.
+    return stacks.empty() ? fs::path{} : *std::ranges::min_element(stacks);
+}
+
+std::string lower(std::string text) {
+    std::ranges::transform(text, text.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return text;
+}
+
+std::optional<int> number_in(const fs::path& path) {
+    const std::string name = path.filename();
+    const bool digits = std::ranges::all_of(name, [](char c) { return c >= '0' && c <= '9'; });
+    if (!digits || name.empty() || name.size() > 9) return std::nullopt;
+    return std::stoi(name);
+}
+
+fs::path newest_version(const fs::path& model) {
+    fs::path newest;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(model, error)) {
+        const auto version = number_in(entry.path());
+        if (version && (newest.empty() || *version > *number_in(newest))) newest = entry.path();
+    }
+    return newest;
+}
+
+/// The two that most worlds of Gazebo name on the web: "Ground Plane" there, ground_plane in a
+/// folder. Nothing for all others.
+std::string name_in_folders(const Uri& uri) {
+    std::string name = lower(uri.name);
+    for (const std::string_view blank : {"%20", " "}) {
+        for (auto at = name.find(blank); at != name.npos; at = name.find(blank))
+            name.replace(at, blank.size(), 1, '_');
+    }
+    constexpr std::string_view owner = "/openrobotics/models/";
+    for (const std::string_view model : {"sun", "ground_plane"}) {
+        if (name.ends_with(model) && name.substr(0, name.size() - model.size()).ends_with(owner)) {
+            return std::string{model};
+        }
+    }
+    return {};
+}
+
+/// HOST/1.0/OWNER/models/NAME[/VERSION[/files/PATH]] lies in HOST/owner/models/name/VERSION/PATH,
+/// in lower case up to the name: how gz-fuel-tools keeps it.
+fs::path downloaded_to(const fs::path& cache, const Uri& uri) {
+    std::vector<std::string> part;
+    for (const auto& piece : fs::path{uri.name})
+        part.push_back(piece.string());
+    if (part.size() < 5) return {};
+    const fs::path model = cache / part[0] / lower(part[2]) / lower(part[3]) / lower(part[4]);
+    const bool latest = part.size() < 6 || part[5] == "tip";
+    fs::path found = latest ? newest_version(model) : model / part[5];
+    for (std::size_t i = 7; i < part.size(); ++i)
+        found /= part[i];
+    return is_there(found) ? found : fs::path{};
+}
+
+fs::path find_download(const Uri& uri) {
+    std::vector<fs::path> caches;
+    if (const char* cache = std::getenv("GZ_FUEL_CACHE_PATH")) caches.emplace_back(cache);
+    if (const char* home = std::getenv("HOME")) {
+        caches.push_back(fs::path{home} / ".gz/fuel");
+        caches.push_back(fs::path{home} / ".ignition/fuel");
+    }
+    for (const auto& cache : caches) {
+        if (auto found = downloaded_to(cache, uri); !found.empty()) return found;
+    }
+    return {};
+}
+
+}  // namespace
+
+Resources::Resources(fs::path folder, std::vector<fs::path> more) : folder_(std::move(folder)) {
+    for (const char* variable : variables) {
+        const char* value = std::getenv(variable);
+        const auto folders = folders_of(value == nullptr ? "" : value);
+        search_path_.insert(search_path_.end(), folders.begin(), folders.end());
+    }
+    search_path_.insert(search_path_.end(), more.begin(), more.end());
+}
+
+fs::path Resources::find(const std::string& text, const fs::path& beside) const {
+    const Uri uri{text};
+    if (uri.name.empty()) return {};
+    if (uri.downloaded()) {
+        const fs::path found = find_download(uri);
+        const std::string ours = found.empty() ? name_in_folders(uri) : "";
+        return ours.empty() ? found : find(std::string{"model://"}.append(ours), beside);
+    }
+    if (auto found = near(beside, uri); !found.empty()) return found;
+    if (auto found = near(folder_, uri); !found.empty()) return found;
+    for (const auto& folder : search_path_) {
+        if (auto found = below(folder, uri); !found.empty()) return found;
+    }
+    return {};
+}
+
+std::string Resources::not_found(const std::string& text, const fs::path& beside) const {
+    const Uri uri{text};
+    if (uri.downloaded()) {
+        return printable("'" + text +
+                             "' has not been downloaded; fetch it with `gz fuel download -u '" +
+                             text + "'`, or name a copy",
+                         400);
+    }
+    std::string sentence = "there is no " + quote(text) + " near " + beside.string();
+    if (uri.named()) {
+        sentence +=
+            ", nor in GZ_SIM_RESOURCE_PATH, GAZEBO_MODEL_PATH, SDF_PATH, ROS_PACKAGE_PATH or "
+            "AMENT_PREFIX_PATH";
+    }
+    return sentence;
+}
+
+}  // namespace scipd::sim

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/sdf/scene_draft.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include <glm/common.hpp>
+
+#include "sim/loaders/load_error.h"
+#include "sim/loaders/sdf/sdf_document.h"
+
+namespace scipd::sim {
+
+SceneDraft::SceneDraft(std::filesystem::path file, bool strict, std::vector<std::string> warnings)
+    : file_(std::move(file)), strict_(strict), anything_left_out_(!warnings.empty()) {
+    for (auto& warning : warnings)
+        warn(std::move(warning));
+}
+
+ModelId SceneDraft::add(Model model) {
+    scene_.models.push_back(std::move(model));
+    return static_cast<ModelId>(scene_.models.size() - 1);
+}
+
+void SceneDraft::add(Object object, const Material& material) {
+    object.material = id_of(material);
+    scene_.objects.push_back(std::move(object));
+}
+
+MaterialId SceneDraft::id_of(const Material& material) {
+    auto& all = scene_.materials;
+    const Material wanted{material.name.empty() ? all.front().name : material.name,
+                          material.laser_retro};
+    auto found = std::ranges::find(all, wanted);
+    if (found == all.end()) found = all.insert(found, wanted);
+    return static_cast<MaterialId>(found - all.begin());
+}
+
+void SceneDraft::warn(std::string text) {
+    if (std::ranges::find(warnings_, text) == warnings_.end()) {
+        warnings_.push_back(std::move(text));
+    }
+}
+
+void SceneDraft::leave_out(const std::string& why) {
+    anything_left_out_ = true;
+    if (strict_) {
+        faults_.push_back(why);
+    } else {
+        warn(why + (why.ends_with('?') ? " It is left out" : "; left out"));
+    }
+}
+
+void SceneDraft::pass_over(std::string why) {
+    anything_left_out_ = true;
+    warn(std::move(why));
+}
+
+void SceneDraft::show_names() {
+    for (Model& model : scene_.models)
+        model.name = shown(model.name);
+    for (Object& object : scene_.objects)
+        object.name = shown(object.name);
+    std::ranges::transform(warnings_, warnings_.begin(), shown);
+    std::ranges::transform(faults_, faults_.begin(), shown);
+}
+
+LoadedScene SceneDraft::finish(const std::string& what_is_seen) && {
+    if (scene_.objects.empty() && faults_.empty()) {
+        warn(file_.string() + ": holds nothing that a scanner could see; give a model a " +
+             what_is_seen + " with a box, cylinder, sphere, plane or mesh");
+        // What was left out is then the reason, not a remark.
+        if (anything_left_out_) faults_ = warnings_;
+    }
+    show_names();
+    if (!faults_.empty()) throw LoadError(std::move(faults_));
+    // Always, not only far out: floats are finest around zero. Whole metres, so that round
+    // coordinates stay round.
+    scene_.anchor_m = glm::round(Scene::middle_of(scene_));
+    return {std::make_shared<const Scene>(std::move(scene_)), std::move(warnings_)};
+}
+
+}  // namespace scipd::sim

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/sdf/sdf.h"
+
+#include <exception>
+#include <utility>
+
+#include <sdf/Exception.hh>
+
+#include "sim/loaders/load_error.h"
+#include "sim/loaders/plain_file.h"
+#include "sim/loaders/quote.h"
+#include "sim/loaders/sdf/resources.h"
+#include "sim/loaders/sdf/sdf_file.h"
+#include "sim/loaders/sdf/sdf_scene.h"
+
+namespace scipd::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+LoadError unreadable(const fs::path& file, const std::string& why) {
+    constexpr std::size_t most_told = 400;
+    return LoadError(
+        {file.string() + ": libsdformat cannot read it: " + printable(why, most_told)});
+}
+
+LoadedScene load(const SdfSource& source, const fs::path& folder, const SdfOptions& options) {
+    const Resources resources{folder, options.model_folders};
+    try {
+        SdfFile read = read_sdf(source, resources, options.most_memory_bytes, options.strict);
+        if (!read.faults.empty()) throw LoadError(std::move(read.faults));
+        LoadedScene loaded = scene_of(std::move(read), source.file, resources, options);
+        if (options.strict && !loaded.warnings.empty()) throw LoadError(loaded.warnings);
+        return loaded;
+    } catch (const LoadError&) {
+        throw;
+    } catch (const std::exception& error) {
+        // The library lets some through, of what converts numbers.
+        throw unreadable(source.file, error.what());
+    } catch (const sdf::Exception& error) {
+        // Which is none of the standard library.
+        throw unreadable(source.file, error.GetErrorStr());
+    }
+}
+
+/// Where in a document its first element begins.
+std::size_t first_element(std::string_view text) {
+    for (std::size_t at = text.find('<'); at != text.npos; at = text.find('<', at + 1)) {
+        if (text.substr(at).starts_with("<!--")) {
+            at = text.find("-->", at);
+            if (at == text.npos) break;
+        } else if (!text.substr(at).starts_with("<?")) {
+            return at;
+        }
+    }
+    return text.size();
+}
+
+}  // namespace
+
+LoadedScene load_sdf(const fs::path& given, const SdfOptions& options) {
+    // Absolute from here on, as the library does it: a message then names every file in one way.
+    const auto file = fs::absolute(given).lexically_normal();
+    if (const auto why = why_no_file(file); !why.empty()) {
+        throw LoadError({file.string() + ": " + why + "; name an SDF world or model"});
+    }
+    return load({file}, file.parent_path(), options);
+}
+
+LoadedScene load_sdf_text(const std::string& text, const std::string& name, const fs::path& folder,
+                          const SdfOptions& options) {
+    std::string document = text;
+    if (const auto at = first_element(text);
+        std::string_view{text}.substr(at).starts_with("<model")) {
+        document = "<sdf version='1.9' xmlns:scipd='urn:scipd:sdf'>" + text.substr(at) + "</sdf>";
+    }
+    return load({name, document}, fs::absolute(folder).lexically_normal(), options);
+}
+
+}  // namespace scipd::sim

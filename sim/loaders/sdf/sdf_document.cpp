@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/sdf/sdf_document.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <functional>
+#include <set>
+#include <string_view>
+
+#include <tinyxml2.h>
+
+namespace scipd::sim {
+namespace {
+
+using tinyxml2::XMLElement;
+
+constexpr std::array nothing_to_a_scanner{"atmosphere",
+                                          "audio",
+                                          "audio_sink",
+                                          "audio_source",
+                                          "battery",
+                                          "cast_shadows",
+                                          "enable_wind",
+                                          "gravity",
+                                          "gripper",
+                                          "gui",
+                                          "inertial",
+                                          "kinematic",
+                                          "light",
+                                          "magnetic_field",
+                                          "max_contacts",
+                                          "must_be_base_link",
+                                          "particle_emitter",
+                                          "physics",
+                                          "plugin",
+                                          "projector",
+                                          "scene",
+                                          "self_collide",
+                                          "sensor",
+                                          "spherical_coordinates",
+                                          "surface",
+                                          "transparency",
+                                          "velocity_decay",
+                                          "visibility_flags",
+                                          "wind"};
+constexpr std::array seen_but_not_read{"actor", "population", "road", "state"};
+
+/// In place of "::" in names: one character that nobody has in a name, and that says the same.
+constexpr std::string_view colons = "::";
+constexpr std::string_view stands_for_colons = "\u2237";
+
+template <typename Words>
+bool is_one_of(const XMLElement& element, const Words& words) {
+    return std::ranges::find(words, std::string_view{element.Name()}) != words.end();
+}
+
+/// With all that lies in it, from the outside in; `visit` may change what is in there.
+void for_each(XMLElement& element, const std::function<void(XMLElement&)>& visit) {
+    visit(element);
+    for (auto* child = element.FirstChildElement(); child != nullptr;
+         child = child->NextSiblingElement()) {
+        for_each(*child, visit);
+    }
+}
+
+void delete_children(XMLElement& element, const std::function<bool(XMLElement&)>& unwanted) {
+    for (auto* child = element.FirstChildElement(); child != nullptr;) {
+        auto* next = child->NextSiblingElement();
+        if (unwanted(*child)) element.DeleteChild(child);
+        child = next;
+    }
+}
+
+std::string text_at(XMLElement& element, const char* name) {
+    const auto* child = element.FirstChildElement(name);
+    return child == nullptr || child->GetText() == nullptr ? "" : child->GetText();
+}
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+    for (auto at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+}
+
+/// Whatever names a frame: attributes, and the text of these elements.
+void for_each_reference(XMLElement& root, const std::function<std::string(std::string)>& replace) {
+    constexpr std::array attributes{"relative_to", "attached_to", "frame", "placement_frame",
+                                    "canonical_link"};
+    constexpr std::array elements{"parent", "child", "placement_frame"};
+    for_each(root, [&](XMLElement& element) {
+        for (const char* name : attributes) {
+            if (const char* value = element.Attribute(name)) {
+                element.SetAttribute(name, replace(value).c_str());
+            }
+        }
+        if (is_one_of(element, elements) && element.GetText() != nullptr) {
+            element.SetText(replace(element.GetText()).c_str());
+        }
+    });
+}
+
+/// Gazebo Classic saves what lies in nested models as links named MODEL::LINK.
+void rename_with_colons(XMLElement& root) {
+    std::set<std::string, std::greater<>> names;
+    for_each(root, [&](XMLElement& element) {
+        const char* name = element.Attribute("name");
+        if (name == nullptr || std::string_view{name}.find(colons) == std::string_view::npos) {
+            return;
+        }
+        names.insert(name);
+        std::string renamed = name;
+        replace_all(renamed, colons, stands_for_colons);
+        element.SetAttribute("name", renamed.c_str());
+    });
+    if (names.empty()) return;
+    for_each_reference(root, [&](std::string reference) {
+        for (const auto& name : names) {
+            std::string renamed = name;
+            replace_all(renamed, colons, stands_for_colons);
+            replace_all(reference, name, renamed);
+        }
+        return reference;
+    });
+}
+
+/// Only as the frame that somebody refers to.
+void relieve_joints(XMLElement& root) {
+    std::string references = " ";
+    for_each_reference(root, [&](const std::string& reference) {
+        references += reference + ' ';
+        return reference;
+    });
+    for_each(root, [&](XMLElement& element) {
+        delete_children(element, [&](XMLElement& joint) {
+            if (std::string_view{joint.Name()} != "joint") return false;
+            const char* name = joint.Attribute("name");
+            if (name == nullptr || references.find(name + std::string{' '}) == references.npos) {
+                return true;
+            }
+            // Whatever moves it, it stands at zero.
+            joint.SetAttribute("type", "fixed");
+            constexpr std::array kept{"parent", "child", "pose"};
+            delete_children(joint, [&](XMLElement& part) { return !is_one_of(part, kept); });
+            return false;
+        });
+    });
+}
+
+/// Its name is all that counts.
+void relieve_material(XMLElement& surface) {
+    auto* material = surface.FirstChildElement("material");
+    if (material == nullptr) return;
+    auto* script = material->FirstChildElement("script");
+    const std::string name = script == nullptr ? "" : text_at(*script, "name");
+    if (!name.empty() && surface.FirstChildElement("scipd:material") == nullptr) {
+        surface.InsertNewChildElement("scipd:material")->SetText(name.c_str());
+    }
+    delete_children(surface,
+                    [](XMLElement& child) { return std::string_view{child.Name()} == "material"; });
+}
+
+/// The library wants a link in each; a model of none is one that nobody sees.
+bool is_empty_model(XMLElement& element) {
+    return std::string_view{element.Name()} == "model" &&
+           element.FirstChildElement("link") == nullptr &&
+           element.FirstChildElement("model") == nullptr &&
+           element.FirstChildElement("include") == nullptr;
+}
+
+void relieve_element(XMLElement& element) {
+    const bool holds_models = std::string_view{element.Name()} != "sdf";
+    delete_children(element, [&](XMLElement& child) {
+        return is_one_of(child, nothing_to_a_scanner) || (holds_models && is_empty_model(child));
+    });
+    relieve_material(element);
+    const char* frame = element.Attribute("frame");
+    if (frame != nullptr && *frame == '\0') element.DeleteAttribute("frame");
+}
+
+/// What is new since then is skipped by its name.
+void lower_version(XMLElement& root) {
+    int major = 0;
+    int minor = 0;
+    const char* version = root.Attribute("version");
+    if (version == nullptr || std::sscanf(version, "%d.%d", &major, &minor) != 2) return;
+    if (major > 1 || minor > 9) root.SetAttribute("version", "1.9");
+}
+
+class LinePrinter : public tinyxml2::XMLPrinter {
+  public:
+    LinePrinter() : XMLPrinter(nullptr, true) {}
+
+    bool VisitEnter(const XMLElement& element, const tinyxml2::XMLAttribute* first) override {
+        // Within the tag that is open still, where it is a blank like any other.
+        while (line_ < element.GetLineNum())
+            Putc('\n');
+        return XMLPrinter::VisitEnter(element, first);
+    }
+
+  protected:
+    void Write(const char* data, std::size_t size) override {
+        line_ += static_cast<int>(std::count(data, data + size, '\n'));
+        XMLPrinter::Write(data, size);
+    }
+    void Putc(char c) override {
+        line_ += c == '\n' ? 1 : 0;
+        XMLPrinter::Putc(c);
+    }
+
+  private:
+    int line_ = 1;
+};
+
+}  // namespace
+
+std::vector<std::string> take_unreadable(XMLElement& root, const std::filesystem::path& file) {
+    std::vector<std::string> warnings;
+    const auto take = [&](XMLElement& child) {
+        if (!is_one_of(child, seen_but_not_read)) return false;
+        warnings.push_back(file.string() + ':' + std::to_string(child.GetLineNum()) + ": <" +
+                           child.Name() + "> is not supported and left out");
+        return true;
+    };
+    delete_children(root, take);
+    for (auto* world = root.FirstChildElement("world"); world != nullptr;
+         world = world->NextSiblingElement("world")) {
+        delete_children(*world, take);
+    }
+    return warnings;
+}
+
+void relieve(XMLElement& root) {
+    lower_version(root);
+    root.SetAttribute("xmlns:scipd", "urn:scipd:sdf");
+    for_each(root, relieve_element);
+    relieve_joints(root);
+    rename_with_colons(root);
+}
+
+std::string line_for_line(const tinyxml2::XMLDocument& document) {
+    LinePrinter printer;
+    document.Accept(&printer);
+    return printer.CStr();
+}
+
+std::string shown(const std::string& name) {
+    std::string text = name;
+    replace_all(text, stands_for_colons, colons);
+    return text;
+}
+
+}  // namespace scipd::sim

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What libsdformat has read, as a scene. Any thread; nothing shared.
+#pragma once
+
+#include "sim/loaders/sdf/resources.h"
+#include "sim/loaders/sdf/sdf.h"
+#include "sim/loaders/sdf/sdf_file.h"
+
+namespace scipd::sim {
+
+/// `read` is without faults; `source` is its file, for messages. Throws LoadError.
+LoadedScene scene_of(SdfFile read, const std::filesystem::path& source, const Resources& resources,
+                     const SdfOptions& options);
+
+}  // namespace scipd::sim

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/sdf/sdf_shape.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <sdf/Box.hh>
+#include <sdf/Capsule.hh>
+#include <sdf/Cylinder.hh>
+#include <sdf/Element.hh>
+#include <sdf/Ellipsoid.hh>
+#include <sdf/Plane.hh>
+#include <sdf/Sphere.hh>
+
+#include "sim/loaders/load_error.h"
+#include "sim/world/extrusion.h"
+#include "sim/world/reach.h"
+
+namespace scipd::sim {
+namespace {
+
+/// Its floor and its top may take a square of this many triangles.
+constexpr std::size_t most_outline_points = 2000;
+
+void check_sizes(std::initializer_list<double> sizes_m) {
+    const auto plausible = [](double size_m) { return size_m > 0.0 && size_m <= position_limit_m; };
+    if (!std::ranges::all_of(sizes_m, plausible)) {
+        throw LoadError({"every size must be above 0 and at most 1e7 m"});
+    }
+}
+
+PlacedShape placed(Mesh mesh) {
+    return {std::make_shared<const Mesh>(std::move(mesh)), {}};
+}
+
+PlacedShape placed_box(const ignition::math::Vector3d& size) {
+    check_sizes({size.X(), size.Y(), size.Z()});
+    return {Box{{size.X(), size.Y(), size.Z()}}, {}};
+}
+
+PlacedShape placed_cylinder(const sdf::Cylinder& cylinder) {
+    check_sizes({cylinder.Radius(), cylinder.Length()});
+    return {Cylinder{cylinder.Radius(), cylinder.Length()}, {}};
+}
+
+PlacedShape placed_sphere(const sdf::Sphere& sphere) {
+    check_sizes({sphere.Radius()});
+    return {Sphere{sphere.Radius()}, {}};
+}
+
+PlacedShape placed_plane(const sdf::Plane& plane) {
+    check_sizes({plane.Size().X(), plane.Size().Y()});
+    // The shortest turn from z to the normal: SDF does not say how a plane's edges lie about its
+    // normal, Gazebo does it so.
+    ignition::math::Quaterniond turn;
+    turn.From2Axes(ignition::math::Vector3d::UnitZ, plane.Normal());
+    return {Plane{{plane.Size().X(), plane.Size().Y()}},
+            {{}, glm::dquat{turn.W(), turn.X(), turn.Y(), turn.Z()}}};
+}
+
+PlacedShape placed_capsule(const sdf::Capsule& capsule) {
+    check_sizes({capsule.Radius(), capsule.Length()});
+    return placed(capsule_mesh(capsule.Radius(), capsule.Length()));
+}
+
+PlacedShape placed_ellipsoid(const ignition::math::Vector3d& radii) {
+    check_sizes({radii.X(), radii.Y(), radii.Z()});
+    return placed(ellipsoid_mesh({radii.X(), radii.Y(), radii.Z()}));
+}
+
+Outline outline_of(sdf::Element& polyline) {
+    Outline outline;
+    for (auto point = polyline.FindElement("point"); point;
+         point = point->GetNextElement("point")) {
+        const auto at = point->Get<ignition::math::Vector2d>();
+        if (!plausible_position({at.X(), at.Y(), 0.0})) {
+            throw LoadError(
+                {"every <point> of a <polyline> must be finite and at most 1e7 m away"});
+        }
+        outline.emplace_back(at.X(), at.Y());
+    }
+    if (outline.size() > 1 && outline.front() == outline.back()) outline.pop_back();
+    if (outline.size() < 3) throw LoadError({"a <polyline> needs three <point>s at least"});
+    return outline;
+}
+
+/// libsdformat 12 has no class for polylines, only their elements. All of one geometry are one
+/// body, of the height of the first, as Gazebo does it.
+PlacedShape placed_polylines(sdf::ElementPtr polyline) {
+    const double height_m = polyline->Get<double>("height");
+    check_sizes({height_m});
+    std::vector<Outline> outlines;
+    std::size_t points = 0;
+    for (; polyline; polyline = polyline->GetNextElement("polyline")) {
+        outlines.push_back(outline_of(*polyline));
+        points += outlines.back().size();
+    }
+    if (points > most_outline_points) {
+        throw LoadError({"has " + std::to_string(points) + " outline points, at most " +
+                         std::to_string(most_outline_points) + " are read; make it a mesh"});
+    }
+    return placed(extrusion_mesh(outlines, height_m));
+}
+
+}  // namespace
+
+std::optional<PlacedShape> primitive_of(const sdf::Geometry& geometry) {
+    if (const auto* box = geometry.BoxShape()) return placed_box(box->Size());
+    if (const auto* cylinder = geometry.CylinderShape()) return placed_cylinder(*cylinder);
+    if (const auto* sphere = geometry.SphereShape()) return placed_sphere(*sphere);
+    if (const auto* plane = geometry.PlaneShape()) return placed_plane(*plane);
+    if (const auto* capsule = geometry.CapsuleShape()) return placed_capsule(*capsule);
+    if (const auto* ellipsoid = geometry.EllipsoidShape()) {
+        return placed_ellipsoid(ellipsoid->Radii());
+    }
+    if (geometry.Element() && geometry.Element()->HasElement("polyline")) {
+        return placed_polylines(geometry.Element()->GetElement("polyline"));
+    }
+    return {};
+}
+
+std::string kind_of(const sdf::Geometry& geometry) {
+    const auto element = geometry.Element();
+    const auto kind = element ? element->GetFirstElement() : nullptr;
+    return kind ? kind->GetName() : "empty";
+}
+
+}  // namespace scipd::sim

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/sdf/urdf.h"
+
+#include <map>
+#include <vector>
+
+#include <sdf/parser.hh>
+#include <tinyxml2.h>
+
+namespace scipd::sim {
+namespace {
+
+using tinyxml2::XMLDocument;
+using tinyxml2::XMLElement;
+
+/// A material name of each visual, by link.
+using MaterialNames = std::map<std::string, std::vector<std::string>>;
+
+template <typename Visit>
+void for_children(XMLElement& parent, const char* name, const Visit& visit) {
+    for (auto* child = parent.FirstChildElement(name); child != nullptr;) {
+        auto* next = child->NextSiblingElement(name);  // the visitor may delete the child
+        visit(*child);
+        child = next;
+    }
+}
+
+std::string attribute(const XMLElement& element, const char* name) {
+    const char* value = element.Attribute(name);
+    return value == nullptr ? "" : value;
+}
+
+/// Any will do.
+void give_inertia(XMLElement& link) {
+    for_children(link, "inertial", [&](XMLElement& inertial) { link.DeleteChild(&inertial); });
+    XMLElement& inertial = *link.InsertNewChildElement("inertial");
+    inertial.InsertNewChildElement("mass")->SetAttribute("value", 1);
+    XMLElement& inertia = *inertial.InsertNewChildElement("inertia");
+    for (const char* diagonal : {"ixx", "iyy", "izz"})
+        inertia.SetAttribute(diagonal, 1);
+    for (const char* other : {"ixy", "ixz", "iyz"})
+        inertia.SetAttribute(other, 0);
+}
+
+/// Takes them out as well: urdfdom complains of names without a colour.
+std::vector<std::string> take_materials(XMLElement& link) {
+    std::vector<std::string> names;
+    for_children(link, "visual", [&](XMLElement& visual) {
+        XMLElement* material = visual.FirstChildElement("material");
+        names.push_back(material == nullptr ? "" : attribute(*material, "name"));
+        if (material != nullptr) visual.DeleteChild(material);
+    });
+    return names;
+}
+
+void keep_joint(XMLElement& robot, const std::string& joint) {
+    XMLElement& extension = *robot.InsertNewChildElement("gazebo");
+    extension.SetAttribute("reference", joint.c_str());
+    for (const char* wish : {"disableFixedJointLumping", "preserveFixedJoint"})
+        extension.InsertNewChildElement(wish)->SetText("true");
+}
+
+MaterialNames prepare(XMLElement& robot) {
+    MaterialNames materials;
+    for_children(robot, "material", [&](XMLElement& material) { robot.DeleteChild(&material); });
+    for_children(robot, "link", [&](XMLElement& link) {
+        const std::string name = attribute(link, "name");
+        if (name == "world") return;  // by this name the library knows what does not move
+        give_inertia(link);
+        materials[name] = take_materials(link);
+    });
+    for_children(robot, "joint", [&](XMLElement& joint) {
+        if (attribute(joint, "type") == "fixed") keep_joint(robot, attribute(joint, "name"));
+    });
+    return materials;
+}
+
+/// The library keeps the visuals of a link in their order.
+void name_materials(XMLElement& model, const MaterialNames& materials) {
+    for_children(model, "link", [&](XMLElement& link) {
+        const auto known = materials.find(attribute(link, "name"));
+        if (known == materials.end()) return;
+        auto name = known->second.begin();
+        for_children(link, "visual", [&](XMLElement& visual) {
+            if (name == known->second.end()) return;
+            if (!name->empty()) {
+                visual.InsertNewChildElement("scipd:material")->SetText(name->c_str());
+            }
+            ++name;
+        });
+    });
+}
+
+std::string text_of(const XMLDocument& document) {
+    tinyxml2::XMLPrinter printer;
+    document.Print(&printer);
+    return printer.CStr();
+}
+
+XMLElement* root_of(XMLDocument& document, std::string_view text, const char* name) {
+    if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) return nullptr;
+    return document.FirstChildElement(name);
+}
+
+}  // namespace
+
+bool is_urdf(std::string_view text) {
+    XMLDocument document;
+    return root_of(document, text, "robot") != nullptr;
+}
+
+std::string sdf_from_urdf(std::string_view text) {
+    XMLDocument urdf;
+    XMLElement* robot = root_of(urdf, text, "robot");
+    if (robot == nullptr) return {};
+    const MaterialNames materials = prepare(*robot);
+
+    const sdf::SDFPtr converted{new sdf::SDF};
+    sdf::init(converted);
+    sdf::Errors ignored;  // what matters is printed as well
+    if (!sdf::readString(text_of(urdf), converted, ignored)) return {};
+    XMLDocument result;
+    XMLElement* root = root_of(result, converted->ToString(), "sdf");
+    XMLElement* model = root == nullptr ? nullptr : root->FirstChildElement("model");
+    if (model == nullptr) return {};
+    root->SetAttribute("xmlns:scipd", "urn:scipd:sdf");
+    name_materials(*model, materials);
+    return text_of(result);
+}
+
+int line_in_urdf(std::string_view text, const std::string& message) {
+    XMLDocument document;
+    XMLElement* robot = root_of(document, text, "robot");
+    if (robot == nullptr) return 0;
+    for (const char* kind : {"joint", "link"}) {
+        for (auto* part = robot->FirstChildElement(kind); part != nullptr;
+             part = part->NextSiblingElement(kind)) {
+            if (message.find('[' + attribute(*part, "name") + ']') != message.npos) {
+                return part->GetLineNum();
+            }
+        }
+    }
+    return 0;
+}
+
+}  // namespace scipd::sim

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What load_ros_map() says about maps that it cannot use, and that it says so before it allocates.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/loaders/map/ros_map.h"
+#include "tests/sim/loaders/faults_of.h"
+#include "tests/sim/loaders/map/map_folder.h"
+
+namespace scipd::sim {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class RosMapFaults : public ::testing::Test {
+  protected:
+    std::vector<std::string> faults(const std::string& text) {
+        const auto file = folder_.write("a.yaml", text);
+        return faults_of([&] { load_ros_map(file); }, folder_);
+    }
+
+    /// Of a sound YAML with this picture.
+    std::vector<std::string> picture_faults(const std::string& picture) {
+        folder_.write("a.pgm", picture);
+        return faults(yaml("a.pgm"));
+    }
+
+    TempDir folder_;
+};
+
+TEST_F(RosMapFaults, everyFaultOfTheYamlAtOnceWithItsLine) {
+    EXPECT_THAT(faults("resolution: 0\n"
+                       "origin: [1, .nan, 0]\n"
+                       "negate: perhaps\n"
+                       "occupied_thresh: 65\n"
+                       "free_thresh: [0]\n"
+                       "mode: colour\n"),
+                ElementsAre("a.yaml:1: image: is missing; every map has one",
+                            "a.yaml:1: resolution: must be within 0.0001 and 1000 m a pixel",
+                            "a.yaml:2: origin: x and y must be metres within 1e7",
+                            "a.yaml:6: mode: must be trinary, scale or raw",
+                            "a.yaml:3: negate: must be 0 or 1",
+                            "a.yaml:4: occupied_thresh: must be a number within 0 and 1",
+                            "a.yaml:5: free_thresh: must be a number within 0 and 1"));
+    EXPECT_THAT(faults(yaml("[]", "mode: raw\n")),
+                ElementsAre("a.yaml:1: image: must name a PGM or PNG"));
+    EXPECT_THAT(faults("image: a.pgm\nresolution: 1\norigin: [0, 0]\nnegate: 0\n"),
+                ElementsAre("a.yaml:3: origin: must be [x, y, yaw]"));
+    EXPECT_THAT(faults(yaml("a.pgm", "occupied_thresh: 0.2\nfree_thresh: 0.3\n")),
+                ElementsAre("a.yaml:6: free_thresh: must not be above occupied_thresh"));
+}
+
+TEST_F(RosMapFaults, whatIsNoMap) {
+    EXPECT_THAT(faults(""), ElementsAre("a.yaml:1: is no map of map_server: it begins `image: "
+                                        "hall.pgm`, say"));
+    EXPECT_THAT(faults("- 1\n- 2\n"), ElementsAre(HasSubstr("a.yaml:1: is no map of map_server")));
+    EXPECT_THAT(faults("a: b\n c: d\n"), ElementsAre(HasSubstr("a.yaml:2: not YAML: ")));
+    EXPECT_THAT(faults(std::string(2 << 20, ' ')),
+                ElementsAre("a.yaml: is larger than 1 MiB; name the YAML of a ROS map"));
+    EXPECT_THAT(faults_of([&] { load_ros_map(folder_.path() / "b.yaml"); }, folder_),
+                ElementsAre("b.yaml: no such file; name the YAML of a ROS map"));
+    EXPECT_THAT(faults_of([&] { load_ros_map(folder_.path()); }, folder_),
+                ElementsAre(HasSubstr("is a directory; name the YAML of a ROS map")));
+    EXPECT_THAT(faults(yaml("none.pgm")),
+                ElementsAre("none.pgm: no such file; the map's picture is wanted here"));
+}
+
+TEST_F(RosMapFaults, aMapWithoutWalls) {
+    EXPECT_THAT(
+        picture_faults(pgm(2, {254, 254, 205, 254})),
+        ElementsAre("a.pgm: holds no wall: no cell is above the occupied_thresh of a.yaml"));
+}
+
+TEST_F(RosMapFaults, aMapThatIsTooLarge) {
+    folder_.write("a.pgm", "P5 20000 1 255\n" + std::string(20'000, '\0'));
+    const std::string rest = "\norigin: [0, 0, 0]\nnegate: 0\n";
+    EXPECT_THAT(faults("image: a.pgm\nresolution: 600" + rest),
+                ElementsAre("a.pgm: is more than 1e7 m long at the resolution that the map says"));
+    EXPECT_THAT(faults("image: a.pgm\nresolution: 400" + rest), IsEmpty());
+}
+
+TEST_F(RosMapFaults, brokenPictures) {
+    EXPECT_THAT(picture_faults("GIF89a"),
+                ElementsAre("a.pgm: is neither PGM nor PNG; save the map as one of these"));
+    EXPECT_THAT(picture_faults("P5 2"),
+                ElementsAre("a.pgm: is a broken PGM: the height is missing"));
+    EXPECT_THAT(picture_faults("P5 2 2 0\n1234"),
+                ElementsAre("a.pgm: is a broken PGM: maxval must be within 1 and 65535"));
+    EXPECT_THAT(picture_faults("P5 2 2 255\n123"),
+                ElementsAre("a.pgm: is a broken PGM: it ends 1 bytes too early"));
+    EXPECT_THAT(picture_faults("P5 2 2 256\n1234567"),
+                ElementsAre("a.pgm: is a broken PGM: it ends 1 bytes too early"));
+    EXPECT_THAT(picture_faults("P2 2 1 255 12 x"),
+                ElementsAre("a.pgm: is a broken PGM: a pixel is missing"));
+    EXPECT_THAT(picture_faults("P5 0 2 255\n"), ElementsAre("a.pgm: has no pixels"));
+    const std::string whole = png(2, 1, {0, 1, 2, 3});
+    EXPECT_THAT(picture_faults(whole.substr(0, whole.size() / 2)),
+                ElementsAre(HasSubstr("a.pgm: is a broken PNG: ")));
+    EXPECT_THAT(picture_faults(odd_png(2, 2, 8, 0, "12345")),
+                ElementsAre(HasSubstr("a.pgm: is a broken PNG: ")));
+    EXPECT_THAT(picture_faults("\x89PNG"), ElementsAre(HasSubstr("a.pgm: is a broken PNG")));
+}
+
+TEST_F(RosMapFaults, picturesThatAreTooLargeByTheirHeader) {
+    const auto too_many = "a.pgm: has 100000 x 100000 pixels; a map has at most 100 million";
+    EXPECT_THAT(picture_faults("P5 100000 100000 255\n"), ElementsAre(too_many));
+    EXPECT_THAT(picture_faults("P2 100000 100000 255\n"), ElementsAre(too_many));
+    // stb_image has a limit of its own here, past which it calls a picture corrupt.
+    EXPECT_THAT(picture_faults(odd_png(20000, 20000, 8, 0, "")),
+                ElementsAre("a.pgm: has 20000 x 20000 pixels; a map has at most 100 million"));
+    EXPECT_THAT(picture_faults(odd_png(100'000, 100'000, 8, 0, "")),
+                ElementsAre(HasSubstr("a.pgm: is a broken PNG: ")));
+    EXPECT_THAT(picture_faults(odd_png(9000, 9000, 16, 6, "")),
+                ElementsAre("a.pgm: takes more than 512 MiB; save it in 8-bit grey"));
+    // Within the limits, but the file ends long before.
+    EXPECT_THAT(picture_faults("P5 9999 9999 255\n"), ElementsAre(HasSubstr("too early")));
+    EXPECT_THAT(picture_faults("P2 9999 9999 255\n"), ElementsAre(HasSubstr("too early")));
+}
+
+TEST_F(RosMapFaults, aPngThatHoldsMoreThanItsHeaderSays) {
+    // Two pixels, and 2 MiB of rows that deflate to 2 KiB.
+    EXPECT_THAT(picture_faults(odd_png(2, 1, 8, 0, std::string(2 << 20, '\0'))),
+                ElementsAre("a.pgm: is a broken PNG: it holds more than its header says"));
+}
+
+}  // namespace
+}  // namespace scipd::sim

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Models that a running scene is given: from a text, a file and a mesh.
+#include "sim/loaders/sdf/model_fragment.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/backends/registry.h"
+#include "tests/sim/loaders/faults_of.h"
+#include "tests/sim/loaders/sdf/sdf_text.h"
+
+namespace scipd::sim {
+namespace {
+
+using ::testing::AnyOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+class ModelFragment : public ::testing::Test {
+  protected:
+    LoadedScene load(const std::string& text, const Placement& placement) {
+        return load_model_text(text, placement, folder_.path());
+    }
+    std::vector<std::string> faults(const std::string& text, const Placement& placement) {
+        return faults_of([&] { load(text, placement); }, folder_);
+    }
+
+    TempDir folder_;
+    const std::string box_ = "<model name='box'><pose>1 2 3 0 0 0</pose><link name='l'>" +
+                             visual("v", unit_box) + "</link></model>";
+};
+
+float range_ahead_m(const SharedScene& scene) {
+    auto backend = make_backend("reference", scene);
+    const glm::vec3 ahead{1.F, 0.F, 0.F};
+    const Pose here;
+    Hit hit;
+    backend->cast({.directions = {&ahead, 1}, .world_from_sensor = {&here, 1}}, {&hit, 1});
+    return hit.range_m;
+}
+
+TEST_F(ModelFragment, HasTheNameAndThePoseThatItIsGiven) {
+    const auto loaded = load(box_, {"crate", Pose{{7, 0, 0}, {1, 0, 0, 0}}});
+    EXPECT_THAT(loaded.warnings, IsEmpty());
+    ASSERT_EQ(loaded.scene->models.size(), 1U);
+    EXPECT_EQ(loaded.scene->models[0].name, "crate");
+    EXPECT_TRUE(loaded.scene->models[0].movable);
+    EXPECT_EQ(loaded.scene->models[0].world_from_model.translation_m, (glm::dvec3{7, 0, 0}));
+    EXPECT_EQ(loaded.scene->objects.at(0).name, "crate::l::v");
+    EXPECT_FLOAT_EQ(range_ahead_m(loaded.scene), 6.5F);
+}
+
+TEST_F(ModelFragment, KeepsItsOwnPoseWhereNoneIsGiven) {
+    const auto scene = load(box_, {"crate"}).scene;
+    EXPECT_EQ(scene->models.at(0).world_from_model.translation_m, (glm::dvec3{1, 2, 3}));
+}
+
+TEST_F(ModelFragment, JoinsAndLeavesARunningScene) {
+    const auto base = load_sdf(folder_.write(
+        "w.sdf", world("<model name='wall'><static>true</static><pose>10 0 0 0 0 0</pose>"
+                       "<link name='l'>" +
+                       visual("v", unit_box) + "</link></model>")));
+    EXPECT_FLOAT_EQ(range_ahead_m(base.scene), 9.5F);
+    const auto added = load(box_, {"crate", Pose{{4, 0, 0}, {1, 0, 0, 0}}});
+    const auto both = with_models(*base.scene, *added.scene);
+    EXPECT_FLOAT_EQ(range_ahead_m(both), 3.5F);
+    EXPECT_FLOAT_EQ(range_ahead_m(without_model(*both, "wall")), 3.5F);
+    EXPECT_FLOAT_EQ(range_ahead_m(without_model(*both, "crate")), 9.5F);
+}
+
+TEST_F(ModelFragment, WhatMovesInsideGoesAlong) {
+    const auto scene =
+        load("<model name='hall'><static>true</static><link name='l'>" + visual("v", unit_box) +
+                 "</link><model name='door'><static>false</static><pose>2 0 0 0 0 0</pose>"
+                 "<link name='l'>" +
+                 visual("v", unit_box) + "</link></model></model>",
+             {"gym", pose_from_rpy({10, 0, 0}, {0, 0, 1.5707963267948966})})
+            .scene;
+    ASSERT_EQ(scene->models.size(), 2U);
+    EXPECT_FALSE(scene->models[0].movable);
+    EXPECT_EQ(scene->models[1].name, "gym::door");
+    EXPECT_NEAR(scene->models[1].world_from_model.translation_m.x, 10.0, 1e-9);
+    EXPECT_NEAR(scene->models[1].world_from_model.translation_m.y, 2.0, 1e-9);
+    EXPECT_EQ(scene->objects.at(1).name, "gym::door::l::v");
+}
+
+TEST_F(ModelFragment, MayBeARobotOrAFile) {
+    const auto urdf =
+        "<robot name='r'><link name='l'><visual><geometry><box size='1 1 1'/>"
+        "</geometry></visual></link></robot>";
+    EXPECT_EQ(load(urdf, {"a"}).scene->models.at(0).name, "a");
+    const auto file = folder_.write("robot.urdf", urdf);
+    EXPECT_EQ(load_model_file(file, {"b"}).scene->models.at(0).name, "b");
+}
+
+TEST_F(ModelFragment, OfAMeshHasItsMaterialsOrOneOfItsOwn) {
+    const auto file = folder_.write("part.obj", triangle_obj);
+    const auto own = load_mesh_model(file, {"part"});
+    EXPECT_EQ(own.scene->materials.at(own.scene->objects.at(0).material).name, "oak");
+    const auto wood =
+        load_mesh_model(file, {"part", Pose{{0, 0, 5}, {1, 0, 0, 0}}}, 2.0, "wood").scene;
+    EXPECT_EQ(wood->materials.at(wood->objects.at(0).material).name, "wood");
+    EXPECT_EQ(wood->objects.at(0).name, "part::part");
+    EXPECT_TRUE(wood->models.at(0).movable);
+    const auto& mesh = *std::get<SharedMesh>(wood->objects.at(0).shape);
+    float widest = 0.F;
+    for (const auto& vertex : mesh.vertices_m)
+        widest = std::max(widest, vertex.x);
+    EXPECT_FLOAT_EQ(widest, 2.F);
+}
+
+TEST_F(ModelFragment, RefusesWhatIsNoModel) {
+    EXPECT_THAT(faults(box_, {""}), ElementsAre("name: is empty; give the model one"));
+    EXPECT_THAT(faults(box_, {"a::b"}),
+                ElementsAre("name: 'a::b': '::' stands between a model and what lies in it"));
+    EXPECT_THAT(faults(world(box_ + "<model name='other'><link name='l'/></model>"), {"a"}),
+                ElementsAre("a: holds several models; one is wanted here"));
+    EXPECT_THAT(faults("", {"a"}), ElementsAre("a:1: is no XML that can be read: EMPTY_DOCUMENT"));
+    EXPECT_THAT(faults("<model name='m'/>", {"a"}),
+                ElementsAre("a: A model must have at least one link."));
+    const auto file = folder_.write("part.obj", triangle_obj);
+    EXPECT_THAT(faults_of([&] { load_mesh_model(file, {"a"}, 0.0); }, folder_),
+                ElementsAre("scale: must be above 0 and at most 1e7"));
+    EXPECT_THAT(faults_of([&] { load_mesh_model(folder_.path() / "b.obj", {"a"}); }, folder_),
+                ElementsAre("b.obj: no such file; a mesh is wanted here"));
+}
+
+// A text lies in no file: what it names is looked for where the caller says, and there alone.
+TEST_F(ModelFragment, SaysWhereItLooked) {
+    EXPECT_THAT(faults("<model name='m'><link name='l'>" + visual("v", mesh_of("gone.obj")) +
+                           "</link></model>",
+                       {"crate"}),
+                Contains("crate:1: m::l::v: there is no 'gone.obj' near " +
+                         folder_.path().string() + "; left out"));
+}
+
+// A part of what a world may take; figures of sdf_survey.cpp.
+TEST_F(ModelFragment, TakesNoMoreThanAModelsShare) {
+    const SdfOptions share = within_a_models_share({.geometry = SdfGeometry::collision});
+    EXPECT_EQ(share.geometry, SdfGeometry::collision);
+    const auto refused = [&](const std::string& text) {
+        return faults_of([&] { load_model_text(text, {"a"}, folder_.path(), share); }, folder_);
+    };
+    std::string many = "<model name='m'>";
+    for (int i = 0; i < 700; ++i)
+        many += "<link name='" + std::to_string(i) + "'/>";
+    EXPECT_THAT(refused(many + "</model>"),
+                ElementsAre("a: would take about 597 MB to read with all its includes, at most 537 "
+                            "MB is allowed; put parts that never move into one link or one mesh"));
+
+    const auto large = folder_.write("large.sdf", "");
+    std::filesystem::resize_file(large, (8U << 20U) + 1);  // sparse: it takes no room
+    EXPECT_THAT(refused("<model name='m'><include><uri>large.sdf</uri></include></model>"),
+                ElementsAre("large.sdf: is larger than 8 MiB"));
+
+    const auto mesh = folder_.write("huge.stl", "");
+    std::filesystem::resize_file(mesh, 900U << 20U);
+    EXPECT_THAT(faults_of([&] { load_mesh_model(mesh, {"a"}, 1.0, {}, share.mesh); }, folder_),
+                AnyOf(ElementsAre("huge.stl: takes more than 536 MB of memory"),
+                      // A sanitizer ends the child in its own way.
+                      ElementsAre(StartsWith("huge.stl: crashes the library"))));
+    EXPECT_THAT(refused("<model name='m'><link name='l'><collision name='c'><geometry><mesh><uri>"
+                        "huge.stl</uri></mesh></geometry></collision></link></model>"),
+                Contains(HasSubstr("huge.stl: ")));
+}
+
+}  // namespace
+}  // namespace scipd::sim

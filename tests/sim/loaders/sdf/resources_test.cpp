@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/sdf/resources.h"
+
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temp_dir.h"
+
+namespace scipd::sim {
+namespace {
+
+/// Set while it lives.
+class Variable {
+  public:
+    Variable(const char* name, const std::string& value) : name_(name) {
+        if (const char* old = std::getenv(name)) before_ = old;
+        setenv(name, value.c_str(), 1);
+    }
+    ~Variable() {
+        if (before_.empty()) {
+            unsetenv(name_);
+        } else {
+            setenv(name_, before_.c_str(), 1);
+        }
+    }
+    Variable(const Variable&) = delete;
+    Variable& operator=(const Variable&) = delete;
+
+  private:
+    const char* name_;
+    std::string before_;
+};
+
+/// Folders above the temporary one are searched too, and so is the user's cache: models and
+/// packages have a name that nothing else has.
+class ResourcesTest : public ::testing::Test {
+  protected:
+    std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
+    std::string find(const std::string& uri) const {
+        const auto found = Resources{at("world")}.find(uri, at("world"));
+        return found.empty() ? "" : found.lexically_relative(folder_.path()).string();
+    }
+    tests::TempDir folder_;
+    const std::string own_ = "own_" + folder_.path().filename().string();
+    const Variable home_{"HOME", folder_.path().string()};
+};
+
+TEST_F(ResourcesTest, NearComesBeforeFar) {
+    const std::string uri = "model://" + own_;
+    const std::string file = "/" + own_ + "/model.sdf";
+    folder_.write("far" + file, "");
+    const Variable path{"GAZEBO_MODEL_PATH", "/nowhere::" + at("far").string()};
+    EXPECT_EQ(find(uri), "far/" + own_);
+    folder_.write("models" + file, "");
+    EXPECT_EQ(find(uri), "models/" + own_);
+    folder_.write("world/models" + file, "");
+    EXPECT_EQ(find(uri), "world/models/" + own_);
+    folder_.write("world" + file, "");
+    EXPECT_EQ(find(uri), "world/" + own_);
+    EXPECT_EQ(find(own_ + "/model.sdf"), "world" + file);
+    EXPECT_EQ(find("file://" + at("far/" + own_).string()), "far/" + own_);
+}
+
+TEST_F(ResourcesTest, EveryVariableIsAsked) {
+    folder_.write("far/" + own_ + "/model.sdf", "");
+    EXPECT_EQ(find("model://" + own_), "");
+    for (const char* name :
+         {"SDF_PATH", "GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH",
+          "GAZEBO_RESOURCE_PATH", "ROS_PACKAGE_PATH", "AMENT_PREFIX_PATH"}) {
+        const Variable path{name, at("far").string()};
+        EXPECT_EQ(find("model://" + own_), "far/" + own_) << name;
+    }
+}
+
+TEST_F(ResourcesTest, PackagesAreFoundInTheirFolderAndOneDown) {
+    const std::string stack = own_ + "_stack";
+    folder_.write("ws/" + own_ + "/m.stl", "");
+    folder_.write("ws/deep/" + stack + "/" + own_ + "_low/m.stl", "");
+    {
+        const Variable path{"ROS_PACKAGE_PATH", at("ws/" + own_).string()};
+        EXPECT_EQ(find("package://" + own_ + "/m.stl"), "ws/" + own_ + "/m.stl");
+        EXPECT_EQ(find(own_ + "/m.stl"), "");
+    }
+    const Variable path{"ROS_PACKAGE_PATH", at("ws").string()};
+    const std::string low = "/" + own_ + "_low/m.stl";
+    EXPECT_EQ(find("package://" + stack + low), "ws/deep/" + stack + low);
+    EXPECT_EQ(find("package:/" + low), "");
+}
+
+TEST_F(ResourcesTest, TheCallersFoldersComeLast) {
+    folder_.write("more/" + own_ + "/model.sdf", "");
+    EXPECT_EQ(Resources(at("world"), {at("more")}).find("model://" + own_, at("world")),
+              at("more/" + own_));
+}
+
+TEST_F(ResourcesTest, WhatGazeboHasDownloadedIsFoundInItsCache) {
+    const Variable cache{"GZ_FUEL_CACHE_PATH", at("cache").string()};
+    const std::string host = "cache/fuel.gazebosim.org/openrobotics/models/big box/";
+    folder_.write(host + "2/model.sdf", "");
+    folder_.write(host + "10/model.sdf", "");
+    folder_.write(host + "10/meshes/a.dae", "");
+    folder_.write(host + "new/model.sdf", "");
+    const std::string uri = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/Big Box";
+    EXPECT_EQ(find(uri), host + "10");
+    EXPECT_EQ(find(uri + "/2"), host + "2");
+    EXPECT_EQ(find(uri + "/tip/files/meshes/a.dae"), host + "10/meshes/a.dae");
+    EXPECT_EQ(find(uri + "/3"), "");
+    EXPECT_EQ(Resources{at("world")}.not_found("https://h/1.0/o/models/n", at("world")),
+              "'https://h/1.0/o/models/n' has not been downloaded; fetch it with `gz fuel download "
+              "-u 'https://h/1.0/o/models/n'`, or name a copy");
+}
+
+TEST_F(ResourcesTest, TheSunAndTheGroundOfTheWebAreOurs) {
+    folder_.write("more/sun/model.sdf", "");
+    folder_.write("more/ground_plane/model.sdf", "");
+    folder_.write("more/moon/model.sdf", "");
+    const Resources resources{at("world"), {at("more")}};
+    const auto found = [&](const std::string& name) {
+        return resources.find("https://fuel.gazebosim.org/1.0/" + name, at("world"));
+    };
+    EXPECT_EQ(found("OpenRobotics/models/Sun"), at("more/sun"));
+    EXPECT_EQ(found("openrobotics/models/Ground Plane"), at("more/ground_plane"));
+    EXPECT_EQ(found("OpenRobotics/models/Ground%20Plane"), at("more/ground_plane"));
+    EXPECT_EQ(found("OpenRobotics/models/Moon"), "");
+    EXPECT_EQ(found("Somebody/models/Sun"), "");
+    // What was downloaded is what Gazebo shows.
+    const Variable cache{"GZ_FUEL_CACHE_PATH", at("cache").string()};
+    const std::string downloaded = "cache/fuel.gazebosim.org/openrobotics/models/sun/1";
+    folder_.write(downloaded + "/model.sdf", "");
+    EXPECT_EQ(found("OpenRobotics/models/Sun"), at(downloaded));
+}
+
+TEST_F(ResourcesTest, NothingIsNowhere) {
+    for (const char* uri : {"", "model://", "https://", "https://a/b", "://"})
+        EXPECT_EQ(find(uri), "") << uri;
+}
+
+}  // namespace
+}  // namespace scipd::sim

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Worlds with the faults that those of public repositories have: scanned all the same, and what is
+// left out is told.
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/loaders/scene_file.h"
+#include "tests/sim/loaders/faults_of.h"
+#include "tests/sim/loaders/sdf/sdf_text.h"
+
+namespace scipd::sim {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+class SdfAsFound : public ::testing::Test {
+  protected:
+    /// The names of all objects.
+    std::vector<std::string> objects(const std::string& text) {
+        auto loaded = load_scene(folder_.write("a.sdf", text));
+        warnings_ = std::move(loaded.warnings);
+        const auto prefix = folder_.path().string() + '/';
+        for (auto& warning : warnings_) {
+            for (auto at = warning.find(prefix); at != warning.npos; at = warning.find(prefix))
+                warning.erase(at, prefix.size());
+        }
+        scene_ = loaded.scene;
+        std::vector<std::string> names;
+        for (const Object& object : scene_->objects)
+            names.push_back(object.name);
+        return names;
+    }
+
+    /// That it is scanned without a word, and refused where every word counts.
+    void expect_nothing_to_a_scanner(const std::string& inside) {
+        SCOPED_TRACE(inside);
+        const std::string text = world("<model name='m'>" + inside + "<link name='l'>" +
+                                       visual("v", unit_box) + "</link></model>");
+        EXPECT_THAT(objects(text), ElementsAre("m::l::v"));
+        EXPECT_THAT(warnings_, IsEmpty());
+        EXPECT_THAT(
+            faults_of([&] { load_scene(folder_.path() / "a.sdf", {.sdf = {.strict = true}}); },
+                      folder_),
+            Not(IsEmpty()));
+    }
+
+    TempDir folder_;
+    SharedScene scene_;
+    std::vector<std::string> warnings_;
+};
+
+// aws-robomaker-small-house-world, -small-warehouse-world, turtlebot3, pr2, husky, SubT robots.
+TEST_F(SdfAsFound, whatIsNothingToAScannerMayBeFaulty) {
+    const auto link = [](const std::string& inside) {
+        return "<link name='k'>" + inside + "</link>";
+    };
+    expect_nothing_to_a_scanner(
+        link("<inertial><mass>1</mass><inertia><ixx>1</ixx><ixy>0</ixy><ixz>0</ixz><iyy>9</iyy>"
+             "<iyz>0</iyz><izz>1</izz></inertia></inertial>"));
+    expect_nothing_to_a_scanner(link("<inertial><pose>a b c 0 0 0</pose></inertial>"));
+    expect_nothing_to_a_scanner(link("<sensor name='s' type='no such type'/>"));
+    expect_nothing_to_a_scanner(link("<sensor name='s'/><sensor name='s' type='ray'/>"));
+    expect_nothing_to_a_scanner(link("<light name='s' type='no such type'/>"));
+    expect_nothing_to_a_scanner(link(
+        visual("w", "<empty/>", "<material><script><name>Gazebo/Grey</name></script></material>")));
+    expect_nothing_to_a_scanner(
+        link(visual("w", "<empty/>", "<material><diffuse>red</diffuse></material>")));
+    expect_nothing_to_a_scanner(
+        "<joint name='j' type='revolute'><parent>l</parent><child>none</child></joint>");
+    expect_nothing_to_a_scanner(
+        "<joint name='j' type='wheel'><parent>l</parent><child>l</child></joint>");
+    expect_nothing_to_a_scanner("<plugin filename='libp.so'><state/><road/></plugin>");
+    expect_nothing_to_a_scanner("<model name='nothing'/>");
+}
+
+TEST_F(SdfAsFound, theNameOfAScriptCountsWithoutItsUri) {
+    objects(world(model_of(
+        visual("v", unit_box, "<material><script><name>Gazebo/Wood</name></script></material>"))));
+    EXPECT_EQ(scene_->materials.at(scene_->objects.at(0).material).name, "Gazebo/Wood");
+}
+
+TEST_F(SdfAsFound, jointsAreFramesWhereSomebodyRefersToThem) {
+    EXPECT_THAT(objects(world(
+                    "<model name='m'><link name='base'/><link name='arm'><pose relative_to='j'/>" +
+                    visual("v", unit_box) +
+                    "</link><joint name='j' type='revolute'><pose relative_to='base'>1 2 3 0 0 0"
+                    "</pose><parent>base</parent><child>arm</child></joint></model>")),
+                ElementsAre("m::arm::v"));
+    EXPECT_THAT(warnings_, IsEmpty());
+    EXPECT_EQ(scene_->objects[0].model_from_object.translation_m, glm::dvec3(1, 2, 3));
+}
+
+TEST_F(SdfAsFound, newerVersionsAreReadAsFarAsTheyAreKnown) {
+    const std::string inside =
+        model_of("<pose degrees='true'>0 0 1 0 0 0</pose>" + visual("v", unit_box)) +
+        "<wind><linear_velocity>1 0 0</linear_velocity></wind>";
+    for (const std::string version : {"1.10", "1.11", "1.12", "2.0"}) {
+        EXPECT_THAT(
+            objects("<sdf version='" + version + "'><world name='w'>" + inside + "</world></sdf>"),
+            ElementsAre("m::l::v"))
+            << version;
+    }
+}
+
+// As Gazebo Classic saves nested models; libsdformat throws what is no std::exception.
+TEST_F(SdfAsFound, namesMayHaveColons) {
+    EXPECT_THAT(
+        objects("<sdf version='1.6'><world name='w'><model name='m'><pose frame=''>1 0 0 0 0 0"
+                "</pose><link name='a::b'><pose frame=''>0 2 0 0 0 0</pose>" +
+                visual("c::v", unit_box) +
+                "</link><link name='d'/><joint name='e::j' type='fixed'><parent>a::b</parent>"
+                "<child>d</child></joint></model></world></sdf>"),
+        ElementsAre("m::a::b::c::v"));
+    EXPECT_THAT(warnings_, IsEmpty());
+    EXPECT_EQ(Scene::middle_of(*scene_), glm::dvec3(1, 2, 0));
+    EXPECT_THAT(objects(world("<model name='m::n'><link name='a::b'>" + visual("v", unit_box) +
+                              "</link><frame name='f' attached_to='a::b'/><link name='x'>"
+                              "<pose relative_to='f'>1 0 0 0 0 0</pose>" +
+                              visual("v", unit_box) + "</link></model>")),
+                ElementsAre("m::n::a::b::v", "m::n::x::v"));
+}
+
+TEST_F(SdfAsFound, whatIsMissingIsLeftOut) {
+    EXPECT_THAT(objects(world("<include><uri>model://gone</uri></include>\n" +
+                              model_of(visual("a", mesh_of("lost.dae")) + visual("b", unit_box)))),
+                ElementsAre("m::l::b"));
+    EXPECT_THAT(warnings_,
+                ElementsAre(HasSubstr("a.sdf:4: there is no 'model://gone' near "),
+                            HasSubstr("a.sdf:6: m::l::a: there is no 'lost.dae' near ")));
+    for (const auto& warning : warnings_)
+        EXPECT_THAT(warning, HasSubstr("; left out"));
+    EXPECT_THAT(faults_of([&] { load_scene(folder_.path() / "a.sdf", {.sdf = {.strict = true}}); },
+                          folder_),
+                ElementsAre(HasSubstr("a.sdf:4: there is no 'model://gone' near ")));
+}
+
+TEST_F(SdfAsFound, aBrokenModelIsLeftOut) {
+    folder_.write("b.sdf", "<sdf version='1.9'><model name='b'>\n<link></model></sdf>");
+    EXPECT_THAT(
+        objects(world("<include><uri>b.sdf</uri></include>" + model_of(visual("v", unit_box)))),
+        ElementsAre("m::l::v"));
+    EXPECT_THAT(warnings_,
+                ElementsAre("b.sdf:2: is no XML that can be read: MISMATCHED_ELEMENT; left out"));
+}
+
+// Whatever was taken out before it, and wherever lines end.
+TEST_F(SdfAsFound, linesAreThoseOfTheFile) {
+    objects(
+        world("<!-- two\nlines --><gui>\n<camera name='c'/>\n</gui>\n<model\n name='m'\n "
+              "canonical_link='l'>\n<static>true\n</static><link name='l'>" +
+              visual("v", unit_box) + "<sensor\nname='s'/>\n" +
+              visual("far", unit_box, "\n<pose>3e8 0\n 0 0 0 0</pose>") + "</link></model>\n" +
+              "<include><uri>\ngone\n</uri></include>\n<road name='r'/>"));
+    EXPECT_THAT(warnings_, ElementsAre("a.sdf:22: <road> is not supported and left out",
+                                       HasSubstr("a.sdf:19: there is no 'gone' near"),
+                                       HasSubstr("a.sdf:15: m::l::far: lies at")));
+}
+
+TEST_F(SdfAsFound, anEmptyWorldIsOne) {
+    EXPECT_THAT(objects(world("")), IsEmpty());
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a.sdf: holds nothing that a scanner could see")));
+}
+
+}  // namespace
+}  // namespace scipd::sim
