@@ -136,6 +136,10 @@ class Surveyor {
         }
         open_.push_back(file);
         const bool holds_anything = holds_thing(*root);
+        auto* world = root->FirstChildElement("world");
+        if (world != nullptr && place == 0) {
+            survey_.state = take_state(*world, file, survey_.warnings);
+        }
         std::ranges::move(take_unreadable(*root, file), std::back_inserter(survey_.warnings));
         if (!strict_) relieve(*root);
         survey(*root, file);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sim/loaders/sdf/resources.h"
+#include "sim/loaders/sdf/sdf_state.h"
 
 namespace scipd::sim {
 
@@ -31,6 +32,7 @@ struct SdfDocument {
 
 struct SdfSurvey {
     std::vector<SdfDocument> documents;  ///< the source first, then each include once
+    SdfState state;                      ///< of the source's first world
     std::vector<std::string> faults;
     std::vector<std::string> warnings;
 };
