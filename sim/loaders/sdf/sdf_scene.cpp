@@ -96,7 +96,7 @@ void SceneWalk::add_root() {
     }
     const auto* world = read_.root.WorldByIndex(0);
     if (world == nullptr) {
-        draft_.refuse(file_.string() + ": holds no <world> and no <model>");
+        draft_.refuse(file_.string() + ": holds no <world>, and no <model> with a <link>");
         return;
     }
     draft_.set_name(world->Name());

@@ -16,6 +16,8 @@
 #include "sim/loaders/quote.h"
 #include "sim/loaders/sdf/model_folder.h"
 #include "sim/loaders/sdf/sdf_document.h"
+#include "sim/loaders/sdf/sdf_kind.h"
+#include "sim/loaders/sdf/sdf_names.h"
 
 namespace scipd::sim {
 namespace {
@@ -59,16 +61,6 @@ std::string trimmed(const char* text) {
     return std::string{all.substr(0, all.find_last_not_of(blank) + 1)};
 }
 
-/// In the words of the library that found it, less its prefix.
-std::string broken_xml(const tinyxml2::XMLDocument& document) {
-    std::string_view name = document.ErrorName();
-    for (const std::string_view prefix : {"XML_", "ERROR_"}) {
-        if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
-    }
-    const int line = std::max(document.ErrorLineNum(), 1);
-    return ':' + std::to_string(line) + ": is no XML that can be read: " + std::string{name};
-}
-
 class Surveyor {
   public:
     Surveyor(const Resources& resources, double most_bytes, bool strict)
@@ -76,9 +68,7 @@ class Surveyor {
 
     SdfSurvey run(const SdfSource& source) {
         try {
-            if (source.text || may_enter(source.file, "")) {
-                (void)add_document(source.file, source.text ? *source.text : read(source.file));
-            }
+            (void)add_document(source.file, source.text ? *source.text : read(source.file));
         } catch (const LoadError& error) {
             survey_.faults.push_back(error.what());
         }
@@ -93,25 +83,22 @@ class Surveyor {
         double bytes;  ///< with all that it includes
     };
 
-    /// False where it is not to be looked into.
-    bool may_enter(const fs::path& file, const std::string& place) {
+    /// Why it is not to be looked into; empty where it may be.
+    [[nodiscard]] std::string why_not_enter(const fs::path& file) const {
         std::error_code error;
         const bool loops = std::ranges::find(open_, file) != open_.end();
         if (loops) {
-            survey_.faults.push_back(place + "includes itself" +
-                                     (open_.back() == file ? "" : ", through others"));
-        } else if (open_.size() >= deepest_include) {
-            survey_.faults.push_back(place + "includes lie more than " +
-                                     std::to_string(deepest_include) + " deep");
-        } else if (largest_file_bytes() < static_cast<double>(fs::file_size(file, error)) &&
-                   !error) {
-            survey_.faults.push_back(file.string() + ": is larger than " +
-                                     std::to_string(std::lround(largest_file_bytes() / 1048576)) +
-                                     " MiB");
-        } else {
-            return true;
+            return std::string{"includes itself"} +
+                   (open_.back() == file ? "" : ", through others");
         }
-        return false;
+        if (open_.size() >= deepest_include) {
+            return "includes lie more than " + std::to_string(deepest_include) + " deep";
+        }
+        if (largest_file_bytes() < static_cast<double>(fs::file_size(file, error)) && !error) {
+            return file.string() + ": is larger than " +
+                   std::to_string(std::lround(largest_file_bytes() / 1048576)) + " MiB";
+        }
+        return {};
     }
 
     [[nodiscard]] double largest_file_bytes() const { return most_bytes_ * largest_part; }
@@ -121,33 +108,62 @@ class Surveyor {
                          "an SDF or URDF file is wanted here");
     }
 
-    /// Its place among the documents. Throws LoadError where it is no XML.
+    /// Its place among the documents. Throws LoadError where it is no SDF and no URDF.
     std::size_t add_document(const fs::path& file, const std::string& text) {
         tinyxml2::XMLDocument document;
-        if (document.Parse(text.c_str()) != tinyxml2::XML_SUCCESS) {
-            throw LoadError({file.string() + broken_xml(document)});
+        document.Parse(text.c_str());
+        if (const auto why = why_no_sdf(text, document); !why.empty()) {
+            throw LoadError({file.string() + why});
         }
         const std::size_t place = survey_.documents.size();
         survey_.documents.push_back({file, text});
-        auto* root = document.RootElement();
-        if (root == nullptr || root->Name() == std::string_view{"robot"}) {
-            bytes_ += robot_bytes(root);
-            return place;
+        auto& root = *document.RootElement();
+        const bool is_robot = root.Name() == std::string_view{"robot"};
+        if (is_robot) {
+            bytes_ += robot_bytes(&root);
+        } else {
+            add_sdf(root, place);
+            survey_.documents[place].text = line_for_line(document);
         }
+        auto* model = is_robot ? &root : root.FirstChildElement("model");
+        survey_.documents[place].model = model == nullptr ? "" : own_name(*model);
+        survey_.order.push_back(place);
+        return place;
+    }
+
+    void add_sdf(tinyxml2::XMLElement& root, std::size_t place) {
+        const fs::path file = survey_.documents[place].file;
         open_.push_back(file);
-        const bool holds_anything = holds_thing(*root);
-        auto* world = root->FirstChildElement("world");
+        const bool holds_anything = holds_thing(root);
+        auto* world = root.FirstChildElement("world");
         if (world != nullptr && place == 0) {
             survey_.state = take_state(*world, file, survey_.warnings);
         }
-        std::ranges::move(take_unreadable(*root, file), std::back_inserter(survey_.warnings));
-        if (!strict_) relieve(*root);
-        survey(*root, file);
+        add_warnings(take_unreadable(root, file));
+        if (!strict_) add_warnings(relieve(root, file));
+        survey(root, file);
+        if (!strict_) {
+            drop_empty_models(root);
+            add_warnings(mend_names(root, file, [&](const tinyxml2::XMLElement& include) {
+                return model_in(include);
+            }));
+        }
         open_.pop_back();
-        SdfDocument& ready = survey_.documents[place];
-        ready.text = line_for_line(document);
-        ready.is_relieved_of_all = holds_anything && !holds_thing(*root);
-        return place;
+        survey_.documents[place].is_relieved_of_all = holds_anything && !holds_thing(root);
+    }
+
+    void add_warnings(std::vector<std::string> warnings) {
+        std::ranges::move(warnings, std::back_inserter(survey_.warnings));
+    }
+
+    /// What it brings, of the documents that were looked at.
+    [[nodiscard]] std::string model_in(const tinyxml2::XMLElement& include) const {
+        const auto* uri = include.FirstChildElement("uri");
+        const std::string text = uri == nullptr ? "" : trimmed(uri->GetText());
+        for (std::size_t i = 0; i < survey_.documents.size(); ++i) {
+            if (text == uri_of(i)) return survey_.documents[i].model;
+        }
+        return {};
     }
 
     /// What an include may be of.
@@ -208,7 +224,10 @@ class Surveyor {
     }
 
     std::optional<std::size_t> document_of(const fs::path& file, const std::string& place) {
-        if (!may_enter(file, place)) return {};
+        if (const auto why = why_not_enter(file); !why.empty()) {
+            leave_out(place + why);
+            return {};
+        }
         // Again for each include of it, since each is a copy; known ones cost no time.
         if (const auto known = known_.find(file); known != known_.end()) {
             bytes_ += known->second.bytes;

@@ -28,11 +28,14 @@ struct SdfDocument {
     std::filesystem::path file;
     std::string text;
     bool is_relieved_of_all = false;  ///< there was something in it, but nothing to a scanner
+    std::string model = {};           ///< what its first model or robot is called
+    bool is_converted = false;        ///< of a robot: its lines are no longer the file's
 };
 
 struct SdfSurvey {
     std::vector<SdfDocument> documents;  ///< the source first, then each include once
     SdfState state;                      ///< of the source's first world
+    std::vector<std::size_t> order;      ///< of the documents: none before what it includes
     std::vector<std::string> faults;
     std::vector<std::string> warnings;
 };

@@ -40,7 +40,8 @@ TEST_F(SdfFaults, missingFilesAndFolders) {
 }
 
 TEST_F(SdfFaults, noWorld) {
-    EXPECT_THAT(faults(sdf("")), ElementsAre("a.sdf: holds no <world> and no <model>"));
+    EXPECT_THAT(faults(sdf("")),
+                ElementsAre("a.sdf: holds no <world>, and no <model> with a <link>"));
 }
 
 TEST_F(SdfFaults, nothingToSee) {

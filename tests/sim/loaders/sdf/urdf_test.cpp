@@ -184,7 +184,8 @@ TEST_F(Urdf, TellsFaultsOfARobotInAWorldUnderItsOwnName) {
     const auto file = folder_.write("w.sdf", world("<include><uri>bad.urdf</uri></include>"));
     EXPECT_THAT(faults_of([&] { load_sdf(file); }, folder_),
                 ElementsAre("bad.urdf:3: Failed to find root link: Two root links found: [a] and "
-                            "[b]"));
+                            "[b]; left out, no scanner sees it",
+                            HasSubstr("w.sdf: holds nothing that a scanner could see")));
 }
 
 TEST_F(Urdf, StandsOnTheWorldIfItSaysSo) {
