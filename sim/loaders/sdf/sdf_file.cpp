@@ -75,6 +75,11 @@ bool is_echo(const std::string& printed) {
            printed.starts_with("parse as old deprecated model file failed");
 }
 
+StandIn stand_in_for(const SdfDocument& document) {
+    if (!document.is_converted) return {document.file, true};
+    return {document.file, false, document.robot, lines_of_links(document.robot)};
+}
+
 class Reader {
   public:
     Reader(SdfSurvey survey, bool strict, SdfFile& result)
@@ -89,9 +94,8 @@ class Reader {
         if (!result_.faults.empty()) return;
         sdf::Errors errors = load(documents_.front().text);
         if (!errors.empty() && !strict_) errors = mend();
-        const SdfDocument& main = documents_.front();
         for (const char* name : text_names)
-            result_.stand_ins[name] = {main.file, !main.is_converted};
+            result_.stand_ins[name] = stand_in_for(documents_.front());
         add_printed(strict_ || !errors.empty());
         add_errors(errors);
     }
@@ -104,8 +108,9 @@ class Reader {
     void convert(std::size_t document) {
         if (is_urdf(documents_[document].text)) {
             std::vector<std::string> faults;
-            documents_[document].text = converted(documents_[document], faults);
-            documents_[document].is_converted = true;
+            SdfDocument& robot = documents_[document];
+            robot.robot = std::exchange(robot.text, converted(robot, faults));
+            robot.is_converted = true;
             if (!faults.empty() && (document == 0 || strict_)) {
                 std::ranges::move(faults, std::back_inserter(result_.faults));
             } else if (!faults.empty()) {
@@ -120,7 +125,7 @@ class Reader {
         const SdfDocument& from = documents_[document];
         const fs::path path = files_.write(document, from.text);
         includes_[uri_of(document)] = path;
-        result_.stand_ins[path] = {from.file, !from.is_converted};
+        result_.stand_ins[path] = stand_in_for(from);
     }
 
     sdf::Errors load(const std::string& text) {
@@ -253,9 +258,25 @@ fs::path SdfFile::file_of(const sdf::ElementPtr& element, const fs::path& otherw
 std::string SdfFile::place_of(const sdf::ElementPtr& element, const fs::path& otherwise) const {
     const std::string file = file_of(element, otherwise).string();
     const auto stand_in = element ? stand_ins.find(element->FilePath()) : stand_ins.end();
-    if (stand_in == stand_ins.end() || !stand_in->second.same_lines || !element->LineNumber())
-        return file;
-    return file + ':' + std::to_string(*element->LineNumber());
+    if (stand_in == stand_ins.end()) return file;
+    if (stand_in->second.same_lines) {
+        const auto line = element->LineNumber();
+        return line ? file + ':' + std::to_string(*line) : file;
+    }
+    for (auto at = element; at; at = at->GetParent()) {
+        if (at->GetName() != "link") continue;
+        const auto line = stand_in->second.lines.find(at->Get<std::string>("name"));
+        if (line != stand_in->second.lines.end()) return file + ':' + std::to_string(line->second);
+    }
+    return file;
+}
+
+std::string SdfFile::uri_as_written(const sdf::ElementPtr& element, const std::string& uri) const {
+    constexpr std::string_view model = "model://";
+    const auto stand_in = element ? stand_ins.find(element->FilePath()) : stand_ins.end();
+    if (stand_in == stand_ins.end() || !uri.starts_with(model)) return uri;
+    std::string package = "package://" + uri.substr(model.size());
+    return stand_in->second.robot.find(package) == std::string::npos ? uri : package;
 }
 
 SdfFile read_sdf(const SdfSource& source, const Resources& resources, std::size_t most_memory_bytes,

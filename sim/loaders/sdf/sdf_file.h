@@ -20,6 +20,9 @@ namespace scipd::sim {
 struct StandIn {
     std::filesystem::path file;  ///< as the user knows it
     bool same_lines;
+    /// Of a robot, which is not read as it is written.
+    std::string robot = {};
+    std::map<std::string, int> lines = {};  ///< of its links, by name
 };
 
 struct SdfFile {
@@ -36,6 +39,9 @@ struct SdfFile {
     /// FILE:LINE of an element, as far as the library knows.
     [[nodiscard]] std::string place_of(const sdf::ElementPtr& element,
                                        const std::filesystem::path& otherwise) const;
+    /// The library calls package:// of a robot model://.
+    [[nodiscard]] std::string uri_as_written(const sdf::ElementPtr& element,
+                                             const std::string& uri) const;
 };
 
 /// Wants an absolute path. Reads nothing that would take more than this much memory.

@@ -68,7 +68,9 @@ class SceneWalk {
     void add_link(const sdf::Link& link, const Place& place, const std::string& name);
     void add_surface(const SdfSurface& surface, const Place& link, const std::string& link_name);
     void add_shape(const SdfSurface& surface, Object object, const std::string& place);
-    void add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object);
+    void add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object,
+                  const std::string& place);
+    void leave_out_missing(const sdf::Mesh& mesh, const fs::path& folder, const std::string& place);
     void warn_of_unseen(const sdf::Link& link, const std::string& name);
     std::optional<Place> place_of(const Place& outer, const sdf::SemanticPose& pose,
                                   const sdf::ElementPtr& element, const std::string& name);
@@ -79,6 +81,7 @@ class SceneWalk {
     SdfOptions options_;
     SceneDraft draft_;
     std::set<std::string> warned_kinds_;
+    std::set<std::string> told_;  ///< downloads, by their commands
     MeshShelf shelf_;
     glm::dvec3 scale_{1.0};  ///< of the model whose links are looked at
 };
@@ -186,7 +189,7 @@ void SceneWalk::add_surface(const SdfSurface& surface, const Place& link,
     }
     try {
         if (const auto* mesh = surface.geometry->MeshShape()) {
-            return add_mesh(surface, *mesh, std::move(object));
+            return add_mesh(surface, *mesh, std::move(object), place);
         }
         add_shape(surface, std::move(object), place);
     } catch (const LoadError& error) {
@@ -215,12 +218,27 @@ void SceneWalk::add_shape(const SdfSurface& surface, Object object, const std::s
     draft_.add(std::move(object), {surface.material, surface.laser_retro});
 }
 
-void SceneWalk::add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object) {
+/// Of a download, the first time only.
+void SceneWalk::leave_out_missing(const sdf::Mesh& mesh, const fs::path& folder,
+                                  const std::string& place) {
+    const auto command = download_command(mesh.Uri());
+    if (!command.empty() && !told_.insert(command).second) return;
+    // What the library has in place of none.
+    const bool has_uri = mesh.Uri() != "__default__";
+    const auto uri = has_uri ? read_.uri_as_written(mesh.Element(), mesh.Uri()) : "";
+    draft_.leave_out(place + resources_.not_found(uri, folder));
+}
+
+void SceneWalk::add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object,
+                         const std::string& place) {
     const auto file = read_.file_of(mesh.Element(), file_);
     // A text is called by a name, and lies in no folder.
     const auto folder = file.is_absolute() ? file.parent_path() : resources_.folder();
     const auto found = resources_.find(mesh.Uri(), folder);
-    if (found.empty()) throw LoadError({resources_.not_found(mesh.Uri(), folder)});
+    if (found.empty()) return leave_out_missing(mesh, folder, place);
+    if (auto warning = case_warning(mesh.Uri(), found); !warning.empty()) {
+        draft_.warn(place + warning);
+    }
     sdf::Mesh larger = mesh;
     larger.SetScale(mesh.Scale() * ignition::math::Vector3d{scale_.x, scale_.y, scale_.z});
     for (const auto& part : shelf_.parts_of(found, larger)) {

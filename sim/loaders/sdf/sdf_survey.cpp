@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
 #include <string_view>
 
 #include <tinyxml2.h>
@@ -206,15 +207,27 @@ class Surveyor {
         const std::string place = file.string() + ':' + std::to_string(include.GetLineNum()) + ": ";
         const auto folder = open_.size() > 1 ? file.parent_path() : resources_.folder();
         const fs::path found = resources_.find(uri, folder).lexically_normal();
-        if (found.empty()) return leave_out(place + resources_.not_found(uri, folder));
-        const fs::path model = model_file_of(found);
+        if (found.empty()) return leave_out_missing(uri, folder, place);
+        std::vector<std::string> notes{case_warning(uri, found)};
+        const fs::path model = model_file_of(found, notes);
         const auto why = why_no_model(found, model);
-        if (!why.empty()) return leave_out(place + quote(uri) + why);
+        if (!why.empty()) return leave_out(place + quote(uri, whole_path) + why);
+        for (const auto& note : notes) {
+            if (!note.empty()) survey_.warnings.push_back(place + note);
+        }
         const auto document = document_of(model, place);
         // A lamp, say.
         if (!document || survey_.documents[*document].is_relieved_of_all) return false;
         element->SetText(uri_of(*document).c_str());
         return true;
+    }
+
+    /// Of a download, the first time only.
+    bool leave_out_missing(const std::string& uri, const fs::path& folder,
+                           const std::string& place) {
+        const auto command = download_command(uri);
+        if (!command.empty() && !told_.insert(command).second) return false;
+        return leave_out(place + resources_.not_found(uri, folder));
     }
 
     bool leave_out(const std::string& why) {
@@ -263,6 +276,7 @@ class Surveyor {
     SdfSurvey survey_;
     std::vector<fs::path> open_;  ///< the file that is looked at, and those that include it
     std::map<fs::path, Known> known_;
+    std::set<std::string> told_;  ///< downloads, by their commands
     double bytes_ = 0.0;
 };
 

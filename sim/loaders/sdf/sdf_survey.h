@@ -30,6 +30,7 @@ struct SdfDocument {
     bool is_relieved_of_all = false;  ///< there was something in it, but nothing to a scanner
     std::string model = {};           ///< what its first model or robot is called
     bool is_converted = false;        ///< of a robot: its lines are no longer the file's
+    std::string robot = {};           ///< what it was converted from
 };
 
 struct SdfSurvey {

@@ -141,6 +141,41 @@ TEST_F(SdfAsFound, whatIsMissingIsLeftOut) {
                 ElementsAre(HasSubstr("a.sdf:4: there is no 'model://gone' near ")));
 }
 
+TEST_F(SdfAsFound, namesMayDifferInCase) {
+    folder_.write("Models/Crate/Model.config",
+                  "<model><name>crate</name><sdf version='1.9'>MODEL.sdf</sdf></model>");
+    folder_.write("Models/Crate/model.sdf",
+                  sdf("<model name='c'><link name='l'>" + visual("v", mesh_of("meshes/crate.obj")) +
+                      "</link></model>"));
+    folder_.write("Models/Crate/meshes/Crate.OBJ", triangle_obj);
+    EXPECT_THAT(objects(world("<include><uri>models/crate</uri></include>")),
+                ElementsAre("c::l::v"));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a.sdf:4: 'models/crate' is called "),
+                                       HasSubstr("a.sdf:4: 'model.config' is called "),
+                                       HasSubstr("a.sdf:4: 'MODEL.sdf' is called "),
+                                       HasSubstr("model.sdf:3: c::l::v: 'meshes/crate.obj' is "
+                                                 "called ")));
+}
+
+TEST_F(SdfAsFound, aDownloadIsToldOnceAndNoNameIsCutShort) {
+    const std::string model = "https://fuel.gazebosim.org/1.0/nobody-at-all/models/No such model";
+    const std::string include = "<include><uri>" + model + "</uri></include>\n";
+    const std::string mesh = mesh_of(model + "/tip/files/meshes/a.dae");
+    objects(world(include + include +
+                  model_of(visual("a", mesh) + visual("b", mesh) + visual("c", unit_box))));
+    EXPECT_THAT(warnings_,
+                ElementsAre(HasSubstr("a.sdf:4: '" + model +
+                                      "' has not been downloaded; fetch it with `gz fuel download "
+                                      "-u '" +
+                                      model + "'`"),
+                            HasSubstr("a.sdf:7: m::l::a: '" + model + "/tip/files/meshes/a.dae'")));
+    const std::string name = "model://fetch_description_of_nobody/meshes/base_link_collision.dae";
+    objects(world(model_of(visual("a", mesh_of(name)) + visual("c", unit_box))));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("there is no '" + name + "' near ")));
+    objects(world(model_of(visual("a", "<mesh/>") + visual("c", unit_box))));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a.sdf:5: m::l::a: no file is named; left out")));
+}
+
 TEST_F(SdfAsFound, aBrokenModelIsLeftOut) {
     folder_.write("b.sdf", "<sdf version='1.9'><model name='b'>\n<link></model></sdf>");
     EXPECT_THAT(
