@@ -13,6 +13,7 @@
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/plain_file.h"
 #include "sim/loaders/sdf/sdf_console.h"
+#include "sim/loaders/sdf/sdf_printed.h"
 #include "sim/loaders/sdf/sdf_repair.h"
 #include "sim/loaders/sdf/urdf.h"
 
@@ -65,14 +66,6 @@ sdf::ParserConfig config_for(Includes includes) {
         return known == includes.end() ? std::string{} : known->second.string();
     });
     return config;
-}
-
-/// What the library adds where it has said what is wrong.
-bool is_echo(const std::string& printed) {
-    // It takes whatever is no good SDF for a robot.
-    return printed.starts_with("Could not find the 'robot' element") ||
-           printed.starts_with("Unable to call parseURDF on robot model") ||
-           printed.starts_with("parse as old deprecated model file failed");
 }
 
 StandIn stand_in_for(const SdfDocument& document) {
@@ -180,7 +173,7 @@ class Reader {
         std::string text = sdf_from_urdf(robot.text);
         const auto said = console_.take();
         for (const auto& fault : said.faults) {
-            if (is_echo(fault)) continue;
+            if (is_printed_echo(fault)) continue;
             const int line = line_in_urdf(robot.text, fault);
             faults.push_back(file.string() + (line > 0 ? ':' + std::to_string(line) : "") + ": " +
                              fault);
@@ -195,25 +188,15 @@ class Reader {
 
     /// Once all is well, what it calls an error is none.
     void add_printed(bool as_faults) {
-        const auto said = console_.take();
-        const auto file = documents_.front().file.string();
-        for (const auto& text : said.faults) {
-            if (is_echo(text)) continue;
-            (as_faults ? result_.faults : result_.warnings)
-                .push_back(file + ": " + with_real_names(text));
-        }
-        for (const auto& text : said.warnings)
-            result_.warnings.push_back(file + ": " + with_real_names(text));
-    }
-
-    /// "<data-string>:L5" is in no file that anybody has.
-    [[nodiscard]] std::string with_real_names(std::string text) const {
-        for (const auto& [name, real] : result_.stand_ins) {
-            const std::string place = name + ":L";
-            const auto at = name.empty() ? text.npos : text.find(place);
-            if (at != text.npos) text.replace(at, name.size(), real.file.string());
-        }
-        return text;
+        auto said = console_.take();
+        std::erase_if(said.faults, is_printed_echo);
+        const auto add = [&](const std::vector<std::string>& printed,
+                             std::vector<std::string>& list) {
+            std::ranges::move(in_plain_words(printed, result_.stand_ins, documents_.front().file),
+                              std::back_inserter(list));
+        };
+        add(said.faults, as_faults ? result_.faults : result_.warnings);
+        add(said.warnings, result_.warnings);
     }
 
     void add_errors(const sdf::Errors& errors) {

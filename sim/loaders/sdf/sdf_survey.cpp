@@ -16,7 +16,9 @@
 #include "sim/loaders/plain_file.h"
 #include "sim/loaders/quote.h"
 #include "sim/loaders/sdf/model_folder.h"
+#include "sim/loaders/sdf/sdf_cost.h"
 #include "sim/loaders/sdf/sdf_document.h"
+#include "sim/loaders/sdf/sdf_ignored.h"
 #include "sim/loaders/sdf/sdf_kind.h"
 #include "sim/loaders/sdf/sdf_names.h"
 
@@ -29,22 +31,6 @@ namespace fs = std::filesystem;
 /// times that.
 constexpr double largest_part = 1.0 / 64;
 constexpr std::size_t deepest_include = 32;
-
-/// What libsdformat 12.3 takes for an element and its parts, measured on files of a thousand of
-/// them.
-struct Cost {
-    std::string_view element;
-    double bytes;
-};
-constexpr std::array costs{Cost{"model", 1.4e6},     Cost{"link", 0.85e6},  Cost{"actor", 1e6},
-                           Cost{"joint", 0.6e6},     Cost{"sensor", 0.6e6}, Cost{"visual", 0.17e6},
-                           Cost{"collision", 0.17e6}};
-constexpr double other_element_bytes = 2e3;
-
-double cost_of(std::string_view element) {
-    const auto known = std::ranges::find(costs, element, &Cost::element);
-    return known == costs.end() ? other_element_bytes : known->bytes;
-}
 
 /// Empty where `model`, the file that the library has for what an include names, can be read.
 std::string why_no_model(const fs::path& found, const fs::path& model) {
@@ -121,7 +107,7 @@ class Surveyor {
         auto& root = *document.RootElement();
         const bool is_robot = root.Name() == std::string_view{"robot"};
         if (is_robot) {
-            bytes_ += robot_bytes(&root);
+            bytes_ += bytes_for_robot(root);
         } else {
             add_sdf(root, place);
             survey_.documents[place].text = line_for_line(document);
@@ -141,7 +127,10 @@ class Surveyor {
             survey_.state = take_state(*world, file, survey_.warnings);
         }
         add_warnings(take_unreadable(root, file));
-        if (!strict_) add_warnings(relieve(root, file));
+        if (!strict_) {
+            add_warnings(faults_of_ignored(root, file));
+            add_warnings(relieve(root, file));
+        }
         survey(root, file);
         if (!strict_) {
             drop_empty_models(root);
@@ -174,22 +163,14 @@ class Surveyor {
             things, [&](const char* name) { return root.FirstChildElement(name) != nullptr; });
     }
 
-    /// Its links become links.
-    static double robot_bytes(const tinyxml2::XMLElement* element) {
-        double bytes = 0.0;
-        for (; element != nullptr; element = element->NextSiblingElement())
-            bytes += cost_of(element->Name()) + robot_bytes(element->FirstChildElement());
-        return bytes;
-    }
-
     void survey(tinyxml2::XMLElement& element, const fs::path& file) {
-        bytes_ += cost_of(element.Name());
+        bytes_ += bytes_for(element.Name());
         // The library copies what is in there and does not look at it.
         const bool opaque = element.Name() == std::string_view{"plugin"};
         for (auto* child = element.FirstChildElement(); child != nullptr;) {
             auto* next = child->NextSiblingElement();
             if (opaque) {
-                bytes_ += other_element_bytes;
+                bytes_ += bytes_for("");
             } else if (child->Name() == std::string_view{"include"} && !add_include(*child, file)) {
                 element.DeleteChild(child);
             } else {
