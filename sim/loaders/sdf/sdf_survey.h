@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sim/loaders/sdf/resources.h"
+#include "sim/loaders/sdf/sdf_state.h"
 
 namespace scipd::sim {
 
@@ -27,10 +28,15 @@ struct SdfDocument {
     std::filesystem::path file;
     std::string text;
     bool is_relieved_of_all = false;  ///< there was something in it, but nothing to a scanner
+    std::string model = {};           ///< what its first model or robot is called
+    bool is_converted = false;        ///< of a robot: its lines are no longer the file's
+    std::string robot = {};           ///< what it was converted from
 };
 
 struct SdfSurvey {
     std::vector<SdfDocument> documents;  ///< the source first, then each include once
+    SdfState state;                      ///< of the source's first world
+    std::vector<std::size_t> order;      ///< of the documents: none before what it includes
     std::vector<std::string> faults;
     std::vector<std::string> warnings;
 };
