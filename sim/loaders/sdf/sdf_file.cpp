@@ -204,11 +204,9 @@ std::string SdfFile::place_of(const sdf::ElementPtr& element, const fs::path& ot
     return file + ':' + std::to_string(*element->LineNumber());
 }
 
-SdfFile read_sdf(const SdfSource& source, const Resources& resources, std::size_t most_memory_bytes,
-                 bool strict) {
+SdfFile read_sdf(const SdfSource& source, SdfSurvey survey) {
     SdfFile result;
     Reader reader{source, result};
-    auto survey = survey_sdf(source, resources, most_memory_bytes, strict);
     result.faults = std::move(survey.faults);
     result.warnings = std::move(survey.warnings);
     if (result.faults.empty()) reader.read(survey.documents);

@@ -16,6 +16,7 @@
 #include "sim/loaders/quote.h"
 #include "sim/loaders/sdf/model_folder.h"
 #include "sim/loaders/sdf/sdf_document.h"
+#include "sim/loaders/sdf/wanted_meshes.h"
 
 namespace scipd::sim {
 namespace {
@@ -71,8 +72,11 @@ std::string broken_xml(const tinyxml2::XMLDocument& document) {
 
 class Surveyor {
   public:
-    Surveyor(const Resources& resources, double most_bytes, bool strict)
-        : resources_(resources), most_bytes_(most_bytes), strict_(strict) {}
+    Surveyor(const Resources& resources, const SdfOptions& options)
+        : resources_(resources),
+          geometry_(options.geometry),
+          most_bytes_(static_cast<double>(options.most_memory_bytes)),
+          strict_(options.strict) {}
 
     SdfSurvey run(const SdfSource& source) {
         try {
@@ -132,6 +136,7 @@ class Surveyor {
         auto* root = document.RootElement();
         if (root == nullptr || root->Name() == std::string_view{"robot"}) {
             bytes_ += robot_bytes(root);
+            if (root != nullptr) add_meshes(*root, file);
             return place;
         }
         open_.push_back(file);
@@ -140,11 +145,19 @@ class Surveyor {
         lower_version(*root);
         if (!strict_) relieve(*root);
         survey(*root, file);
+        add_meshes(*root, file);
         open_.pop_back();
         SdfDocument& ready = survey_.documents[place];
         ready.text = line_for_line(document);
         ready.is_relieved_of_all = holds_anything && !holds_thing(*root);
         return place;
+    }
+
+    void add_meshes(const tinyxml2::XMLElement& root, const fs::path& file) {
+        // A text is called by a name, and lies in no folder.
+        const auto folder = file.is_absolute() ? file.parent_path() : resources_.folder();
+        std::ranges::move(wanted_meshes(root, folder, resources_, geometry_),
+                          std::back_inserter(survey_.meshes));
     }
 
     /// What an include may be of.
@@ -236,6 +249,7 @@ class Surveyor {
     static constexpr std::size_t most_faults = 1000;
 
     const Resources& resources_;
+    SdfGeometry geometry_;
     double most_bytes_;
     bool strict_;
     SdfSurvey survey_;
@@ -251,8 +265,8 @@ std::string uri_of(std::size_t document) {
 }
 
 SdfSurvey survey_sdf(const SdfSource& source, const Resources& resources,
-                     std::size_t most_memory_bytes, bool strict) {
-    return Surveyor{resources, static_cast<double>(most_memory_bytes), strict}.run(source);
+                     const SdfOptions& options) {
+    return Surveyor{resources, options}.run(source);
 }
 
 }  // namespace scipd::sim

@@ -12,7 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "sim/loaders/mesh/mesh_shelf.h"
 #include "sim/loaders/sdf/resources.h"
+#include "sim/loaders/sdf/sdf.h"
 
 namespace scipd::sim {
 
@@ -31,6 +33,7 @@ struct SdfDocument {
 
 struct SdfSurvey {
     std::vector<SdfDocument> documents;  ///< the source first, then each include once
+    std::vector<MeshSource> meshes;      ///< that they will ask for
     std::vector<std::string> faults;
     std::vector<std::string> warnings;
 };
@@ -41,6 +44,6 @@ std::string uri_of(std::size_t document);
 /// What cannot be included is left out with a warning; `strict` makes that a fault, and leaves the
 /// documents as they are.
 SdfSurvey survey_sdf(const SdfSource& source, const Resources& resources,
-                     std::size_t most_memory_bytes, bool strict);
+                     const SdfOptions& options);
 
 }  // namespace scipd::sim
