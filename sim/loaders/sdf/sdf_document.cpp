@@ -11,6 +11,8 @@
 
 #include <tinyxml2.h>
 
+#include "sim/loaders/sdf/sdf_road.h"
+
 namespace scipd::sim {
 namespace {
 
@@ -45,7 +47,7 @@ constexpr std::array nothing_to_a_scanner{"atmosphere",
                                           "velocity_decay",
                                           "visibility_flags",
                                           "wind"};
-constexpr std::array seen_but_not_read{"actor", "population", "road", "state"};
+constexpr std::array seen_but_not_read{"actor", "population", "state"};
 
 /// In place of "::" in names: one character that nobody has in a name, and that says the same.
 constexpr std::string_view colons = "::";
@@ -228,6 +230,17 @@ std::vector<std::string> take_unreadable(XMLElement& root, const std::filesystem
         delete_children(*world, take);
     }
     return warnings;
+}
+
+void put_in_its_words(XMLElement& root) {
+    for_each(root, [](XMLElement& element) {
+        if (std::string_view{element.Name()} != "geometry") return;
+        if (auto* cone = element.FirstChildElement("cone")) cone->SetName("scipd:cone");
+    });
+    for (auto* world = root.FirstChildElement("world"); world != nullptr;
+         world = world->NextSiblingElement("world")) {
+        put_roads_as_models(*world);
+    }
 }
 
 void relieve(XMLElement& root) {

@@ -23,6 +23,10 @@ namespace scipd::sim {
 std::vector<std::string> take_unreadable(tinyxml2::XMLElement& root,
                                          const std::filesystem::path& file);
 
+/// Puts what libsdformat 12 does not know in words that it carries along: a <cone> becomes a
+/// <scipd:cone>, a <road> a model (sdf_road.h).
+void put_in_its_words(tinyxml2::XMLElement& root);
+
 /// Takes out what is nothing to a scanner: physics, lights, sensors, plugins, colours, and joints
 /// that no frame refers to.
 void relieve(tinyxml2::XMLElement& root);
