@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <sdf/Element.hh>
+#include <sdf/Heightmap.hh>
 #include <sdf/Link.hh>
 #include <sdf/Mesh.hh>
 #include <sdf/Model.hh>
@@ -18,6 +19,7 @@
 #include "sim/loaders/mesh/mesh_shelf.h"
 #include "sim/loaders/name.h"
 #include "sim/loaders/sdf/scene_draft.h"
+#include "sim/loaders/sdf/sdf_heightmap.h"
 #include "sim/loaders/sdf/sdf_place.h"
 #include "sim/loaders/sdf/sdf_shape.h"
 #include "sim/loaders/sdf/sdf_surface.h"
@@ -61,7 +63,12 @@ class SceneWalk {
     void add_link(const sdf::Link& link, const Place& place, const std::string& name);
     void add_surface(const SdfSurface& surface, const Place& link, const std::string& link_name);
     void add_shape(const SdfSurface& surface, Object object, const std::string& place);
+    void add_heightmap(const SdfSurface& surface, const sdf::Heightmap& heightmap, Object object,
+                       const std::string& place);
+    void add_placed(const SdfSurface& surface, const PlacedShape& placed, Object object);
     void add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object);
+    /// The file that an element of a geometry names. Throws LoadError where there is none.
+    [[nodiscard]] fs::path named_by(const sdf::ElementPtr& element, const std::string& uri) const;
     void warn_of_unseen(const sdf::Link& link, const std::string& name);
     std::optional<Place> place_of(const Place& outer, const sdf::SemanticPose& pose,
                                   const sdf::ElementPtr& element, const std::string& name);
@@ -174,6 +181,9 @@ void SceneWalk::add_surface(const SdfSurface& surface, const Place& link,
         if (const auto* mesh = surface.geometry->MeshShape()) {
             return add_mesh(surface, *mesh, std::move(object));
         }
+        if (const auto* heightmap = surface.geometry->HeightmapShape()) {
+            return add_heightmap(surface, *heightmap, std::move(object), place);
+        }
         add_shape(surface, std::move(object), place);
     } catch (const LoadError& error) {
         for (const auto& fault : error.faults())
@@ -189,18 +199,36 @@ void SceneWalk::add_shape(const SdfSurface& surface, Object object, const std::s
         return draft_.pass_over(place + '<' + kind +
                                 "> is not supported and left out, here and elsewhere");
     }
-    object.shape = primitive->shape;
+    add_placed(surface, *primitive, std::move(object));
+}
+
+void SceneWalk::add_heightmap(const SdfSurface& surface, const sdf::Heightmap& heightmap,
+                              Object object, const std::string& place) {
+    const auto file = named_by(heightmap.Element(), heightmap.Uri());
+    const auto terrain = terrain_of(heightmap, file, options_.mesh.triangles);
+    for (const auto& remark : terrain.remarks)
+        draft_.warn(place + remark);
+    add_placed(surface, terrain.surface, std::move(object));
+}
+
+void SceneWalk::add_placed(const SdfSurface& surface, const PlacedShape& placed, Object object) {
+    object.shape = placed.shape;
     shelf_.count(object.shape);
-    object.model_from_object = object.model_from_object * primitive->geometry_from_shape;
+    object.model_from_object = object.model_from_object * placed.geometry_from_shape;
     draft_.add(std::move(object), {surface.material, surface.laser_retro});
 }
 
-void SceneWalk::add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object) {
-    const auto file = read_.file_of(mesh.Element(), file_);
+fs::path SceneWalk::named_by(const sdf::ElementPtr& element, const std::string& uri) const {
+    const auto file = read_.file_of(element, file_);
     // A text is called by a name, and lies in no folder.
     const auto folder = file.is_absolute() ? file.parent_path() : resources_.folder();
-    const auto found = resources_.find(mesh.Uri(), folder);
-    if (found.empty()) throw LoadError({resources_.not_found(mesh.Uri(), folder)});
+    auto found = resources_.find(uri, folder);
+    if (found.empty()) throw LoadError({resources_.not_found(uri, folder)});
+    return found;
+}
+
+void SceneWalk::add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object) {
+    const auto found = named_by(mesh.Element(), mesh.Uri());
     for (const auto& part : shelf_.parts_of(found, mesh)) {
         object.shape = part.mesh;
         draft_.add(object, {surface.material.empty() ? part.material : surface.material,

@@ -3,14 +3,11 @@
 //
 // Shapes that libsdformat 12 does not know, against ranges by hand, with every backend that casts.
 #include <cmath>
-#include <numbers>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/backends/registry.h"
-#include "sim/loaders/sdf/sdf.h"
-#include "tests/sim/loaders/faults_of.h"
+#include "tests/sim/loaders/sdf/sdf_cast.h"
 #include "tests/sim/loaders/sdf/sdf_text.h"
 
 namespace scipd::sim {
@@ -20,35 +17,10 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-class SdfShapes : public ::testing::TestWithParam<const char*> {
-  protected:
-    void load(const std::string& text, const SdfOptions& options = {}) {
-        auto loaded = load_sdf(folder_.write("a.sdf", text), options);
-        scene_ = std::move(loaded.scene);
-        warnings_ = std::move(loaded.warnings);
-        backend_ = make_backend(GetParam(), scene_);
-    }
-
-    float range_m(const glm::dvec3& from, const glm::dvec3& along) {
-        const glm::vec3 direction{along};
-        const Pose pose{from, {1.0, 0.0, 0.0, 0.0}};
-        Hit hit;
-        backend_->cast({.directions = {&direction, 1}, .world_from_sensor = {&pose, 1}}, {&hit, 1});
-        return hit.range_m;
-    }
-
-    float down_m(double x, double y) { return range_m({x, y, 10.0}, {0, 0, -1}); }
-
-    TempDir folder_;
-    SharedScene scene_;
-    std::vector<std::string> warnings_;
-    std::unique_ptr<RangeBackend> backend_;
-};
-
-constexpr auto nothing = std::numeric_limits<float>::infinity();
+class SdfShapes : public SdfCast {};
 
 INSTANTIATE_TEST_SUITE_P(Backends, SdfShapes, ::testing::Values("reference", "embree"),
-                         [](const auto& backend) { return std::string{backend.param}; });
+                         name_of_backend);
 
 TEST_P(SdfShapes, AConeIsWideBelowAndPointedAbove) {
     load("<sdf version='1.11'>" +
