@@ -11,6 +11,7 @@
 #include "sim/loaders/between_processes.h"
 #include "sim/loaders/confined.h"
 #include "sim/loaders/load_error.h"
+#include "sim/loaders/mesh/mesh_relief.h"
 
 namespace scipd::sim {
 namespace {
@@ -74,12 +75,23 @@ std::uintmax_t check_file(const fs::path& file) {
 
 }  // namespace
 
-std::vector<MeshPart> read_confined(const fs::path& file, const MeshLimits& limits,
-                                    const std::function<std::vector<MeshPart>()>& read) {
+std::vector<MeshPart> read_confined(
+    const fs::path& file, const MeshLimits& limits,
+    const std::function<std::vector<MeshPart>(MeshContents)>& read) {
     try {
         const Confines confines = confines_of(file, check_file(file), limits);
-        const auto work = [&](std::FILE* out) { put_each(read(), out, put_part); };
-        return take_each<std::vector<MeshPart>>(run_confined(confines, work).get(), take_part);
+        const auto read_in_child = [&](MeshContents contents) {
+            const auto work = [&](std::FILE* out) { put_each(read(contents), out, put_part); };
+            return take_each<std::vector<MeshPart>>(run_confined(confines, work).get(), take_part);
+        };
+        const auto begin = std::chrono::steady_clock::now();
+        try {
+            return read_in_child(MeshContents::all);
+        } catch (const std::runtime_error&) {
+            const bool is_slow = std::chrono::steady_clock::now() - begin > limits.wall_time / 2;
+            if (is_slow || !can_be_relieved(file)) throw;
+        }
+        return read_in_child(MeshContents::relieved);
     } catch (const std::runtime_error& wrong) {
         throw LoadError({file.string() + ": " + wrong.what()});
     }

@@ -60,15 +60,18 @@ bool is_mesh_file(const fs::path& file) {
 
 std::vector<MeshPart> load_mesh_parts(const fs::path& file, const glm::dvec3& scale, MeshAxes axes,
                                       const MeshLimits& limits) {
-    auto parts = read_confined(file, limits, [&] { return read_mesh(file, axes, limits); });
+    auto parts = read_confined(file, limits, [&](MeshContents contents) {
+        return read_mesh(file, axes, limits, contents);
+    });
     place(parts, glm::dvec3{0.0}, scale, file);
     return parts;
 }
 
 std::vector<MeshPart> load_submesh(const fs::path& file, const Submesh& submesh,
                                    const glm::dvec3& scale, const MeshLimits& limits) {
-    auto parts =
-        read_confined(file, limits, [&] { return read_submesh(file, submesh.name, limits); });
+    auto parts = read_confined(file, limits, [&](MeshContents contents) {
+        return read_submesh(file, submesh.name, limits, contents);
+    });
     const glm::dvec3 origin = submesh.centred ? bounds_of_all(parts).middle_m() : glm::dvec3{0.0};
     place(parts, origin, scale, file);
     return parts;
