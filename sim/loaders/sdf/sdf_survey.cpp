@@ -138,6 +138,7 @@ class Surveyor {
         const bool holds_anything = holds_thing(*root);
         std::ranges::move(take_unreadable(*root, file), std::back_inserter(survey_.warnings));
         put_in_its_words(*root);
+        lower_version(*root);
         if (!strict_) relieve(*root);
         survey(*root, file);
         open_.pop_back();
