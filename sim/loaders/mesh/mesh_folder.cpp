@@ -73,7 +73,7 @@ Assimp::IOStream* MeshFolder::Open(const char* file, const char* mode) {
         why = error.what();
     }
     const fs::path name = fs::path{file}.lexically_relative(mesh_.parent_path());
-    if (refusal_.empty()) refusal_ = "names " + quote(name.string()) + ", which " + why;
+    if (refusal_.empty()) refusal_ = "names " + quote(name.string(), whole_path) + ", which " + why;
     return nullptr;
 }
 

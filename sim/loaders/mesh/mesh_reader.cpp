@@ -83,7 +83,7 @@ bool is_finite(const aiMesh* mesh) {
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != reason.npos) throw std::bad_alloc();
     const auto& folder = dynamic_cast<const MeshFolder&>(*importer.GetIOHandler());
-    throw std::runtime_error("cannot be read as a mesh: " + printable(reason) +
+    throw std::runtime_error("cannot be read as a mesh: " + printable(reason, whole_path) +
                              (folder.refusal().empty() ? "" : "; it " + folder.refusal()));
 }
 
@@ -206,7 +206,7 @@ class Picker {
         std::size_t told = 0;
         for (const auto& name : names_) {
             if (told++ == most_names_told) return text + ", ...";
-            text += (text.empty() ? "" : ", ") + quote(name);
+            text += (text.empty() ? "" : ", ") + quote(name, whole_path);
         }
         return text.empty() ? "none" : text;
     }
@@ -286,7 +286,7 @@ std::vector<MeshPart> read_submesh(const std::filesystem::path& file, const std:
         if (by_name) names = picker.names();
         if (extension_of(file) != ".dae") break;
     }
-    throw std::runtime_error("has no submesh " + quote(name) + "; there are " + names);
+    throw std::runtime_error("has no submesh " + quote(name, whole_path) + "; there are " + names);
 }
 
 }  // namespace scipd::sim

@@ -63,12 +63,10 @@ class SceneWalk {
     void add_link(const sdf::Link& link, const Place& place, const std::string& name);
     void add_surface(const SdfSurface& surface, const Place& link, const std::string& link_name);
     void add_shape(const SdfSurface& surface, Object object, const std::string& place);
-    void add_heightmap(const SdfSurface& surface, const sdf::Heightmap& heightmap, Object object,
-                       const std::string& place);
-    void add_placed(const SdfSurface& surface, const PlacedShape& placed, Object object);
+    std::optional<PlacedShape> shape_of(const sdf::Geometry& geometry, const std::string& place);
     void add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object);
-    /// The file that an element of a geometry names. Throws LoadError where there is none.
-    [[nodiscard]] fs::path named_by(const sdf::ElementPtr& element, const std::string& uri) const;
+    /// Where a relative URI in this element starts.
+    [[nodiscard]] fs::path folder_of(const sdf::ElementPtr& element) const;
     void warn_of_unseen(const sdf::Link& link, const std::string& name);
     std::optional<Place> place_of(const Place& outer, const sdf::SemanticPose& pose,
                                   const sdf::ElementPtr& element, const std::string& name);
@@ -181,9 +179,6 @@ void SceneWalk::add_surface(const SdfSurface& surface, const Place& link,
         if (const auto* mesh = surface.geometry->MeshShape()) {
             return add_mesh(surface, *mesh, std::move(object));
         }
-        if (const auto* heightmap = surface.geometry->HeightmapShape()) {
-            return add_heightmap(surface, *heightmap, std::move(object), place);
-        }
         add_shape(surface, std::move(object), place);
     } catch (const LoadError& error) {
         for (const auto& fault : error.faults())
@@ -192,43 +187,42 @@ void SceneWalk::add_surface(const SdfSurface& surface, const Place& link,
 }
 
 void SceneWalk::add_shape(const SdfSurface& surface, Object object, const std::string& place) {
-    const auto primitive = primitive_of(*surface.geometry);
+    const auto primitive = shape_of(*surface.geometry, place);
     if (!primitive) {
         const auto kind = kind_of(*surface.geometry);
         if (!warned_kinds_.insert(kind).second) return;
         return draft_.pass_over(place + '<' + kind +
                                 "> is not supported and left out, here and elsewhere");
     }
-    add_placed(surface, *primitive, std::move(object));
-}
-
-void SceneWalk::add_heightmap(const SdfSurface& surface, const sdf::Heightmap& heightmap,
-                              Object object, const std::string& place) {
-    const auto file = named_by(heightmap.Element(), heightmap.Uri());
-    const auto terrain = terrain_of(heightmap, file, options_.mesh.triangles);
-    for (const auto& remark : terrain.remarks)
-        draft_.warn(place + remark);
-    add_placed(surface, terrain.surface, std::move(object));
-}
-
-void SceneWalk::add_placed(const SdfSurface& surface, const PlacedShape& placed, Object object) {
-    object.shape = placed.shape;
+    object.shape = primitive->shape;
     shelf_.count(object.shape);
-    object.model_from_object = object.model_from_object * placed.geometry_from_shape;
+    object.model_from_object = object.model_from_object * primitive->geometry_from_shape;
     draft_.add(std::move(object), {surface.material, surface.laser_retro});
 }
 
-fs::path SceneWalk::named_by(const sdf::ElementPtr& element, const std::string& uri) const {
+std::optional<PlacedShape> SceneWalk::shape_of(const sdf::Geometry& geometry,
+                                               const std::string& place) {
+    const auto* heightmap = geometry.HeightmapShape();
+    if (heightmap == nullptr) return primitive_of(geometry);
+    const auto folder = folder_of(heightmap->Element());
+    const auto found = resources_.find(heightmap->Uri(), folder);
+    if (found.empty()) throw LoadError({resources_.not_found(heightmap->Uri(), folder)});
+    const auto terrain = terrain_of(*heightmap, found, options_.mesh.triangles);
+    for (const auto& remark : terrain.remarks)
+        draft_.warn(place + remark);
+    return terrain.surface;
+}
+
+fs::path SceneWalk::folder_of(const sdf::ElementPtr& element) const {
     const auto file = read_.file_of(element, file_);
     // A text is called by a name, and lies in no folder.
-    const auto folder = file.is_absolute() ? file.parent_path() : resources_.folder();
-    auto found = resources_.find(uri, folder);
-    if (found.empty()) throw LoadError({resources_.not_found(uri, folder)});
-    return found;
+    return file.is_absolute() ? file.parent_path() : resources_.folder();
 }
 
 void SceneWalk::add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object) {
-    const auto found = named_by(mesh.Element(), mesh.Uri());
+    const auto folder = folder_of(mesh.Element());
+    const auto found = resources_.find(mesh.Uri(), folder);
+    if (found.empty()) throw LoadError({resources_.not_found(mesh.Uri(), folder)});
     for (const auto& part : shelf_.parts_of(found, mesh)) {
         object.shape = part.mesh;
         draft_.add(object, {surface.material.empty() ? part.material : surface.material,

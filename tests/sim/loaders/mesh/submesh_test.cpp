@@ -83,6 +83,12 @@ TEST_F(SubmeshTest, namesGoBeforeIds) {
     EXPECT_THAT(places("only_id"), ElementsAre(4));
 }
 
+TEST_F(SubmeshTest, noNameIsCutShort) {
+    const std::string name(300, 'n');
+    EXPECT_THAT(faults_of([&] { places(name); }, folder_),
+                ElementsAre(::testing::HasSubstr("has no submesh '" + name + "'; there are")));
+}
+
 TEST_F(SubmeshTest, aNameOfNothingIsToldWhatThereIs) {
     EXPECT_THAT(
         faults_of([&] { places("none"); }, folder_),
