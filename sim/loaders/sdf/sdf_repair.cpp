@@ -11,6 +11,7 @@
 #include <tinyxml2.h>
 
 #include "sim/loaders/quote.h"
+#include "sim/loaders/sdf/line_for_line.h"
 #include "sim/loaders/sdf/sdf_document.h"
 #include "sim/loaders/sdf/sdf_names.h"
 #include "sim/loaders/sdf/sdf_suspect.h"
