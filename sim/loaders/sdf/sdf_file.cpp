@@ -146,6 +146,7 @@ class Reader {
 
     sdf::Errors mend(std::size_t document) {
         SdfDocument& mended = documents_[document];
+        mend_values(mended);
         sdf::Errors errors = load(mended.text);
         for (int round = 0; round < most_rounds && !errors.empty(); ++round) {
             auto warnings = take_out(errors, mended);
@@ -160,6 +161,20 @@ class Reader {
             errors = load(mended.text);
         }
         return errors;
+    }
+
+    /// Those come first, one at a time, and what lies before one is right: each round reads only
+    /// what lies behind it.
+    void mend_values(SdfDocument& document) {
+        SdfDocument rest = document;
+        for (int round = 0; round < 10 * most_rounds; ++round) {
+            sdf::Errors errors = load(rest.text);
+            std::erase_if(errors, [](const auto& error) { return !error.XmlPath(); });
+            if (errors.empty()) return;
+            drop_read(errors.front(), rest);
+            if (take_out(errors, rest).empty()) return;
+            std::ranges::move(take_out(errors, document), std::back_inserter(result_.warnings));
+        }
     }
 
     void leave_out(std::size_t document, const std::string& why) {
