@@ -177,14 +177,12 @@ void relieve_element(XMLElement& element) {
     element.DeleteAttribute("canonical_link");
 }
 
-/// What is new since 1.9 is skipped by its name.
 std::string mend_version(XMLElement& root) {
     int major = 0;
     int minor = 0;
     const char* version = root.Attribute("version");
-    const bool is_one = version != nullptr && std::sscanf(version, "%d.%d", &major, &minor) == 2;
-    if (!is_one || major > 1 || minor > 9) root.SetAttribute("version", "1.9");
-    if (is_one) return {};
+    if (version != nullptr && std::sscanf(version, "%d.%d", &major, &minor) == 2) return {};
+    root.SetAttribute("version", "1.9");
     return version == nullptr ? "has no version; it is read as SDF 1.9"
                               : "has a version that is no number; it is read as SDF 1.9";
 }
@@ -240,6 +238,14 @@ std::vector<std::string> take_unreadable(XMLElement& root, const std::filesystem
         delete_children(*world, take);
     }
     return warnings;
+}
+
+void lower_version(XMLElement& root) {
+    int major = 0;
+    int minor = 0;
+    const char* version = root.Attribute("version");
+    if (version == nullptr || std::sscanf(version, "%d.%d", &major, &minor) != 2) return;
+    if (major > 1 || minor > 9) root.SetAttribute("version", "1.9");
 }
 
 std::vector<std::string> relieve(XMLElement& root, const std::filesystem::path& file) {

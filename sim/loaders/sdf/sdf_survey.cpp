@@ -127,6 +127,7 @@ class Surveyor {
             survey_.state = take_state(*world, file, survey_.warnings);
         }
         add_warnings(take_unreadable(root, file));
+        lower_version(root);
         if (!strict_) {
             add_warnings(faults_of_ignored(root, file));
             add_warnings(relieve(root, file));
