@@ -227,10 +227,8 @@ std::string SdfFile::uri_as_written(const sdf::ElementPtr& element, const std::s
     return stand_in->second.robot.find(package) == std::string::npos ? uri : package;
 }
 
-SdfFile read_sdf(const SdfSource& source, const Resources& resources, std::size_t most_memory_bytes,
-                 bool strict) {
+SdfFile read_sdf(SdfSurvey survey, bool strict) {
     SdfFile result;
-    auto survey = survey_sdf(source, resources, most_memory_bytes, strict);
     result.faults = std::move(survey.faults);
     result.warnings = std::move(survey.warnings);
     result.state = std::move(survey.state);

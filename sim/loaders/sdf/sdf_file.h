@@ -45,7 +45,6 @@ struct SdfFile {
 };
 
 /// Wants an absolute path. Reads nothing that would take more than this much memory.
-SdfFile read_sdf(const SdfSource& source, const Resources& resources, std::size_t most_memory_bytes,
-                 bool strict);
+SdfFile read_sdf(SdfSurvey survey, bool strict);
 
 }  // namespace scipd::sim

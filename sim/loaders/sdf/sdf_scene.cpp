@@ -48,13 +48,14 @@ bool says_not_static(const sdf::Model& model) {
 /// Walks from the root to the surfaces.
 class SceneWalk {
   public:
-    SceneWalk(SdfFile read, fs::path file, const Resources& resources, SdfOptions options)
+    SceneWalk(SdfFile read, fs::path file, const Resources& resources, SdfOptions options,
+              MeshShelf& shelf)
         : read_(std::move(read)),
           file_(std::move(file)),
           resources_(resources),
           options_(std::move(options)),
           draft_(file_, options_.strict, std::move(read_.warnings)),
-          shelf_(options_.most_triangles, options_.mesh) {}
+          shelf_(shelf) {}
 
     LoadedScene run() &&;
 
@@ -82,7 +83,7 @@ class SceneWalk {
     SceneDraft draft_;
     std::set<std::string> warned_kinds_;
     std::set<std::string> told_;  ///< downloads, by their commands
-    MeshShelf shelf_;
+    MeshShelf& shelf_;
     glm::dvec3 scale_{1.0};  ///< of the model whose links are looked at
 };
 
@@ -269,8 +270,8 @@ std::optional<Place> SceneWalk::place_of(const Place& outer, const sdf::Semantic
 }  // namespace
 
 LoadedScene scene_of(SdfFile read, const fs::path& source, const Resources& resources,
-                     const SdfOptions& options) {
-    return SceneWalk{std::move(read), source, resources, options}.run();
+                     const SdfOptions& options, MeshShelf& shelf) {
+    return SceneWalk{std::move(read), source, resources, options, shelf}.run();
 }
 
 }  // namespace scipd::sim

@@ -21,6 +21,7 @@
 #include "sim/loaders/sdf/sdf_ignored.h"
 #include "sim/loaders/sdf/sdf_kind.h"
 #include "sim/loaders/sdf/sdf_names.h"
+#include "sim/loaders/sdf/wanted_meshes.h"
 
 namespace scipd::sim {
 namespace {
@@ -50,8 +51,11 @@ std::string trimmed(const char* text) {
 
 class Surveyor {
   public:
-    Surveyor(const Resources& resources, double most_bytes, bool strict)
-        : resources_(resources), most_bytes_(most_bytes), strict_(strict) {}
+    Surveyor(const Resources& resources, const SdfOptions& options)
+        : resources_(resources),
+          geometry_(options.geometry),
+          most_bytes_(static_cast<double>(options.most_memory_bytes)),
+          strict_(options.strict) {}
 
     SdfSurvey run(const SdfSource& source) {
         try {
@@ -108,6 +112,7 @@ class Surveyor {
         const bool is_robot = root.Name() == std::string_view{"robot"};
         if (is_robot) {
             bytes_ += bytes_for_robot(root);
+            add_meshes(root, file);
         } else {
             add_sdf(root, place);
             survey_.documents[place].text = line_for_line(document);
@@ -133,6 +138,7 @@ class Surveyor {
             add_warnings(relieve(root, file));
         }
         survey(root, file);
+        add_meshes(root, file);
         if (!strict_) {
             drop_empty_models(root);
             add_warnings(mend_names(root, file, [&](const tinyxml2::XMLElement& include) {
@@ -145,6 +151,13 @@ class Surveyor {
 
     void add_warnings(std::vector<std::string> warnings) {
         std::ranges::move(warnings, std::back_inserter(survey_.warnings));
+    }
+
+    void add_meshes(const tinyxml2::XMLElement& root, const fs::path& file) {
+        // A text is called by a name, and lies in no folder.
+        const auto folder = file.is_absolute() ? file.parent_path() : resources_.folder();
+        std::ranges::move(wanted_meshes(root, folder, resources_, geometry_),
+                          std::back_inserter(survey_.meshes));
     }
 
     /// What it brings, of the documents that were looked at.
@@ -253,6 +266,7 @@ class Surveyor {
     static constexpr std::size_t most_faults = 1000;
 
     const Resources& resources_;
+    SdfGeometry geometry_;
     double most_bytes_;
     bool strict_;
     SdfSurvey survey_;
@@ -269,8 +283,8 @@ std::string uri_of(std::size_t document) {
 }
 
 SdfSurvey survey_sdf(const SdfSource& source, const Resources& resources,
-                     std::size_t most_memory_bytes, bool strict) {
-    return Surveyor{resources, static_cast<double>(most_memory_bytes), strict}.run(source);
+                     const SdfOptions& options) {
+    return Surveyor{resources, options}.run(source);
 }
 
 }  // namespace scipd::sim

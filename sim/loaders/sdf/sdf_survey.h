@@ -12,7 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "sim/loaders/mesh/mesh_shelf.h"
 #include "sim/loaders/sdf/resources.h"
+#include "sim/loaders/sdf/sdf.h"
 #include "sim/loaders/sdf/sdf_state.h"
 
 namespace scipd::sim {
@@ -37,6 +39,7 @@ struct SdfSurvey {
     std::vector<SdfDocument> documents;  ///< the source first, then each include once
     SdfState state;                      ///< of the source's first world
     std::vector<std::size_t> order;      ///< of the documents: none before what it includes
+    std::vector<MeshSource> meshes;      ///< that they will ask for
     std::vector<std::string> faults;
     std::vector<std::string> warnings;
 };
@@ -47,6 +50,6 @@ std::string uri_of(std::size_t document);
 /// What cannot be included is left out with a warning; `strict` makes that a fault, and leaves the
 /// documents as they are.
 SdfSurvey survey_sdf(const SdfSource& source, const Resources& resources,
-                     std::size_t most_memory_bytes, bool strict);
+                     const SdfOptions& options);
 
 }  // namespace scipd::sim
