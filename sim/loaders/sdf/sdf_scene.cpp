@@ -3,6 +3,7 @@
 #include "sim/loaders/sdf/sdf_scene.h"
 
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <set>
@@ -17,7 +18,9 @@
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/mesh/mesh_shelf.h"
 #include "sim/loaders/name.h"
+#include "sim/loaders/sdf/actor_skin.h"
 #include "sim/loaders/sdf/scene_draft.h"
+#include "sim/loaders/sdf/sdf_actor.h"
 #include "sim/loaders/sdf/sdf_place.h"
 #include "sim/loaders/sdf/sdf_shape.h"
 #include "sim/loaders/sdf/sdf_surface.h"
@@ -38,6 +41,13 @@ bool says_not_static(const sdf::Model& model) {
     return !model.Static() && model.Element()->HasElement("static");
 }
 
+/// An actor is where its script begins.
+void begin_walk(const SdfActor& actor, Model& model) {
+    model.movable = true;
+    model.script = walk_from(actor, model.world_from_model);
+    if (model.script) model.world_from_model = model.script->steps.front().pose;
+}
+
 /// Walks from the root to the surfaces.
 class SceneWalk {
   public:
@@ -54,6 +64,8 @@ class SceneWalk {
   private:
     void add_root();
     void add_model(const sdf::Model& model);
+    /// Null where it is none.
+    [[nodiscard]] const SdfActor* actor_of(const sdf::Model& model) const;
     /// Short enough.
     std::string name_of(const sdf::Model& model);
     void add_parts(const sdf::Model& model, const Place& place, const std::string& name);
@@ -61,7 +73,10 @@ class SceneWalk {
     void add_link(const sdf::Link& link, const Place& place, const std::string& name);
     void add_surface(const SdfSurface& surface, const Place& link, const std::string& link_name);
     void add_shape(const SdfSurface& surface, Object object, const std::string& place);
+    [[nodiscard]] fs::path folder_of(const sdf::Mesh& mesh) const;
     void add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object);
+    void add_skin(const SdfSurface& surface, const sdf::Mesh& mesh, Object object,
+                  const std::string& place);
     void warn_of_unseen(const sdf::Link& link, const std::string& name);
     std::optional<Place> place_of(const Place& outer, const sdf::SemanticPose& pose,
                                   const sdf::ElementPtr& element, const std::string& name);
@@ -73,6 +88,7 @@ class SceneWalk {
     SceneDraft draft_;
     std::set<std::string> warned_kinds_;
     MeshShelf shelf_;
+    const SdfActor* actor_ = nullptr;  ///< that the present model was
 };
 
 LoadedScene SceneWalk::run() && {
@@ -104,9 +120,21 @@ void SceneWalk::add_model(const sdf::Model& model) {
     const std::string name = name_of(model);
     const auto place = place_of({}, model.SemanticPose(), model.Element(), name);
     if (!place) return;
-    const Pose& world_from_model = place->world_from_here;
-    const ModelId id = draft_.add(Model{name, !model.Static(), world_from_model});
+    Model added{name, !model.Static(), place->world_from_here};
+    actor_ = actor_of(model);
+    if (actor_ != nullptr) begin_walk(*actor_, added);
+    const Pose world_from_model = added.world_from_model;
+    const ModelId id = draft_.add(std::move(added));
     add_parts(model, {id, {}, world_from_model}, name);
+    actor_ = nullptr;
+}
+
+const SdfActor* SceneWalk::actor_of(const sdf::Model& model) const {
+    if (!model.Element() || !model.Element()->HasElement(actor_mark)) return nullptr;
+    const auto index = model.Element()->GetElement(actor_mark)->Get<std::string>();
+    std::size_t place = read_.actors.size();
+    std::from_chars(index.data(), index.data() + index.size(), place);
+    return place < read_.actors.size() ? &read_.actors[place] : nullptr;
 }
 
 std::string SceneWalk::name_of(const sdf::Model& model) {
@@ -172,6 +200,8 @@ void SceneWalk::add_surface(const SdfSurface& surface, const Place& link,
     }
     try {
         if (const auto* mesh = surface.geometry->MeshShape()) {
+            if (actor_ != nullptr && surface.name == skin_name)
+                return add_skin(surface, *mesh, std::move(object), place);
             return add_mesh(surface, *mesh, std::move(object));
         }
         add_shape(surface, std::move(object), place);
@@ -195,10 +225,26 @@ void SceneWalk::add_shape(const SdfSurface& surface, Object object, const std::s
     draft_.add(std::move(object), {surface.material, surface.laser_retro});
 }
 
-void SceneWalk::add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object) {
+fs::path SceneWalk::folder_of(const sdf::Mesh& mesh) const {
     const auto file = read_.file_of(mesh.Element(), file_);
     // A text is called by a name, and lies in no folder.
-    const auto folder = file.is_absolute() ? file.parent_path() : resources_.folder();
+    return file.is_absolute() ? file.parent_path() : resources_.folder();
+}
+
+void SceneWalk::add_skin(const SdfSurface& surface, const sdf::Mesh& mesh, Object object,
+                         const std::string& place) {
+    const double z_m = draft_.model(object.model).world_from_model.translation_m.z;
+    const ActorSkin skin = skin_of(mesh, folder_of(mesh), resources_, shelf_, z_m);
+    if (!skin.fault.empty()) draft_.pass_over(place + skin.fault);
+    object.model_from_object.translation_m.z += skin.lift_m;
+    for (const SharedPart& part : skin.parts) {
+        object.shape = part.mesh;
+        draft_.add(object, {part.material, surface.laser_retro});
+    }
+}
+
+void SceneWalk::add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object) {
+    const auto folder = folder_of(mesh);
     const auto found = resources_.find(mesh.Uri(), folder);
     if (found.empty()) throw LoadError({resources_.not_found(mesh.Uri(), folder)});
     for (const auto& part : shelf_.parts_of(found, mesh)) {

@@ -33,9 +33,9 @@ struct Cost {
     std::string_view element;
     double bytes;
 };
-constexpr std::array costs{Cost{"model", 1.4e6},     Cost{"link", 0.85e6},  Cost{"actor", 1e6},
-                           Cost{"joint", 0.6e6},     Cost{"sensor", 0.6e6}, Cost{"visual", 0.17e6},
-                           Cost{"collision", 0.17e6}};
+constexpr std::array costs{Cost{"model", 1.4e6},   Cost{"link", 0.85e6},
+                           Cost{"joint", 0.6e6},   Cost{"sensor", 0.6e6},
+                           Cost{"visual", 0.17e6}, Cost{"collision", 0.17e6}};
 constexpr double other_element_bytes = 2e3;
 
 double cost_of(std::string_view element) {
@@ -137,6 +137,8 @@ class Surveyor {
         open_.push_back(file);
         const bool holds_anything = holds_thing(*root);
         std::ranges::move(take_unreadable(*root, file), std::back_inserter(survey_.warnings));
+        std::ranges::move(take_actors(*root, file, survey_.actors),
+                          std::back_inserter(survey_.warnings));
         if (!strict_) relieve(*root);
         survey(*root, file);
         open_.pop_back();

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sim/loaders/sdf/resources.h"
+#include "sim/loaders/sdf/sdf_actor.h"
 
 namespace scipd::sim {
 
@@ -31,6 +32,7 @@ struct SdfDocument {
 
 struct SdfSurvey {
     std::vector<SdfDocument> documents;  ///< the source first, then each include once
+    std::vector<SdfActor> actors;        ///< of all documents; their models know which is theirs
     std::vector<std::string> faults;
     std::vector<std::string> warnings;
 };

@@ -331,9 +331,9 @@ TEST_F(SdfWorld, WhatIsNothingToAScannerIsIgnoredInSilence) {
 
 TEST_F(SdfWorld, WhatAScannerWouldSeeAndCannotBeHadIsNamedWithItsPlace) {
     load(world(model_of(visual("v", unit_box)) +
-               "<actor name='walker'><skin><filename>a.dae</filename></skin></actor>\n"
+               "<population name='p'/>\n"
                "<road name='r'><width>2</width><point>0 0 0</point></road>"));
-    EXPECT_THAT(warnings_, ElementsAre(place() + ":7: <actor> is not supported and left out",
+    EXPECT_THAT(warnings_, ElementsAre(place() + ":7: <population> is not supported and left out",
                                        place() + ":8: <road> is not supported and left out"));
 }
 
