@@ -55,9 +55,10 @@ ActorSkin skin_of(const sdf::Mesh& mesh, const fs::path& folder, const Resources
         const fs::path found = find_skin(mesh.Uri(), folder, resources);
         if (found.empty()) throw LoadError({resources.not_found(mesh.Uri(), folder)});
         skin.parts = shelf.parts_of(found, mesh);
+        skin.warning = case_warning(mesh.Uri(), found);
     } catch (const LoadError& error) {
-        skin.fault = std::string{error.what()} +
-                     "; a capsule of a person's size, 1.75 m high and 0.5 m wide, stands in";
+        skin.warning = std::string{error.what()} +
+                       "; a capsule of a person's size, 1.75 m high and 0.5 m wide, stands in";
         skin.parts = {{{}, capsule()}};
         shelf.count(skin.parts.front().mesh);
     }

@@ -20,7 +20,7 @@ namespace scipd::sim {
 struct ActorSkin {
     std::vector<SharedPart> parts;
     double lift_m = 0.0;  ///< from the actor's origin
-    std::string fault;    ///< why a capsule stands in for it; empty: the skin was read
+    std::string warning;  ///< why a capsule stands in for it, say; empty: none
 };
 
 /// Of an actor at this height; `folder` is that of the file that names the skin. Throws LoadError

@@ -269,11 +269,4 @@ std::vector<std::string> take_actors(XMLElement& root, const std::filesystem::pa
     return warnings;
 }
 
-SharedScript walk_from(const SdfActor& actor, const Pose& world_from_model) {
-    if (actor.script == nullptr) return nullptr;
-    const double apart_m = glm::distance(world_from_model.translation_m, actor.pose.translation_m) +
-                           angle_between_rad(world_from_model.rotation, actor.pose.rotation);
-    return apart_m < same_place_m ? actor.script : moved(world_from_model, *actor.script);
-}
-
 }  // namespace scipd::sim

@@ -36,10 +36,4 @@ struct SdfActor {
 std::vector<std::string> take_actors(tinyxml2::XMLElement& root, const std::filesystem::path& file,
                                      std::vector<SdfActor>& actors);
 
-/// Where it walks once it has been put at this pose. Waypoints are in the world, as in Gazebo
-/// Classic (gazebo/physics/Actor.cc sets them as world poses), unless an include puts the actor
-/// elsewhere: then they are told from there, as in Gazebo Sim (src/rendering/RenderUtil.cc). Null
-/// where it stands.
-SharedScript walk_from(const SdfActor& actor, const Pose& world_from_model);
-
 }  // namespace scipd::sim

@@ -244,6 +244,15 @@ TEST_F(SdfActors, HaveWaypointsInTheWorld) {
     EXPECT_DOUBLE_EQ(pose(0s).translation_m.x, 5.0);
 }
 
+// Where it was as the world was saved says nothing of its script.
+TEST_F(SdfActors, BeginTheirScriptInASavedWorldToo) {
+    load(world(actor(skin + script(along_x())) +
+               "<state world_name='w'><model name='walker'><pose>4.5 0 0 0 0 1</pose>"
+               "<scale>1 1 1</scale></model></state>"));
+    EXPECT_EQ(model().world_from_model, Pose{});
+    EXPECT_NEAR(pose(3s).translation_m.x, 3.0, 1e-9);
+}
+
 class IncludedActors : public SdfActors {
   protected:
     IncludedActors() {
