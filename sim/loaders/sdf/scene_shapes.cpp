@@ -8,12 +8,23 @@
 #include <sdf/Mesh.hh>
 
 #include "sim/loaders/load_error.h"
+#include "sim/loaders/sdf/actor_skin.h"
 #include "sim/loaders/sdf/sdf_document.h"
 #include "sim/loaders/sdf/sdf_heightmap.h"
 
 namespace scipd::sim {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+sdf::Mesh larger(const sdf::Mesh& mesh, const glm::dvec3& scale) {
+    sdf::Mesh result = mesh;
+    result.SetScale(mesh.Scale() * ignition::math::Vector3d{scale.x, scale.y, scale.z});
+    return result;
+}
+
+}  // namespace
 
 void SceneShapes::add(const SdfSurface& surface, Object object, const glm::dvec3& scale,
                       const std::string& place) {
@@ -87,12 +98,24 @@ void SceneShapes::add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Obj
     if (auto warning = case_warning(mesh.Uri(), found); !warning.empty()) {
         draft_.warn(place + warning);
     }
-    sdf::Mesh larger = mesh;
-    larger.SetScale(mesh.Scale() * ignition::math::Vector3d{scale.x, scale.y, scale.z});
-    for (const auto& part : shelf_.parts_of(found, larger)) {
+    for (const auto& part : shelf_.parts_of(found, larger(mesh, scale))) {
         object.shape = part.mesh;
         draft_.add(object, {surface.material.empty() ? part.material : surface.material,
                             surface.laser_retro});
+    }
+}
+
+void SceneShapes::add_skin(const SdfSurface& surface, Object object, const glm::dvec3& scale,
+                           const std::string& place) {
+    const auto& mesh = *surface.geometry->MeshShape();
+    const double z_m = draft_.model(object.model).world_from_model.translation_m.z;
+    const ActorSkin skin =
+        skin_of(larger(mesh, scale), folder_of(mesh.Element()), resources_, shelf_, z_m);
+    if (!skin.warning.empty()) draft_.warn(place + skin.warning);
+    object.model_from_object.translation_m.z += skin.lift_m;
+    for (const SharedPart& part : skin.parts) {
+        object.shape = part.mesh;
+        draft_.add(object, {part.material, {}});
     }
 }
 

@@ -39,6 +39,10 @@ class SceneShapes {
     void add(const SdfSurface& surface, Object object, const glm::dvec3& scale,
              const std::string& place);
 
+    /// Of an actor: a mesh, or a capsule where there is none.
+    void add_skin(const SdfSurface& surface, Object object, const glm::dvec3& scale,
+                  const std::string& place);
+
   private:
     void add_shape(const SdfSurface& surface, Object object, const glm::dvec3& scale,
                    const std::string& place);

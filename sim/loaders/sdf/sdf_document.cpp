@@ -50,7 +50,7 @@ constexpr std::array nothing_to_a_scanner{"atmosphere",
                                           "velocity_decay",
                                           "visibility_flags",
                                           "wind"};
-constexpr std::array seen_but_not_read{"actor", "population"};
+constexpr std::array seen_but_not_read{"population"};
 
 /// In place of "::" in names: one character that nobody has in a name, and that says the same.
 constexpr std::string_view colons = "::";

@@ -231,6 +231,7 @@ SdfFile read_sdf(SdfSurvey survey, bool strict) {
     SdfFile result;
     result.faults = std::move(survey.faults);
     result.warnings = std::move(survey.warnings);
+    result.actors = std::move(survey.actors);
     result.state = std::move(survey.state);
     if (result.faults.empty()) Reader{std::move(survey), strict, result}.read();
     return result;

@@ -13,6 +13,8 @@
 #include <sdf/World.hh>
 
 #include "sim/loaders/name.h"
+#include "sim/loaders/sdf/actor_model.h"
+#include "sim/loaders/sdf/actor_skin.h"
 #include "sim/loaders/sdf/scene_draft.h"
 #include "sim/loaders/sdf/scene_shapes.h"
 #include "sim/loaders/sdf/sdf_document.h"
@@ -73,7 +75,8 @@ class SceneWalk {
     SdfOptions options_;
     SceneDraft draft_;
     SceneShapes shapes_;
-    glm::dvec3 scale_{1.0};  ///< of the model whose links are looked at
+    const SdfActor* actor_ = nullptr;  ///< that the present model was
+    glm::dvec3 scale_{1.0};            ///< of the model whose links are looked at
 };
 
 LoadedScene SceneWalk::run() && {
@@ -109,9 +112,11 @@ void SceneWalk::add_model(const sdf::Model& model) {
     if (read_.state.deleted.contains(shown(name))) return;
     const auto place = place_of({}, model.SemanticPose(), model.Element(), name);
     if (!place) return;
-    const Pose& world_from_model = place->world_from_here;
-    const ModelId id = draft_.add(Model{name, !model.Static(), world_from_model});
-    add_parts(model, {id, {}, world_from_model}, name);
+    actor_ = actor_of(model, read_.actors);
+    const Model still{name, !model.Static(), place->world_from_here};
+    const ModelId id = draft_.add(actor_ == nullptr ? still : walking(still, *actor_, model));
+    add_parts(model, {id, {}, place->world_from_here}, name);
+    actor_ = nullptr;
 }
 
 std::string SceneWalk::name_of(const sdf::Model& model) {
@@ -176,6 +181,9 @@ void SceneWalk::add_surface(const SdfSurface& surface, const Place& link,
     const auto place = read_.place_of(surface.element, file_) + ": " + object.name + ": ";
     if (surface.laser_retro && !std::isfinite(*surface.laser_retro)) {
         return draft_.leave_out(place + "laser_retro must be finite");
+    }
+    if (actor_ != nullptr && surface.name == skin_name) {
+        return shapes_.add_skin(surface, std::move(object), scale_, place);
     }
     shapes_.add(surface, std::move(object), scale_, place);
 }

@@ -134,6 +134,7 @@ class Surveyor {
         }
         add_warnings(take_unreadable(root, file));
         put_in_its_words(root);
+        add_warnings(take_actors(root, file, survey_.actors));
         lower_version(root);
         if (!strict_) {
             add_warnings(faults_of_ignored(root, file));

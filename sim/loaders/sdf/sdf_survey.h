@@ -15,6 +15,7 @@
 #include "sim/loaders/mesh/mesh_shelf.h"
 #include "sim/loaders/sdf/resources.h"
 #include "sim/loaders/sdf/sdf.h"
+#include "sim/loaders/sdf/sdf_actor.h"
 #include "sim/loaders/sdf/sdf_state.h"
 
 namespace scipd::sim {
@@ -37,6 +38,7 @@ struct SdfDocument {
 
 struct SdfSurvey {
     std::vector<SdfDocument> documents;  ///< the source first, then each include once
+    std::vector<SdfActor> actors;        ///< of all documents; their models know which is theirs
     SdfState state;                      ///< of the source's first world
     std::vector<std::size_t> order;      ///< of the documents: none before what it includes
     std::vector<MeshSource> meshes;      ///< that they will ask for

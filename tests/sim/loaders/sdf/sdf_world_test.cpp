@@ -331,10 +331,8 @@ TEST_F(SdfWorld, WhatIsNothingToAScannerIsIgnoredInSilence) {
 
 TEST_F(SdfWorld, WhatAScannerWouldSeeAndCannotBeHadIsNamedWithItsPlace) {
     load(world(model_of(visual("v", unit_box)) +
-               "<actor name='walker'><skin><filename>a.dae</filename></skin></actor>\n"
                "<population name='p'><model name='n'/></population>"));
-    EXPECT_THAT(warnings_, ElementsAre(place() + ":7: <actor> is not supported and left out",
-                                       place() + ":8: <population> is not supported and left out"));
+    EXPECT_THAT(warnings_, ElementsAre(place() + ":7: <population> is not supported and left out"));
 }
 
 TEST_F(SdfWorld, ScaledMeshesAreScaledAboutTheirOrigin) {
