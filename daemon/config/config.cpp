@@ -114,7 +114,7 @@ Config Reader::read(const YAML::Node& document) {
     const Section section{whole, {root_keys, later_root_keys}, faults_};
     Config config;
     if (section.find("scene")) {
-        section.read("scene", config.scene, from_base(parse_file));
+        section.read("scene", config.scene, from_base(parse_scene));
     } else {
         faults_.guard(whole, [&] { config.scene = demo_scene(); });
     }

@@ -12,7 +12,13 @@ namespace scipd::sim {
 
 namespace {
 
+bool is_folder(const std::filesystem::path& file) {
+    std::error_code error;
+    return std::filesystem::is_directory(file, error);
+}
+
 LoadedScene load_here(const std::filesystem::path& file, const SceneOptions& options) {
+    if (is_folder(file)) return load_sdf(file, options.sdf);
     const std::string extension = extension_of(file);
     if (extension == ".sdf" || extension == ".world" || extension == ".urdf") {
         return load_sdf(file, options.sdf);
@@ -33,6 +39,15 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& op
         if (options.sdf.strict && !loaded.warnings.empty()) throw LoadError(loaded.warnings);
         return loaded;
     });
+}
+
+LoadedScene load_model_file(const std::filesystem::path& file, const Placement& placement,
+                            const SceneOptions& options) {
+    return as_model(load_here(file, options), placement, file.string());
+}
+
+std::filesystem::path folder_of_scene(const std::filesystem::path& file) {
+    return is_folder(file) ? file : file.parent_path();
 }
 
 }  // namespace scipd::sim

@@ -340,11 +340,15 @@ TEST_F(RoutesTest, AModelIsAskedFor) {
                   .status,
               201);
     EXPECT_EQ(ask({"DELETE", "/scene/models/a%3A%3Ab", "", ""}).status, 204);
-    ASSERT_EQ(api_.edits_.size(), 3U);
+    EXPECT_EQ(
+        ask({"POST", "/scene/models", "", R"({"name":"c","file":"shelf","static":true})"}).status,
+        201);
+    ASSERT_EQ(api_.edits_.size(), 4U);
     const auto& text = std::get<AddModel>(api_.edits_[0]);
     EXPECT_EQ(text.placement.name, "a");
     EXPECT_EQ(text.placement.world_from_model, sim::pose_from_rpy({1, 2, 3}, {0, 0, 1.5}));
     EXPECT_EQ(text.sdf, "<model/>");
+    EXPECT_EQ(text.placement.movable, std::nullopt);
     EXPECT_FALSE(text.replace);
     const auto& mesh = std::get<AddModel>(api_.edits_[1]);
     EXPECT_EQ(mesh.placement.world_from_model, std::nullopt);
@@ -353,6 +357,9 @@ TEST_F(RoutesTest, AModelIsAskedFor) {
     EXPECT_EQ(mesh.material, "wood");
     EXPECT_TRUE(mesh.replace);
     EXPECT_EQ(std::get<RemoveModel>(api_.edits_[2]).name, "a::b");
+    const auto& folder = std::get<AddModel>(api_.edits_[3]);
+    EXPECT_EQ(folder.file, "shelf");
+    EXPECT_EQ(folder.placement.movable, false);
 }
 
 TEST_F(RoutesTest, AWrongModelNamesItsField) {
@@ -362,6 +369,9 @@ TEST_F(RoutesTest, AWrongModelNamesItsField) {
         {R"({"name":1,"sdf":"x"})", "name"},
         {R"({"name":"a"})", "sdf"},
         {R"({"name":"a","sdf":"x","mesh":"y"})", "sdf"},
+        {R"({"name":"a","file":"x","mesh":"y"})", "sdf"},
+        {R"({"name":"a","file":""})", "file"},
+        {R"({"name":"a","file":"x","static":"no"})", "static"},
         {R"({"name":"a","sdf":1})", "sdf"},
         {R"({"name":"a","mesh":"y","scale":"big"})", "scale"},
         {R"({"name":"a","sdf":"x","scale":2})", "scale"},

@@ -10,6 +10,7 @@
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/plain_file.h"
 #include "sim/loaders/quote.h"
+#include "sim/loaders/sdf/model_folder.h"
 #include "sim/loaders/sdf/resources.h"
 #include "sim/loaders/sdf/sdf_file.h"
 #include "sim/loaders/sdf/sdf_scene.h"
@@ -61,7 +62,13 @@ std::size_t first_element(std::string_view text) {
 
 LoadedScene load_sdf(const fs::path& given, const SdfOptions& options) {
     // Absolute from here on, as the library does it: a message then names every file in one way.
-    const auto file = fs::absolute(given).lexically_normal();
+    const auto named = fs::absolute(given).lexically_normal();
+    const auto file = model_file_of(named);
+    if (file.empty()) {
+        throw LoadError({named.string() +
+                         ": is a folder without a model.config that names an SDF file; name a file "
+                         "or the folder of a model"});
+    }
     if (const auto why = why_no_file(file); !why.empty()) {
         throw LoadError({file.string() + ": " + why + "; name an SDF world or model"});
     }
