@@ -43,6 +43,7 @@ std::vector<double> radii_m(const sim::Scene& scene) {
 SensorBackends World::replace_scene(sim::SharedScene scene, SensorBackends backends,
                                     const std::set<std::string>& placed_anew) {
     scene_ = std::move(scene);
+    names_ = sim::without_shapes(*scene_);
     SensorBackends old = replace_backends(std::move(backends));
     auto before = std::exchange(movable_, {});
     const std::vector<double> radii = radii_m(*scene_);

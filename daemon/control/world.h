@@ -57,6 +57,8 @@ class World {
     /// Others for the same scene.
     SensorBackends replace_backends(SensorBackends backends);
     [[nodiscard]] const sim::SharedScene& scene() const { return scene_; }
+    /// For those who keep what was seen of it, and not the memory that it takes.
+    [[nodiscard]] const sim::SharedScene& names() const { return names_; }
 
     /// The robots are these from now on; one that was there before stays where it is unless it is
     /// configured otherwise now.
@@ -119,6 +121,7 @@ class World {
     std::optional<std::string> place(sim::PoseTrack& track, const Placement& placement);
 
     sim::SharedScene scene_;
+    sim::SharedScene names_;  ///< scene_ without shapes
     std::map<std::string, Robot, std::less<>> robots_;
     std::map<std::string, MovableModel, std::less<>> movable_;
     SensorBackends backends_;

@@ -39,7 +39,7 @@ Measurement Sweep::measure(std::int64_t revolution, sim::Time start, const Fired
     cast(scan, beam_fired);
     scanner_.read(scan);
     return {.cast = std::make_shared<const sim::Scan>(std::move(scan)),
-            .scene = world_.scene(),
+            .scene = world_.names(),
             .backend = world_.choice_of(name_),
             .origin = origin};
 }
