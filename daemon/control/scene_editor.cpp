@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include <spdlog/spdlog.h>
+
 #include "sim/loaders/load_error.h"
 
 namespace scipd::daemon {
@@ -50,7 +52,9 @@ struct Edited {
 
 Edited edited(const LoadWorld& edit, const Present& present) {
     const auto file = (sim::folder_of_scene(present.file) / edit.file).lexically_normal();
-    auto [scene, warnings] = sim::load_scene(file, present.options);
+    auto [scene, warnings, notes] = sim::load_scene(file, present.options);
+    for (const std::string& note : notes)
+        spdlog::info("{}", note);
     return {file, scene, scene, std::move(warnings)};
 }
 
@@ -89,8 +93,9 @@ void check_triangles(const sim::Scene& scene, std::size_t most) {
     for (const sim::SharedMesh& mesh : meshes)
         triangles += mesh->triangles.size();
     if (triangles <= most) return;
-    throw sim::LoadError(
-        {"with this one the world has more than " + std::to_string(most) + " triangles"});
+    throw sim::LoadError({"with this one the world has more than " + std::to_string(most) +
+                          " triangles; world_triangles under limits in the configuration allows "
+                          "more"});
 }
 
 Edited edited(const AddModel& edit, const Present& present) {
@@ -103,7 +108,7 @@ Edited edited(const AddModel& edit, const Present& present) {
         }
         scene = sim::without_model(*scene, name);
     }
-    auto [added, warnings] = load_model(edit, present);
+    auto [added, warnings, notes] = load_model(edit, present);
     scene = sim::with_models(*scene, *added);
     check_triangles(*scene, present.options.sdf.most_triangles);
     return {present.file, std::move(scene), added, std::move(warnings)};

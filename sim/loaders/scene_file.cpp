@@ -24,7 +24,7 @@ LoadedScene load_here(const std::filesystem::path& file, const SceneOptions& opt
         return load_sdf(file, options.sdf);
     }
     if (extension == ".yaml" || extension == ".yml") return load_ros_map(file, options.map);
-    if (is_mesh_file(file)) return load_mesh_scene(file);
+    if (is_mesh_file(file)) return load_mesh_scene(file, options.sdf.mesh);
     throw LoadError({file.string() +
                      ": is no kind of world that is known; name an SDF (.sdf, .world), a URDF "
                      "(.urdf), a ROS map (.yaml, .yml) or a mesh (.obj, .stl, .ply, .dae, .gltf, "

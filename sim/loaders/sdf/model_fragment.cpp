@@ -76,11 +76,9 @@ MaterialId material_id(const std::string& name, std::vector<Material>& all) {
 }  // namespace
 
 SdfOptions within_a_models_share(SdfOptions options) {
-    constexpr std::size_t memory_bytes = std::size_t{512} << 20U;
-    constexpr std::size_t triangles = 2'000'000;
-    options.most_memory_bytes = memory_bytes;
-    options.most_triangles = triangles;
-    options.mesh = {.memory_bytes = memory_bytes, .triangles = triangles};
+    options.most_memory_bytes /= 8;
+    options.most_triangles /= 10;
+    options.mesh = {.memory_bytes = options.most_memory_bytes, .triangles = options.most_triangles};
     return options;
 }
 

@@ -26,12 +26,23 @@ LoadError unreadable(const fs::path& file, const std::string& why) {
         {file.string() + ": libsdformat cannot read it: " + printable(why, most_told)});
 }
 
+/// A large world is told what it takes before it is too large.
+std::vector<std::string> notes_of(const SdfSource& source, double bytes, std::size_t most_bytes) {
+    const auto most = static_cast<double>(most_bytes);
+    constexpr double large = 0.25;
+    if (bytes <= large * most) return {};
+    return {source.file.string() + ": takes about " + megabytes(bytes) + " to read, of " +
+            megabytes(most) + " that are allowed (world_memory_mb under limits)"};
+}
+
 LoadedScene load(const SdfSource& source, const fs::path& folder, const SdfOptions& options) {
     const Resources resources{folder, options.model_folders};
     try {
         SdfFile read = read_sdf(source, resources, options.most_memory_bytes, options.strict);
         if (!read.faults.empty()) throw LoadError(std::move(read.faults));
+        auto notes = notes_of(source, read.bytes, options.most_memory_bytes);
         LoadedScene loaded = scene_of(std::move(read), source.file, resources, options);
+        loaded.notes = std::move(notes);
         if (options.strict && !loaded.warnings.empty()) throw LoadError(loaded.warnings);
         return loaded;
     } catch (const LoadError&) {

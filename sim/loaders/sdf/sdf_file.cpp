@@ -211,6 +211,7 @@ SdfFile read_sdf(const SdfSource& source, const Resources& resources, std::size_
     auto survey = survey_sdf(source, resources, most_memory_bytes, strict);
     result.faults = std::move(survey.faults);
     result.warnings = std::move(survey.warnings);
+    result.bytes = survey.bytes;
     if (result.faults.empty()) reader.read(survey.documents);
     return result;
 }
