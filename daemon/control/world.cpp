@@ -164,6 +164,16 @@ bool World::poses_known(sim::Time until) const {
                                 [&](const auto& model) { return expected(model.second.path()); });
 }
 
+std::vector<sim::Pose> World::poses_at(sim::Time time) const {
+    std::vector<sim::Pose> poses;
+    poses.reserve(scene_->models.size());
+    for (const sim::Model& model : scene_->models)
+        poses.push_back(model.world_from_model);
+    for (const auto& [name, model] : movable_)
+        poses[model.id] = model.path().at(time);
+    return poses;
+}
+
 std::vector<sim::Mover> World::movers(sim::ModelId except) const {
     std::vector<sim::Mover> movers;
     movers.reserve(movable_.size());

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "daemon/control/cast.h"
 #include "daemon/control/sensor_backends.h"
 #include "sim/backends/range_backend.h"
 #include "sim/time.h"
@@ -96,6 +97,14 @@ class World {
     [[nodiscard]] sim::RangeBackend& backend(std::string_view sensor) const {
         return backends_.of(sensor);
     }
+    /// Whoever has cast says so.
+    void tell_cast(const Cast& cast) const {
+        if (on_cast_) on_cast_(cast);
+    }
+    void on_cast(std::function<void(const Cast&)> callback) { on_cast_ = std::move(callback); }
+
+    /// Where all models are, by ModelId.
+    [[nodiscard]] std::vector<sim::Pose> poses_at(sim::Time time) const;
     /// The movable models but one; good until something is replaced.
     [[nodiscard]] std::vector<sim::Mover> movers(sim::ModelId except = sim::no_model) const;
 
@@ -126,6 +135,7 @@ class World {
     std::map<std::string, MovableModel, std::less<>> movable_;
     SensorBackends backends_;
     std::function<void()> on_placed_;
+    std::function<void(const Cast&)> on_cast_;
 };
 
 }  // namespace scipd::daemon
