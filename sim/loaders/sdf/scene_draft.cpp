@@ -6,10 +6,9 @@
 #include <memory>
 #include <utility>
 
-#include <glm/common.hpp>
-
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/sdf/sdf_document.h"
+#include "sim/world/anchor.h"
 
 namespace scipd::sim {
 
@@ -73,12 +72,13 @@ LoadedScene SceneDraft::finish(const std::string& what_is_seen) && {
              what_is_seen + " with a box, cylinder, sphere, plane or mesh");
         // What was left out is then the reason, not a remark.
         if (anything_left_out_) faults_ = warnings_;
+    } else if (scene_.objects.empty() && anything_left_out_) {
+        faults_.insert(faults_.begin(), warnings_.begin(), warnings_.end());
     }
     show_names();
     if (!faults_.empty()) throw LoadError(std::move(faults_));
-    // Always, not only far out: floats are finest around zero. Whole metres, so that round
-    // coordinates stay round.
-    scene_.anchor_m = glm::round(Scene::middle_of(scene_));
+    // Always, not only far out: floats are finest around zero.
+    scene_.anchor_m = anchor_of(scene_);
     return {std::make_shared<const Scene>(std::move(scene_)), std::move(warnings_)};
 }
 

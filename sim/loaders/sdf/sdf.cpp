@@ -38,10 +38,13 @@ std::vector<std::string> notes_of(const SdfSource& source, double bytes, std::si
 LoadedScene load(const SdfSource& source, const fs::path& folder, const SdfOptions& options) {
     const Resources resources{folder, options.model_folders};
     try {
-        SdfFile read = read_sdf(source, resources, options.most_memory_bytes, options.strict);
+        SdfSurvey survey = survey_sdf(source, resources, options);
+        MeshShelf shelf{options.most_triangles, options.mesh};
+        if (survey.faults.empty()) shelf.read_ahead(survey.meshes);
+        auto notes = notes_of(source, survey.bytes, options.most_memory_bytes);
+        SdfFile read = read_sdf(std::move(survey), options.strict);
         if (!read.faults.empty()) throw LoadError(std::move(read.faults));
-        auto notes = notes_of(source, read.bytes, options.most_memory_bytes);
-        LoadedScene loaded = scene_of(std::move(read), source.file, resources, options);
+        LoadedScene loaded = scene_of(std::move(read), source.file, resources, options, shelf);
         loaded.notes = std::move(notes);
         if (options.strict && !loaded.warnings.empty()) throw LoadError(loaded.warnings);
         return loaded;
