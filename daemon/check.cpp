@@ -65,8 +65,10 @@ std::string check(const std::filesystem::path& file, bool strict) {
     }
     if (!faults.empty()) throw sim::LoadError(std::move(faults));
     std::string text;
-    for (const std::string& warning : world.warnings)
-        text += warning + "\n";
+    for (const auto* list : {&world.warnings, &world.notes}) {
+        for (const std::string& line : *list)
+            text += line + "\n";
+    }
     return text + file.string() + ": no faults; robots: " + std::to_string(config.robots.size()) +
            ", sensors: " + std::to_string(sensors) +
            ", models: " + std::to_string(world.scene->models.size()) + "\n";

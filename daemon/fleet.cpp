@@ -81,6 +81,8 @@ void Fleet::take_up(FleetPlan&& plan, Ports ports, std::vector<Feed> feeds) noex
     auto& [config, loaded, backends] = plan;
     for (const std::string& warning : loaded.warnings)
         spdlog::warn("{}", warning);
+    for (const std::string& note : loaded.notes)
+        spdlog::info("{}", note);
     editor_.set_file(config.scene, scene_options(config));
     loader_.discard(std::make_shared<SensorBackends>(
         world_.replace_scene(std::move(loaded.scene), std::move(backends), {}, clock_.now())));

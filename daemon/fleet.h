@@ -21,6 +21,7 @@
 #include "daemon/control/backend_chooser.h"
 #include "daemon/control/loader.h"
 #include "daemon/control/lockstep.h"
+#include "daemon/control/place_watch.h"
 #include "daemon/control/pose_feed.h"
 #include "daemon/control/pose_intake.h"
 #include "daemon/control/scan_stream.h"
@@ -135,6 +136,7 @@ class Fleet : public Api {
     PoseIntake intake_{world_, lockstep_.get()};
     SceneEditor editor_;
     BackendChooser chooser_;
+    PlaceWatch place_watch_{world_, loader_};
     ScanStream stream_;
     Ports ports_;
     Stations stations_;

@@ -57,6 +57,7 @@ SensorStatus Fleet::status_of(const Station& station) const {
         .name = station.name(),
         .backend = choice.backend,
         .backend_reason = choice.reason.empty() ? std::optional<std::string>() : choice.reason,
+        .warning = place_watch_.warning(station.name()),
         .lost = station.loop->missed(),
         .stream_lost = station.loop->missed_by_watchers() + station.tap->lost()};
     station.staring ? describe(*station.staring, status) : describe(*station.device, status);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "daemon/config/demo_world.h"
+#include "daemon/config/limits.h"
 
 namespace scipd::daemon {
 namespace {
@@ -44,10 +45,12 @@ sim::LoadError named_at(const std::string& place, const sim::LoadError& error) {
 }
 
 sim::SceneOptions scene_options(const Config& config) {
-    return {.sdf = {.geometry = config.geometry,
-                    .model_folders = stock_models(),
-                    .strict = config.strict},
-            .map = config.map};
+    sim::SceneOptions options{.sdf = {.geometry = config.geometry,
+                                      .model_folders = stock_models(),
+                                      .strict = config.strict},
+                              .map = config.map};
+    apply(config.limits, options);
+    return options;
 }
 
 sim::LoadedScene load_world(const Config& config, const std::stop_token& stop) {

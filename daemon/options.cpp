@@ -97,8 +97,8 @@ class Group {
 void add_world(CLI::App& app, Said& said) {
     Group group{app, "World"};
     Config& config = said.options.config;
-    group.add("--scene", "FILE.sdf", "the world; default: the rescue maze",
-              [&](const auto& text) { config.scene = parse_file(text, fs::current_path()); });
+    group.add("--scene", "FILE", "the world, or the folder of a model; default: the rescue maze",
+              [&](const auto& text) { config.scene = parse_scene(text, fs::current_path()); });
     group.add("--clock", "CLOCK",
               "wall, or poses: time is the stamps of the poses and stands still between them; "
               "default: wall",

@@ -21,7 +21,11 @@ namespace asio = boost::asio;
 
 // The world before all else: until signals_ is made SIGINT and SIGTERM end the program, and nothing
 // is left behind.
-Server::Server(const Options& options) : Server(options, make_plan(options.config)) {}
+// What it takes is in the part of the memory that threads other than this one have, so that none
+// waits for the other while all of it is given back.
+Server::Server(const Options& options)
+    : Server(options,
+             std::async(std::launch::async, [&] { return make_plan(options.config); }).get()) {}
 
 Server::Server(const Options& options, FleetPlan&& plan)
     : options_(options),

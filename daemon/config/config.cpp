@@ -14,6 +14,7 @@
 #include "daemon/config/claims.h"
 #include "daemon/config/demo_world.h"
 #include "daemon/config/document.h"
+#include "daemon/config/limits.h"
 #include "daemon/config/map.h"
 #include "daemon/config/models.h"
 #include "daemon/config/pose.h"
@@ -33,8 +34,9 @@ namespace fs = std::filesystem;
 constexpr std::size_t largest_file = 1 << 20;
 constexpr std::size_t most_sensors = 4096;
 
-constexpr std::array<std::string_view, 10> root_keys{
-    "scene", "geometry", "strict", "map", "seed", "clock", "models", "robots", "control", "http"};
+constexpr std::array<std::string_view, 11> root_keys{"scene",  "geometry", "strict", "map",
+                                                     "limits", "seed",     "clock",  "models",
+                                                     "robots", "control",  "http"};
 constexpr std::array<std::string_view, 1> later_root_keys{"materials"};
 constexpr std::array<std::string_view, 4> robot_keys{"pose", "body", "poses", "sensors"};
 
@@ -114,13 +116,16 @@ Config Reader::read(const YAML::Node& document) {
     const Section section{whole, {root_keys, later_root_keys}, faults_};
     Config config;
     if (section.find("scene")) {
-        section.read("scene", config.scene, from_base(parse_file));
+        section.read("scene", config.scene, from_base(parse_scene));
     } else {
         faults_.guard(whole, [&] { config.scene = demo_scene(); });
     }
     section.read("geometry", config.geometry, parse_geometry);
     section.read("strict", config.strict, parse_switch);
     if (const Field* map = section.find("map")) config.map = read_map(*map, faults_);
+    if (const Field* limits = section.find("limits")) {
+        config.limits = read_limits(*limits, faults_);
+    }
     section.read("seed", config.seed, parse_seed);
     section.read("clock", config.clock, parse_clock);
     section.read("control", config.control, from_base(parse_socket));

@@ -6,6 +6,8 @@
 // names can be opened by the paths here. Nothing has been opened or bound yet.
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -50,11 +52,22 @@ enum class ClockKind {
     poses,  ///< the stamps of the pose streams: it stands still between them
 };
 
+/// What a world may take; one model that is added, an eighth of the memory and a tenth of the
+/// triangles.
+struct WorldLimits {
+    std::size_t memory_bytes = std::size_t{4} << 30U;  ///< to be read, by estimate (SdfOptions)
+    std::size_t triangles = 20'000'000;
+    std::chrono::seconds load_time = std::chrono::minutes{10};
+
+    bool operator==(const WorldLimits&) const = default;
+};
+
 struct Config {
     std::filesystem::path scene;
     sim::SdfGeometry geometry = sim::SdfGeometry::visual;
     bool strict = false;  ///< what a world would be warned of is a fault
     sim::MapOptions map;
+    WorldLimits limits;
     ClockKind clock = ClockKind::wall;
     std::uint64_t seed = 1;
     std::vector<RobotConfig> robots;

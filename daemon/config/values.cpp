@@ -210,6 +210,12 @@ fs::path parse_file(std::string_view text, const fs::path& base) {
     return file;
 }
 
+fs::path parse_scene(std::string_view text, const fs::path& base) {
+    auto folder = absolute_path(text, base);
+    std::error_code error;
+    return fs::is_directory(folder, error) ? folder : parse_file(text, base);
+}
+
 fs::path parse_socket(std::string_view text, const fs::path& base) {
     auto path = absolute_path(text, base);
     if (path.native().size() >= sizeof(sockaddr_un::sun_path)) {

@@ -69,6 +69,9 @@ PoseSource parse_pose_source(std::string_view text, const std::filesystem::path&
 /// A file that exists.
 std::filesystem::path parse_file(std::string_view text, const std::filesystem::path& base);
 
+/// A file that exists, or a folder.
+std::filesystem::path parse_scene(std::string_view text, const std::filesystem::path& base);
+
 /// Where a socket is to be: short enough for the system.
 std::filesystem::path parse_socket(std::string_view text, const std::filesystem::path& base);
 

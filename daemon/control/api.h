@@ -40,6 +40,7 @@ struct SensorStatus {
     std::string backend;                        ///< what casts, never "auto"
     std::optional<std::string> backend_reason;  ///< what "auto" was settled by
     std::string state;                          ///< "standby", "measuring", ..
+    std::optional<std::string> warning;         ///< of the place where it is
     std::optional<std::string> tcp;  ///< "127.0.0.1:10940", the port that was really taken
     std::optional<std::string> pty;  ///< the link
     std::uint64_t clients = 0;       ///< connected now

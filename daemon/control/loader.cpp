@@ -5,8 +5,18 @@
 #include <utility>
 
 #include <boost/asio/post.hpp>
+#include <malloc.h>
 
 namespace scipd::daemon {
+namespace {
+
+// What a large world was spread over stays with the C library otherwise, gigabytes of it, since it
+// came in pieces and some between them are in use.
+void give_free_memory_back() {
+    malloc_trim(0);
+}
+
+}  // namespace
 
 Loader::~Loader() {
     stop();
@@ -37,7 +47,7 @@ void Loader::stop() {
 void Loader::next() {
     forget_withdrawn();
     busy_ = !waiting_.empty();
-    if (!busy_) return;
+    if (!busy_) return boost::asio::post(thread_, give_free_memory_back);
     const Begin begin = std::move(waiting_.front().begin);
     waiting_.pop_front();
     boost::asio::post(thread_, [io = io_, here = here_, work = begin()] {

@@ -2,7 +2,8 @@
 // Copyright The scipd authors
 //
 // What takes time, away from the streams: one thread on which worlds are loaded and backends are
-// built, one after the other in the order they were asked for. Used from the I/O thread.
+// built, one after the other in the order they were asked for. When all is done, memory that is
+// free goes back to the system. Used from the I/O thread.
 #pragma once
 
 #include <deque>

@@ -19,13 +19,15 @@ struct LoadWorld {
     std::filesystem::path file;  ///< relative to the folder of the present one
 };
 
-/// One more model, from a text or from a mesh.
+/// One more model, from one of the first three; paths and the URIs of a text are relative to the
+/// folder of the world.
 struct AddModel {
     sim::Placement placement;
-    std::string sdf;             ///< a <model>; empty: a mesh
-    std::filesystem::path mesh;  ///< relative to the folder of the world, as are a text's URIs
-    double scale = 1.0;
-    std::string material;  ///< of the whole mesh; empty: those of its file
+    std::string sdf;             ///< a <model>
+    std::filesystem::path file;  ///< of any kind that a world may be of, or the folder of a model
+    std::filesystem::path mesh;
+    double scale = 1.0;    ///< of a mesh
+    std::string material;  ///< of a whole mesh; empty: those of its file
     bool replace = false;  ///< one of the same name goes, if there is one
 };
 

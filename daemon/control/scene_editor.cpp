@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include <spdlog/spdlog.h>
+
 #include "sim/loaders/load_error.h"
 
 namespace scipd::daemon {
@@ -49,19 +51,34 @@ struct Edited {
 };
 
 Edited edited(const LoadWorld& edit, const Present& present) {
-    const auto file = (present.file.parent_path() / edit.file).lexically_normal();
-    auto [scene, warnings] = sim::load_scene(file, present.options);
+    const auto file = (sim::folder_of_scene(present.file) / edit.file).lexically_normal();
+    auto [scene, warnings, notes] = sim::load_scene(file, present.options);
+    for (const std::string& note : notes)
+        spdlog::info("{}", note);
     return {file, scene, scene, std::move(warnings)};
 }
 
+/// From a file that says itself what it is made of.
+sim::LoadedScene load_whole(const std::filesystem::path& file, const AddModel& edit,
+                            const sim::SceneOptions& options) {
+    if (edit.scale != 1.0 || !edit.material.empty()) {
+        throw sim::LoadError(
+            {file.string() + ": is no mesh, which scale and material go with; it has its own"});
+    }
+    return sim::load_model_file(file, edit.placement, options);
+}
+
 sim::LoadedScene load_model(const AddModel& edit, const Present& present) {
-    const std::filesystem::path folder = present.file.parent_path();
-    const sim::SdfOptions options = sim::within_a_models_share(present.options.sdf);
-    return sim::load_confined(edit.placement.name, present.options.limits, [&] {
+    const std::filesystem::path folder = sim::folder_of_scene(present.file);
+    sim::SceneOptions options = present.options;
+    options.sdf = sim::within_a_models_share(options.sdf);
+    return sim::load_confined(edit.placement.name, options.limits, [&] {
         if (!edit.sdf.empty())
-            return sim::load_model_text(edit.sdf, edit.placement, folder, options);
-        return sim::load_mesh_model(folder / edit.mesh, edit.placement, edit.scale, edit.material,
-                                    options.mesh);
+            return sim::load_model_text(edit.sdf, edit.placement, folder, options.sdf);
+        const auto file = folder / (edit.file.empty() ? edit.mesh : edit.file);
+        if (!edit.file.empty() && !sim::is_mesh_file(file)) return load_whole(file, edit, options);
+        return sim::load_mesh_model(file, edit.placement, edit.scale, edit.material,
+                                    options.sdf.mesh);
     });
 }
 
@@ -76,8 +93,9 @@ void check_triangles(const sim::Scene& scene, std::size_t most) {
     for (const sim::SharedMesh& mesh : meshes)
         triangles += mesh->triangles.size();
     if (triangles <= most) return;
-    throw sim::LoadError(
-        {"with this one the world has more than " + std::to_string(most) + " triangles"});
+    throw sim::LoadError({"with this one the world has more than " + std::to_string(most) +
+                          " triangles; world_triangles under limits in the configuration allows "
+                          "more"});
 }
 
 Edited edited(const AddModel& edit, const Present& present) {
@@ -90,7 +108,7 @@ Edited edited(const AddModel& edit, const Present& present) {
         }
         scene = sim::without_model(*scene, name);
     }
-    auto [added, warnings] = load_model(edit, present);
+    auto [added, warnings, notes] = load_model(edit, present);
     scene = sim::with_models(*scene, *added);
     check_triangles(*scene, present.options.sdf.most_triangles);
     return {present.file, std::move(scene), added, std::move(warnings)};

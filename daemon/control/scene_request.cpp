@@ -21,8 +21,8 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::array<std::string_view, 1> world_keys{"file"};
-constexpr std::array<std::string_view, 7> model_keys{"name",     "sdf",  "mesh",   "scale",
-                                                     "material", "pose", "replace"};
+constexpr std::array<std::string_view, 9> model_keys{
+    "name", "sdf", "file", "mesh", "scale", "material", "pose", "static", "replace"};
 
 /// Of an object with no other keys than these. Throws BodyFault, as all below do.
 Json object_in(const std::string& body, std::span<const std::string_view> keys) {
@@ -57,6 +57,12 @@ std::string required_text(const Json& object, const std::string& key) {
     return text_at(object, key);
 }
 
+std::optional<bool> switch_at(const Json& object, const std::string& key) {
+    if (!object.contains(key)) return std::nullopt;
+    if (object[key].is_boolean()) return object[key].get<bool>();
+    throw BodyFault{key + " must be true or false", key};
+}
+
 /// In the words of a pose line, less its name, its time and its velocity.
 std::optional<sim::Pose> pose_at(const Json& object) {
     if (!object.contains("pose")) return std::nullopt;
@@ -73,19 +79,17 @@ std::optional<sim::Pose> pose_at(const Json& object) {
     return std::get<sim::PoseLine>(parsed).pose;
 }
 
-AddModel model_in(const Json& object) {
-    AddModel edit;
-    edit.placement = {required_text(object, "name"), pose_at(object)};
-    const std::string fault = sim::name_fault(edit.placement.name);
-    if (!fault.empty()) throw BodyFault{"name " + fault, "name"};
+/// What it is made from.
+void read_source(const Json& object, AddModel& edit) {
     edit.sdf = text_at(object, "sdf");
+    edit.file = text_at(object, "file");
     edit.mesh = text_at(object, "mesh");
     edit.material = text_at(object, "material");
-    if (edit.sdf.empty() == edit.mesh.empty()) {
-        throw BodyFault{"either sdf or mesh must be given", "sdf"};
+    if (object.contains("sdf") + object.contains("file") + object.contains("mesh") != 1) {
+        throw BodyFault{"one of sdf, file and mesh must be given", "sdf"};
     }
     for (const char* key : {"scale", "material"}) {
-        if (object.contains(key) && edit.mesh.empty()) {
+        if (object.contains(key) && object.contains("sdf")) {
             throw BodyFault{std::string(key) + " goes with a mesh; a text has its own", key};
         }
     }
@@ -93,12 +97,16 @@ AddModel model_in(const Json& object) {
         if (!object["scale"].is_number()) throw BodyFault{"scale must be a number", "scale"};
         edit.scale = object["scale"];
     }
-    if (object.contains("replace")) {
-        if (!object["replace"].is_boolean()) {
-            throw BodyFault{"replace must be true or false", "replace"};
-        }
-        edit.replace = object["replace"];
-    }
+}
+
+AddModel model_in(const Json& object) {
+    AddModel edit;
+    edit.placement = {required_text(object, "name"), pose_at(object)};
+    const std::string fault = sim::name_fault(edit.placement.name);
+    if (!fault.empty()) throw BodyFault{"name " + fault, "name"};
+    read_source(object, edit);
+    if (const auto is_static = switch_at(object, "static")) edit.placement.movable = !*is_static;
+    edit.replace = switch_at(object, "replace").value_or(false);
     return edit;
 }
 

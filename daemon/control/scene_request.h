@@ -20,8 +20,8 @@ struct BodyFault {
 /// {"file":"other.sdf"}
 std::variant<LoadWorld, BodyFault> parse_load_world(const std::string& body);
 
-/// {"name":"crate", "sdf":"<model ..>" or "mesh":"crate.stl" with "scale" and "material",
-/// "pose":{"xyz","rpy" or "q"}, "replace":true}
+/// {"name":"crate", "sdf":"<model ..>" or "file":"crate.sdf" or "mesh":"crate.stl", with "scale"
+/// and "material" where it is a mesh, "pose":{"xyz","rpy" or "q"}, "static":true, "replace":true}
 std::variant<AddModel, BodyFault> parse_add_model(const std::string& body);
 
 }  // namespace scipd::daemon

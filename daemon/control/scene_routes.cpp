@@ -89,7 +89,8 @@ HttpResponse no_model(const std::string& name) {
 }
 
 std::string_view name_of(const AddModel& model) {
-    return model.sdf.empty() ? "mesh" : "sdf";
+    if (!model.sdf.empty()) return "sdf";
+    return model.file.empty() ? "mesh" : "file";
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ Json to_json(const SensorStatus& sensor) {
             {"backend", sensor.backend},
             {"backend_reason", or_null(sensor.backend_reason)},
             {"state", sensor.state},
+            {"warning", or_null(sensor.warning)},
             {"tcp", or_null(sensor.tcp)},
             {"pty", or_null(sensor.pty)},
             {"clients", sensor.clients},

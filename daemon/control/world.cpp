@@ -52,6 +52,7 @@ constexpr sim::Time recent = std::chrono::seconds(2);
 SensorBackends World::replace_scene(sim::SharedScene scene, SensorBackends backends,
                                     const std::set<std::string>& placed_anew, sim::Time now) {
     scene_ = std::move(scene);
+    names_ = sim::without_shapes(*scene_);
     SensorBackends old = replace_backends(std::move(backends));
     auto before = std::exchange(movable_, {});
     const std::vector<double> radii = radii_m(*scene_);
@@ -113,8 +114,7 @@ const sim::PoseTrack* World::model(std::string_view name) const {
 std::optional<sim::Pose> World::model_pose(std::string_view name, sim::Time time) const {
     const auto found = movable_.find(name);
     if (found == movable_.end()) return std::nullopt;
-    const MovableModel& model = found->second;
-    return model.follows_script() ? model.script->at(model.begun, time) : model.path().at(time);
+    return found->second.at(time);
 }
 
 sim::ModelId World::body_of(std::string_view robot) const {
@@ -194,6 +194,16 @@ bool World::poses_known(sim::Time until) const {
            std::ranges::none_of(movable_, [&](const auto& model) {
                return !model.second.follows_script() && expected(model.second.path());
            });
+}
+
+std::vector<sim::Pose> World::poses_at(sim::Time time) const {
+    std::vector<sim::Pose> poses;
+    poses.reserve(scene_->models.size());
+    for (const sim::Model& model : scene_->models)
+        poses.push_back(model.world_from_model);
+    for (const auto& [name, model] : movable_)
+        poses[model.id] = model.at(time);
+    return poses;
 }
 
 std::vector<sim::Mover> World::movers(sim::Time from, sim::Time to, sim::ModelId except) {

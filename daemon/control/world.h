@@ -15,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include "daemon/control/cast.h"
+#include "daemon/control/placement.h"
 #include "daemon/control/sensor_backends.h"
 #include "sim/backends/range_backend.h"
 #include "sim/time.h"
@@ -22,6 +24,7 @@
 #include "sim/world/pose.h"
 #include "sim/world/pose_track.h"
 #include "sim/world/scene.h"
+#include "sim/world/script.h"
 
 namespace scipd::daemon {
 
@@ -32,15 +35,6 @@ struct RobotStart {
     std::string body;  ///< the movable model that moves with it; empty: it has none
 
     bool operator==(const RobotStart&) const = default;
-};
-
-/// Where something is said to be.
-struct Placement {
-    sim::Time time{};
-    sim::Pose pose;
-    std::optional<sim::Velocity> velocity;
-    /// Said without a time, so that it holds from now on, whatever was said for later.
-    bool from_now_on = false;
 };
 
 class World {
@@ -57,6 +51,8 @@ class World {
     /// Others for the same scene.
     SensorBackends replace_backends(SensorBackends backends);
     [[nodiscard]] const sim::SharedScene& scene() const { return scene_; }
+    /// For those who keep what was seen of it, and not the memory that it takes.
+    [[nodiscard]] const sim::SharedScene& names() const { return names_; }
 
     /// The robots are these from now on; one that was there before stays where it is unless it is
     /// configured otherwise now.
@@ -98,6 +94,14 @@ class World {
     [[nodiscard]] sim::RangeBackend& backend(std::string_view sensor) const {
         return backends_.of(sensor);
     }
+    /// Whoever has cast says so.
+    void tell_cast(const Cast& cast) const {
+        if (on_cast_) on_cast_(cast);
+    }
+    void on_cast(std::function<void(const Cast&)> callback) { on_cast_ = std::move(callback); }
+
+    /// Where all models are, by ModelId.
+    [[nodiscard]] std::vector<sim::Pose> poses_at(sim::Time time) const;
     /// The movable models but one, between these times; good until they are asked for again or
     /// something is replaced.
     [[nodiscard]] std::vector<sim::Mover> movers(sim::Time from, sim::Time to,
@@ -125,6 +129,9 @@ class World {
         [[nodiscard]] bool follows_script() const {
             return script != nullptr && !placed && carrier == nullptr;
         }
+        [[nodiscard]] sim::Pose at(sim::Time time) const {
+            return follows_script() ? script->at(begun, time) : path().at(time);
+        }
     };
 
     void find_carriers();
@@ -132,10 +139,12 @@ class World {
     std::optional<std::string> place(sim::PoseTrack& track, const Placement& placement);
 
     sim::SharedScene scene_;
+    sim::SharedScene names_;  ///< scene_ without shapes
     std::map<std::string, Robot, std::less<>> robots_;
     std::map<std::string, MovableModel, std::less<>> movable_;
     SensorBackends backends_;
     std::function<void()> on_placed_;
+    std::function<void(const Cast&)> on_cast_;
 };
 
 }  // namespace scipd::daemon

@@ -14,7 +14,7 @@ namespace scipd::daemon {
 
 struct Measurement {
     sim::SharedScan cast;    ///< of all beams
-    sim::SharedScene scene;  ///< that it was cast into: what its ids mean
+    sim::SharedScene scene;  ///< what its ids mean: the one that it was cast into, without shapes
     SharedChoice backend;    ///< what cast it
     sim::Time origin{};      ///< what people call world time 0 (Clock)
 

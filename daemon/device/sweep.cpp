@@ -18,6 +18,7 @@ Sweep::Sweep(World& world, std::string robot, const SensorConfig& config, sim::S
       robot_from_sensor_(config.robot_from_sensor),
       motion_(config.motion),
       sees_body_(config.sees_body),
+      looks_around_(!config.staring && 2 * scanner.spec().beams() >= scanner.spec().steps_per_turn),
       scanner_(std::move(scanner)) {}
 
 std::size_t Sweep::beams() const {
@@ -39,7 +40,7 @@ Measurement Sweep::measure(std::int64_t revolution, sim::Time start, const Fired
     cast(scan, beam_fired);
     scanner_.read(scan);
     return {.cast = std::make_shared<const sim::Scan>(std::move(scan)),
-            .scene = world_.scene(),
+            .scene = world_.names(),
             .backend = world_.choice_of(name_),
             .origin = origin};
 }
@@ -79,7 +80,8 @@ void Sweep::cast(sim::Scan& scan, const BeamFired& fired) const {
     } else {
         cast_as_met(scan, fired, unseen);
     }
-    if (comes_or_goes) forget_absent(scan, fired);
+    if (comes_or_goes) return forget_absent(scan, fired);
+    world_.tell_cast({robot_, name_, scan, looks_around_});
 }
 
 void Sweep::cast_as_met(sim::Scan& scan, const BeamFired& fired, sim::ModelId unseen) const {

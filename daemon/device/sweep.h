@@ -56,6 +56,7 @@ class Sweep {
     sim::Pose robot_from_sensor_;
     std::optional<int> motion_;
     bool sees_body_;
+    bool looks_around_;
     sim::Scanner scanner_;
 };
 

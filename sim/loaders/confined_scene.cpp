@@ -172,6 +172,7 @@ void work(std::FILE* out, const std::function<LoadedScene()>& load) {
         const LoadedScene loaded = load();
         put(true, out);
         put_texts(loaded.warnings, out);
+        put_texts(loaded.notes, out);
         Sender{out}.send(*loaded.scene);
     } catch (const LoadError& error) {
         put(false, out);
@@ -192,7 +193,9 @@ LoadedScene load_confined(const std::string& name, const LoadLimits& limits,
         const bool is_loaded = take<bool>(answer.get());
         Texts texts = take_texts(answer.get());
         if (!is_loaded) throw LoadError(std::move(texts));
-        return {std::make_shared<const Scene>(Receiver{answer.get()}.receive()), std::move(texts)};
+        Texts notes = take_texts(answer.get());
+        return {std::make_shared<const Scene>(Receiver{answer.get()}.receive()), std::move(texts),
+                std::move(notes)};
     } catch (const LoadError&) {
         throw;
     } catch (const std::runtime_error& wrong) {

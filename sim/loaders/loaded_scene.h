@@ -13,6 +13,7 @@ struct LoadedScene {
     SharedScene scene;
     std::vector<std::string>
         warnings;  ///< each names what was met and what was done about it, once
+    std::vector<std::string> notes = {};  ///< worth knowing where nothing is wrong
 };
 
 }  // namespace scipd::sim

@@ -15,13 +15,19 @@ namespace scipd::sim {
 
 namespace {
 
+bool is_folder(const std::filesystem::path& file) {
+    std::error_code error;
+    return std::filesystem::is_directory(file, error);
+}
+
 LoadedScene load_here(const std::filesystem::path& file, const SceneOptions& options) {
+    if (is_folder(file)) return load_sdf(file, options.sdf);
     const std::string extension = extension_of(file);
     if (extension == ".sdf" || extension == ".world" || extension == ".urdf") {
         return load_sdf(file, options.sdf);
     }
     if (extension == ".yaml" || extension == ".yml") return load_ros_map(file, options.map);
-    if (is_mesh_file(file)) return load_mesh_scene(file);
+    if (is_mesh_file(file)) return load_mesh_scene(file, options.sdf.mesh);
     throw LoadError({file.string() +
                      ": is no kind of world that is known; name an SDF (.sdf, .world), a URDF "
                      "(.urdf), a ROS map (.yaml, .yml) or a mesh (.obj, .stl, .ply, .dae, .gltf, "
@@ -51,6 +57,15 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& op
         if (options.sdf.strict && !loaded.warnings.empty()) throw LoadError(loaded.warnings);
         return loaded;
     });
+}
+
+LoadedScene load_model_file(const std::filesystem::path& file, const Placement& placement,
+                            const SceneOptions& options) {
+    return as_model(load_here(file, options), placement, file.string());
+}
+
+std::filesystem::path folder_of_scene(const std::filesystem::path& file) {
+    return is_folder(file) ? file : file.parent_path();
 }
 
 }  // namespace scipd::sim

@@ -45,6 +45,20 @@ SharedScene with_models(const Scene& scene, const Scene& added) {
     return both;
 }
 
+SharedScene without_shapes(const Scene& scene) {
+    const auto nothing = std::make_shared<const Mesh>();
+    auto names = std::make_shared<Scene>();
+    names->name = scene.name;
+    names->models = scene.models;
+    names->materials = scene.materials;
+    names->anchor_m = scene.anchor_m;
+    names->objects.reserve(scene.objects.size());
+    for (const Object& object : scene.objects)
+        names->objects.push_back(
+            {object.name, object.model, object.model_from_object, nothing, object.material});
+    return names;
+}
+
 SharedScene without_model(const Scene& scene, std::string_view name) {
     if (!find_model(scene, name)) return nullptr;
     auto rest = std::make_shared<Scene>();

@@ -74,6 +74,10 @@ std::optional<ModelId> find_model(const Scene& scene, std::string_view name);
 /// ids; models, objects and materials that are new follow in their order.
 SharedScene with_models(const Scene& scene, const Scene& added);
 
+/// What its ids mean, without the memory that its shapes take: names, models and materials stay,
+/// and every shape is an empty mesh.
+SharedScene without_shapes(const Scene& scene);
+
 /// The scene less this model and all that lie in it (NAME::...). What stays keeps its order and
 /// closes the gaps, so that ids behind the first gap are others now: look models up by name.
 /// Materials stay, all of them. Null where there is no such model.

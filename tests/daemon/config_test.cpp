@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "daemon/config/limits.h"
 #include "daemon/models/registry.h"
 #include "sim/world/pose.h"
 #include "tests/daemon/config_fixture.h"
@@ -212,6 +213,40 @@ TEST_F(ConfigTest, ReadsWhatAMapAndAnSdfLeaveOpen) {
                             "such as [0, 2]",
                             "fleet.yaml:3: map.unknown: must be free, wall or unknown, not "
                             "'maybe'"));
+}
+
+TEST_F(ConfigTest, ReadsWhatAWorldMayTake) {
+    const std::string robots = "robots: {r: {sensors: {s: {pty: auto, model: UST-10LX}}}}\n";
+    const auto config = parse(
+        robots + "limits: {world_memory_mb: 20000, world_triangles: 50000000, world_load_s: 900}");
+    EXPECT_EQ(config.limits.memory_bytes, 20'000'000'000U);
+    EXPECT_EQ(config.limits.triangles, 50'000'000U);
+    EXPECT_EQ(config.limits.load_time, std::chrono::seconds(900));
+    EXPECT_EQ(parse(robots).limits, WorldLimits{});
+    EXPECT_THAT(faults(robots + "limits: {world_memory_mb: 0, world_triangles: 8GiB, memory: 2}"),
+                ElementsAre("fleet.yaml:2: limits.memory: unknown key; there are world_memory_mb, "
+                            "world_triangles, world_load_s",
+                            "fleet.yaml:2: limits.world_memory_mb: must be 1 to 1000000, not '0'",
+                            "fleet.yaml:2: limits.world_triangles: must be 1 to 1000000000, not "
+                            "'8GiB'"));
+}
+
+TEST_F(ConfigTest, RaisesWithAWorldsLimitsWhatItsMeshesMayTake) {
+    const sim::SceneOptions usual{};
+    sim::SceneOptions options;
+    apply(WorldLimits{}, options);
+    EXPECT_EQ(options.sdf.most_memory_bytes, usual.sdf.most_memory_bytes);
+    EXPECT_EQ(options.sdf.most_triangles, usual.sdf.most_triangles);
+    EXPECT_EQ(options.sdf.mesh.triangles, usual.sdf.mesh.triangles);
+    EXPECT_EQ(options.sdf.mesh.memory_bytes, usual.sdf.mesh.memory_bytes);
+    EXPECT_EQ(options.limits.memory_bytes, usual.limits.memory_bytes);
+    apply({.memory_bytes = 1'000'000'000, .triangles = 50'000'000}, options);
+    EXPECT_EQ(options.sdf.mesh.triangles, 50'000'000U);
+    EXPECT_GE(options.sdf.mesh.memory_bytes, 600 * options.sdf.mesh.triangles);
+    EXPECT_GT(options.limits.memory_bytes, options.sdf.mesh.memory_bytes);
+    apply({.triangles = 1000, .load_time = std::chrono::seconds(3)}, options);
+    EXPECT_EQ(options.sdf.mesh.triangles, 1000U);
+    EXPECT_EQ(options.limits.wall_time, std::chrono::seconds(3));
 }
 
 TEST_F(ConfigTest, SaysWhatPosesCannotBe) {

@@ -135,6 +135,7 @@ Status busy_status() {
     rear.model = "URG-04LX";
     rear.backend = "reference";
     rear.state = "idle";
+    rear.warning = "is inside model hull";
     rear.pty = "/run/scipd/rear";
 
     Status status;
@@ -149,11 +150,12 @@ Status busy_status() {
 
 constexpr const char* front_text =
     R"({"name":"rescue/front","model":"UST-10LX","backend":"embree",)"
-    R"("backend_reason":"embree takes 0.030 ms, depth takes 0.600 ms","state":"measuring",)"
+    R"("backend_reason":"embree takes 0.030 ms, depth takes 0.600 ms","state":"measuring","warning":null,)"
     R"("tcp":"127.0.0.1:10940","pty":null,"clients":1,"scans":4000,"lost":2,"stream_lost":3,)"
     R"("lateness_ms":{"p50":0.125,"p99":0.5,"max":2.0}})";
 constexpr const char* rear_text =
     R"({"name":"rescue/rear","model":"URG-04LX","backend":"reference","backend_reason":null,"state":"idle",)"
+    R"("warning":"is inside model hull",)"
     R"("tcp":null,"pty":"/run/scipd/rear","clients":0,"scans":0,"lost":0,"stream_lost":0,)"
     R"("lateness_ms":{"p50":null,"p99":null,"max":null}})";
 
@@ -340,11 +342,15 @@ TEST_F(RoutesTest, AModelIsAskedFor) {
                   .status,
               201);
     EXPECT_EQ(ask({"DELETE", "/scene/models/a%3A%3Ab", "", ""}).status, 204);
-    ASSERT_EQ(api_.edits_.size(), 3U);
+    EXPECT_EQ(
+        ask({"POST", "/scene/models", "", R"({"name":"c","file":"shelf","static":true})"}).status,
+        201);
+    ASSERT_EQ(api_.edits_.size(), 4U);
     const auto& text = std::get<AddModel>(api_.edits_[0]);
     EXPECT_EQ(text.placement.name, "a");
     EXPECT_EQ(text.placement.world_from_model, sim::pose_from_rpy({1, 2, 3}, {0, 0, 1.5}));
     EXPECT_EQ(text.sdf, "<model/>");
+    EXPECT_EQ(text.placement.movable, std::nullopt);
     EXPECT_FALSE(text.replace);
     const auto& mesh = std::get<AddModel>(api_.edits_[1]);
     EXPECT_EQ(mesh.placement.world_from_model, std::nullopt);
@@ -353,6 +359,9 @@ TEST_F(RoutesTest, AModelIsAskedFor) {
     EXPECT_EQ(mesh.material, "wood");
     EXPECT_TRUE(mesh.replace);
     EXPECT_EQ(std::get<RemoveModel>(api_.edits_[2]).name, "a::b");
+    const auto& folder = std::get<AddModel>(api_.edits_[3]);
+    EXPECT_EQ(folder.file, "shelf");
+    EXPECT_EQ(folder.placement.movable, false);
 }
 
 TEST_F(RoutesTest, AWrongModelNamesItsField) {
@@ -362,6 +371,9 @@ TEST_F(RoutesTest, AWrongModelNamesItsField) {
         {R"({"name":1,"sdf":"x"})", "name"},
         {R"({"name":"a"})", "sdf"},
         {R"({"name":"a","sdf":"x","mesh":"y"})", "sdf"},
+        {R"({"name":"a","file":"x","mesh":"y"})", "sdf"},
+        {R"({"name":"a","file":""})", "file"},
+        {R"({"name":"a","file":"x","static":"no"})", "static"},
         {R"({"name":"a","sdf":1})", "sdf"},
         {R"({"name":"a","mesh":"y","scale":"big"})", "scale"},
         {R"({"name":"a","sdf":"x","scale":2})", "scale"},

@@ -152,7 +152,9 @@ TEST_F(TruthTest, KeepsTheNamesOfTheirWorld) {
                                        .add(sim::Box{{1, 1, 1}}, {{-9, 0, 0}, {1, 0, 0, 0}})
                                        .add(sim::Box{{1, 1, 1}}, {{2.5, 0, 0}, {1, 0, 0, 0}})
                                        .build();
+    const std::weak_ptr<const sim::Scene> before = world_.scene();
     world_.replace_scene(other, one_backend(other));
+    EXPECT_TRUE(before.expired()) << "which may be large";
     EXPECT_EQ(truth()["object"][540], "object 0");
     turn();
     EXPECT_EQ(truth()["object"][540], "object 1");

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <thread>
 
@@ -71,6 +72,34 @@ TEST_F(Loading, EndsAtOnceWhileScannersRun) {
     EXPECT_EQ(daemon.wait(), 0);
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds{5});
     EXPECT_THAT(daemon.standard_error(), Not(HasSubstr("SIGHUP")));
+}
+
+// 100 visuals of 170 kB each, and what is around them.
+TEST_F(Loading, TellsWhatALargeWorldTakesAndTakesItWhereItMay) {
+    std::string visuals;
+    for (int i = 0; i < 100; ++i) {
+        visuals += "<visual name='v" + std::to_string(i) +
+                   "'><geometry><box><size>1 1 1</size></box></geometry></visual>";
+    }
+    const fs::path world = directory_.write(
+        "world.sdf", "<sdf version='1.9'><world name='w'><model name='m'><link name='l'>" +
+                         visuals + "</link></model></world></sdf>");
+    const auto checked = [&](const std::string& limits) {
+        const fs::path file = write(world);
+        std::ofstream{file, std::ios::app} << limits;
+        return run({SCIPD_PROGRAM, "--check", file});
+    };
+    const Outcome refused = checked("limits: {world_memory_mb: 10}\n");
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("would take about 20 MB"));
+    EXPECT_THAT(refused.err, HasSubstr("world_memory_mb under limits"));
+    const Outcome large = checked("limits: {world_memory_mb: 50}\n");
+    EXPECT_EQ(large.exit_code, 0) << large.err;
+    EXPECT_THAT(large.out, HasSubstr("takes about 20 MB to read, of 50 MB that are allowed"));
+    const Outcome usual = checked("");
+    EXPECT_EQ(usual.exit_code, 0) << usual.err;
+    EXPECT_THAT(usual.out, Not(HasSubstr("MB")));
+    EXPECT_THAT(checked("limits: {world_load_s: 0}\n").err, HasSubstr("limits.world_load_s"));
 }
 
 }  // namespace

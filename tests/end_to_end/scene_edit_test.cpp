@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/end_to_end/in_square_room.h"
+#include "tests/support/child.h"
 #include "tests/support/control_request.h"
 
 namespace scipd::tests {
@@ -176,6 +177,46 @@ TEST_F(SceneEdit, TakesAMeshWithItsScaleAndMaterial) {
     EXPECT_EQ(models.back().at("materials"), nlohmann::json({"glass"}));
     EXPECT_EQ(ask("DELETE", "/scene/models/a%20sheet").status, 204);
     EXPECT_EQ(daemon_.get("/scene").at("models").size(), models.size() - 1);
+}
+
+/// A sheet in the plane x = 0 that never moves, in a folder as Gazebo has it; its mesh by a
+/// relative URI.
+std::string write_sheet_folder(const TempDir& directory) {
+    directory.write("models/sheet/model.config",
+                    "<model><name>sheet</name><sdf version='1.6'>model.sdf</sdf></model>");
+    directory.write("models/sheet/meshes/sheet.stl", sheet_stl);
+    directory.write("models/sheet/model.sdf",
+                    "<sdf version='1.6'><model name='sheet'><static>true</static><link name='l'>"
+                    "<visual name='v'><geometry><mesh><uri>meshes/sheet.stl</uri><scale>0.001 "
+                    "0.001 0.001</scale></mesh></geometry></visual></link></model></sdf>");
+    return directory.path() / "models/sheet";
+}
+
+TEST_F(SceneEdit, TakesTheFolderOfAModelAsTheStartDoes) {
+    const std::string folder = write_sheet_folder(directory_);
+    const auto add = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {SCIPCTL, "--control", daemon_.control(), "scene", "add"});
+        const Outcome outcome = run(more);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    };
+    add({"fixed", folder, "--pose", "1.5,0,0"});
+    add({"loose", folder, "--pose", "1,0,0", "--movable"});
+    Watcher watcher(daemon_.port());
+    EXPECT_EQ(watcher.latest()[front], 1000U);
+    EXPECT_EQ(ask("PUT", "/scene/models/loose/pose", {{"xyz", {2.0, 0.0, 0.0}}}).status, 204);
+    EXPECT_EQ(ask("PUT", "/scene/models/fixed/pose", {{"xyz", {9.0, 0.0, 0.0}}}).status, 404);
+    for (int i = 0; i < 4; ++i)
+        watcher.read();
+    EXPECT_EQ(watcher.latest()[front], 1500U);
+
+    const TempDir other;
+    const DaemonProcess alone(other, {"--scene", folder, "--pose", "-1.25,0,0", "--tcp",
+                                      "127.0.0.1:0", "--accuracy", "ideal"});
+    ASSERT_NE(alone.ready_line(), "") << alone.standard_error();
+    EXPECT_EQ(Watcher(alone.port()).latest()[front], 1250U);
+    const DaemonProcess lost(other, {"--scene", directory_.path() / "models"});
+    EXPECT_EQ(lost.ready_line(), "");
+    EXPECT_THAT(lost.standard_error(), HasSubstr("model.config"));
 }
 
 TEST_F(SceneEdit, ThatFailsChangesNothingAndSaysWhy) {

@@ -69,12 +69,13 @@ TEST_F(ScipctlScene, TellsWarningsToMachinesToo) {
     EXPECT_EQ(outcome.err, "");
 }
 
-TEST_F(ScipctlScene, AddsTextAndMeshes) {
-    const std::string text = directory_.write("crate.sdf", "<model name='x'/>");
-    EXPECT_EQ(scipctl({"scene", "add", "crate", text, "--pose", "1,2,0"}).exit_code, 0);
+TEST_F(ScipctlScene, AddsFilesFoldersAndMeshes) {
+    const std::string file = directory_.write("crate.sdf", "<model name='x'/>");
+    EXPECT_EQ(scipctl({"scene", "add", "crate", file, "--pose", "1,2,0"}).exit_code, 0);
     const auto crate = only_edit<daemon::AddModel>();
     EXPECT_EQ(crate.placement.name, "crate");
-    EXPECT_EQ(crate.sdf, "<model name='x'/>");
+    EXPECT_EQ(crate.file, file);
+    EXPECT_EQ(crate.placement.movable, std::nullopt);
     EXPECT_EQ(crate.placement.world_from_model, sim::pose_from_rpy({1, 2, 0}, {0, 0, 0}));
 
     const std::string stl = directory_.write("crate.stl", "solid");
@@ -83,7 +84,7 @@ TEST_F(ScipctlScene, AddsTextAndMeshes) {
                   .exit_code,
               0);
     const auto mesh = std::get<daemon::AddModel>(daemon_.edits().back());
-    EXPECT_EQ(mesh.mesh, stl);
+    EXPECT_EQ(mesh.file, stl);
     EXPECT_EQ(mesh.scale, 0.001);
     EXPECT_EQ(mesh.material, "wood");
     EXPECT_TRUE(mesh.replace);
@@ -91,6 +92,16 @@ TEST_F(ScipctlScene, AddsTextAndMeshes) {
 
     EXPECT_EQ(scipctl({"scene", "add", "piped", "-"}, "<model/>").exit_code, 0);
     EXPECT_EQ(std::get<daemon::AddModel>(daemon_.edits().back()).sdf, "<model/>");
+
+    const std::string folder = directory_.path();
+    EXPECT_EQ(scipctl({"scene", "add", "shelf", folder, "--static"}).exit_code, 0);
+    const auto shelf = std::get<daemon::AddModel>(daemon_.edits().back());
+    EXPECT_EQ(shelf.file, folder);
+    EXPECT_EQ(shelf.placement.movable, false);
+    EXPECT_EQ(scipctl({"scene", "add", "door", file, "--movable"}).exit_code, 0);
+    EXPECT_EQ(std::get<daemon::AddModel>(daemon_.edits().back()).placement.movable, true);
+    EXPECT_THAT(refused({"scene", "add", "both", file, "--movable", "--static"}, 2),
+                HasSubstr("excludes"));
 }
 
 TEST_F(ScipctlScene, MovesAndRemoves) {
@@ -150,7 +161,7 @@ TEST_F(ScipctlScene, CompletesInBash) {
     EXPECT_EQ(complete("scipctl s", "1"), "status sensors scene\n");
     EXPECT_EQ(complete("scipctl --control x pose st", "4"), "stream\n");
     EXPECT_EQ(complete("scipctl scene ''", "2"), "list load add move remove --help --control\n");
-    EXPECT_EQ(complete("scipctl scene add --s", "3"), "--scale\n");
+    EXPECT_EQ(complete("scipctl scene add --sc", "3"), "--scale\n");
     EXPECT_EQ(complete("scipctl completion ''", "2"), "bash zsh --help --control\n");
     EXPECT_EQ(complete("scipctl truth x", "2"), "\n");
 }

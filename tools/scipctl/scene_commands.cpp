@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +24,9 @@ struct AddOptions {
     std::string file;
     std::string pose;
     std::string material;
-    double scale = 1.0;
+    std::optional<double> scale;
+    bool movable = false;
+    bool is_static = false;
     bool replace = false;
     bool json = false;
 };
@@ -92,30 +94,23 @@ void load(const ControlOptions& control, const LoadOptions& options) {
     tell(client.load("/scene", {{"file", fs::absolute(options.file).string()}}), options.json);
 }
 
-/// What scipd reads as text; all else is a mesh.
-bool is_text(const fs::path& file) {
-    const std::string type = file.extension();
-    return type == ".sdf" || type == ".urdf" || type == ".xml" || file == "-";
-}
-
-std::string content_of(const std::string& file) {
-    if (file == "-") return {std::istreambuf_iterator<char>{std::cin}, {}};
-    std::ifstream in(file, std::ios::binary);
-    if (!in) throw ControlError(0, file + " cannot be read");
-    return {std::istreambuf_iterator<char>{in}, {}};
+Json request_of(const AddOptions& options) {
+    Json body{{"name", options.name}};
+    if (options.file == "-") {
+        body["sdf"] = std::string{std::istreambuf_iterator<char>{std::cin}, {}};
+    } else {
+        body["file"] = fs::absolute(options.file).string();
+    }
+    if (options.scale) body["scale"] = *options.scale;
+    if (!options.material.empty()) body["material"] = options.material;
+    if (!options.pose.empty()) body["pose"] = pose_body({.pose = pose_of(options.pose)});
+    if (options.movable || options.is_static) body["static"] = options.is_static;
+    if (options.replace) body["replace"] = true;
+    return body;
 }
 
 void add(const ControlOptions& control, const AddOptions& options) {
-    Json body{{"name", options.name}};
-    if (is_text(options.file)) {
-        body["sdf"] = content_of(options.file);
-    } else {
-        body["mesh"] = fs::absolute(options.file).string();
-        body["scale"] = options.scale;
-        if (!options.material.empty()) body["material"] = options.material;
-    }
-    if (!options.pose.empty()) body["pose"] = pose_body({.pose = pose_of(options.pose)});
-    if (options.replace) body["replace"] = true;
+    const Json body = request_of(options);
     ControlClient client(control.socket);
     try {
         tell(client.post("/scene/models", body), options.json);
@@ -160,21 +155,29 @@ void add_add_command(CLI::App& scene, const ControlOptions& control) {
     auto* const command = scene.add_subcommand("add", "one more model, from SDF, URDF or a mesh");
     const auto options = std::make_shared<AddOptions>();
     command->add_option("NAME", options->name, "what it is called from now on")->required();
-    command->add_option("FILE", options->file, "a .sdf, .urdf or mesh file; - reads SDF")
+    command
+        ->add_option("FILE", options->file,
+                     "an SDF, a URDF, a mesh or the folder of a model; - reads SDF")
         ->required()
-        ->check(CLI::ExistingFile | CLI::IsMember({"-"}));
+        ->check(CLI::ExistingPath | CLI::IsMember({"-"}));
     command->add_option("--pose", options->pose, "X,Y,YAW or X,Y,Z,R,P,Y; else its own");
     command->add_option("--scale", options->scale, "of a mesh: 0.001 for millimetres")
-        ->check(number_within(-1e6, 1e6))
-        ->capture_default_str();
+        ->check(number_within(-1e6, 1e6));
     command->add_option("--material", options->material, "of a whole mesh");
+    auto* const movable = command->add_flag("--movable", options->movable,
+                                            "all of it moves as one, whatever it says");
+    command->add_flag("--static", options->is_static, "nothing of it moves, whatever it says")
+        ->excludes(movable);
     command->add_flag("--replace", options->replace, "in place of the model of this name");
     command->add_flag("--json", options->json, warnings_as_json);
     command->callback([&control, options] { add(control, *options); });
     command->footer(
-        "URIs in an SDF file start at the folder of the world.\n"
-        "Example:\n"
-        "  scipctl scene add crate crate.stl --scale 0.001 --material wood --pose 1,2,0");
+        "scipd reads the file: relative URIs in it start at its folder, as with --scene, and "
+        "those\n"
+        "in an SDF from - at the folder of the world.\n"
+        "Examples:\n"
+        "  scipctl scene add crate crate.stl --scale 0.001 --material wood --pose 1,2,0\n"
+        "  scipctl scene add shelf models/shelf --static");
 }
 
 void add_move_command(CLI::App& scene, const ControlOptions& control) {
@@ -199,7 +202,7 @@ void add_scene_commands(CLI::App& program, const ControlOptions& control) {
 
     auto* const load_command = scene->add_subcommand("load", "another world in place of this one");
     const auto options = std::make_shared<LoadOptions>();
-    load_command->add_option("FILE", options->file)->required()->check(CLI::ExistingFile);
+    load_command->add_option("FILE", options->file)->required()->check(CLI::ExistingPath);
     load_command->add_flag("--json", options->json, warnings_as_json);
     load_command->callback([&control, options] { load(control, *options); });
 

@@ -41,6 +41,11 @@ void print_sensors(const Json& sensors) {
                         text(sensor, "tcp"), text(sensor, "pty")});
     }
     print_table(std::cout, rows);
+    for (const Json& sensor : sensors) {
+        const std::string warning = text(sensor, "warning");
+        if (warning != "-")
+            std::cout << "warning: " << text(sensor, "name") << ": " << warning << '\n';
+    }
 }
 
 void print_status(const Json& status) {

@@ -31,12 +31,12 @@ double reach_m(const Scene& scene) {
 
 }  // namespace
 
-LoadedScene load_mesh_scene(const std::filesystem::path& given) {
+LoadedScene load_mesh_scene(const std::filesystem::path& given, const MeshLimits& limits) {
     const auto file = std::filesystem::absolute(given).lexically_normal();
     Scene scene;
     scene.name = file.stem().string();
     scene.models.push_back({scene.name, false, {}});
-    for (MeshPart& part : load_mesh_parts(file, {1.0, 1.0, 1.0}, MeshAxes::z_up)) {
+    for (MeshPart& part : load_mesh_parts(file, {1.0, 1.0, 1.0}, MeshAxes::z_up, limits)) {
         MaterialId material = 0;
         if (!part.material.empty() && part.material != scene.materials.front().name) {
             material = static_cast<MaterialId>(scene.materials.size());

@@ -96,7 +96,7 @@ void MeshShelf::count(const Shape& shape) {
     }
     if (triangles_ <= most_triangles_) return;
     throw LoadError({"with this one the world has more than " + std::to_string(most_triangles_) +
-                     " triangles"});
+                     " triangles; world_triangles under limits in the configuration allows more"});
 }
 
 }  // namespace scipd::sim

@@ -45,18 +45,30 @@ void move_to(Scene& scene, const Pose& world_from_model) {
     scene.models.front().world_from_model = world_from_model;
 }
 
-LoadedScene placed(LoadedScene loaded, const Placement& placement, const std::string& source) {
-    const auto& all = loaded.scene->models;
-    const auto inside = all.front().name + "::";
-    const bool one = std::all_of(all.begin() + 1, all.end(), [&](const Model& model) {
-        return model.name.starts_with(inside);
-    });
-    if (!one) throw LoadError({source + ": holds several models; one is wanted here"});
-    Scene scene = *loaded.scene;
-    rename(scene, placement.name);
-    if (placement.world_from_model) move_to(scene, *placement.world_from_model);
-    loaded.scene = std::make_shared<const Scene>(std::move(scene));
-    return loaded;
+/// All of it is one body, with what could move by itself.
+void make_movable(Scene& scene) {
+    const Pose model_from_world = inverse(scene.models.front().world_from_model);
+    for (Object& object : scene.objects) {
+        const Pose& world_from_part = scene.models[object.model].world_from_model;
+        object.model_from_object = model_from_world * world_from_part * object.model_from_object;
+        object.model = 0;
+    }
+    scene.models.resize(1);
+    scene.models.front().movable = true;
+}
+
+void make_static(Scene& scene) {
+    for (Model& model : scene.models)
+        model.movable = false;
+}
+
+void override_static(Scene& scene, std::optional<bool> movable) {
+    if (!movable) return;
+    if (*movable) {
+        make_movable(scene);
+    } else {
+        make_static(scene);
+    }
 }
 
 MaterialId material_id(const std::string& name, std::vector<Material>& all) {
@@ -68,24 +80,34 @@ MaterialId material_id(const std::string& name, std::vector<Material>& all) {
 }  // namespace
 
 SdfOptions within_a_models_share(SdfOptions options) {
-    constexpr std::size_t memory_bytes = std::size_t{512} << 20U;
-    constexpr std::size_t triangles = 2'000'000;
-    options.most_memory_bytes = memory_bytes;
-    options.most_triangles = triangles;
-    options.mesh = {.memory_bytes = memory_bytes, .triangles = triangles};
+    options.most_memory_bytes /= 8;
+    options.most_triangles /= 10;
+    options.mesh = {.memory_bytes = options.most_memory_bytes, .triangles = options.most_triangles};
     return options;
+}
+
+LoadedScene as_model(LoadedScene loaded, const Placement& placement, const std::string& source) {
+    check_name(placement.name);
+    const auto& all = loaded.scene->models;
+    if (all.empty()) throw LoadError({source + ": holds no model; one is wanted here"});
+    const auto inside = all.front().name + "::";
+    const bool one = std::all_of(all.begin() + 1, all.end(), [&](const Model& model) {
+        return model.name.starts_with(inside);
+    });
+    if (!one) throw LoadError({source + ": holds several models; one is wanted here"});
+    Scene scene = *loaded.scene;
+    rename(scene, placement.name);
+    override_static(scene, placement.movable);
+    if (placement.world_from_model) move_to(scene, *placement.world_from_model);
+    loaded.scene = std::make_shared<const Scene>(std::move(scene));
+    return loaded;
 }
 
 LoadedScene load_model_text(const std::string& text, const Placement& placement,
                             const fs::path& folder, const SdfOptions& options) {
     check_name(placement.name);
-    return placed(load_sdf_text(text, placement.name, folder, options), placement, placement.name);
-}
-
-LoadedScene load_model_file(const fs::path& file, const Placement& placement,
-                            const SdfOptions& options) {
-    check_name(placement.name);
-    return placed(load_sdf(file, options), placement, file.string());
+    return as_model(load_sdf_text(text, placement.name, folder, options), placement,
+                    placement.name);
 }
 
 LoadedScene load_mesh_model(const fs::path& file, const Placement& placement, double scale,
@@ -96,7 +118,8 @@ LoadedScene load_mesh_model(const fs::path& file, const Placement& placement, do
     }
     Scene scene;
     scene.name = placement.name;
-    scene.models.push_back({placement.name, true, placement.world_from_model.value_or(Pose{})});
+    scene.models.push_back({placement.name, placement.movable.value_or(true),
+                            placement.world_from_model.value_or(Pose{})});
     for (MeshPart& part : load_mesh_parts(file, glm::dvec3{scale}, MeshAxes::z_up, limits)) {
         const auto id = material_id(material.empty() ? part.material : material, scene.materials);
         scene.objects.push_back({placement.name + "::" + file.stem().string(), 0, Pose{},

@@ -16,6 +16,8 @@ namespace scipd::sim {
 struct Placement {
     std::string name;                                     ///< in place of the model's own
     std::optional<Pose> world_from_model = std::nullopt;  ///< its own where there is none
+    /// As one body, or nothing of it, whatever its file says; what that says where there is none.
+    std::optional<bool> movable = std::nullopt;
 };
 
 /// The same for what comes while scanners run, from whoever can reach the daemon: a model, not a
@@ -28,9 +30,8 @@ SdfOptions within_a_models_share(SdfOptions options);
 LoadedScene load_model_text(const std::string& text, const Placement& placement,
                             const std::filesystem::path& folder, const SdfOptions& options = {});
 
-/// From an SDF or URDF file that holds one model.
-LoadedScene load_model_file(const std::filesystem::path& file, const Placement& placement,
-                            const SdfOptions& options = {});
+/// A world of one model as that model; `source` is its file, for messages. Throws LoadError.
+LoadedScene as_model(LoadedScene loaded, const Placement& placement, const std::string& source);
 
 /// From a mesh file. A material of its own stands in for those of the file; empty keeps them.
 LoadedScene load_mesh_model(const std::filesystem::path& file, const Placement& placement,

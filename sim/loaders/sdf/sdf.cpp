@@ -10,6 +10,7 @@
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/plain_file.h"
 #include "sim/loaders/quote.h"
+#include "sim/loaders/sdf/model_folder.h"
 #include "sim/loaders/sdf/resources.h"
 #include "sim/loaders/sdf/sdf_file.h"
 #include "sim/loaders/sdf/sdf_scene.h"
@@ -25,15 +26,26 @@ LoadError unreadable(const fs::path& file, const std::string& why) {
         {file.string() + ": libsdformat cannot read it: " + printable(why, most_told)});
 }
 
+/// A large world is told what it takes before it is too large.
+std::vector<std::string> notes_of(const SdfSource& source, double bytes, std::size_t most_bytes) {
+    const auto most = static_cast<double>(most_bytes);
+    constexpr double large = 0.25;
+    if (bytes <= large * most) return {};
+    return {source.file.string() + ": takes about " + megabytes(bytes) + " to read, of " +
+            megabytes(most) + " that are allowed (world_memory_mb under limits)"};
+}
+
 LoadedScene load(const SdfSource& source, const fs::path& folder, const SdfOptions& options) {
     const Resources resources{folder, options.model_folders};
     try {
         SdfSurvey survey = survey_sdf(source, resources, options);
         MeshShelf shelf{options.most_triangles, options.mesh};
         if (survey.faults.empty()) shelf.read_ahead(survey.meshes);
+        auto notes = notes_of(source, survey.bytes, options.most_memory_bytes);
         SdfFile read = read_sdf(std::move(survey), options.strict);
         if (!read.faults.empty()) throw LoadError(std::move(read.faults));
         LoadedScene loaded = scene_of(std::move(read), source.file, resources, options, shelf);
+        loaded.notes = std::move(notes);
         if (options.strict && !loaded.warnings.empty()) throw LoadError(loaded.warnings);
         return loaded;
     } catch (const LoadError&) {
@@ -64,7 +76,13 @@ std::size_t first_element(std::string_view text) {
 
 LoadedScene load_sdf(const fs::path& given, const SdfOptions& options) {
     // Absolute from here on, as the library does it: a message then names every file in one way.
-    const auto file = fs::absolute(given).lexically_normal();
+    const auto named = fs::absolute(given).lexically_normal();
+    const auto file = model_file_of(named);
+    if (file.empty()) {
+        throw LoadError({named.string() +
+                         ": is a folder without a model.config that names an SDF file; name a file "
+                         "or the folder of a model"});
+    }
     if (const auto why = why_no_file(file); !why.empty()) {
         throw LoadError({file.string() + ": " + why + "; name an SDF world or model"});
     }

@@ -38,8 +38,8 @@ struct SdfOptions {
     bool strict = false;
 };
 
-/// A world, a model or a robot. Throws LoadError where the file cannot be used; nothing half-loaded
-/// ever leaves.
+/// A world, a model or a robot; or the folder of a model. Throws LoadError where the file cannot be
+/// used; nothing half-loaded ever leaves.
 LoadedScene load_sdf(const std::filesystem::path& file, const SdfOptions& options = {});
 
 /// The same from a text: a whole document, or a <model> or <robot> alone. Relative URIs start at

@@ -65,6 +65,7 @@ class Surveyor {
             survey_.faults.push_back(error.what());
         }
         if (bytes_ > most_bytes_ && survey_.faults.empty()) add_too_large(source.file);
+        survey_.bytes = bytes_;
         return std::move(survey_);
     }
 
@@ -256,14 +257,11 @@ class Surveyor {
     }
 
     void add_too_large(const fs::path& file) {
-        const auto megabytes = [](double bytes) {
-            return std::to_string(static_cast<long>(std::min(1e15, std::ceil(bytes / 1e6)))) +
-                   " MB";
-        };
         survey_.faults.push_back(
             file.string() + ": would take about " + megabytes(bytes_) +
             " to read with all its includes, at most " + megabytes(most_bytes_) +
-            " is allowed; put parts that never move into one link or one mesh");
+            " is allowed; put parts that never move into one link or one mesh, or allow more by "
+            "world_memory_mb under limits in the configuration");
     }
 
     static constexpr std::size_t most_faults = 1000;
@@ -283,6 +281,10 @@ class Surveyor {
 
 std::string uri_of(std::size_t document) {
     return "scipd://" + std::to_string(document);
+}
+
+std::string megabytes(double bytes) {
+    return std::to_string(static_cast<long>(std::min(1e15, std::ceil(bytes / 1e6)))) + " MB";
 }
 
 SdfSurvey survey_sdf(const SdfSource& source, const Resources& resources,

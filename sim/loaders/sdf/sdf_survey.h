@@ -44,10 +44,14 @@ struct SdfSurvey {
     std::vector<MeshSource> meshes;      ///< that they will ask for
     std::vector<std::string> faults;
     std::vector<std::string> warnings;
+    double bytes = 0.0;  ///< that reading all of it takes, about
 };
 
 /// Of a document by its place among them, by which the library asks for it.
 std::string uri_of(std::size_t document);
+
+/// For messages.
+std::string megabytes(double bytes);
 
 /// What cannot be included is left out with a warning; `strict` makes that a fault, and leaves the
 /// documents as they are.

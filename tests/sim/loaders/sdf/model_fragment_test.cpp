@@ -8,12 +8,14 @@
 #include <gtest/gtest.h>
 
 #include "sim/backends/registry.h"
+#include "sim/loaders/scene_file.h"
 #include "tests/sim/loaders/faults_of.h"
 #include "tests/sim/loaders/sdf/sdf_text.h"
 
 namespace scipd::sim {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::AnyOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
@@ -89,6 +91,71 @@ TEST_F(ModelFragment, WhatMovesInsideGoesAlong) {
     EXPECT_EQ(scene->objects.at(1).name, "gym::door::l::v");
 }
 
+const std::string hall_with_door =
+    "<model name='hall'><static>true</static><link name='l'>" + visual("v", unit_box) +
+    "</link><model name='door'><static>false</static><pose>0 4 0 0 0 0</pose><link name='l'>" +
+    visual("v", unit_box) + "</link></model></model>";
+
+TEST_F(ModelFragment, MovesAsOneBodyWhereItIsToldSo) {
+    const Pose there = pose_from_rpy({0, -4, 0}, {0, 0, 0});
+    const auto scene = load(hall_with_door, {"hall", there, true}).scene;
+    ASSERT_EQ(scene->models.size(), 1U);
+    EXPECT_TRUE(scene->models[0].movable);
+    // Its door stands 4 m beside it, wherever it goes.
+    auto backend = make_backend("reference", scene);
+    const glm::vec3 ahead{1.F, 0.F, 0.F};
+    const Pose here{{-3, 0, 0}, {1, 0, 0, 0}};
+    Hit hit;
+    const auto range_m = [&] {
+        backend->cast({.directions = {&ahead, 1}, .world_from_sensor = {&here, 1}}, {&hit, 1});
+        return hit.range_m;
+    };
+    EXPECT_FLOAT_EQ(range_m(), 2.5F);
+    EXPECT_EQ(scene->objects.at(hit.object).name, "hall::door::l::v");
+    backend->move(0, pose_from_rpy({4, 0, 0}, {0, 0, -1.5707963267948966}));
+    EXPECT_FLOAT_EQ(range_m(), 6.5F);
+    EXPECT_EQ(scene->objects.at(hit.object).name, "hall::l::v");
+}
+
+TEST_F(ModelFragment, StandsStillWithAllThatLiesInItWhereItIsToldSo) {
+    const auto hall = load(hall_with_door, {"hall", std::nullopt, false}).scene;
+    ASSERT_EQ(hall->models.size(), 2U);
+    EXPECT_FALSE(hall->models[0].movable);
+    EXPECT_FALSE(hall->models[1].movable);
+    EXPECT_FALSE(load(box_, {"box", std::nullopt, false}).scene->models.at(0).movable);
+    const auto mesh =
+        load_mesh_model(folder_.write("part.obj", triangle_obj), {"part", std::nullopt, false});
+    EXPECT_FALSE(mesh.scene->models.at(0).movable);
+}
+
+TEST_F(ModelFragment, MayBeTheFolderOfAModel) {
+    folder_.write("shelf/model.config",
+                  "<model><name>shelf</name><sdf version='1.4'>old.sdf</sdf>"
+                  "<sdf version='1.9'>model.sdf</sdf></model>");
+    folder_.write("shelf/meshes/part.obj", triangle_obj);
+    folder_.write("other/part.obj", triangle_obj);
+    folder_.write("shelf/model.sdf",
+                  "<sdf version='1.9'><model name='s'><static>true</static><link name='l'>" +
+                      visual("own", "<mesh><uri>meshes/part.obj</uri></mesh>") +
+                      visual("by_name", "<mesh><uri>model://shelf/meshes/part.obj</uri></mesh>") +
+                      visual("beside", "<mesh><uri>model://other/part.obj</uri></mesh>") +
+                      "</link></model></sdf>");
+    const auto shelf = load_model_file(folder_.path() / "shelf", {"mine"});
+    EXPECT_THAT(shelf.warnings, IsEmpty());
+    EXPECT_EQ(shelf.scene->models.at(0).name, "mine");
+    EXPECT_FALSE(shelf.scene->models.at(0).movable);
+    EXPECT_EQ(shelf.scene->objects.size(), 3U);
+    // As a world it is the same.
+    EXPECT_EQ(load_scene(folder_.path() / "shelf").scene->objects.size(), 3U);
+    EXPECT_THAT(faults_of([&] { load_scene(folder_.path() / "other"); }, folder_),
+                ElementsAre(AllOf(HasSubstr("other"), HasSubstr("model.config"))));
+}
+
+TEST_F(ModelFragment, IsNoEmptyWorld) {
+    EXPECT_THAT(faults("<sdf version='1.9'><world name='w'/></sdf>", {"a"}),
+                ElementsAre(HasSubstr("holds no model")));
+}
+
 TEST_F(ModelFragment, MayBeARobotOrAFile) {
     const auto urdf =
         "<robot name='r'><link name='l'><visual><geometry><box size='1 1 1'/>"
@@ -149,9 +216,11 @@ TEST_F(ModelFragment, TakesNoMoreThanAModelsShare) {
     std::string many = "<model name='m'>";
     for (int i = 0; i < 700; ++i)
         many += "<link name='" + std::to_string(i) + "'/>";
-    EXPECT_THAT(refused(many + "</model>"),
-                ElementsAre("a: would take about 597 MB to read with all its includes, at most 537 "
-                            "MB is allowed; put parts that never move into one link or one mesh"));
+    EXPECT_THAT(
+        refused(many + "</model>"),
+        ElementsAre("a: would take about 597 MB to read with all its includes, at most 537 "
+                    "MB is allowed; put parts that never move into one link or one mesh, or "
+                    "allow more by world_memory_mb under limits in the configuration"));
 
     const auto large = folder_.write("large.sdf", "");
     std::filesystem::resize_file(large, (8U << 20U) + 1);  // sparse: it takes no room

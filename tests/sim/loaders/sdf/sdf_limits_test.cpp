@@ -76,7 +76,8 @@ TEST_F(SdfLimits, WhatIsLargeByItself) {
     EXPECT_THAT(faults(world(model_of(visuals)), {.most_memory_bytes = 10'000'000}),
                 ElementsAre("a.sdf: would take about 20 MB to read with all its includes, at most "
                             "10 MB is allowed; put parts that never move into one link or one "
-                            "mesh"));
+                            "mesh, or allow more by world_memory_mb under limits in the "
+                            "configuration"));
     EXPECT_THAT(faults(world(model_of(visuals)), {.most_memory_bytes = 100'000'000}),
                 ElementsAre());
 }
@@ -84,11 +85,12 @@ TEST_F(SdfLimits, WhatIsLargeByItself) {
 TEST_F(SdfLimits, WhatHasTooManyTriangles) {
     const auto spheres = visual("a", "<sphere><radius>2</radius></sphere>") +
                          visual("b", "<ellipsoid><radii>1 2 3</radii></ellipsoid>");
-    EXPECT_THAT(faults(world(model_of(spheres)), {.most_triangles = 50'000}),
-                ElementsAre("a.sdf:5: m::l::a: with this one the world has more than 50000 "
-                            "triangles",
-                            "a.sdf:6: m::l::b: with this one the world has more than 50000 "
-                            "triangles"));
+    EXPECT_THAT(
+        faults(world(model_of(spheres)), {.most_triangles = 50'000}),
+        ElementsAre("a.sdf:5: m::l::a: with this one the world has more than 50000 "
+                    "triangles; world_triangles under limits in the configuration allows more",
+                    "a.sdf:6: m::l::b: with this one the world has more than 50000 "
+                    "triangles; world_triangles under limits in the configuration allows more"));
 }
 
 TEST_F(SdfLimits, WhatHasEndlessOutlines) {

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A world of nothing, which is filled and emptied while a scanner runs, by every backend.
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/end_to_end/in_square_room.h"
+#include "tests/support/control_request.h"
+
+namespace scipd::tests {
+namespace {
+
+constexpr std::size_t front = 540;
+
+class EmptyWorld : public testing::TestWithParam<const char*> {
+  protected:
+    /// Of the beam that looks ahead, once it is this.
+    static bool comes_to(const DaemonProcess& daemon, ScannerWire& wire,
+                         const std::optional<double>& range_m) {
+        return eventually([&] {
+            (void)wire.next_scan();
+            const auto range = daemon.get("/sensors/robot/scanner/truth").at("true_m").at(front);
+            if (!range_m) return range.is_null();
+            return range.is_number() && std::abs(range.get<double>() - *range_m) < 0.001;
+        });
+    }
+    static int ask(const DaemonProcess& daemon, const std::string& method, const std::string& path,
+                   const nlohmann::json& body = nullptr) {
+        return control_request(daemon.control(), method, path, body.is_null() ? "" : body.dump())
+            .status;
+    }
+};
+
+TEST_P(EmptyWorld, IsFilledAndEmptied) {
+    const std::string backend = GetParam();
+    if (backend == "depth" && !can_draw()) GTEST_SKIP() << "nothing can be drawn here";
+    const TempDir directory;
+    const std::string nothing =
+        directory.write("nothing.sdf", "<sdf version='1.9'><world name='w'/></sdf>");
+    const DaemonProcess daemon(directory, {"--scene", nothing, "--backend", backend, "--accuracy",
+                                           "ideal", "--tcp", "127.0.0.1:0"});
+    ASSERT_NE(daemon.ready_line(), "") << daemon.standard_error();
+    auto wire = ScannerWire::tcp(daemon.port());
+    ASSERT_EQ(wire.ask(stream_of_one_beam), "00");
+    const nlohmann::json cube{
+        {"name", "cube"},
+        {"sdf",
+         "<model name='m'><link name='l'><visual name='v'><geometry><box><size>0.5 0.5 0.5</size>"
+         "</box></geometry></visual></link></model>"},
+        {"pose", {{"xyz", {2.0, 0.0, 0.0}}}}};
+    for (int round = 0; round < 2; ++round) {
+        EXPECT_TRUE(comes_to(daemon, wire, std::nullopt));
+        EXPECT_EQ(ask(daemon, "POST", "/scene/models", cube), 201);
+        EXPECT_TRUE(comes_to(daemon, wire, 1.75));
+        EXPECT_EQ(ask(daemon, "PUT", "/scene/models/cube/pose", {{"xyz", {3.0, 0.0, 0.0}}}), 204);
+        EXPECT_TRUE(comes_to(daemon, wire, 2.75));
+        EXPECT_EQ(ask(daemon, "DELETE", "/scene/models/cube"), 204);
+    }
+    EXPECT_TRUE(comes_to(daemon, wire, std::nullopt));
+    EXPECT_EQ(ask(daemon, "PUT", "/scene", {{"file", scene("square_room.sdf").string()}}), 200);
+    EXPECT_TRUE(comes_to(daemon, wire, 3.0));
+    EXPECT_EQ(ask(daemon, "PUT", "/scene", {{"file", nothing}}), 200);
+    EXPECT_TRUE(comes_to(daemon, wire, std::nullopt));
+    EXPECT_EQ(daemon.sensor_status().at("lost"), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(ByBackend, EmptyWorld,
+                         testing::Values("auto", "embree", "depth", "reference"),
+                         [](const auto& test) { return std::string(test.param); });
+
+}  // namespace
+}  // namespace scipd::tests

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What a large world took goes back to the system when a small one takes its place.
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/end_to_end/in_square_room.h"
+#include "tests/support/control_request.h"
+
+namespace scipd::tests {
+namespace {
+
+/// Resident, as the system counts it.
+double memory_mb(pid_t pid) {
+    std::ifstream status{"/proc/" + std::to_string(pid) + "/status"};
+    for (std::string line; std::getline(status, line);) {
+        if (line.starts_with("VmRSS:")) return std::stod(line.substr(6)) / 1000;
+    }
+    return 0;
+}
+
+/// Balls of many triangles each: memory in pieces, which is what stays behind.
+std::string many_balls() {
+    std::ostringstream text;
+    text << "<sdf version='1.9'><world name='w'>";
+    for (int i = 0; i < 80; ++i) {
+        text << "<model name='m" << i << "'><pose>" << 10 + i % 9 * 3 << ' ' << i / 9 * 3
+             << " 0 0 0 0</pose><link name='l'>";
+        for (int k = 3; k < 7; ++k) {
+            text << "<visual name='v" << k << "'><geometry><sphere><radius>0." << k
+                 << "</radius></sphere></geometry></visual>";
+        }
+        text << "</link></model>";
+    }
+    text << "</world></sdf>";
+    return text.str();
+}
+
+TEST(Memory, OfALargeWorldGoesBackWithIt) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "sanitizers keep what is given back";
+#endif
+    const TempDir directory;
+    const DaemonProcess daemon(directory, on_tcp({"--backend", "embree"}));
+    ASSERT_NE(daemon.ready_line(), "") << daemon.standard_error();
+    const auto load = [&](const std::string& file) {
+        const nlohmann::json body{{"file", file}};
+        const auto answer = control_request(daemon.control(), "PUT", "/scene", body.dump());
+        EXPECT_EQ(answer.status, 200) << answer.body;
+    };
+    const std::string small = scene("square_room.sdf");
+    const std::string large = directory.write("large.sdf", many_balls());
+    const double fresh_mb = memory_mb(daemon.pid());
+    for (int round = 0; round < 2; ++round) {
+        load(large);
+        // A scan of it is kept, and asks for none of its memory.
+        auto wire = ScannerWire::tcp(daemon.port());
+        EXPECT_EQ(wire.ask(stream_of_one_beam), "00");
+        (void)wire.next_scan();
+        EXPECT_GT(memory_mb(daemon.pid()), fresh_mb + 150) << "too small a world to tell anything";
+        load(small);
+        EXPECT_TRUE(eventually([&] { return memory_mb(daemon.pid()) < fresh_mb + 50; }))
+            << fresh_mb << " MB at first, " << memory_mb(daemon.pid()) << " MB now";
+    }
+}
+
+}  // namespace
+}  // namespace scipd::tests
