@@ -124,7 +124,8 @@ void add_robot(CLI::App& app, Said& said) {
         });
     group.add(
         "--poses", "SOURCE",
-        "live poses: udp:ADDR:PORT, a file FILE.tum played in real time, or - for stdin",
+        "live poses: udp:ADDR:PORT, - for stdin, or a file that is played in real time: TUM, "
+        "EuRoC, KITTI or CSV with a header",
         [&](const auto& text) { said.robot.poses = parse_pose_source(text, fs::current_path()); });
 }
 
