@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/loaders/poses/text_number.h"
 #include "sim/loaders/poses/tum_line.h"
 #include "sim/loaders/quote.h"
+#include "sim/loaders/text_number.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {

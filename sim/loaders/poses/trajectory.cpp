@@ -11,10 +11,10 @@
 #include "sim/loaders/plain_file.h"
 #include "sim/loaders/poses/kitti_line.h"
 #include "sim/loaders/poses/pose_columns.h"
-#include "sim/loaders/poses/text_number.h"
 #include "sim/loaders/poses/trajectory_draft.h"
 #include "sim/loaders/poses/tum_line.h"
 #include "sim/loaders/quote.h"
+#include "sim/loaders/text_number.h"
 
 namespace scipd::sim {
 namespace {
