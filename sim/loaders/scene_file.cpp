@@ -9,15 +9,26 @@
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/mesh/mesh_file.h"
 #include "sim/loaders/mesh/mesh_scene.h"
+#include "sim/loaders/plain_file.h"
 #include "sim/loaders/sdf/xacro.h"
+#include "sim/loaders/stage/stage_scene.h"
 #include "sim/world/anchor.h"
 
 namespace scipd::sim {
 
 namespace {
 
+/// As far as it tells what it is; empty where nothing can be had.
+std::string beginning_of(const std::filesystem::path& file) {
+    if (!why_no_file(file).empty()) return {};
+    std::string text(4096, ' ');
+    text.resize(std::fread(text.data(), 1, text.size(), open_file(file).get()));
+    return text;
+}
+
 LoadedScene load_here(const std::filesystem::path& file, const SceneOptions& options) {
     const std::string extension = extension_of(file);
+    if (extension == ".world" && is_stage(beginning_of(file))) return load_stage(file);
     if (extension == ".sdf" || extension == ".world" || extension == ".urdf") {
         return load_sdf(file, options.sdf);
     }
@@ -26,7 +37,8 @@ LoadedScene load_here(const std::filesystem::path& file, const SceneOptions& opt
     if (is_mesh_file(file)) return load_mesh_scene(file);
     throw LoadError(
         {file.string() +
-         ": is no kind of world that is known; name an SDF (.sdf, .world), a URDF "
+         ": is no kind of world that is known; name an SDF (.sdf, .world), a world of Stage "
+         "(.world), a URDF "
          "(.urdf, .xacro), a ROS map (.yaml, .yml) or a mesh (.obj, .stl, .ply, .dae, .gltf, "
          ".glb)"});
 }

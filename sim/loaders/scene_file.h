@@ -19,8 +19,8 @@ struct SceneOptions {
     LoadLimits limits = {};
 };
 
-/// The file's extension tells its kind: .sdf, .world and .urdf, .yaml and .yml for ROS maps, and
-/// those of meshes. Throws LoadError.
+/// The file's extension tells its kind: .sdf, .world and .urdf, .xacro, .yaml and .yml for ROS
+/// maps, and those of meshes; a .world that is no XML is one of Stage. Throws LoadError.
 LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& options = {});
 
 }  // namespace scipd::sim
