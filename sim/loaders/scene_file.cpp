@@ -9,6 +9,7 @@
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/mesh/mesh_file.h"
 #include "sim/loaders/mesh/mesh_scene.h"
+#include "sim/loaders/mvsim/mvsim_scene.h"
 #include "sim/loaders/plain_file.h"
 #include "sim/loaders/sdf/xacro.h"
 #include "sim/loaders/stage/stage_scene.h"
@@ -33,6 +34,7 @@ LoadedScene load_here(const std::filesystem::path& file, const SceneOptions& opt
         return load_sdf(file, options.sdf);
     }
     if (extension == ".xacro") return load_xacro(file, options.sdf);
+    if (extension == ".xml") return load_mvsim(file, options.map);
     if (extension == ".yaml" || extension == ".yml") return load_ros_map(file, options.map);
     if (is_mesh_file(file)) return load_mesh_scene(file);
     throw LoadError(

@@ -20,7 +20,8 @@ struct SceneOptions {
 };
 
 /// The file's extension tells its kind: .sdf, .world and .urdf, .xacro, .yaml and .yml for ROS
-/// maps, and those of meshes; a .world that is no XML is one of Stage. Throws LoadError.
+/// maps, and those of meshes; a .world that is no XML is one of Stage, and .xml is MVSim's. Throws
+/// LoadError.
 LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& options = {});
 
 }  // namespace scipd::sim
