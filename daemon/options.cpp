@@ -97,7 +97,9 @@ class Group {
 void add_world(CLI::App& app, Said& said) {
     Group group{app, "World"};
     Config& config = said.options.config;
-    group.add("--scene", "FILE.sdf", "the world; default: the rescue maze",
+    group.add("--scene", "FILE",
+              "the world: SDF, URDF, xacro, a ROS map, Stage, MVSim or a mesh; default: the rescue "
+              "maze",
               [&](const auto& text) { config.scene = parse_file(text, fs::current_path()); });
     group.add("--clock", "CLOCK",
               "wall, or poses: time is the stamps of the poses and stands still between them; "

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "sim/loaders/map/jpeg.h"
 #include "sim/loaders/map/pgm.h"
 #include "sim/loaders/map/stb_picture.h"
 
@@ -12,6 +13,7 @@ namespace scipd::sim {
 
 MapImage read_map_image(std::string_view bytes) {
     if (is_stb_picture(bytes)) return read_stb_picture(bytes);
+    if (is_jpeg(bytes)) return read_jpeg(bytes);
     if (is_pgm(bytes)) return read_pgm(bytes);
     throw std::invalid_argument("is no PGM, PNG, BMP or JPEG; save the map as one of these");
 }

@@ -39,7 +39,6 @@ void* paid_realloc(void* old, std::size_t old_size, std::size_t size) {
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG
 #define STBI_ONLY_BMP
-#define STBI_ONLY_JPEG
 #define STBI_NO_STDIO
 #define STBI_MALLOC(size) paid_malloc(size)
 #define STBI_REALLOC_SIZED(old, old_size, size) paid_realloc(old, old_size, size)
@@ -67,8 +66,7 @@ constexpr std::size_t most_bytes = 1 << 29;
 
 std::string kind_of(std::string_view bytes) {
     if (bytes.starts_with("\x89PNG")) return "PNG";
-    if (bytes.starts_with("BM")) return "BMP";
-    return bytes.starts_with("\xFF\xD8\xFF") ? "JPEG" : "";
+    return bytes.starts_with("BM") ? "BMP" : "";
 }
 
 [[noreturn]] void refuse(const std::string& kind, const std::string& why) {
@@ -132,27 +130,6 @@ class BmpHeader {
     std::string_view bytes_;
 };
 
-/// The last scan of a JPEG is followed by its end; a preview within it has both before.
-void check_end_of_jpeg(std::string_view bytes) {
-    const auto scan = bytes.rfind("\xFF\xDA");
-    const auto end = bytes.rfind("\xFF\xD9");
-    const bool ends = scan != bytes.npos && end != bytes.npos && end > scan;
-    if (!ends) refuse("JPEG", "it ends too early");
-}
-
-/// What the library takes at most for a sound file of this size.
-std::size_t purse_for(const std::string& kind, std::size_t file_size, const MapImage& image,
-                      std::size_t bytes_a_pixel) {
-    constexpr std::size_t small_things = 1 << 16;
-    // Up to four channels of samples and coefficients, in blocks of up to 32 by 32, and the
-    // picture.
-    if (kind == "JPEG") return 16 * (image.width + 32) * (image.height + 32) + small_things;
-    // The file again, doubled as it grows; the rows with a filter byte each; the picture, once more
-    // where it is interlaced, and both twice as large where one grey is said to be transparent.
-    return 2 * file_size + image.height + 5 * image.width * image.height * bytes_a_pixel +
-           small_things;
-}
-
 template <typename Sample>
 std::vector<Sample> taken(Sample* decoded, std::size_t count, const std::string& kind) {
     const std::unique_ptr<Sample, Free> owner{decoded};
@@ -185,8 +162,9 @@ MapImage read_stb_picture(std::string_view bytes) {
                    {}};
     const std::size_t pixel = image.channels * (is_wide ? 2 : 1);
     check_size(image.width, image.height, pixel);
-    if (kind == "JPEG") check_end_of_jpeg(bytes);
-    purse = purse_for(kind, bytes.size(), image, pixel);
+    // The file again, doubled as it grows; the rows with a filter byte each; the picture, once more
+    // where it is interlaced, and both twice as large where one grey is said to be transparent.
+    purse = 2 * bytes.size() + image.height + 5 * image.width * image.height * pixel + (1 << 16);
     const auto count = [&] { return image.width * image.height * static_cast<unsigned>(channels); };
     if (is_wide) {
         auto* samples = stbi_load_16_from_memory(data, size, &width, &height, &channels, 0);

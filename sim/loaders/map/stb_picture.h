@@ -8,10 +8,10 @@
 
 namespace scipd::sim {
 
-/// Whether it begins as a PNG, BMP or JPEG.
+/// Whether it begins as a PNG or BMP.
 bool is_stb_picture(std::string_view bytes);
 
-/// Any of those, but for BMP with run lengths: palettes are resolved, 16 bits kept. Throws
+/// Either, but for BMP with run lengths: palettes are resolved, 16 bits kept. Throws
 /// std::invalid_argument.
 MapImage read_stb_picture(std::string_view bytes);
 

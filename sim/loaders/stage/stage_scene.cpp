@@ -192,8 +192,10 @@ class StageScene {
         std::copy_n(said.begin(), std::min<std::size_t>(said.size(), 4), numbers.begin());
         if (said.size() == 3) {
             std::swap(numbers[2], numbers[3]);
-            draft_.warn(entity.place + ": " + property +
-                        " has three numbers: x, y and heading are taken, as Stage 2 has them");
+            if (!std::exchange(told_of_stage_2_, true)) {
+                draft_.warn(entity.place + ": " + property +
+                            " has three numbers: x, y and heading are taken, as Stage 2 has them");
+            }
         }
         const glm::dvec3 xyz_m = glm::dvec3{numbers[0], numbers[1], numbers[2]} * units_.metres;
         if (!plausible_position(xyz_m) || std::abs(numbers[3]) > 1e6)
@@ -210,6 +212,7 @@ class StageScene {
     SceneDraft draft_;
     std::set<std::string, std::less<>> names_;
     std::size_t triangles_ = 0;
+    bool told_of_stage_2_ = false;
 };
 
 }  // namespace

@@ -5,9 +5,10 @@
 #pragma once
 
 #include <cmath>
+#include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
-#include <vector>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -16,17 +17,22 @@
 
 namespace scipd::sim {
 
-inline std::vector<std::string> backends_here() {
-    std::vector<std::string> names;
+/// Of the scene that was asked for last: to make one that draws takes a while.
+inline const std::map<std::string, std::unique_ptr<RangeBackend>>& backends_for(
+    const SharedScene& scene) {
+    static SharedScene last;
+    static std::map<std::string, std::unique_ptr<RangeBackend>> all;
+    if (scene == last) return all;
+    last = scene;
+    all.clear();
     for (const BackendInfo& backend : backends()) {
         try {
-            make_backend(backend.name, std::make_shared<const Scene>());
-            names.emplace_back(backend.name);
+            all.emplace(backend.name, make_backend(backend.name, scene));
         } catch (const std::runtime_error&) {
             continue;  // it cannot draw here
         }
     }
-    return names;
+    return all;
 }
 
 /// Infinity: it meets nothing.
@@ -34,11 +40,10 @@ inline void expect_range(const SharedScene& scene, const glm::dvec3& from_m,
                          const glm::dvec3& direction, double range_m) {
     const glm::vec3 ahead{glm::normalize(direction)};
     const Pose world_from_sensor{from_m, Pose{}.rotation};
-    for (const std::string& name : backends_here()) {
+    for (const auto& [name, backend] : backends_for(scene)) {
         Hit hit;
-        make_backend(name, scene)
-            ->cast({.directions = {&ahead, 1}, .world_from_sensor = {&world_from_sensor, 1}},
-                   {&hit, 1});
+        backend->cast({.directions = {&ahead, 1}, .world_from_sensor = {&world_from_sensor, 1}},
+                      {&hit, 1});
         EXPECT_EQ(hit.met(), std::isfinite(range_m)) << name;
         if (hit.met() && std::isfinite(range_m)) {
             EXPECT_NEAR(hit.range_m, range_m, 5e-4) << name;

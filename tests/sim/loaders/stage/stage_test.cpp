@@ -170,7 +170,7 @@ TEST_F(Stage, ofDefinitionsTheLastWordCounts) {
 }
 
 TEST_F(Stage, headingsOfStage2AreTakenAndTold) {
-    EXPECT_THAT(warnings("\nmodel ( size [2 1 1] pose [3 0 90] )"),
+    EXPECT_THAT(warnings("\nmodel ( size [2 1 1] pose [3 0 90] ) model ( pose [9 0 0] )"),
                 ElementsAre("a.world:2: pose has three numbers: x, y and heading are taken, as "
                             "Stage 2 has them"));
     expect_range(load("model ( size [2 1 1] pose [3 0 90] )").scene, {0, 0, 0.5}, {1, 0, 0}, 2.5);
