@@ -26,6 +26,9 @@ if(NOT embree_FOUND)
 endif()
 message(STATUS "Embree ${embree_VERSION}")
 
+# Elevation models are left out of worlds where there is no GDAL, which is large; scipd then says so.
+pkg_check_modules(gdal IMPORTED_TARGET gdal)
+
 # The depth backend is left out where its headers are missing; scipd then says so. EGL itself is looked for when a
 # program runs, so that a machine without it still has the others.
 pkg_check_modules(epoxy IMPORTED_TARGET epoxy)

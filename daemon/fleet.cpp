@@ -57,7 +57,7 @@ Fleet::Fleet(const boost::asio::any_io_executor& executor, ClockKind clock)
       wall_clock_(executor),
       lockstep_(clock == ClockKind::poses ? std::make_unique<Lockstep>(executor) : nullptr),
       clock_(lockstep_ ? static_cast<Clock&>(lockstep_->clock()) : wall_clock_),
-      editor_(world_, loader_, [this] { return backend_wishes(); }),
+      editor_(world_, loader_, clock_, [this] { return backend_wishes(); }),
       chooser_(world_, loader_, [this] { return backend_wishes(); }),
       loader_(executor) {
     world_.on_placed([this] {
@@ -83,7 +83,7 @@ void Fleet::take_up(FleetPlan&& plan, Ports ports, std::vector<Feed> feeds) noex
         spdlog::warn("{}", warning);
     editor_.set_file(config.scene, scene_options(config));
     loader_.discard(std::make_shared<SensorBackends>(
-        world_.replace_scene(std::move(loaded.scene), std::move(backends))));
+        world_.replace_scene(std::move(loaded.scene), std::move(backends), {}, clock_.now())));
     std::map<std::string, RobotStart> robots;
     for (const RobotConfig& robot : config.robots)
         robots[robot.name] = {robot.world_from_robot, robot.policy, robot.body};

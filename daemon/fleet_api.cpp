@@ -65,7 +65,10 @@ std::optional<std::string> Fleet::set_robot_pose(const std::string& robot,
 }
 
 std::optional<sim::TimedPose> Fleet::model_pose(const std::string& model) const {
-    return pose_now(world_.model(model));
+    const sim::Time now = clock_.now();
+    const auto pose = world_.model_pose(model, now);
+    if (!pose) return std::nullopt;
+    return sim::TimedPose{clock_.origin() + now, *pose};
 }
 
 std::optional<std::string> Fleet::set_model_pose(const std::string& model,

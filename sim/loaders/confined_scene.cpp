@@ -13,6 +13,7 @@
 #include "sim/loaders/between_processes.h"
 #include "sim/loaders/confined.h"
 #include "sim/loaders/load_error.h"
+#include "sim/world/script.h"
 
 namespace scipd::sim {
 namespace {
@@ -27,10 +28,24 @@ Texts take_texts(std::FILE* in) {
     return take_each<Texts>(in, take_all<std::string>);
 }
 
+void put_script(const Script& script, std::FILE* out) {
+    put_all(script.steps, out);
+    put(script.lap, out);
+}
+
+SharedScript take_script(std::FILE* in) {
+    Script script;
+    script.steps = take_all<std::vector<Script::Step>>(in);
+    script.lap = take<Time>(in);
+    return std::make_shared<const Script>(std::move(script));
+}
+
 void put_model(const Model& model, std::FILE* out) {
     put_all(model.name, out);
     put(model.movable, out);
     put(model.world_from_model, out);
+    put(model.script != nullptr, out);
+    if (model.script) put_script(*model.script, out);
 }
 
 Model take_model(std::FILE* in) {
@@ -38,6 +53,7 @@ Model take_model(std::FILE* in) {
     model.name = take_all<std::string>(in);
     model.movable = take<bool>(in);
     model.world_from_model = take<Pose>(in);
+    if (take<bool>(in)) model.script = take_script(in);
     return model;
 }
 

@@ -39,9 +39,9 @@ LoadedScene load_here(const std::filesystem::path& file, const SceneOptions& opt
     if (is_mesh_file(file)) return load_mesh_scene(file);
     throw LoadError(
         {file.string() +
-         ": is no kind of world that is known; name an SDF (.sdf, .world), a world of Stage "
-         "(.world), a URDF "
-         "(.urdf, .xacro), a ROS map (.yaml, .yml) or a mesh (.obj, .stl, .ply, .dae, .gltf, "
+         ": is no kind of world that is known; name an SDF (.sdf, .world), a URDF (.urdf, "
+         ".xacro), a world of Stage (.world) or MVSim (.xml), a ROS map (.yaml, .yml) or a mesh "
+         "(.obj, .stl, .ply, .dae, .gltf, "
          ".glb)"});
 }
 

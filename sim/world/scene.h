@@ -29,12 +29,16 @@ using ObjectId = std::uint32_t;
 using ModelId = std::uint32_t;
 inline constexpr ModelId no_model = std::numeric_limits<ModelId>::max();
 
+struct Script;  // script.h
+using SharedScript = std::shared_ptr<const Script>;
+
 /// What moves as one body. Names differ within a scene; one that lies in another begins with its
 /// name: OUTER::INNER.
 struct Model {
     std::string name;
     bool movable = false;
-    Pose world_from_model;  ///< at load
+    Pose world_from_model;          ///< at load
+    SharedScript script = nullptr;  ///< null: it moves only as it is told to
 };
 
 /// One piece of geometry of one material.

@@ -193,11 +193,11 @@ TEST_F(OptionsTest, CheckReadsTheWorldToo) {
               file.string() + ":1: scene: " + bad.string() + size + "\n");
     dir_.write("bad.sdf",
                "<sdf version='1.9'><world name='w'><include><uri>model://sun</uri></include>"
-               "<include><uri>model://ground_plane</uri></include><actor name='a'/>"
+               "<include><uri>model://ground_plane</uri></include><population name='a'/>"
                "</world></sdf>");
     EXPECT_EQ(answer("--check " + file.string()).exit_code, 0);
     EXPECT_EQ(answer("--check " + file.string()).text,
-              bad.string() + ":1: <actor> is not supported and left out\n" + file.string() +
+              bad.string() + ":1: <population> is not supported and left out\n" + file.string() +
                   ": no faults; robots: 1, sensors: 1, models: 1\n");
     EXPECT_EQ(answer("--check " + file.string() + " --strict").exit_code, 2);
     EXPECT_TRUE(run("--strict " + scene()).config.strict);

@@ -12,7 +12,6 @@
 #include <vector>
 
 namespace tinyxml2 {
-class XMLDocument;
 class XMLElement;
 }  // namespace tinyxml2
 
@@ -23,16 +22,20 @@ namespace scipd::sim {
 std::vector<std::string> take_unreadable(tinyxml2::XMLElement& root,
                                          const std::filesystem::path& file);
 
+/// Puts what libsdformat 12 does not know in words that it carries along: a <cone> becomes a
+/// <scipd:cone>, a <road> a model (sdf_road.h).
+void put_in_its_words(tinyxml2::XMLElement& root);
+
 /// A version that the library does not know becomes the last that it knows; it skips what is new
 /// since then.
 void lower_version(tinyxml2::XMLElement& root);
 
 /// Takes out what is nothing to a scanner: physics, lights, sensors, plugins, colours, and joints
-/// that no frame refers to.
-void relieve(tinyxml2::XMLElement& root);
+/// that no frame refers to. Answers with warnings, as take_unreadable().
+std::vector<std::string> relieve(tinyxml2::XMLElement& root, const std::filesystem::path& file);
 
-/// As text in which every element begins on the line that it had.
-std::string line_for_line(const tinyxml2::XMLDocument& document);
+/// The library wants a link in each; a model of none is one that nobody sees.
+void drop_empty_models(tinyxml2::XMLElement& root);
 
 /// A name as its file has it: a document that went through relieve() has no "::" in names, which
 /// the library takes for its own.

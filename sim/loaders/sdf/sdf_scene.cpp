@@ -5,19 +5,19 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <set>
 #include <utility>
 
 #include <sdf/Element.hh>
 #include <sdf/Link.hh>
-#include <sdf/Mesh.hh>
 #include <sdf/Model.hh>
 #include <sdf/World.hh>
 
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/mesh/mesh_shelf.h"
 #include "sim/loaders/name.h"
+#include "sim/loaders/sdf/actor_model.h"
+#include "sim/loaders/sdf/actor_skin.h"
 #include "sim/loaders/sdf/scene_draft.h"
+#include "sim/loaders/sdf/scene_shapes.h"
+#include "sim/loaders/sdf/sdf_document.h"
 #include "sim/loaders/sdf/sdf_place.h"
 #include "sim/loaders/sdf/sdf_shape.h"
 #include "sim/loaders/sdf/sdf_surface.h"
@@ -34,6 +34,12 @@ std::string text_of(const glm::dvec3& xyz_m) {
     return text.data();
 }
 
+/// To where a saved world has it.
+Place moved_to(const Place& outer, const SdfState::Entry& saved) {
+    const Pose outer_from_here = inverse(outer.world_from_here) * saved.world_from_here;
+    return {outer.body, outer.body_from_here * outer_from_here, saved.world_from_here};
+}
+
 bool says_not_static(const sdf::Model& model) {
     return !model.Static() && model.Element()->HasElement("static");
 }
@@ -41,13 +47,13 @@ bool says_not_static(const sdf::Model& model) {
 /// Walks from the root to the surfaces.
 class SceneWalk {
   public:
-    SceneWalk(SdfFile read, fs::path file, const Resources& resources, SdfOptions options)
+    SceneWalk(SdfFile read, fs::path file, const Resources& resources, SdfOptions options,
+              MeshShelf& shelf)
         : read_(std::move(read)),
           file_(std::move(file)),
-          resources_(resources),
           options_(std::move(options)),
           draft_(file_, options_.strict, std::move(read_.warnings)),
-          shelf_(options_.most_triangles, options_.mesh) {}
+          shapes_(read_, file_, resources, options_, draft_, shelf) {}
 
     LoadedScene run() &&;
 
@@ -60,19 +66,17 @@ class SceneWalk {
     void add_nested(const sdf::Model& model, const Place& outer, const std::string& outer_name);
     void add_link(const sdf::Link& link, const Place& place, const std::string& name);
     void add_surface(const SdfSurface& surface, const Place& link, const std::string& link_name);
-    void add_shape(const SdfSurface& surface, Object object, const std::string& place);
-    void add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object);
     void warn_of_unseen(const sdf::Link& link, const std::string& name);
     std::optional<Place> place_of(const Place& outer, const sdf::SemanticPose& pose,
                                   const sdf::ElementPtr& element, const std::string& name);
 
     SdfFile read_;
     fs::path file_;
-    const Resources& resources_;
     SdfOptions options_;
     SceneDraft draft_;
-    std::set<std::string> warned_kinds_;
-    MeshShelf shelf_;
+    SceneShapes shapes_;
+    const SdfActor* actor_ = nullptr;  ///< that the present model was
+    glm::dvec3 scale_{1.0};            ///< of the model whose links are looked at
 };
 
 LoadedScene SceneWalk::run() && {
@@ -88,7 +92,7 @@ void SceneWalk::add_root() {
     }
     const auto* world = read_.root.WorldByIndex(0);
     if (world == nullptr) {
-        draft_.refuse(file_.string() + ": holds no <world> and no <model>");
+        draft_.refuse(file_.string() + ": holds no <world>, and no <model> with a <link>");
         return;
     }
     draft_.set_name(world->Name());
@@ -98,15 +102,21 @@ void SceneWalk::add_root() {
     }
     for (std::uint64_t i = 0; i < world->ModelCount(); ++i)
         add_model(*world->ModelByIndex(i));
+    if (auto warning = read_.state.unused(file_); !warning.empty()) {
+        draft_.warn(std::move(warning));
+    }
 }
 
 void SceneWalk::add_model(const sdf::Model& model) {
     const std::string name = name_of(model);
+    if (read_.state.deleted.contains(shown(name))) return;
     const auto place = place_of({}, model.SemanticPose(), model.Element(), name);
     if (!place) return;
-    const Pose& world_from_model = place->world_from_here;
-    const ModelId id = draft_.add(Model{name, !model.Static(), world_from_model});
-    add_parts(model, {id, {}, world_from_model}, name);
+    actor_ = actor_of(model, read_.actors);
+    const Model still{name, !model.Static(), place->world_from_here};
+    const ModelId id = draft_.add(actor_ == nullptr ? still : walking(still, *actor_, model));
+    add_parts(model, {id, {}, place->world_from_here}, name);
+    actor_ = nullptr;
 }
 
 std::string SceneWalk::name_of(const sdf::Model& model) {
@@ -119,6 +129,8 @@ std::string SceneWalk::name_of(const sdf::Model& model) {
 }
 
 void SceneWalk::add_parts(const sdf::Model& model, const Place& place, const std::string& name) {
+    const auto* saved = read_.state.use(shown(name));
+    scale_ = saved == nullptr ? glm::dvec3{1.0} : saved->scale;
     for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
         const auto& link = *model.LinkByIndex(i);
         const auto link_name = name + "::" + link.Name();
@@ -170,42 +182,10 @@ void SceneWalk::add_surface(const SdfSurface& surface, const Place& link,
     if (surface.laser_retro && !std::isfinite(*surface.laser_retro)) {
         return draft_.leave_out(place + "laser_retro must be finite");
     }
-    try {
-        if (const auto* mesh = surface.geometry->MeshShape()) {
-            return add_mesh(surface, *mesh, std::move(object));
-        }
-        add_shape(surface, std::move(object), place);
-    } catch (const LoadError& error) {
-        for (const auto& fault : error.faults())
-            draft_.leave_out(place + fault);
+    if (actor_ != nullptr && surface.name == skin_name) {
+        return shapes_.add_skin(surface, std::move(object), scale_, place);
     }
-}
-
-void SceneWalk::add_shape(const SdfSurface& surface, Object object, const std::string& place) {
-    const auto primitive = primitive_of(*surface.geometry);
-    if (!primitive) {
-        const auto kind = kind_of(*surface.geometry);
-        if (!warned_kinds_.insert(kind).second) return;
-        return draft_.pass_over(place + '<' + kind +
-                                "> is not supported and left out, here and elsewhere");
-    }
-    object.shape = primitive->shape;
-    shelf_.count(object.shape);
-    object.model_from_object = object.model_from_object * primitive->geometry_from_shape;
-    draft_.add(std::move(object), {surface.material, surface.laser_retro});
-}
-
-void SceneWalk::add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object) {
-    const auto file = read_.file_of(mesh.Element(), file_);
-    // A text is called by a name, and lies in no folder.
-    const auto folder = file.is_absolute() ? file.parent_path() : resources_.folder();
-    const auto found = resources_.find(mesh.Uri(), folder);
-    if (found.empty()) throw LoadError({resources_.not_found(mesh.Uri(), folder)});
-    for (const auto& part : shelf_.parts_of(found, mesh)) {
-        object.shape = part.mesh;
-        draft_.add(object, {surface.material.empty() ? part.material : surface.material,
-                            surface.laser_retro});
-    }
+    shapes_.add(surface, std::move(object), scale_, place);
 }
 
 /// What lies in `outer` at this pose; nothing where it cannot lie there.
@@ -217,7 +197,8 @@ std::optional<Place> SceneWalk::place_of(const Place& outer, const sdf::Semantic
         draft_.leave_out(where + errors.front().Message());
         return {};
     }
-    const Place here = outer * to_pose(resolved);
+    Place here = outer * to_pose(resolved);
+    if (const auto* saved = read_.state.use(shown(name))) here = moved_to(outer, *saved);
     const auto& [at_m, rotation] = here.world_from_here;
     if (plausible_position(at_m) && std::isfinite(glm::length(rotation))) return here;
     draft_.leave_out(where + "lies at " + text_of(at_m) +
@@ -228,8 +209,8 @@ std::optional<Place> SceneWalk::place_of(const Place& outer, const sdf::Semantic
 }  // namespace
 
 LoadedScene scene_of(SdfFile read, const fs::path& source, const Resources& resources,
-                     const SdfOptions& options) {
-    return SceneWalk{std::move(read), source, resources, options}.run();
+                     const SdfOptions& options, MeshShelf& shelf) {
+    return SceneWalk{std::move(read), source, resources, options, shelf}.run();
 }
 
 }  // namespace scipd::sim

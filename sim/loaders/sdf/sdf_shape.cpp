@@ -17,6 +17,8 @@
 #include <sdf/Sphere.hh>
 
 #include "sim/loaders/load_error.h"
+#include "sim/loaders/sdf/sdf_numbers.h"
+#include "sim/loaders/sdf/sdf_road.h"
 #include "sim/world/extrusion.h"
 #include "sim/world/reach.h"
 
@@ -65,6 +67,13 @@ PlacedShape placed_plane(const sdf::Plane& plane) {
 PlacedShape placed_capsule(const sdf::Capsule& capsule) {
     check_sizes({capsule.Radius(), capsule.Length()});
     return placed(capsule_mesh(capsule.Radius(), capsule.Length()));
+}
+
+PlacedShape placed_cone(sdf::Element& cone) {
+    const double radius_m = number_in(cone, "radius", 1.0);
+    const double length_m = number_in(cone, "length", 1.0);
+    check_sizes({radius_m, length_m});
+    return placed(cone_mesh(radius_m, length_m));
 }
 
 PlacedShape placed_ellipsoid(const ignition::math::Vector3d& radii) {
@@ -117,10 +126,33 @@ std::optional<PlacedShape> primitive_of(const sdf::Geometry& geometry) {
     if (const auto* ellipsoid = geometry.EllipsoidShape()) {
         return placed_ellipsoid(ellipsoid->Radii());
     }
-    if (geometry.Element() && geometry.Element()->HasElement("polyline")) {
-        return placed_polylines(geometry.Element()->GetElement("polyline"));
-    }
+    const auto element = geometry.Element();
+    if (!element) return {};
+    if (element->HasElement("polyline")) return placed_polylines(element->GetElement("polyline"));
+    if (const auto cone = element->FindElement("scipd:cone")) return placed_cone(*cone);
+    if (const auto road = element->FindElement("scipd:road")) return placed_road(*road);
     return {};
+}
+
+std::optional<Shape> scaled(const Shape& shape, const glm::dvec3& scale) {
+    if (scale == glm::dvec3{1.0}) return shape;
+    if (const auto* box = std::get_if<Box>(&shape)) {
+        const auto size_m = box->size_m * scale;
+        check_sizes({size_m.x, size_m.y, size_m.z});
+        return Box{size_m};
+    }
+    if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
+        const Cylinder larger{cylinder->radius_m * std::max(scale.x, scale.y),
+                              cylinder->length_m * scale.z};
+        check_sizes({larger.radius_m, larger.length_m});
+        return larger;
+    }
+    if (const auto* sphere = std::get_if<Sphere>(&shape)) {
+        const Sphere larger{sphere->radius_m * std::max({scale.x, scale.y, scale.z})};
+        check_sizes({larger.radius_m});
+        return larger;
+    }
+    return std::nullopt;
 }
 
 std::string kind_of(const sdf::Geometry& geometry) {

@@ -129,6 +129,17 @@ std::string sdf_from_urdf(std::string_view text) {
     return text_of(result);
 }
 
+std::map<std::string, int> lines_of_links(std::string_view text) {
+    XMLDocument document;
+    XMLElement* robot = root_of(document, text, "robot");
+    std::map<std::string, int> lines;
+    if (robot == nullptr) return lines;
+    for_children(*robot, "link", [&](XMLElement& link) {
+        lines.insert({attribute(link, "name"), link.GetLineNum()});
+    });
+    return lines;
+}
+
 int line_in_urdf(std::string_view text, const std::string& message) {
     XMLDocument document;
     XMLElement* robot = root_of(document, text, "robot");

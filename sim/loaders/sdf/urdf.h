@@ -6,6 +6,7 @@
 // shapes whatever they weigh, and wants to name what it sees. Call it while an SdfConsole is held.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,9 @@ bool is_urdf(std::string_view text);
 /// The robot as an SDF document, every link of it, with all joints at zero. What the library has
 /// against it is on the console; empty where it makes nothing of it.
 std::string sdf_from_urdf(std::string_view text);
+
+/// The lines of its links, by name.
+std::map<std::string, int> lines_of_links(std::string_view text);
 
 /// The line of the link or joint that a message of the library names in brackets; 0 where none.
 int line_in_urdf(std::string_view text, const std::string& message);

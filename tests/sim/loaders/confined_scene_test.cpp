@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "sim/loaders/load_error.h"
+#include "sim/world/script.h"
 
 namespace scipd::sim {
 namespace {
@@ -25,7 +26,10 @@ Scene full_scene() {
     const auto other = std::make_shared<const Mesh>(Mesh{{{5, 0, 0}}, {}});
     Scene scene;
     scene.name = "w";
-    scene.models = {{"a", false, {}}, {"b::c", true, pose_from_rpy({1, 2, 3}, {0.1, 0.2, 0.3})}};
+    const Pose start = pose_from_rpy({1, 2, 3}, {0.1, 0.2, 0.3});
+    const Script script{{{Time(0), start}, {Time(5), Pose{}}}, Time(9)};
+    scene.models = {{"a", false, {}},
+                    {"b::c", true, start, std::make_shared<const Script>(script)}};
     scene.materials = {{"default"}, {"oak", 7.5}, {"", std::nullopt}};
     const Pose pose = pose_from_rpy({4, 5, 6}, {0.4, 0.5, 0.6});
     scene.objects = {{"a::box", 0, {}, Box{{1, 2, 3}}, 0}, {"a::can", 0, pose, Cylinder{0.5, 2}, 1},
@@ -67,6 +71,9 @@ TEST(ConfinedScene, ArrivesWhole) {
     EXPECT_FALSE(arrived->models[0].movable);
     EXPECT_TRUE(arrived->models[1].movable);
     EXPECT_EQ(arrived->models[1].world_from_model, sent.models[1].world_from_model);
+    EXPECT_EQ(arrived->models[0].script, nullptr);
+    ASSERT_NE(arrived->models[1].script, nullptr);
+    EXPECT_EQ(*arrived->models[1].script, *sent.models[1].script);
     ASSERT_EQ(arrived->objects.size(), sent.objects.size());
     for (std::size_t i = 0; i < sent.objects.size(); ++i) {
         const Object& is = arrived->objects[i];
