@@ -97,7 +97,9 @@ class Group {
 void add_world(CLI::App& app, Said& said) {
     Group group{app, "World"};
     Config& config = said.options.config;
-    group.add("--scene", "FILE", "the world, or the folder of a model; default: the rescue maze",
+    group.add("--scene", "FILE",
+              "the world: SDF, URDF, xacro, a ROS map, Stage, MVSim, a mesh or the folder of a "
+              "model; default: the rescue maze",
               [&](const auto& text) { config.scene = parse_scene(text, fs::current_path()); });
     group.add("--clock", "CLOCK",
               "wall, or poses: time is the stamps of the poses and stands still between them; "
@@ -124,7 +126,8 @@ void add_robot(CLI::App& app, Said& said) {
         });
     group.add(
         "--poses", "SOURCE",
-        "live poses: udp:ADDR:PORT, a file FILE.tum played in real time, or - for stdin",
+        "live poses: udp:ADDR:PORT, - for stdin, or a file that is played in real time: TUM, "
+        "EuRoC, KITTI or CSV with a header",
         [&](const auto& text) { said.robot.poses = parse_pose_source(text, fs::current_path()); });
 }
 

@@ -210,13 +210,25 @@ TEST_F(OptionsTest, CheckTellsFaultsOfTheWorldAndOfTrajectories) {
                                  "robots: {r: {poses: drive.tum, sensors: {s: {model: UST-20LX, "
                                  "pty: auto}}}}\n");
     dir_.write("bad.sdf", room("<box><size>1 0 1</size></box>"));
-    dir_.write("drive.tum", "1 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n");
+    dir_.write("drive.tum", "1 0 0 0 0 0 0 1\n0 0 0 0 0 0 0 1\n");
     EXPECT_EQ(answer("--check " + file.string()).exit_code, 2);
     EXPECT_THAT(answer("--check " + file.string()).text,
                 testing::AllOf(testing::HasSubstr(file.string() + ":1: scene: " +
                                                   dir_.path().string() + "/bad.sdf:1: "),
                                testing::HasSubstr(file.string() + ":2: robots.r.poses: " +
                                                   dir_.path().string() + "/drive.tum:2: ")));
+}
+
+TEST_F(OptionsTest, CheckTellsWhatIsLeftOutOfTrajectories) {
+    const auto file = dir_.write("fleet.yaml",
+                                 "scene: room.sdf\n"
+                                 "robots: {r: {poses: {from: drive.txt, format: csv}, sensors: {s: "
+                                 "{model: UST-20LX, pty: auto}}}}\n");
+    const auto drive = dir_.write("drive.txt", "t,x,y,yaw,v\n0,0,0,0,1\n0,0,0,0,1\n");
+    EXPECT_EQ(answer("--check " + file.string()).exit_code, 0);
+    EXPECT_THAT(answer("--check " + file.string()).text,
+                testing::StartsWith(drive.string() + ": the columns 'v' are not read\n" +
+                                    drive.string() + ":3: has the stamp of the pose before it"));
 }
 
 TEST_F(OptionsTest, CheckTellsWhereABodyIsMissing) {

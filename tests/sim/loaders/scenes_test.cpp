@@ -74,7 +74,7 @@ TEST_P(Worlds, nameAMaterialForEverySurface) {
 
 TEST_P(Worlds, areClosedToAScannerInside) {
     auto backend = make_backend("reference", loaded_.scene);
-    const auto drive = load_tum(scene_file(name_ + ".tum"));
+    const auto drive = load_trajectory(scene_file(name_ + ".tum")).poses;
     for (const auto& end : {drive.front(), drive.back()}) {
         EXPECT_TRUE(std::isfinite(std::ranges::max(sweep_m(*backend, end.pose))));
     }
@@ -82,14 +82,14 @@ TEST_P(Worlds, areClosedToAScannerInside) {
 
 TEST_P(Worlds, leaveTheirDriveFree) {
     auto backend = make_backend("reference", loaded_.scene);
-    const auto drive = load_tum(scene_file(name_ + ".tum"));
+    const auto drive = load_trajectory(scene_file(name_ + ".tum")).poses;
     for (std::size_t i = 0; i < drive.size(); i += 5) {
         ASSERT_GT(nearest_m(*backend, drive[i].pose), 0.3F) << "pose " << i;
     }
 }
 
 TEST_P(Worlds, areDrivenThroughAtASteadyRate) {
-    const auto drive = load_tum(scene_file(name_ + ".tum"));
+    const auto drive = load_trajectory(scene_file(name_ + ".tum")).poses;
     EXPECT_EQ(drive.front().time, Time{0});
     for (std::size_t i = 1; i < drive.size(); ++i) {
         const auto step = drive[i].time - drive[i - 1].time;
