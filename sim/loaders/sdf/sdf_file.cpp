@@ -88,7 +88,8 @@ bool is_echo(const sdf::Error& error, const std::string& last_path) {
 
 class Reader {
   public:
-    Reader(const SdfSource& source, SdfFile& result) : source_(source), result_(result) {}
+    Reader(const SdfSource& source, bool strict, SdfFile& result)
+        : source_(source), strict_(strict), result_(result) {}
 
     void read(const std::vector<SdfDocument>& documents) {
         Includes includes;
@@ -119,7 +120,7 @@ class Reader {
     /// What is wrong with the robot becomes faults.
     std::string converted(const SdfDocument& robot) {
         const fs::path& file = robot.file;
-        std::string text = sdf_from_urdf(robot.text);
+        std::string text = sdf_from_urdf(robot, strict_, result_.sensors, result_.warnings);
         const auto said = console_.take();
         for (const auto& fault : said.faults) {
             if (is_echo(fault)) continue;
@@ -183,6 +184,7 @@ class Reader {
     }
 
     const SdfSource& source_;
+    bool strict_;
     SdfFile& result_;
     SdfConsole console_;
     MemoryFiles files_;
@@ -207,10 +209,11 @@ std::string SdfFile::place_of(const sdf::ElementPtr& element, const fs::path& ot
 SdfFile read_sdf(const SdfSource& source, const Resources& resources, std::size_t most_memory_bytes,
                  bool strict) {
     SdfFile result;
-    Reader reader{source, result};
+    Reader reader{source, strict, result};
     auto survey = survey_sdf(source, resources, most_memory_bytes, strict);
     result.faults = std::move(survey.faults);
     result.warnings = std::move(survey.warnings);
+    result.sensors = std::move(survey.sensors);
     if (result.faults.empty()) reader.read(survey.documents);
     return result;
 }

@@ -26,6 +26,7 @@ struct SdfFile {
     sdf::Root root;  ///< complete where there are no faults
     std::vector<std::string> faults;
     std::vector<std::string> warnings;
+    std::vector<FoundSensor> sensors;
     /// Files that the library was given in place of others, by what it calls them: they are gone.
     std::map<std::string, StandIn> stand_ins;
 

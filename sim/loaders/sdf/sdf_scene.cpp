@@ -18,6 +18,7 @@
 #include "sim/loaders/mesh/mesh_shelf.h"
 #include "sim/loaders/name.h"
 #include "sim/loaders/sdf/scene_draft.h"
+#include "sim/loaders/sdf/sdf_frames.h"
 #include "sim/loaders/sdf/sdf_place.h"
 #include "sim/loaders/sdf/sdf_shape.h"
 #include "sim/loaders/sdf/sdf_surface.h"
@@ -125,6 +126,8 @@ void SceneWalk::add_parts(const sdf::Model& model, const Place& place, const std
         const auto here = place_of(place, link.SemanticPose(), link.Element(), link_name);
         if (here) add_link(link, *here, link_name);
     }
+    for (Frame& frame : frames_of(model, place, name, read_.sensors))
+        draft_.add(std::move(frame));
     for (std::uint64_t i = 0; i < model.ModelCount(); ++i)
         add_nested(*model.ModelByIndex(i), place, name);
 }
@@ -138,10 +141,12 @@ void SceneWalk::add_nested(const sdf::Model& model, const Place& outer,
         const ModelId id = draft_.add(Model{name, true, place->world_from_here});
         place = {id, {}, place->world_from_here};
     }
+    draft_.add(Frame{name, place->body, place->body_from_here, {}, {}});
     add_parts(model, *place, name);
 }
 
 void SceneWalk::add_link(const sdf::Link& link, const Place& place, const std::string& name) {
+    draft_.add(Frame{name, place.body, place.body_from_here, {}, {}});
     for (const SdfSurface& surface : surfaces_of(link, options_.geometry))
         add_surface(surface, place, name);
     warn_of_unseen(link, name);

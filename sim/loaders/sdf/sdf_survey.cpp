@@ -137,6 +137,8 @@ class Surveyor {
         open_.push_back(file);
         const bool holds_anything = holds_thing(*root);
         std::ranges::move(take_unreadable(*root, file), std::back_inserter(survey_.warnings));
+        std::ranges::move(offer_sensors(*root, file, survey_.sensors),
+                          std::back_inserter(survey_.warnings));
         if (!strict_) relieve(*root);
         survey(*root, file);
         open_.pop_back();

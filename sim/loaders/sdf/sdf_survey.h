@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sim/loaders/sdf/resources.h"
+#include "sim/loaders/sdf/sdf_sensors.h"
 
 namespace scipd::sim {
 
@@ -33,6 +34,7 @@ struct SdfSurvey {
     std::vector<SdfDocument> documents;  ///< the source first, then each include once
     std::vector<std::string> faults;
     std::vector<std::string> warnings;
+    std::vector<FoundSensor> sensors;  ///< of all documents but robots
 };
 
 /// Of a document by its place among them, by which the library asks for it.

@@ -8,15 +8,20 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "sim/loaders/sdf/sdf_survey.h"
 
 namespace scipd::sim {
 
 /// Whether the root of this XML is a <robot>.
 bool is_urdf(std::string_view text);
 
-/// The robot as an SDF document, every link of it, with all joints at zero. What the library has
-/// against it is on the console; empty where it makes nothing of it.
-std::string sdf_from_urdf(std::string_view text);
+/// The robot as an SDF document, every link of it, with all joints at zero, and what its <gazebo>
+/// extensions have of sensors, as offer_sensors() leaves it; they themselves stay in it if
+/// `strict`. What the library has against it is on the console; empty where it makes nothing of it.
+std::string sdf_from_urdf(const SdfDocument& robot, bool strict, std::vector<FoundSensor>& sensors,
+                          std::vector<std::string>& warnings);
 
 /// The line of the link or joint that a message of the library names in brackets; 0 where none.
 int line_in_urdf(std::string_view text, const std::string& message);

@@ -66,7 +66,7 @@ TEST_F(SdfAsFound, whatIsNothingToAScannerMayBeFaulty) {
              "<iyz>0</iyz><izz>1</izz></inertia></inertial>"));
     expect_nothing_to_a_scanner(link("<inertial><pose>a b c 0 0 0</pose></inertial>"));
     expect_nothing_to_a_scanner(link("<sensor name='s' type='no such type'/>"));
-    expect_nothing_to_a_scanner(link("<sensor name='s'/><sensor name='s' type='ray'/>"));
+    expect_nothing_to_a_scanner(link("<sensor name='s'/><sensor name='s' type='imu'/>"));
     expect_nothing_to_a_scanner(link("<light name='s' type='no such type'/>"));
     expect_nothing_to_a_scanner(link(
         visual("w", "<empty/>", "<material><script><name>Gazebo/Grey</name></script></material>")));
