@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "daemon/load_world.h"
+#include "daemon/mounting.h"
 #include "sim/backends/depth.h"
 #include "sim/loaders/poses/trajectory.h"
 
@@ -56,7 +57,11 @@ std::string check(const std::filesystem::path& file, bool strict) {
     config.strict |= strict;
     sim::LoadedScene world;
     Faults faults;
-    note_faults(faults, [&] { world = load_world(config); });
+    std::vector<std::string> notices;
+    note_faults(faults, [&] {
+        world = load_world(config);
+        notices = mount_by_name(config, *world.scene);
+    });
     std::size_t sensors = 0;
     for (const RobotConfig& robot : config.robots) {
         check_trajectory(config, robot, faults);
@@ -67,6 +72,8 @@ std::string check(const std::filesystem::path& file, bool strict) {
     std::string text;
     for (const std::string& warning : world.warnings)
         text += warning + "\n";
+    for (const std::string& notice : notices)
+        text += notice + "\n";
     return text + file.string() + ": no faults; robots: " + std::to_string(config.robots.size()) +
            ", sensors: " + std::to_string(sensors) +
            ", models: " + std::to_string(world.scene->models.size()) + "\n";

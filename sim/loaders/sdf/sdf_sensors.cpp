@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -198,7 +199,9 @@ class Offer {
         if (own_name.empty()) throw Fault("has no name");
         const std::string link_name = attribute(link, "name");
         const std::string name = link_name + std::string{stands_for_colons} + own_name;
-        if (has_frame(model, name)) throw Fault("is not the first of this name in its link");
+        if (!names_.emplace(&model, name).second) {
+            throw Fault("is not the first of this name in its link");
+        }
         auto* frame = model.InsertNewChildElement("frame");
         frame->SetAttribute("name", name.c_str());
         frame->SetAttribute("attached_to", link_name.c_str());
@@ -219,6 +222,7 @@ class Offer {
 
     const std::filesystem::path& file_;
     std::vector<FoundSensor>& found_;
+    std::set<std::pair<const XMLElement*, std::string>> names_;  ///< of frames, by model
     std::vector<std::string> warnings_;
 };
 
