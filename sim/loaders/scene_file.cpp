@@ -2,11 +2,14 @@
 // Copyright The scipd authors
 #include "sim/loaders/scene_file.h"
 
+#include <array>
+#include <cstdio>
 #include <string>
 
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/mesh/mesh_file.h"
 #include "sim/loaders/mesh/mesh_scene.h"
+#include "sim/world/anchor.h"
 
 namespace scipd::sim {
 
@@ -25,11 +28,26 @@ LoadedScene load_here(const std::filesystem::path& file, const SceneOptions& opt
                      ".glb)"});
 }
 
+void warn_of_coarseness(LoadedScene& loaded, const std::filesystem::path& file) {
+    const Scene& scene = *loaded.scene;
+    const auto worst = coarsest(scene);
+    if (!worst) return;
+    const glm::dvec3& at_m = scene.anchor_m;
+    std::array<char, 300> figures{};
+    std::snprintf(figures.data(), figures.size(),
+                  " reaches %.0f m from (%.0f %.0f %.0f), where most of the world lies; ranges out "
+                  "there may be wrong by %.2g mm, within 1 km of that point by less than 0.1 mm",
+                  worst->distance_m, at_m.x, at_m.y, at_m.z, 1e3 * worst->error_m);
+    loaded.warnings.push_back(file.string() + ": " + scene.objects[worst->object].name +
+                              figures.data());
+}
+
 }  // namespace
 
 LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& options) {
     return load_confined(file.string(), options.limits, [&] {
         LoadedScene loaded = load_here(file, options);
+        warn_of_coarseness(loaded, file);
         if (options.sdf.strict && !loaded.warnings.empty()) throw LoadError(loaded.warnings);
         return loaded;
     });

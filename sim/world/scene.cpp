@@ -6,8 +6,6 @@
 #include <cassert>
 #include <utility>
 
-#include "sim/world/bounds.h"
-
 namespace scipd::sim {
 namespace {
 
@@ -25,15 +23,6 @@ bool is_or_lies_in(std::string_view name, std::string_view outer) {
 
 }  // namespace
 
-glm::dvec3 Scene::middle_of(const Scene& scene) {
-    Bounds bounds;
-    for (const Object& object : scene.objects) {
-        const Pose& world_from_model = scene.models[object.model].world_from_model;
-        bounds.include(bounds_of(object.shape), world_from_model * object.model_from_object);
-    }
-    return bounds.empty() ? glm::dvec3{0.0} : bounds.middle_m();
-}
-
 std::optional<ModelId> find_model(const Scene& scene, std::string_view name) {
     const auto found = std::ranges::find(scene.models, name, &Model::name);
     if (found == scene.models.end()) return std::nullopt;
@@ -42,6 +31,7 @@ std::optional<ModelId> find_model(const Scene& scene, std::string_view name) {
 
 SharedScene with_models(const Scene& scene, const Scene& added) {
     auto both = std::make_shared<Scene>(scene);
+    if (scene.objects.empty()) both->anchor_m = added.anchor_m;
     const auto first = static_cast<ModelId>(scene.models.size());
     for (const Model& model : added.models) {
         assert(!find_model(scene, model.name));

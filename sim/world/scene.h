@@ -64,12 +64,9 @@ struct Scene {
     std::vector<Frame> frames;
     std::vector<Material> materials{{"default"}};
 
-    /// A point of W near the middle of everything. Backends work in float relative to it, so that a
-    /// world that lies 10 km from its origin is as exact as one around it.
+    /// A point of W near the middle of most things (anchor.h). Backends work in float relative to
+    /// it, so that a world that lies 10 km from its origin is as exact as one around it.
     glm::dvec3 anchor_m{0.0, 0.0, 0.0};
-
-    /// Of all objects at load, in W; used to place the anchor.
-    static glm::dvec3 middle_of(const Scene& scene);
 };
 
 using SharedScene = std::shared_ptr<const Scene>;
@@ -78,7 +75,8 @@ using SharedScene = std::shared_ptr<const Scene>;
 std::optional<ModelId> find_model(const Scene& scene, std::string_view name);
 
 // A scene that somebody holds never changes; these make another one, which shares all meshes with
-// it. It keeps the anchor, so that what both have in common stays the same to the last bit.
+// it. It keeps the anchor, so that what both have in common stays the same to the last bit; only
+// one without objects takes that of the first that come.
 
 /// The scene and all models of `added`, none of whose names it may have. What was there keeps its
 /// ids; models, objects and materials that are new follow in their order.

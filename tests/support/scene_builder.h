@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "sim/world/anchor.h"
 #include "sim/world/scene.h"
 
 namespace scipd::sim {
@@ -42,7 +43,7 @@ class SceneBuilder {
 
     [[nodiscard]] SharedScene build() const {
         auto scene = std::make_shared<Scene>(scene_);
-        scene->anchor_m = Scene::middle_of(*scene);
+        scene->anchor_m = anchor_of(*scene);
         return scene;
     }
 

@@ -18,6 +18,7 @@
 #include "sim/loaders/map/map_walls.h"
 #include "sim/loaders/map/occupancy.h"
 #include "sim/loaders/plain_file.h"
+#include "sim/world/anchor.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {
@@ -70,8 +71,7 @@ class MapScene {
     [[nodiscard]] bool empty() const { return scene_.objects.empty(); }
 
     SharedScene finish() && {
-        // Whole metres, so that round coordinates stay round.
-        scene_.anchor_m = glm::round(Scene::middle_of(scene_));
+        scene_.anchor_m = anchor_of(scene_);
         return std::make_shared<const Scene>(std::move(scene_));
     }
 

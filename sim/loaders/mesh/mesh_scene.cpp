@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 
 #include "sim/loaders/mesh/mesh_file.h"
+#include "sim/world/anchor.h"
 #include "sim/world/bounds.h"
 
 namespace scipd::sim {
@@ -52,7 +53,7 @@ LoadedScene load_mesh_scene(const std::filesystem::path& given) {
                            "0.001</scale>");
     }
     // Whole metres, so that round coordinates stay round.
-    scene.anchor_m = glm::round(Scene::middle_of(scene));
+    scene.anchor_m = anchor_of(scene);
     return {std::make_shared<const Scene>(std::move(scene)), std::move(warnings)};
 }
 

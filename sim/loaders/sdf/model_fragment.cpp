@@ -10,6 +10,7 @@
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/mesh/mesh_file.h"
 #include "sim/loaders/quote.h"
+#include "sim/world/anchor.h"
 
 namespace scipd::sim {
 namespace {
@@ -100,7 +101,7 @@ LoadedScene load_mesh_model(const fs::path& file, const Placement& placement, do
         scene.objects.push_back({placement.name + "::" + file.stem().string(), 0, Pose{},
                                  std::make_shared<const Mesh>(std::move(part.mesh)), id});
     }
-    scene.anchor_m = Scene::middle_of(scene);
+    scene.anchor_m = anchor_of(scene);
     return {std::make_shared<const Scene>(std::move(scene)), {}};
 }
 

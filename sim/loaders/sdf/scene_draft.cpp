@@ -6,10 +6,9 @@
 #include <memory>
 #include <utility>
 
-#include <glm/common.hpp>
-
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/sdf/sdf_document.h"
+#include "sim/world/anchor.h"
 
 namespace scipd::sim {
 
@@ -78,9 +77,8 @@ LoadedScene SceneDraft::finish(const std::string& what_is_seen) && {
     }
     show_names();
     if (!faults_.empty()) throw LoadError(std::move(faults_));
-    // Always, not only far out: floats are finest around zero. Whole metres, so that round
-    // coordinates stay round.
-    scene_.anchor_m = glm::round(Scene::middle_of(scene_));
+    // Always, not only far out: floats are finest around zero.
+    scene_.anchor_m = anchor_of(scene_);
     return {std::make_shared<const Scene>(std::move(scene_)), std::move(warnings_)};
 }
 

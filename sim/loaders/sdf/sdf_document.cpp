@@ -175,15 +175,6 @@ void relieve_element(XMLElement& element) {
     if (frame != nullptr && *frame == '\0') element.DeleteAttribute("frame");
 }
 
-/// What is new since then is skipped by its name.
-void lower_version(XMLElement& root) {
-    int major = 0;
-    int minor = 0;
-    const char* version = root.Attribute("version");
-    if (version == nullptr || std::sscanf(version, "%d.%d", &major, &minor) != 2) return;
-    if (major > 1 || minor > 9) root.SetAttribute("version", "1.9");
-}
-
 class LinePrinter : public tinyxml2::XMLPrinter {
   public:
     LinePrinter() : XMLPrinter(nullptr, true) {}
@@ -227,8 +218,15 @@ std::vector<std::string> take_unreadable(XMLElement& root, const std::filesystem
     return warnings;
 }
 
+void lower_version(XMLElement& root) {
+    int major = 0;
+    int minor = 0;
+    const char* version = root.Attribute("version");
+    if (version == nullptr || std::sscanf(version, "%d.%d", &major, &minor) != 2) return;
+    if (major > 1 || minor > 9) root.SetAttribute("version", "1.9");
+}
+
 void relieve(XMLElement& root) {
-    lower_version(root);
     root.SetAttribute("xmlns:scipd", "urn:scipd:sdf");
     for_each(root, relieve_element);
     relieve_joints(root);

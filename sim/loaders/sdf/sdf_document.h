@@ -27,6 +27,10 @@ inline constexpr std::string_view stands_for_colons = "\u2237";
 std::vector<std::string> take_unreadable(tinyxml2::XMLElement& root,
                                          const std::filesystem::path& file);
 
+/// A version that the library does not know becomes the last that it knows; it skips what is new
+/// since then.
+void lower_version(tinyxml2::XMLElement& root);
+
 /// Takes out what is nothing to a scanner: physics, lights, sensors, plugins, colours, and joints
 /// that no frame refers to.
 void relieve(tinyxml2::XMLElement& root);

@@ -180,6 +180,10 @@ class Offer {
             sensor->DeleteAttribute(line_mark);
             const std::string type = attribute(*sensor, "type");
             const bool is_lidar = std::ranges::find(lidar_types, type) != lidar_types.end();
+            if (found_.size() >= most_sensors) {
+                if (!std::exchange(told_, true)) warn(line, link, *sensor, Fault(too_many));
+                continue;
+            }
             try {
                 add(model, link, *sensor,
                     {printable(type, longest_type),
@@ -219,11 +223,15 @@ class Offer {
     }
 
     static constexpr std::size_t longest_type = 40;
+    /// The library takes a while for frames, the square of those of a model.
+    static constexpr std::size_t most_sensors = 4000;
+    static constexpr const char* too_many = "is one of more than 4000 sensors, here and elsewhere";
 
     const std::filesystem::path& file_;
     std::vector<FoundSensor>& found_;
     std::set<std::pair<const XMLElement*, std::string>> names_;  ///< of frames, by model
     std::vector<std::string> warnings_;
+    bool told_ = false;
 };
 
 }  // namespace

@@ -33,9 +33,9 @@ struct Cost {
     std::string_view element;
     double bytes;
 };
-constexpr std::array costs{Cost{"model", 1.4e6},     Cost{"link", 0.85e6},  Cost{"actor", 1e6},
-                           Cost{"joint", 0.6e6},     Cost{"sensor", 0.6e6}, Cost{"visual", 0.17e6},
-                           Cost{"collision", 0.17e6}};
+constexpr std::array costs{Cost{"model", 1.4e6},      Cost{"link", 0.85e6},  Cost{"actor", 1e6},
+                           Cost{"joint", 0.6e6},      Cost{"sensor", 0.6e6}, Cost{"visual", 0.17e6},
+                           Cost{"collision", 0.17e6}, Cost{"frame", 12e3}};
 constexpr double other_element_bytes = 2e3;
 
 double cost_of(std::string_view element) {
@@ -139,6 +139,7 @@ class Surveyor {
         std::ranges::move(take_unreadable(*root, file), std::back_inserter(survey_.warnings));
         std::ranges::move(offer_sensors(*root, file, survey_.sensors),
                           std::back_inserter(survey_.warnings));
+        lower_version(*root);
         if (!strict_) relieve(*root);
         survey(*root, file);
         open_.pop_back();

@@ -41,19 +41,5 @@ TEST(Bounds, TurnWithTheirFrame) {
     expect_bounds(bounds, {8, -1, -3}, {12, 1, 3});
 }
 
-TEST(MiddleOf, IsTheOriginOfAnEmptyScene) {
-    EXPECT_EQ(Scene::middle_of(Scene{}), glm::dvec3(0.0));
-}
-
-TEST(MiddleOf, LiesBetweenTheObjectsWhereverTheirModelsAre) {
-    Scene scene;
-    scene.models = {{"a", false, pose_from_rpy({10'000, 0, 0}, {0, 0, 0})},
-                    {"b", true, pose_from_rpy({10'020, 40, 0}, {0, 0, std::numbers::pi / 2})}};
-    scene.objects = {{"a::l::v", 0, {}, Box{{2, 2, 2}}, 0},
-                     {"b::l::v", 1, pose_from_rpy({0, 0, 8}, {0, 0, 0}), Box{{6, 2, 2}}, 0}};
-    // x from 9999 to 10021, y from -1 to 43, z from -1 to 9
-    EXPECT_LT(glm::distance(Scene::middle_of(scene), glm::dvec3(10'010, 21, 4)), 1e-9);
-}
-
 }  // namespace
 }  // namespace scipd::sim

@@ -22,6 +22,7 @@
 namespace scipd::sim {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -225,7 +226,7 @@ TEST(MeshFormat, aMeshInMillimetresIsWarnedOf) {
     const auto file =
         folder.write("a.stl", stl_bytes(corners_of({{0, 0, 0}, {12'000, 1, 1}}, as_it_is)));
     EXPECT_THAT(load_scene(file).warnings,
-                ElementsAre(HasSubstr("a.stl: reaches 12000 m from its origin")));
+                Contains(HasSubstr("a.stl: reaches 12000 m from its origin")));
 }
 
 TEST(MeshFormat, worldsOfOtherKindsAreRefusedByName) {

@@ -119,7 +119,7 @@ TEST_F(SdfAsFound, namesMayHaveColons) {
                 "<child>d</child></joint></model></world></sdf>"),
         ElementsAre("m::a::b::c::v"));
     EXPECT_THAT(warnings_, IsEmpty());
-    EXPECT_EQ(Scene::middle_of(*scene_), glm::dvec3(1, 2, 0));
+    EXPECT_EQ(scene_->anchor_m, glm::dvec3(1, 2, 0));
     EXPECT_THAT(objects(world("<model name='m::n'><link name='a::b'>" + visual("v", unit_box) +
                               "</link><frame name='f' attached_to='a::b'/><link name='x'>"
                               "<pose relative_to='f'>1 0 0 0 0 0</pose>" +
@@ -166,6 +166,24 @@ TEST_F(SdfAsFound, linesAreThoseOfTheFile) {
 TEST_F(SdfAsFound, anEmptyWorldIsOne) {
     EXPECT_THAT(objects(world("")), IsEmpty());
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a.sdf: holds nothing that a scanner could see")));
+}
+
+// aws-robomaker-bookstore-world.
+TEST_F(SdfAsFound, aBookThatLiesFarUpIsToldAndCostsTheShopNothing) {
+    const auto thing = [](const std::string& name, const std::string& at) {
+        return "<model name='" + name + "'><static>1</static><pose>" + at +
+               " 0 0 0</pose><link name='l'>" + visual("v", unit_box) + "</link></model>";
+    };
+    const std::string shop = thing("a", "2 0 0") + thing("b", "-2 0 0") + thing("c", "0 4 0");
+    objects(world(shop));
+    const glm::dvec3 alone = scene_->anchor_m;
+    EXPECT_THAT(warnings_, IsEmpty());
+    objects(world(shop + thing("box", "0 0 10000") + thing("book", "0 0 343000")));
+    EXPECT_EQ(scene_->anchor_m, alone);
+    EXPECT_THAT(warnings_,
+                ElementsAre("a.sdf: book::l::v reaches 343000 m from (0 2 0), where most of the "
+                            "world lies; ranges out there may be wrong by 31 mm, within 1 km of "
+                            "that point by less than 0.1 mm"));
 }
 
 }  // namespace
