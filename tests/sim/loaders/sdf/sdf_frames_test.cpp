@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // What worlds and robots offer as places for scanners: links, frames and sensors.
-#include <cmath>
+#include <algorithm>
 #include <limits>
 #include <numbers>
 
@@ -205,6 +205,21 @@ TEST_F(SdfFrames, ofTwoSensorsOfOneNameTheFirstCounts) {
                "</link></model>"));
     expect_at("m::l::s", pose_from_rpy({1, 0, 0}, {0, 0, 0}));
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("not the first of this name")));
+}
+
+TEST_F(SdfFrames, aCrowdOfSensorsIsOfferedInPart) {
+    std::string models;
+    for (int model = 0; model < 41; ++model) {
+        models +=
+            "<model name='m" + std::to_string(model) + "'><link name='l'>" + visual("v", unit_box);
+        for (int i = 0; i < 100; ++i)
+            models += sensor(std::to_string(i), burgers_ray);
+        models += "</link></model>\n";
+    }
+    load(world(models));
+    EXPECT_EQ(std::ranges::count_if(scene_->frames, [](const Frame& f) { return !!f.lidar; }),
+              4000);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("is one of more than 4000 sensors")));
 }
 
 TEST_F(SdfFrames, aStrictWorldOffersTheSame) {
