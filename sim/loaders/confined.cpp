@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include <poll.h>
 #include <sys/prctl.h>
@@ -102,8 +103,10 @@ std::string end_of(int status, const Confines& confines) {
            (signal != 0 ? " (signal " + std::to_string(signal) + ")" : std::string{});
 }
 
-/// A child process, which does not outlive this object.
-class Child {
+}  // namespace
+
+/// Does not outlive this object.
+class Confined::Child {
   public:
     /// Where the system has no descriptors of processes, ends are noticed a glance later.
     explicit Child(pid_t pid)
@@ -146,37 +149,41 @@ class Child {
     bool ended_ = false;
 };
 
-void wait_for(Child& child, const Confines& confines) {
+Confined::Confined(Confines confines, const std::function<void(std::FILE* out)>& work)
+    : confines_(std::move(confines)),
+      deadline_(std::chrono::steady_clock::now() + confines_.wall_time),
+      file_(memory_file()) {
+    const pid_t parent = getpid();
+    const pid_t pid = fork();
+    if (pid < 0) throw std::system_error(errno, std::generic_category(), "fork");
+    if (pid == 0) run(confines_, work, file_.get(), parent);
+    child_ = std::make_unique<Child>(pid);
+}
+
+Confined::~Confined() = default;
+
+void Confined::wait() {
     // How long a stop goes unnoticed.
     constexpr std::chrono::milliseconds glance{20};
-    const auto deadline = std::chrono::steady_clock::now() + confines.wall_time;
-    while (!child.ends_within(glance)) {
-        if (confines.stop.stop_requested()) throw std::runtime_error("was not read to its end");
-        if (std::chrono::steady_clock::now() < deadline) continue;
-        const auto seconds = std::chrono::ceil<std::chrono::seconds>(confines.wall_time).count();
+    while (!child_->ends_within(glance)) {
+        if (confines_.stop.stop_requested()) throw std::runtime_error("was not read to its end");
+        if (std::chrono::steady_clock::now() < deadline_) continue;
+        const auto seconds = std::chrono::ceil<std::chrono::seconds>(confines_.wall_time).count();
         throw std::runtime_error("was not read within " + std::to_string(seconds) +
                                  " s; does it lie on a disk that does not answer?");
     }
 }
 
-}  // namespace
-
-File run_confined(const Confines& confines, const std::function<void(std::FILE* out)>& work) {
-    File file = memory_file();
-    const pid_t parent = getpid();
-    const pid_t pid = fork();
-    if (pid < 0) throw std::system_error(errno, std::generic_category(), "fork");
-    if (pid == 0) run(confines, work, file.get(), parent);
-    Child child{pid};
-    wait_for(child, confines);
+File Confined::outcome() {
+    wait();
     // The child wrote through the same open file, whose place is shared.
-    std::rewind(file.get());
-    const int status = child.status();
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return file;
+    std::rewind(file_.get());
+    const int status = child_->status();
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::move(file_);
     if (WIFEXITED(status) && WEXITSTATUS(status) == failed_with_words) {
-        throw std::runtime_error(all_of(file.get()));
+        throw std::runtime_error(all_of(file_.get()));
     }
-    throw std::runtime_error(end_of(status, confines));
+    throw std::runtime_error(end_of(status, confines_));
 }
 
 }  // namespace scipd::sim

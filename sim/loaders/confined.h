@@ -3,12 +3,13 @@
 //
 // Work that nobody here vouches for, such as a large library's on a file from outside, in a child
 // process: what runs away, waits for ever, eats the memory or crashes ends the child and nothing
-// else. Any thread; the caller waits.
+// else. Any thread.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <stop_token>
 
 #include "sim/loaders/plain_file.h"
@@ -22,10 +23,34 @@ struct Confines {
     std::stop_token stop = {};  ///< when nobody waits for it any more
 };
 
-/// What `work` wrote, from its beginning. Nothing else that it does is seen here. Throws
-/// std::runtime_error: in the words of the exception that left `work`, or saying how the child
-/// ended. `work` is alone on its thread, as after any fork(); it has standard input, output and
-/// error and some descriptors to open files with.
-File run_confined(const Confines& confines, const std::function<void(std::FILE* out)>& work);
+/// `work` is alone on its thread, as after any fork(); it has standard input, output and error and
+/// some descriptors to open files with. It ends with this object.
+class Confined {
+  public:
+    Confined(Confines confines, const std::function<void(std::FILE* out)>& work);
+    ~Confined();
+    Confined(const Confined&) = delete;
+    Confined& operator=(const Confined&) = delete;
+
+    /// What the work wrote, from its beginning; nothing else that it does is seen here. Waits,
+    /// once. Throws std::runtime_error: in the words of the exception that left the work, or saying
+    /// how the child ended.
+    File outcome();
+
+  private:
+    class Child;
+
+    void wait();
+
+    Confines confines_;
+    std::chrono::steady_clock::time_point deadline_;
+    File file_;
+    std::unique_ptr<Child> child_;
+};
+
+inline File run_confined(const Confines& confines,
+                         const std::function<void(std::FILE* out)>& work) {
+    return Confined{confines, work}.outcome();
+}
 
 }  // namespace scipd::sim

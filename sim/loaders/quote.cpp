@@ -72,8 +72,8 @@ std::string printable(std::string_view text, std::size_t limit) {
     return whole ? out : out + "...";
 }
 
-std::string quote(std::string_view text) {
-    std::string quoted = printable(text, 40);
+std::string quote(std::string_view text, std::size_t limit) {
+    std::string quoted = printable(text, limit);
     quoted.insert(quoted.begin(), '\'');
     quoted.push_back('\'');
     return quoted;

@@ -15,8 +15,11 @@ namespace scipd::sim {
 /// ends in dots.
 std::string printable(std::string_view text, std::size_t limit = 160);
 
-/// The same, short and between single quotes.
-std::string quote(std::string_view text);
+/// The same between single quotes, short unless told otherwise.
+std::string quote(std::string_view text, std::size_t limit = 40);
+
+/// A limit that cuts no path and no address short.
+inline constexpr std::size_t whole_path = 4096;
 
 /// Lines and all that people write stay; bytes that are no UTF-8, and characters that would move
 /// the cursor, colour what follows or change the order in which it is read, become \xNN. For what

@@ -7,10 +7,11 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "sim/loaders/between_processes.h"
-#include "sim/loaders/confined.h"
 #include "sim/loaders/load_error.h"
+#include "sim/loaders/mesh/mesh_reader.h"
 
 namespace scipd::sim {
 namespace {
@@ -74,14 +75,28 @@ std::uintmax_t check_file(const fs::path& file) {
 
 }  // namespace
 
-std::vector<MeshPart> read_confined(const fs::path& file, const MeshLimits& limits,
-                                    const std::function<std::vector<MeshPart>()>& read) {
+MeshReading::MeshReading(fs::path file, const std::string& submesh, MeshAxes axes,
+                         const MeshLimits& limits)
+    : file_(std::move(file)) {
     try {
-        const Confines confines = confines_of(file, check_file(file), limits);
-        const auto work = [&](std::FILE* out) { put_each(read(), out, put_part); };
-        return take_each<std::vector<MeshPart>>(run_confined(confines, work).get(), take_part);
+        const Confines confines = confines_of(file_, check_file(file_), limits);
+        const auto work = [&](std::FILE* out) {
+            put_each(submesh.empty() ? read_mesh(file_, axes, limits)
+                                     : read_submesh(file_, submesh, limits),
+                     out, put_part);
+        };
+        child_ = std::make_unique<Confined>(confines, work);
     } catch (const std::runtime_error& wrong) {
-        throw LoadError({file.string() + ": " + wrong.what()});
+        why_not_ = wrong.what();
+    }
+}
+
+std::vector<MeshPart> MeshReading::parts() {
+    try {
+        if (!child_) throw std::runtime_error(why_not_);
+        return take_each<std::vector<MeshPart>>(child_->outcome().get(), take_part);
+    } catch (const std::runtime_error& wrong) {
+        throw LoadError({file_.string() + ": " + wrong.what()});
     }
 }
 

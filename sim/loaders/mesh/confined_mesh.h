@@ -1,21 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Meshes out of a child process, in which mesh_reader.h may do what it will with a file from
-// anywhere. Any thread; the caller waits.
+// Meshes out of child processes, in which mesh_reader.h may do what it will with a file from
+// anywhere. Any thread.
 #pragma once
 
 #include <filesystem>
-#include <functional>
+#include <memory>
+#include <string>
 #include <vector>
 
+#include "sim/loaders/confined.h"
 #include "sim/loaders/mesh/mesh_file.h"
 
 namespace scipd::sim {
 
-/// What `read` answers with in the child, which is about to read this file. Throws LoadError, which
-/// names the file: it cannot be a mesh, `read` threw, or the child took too much or crashed.
-std::vector<MeshPart> read_confined(const std::filesystem::path& file, const MeshLimits& limits,
-                                    const std::function<std::vector<MeshPart>()>& read);
+/// A file that is being read.
+class MeshReading {
+  public:
+    /// Begins. All of the file, or its submesh of this name, which is read as_in_file.
+    MeshReading(std::filesystem::path file, const std::string& submesh, MeshAxes axes,
+                const MeshLimits& limits);
+
+    /// As they lie in the file. Waits, once. Throws LoadError, which names the file: it cannot be a
+    /// mesh, or the child took too much or crashed.
+    std::vector<MeshPart> parts();
+
+  private:
+    std::filesystem::path file_;
+    std::string why_not_;
+    std::unique_ptr<Confined> child_;
+};
 
 }  // namespace scipd::sim

@@ -7,7 +7,6 @@
 
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/mesh/confined_mesh.h"
-#include "sim/loaders/mesh/mesh_reader.h"
 #include "sim/world/bounds.h"
 #include "sim/world/reach.h"
 
@@ -31,9 +30,11 @@ bool is_plausible(const MeshPart& part) {
     });
 }
 
-/// This point becomes the origin; `file` is for messages.
-void place(std::vector<MeshPart>& parts, const glm::dvec3& origin, const glm::dvec3& scale,
+}  // namespace
+
+void place(std::vector<MeshPart>& parts, bool centred, const glm::dvec3& scale,
            const fs::path& file) {
+    const glm::dvec3 origin = centred ? bounds_of_all(parts).middle_m() : glm::dvec3{0.0};
     for (MeshPart& part : parts) {
         for (glm::vec3& vertex : part.mesh.vertices_m)
             vertex = glm::vec3{(glm::dvec3{vertex} - origin) * scale};
@@ -44,8 +45,6 @@ void place(std::vector<MeshPart>& parts, const glm::dvec3& origin, const glm::dv
                          "is it in metres, and its scale right?"});
     }
 }
-
-}  // namespace
 
 std::string extension_of(const fs::path& file) {
     std::string extension = file.extension().string();
@@ -60,17 +59,15 @@ bool is_mesh_file(const fs::path& file) {
 
 std::vector<MeshPart> load_mesh_parts(const fs::path& file, const glm::dvec3& scale, MeshAxes axes,
                                       const MeshLimits& limits) {
-    auto parts = read_confined(file, limits, [&] { return read_mesh(file, axes, limits); });
-    place(parts, glm::dvec3{0.0}, scale, file);
+    auto parts = MeshReading{file, "", axes, limits}.parts();
+    place(parts, false, scale, file);
     return parts;
 }
 
 std::vector<MeshPart> load_submesh(const fs::path& file, const Submesh& submesh,
                                    const glm::dvec3& scale, const MeshLimits& limits) {
-    auto parts =
-        read_confined(file, limits, [&] { return read_submesh(file, submesh.name, limits); });
-    const glm::dvec3 origin = submesh.centred ? bounds_of_all(parts).middle_m() : glm::dvec3{0.0};
-    place(parts, origin, scale, file);
+    auto parts = MeshReading{file, submesh.name, MeshAxes::as_in_file, limits}.parts();
+    place(parts, submesh.centred, scale, file);
     return parts;
 }
 

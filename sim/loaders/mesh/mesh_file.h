@@ -72,6 +72,11 @@ std::vector<MeshPart> load_submesh(const std::filesystem::path& file, const Subm
                                    const glm::dvec3& scale = {1.0, 1.0, 1.0},
                                    const MeshLimits& limits = {});
 
+/// Brings parts as they lie in `file`, the middle of their bounds to the origin if they are to be
+/// centred, to this scale. Throws LoadError where a vertex is not finite then, or too far out.
+void place(std::vector<MeshPart>& parts, bool centred, const glm::dvec3& scale,
+           const std::filesystem::path& file);
+
 /// All of the file as one mesh.
 Mesh load_mesh(const std::filesystem::path& file, const glm::dvec3& scale = {1.0, 1.0, 1.0});
 

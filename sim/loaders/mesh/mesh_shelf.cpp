@@ -2,24 +2,84 @@
 // Copyright The scipd authors
 #include "sim/loaders/mesh/mesh_shelf.h"
 
-#include <memory>
+#include <algorithm>
+#include <deque>
+#include <set>
+#include <thread>
 #include <utility>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/mesh/confined_mesh.h"
 
 namespace scipd::sim {
+namespace {
+
+MeshReading begin_reading(const MeshSource& source, const MeshLimits& limits) {
+    return {source.file, source.submesh, MeshAxes::as_in_file, limits};
+}
+
+/// At a time; each may take as much memory as one may.
+std::size_t most_readings() {
+    return std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
+}
+
+using InFile = std::variant<std::vector<MeshPart>, LoadError>;
+
+InFile outcome_of(MeshReading& reading) {
+    try {
+        return reading.parts();
+    } catch (const LoadError& error) {
+        return error;
+    }
+}
+
+std::size_t triangles_of(const InFile& outcome) {
+    std::size_t count = 0;
+    if (const auto* parts = std::get_if<std::vector<MeshPart>>(&outcome)) {
+        for (const MeshPart& part : *parts)
+            count += part.mesh.triangles.size();
+    }
+    return count;
+}
+
+}  // namespace
+
+void MeshShelf::read_ahead(const std::vector<MeshSource>& sources) {
+    std::deque<std::pair<MeshSource, MeshReading>> running;
+    std::size_t triangles = 0;
+    const auto finish_first = [&] {
+        auto& [source, reading] = running.front();
+        triangles += triangles_of(in_file_.emplace(source, outcome_of(reading)).first->second);
+        running.pop_front();
+    };
+    for (const MeshSource& source : std::set<MeshSource>{sources.begin(), sources.end()}) {
+        if (running.size() == most_readings()) finish_first();
+        if (triangles > most_triangles_) break;  // which is told where they are shown
+        running.emplace_back(source, begin_reading(source, of_each_));
+    }
+    while (!running.empty())
+        finish_first();
+}
+
+const std::vector<MeshPart>& MeshShelf::in_file(const MeshSource& source) {
+    auto known = in_file_.find(source);
+    if (known == in_file_.end()) {
+        MeshReading reading = begin_reading(source, of_each_);
+        known = in_file_.emplace(source, outcome_of(reading)).first;
+    }
+    if (const auto* error = std::get_if<LoadError>(&known->second)) throw *error;
+    return std::get<std::vector<MeshPart>>(known->second);
+}
 
 const std::vector<SharedPart>& MeshShelf::parts_of(const std::filesystem::path& file,
                                                    const sdf::Mesh& mesh) {
+    const MeshSource source{file, mesh.Submesh()};
     const glm::dvec3 scale{mesh.Scale().X(), mesh.Scale().Y(), mesh.Scale().Z()};
-    const Submesh submesh{mesh.Submesh(), mesh.CenterSubmesh()};
-    const Key key{file, scale.x, scale.y, scale.z, submesh.name, submesh.centred};
+    const Key key{source, scale.x, scale.y, scale.z, mesh.CenterSubmesh()};
     if (const auto known = parts_.find(key); known != parts_.end()) return known->second;
-    auto loaded = submesh.name.empty()
-                      ? load_mesh_parts(file, scale, MeshAxes::as_in_file, of_each_)
-                      : load_submesh(file, submesh, scale, of_each_);
+    auto placed = in_file(source);
+    place(placed, !source.submesh.empty() && mesh.CenterSubmesh(), scale, file);
     std::vector<SharedPart> parts;
-    for (auto& part : loaded) {
+    for (auto& part : placed) {
         parts.push_back({part.material, std::make_shared<const Mesh>(std::move(part.mesh))});
         count(parts.back().mesh);
     }

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The meshes of one world while it is loaded: each file is read once for each scale and submesh,
-// however often it is shown, and all triangles together stay within a limit.
+// The meshes of one world while it is loaded: each file is read once, however often, how large and
+// in how many places it is shown, and all triangles together stay within a limit.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <tuple>
+#include <variant>
 #include <vector>
 
 #include <sdf/Mesh.hh>
 
+#include "sim/loaders/load_error.h"
 #include "sim/loaders/mesh/mesh_file.h"
 #include "sim/world/shape.h"
 
@@ -25,10 +29,22 @@ struct SharedPart {
     SharedMesh mesh;
 };
 
+/// All of a file, or its submesh of this name.
+struct MeshSource {
+    std::filesystem::path file;
+    std::string submesh;
+
+    std::strong_ordering operator<=>(const MeshSource&) const = default;
+};
+
 class MeshShelf {
   public:
     MeshShelf(std::size_t most_triangles, const MeshLimits& of_each)
         : most_triangles_(most_triangles), of_each_(of_each) {}
+
+    /// What will be asked for, several at a time. What is wrong with one is said when it is asked
+    /// for. Best while this process is small, since a child begins as a copy of it.
+    void read_ahead(const std::vector<MeshSource>& sources);
 
     /// Of this file at the scale and with the submesh that `mesh` asks for. Throws LoadError.
     const std::vector<SharedPart>& parts_of(const std::filesystem::path& file,
@@ -37,11 +53,15 @@ class MeshShelf {
     void count(const Shape& shape);
 
   private:
-    using Key = std::tuple<std::filesystem::path, double, double, double, std::string, bool>;
+    using Key = std::tuple<MeshSource, double, double, double, bool>;
+    using InFile = std::variant<std::vector<MeshPart>, LoadError>;
+
+    const std::vector<MeshPart>& in_file(const MeshSource& source);
 
     std::size_t most_triangles_;
     MeshLimits of_each_;
     std::size_t triangles_ = 0;
+    std::map<MeshSource, InFile> in_file_;
     std::map<Key, std::vector<SharedPart>> parts_;
 };
 

@@ -11,6 +11,8 @@
 
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/plain_file.h"
+#include "sim/loaders/quote.h"
+#include "sim/loaders/sdf/any_case.h"
 
 namespace scipd::sim {
 namespace {
@@ -31,33 +33,53 @@ Version version_of(const tinyxml2::XMLElement& sdf) {
     return {major, minor};
 }
 
+/// What there is of a file of this name, told where it is called otherwise; empty where nothing.
+fs::path there(const fs::path& folder, const fs::path& name, std::vector<std::string>& warnings) {
+    fs::path found = in_any_case(folder, name);
+    if (!found.empty() && differs_in_case(found, name)) {
+        warnings.push_back(quote(name.string(), whole_path) + " is called " +
+                           shown(found.string()) +
+                           " here; it is used, though the names differ in case");
+    }
+    return found;
+}
+
 /// model.config, or the name that it had before.
-std::string config_of(const fs::path& folder) {
+std::string config_of(const fs::path& folder, std::vector<std::string>& warnings) {
     for (const char* name : {"model.config", "manifest.xml"}) {
-        if (why_no_file(folder / name).empty()) {
-            return read_file(folder / name, largest_config, "a model.config is wanted here");
+        const fs::path config = there(folder, name, warnings);
+        if (!config.empty() && why_no_file(config).empty()) {
+            return read_file(config, largest_config, "a model.config is wanted here");
         }
     }
     return {};
 }
 
+/// Of two versions, the one to read.
+bool is_better(const Version& one, const Version& other) {
+    const bool reads_one = one <= newest;
+    const bool reads_other = other <= newest;
+    if (reads_one != reads_other) return reads_one;
+    return reads_one ? one > other : one < other;
+}
+
 }  // namespace
 
-fs::path model_file_of(const fs::path& path) {
+fs::path model_file_of(const fs::path& path, std::vector<std::string>& warnings) {
     std::error_code error;
     if (!fs::is_directory(path, error)) return path;
     tinyxml2::XMLDocument config;
-    if (config.Parse(config_of(path).c_str()) != tinyxml2::XML_SUCCESS) return {};
+    if (config.Parse(config_of(path, warnings).c_str()) != tinyxml2::XML_SUCCESS) return {};
     const auto* model = config.FirstChildElement("model");
-    const auto* sdf = model == nullptr ? nullptr : model->FirstChildElement("sdf");
-    fs::path best;
-    for (Version highest{}; sdf != nullptr; sdf = sdf->NextSiblingElement("sdf")) {
-        const Version version = version_of(*sdf);
-        if (version <= highest || version > newest || sdf->GetText() == nullptr) continue;
-        highest = version;
-        best = path / sdf->GetText();
+    const tinyxml2::XMLElement* best = nullptr;
+    for (const auto* sdf = model == nullptr ? nullptr : model->FirstChildElement("sdf");
+         sdf != nullptr; sdf = sdf->NextSiblingElement("sdf")) {
+        if (sdf->GetText() == nullptr) continue;
+        if (best == nullptr || is_better(version_of(*sdf), version_of(*best))) best = sdf;
     }
-    return best;
+    if (best == nullptr) return {};
+    fs::path found = there(path, best->GetText(), warnings);
+    return found.empty() ? path / best->GetText() : found;
 }
 
 }  // namespace scipd::sim

@@ -6,11 +6,14 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace scipd::sim {
 
-/// The file of a model's folder with the highest version that we read; empty where there is none. A
-/// file is itself.
-std::filesystem::path model_file_of(const std::filesystem::path& path);
+/// The file of a model's folder with the highest version that we read, of newer ones the lowest;
+/// empty where there is none. A file is itself. Adds to `warnings` where names differ in case.
+std::filesystem::path model_file_of(const std::filesystem::path& path,
+                                    std::vector<std::string>& warnings);
 
 }  // namespace scipd::sim

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "sim/loaders/quote.h"
+#include "sim/loaders/sdf/any_case.h"
 
 namespace scipd::sim {
 namespace {
@@ -38,9 +39,11 @@ struct Uri {
 };
 
 bool is_there(const fs::path& path) {
-    std::error_code error;
-    return !path.empty() && fs::exists(path, error);
+    return !exactly({}, path).empty();
 }
+
+/// What there is of a name in a folder: exactly() or in_any_case().
+using Look = fs::path (*)(const fs::path& folder, const fs::path& name);
 
 std::vector<fs::path> folders_of(std::string_view variable) {
     std::vector<fs::path> folders;
@@ -54,30 +57,30 @@ std::vector<fs::path> folders_of(std::string_view variable) {
     return folders;
 }
 
-fs::path near(const fs::path& folder, const Uri& uri) {
+fs::path near(const fs::path& folder, const Uri& uri, Look look) {
     const fs::path above = folder.parent_path();
     for (const auto& place : {folder, above, folder / "models", above / "models"}) {
-        if (is_there(place / uri.name)) return place / uri.name;
+        if (auto found = look(place, uri.name); !found.empty()) return found;
     }
     if (!uri.named()) return {};
     for (fs::path up = above.parent_path(); up.has_relative_path(); up = up.parent_path()) {
-        if (is_there(up / uri.name)) return up / uri.name;
+        if (auto found = look(up, uri.name); !found.empty()) return found;
     }
     // MODEL/meshes/x from within MODEL, whatever its folder is called.
     const fs::path name = uri.name;
-    const fs::path inside = folder / name.lexically_relative(*name.begin());
-    return is_there(inside) && !fs::is_directory(inside) ? inside : fs::path{};
+    const fs::path inside = look(folder, name.lexically_relative(*name.begin()));
+    return !inside.empty() && !fs::is_directory(inside) ? inside : fs::path{};
 }
 
-fs::path below(const fs::path& folder, const Uri& uri) {
+fs::path below(const fs::path& folder, const Uri& uri, Look look) {
     for (const auto& place : {folder, folder / "share"}) {
-        if (is_there(place / uri.name)) return place / uri.name;
+        if (auto found = look(place, uri.name); !found.empty()) return found;
     }
     const fs::path name = uri.name;
     if (!uri.named() || name.empty()) return {};
     // The folder may be the package itself.
-    if (folder.filename() == *name.begin() && is_there(folder.parent_path() / name)) {
-        return folder.parent_path() / name;
+    if (folder.filename() == *name.begin()) {
+        if (auto found = look(folder.parent_path(), name); !found.empty()) return found;
     }
     std::error_code error;
     std::vector<fs::path> stacks;
@@ -86,13 +89,6 @@ fs::path below(const fs::path& folder, const Uri& uri) {
     }
     // A folder is listed in no order.
     return stacks.empty() ? fs::path{} : *std::ranges::min_element(stacks);
-}
-
-std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return text;
 }
 
 std::optional<int> number_in(const fs::path& path) {
@@ -176,29 +172,53 @@ fs::path Resources::find(const std::string& text, const fs::path& beside) const 
         const std::string ours = found.empty() ? name_in_folders(uri) : "";
         return ours.empty() ? found : find(std::string{"model://"}.append(ours), beside);
     }
-    if (auto found = near(beside, uri); !found.empty()) return found;
-    if (auto found = near(folder_, uri); !found.empty()) return found;
-    for (const auto& folder : search_path_) {
-        if (auto found = below(folder, uri); !found.empty()) return found;
+    // First everywhere as it stands.
+    for (const Look look : {exactly, in_any_case}) {
+        if (auto found = near(beside, uri, look); !found.empty()) return found;
+        if (auto found = near(folder_, uri, look); !found.empty()) return found;
+        for (const auto& folder : search_path_) {
+            if (auto found = below(folder, uri, look); !found.empty()) return found;
+        }
     }
     return {};
 }
 
 std::string Resources::not_found(const std::string& text, const fs::path& beside) const {
     const Uri uri{text};
+    if (text.empty()) return "no file is named";
     if (uri.downloaded()) {
-        return printable("'" + text +
-                             "' has not been downloaded; fetch it with `gz fuel download -u '" +
-                             text + "'`, or name a copy",
-                         400);
+        return quote(text, whole_path) + " has not been downloaded; fetch it with `" +
+               printable(download_command(text), whole_path) + "`, or name a copy";
     }
-    std::string sentence = "there is no " + quote(text) + " near " + beside.string();
+    std::string sentence =
+        "there is no " + quote(text, whole_path) + " near " + shown(beside.string());
     if (uri.named()) {
         sentence +=
             ", nor in GZ_SIM_RESOURCE_PATH, GAZEBO_MODEL_PATH, SDF_PATH, ROS_PACKAGE_PATH or "
             "AMENT_PREFIX_PATH";
     }
     return sentence;
+}
+
+std::string download_command(const std::string& text) {
+    const Uri uri{text};
+    if (!uri.downloaded()) return {};
+    // Of HOST/1.0/OWNER/models/NAME/VERSION/files/PATH, the model.
+    std::string model = text;
+    if (const auto files = text.find("/files/"); files != text.npos) {
+        model.resize(files);
+        if (model.ends_with("/tip")) model.resize(model.size() - 4);
+    }
+    for (auto at = model.find('\''); at != model.npos; at = model.find('\'', at + 4))
+        model.replace(at, 1, "'\\''");
+    return "gz fuel download -u '" + model + '\'';
+}
+
+std::string case_warning(const std::string& text, const fs::path& found) {
+    const Uri uri{text};
+    if (uri.downloaded() || !differs_in_case(found, uri.name)) return {};
+    return quote(text, whole_path) + " is called " + shown(found.string()) +
+           " here; it is used, though the names differ in case";
 }
 
 }  // namespace scipd::sim

@@ -13,6 +13,8 @@
 //   5  for http and https, where Gazebo keeps what it has downloaded; its Sun and its Ground Plane
 //      also as model://sun and model://ground_plane. Nothing is ever downloaded.
 //
+// Where it is nowhere as it is called, it may differ in capitals.
+//
 // What lies two folders down a ROS_PACKAGE_PATH is not found, nor what only a package.xml names.
 // Any thread; the environment is read when it is made.
 #pragma once
@@ -41,5 +43,11 @@ class Resources {
     std::filesystem::path folder_;
     std::vector<std::filesystem::path> search_path_;
 };
+
+/// For a shell; empty where Gazebo would not download it. The same for all files of a model.
+std::string download_command(const std::string& uri);
+
+/// Where what was found for a URI is called otherwise, but for the case; empty where it is not.
+std::string case_warning(const std::string& uri, const std::filesystem::path& found);
 
 }  // namespace scipd::sim

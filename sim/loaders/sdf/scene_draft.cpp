@@ -74,6 +74,8 @@ LoadedScene SceneDraft::finish(const std::string& what_is_seen) && {
              what_is_seen + " with a box, cylinder, sphere, plane or mesh");
         // What was left out is then the reason, not a remark.
         if (anything_left_out_) faults_ = warnings_;
+    } else if (scene_.objects.empty() && anything_left_out_) {
+        faults_.insert(faults_.begin(), warnings_.begin(), warnings_.end());
     }
     show_names();
     if (!faults_.empty()) throw LoadError(std::move(faults_));

@@ -28,9 +28,12 @@ LoadError unreadable(const fs::path& file, const std::string& why) {
 LoadedScene load(const SdfSource& source, const fs::path& folder, const SdfOptions& options) {
     const Resources resources{folder, options.model_folders};
     try {
-        SdfFile read = read_sdf(source, resources, options.most_memory_bytes, options.strict);
+        SdfSurvey survey = survey_sdf(source, resources, options);
+        MeshShelf shelf{options.most_triangles, options.mesh};
+        if (survey.faults.empty()) shelf.read_ahead(survey.meshes);
+        SdfFile read = read_sdf(std::move(survey), options.strict);
         if (!read.faults.empty()) throw LoadError(std::move(read.faults));
-        LoadedScene loaded = scene_of(std::move(read), source.file, resources, options);
+        LoadedScene loaded = scene_of(std::move(read), source.file, resources, options, shelf);
         if (options.strict && !loaded.warnings.empty()) throw LoadError(loaded.warnings);
         return loaded;
     } catch (const LoadError&) {

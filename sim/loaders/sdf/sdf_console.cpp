@@ -3,6 +3,7 @@
 #include "sim/loaders/sdf/sdf_console.h"
 
 #include <algorithm>
+#include <iostream>
 #include <utility>
 
 #include <sdf/Console.hh>
@@ -21,7 +22,8 @@ void add_once(std::string text, std::vector<std::string>& texts) {
 
 }  // namespace
 
-SdfConsole::SdfConsole() : turn_(one_at_a_time()) {
+SdfConsole::SdfConsole()
+    : turn_(one_at_a_time()), stderr_before_(std::cerr.rdbuf(on_stderr_.rdbuf())) {
     sdf::Console::Instance()->GetMsgStream().SetStream(&text_);
     console_bridge::useOutputHandler(this);
 }
@@ -29,6 +31,7 @@ SdfConsole::SdfConsole() : turn_(one_at_a_time()) {
 SdfConsole::~SdfConsole() {
     sdf::Console::Instance()->GetMsgStream().SetStream(nullptr);
     console_bridge::restorePreviousOutputHandler();
+    std::cerr.rdbuf(stderr_before_);
 }
 
 void SdfConsole::log(const std::string& text, console_bridge::LogLevel level, const char* /*file*/,
@@ -59,6 +62,7 @@ SdfConsole::Said SdfConsole::take() {
     }
     finish();
     text_ = {};
+    on_stderr_ = {};
     return said;
 }
 

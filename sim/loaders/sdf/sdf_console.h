@@ -35,6 +35,8 @@ class SdfConsole final : console_bridge::OutputHandler {
 
     std::lock_guard<std::mutex> turn_;
     std::stringstream text_;
+    std::stringstream on_stderr_;  ///< what it returns as well, or knows no place of
+    std::streambuf* stderr_before_;
     Said from_urdfdom_;
 };
 

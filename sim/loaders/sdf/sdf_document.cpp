@@ -44,7 +44,7 @@ constexpr std::array nothing_to_a_scanner{"atmosphere",
                                           "velocity_decay",
                                           "visibility_flags",
                                           "wind"};
-constexpr std::array seen_but_not_read{"actor", "population", "road", "state"};
+constexpr std::array seen_but_not_read{"actor", "population", "road"};
 
 constexpr std::string_view colons = "::";
 
@@ -157,7 +157,6 @@ void relieve_material(XMLElement& surface) {
                     [](XMLElement& child) { return std::string_view{child.Name()} == "material"; });
 }
 
-/// The library wants a link in each; a model of none is one that nobody sees.
 bool is_empty_model(XMLElement& element) {
     return std::string_view{element.Name()} == "model" &&
            element.FirstChildElement("link") == nullptr &&
@@ -166,13 +165,33 @@ bool is_empty_model(XMLElement& element) {
 }
 
 void relieve_element(XMLElement& element) {
-    const bool holds_models = std::string_view{element.Name()} != "sdf";
-    delete_children(element, [&](XMLElement& child) {
-        return is_one_of(child, nothing_to_a_scanner) || (holds_models && is_empty_model(child));
-    });
+    delete_children(element,
+                    [](XMLElement& child) { return is_one_of(child, nothing_to_a_scanner); });
     relieve_material(element);
     const char* frame = element.Attribute("frame");
     if (frame != nullptr && *frame == '\0') element.DeleteAttribute("frame");
+    // Whichever it is, everything lies where it lay.
+    element.DeleteAttribute("canonical_link");
+}
+
+std::string mend_version(XMLElement& root) {
+    int major = 0;
+    int minor = 0;
+    const char* version = root.Attribute("version");
+    if (version != nullptr && std::sscanf(version, "%d.%d", &major, &minor) == 2) return {};
+    root.SetAttribute("version", "1.9");
+    return version == nullptr ? "has no version; it is read as SDF 1.9"
+                              : "has a version that is no number; it is read as SDF 1.9";
+}
+
+/// Gazebo, too, takes the first.
+std::string drop_further_models(XMLElement& root) {
+    auto* first = root.FirstChildElement("model");
+    if (first == nullptr || first->NextSiblingElement("model") == nullptr) return {};
+    delete_children(root, [&](XMLElement& child) {
+        return &child != first && std::string_view{child.Name()} == "model";
+    });
+    return "holds several models outside a world; only the first is used";
 }
 
 class LinePrinter : public tinyxml2::XMLPrinter {
@@ -226,11 +245,26 @@ void lower_version(XMLElement& root) {
     if (major > 1 || minor > 9) root.SetAttribute("version", "1.9");
 }
 
-void relieve(XMLElement& root) {
+std::vector<std::string> relieve(XMLElement& root, const std::filesystem::path& file) {
+    std::vector<std::string> warnings;
+    for (const auto& warning : {mend_version(root), drop_further_models(root)}) {
+        if (warning.empty()) continue;
+        warnings.push_back(file.string() + ':' + std::to_string(root.GetLineNum()) + ": " +
+                           warning);
+    }
     root.SetAttribute("xmlns:scipd", "urn:scipd:sdf");
     for_each(root, relieve_element);
     relieve_joints(root);
     rename_with_colons(root);
+    return warnings;
+}
+
+void drop_empty_models(XMLElement& root) {
+    // From the inside out.
+    for (auto* child = root.FirstChildElement(); child != nullptr;
+         child = child->NextSiblingElement())
+        drop_empty_models(*child);
+    delete_children(root, is_empty_model);
 }
 
 std::string line_for_line(const tinyxml2::XMLDocument& document) {

@@ -32,8 +32,11 @@ std::vector<std::string> take_unreadable(tinyxml2::XMLElement& root,
 void lower_version(tinyxml2::XMLElement& root);
 
 /// Takes out what is nothing to a scanner: physics, lights, sensors, plugins, colours, and joints
-/// that no frame refers to.
-void relieve(tinyxml2::XMLElement& root);
+/// that no frame refers to. Answers with warnings, as take_unreadable().
+std::vector<std::string> relieve(tinyxml2::XMLElement& root, const std::filesystem::path& file);
+
+/// The library wants a link in each; a model of none is one that nobody sees.
+void drop_empty_models(tinyxml2::XMLElement& root);
 
 /// As text in which every element begins on the line that it had.
 std::string line_for_line(const tinyxml2::XMLDocument& document);

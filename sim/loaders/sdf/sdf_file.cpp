@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include <sdf/Element.hh>
@@ -12,6 +13,8 @@
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/plain_file.h"
 #include "sim/loaders/sdf/sdf_console.h"
+#include "sim/loaders/sdf/sdf_printed.h"
+#include "sim/loaders/sdf/sdf_repair.h"
 #include "sim/loaders/sdf/urdf.h"
 
 namespace scipd::sim {
@@ -25,16 +28,17 @@ constexpr std::array text_names{"", "<data-string>", "data-string"};
 /// For what a world includes: the library wants files.
 class MemoryFiles {
   public:
-    fs::path write(const std::string& text) {
-        files_.push_back(memory_file());
-        std::FILE* file = files_.back().get();
+    /// In place of what this document was before.
+    fs::path write(std::size_t document, const std::string& text) {
+        files_[document] = memory_file();
+        std::FILE* file = files_[document].get();
         std::fwrite(text.data(), 1, text.size(), file);
         std::fflush(file);
         return "/proc/self/fd/" + std::to_string(fileno(file));
     }
 
   private:
-    std::vector<File> files_;
+    std::map<std::size_t, File> files_;
 };
 
 /// The global configuration is the only one that the library has for includes within includes.
@@ -64,108 +68,141 @@ sdf::ParserConfig config_for(Includes includes) {
     return config;
 }
 
-/// What the library adds where it has said what is wrong.
-bool is_echo(const std::string& printed) {
-    // It takes whatever is no good SDF for a robot.
-    return printed.starts_with("Could not find the 'robot' element") ||
-           printed.starts_with("Unable to call parseURDF on robot model") ||
-           printed.starts_with("parse as old deprecated model file failed");
-}
-
-/// One unreadable element makes the library complain once more about every element around it, and
-/// one lost frame about the whole graph of frames.
-bool is_echo(const sdf::Error& error, const std::string& last_path) {
-    const auto message = error.Message();
-    if (message.starts_with("Error reading element")) {
-        return !last_path.empty() && last_path.starts_with(error.XmlPath().value_or(""));
-    }
-    return message.starts_with("Unable to read file") ||
-           message.starts_with("Unable to read SDF string") ||
-           message.starts_with("Failed to load a world") ||
-           error.Code() == sdf::ErrorCode::FRAME_ATTACHED_TO_GRAPH_ERROR ||
-           error.Code() == sdf::ErrorCode::POSE_RELATIVE_TO_GRAPH_ERROR;
+StandIn stand_in_for(const SdfDocument& document) {
+    if (!document.is_converted) return {document.file, true};
+    return {document.file, false, document.robot, lines_of_links(document.robot)};
 }
 
 class Reader {
   public:
-    Reader(const SdfSource& source, bool strict, SdfFile& result)
-        : source_(source), strict_(strict), result_(result) {}
+    Reader(SdfSurvey survey, bool strict, SdfFile& result)
+        : documents_(std::move(survey.documents)),
+          order_(std::move(survey.order)),
+          strict_(strict),
+          result_(result) {}
 
-    void read(const std::vector<SdfDocument>& documents) {
-        Includes includes;
-        for (std::size_t i = 1; i < documents.size(); ++i)
-            includes[uri_of(i)] = stand_in_for(documents[i]);
-        const SdfDocument& main = documents.front();
-        const bool urdf = is_urdf(main.text);
-        const std::string text = urdf ? converted(main) : main.text;
-        for (const char* name : text_names)
-            result_.stand_ins[name] = {main.file, !urdf};
+    void read() {
+        for (std::size_t i = 0; i < documents_.size(); ++i)
+            convert(i);
         if (!result_.faults.empty()) return;
-
-        const sdf::ParserConfig config = config_for(std::move(includes));
-        const GlobalConfig global{config};
-        const sdf::Errors errors = result_.root.LoadSdfString(text, config);
-        add_printed();
+        sdf::Errors errors = load(documents_.front().text);
+        if (!errors.empty() && !strict_) errors = mend();
+        for (const char* name : text_names)
+            result_.stand_ins[name] = stand_in_for(documents_.front());
+        add_printed(strict_ || !errors.empty());
         add_errors(errors);
     }
 
   private:
-    fs::path stand_in_for(const SdfDocument& document) {
-        const bool urdf = is_urdf(document.text);
-        const fs::path path = files_.write(urdf ? converted(document) : document.text);
-        result_.stand_ins[path] = {document.file, !urdf};
-        return path;
+    /// More than people have; each round reads the document once more.
+    static constexpr int most_rounds = 100;
+
+    /// A robot becomes SDF.
+    void convert(std::size_t document) {
+        if (is_urdf(documents_[document].text)) {
+            std::vector<std::string> faults;
+            SdfDocument& robot = documents_[document];
+            robot.robot = std::exchange(robot.text, converted(robot, faults));
+            robot.is_converted = true;
+            if (!faults.empty() && (document == 0 || strict_)) {
+                std::ranges::move(faults, std::back_inserter(result_.faults));
+            } else if (!faults.empty()) {
+                leave_out(document, faults.front());
+            }
+        }
+        if (document > 0) write(document);
     }
 
-    /// What is wrong with the robot becomes faults.
-    std::string converted(const SdfDocument& robot) {
+    /// For the library, which wants files.
+    void write(std::size_t document) {
+        const SdfDocument& from = documents_[document];
+        const fs::path path = files_.write(document, from.text);
+        includes_[uri_of(document)] = path;
+        result_.stand_ins[path] = stand_in_for(from);
+    }
+
+    sdf::Errors load(const std::string& text) {
+        (void)console_.take();
+        const sdf::ParserConfig config = config_for(includes_);
+        const GlobalConfig global{config};
+        result_.root = sdf::Root{};
+        return result_.root.LoadSdfString(text, config);
+    }
+
+    /// Takes out what the library has something against, of what is included first: an error in
+    /// there has no place. Answers with what remains.
+    sdf::Errors mend() {
+        sdf::Errors errors;
+        for (const std::size_t document : order_) {
+            errors = mend(document);
+            if (document == 0) break;
+            if (!errors.empty()) {
+                leave_out(document, describe(without_echoes(errors).front(), document));
+            }
+            write(document);
+        }
+        return errors;
+    }
+
+    sdf::Errors mend(std::size_t document) {
+        SdfDocument& mended = documents_[document];
+        sdf::Errors errors = load(mended.text);
+        for (int round = 0; round < most_rounds && !errors.empty(); ++round) {
+            auto warnings = take_out(errors, mended);
+            if (warnings.empty()) {
+                warnings = take_out_models(mended, [&](const auto& text) {
+                    const auto found = load(text);
+                    return found.empty() ? "" : without_echoes(found).front().Message();
+                });
+            }
+            if (warnings.empty()) break;
+            std::ranges::move(warnings, std::back_inserter(result_.warnings));
+            errors = load(mended.text);
+        }
+        return errors;
+    }
+
+    void leave_out(std::size_t document, const std::string& why) {
+        result_.warnings.push_back(why + "; left out, no scanner sees it");
+        for (SdfDocument& other : documents_)
+            take_out_includes(other, uri_of(document));
+    }
+
+    std::string converted(const SdfDocument& robot, std::vector<std::string>& faults) {
         const fs::path& file = robot.file;
-        std::string text = sdf_from_urdf(robot, strict_, result_.sensors, result_.warnings);
+        std::string text =
+            sdf_from_urdf(robot.text, file, strict_, result_.sensors, result_.warnings);
         const auto said = console_.take();
         for (const auto& fault : said.faults) {
-            if (is_echo(fault)) continue;
+            if (is_printed_echo(fault)) continue;
             const int line = line_in_urdf(robot.text, fault);
-            result_.faults.push_back(file.string() + (line > 0 ? ':' + std::to_string(line) : "") +
-                                     ": " + fault);
+            faults.push_back(file.string() + (line > 0 ? ':' + std::to_string(line) : "") + ": " +
+                             fault);
         }
         for (const auto& warning : said.warnings)
             result_.warnings.push_back(file.string() + ": " + warning);
         if (text.empty() && said.faults.empty()) {
-            result_.faults.push_back(file.string() + ": is no robot that libsdformat can read");
+            faults.push_back(file.string() + ": is no robot that libsdformat can read");
         }
         return text;
     }
 
-    void add_printed() {
-        const auto said = console_.take();
-        for (const auto& text : said.faults) {
-            if (is_echo(text)) continue;
-            result_.faults.push_back(source_.file.string() + ": " + with_real_names(text));
-        }
-        for (const auto& text : said.warnings)
-            result_.warnings.push_back(source_.file.string() + ": " + with_real_names(text));
-    }
-
-    /// "<data-string>:L5" is in no file that anybody has.
-    [[nodiscard]] std::string with_real_names(std::string text) const {
-        for (const auto& [name, real] : result_.stand_ins) {
-            const std::string place = name + ":L";
-            const auto at = name.empty() ? text.npos : text.find(place);
-            if (at != text.npos) text.replace(at, name.size(), real.file.string());
-        }
-        return text;
+    /// Once all is well, what it calls an error is none.
+    void add_printed(bool as_faults) {
+        auto said = console_.take();
+        std::erase_if(said.faults, is_printed_echo);
+        const auto add = [&](const std::vector<std::string>& printed,
+                             std::vector<std::string>& list) {
+            std::ranges::move(in_plain_words(printed, result_.stand_ins, documents_.front().file),
+                              std::back_inserter(list));
+        };
+        add(said.faults, as_faults ? result_.faults : result_.warnings);
+        add(said.warnings, result_.warnings);
     }
 
     void add_errors(const sdf::Errors& errors) {
-        std::string last_path;
-        for (const auto& error : errors) {
-            if (is_echo(error, last_path)) continue;
-            last_path = error.XmlPath().value_or("");
-            add_fault(describe(error));
-        }
-        if (!result_.faults.empty()) return;
-        for (const auto& error : errors)
-            add_fault(describe(error));
+        for (const auto& error : without_echoes(errors))
+            add_fault(describe(error, 0));
     }
 
     void add_fault(std::string text) {
@@ -173,19 +210,23 @@ class Reader {
         if (std::ranges::find(all, text) == all.end()) all.push_back(std::move(text));
     }
 
-    [[nodiscard]] std::string describe(const sdf::Error& error) const {
+    /// An error of this document, or of one that it includes.
+    [[nodiscard]] std::string describe(const sdf::Error& error, std::size_t document) const {
         const auto path = error.FilePath().value_or("");
         const auto real = result_.stand_ins.find(path);
-        std::string text = real == result_.stand_ins.end() ? path : real->second.file.string();
+        std::string text = real == result_.stand_ins.end() ? documents_[document].file.string()
+                                                           : real->second.file.string();
         if (error.LineNumber()) text += ':' + std::to_string(*error.LineNumber());
         text += ": " + error.Message();
         if (error.XmlPath()) text += " (" + *error.XmlPath() + ")";
         return text;
     }
 
-    const SdfSource& source_;
+    std::vector<SdfDocument> documents_;
+    std::vector<std::size_t> order_;
     bool strict_;
     SdfFile& result_;
+    Includes includes_;
     SdfConsole console_;
     MemoryFiles files_;
 };
@@ -201,20 +242,34 @@ fs::path SdfFile::file_of(const sdf::ElementPtr& element, const fs::path& otherw
 std::string SdfFile::place_of(const sdf::ElementPtr& element, const fs::path& otherwise) const {
     const std::string file = file_of(element, otherwise).string();
     const auto stand_in = element ? stand_ins.find(element->FilePath()) : stand_ins.end();
-    if (stand_in == stand_ins.end() || !stand_in->second.same_lines || !element->LineNumber())
-        return file;
-    return file + ':' + std::to_string(*element->LineNumber());
+    if (stand_in == stand_ins.end()) return file;
+    if (stand_in->second.same_lines) {
+        const auto line = element->LineNumber();
+        return line ? file + ':' + std::to_string(*line) : file;
+    }
+    for (auto at = element; at; at = at->GetParent()) {
+        if (at->GetName() != "link") continue;
+        const auto line = stand_in->second.lines.find(at->Get<std::string>("name"));
+        if (line != stand_in->second.lines.end()) return file + ':' + std::to_string(line->second);
+    }
+    return file;
 }
 
-SdfFile read_sdf(const SdfSource& source, const Resources& resources, std::size_t most_memory_bytes,
-                 bool strict) {
+std::string SdfFile::uri_as_written(const sdf::ElementPtr& element, const std::string& uri) const {
+    constexpr std::string_view model = "model://";
+    const auto stand_in = element ? stand_ins.find(element->FilePath()) : stand_ins.end();
+    if (stand_in == stand_ins.end() || !uri.starts_with(model)) return uri;
+    std::string package = "package://" + uri.substr(model.size());
+    return stand_in->second.robot.find(package) == std::string::npos ? uri : package;
+}
+
+SdfFile read_sdf(SdfSurvey survey, bool strict) {
     SdfFile result;
-    Reader reader{source, strict, result};
-    auto survey = survey_sdf(source, resources, most_memory_bytes, strict);
     result.faults = std::move(survey.faults);
     result.warnings = std::move(survey.warnings);
+    result.state = std::move(survey.state);
     result.sensors = std::move(survey.sensors);
-    if (result.faults.empty()) reader.read(survey.documents);
+    if (result.faults.empty()) Reader{std::move(survey), strict, result}.read();
     return result;
 }
 

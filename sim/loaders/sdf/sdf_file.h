@@ -20,6 +20,9 @@ namespace scipd::sim {
 struct StandIn {
     std::filesystem::path file;  ///< as the user knows it
     bool same_lines;
+    /// Of a robot, which is not read as it is written.
+    std::string robot = {};
+    std::map<std::string, int> lines = {};  ///< of its links, by name
 };
 
 struct SdfFile {
@@ -27,6 +30,7 @@ struct SdfFile {
     std::vector<std::string> faults;
     std::vector<std::string> warnings;
     std::vector<FoundSensor> sensors;
+    SdfState state;
     /// Files that the library was given in place of others, by what it calls them: they are gone.
     std::map<std::string, StandIn> stand_ins;
 
@@ -36,10 +40,12 @@ struct SdfFile {
     /// FILE:LINE of an element, as far as the library knows.
     [[nodiscard]] std::string place_of(const sdf::ElementPtr& element,
                                        const std::filesystem::path& otherwise) const;
+    /// The library calls package:// of a robot model://.
+    [[nodiscard]] std::string uri_as_written(const sdf::ElementPtr& element,
+                                             const std::string& uri) const;
 };
 
 /// Wants an absolute path. Reads nothing that would take more than this much memory.
-SdfFile read_sdf(const SdfSource& source, const Resources& resources, std::size_t most_memory_bytes,
-                 bool strict);
+SdfFile read_sdf(SdfSurvey survey, bool strict);
 
 }  // namespace scipd::sim

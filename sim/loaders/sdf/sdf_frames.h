@@ -5,6 +5,8 @@
 // shared.
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include <sdf/Model.hh>
@@ -15,9 +17,15 @@
 
 namespace scipd::sim {
 
-/// Its frames, and those that stand for a sensor of `found` (offer_sensors()) as such. The model
-/// lies at `place` and is called `name`. What cannot be resolved is not among them.
-std::vector<Frame> frames_of(const sdf::Model& model, const Place& place, const std::string& name,
-                             const std::vector<FoundSensor>& found);
+/// Where a model and its links lie, which a saved world may have elsewhere than their elements say.
+struct ModelPlaces {
+    Place model;
+    std::map<std::string, Place> links;  ///< by their names in the model
+};
+
+/// Its frames, and those that stand for a sensor of `found` (offer_sensors()) as such. The model is
+/// called `name`. What cannot be resolved is not among them.
+std::vector<Frame> frames_of(const sdf::Model& model, const ModelPlaces& places,
+                             const std::string& name, const std::vector<FoundSensor>& found);
 
 }  // namespace scipd::sim

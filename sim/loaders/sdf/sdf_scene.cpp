@@ -18,6 +18,7 @@
 #include "sim/loaders/mesh/mesh_shelf.h"
 #include "sim/loaders/name.h"
 #include "sim/loaders/sdf/scene_draft.h"
+#include "sim/loaders/sdf/sdf_document.h"
 #include "sim/loaders/sdf/sdf_frames.h"
 #include "sim/loaders/sdf/sdf_place.h"
 #include "sim/loaders/sdf/sdf_shape.h"
@@ -35,6 +36,12 @@ std::string text_of(const glm::dvec3& xyz_m) {
     return text.data();
 }
 
+/// To where a saved world has it.
+Place moved_to(const Place& outer, const SdfState::Entry& saved) {
+    const Pose outer_from_here = inverse(outer.world_from_here) * saved.world_from_here;
+    return {outer.body, outer.body_from_here * outer_from_here, saved.world_from_here};
+}
+
 bool says_not_static(const sdf::Model& model) {
     return !model.Static() && model.Element()->HasElement("static");
 }
@@ -42,13 +49,14 @@ bool says_not_static(const sdf::Model& model) {
 /// Walks from the root to the surfaces.
 class SceneWalk {
   public:
-    SceneWalk(SdfFile read, fs::path file, const Resources& resources, SdfOptions options)
+    SceneWalk(SdfFile read, fs::path file, const Resources& resources, SdfOptions options,
+              MeshShelf& shelf)
         : read_(std::move(read)),
           file_(std::move(file)),
           resources_(resources),
           options_(std::move(options)),
           draft_(file_, options_.strict, std::move(read_.warnings)),
-          shelf_(options_.most_triangles, options_.mesh) {}
+          shelf_(shelf) {}
 
     LoadedScene run() &&;
 
@@ -62,7 +70,9 @@ class SceneWalk {
     void add_link(const sdf::Link& link, const Place& place, const std::string& name);
     void add_surface(const SdfSurface& surface, const Place& link, const std::string& link_name);
     void add_shape(const SdfSurface& surface, Object object, const std::string& place);
-    void add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object);
+    void add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object,
+                  const std::string& place);
+    void leave_out_missing(const sdf::Mesh& mesh, const fs::path& folder, const std::string& place);
     void warn_of_unseen(const sdf::Link& link, const std::string& name);
     std::optional<Place> place_of(const Place& outer, const sdf::SemanticPose& pose,
                                   const sdf::ElementPtr& element, const std::string& name);
@@ -73,7 +83,9 @@ class SceneWalk {
     SdfOptions options_;
     SceneDraft draft_;
     std::set<std::string> warned_kinds_;
-    MeshShelf shelf_;
+    std::set<std::string> told_;  ///< downloads, by their commands
+    MeshShelf& shelf_;
+    glm::dvec3 scale_{1.0};  ///< of the model whose links are looked at
 };
 
 LoadedScene SceneWalk::run() && {
@@ -89,7 +101,7 @@ void SceneWalk::add_root() {
     }
     const auto* world = read_.root.WorldByIndex(0);
     if (world == nullptr) {
-        draft_.refuse(file_.string() + ": holds no <world> and no <model>");
+        draft_.refuse(file_.string() + ": holds no <world>, and no <model> with a <link>");
         return;
     }
     draft_.set_name(world->Name());
@@ -99,10 +111,14 @@ void SceneWalk::add_root() {
     }
     for (std::uint64_t i = 0; i < world->ModelCount(); ++i)
         add_model(*world->ModelByIndex(i));
+    if (auto warning = read_.state.unused(file_); !warning.empty()) {
+        draft_.warn(std::move(warning));
+    }
 }
 
 void SceneWalk::add_model(const sdf::Model& model) {
     const std::string name = name_of(model);
+    if (read_.state.deleted.contains(shown(name))) return;
     const auto place = place_of({}, model.SemanticPose(), model.Element(), name);
     if (!place) return;
     const Pose& world_from_model = place->world_from_here;
@@ -120,13 +136,18 @@ std::string SceneWalk::name_of(const sdf::Model& model) {
 }
 
 void SceneWalk::add_parts(const sdf::Model& model, const Place& place, const std::string& name) {
+    const auto* saved = read_.state.use(shown(name));
+    scale_ = saved == nullptr ? glm::dvec3{1.0} : saved->scale;
+    ModelPlaces places{place, {}};
     for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
         const auto& link = *model.LinkByIndex(i);
         const auto link_name = name + "::" + link.Name();
         const auto here = place_of(place, link.SemanticPose(), link.Element(), link_name);
-        if (here) add_link(link, *here, link_name);
+        if (!here) continue;
+        add_link(link, *here, link_name);
+        places.links[link.Name()] = *here;
     }
-    for (Frame& frame : frames_of(model, place, name, read_.sensors))
+    for (Frame& frame : frames_of(model, places, name, read_.sensors))
         draft_.add(std::move(frame));
     for (std::uint64_t i = 0; i < model.ModelCount(); ++i)
         add_nested(*model.ModelByIndex(i), place, name);
@@ -177,7 +198,7 @@ void SceneWalk::add_surface(const SdfSurface& surface, const Place& link,
     }
     try {
         if (const auto* mesh = surface.geometry->MeshShape()) {
-            return add_mesh(surface, *mesh, std::move(object));
+            return add_mesh(surface, *mesh, std::move(object), place);
         }
         add_shape(surface, std::move(object), place);
     } catch (const LoadError& error) {
@@ -194,19 +215,42 @@ void SceneWalk::add_shape(const SdfSurface& surface, Object object, const std::s
         return draft_.pass_over(place + '<' + kind +
                                 "> is not supported and left out, here and elsewhere");
     }
-    object.shape = primitive->shape;
+    const auto larger = scaled(primitive->shape, scale_);
+    if (!larger) {
+        draft_.warn(place +
+                    "keeps its size, as in Gazebo: the scale in <state> is for boxes, "
+                    "cylinders, spheres and meshes");
+    }
+    object.shape = larger ? *larger : primitive->shape;
     shelf_.count(object.shape);
     object.model_from_object = object.model_from_object * primitive->geometry_from_shape;
     draft_.add(std::move(object), {surface.material, surface.laser_retro});
 }
 
-void SceneWalk::add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object) {
+/// Of a download, the first time only.
+void SceneWalk::leave_out_missing(const sdf::Mesh& mesh, const fs::path& folder,
+                                  const std::string& place) {
+    const auto command = download_command(mesh.Uri());
+    if (!command.empty() && !told_.insert(command).second) return;
+    // What the library has in place of none.
+    const bool has_uri = mesh.Uri() != "__default__";
+    const auto uri = has_uri ? read_.uri_as_written(mesh.Element(), mesh.Uri()) : "";
+    draft_.leave_out(place + resources_.not_found(uri, folder));
+}
+
+void SceneWalk::add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object,
+                         const std::string& place) {
     const auto file = read_.file_of(mesh.Element(), file_);
     // A text is called by a name, and lies in no folder.
     const auto folder = file.is_absolute() ? file.parent_path() : resources_.folder();
     const auto found = resources_.find(mesh.Uri(), folder);
-    if (found.empty()) throw LoadError({resources_.not_found(mesh.Uri(), folder)});
-    for (const auto& part : shelf_.parts_of(found, mesh)) {
+    if (found.empty()) return leave_out_missing(mesh, folder, place);
+    if (auto warning = case_warning(mesh.Uri(), found); !warning.empty()) {
+        draft_.warn(place + warning);
+    }
+    sdf::Mesh larger = mesh;
+    larger.SetScale(mesh.Scale() * ignition::math::Vector3d{scale_.x, scale_.y, scale_.z});
+    for (const auto& part : shelf_.parts_of(found, larger)) {
         object.shape = part.mesh;
         draft_.add(object, {surface.material.empty() ? part.material : surface.material,
                             surface.laser_retro});
@@ -222,7 +266,8 @@ std::optional<Place> SceneWalk::place_of(const Place& outer, const sdf::Semantic
         draft_.leave_out(where + errors.front().Message());
         return {};
     }
-    const Place here = outer * to_pose(resolved);
+    Place here = outer * to_pose(resolved);
+    if (const auto* saved = read_.state.use(shown(name))) here = moved_to(outer, *saved);
     const auto& [at_m, rotation] = here.world_from_here;
     if (plausible_position(at_m) && std::isfinite(glm::length(rotation))) return here;
     draft_.leave_out(where + "lies at " + text_of(at_m) +
@@ -233,8 +278,8 @@ std::optional<Place> SceneWalk::place_of(const Place& outer, const sdf::Semantic
 }  // namespace
 
 LoadedScene scene_of(SdfFile read, const fs::path& source, const Resources& resources,
-                     const SdfOptions& options) {
-    return SceneWalk{std::move(read), source, resources, options}.run();
+                     const SdfOptions& options, MeshShelf& shelf) {
+    return SceneWalk{std::move(read), source, resources, options, shelf}.run();
 }
 
 }  // namespace scipd::sim

@@ -4,14 +4,16 @@
 // What libsdformat has read, as a scene. Any thread; nothing shared.
 #pragma once
 
+#include "sim/loaders/mesh/mesh_shelf.h"
 #include "sim/loaders/sdf/resources.h"
 #include "sim/loaders/sdf/sdf.h"
 #include "sim/loaders/sdf/sdf_file.h"
 
 namespace scipd::sim {
 
-/// `read` is without faults; `source` is its file, for messages. Throws LoadError.
+/// `read` is without faults; `source` is its file, for messages; `shelf` has the meshes. Throws
+/// LoadError.
 LoadedScene scene_of(SdfFile read, const std::filesystem::path& source, const Resources& resources,
-                     const SdfOptions& options);
+                     const SdfOptions& options, MeshShelf& shelf);
 
 }  // namespace scipd::sim

@@ -165,15 +165,16 @@ class Offer {
         for (auto* model = parent.FirstChildElement("model"); model != nullptr;
              model = model->NextSiblingElement("model")) {
             add_models(*model);
+            std::set<std::string> names;
             for (auto* link = model->FirstChildElement("link"); link != nullptr;
                  link = link->NextSiblingElement("link"))
-                add_link(*model, *link);
+                add_link(*model, *link, names.insert(attribute(*link, "name")).second);
         }
     }
     std::vector<std::string> warnings() && { return std::move(warnings_); }
 
   private:
-    void add_link(XMLElement& model, XMLElement& link) {
+    void add_link(XMLElement& model, XMLElement& link, bool is_first_of_name) {
         for (auto* sensor = link.FirstChildElement("sensor"); sensor != nullptr;
              sensor = sensor->NextSiblingElement("sensor")) {
             const int line = sensor->IntAttribute(line_mark, sensor->GetLineNum());
@@ -185,6 +186,7 @@ class Offer {
                 continue;
             }
             try {
+                if (!is_first_of_name) throw Fault("its link is not the first of this name");
                 add(model, link, *sensor,
                     {printable(type, longest_type),
                      is_lidar ? std::optional(lidar_of(*sensor)) : std::nullopt});
@@ -202,6 +204,7 @@ class Offer {
         const std::string own_name = attribute(sensor, "name");
         if (own_name.empty()) throw Fault("has no name");
         const std::string link_name = attribute(link, "name");
+        if (link_name.empty()) throw Fault("its link has no name");
         const std::string name = link_name + std::string{stands_for_colons} + own_name;
         if (!names_.emplace(&model, name).second) {
             throw Fault("is not the first of this name in its link");

@@ -123,6 +123,27 @@ std::optional<PlacedShape> primitive_of(const sdf::Geometry& geometry) {
     return {};
 }
 
+std::optional<Shape> scaled(const Shape& shape, const glm::dvec3& scale) {
+    if (scale == glm::dvec3{1.0}) return shape;
+    if (const auto* box = std::get_if<Box>(&shape)) {
+        const auto size_m = box->size_m * scale;
+        check_sizes({size_m.x, size_m.y, size_m.z});
+        return Box{size_m};
+    }
+    if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
+        const Cylinder larger{cylinder->radius_m * std::max(scale.x, scale.y),
+                              cylinder->length_m * scale.z};
+        check_sizes({larger.radius_m, larger.length_m});
+        return larger;
+    }
+    if (const auto* sphere = std::get_if<Sphere>(&shape)) {
+        const Sphere larger{sphere->radius_m * std::max({scale.x, scale.y, scale.z})};
+        check_sizes({larger.radius_m});
+        return larger;
+    }
+    return std::nullopt;
+}
+
 std::string kind_of(const sdf::Geometry& geometry) {
     const auto element = geometry.Element();
     const auto kind = element ? element->GetFirstElement() : nullptr;

@@ -26,6 +26,10 @@ struct PlacedShape {
 /// are not above 0 or beyond 1e7 m, outlines of fewer than three points.
 std::optional<PlacedShape> primitive_of(const sdf::Geometry& geometry);
 
+/// As Gazebo Classic scales a model's shapes: what is round stays round. Nothing where it does not.
+/// Throws LoadError where that makes a size of 0 or beyond 1e7 m.
+std::optional<Shape> scaled(const Shape& shape, const glm::dvec3& scale);
+
 /// What SDF calls this kind of geometry; "empty" where there is none.
 std::string kind_of(const sdf::Geometry& geometry);
 

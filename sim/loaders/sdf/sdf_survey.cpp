@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
 #include <string_view>
 
 #include <tinyxml2.h>
@@ -15,7 +16,12 @@
 #include "sim/loaders/plain_file.h"
 #include "sim/loaders/quote.h"
 #include "sim/loaders/sdf/model_folder.h"
+#include "sim/loaders/sdf/sdf_cost.h"
 #include "sim/loaders/sdf/sdf_document.h"
+#include "sim/loaders/sdf/sdf_ignored.h"
+#include "sim/loaders/sdf/sdf_kind.h"
+#include "sim/loaders/sdf/sdf_names.h"
+#include "sim/loaders/sdf/wanted_meshes.h"
 
 namespace scipd::sim {
 namespace {
@@ -26,22 +32,6 @@ namespace fs = std::filesystem;
 /// times that.
 constexpr double largest_part = 1.0 / 64;
 constexpr std::size_t deepest_include = 32;
-
-/// What libsdformat 12.3 takes for an element and its parts, measured on files of a thousand of
-/// them.
-struct Cost {
-    std::string_view element;
-    double bytes;
-};
-constexpr std::array costs{Cost{"model", 1.4e6},      Cost{"link", 0.85e6},  Cost{"actor", 1e6},
-                           Cost{"joint", 0.6e6},      Cost{"sensor", 0.6e6}, Cost{"visual", 0.17e6},
-                           Cost{"collision", 0.17e6}, Cost{"frame", 12e3}};
-constexpr double other_element_bytes = 2e3;
-
-double cost_of(std::string_view element) {
-    const auto known = std::ranges::find(costs, element, &Cost::element);
-    return known == costs.end() ? other_element_bytes : known->bytes;
-}
 
 /// Empty where `model`, the file that the library has for what an include names, can be read.
 std::string why_no_model(const fs::path& found, const fs::path& model) {
@@ -59,26 +49,17 @@ std::string trimmed(const char* text) {
     return std::string{all.substr(0, all.find_last_not_of(blank) + 1)};
 }
 
-/// In the words of the library that found it, less its prefix.
-std::string broken_xml(const tinyxml2::XMLDocument& document) {
-    std::string_view name = document.ErrorName();
-    for (const std::string_view prefix : {"XML_", "ERROR_"}) {
-        if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
-    }
-    const int line = std::max(document.ErrorLineNum(), 1);
-    return ':' + std::to_string(line) + ": is no XML that can be read: " + std::string{name};
-}
-
 class Surveyor {
   public:
-    Surveyor(const Resources& resources, double most_bytes, bool strict)
-        : resources_(resources), most_bytes_(most_bytes), strict_(strict) {}
+    Surveyor(const Resources& resources, const SdfOptions& options)
+        : resources_(resources),
+          geometry_(options.geometry),
+          most_bytes_(static_cast<double>(options.most_memory_bytes)),
+          strict_(options.strict) {}
 
     SdfSurvey run(const SdfSource& source) {
         try {
-            if (source.text || may_enter(source.file, "")) {
-                (void)add_document(source.file, source.text ? *source.text : read(source.file));
-            }
+            (void)add_document(source.file, source.text ? *source.text : read(source.file));
         } catch (const LoadError& error) {
             survey_.faults.push_back(error.what());
         }
@@ -93,25 +74,22 @@ class Surveyor {
         double bytes;  ///< with all that it includes
     };
 
-    /// False where it is not to be looked into.
-    bool may_enter(const fs::path& file, const std::string& place) {
+    /// Why it is not to be looked into; empty where it may be.
+    [[nodiscard]] std::string why_not_enter(const fs::path& file) const {
         std::error_code error;
         const bool loops = std::ranges::find(open_, file) != open_.end();
         if (loops) {
-            survey_.faults.push_back(place + "includes itself" +
-                                     (open_.back() == file ? "" : ", through others"));
-        } else if (open_.size() >= deepest_include) {
-            survey_.faults.push_back(place + "includes lie more than " +
-                                     std::to_string(deepest_include) + " deep");
-        } else if (largest_file_bytes() < static_cast<double>(fs::file_size(file, error)) &&
-                   !error) {
-            survey_.faults.push_back(file.string() + ": is larger than " +
-                                     std::to_string(std::lround(largest_file_bytes() / 1048576)) +
-                                     " MiB");
-        } else {
-            return true;
+            return std::string{"includes itself"} +
+                   (open_.back() == file ? "" : ", through others");
         }
-        return false;
+        if (open_.size() >= deepest_include) {
+            return "includes lie more than " + std::to_string(deepest_include) + " deep";
+        }
+        if (largest_file_bytes() < static_cast<double>(fs::file_size(file, error)) && !error) {
+            return file.string() + ": is larger than " +
+                   std::to_string(std::lround(largest_file_bytes() / 1048576)) + " MiB";
+        }
+        return {};
     }
 
     [[nodiscard]] double largest_file_bytes() const { return most_bytes_ * largest_part; }
@@ -121,32 +99,76 @@ class Surveyor {
                          "an SDF or URDF file is wanted here");
     }
 
-    /// Its place among the documents. Throws LoadError where it is no XML.
+    /// Its place among the documents. Throws LoadError where it is no SDF and no URDF.
     std::size_t add_document(const fs::path& file, const std::string& text) {
         tinyxml2::XMLDocument document;
-        if (document.Parse(text.c_str()) != tinyxml2::XML_SUCCESS) {
-            throw LoadError({file.string() + broken_xml(document)});
+        document.Parse(text.c_str());
+        if (const auto why = why_no_sdf(text, document); !why.empty()) {
+            throw LoadError({file.string() + why});
         }
         const std::size_t place = survey_.documents.size();
         survey_.documents.push_back({file, text});
-        auto* root = document.RootElement();
-        if (root == nullptr || root->Name() == std::string_view{"robot"}) {
-            bytes_ += robot_bytes(root);
-            return place;
+        auto& root = *document.RootElement();
+        const bool is_robot = root.Name() == std::string_view{"robot"};
+        if (is_robot) {
+            bytes_ += bytes_for_robot(root);
+            add_meshes(root, file);
+        } else {
+            add_sdf(root, place);
+            survey_.documents[place].text = line_for_line(document);
         }
-        open_.push_back(file);
-        const bool holds_anything = holds_thing(*root);
-        std::ranges::move(take_unreadable(*root, file), std::back_inserter(survey_.warnings));
-        std::ranges::move(offer_sensors(*root, file, survey_.sensors),
-                          std::back_inserter(survey_.warnings));
-        lower_version(*root);
-        if (!strict_) relieve(*root);
-        survey(*root, file);
-        open_.pop_back();
-        SdfDocument& ready = survey_.documents[place];
-        ready.text = line_for_line(document);
-        ready.is_relieved_of_all = holds_anything && !holds_thing(*root);
+        auto* model = is_robot ? &root : root.FirstChildElement("model");
+        survey_.documents[place].model = model == nullptr ? "" : own_name(*model);
+        survey_.order.push_back(place);
         return place;
+    }
+
+    void add_sdf(tinyxml2::XMLElement& root, std::size_t place) {
+        const fs::path file = survey_.documents[place].file;
+        open_.push_back(file);
+        const bool holds_anything = holds_thing(root);
+        auto* world = root.FirstChildElement("world");
+        if (world != nullptr && place == 0) {
+            survey_.state = take_state(*world, file, survey_.warnings);
+        }
+        add_warnings(take_unreadable(root, file));
+        add_warnings(offer_sensors(root, file, survey_.sensors));
+        lower_version(root);
+        if (!strict_) {
+            add_warnings(faults_of_ignored(root, file));
+            add_warnings(relieve(root, file));
+        }
+        survey(root, file);
+        add_meshes(root, file);
+        if (!strict_) {
+            drop_empty_models(root);
+            add_warnings(mend_names(root, file, [&](const tinyxml2::XMLElement& include) {
+                return model_in(include);
+            }));
+        }
+        open_.pop_back();
+        survey_.documents[place].is_relieved_of_all = holds_anything && !holds_thing(root);
+    }
+
+    void add_warnings(std::vector<std::string> warnings) {
+        std::ranges::move(warnings, std::back_inserter(survey_.warnings));
+    }
+
+    void add_meshes(const tinyxml2::XMLElement& root, const fs::path& file) {
+        // A text is called by a name, and lies in no folder.
+        const auto folder = file.is_absolute() ? file.parent_path() : resources_.folder();
+        std::ranges::move(wanted_meshes(root, folder, resources_, geometry_),
+                          std::back_inserter(survey_.meshes));
+    }
+
+    /// What it brings, of the documents that were looked at.
+    [[nodiscard]] std::string model_in(const tinyxml2::XMLElement& include) const {
+        const auto* uri = include.FirstChildElement("uri");
+        const std::string text = uri == nullptr ? "" : trimmed(uri->GetText());
+        for (std::size_t i = 0; i < survey_.documents.size(); ++i) {
+            if (text == uri_of(i)) return survey_.documents[i].model;
+        }
+        return {};
     }
 
     /// What an include may be of.
@@ -156,22 +178,14 @@ class Surveyor {
             things, [&](const char* name) { return root.FirstChildElement(name) != nullptr; });
     }
 
-    /// Its links become links.
-    static double robot_bytes(const tinyxml2::XMLElement* element) {
-        double bytes = 0.0;
-        for (; element != nullptr; element = element->NextSiblingElement())
-            bytes += cost_of(element->Name()) + robot_bytes(element->FirstChildElement());
-        return bytes;
-    }
-
     void survey(tinyxml2::XMLElement& element, const fs::path& file) {
-        bytes_ += cost_of(element.Name());
+        bytes_ += bytes_for(element.Name());
         // The library copies what is in there and does not look at it.
         const bool opaque = element.Name() == std::string_view{"plugin"};
         for (auto* child = element.FirstChildElement(); child != nullptr;) {
             auto* next = child->NextSiblingElement();
             if (opaque) {
-                bytes_ += other_element_bytes;
+                bytes_ += bytes_for("");
             } else if (child->Name() == std::string_view{"include"} && !add_include(*child, file)) {
                 element.DeleteChild(child);
             } else {
@@ -189,15 +203,27 @@ class Surveyor {
         const std::string place = file.string() + ':' + std::to_string(include.GetLineNum()) + ": ";
         const auto folder = open_.size() > 1 ? file.parent_path() : resources_.folder();
         const fs::path found = resources_.find(uri, folder).lexically_normal();
-        if (found.empty()) return leave_out(place + resources_.not_found(uri, folder));
-        const fs::path model = model_file_of(found);
+        if (found.empty()) return leave_out_missing(uri, folder, place);
+        std::vector<std::string> notes{case_warning(uri, found)};
+        const fs::path model = model_file_of(found, notes);
         const auto why = why_no_model(found, model);
-        if (!why.empty()) return leave_out(place + quote(uri) + why);
+        if (!why.empty()) return leave_out(place + quote(uri, whole_path) + why);
+        for (const auto& note : notes) {
+            if (!note.empty()) survey_.warnings.push_back(place + note);
+        }
         const auto document = document_of(model, place);
         // A lamp, say.
         if (!document || survey_.documents[*document].is_relieved_of_all) return false;
         element->SetText(uri_of(*document).c_str());
         return true;
+    }
+
+    /// Of a download, the first time only.
+    bool leave_out_missing(const std::string& uri, const fs::path& folder,
+                           const std::string& place) {
+        const auto command = download_command(uri);
+        if (!command.empty() && !told_.insert(command).second) return false;
+        return leave_out(place + resources_.not_found(uri, folder));
     }
 
     bool leave_out(const std::string& why) {
@@ -207,7 +233,10 @@ class Surveyor {
     }
 
     std::optional<std::size_t> document_of(const fs::path& file, const std::string& place) {
-        if (!may_enter(file, place)) return {};
+        if (const auto why = why_not_enter(file); !why.empty()) {
+            leave_out(place + why);
+            return {};
+        }
         // Again for each include of it, since each is a copy; known ones cost no time.
         if (const auto known = known_.find(file); known != known_.end()) {
             bytes_ += known->second.bytes;
@@ -238,11 +267,13 @@ class Surveyor {
     static constexpr std::size_t most_faults = 1000;
 
     const Resources& resources_;
+    SdfGeometry geometry_;
     double most_bytes_;
     bool strict_;
     SdfSurvey survey_;
     std::vector<fs::path> open_;  ///< the file that is looked at, and those that include it
     std::map<fs::path, Known> known_;
+    std::set<std::string> told_;  ///< downloads, by their commands
     double bytes_ = 0.0;
 };
 
@@ -253,8 +284,8 @@ std::string uri_of(std::size_t document) {
 }
 
 SdfSurvey survey_sdf(const SdfSource& source, const Resources& resources,
-                     std::size_t most_memory_bytes, bool strict) {
-    return Surveyor{resources, static_cast<double>(most_memory_bytes), strict}.run(source);
+                     const SdfOptions& options) {
+    return Surveyor{resources, options}.run(source);
 }
 
 }  // namespace scipd::sim

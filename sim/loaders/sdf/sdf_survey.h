@@ -12,8 +12,11 @@
 #include <string>
 #include <vector>
 
+#include "sim/loaders/mesh/mesh_shelf.h"
 #include "sim/loaders/sdf/resources.h"
+#include "sim/loaders/sdf/sdf.h"
 #include "sim/loaders/sdf/sdf_sensors.h"
+#include "sim/loaders/sdf/sdf_state.h"
 
 namespace scipd::sim {
 
@@ -28,10 +31,16 @@ struct SdfDocument {
     std::filesystem::path file;
     std::string text;
     bool is_relieved_of_all = false;  ///< there was something in it, but nothing to a scanner
+    std::string model = {};           ///< what its first model or robot is called
+    bool is_converted = false;        ///< of a robot: its lines are no longer the file's
+    std::string robot = {};           ///< what it was converted from
 };
 
 struct SdfSurvey {
     std::vector<SdfDocument> documents;  ///< the source first, then each include once
+    SdfState state;                      ///< of the source's first world
+    std::vector<std::size_t> order;      ///< of the documents: none before what it includes
+    std::vector<MeshSource> meshes;      ///< that they will ask for
     std::vector<std::string> faults;
     std::vector<std::string> warnings;
     std::vector<FoundSensor> sensors;  ///< of all documents but robots
@@ -43,6 +52,6 @@ std::string uri_of(std::size_t document);
 /// What cannot be included is left out with a warning; `strict` makes that a fault, and leaves the
 /// documents as they are.
 SdfSurvey survey_sdf(const SdfSource& source, const Resources& resources,
-                     std::size_t most_memory_bytes, bool strict);
+                     const SdfOptions& options);
 
 }  // namespace scipd::sim

@@ -149,10 +149,10 @@ bool is_urdf(std::string_view text) {
     return root_of(document, text, "robot") != nullptr;
 }
 
-std::string sdf_from_urdf(const SdfDocument& document, bool strict,
+std::string sdf_from_urdf(std::string_view text, const std::filesystem::path& file, bool strict,
                           std::vector<FoundSensor>& sensors, std::vector<std::string>& warnings) {
     XMLDocument urdf;
-    XMLElement* robot = root_of(urdf, document.text, "robot");
+    XMLElement* robot = root_of(urdf, text, "robot");
     if (robot == nullptr) return {};
     Sensors extensions{*robot};
     const MaterialNames materials = prepare(*robot);
@@ -168,9 +168,20 @@ std::string sdf_from_urdf(const SdfDocument& document, bool strict,
     root->SetAttribute("xmlns:scipd", "urn:scipd:sdf");
     name_materials(*model, materials);
     extensions.put_into(*model);
-    std::ranges::move(offer_sensors(*root, document.file, sensors), std::back_inserter(warnings));
+    std::ranges::move(offer_sensors(*root, file, sensors), std::back_inserter(warnings));
     if (!strict) delete_sensors(*model);
     return text_of(result);
+}
+
+std::map<std::string, int> lines_of_links(std::string_view text) {
+    XMLDocument document;
+    XMLElement* robot = root_of(document, text, "robot");
+    std::map<std::string, int> lines;
+    if (robot == nullptr) return lines;
+    for_children(*robot, "link", [&](XMLElement& link) {
+        lines.insert({attribute(link, "name"), link.GetLineNum()});
+    });
+    return lines;
 }
 
 int line_in_urdf(std::string_view text, const std::string& message) {

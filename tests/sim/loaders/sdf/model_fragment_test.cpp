@@ -122,7 +122,7 @@ TEST_F(ModelFragment, RefusesWhatIsNoModel) {
                 ElementsAre("a: holds several models; one is wanted here"));
     EXPECT_THAT(faults("", {"a"}), ElementsAre("a:1: is no XML that can be read: EMPTY_DOCUMENT"));
     EXPECT_THAT(faults("<model name='m'/>", {"a"}),
-                ElementsAre("a: A model must have at least one link."));
+                ElementsAre("a: holds no <world>, and no <model> with a <link>"));
     const auto file = folder_.write("part.obj", triangle_obj);
     EXPECT_THAT(faults_of([&] { load_mesh_model(file, {"a"}, 0.0); }, folder_),
                 ElementsAre("scale: must be above 0 and at most 1e7"));
@@ -156,7 +156,8 @@ TEST_F(ModelFragment, TakesNoMoreThanAModelsShare) {
     const auto large = folder_.write("large.sdf", "");
     std::filesystem::resize_file(large, (8U << 20U) + 1);  // sparse: it takes no room
     EXPECT_THAT(refused("<model name='m'><include><uri>large.sdf</uri></include></model>"),
-                ElementsAre("large.sdf: is larger than 8 MiB"));
+                ElementsAre("a:1: large.sdf: is larger than 8 MiB; left out",
+                            "a: holds no <world>, and no <model> with a <link>"));
 
     const auto mesh = folder_.write("huge.stl", "");
     std::filesystem::resize_file(mesh, 900U << 20U);

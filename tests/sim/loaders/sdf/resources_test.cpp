@@ -112,6 +112,35 @@ TEST_F(ResourcesTest, WhatGazeboHasDownloadedIsFoundInItsCache) {
               "-u 'https://h/1.0/o/models/n'`, or name a copy");
 }
 
+// To be pasted into a shell, whatever is in it; of a mesh, the model that has it.
+TEST_F(ResourcesTest, WhatIsToBeDownloadedIsACommand) {
+    const std::string model = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/";
+    EXPECT_EQ(download_command(model + "Big Box"), "gz fuel download -u '" + model + "Big Box'");
+    EXPECT_EQ(download_command(model + "it's"), "gz fuel download -u '" + model + "it'\\''s'");
+    EXPECT_EQ(download_command(model + "Box/tip/files/meshes/a.dae"),
+              "gz fuel download -u '" + model + "Box'");
+    EXPECT_EQ(download_command(model + "Box/3/files/meshes/a.dae"),
+              "gz fuel download -u '" + model + "Box/3'");
+    EXPECT_EQ(download_command("model://box"), "");
+}
+
+TEST_F(ResourcesTest, NamesMayDifferInCase) {
+    folder_.write("far/" + own_ + "/Meshes/Wall.DAE", "");
+    const std::string there = "far/" + own_ + "/Meshes/Wall.DAE";
+    const std::string uri = "model://" + own_ + "/meshes/wall.dae";
+    const Variable path{"GAZEBO_MODEL_PATH", at("far").string()};
+    EXPECT_EQ(find(uri), there);
+    EXPECT_EQ(case_warning(uri, at(there)), "'" + uri + "' is called " + at(there).string() +
+                                                " here; it is used, though the names differ in "
+                                                "case");
+    // What is there as it is called is nearer, wherever it is.
+    folder_.write("more/" + own_ + "/meshes/wall.dae", "");
+    EXPECT_EQ(Resources(at("world"), {at("more")}).find(uri, at("world")),
+              at("more/" + own_ + "/meshes/wall.dae"));
+    EXPECT_EQ(case_warning(uri, at("more/" + own_ + "/meshes/wall.dae")), "");
+    EXPECT_EQ(find("file://" + at("FAR/" + own_ + "/meshes/wall.dae").string()), there);
+}
+
 TEST_F(ResourcesTest, TheSunAndTheGroundOfTheWebAreOurs) {
     folder_.write("more/sun/model.sdf", "");
     folder_.write("more/ground_plane/model.sdf", "");

@@ -19,6 +19,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
+using ::testing::UnorderedElementsAre;
 
 class SdfAsFound : public ::testing::Test {
   protected:
@@ -38,13 +39,18 @@ class SdfAsFound : public ::testing::Test {
         return names;
     }
 
-    /// That it is scanned without a word, and refused where every word counts.
-    void expect_nothing_to_a_scanner(const std::string& inside) {
+    /// That it is scanned, with a word or none, and refused where every word counts.
+    void expect_nothing_to_a_scanner(const std::string& inside, const std::string& word = {}) {
         SCOPED_TRACE(inside);
         const std::string text = world("<model name='m'>" + inside + "<link name='l'>" +
                                        visual("v", unit_box) + "</link></model>");
         EXPECT_THAT(objects(text), ElementsAre("m::l::v"));
-        EXPECT_THAT(warnings_, IsEmpty());
+        if (word.empty()) {
+            EXPECT_THAT(warnings_, IsEmpty());
+        } else {
+            EXPECT_THAT(warnings_,
+                        ElementsAre("a.sdf:4: the " + word + "; scanners do not need it, ignored"));
+        }
         EXPECT_THAT(
             faults_of([&] { load_scene(folder_.path() / "a.sdf", {.sdf = {.strict = true}}); },
                       folder_),
@@ -61,23 +67,62 @@ TEST_F(SdfAsFound, whatIsNothingToAScannerMayBeFaulty) {
     const auto link = [](const std::string& inside) {
         return "<link name='k'>" + inside + "</link>";
     };
-    expect_nothing_to_a_scanner(
-        link("<inertial><mass>1</mass><inertia><ixx>1</ixx><ixy>0</ixy><ixz>0</ixz><iyy>9</iyy>"
-             "<iyz>0</iyz><izz>1</izz></inertia></inertial>"));
+    const auto inertia = [](const std::string& mass, const std::string& iyy) {
+        return "<inertial><mass>" + mass +
+               "</mass><inertia><ixx>1</ixx><ixy>0</ixy><ixz>0</ixz><iyy>" + iyy +
+               "</iyy><iyz>0</iyz><izz>1</izz></inertia></inertial>";
+    };
+    const std::string no_mass = "inertia of link m::k is one that no mass can have";
+    expect_nothing_to_a_scanner(link(inertia("1", "9")), no_mass);
+    expect_nothing_to_a_scanner(link(inertia("-1", "1")), no_mass);
+    expect_nothing_to_a_scanner(link(inertia("1", "-1")), no_mass);
     expect_nothing_to_a_scanner(link("<inertial><pose>a b c 0 0 0</pose></inertial>"));
     expect_nothing_to_a_scanner(link("<sensor name='s' type='no such type'/>"));
-    expect_nothing_to_a_scanner(link("<sensor name='s'/><sensor name='s' type='imu'/>"));
+    expect_nothing_to_a_scanner(link("<sensor name='s'/><sensor name='s' type='imu'/>"),
+                                "sensor m::k::s has no type");
     expect_nothing_to_a_scanner(link("<light name='s' type='no such type'/>"));
-    expect_nothing_to_a_scanner(link(
-        visual("w", "<empty/>", "<material><script><name>Gazebo/Grey</name></script></material>")));
+    expect_nothing_to_a_scanner(
+        link(visual("w", "<empty/>",
+                    "<material><script><name>Gazebo/Grey</name></script></material>")),
+        "material script of m::k::w has no <uri>");
     expect_nothing_to_a_scanner(
         link(visual("w", "<empty/>", "<material><diffuse>red</diffuse></material>")));
     expect_nothing_to_a_scanner(
-        "<joint name='j' type='revolute'><parent>l</parent><child>none</child></joint>");
+        link("<collision name='c'><geometry><empty/></geometry><surface><friction><ode><mu>-1</mu>"
+             "</ode></friction></surface></collision>" +
+             visual("w", "<empty/>")),
+        "friction of collision m::k::c is below 0");
     expect_nothing_to_a_scanner(
-        "<joint name='j' type='wheel'><parent>l</parent><child>l</child></joint>");
+        "<joint name='j' type='revolute'><parent>l</parent><child>none</child></joint>",
+        "joint m::j joins a link that is not there");
+    expect_nothing_to_a_scanner(
+        "<joint name='j' type='wheel'><parent>world</parent><child>l</child></joint>",
+        "joint m::j has a type that is none");
     expect_nothing_to_a_scanner("<plugin filename='libp.so'><state/><road/></plugin>");
     expect_nothing_to_a_scanner("<model name='nothing'/>");
+}
+
+TEST_F(SdfAsFound, faultsOfOneKindAreToldOnce) {
+    const std::string link =
+        visual("v", unit_box, "<material><script><name>n</name></script></material>");
+    objects(world(
+        "<scene><sky><clouds><speed>-5</speed></clouds></sky></scene>\n" +
+        model_of(link + visual("w", unit_box, "<material><script><uri/></script></material>"))));
+    EXPECT_THAT(warnings_, ElementsAre("a.sdf:6: the material script of m::l::v (and 1 more) has "
+                                       "no <uri>; scanners do not need it, ignored"));
+}
+
+TEST_F(SdfAsFound, whatOnlyLaterVersionsHaveIsToldByName) {
+    EXPECT_THAT(objects(world("<model name='m'>\n<later/><link name='l'><auto_inertia/>" +
+                              visual("v", "<box><size>1 1 1</size><bevel>1</bevel></box>") +
+                              "</link></model><model name='n'>\n<later/><link name='l' color='x'>"
+                              "<auto_inertia/></link></model>")),
+                ElementsAre("m::l::v"));
+    const std::string end = " is nothing that SDF 1.9 knows; ignored, here and elsewhere";
+    EXPECT_THAT(warnings_, UnorderedElementsAre("a.sdf:5: <later> in <model>" + end,
+                                                "a.sdf:5: <auto_inertia> in <link>" + end,
+                                                "a.sdf:5: <bevel> in <box>" + end,
+                                                "a.sdf:7: the attribute color of <link>" + end));
 }
 
 TEST_F(SdfAsFound, theNameOfAScriptCountsWithoutItsUri) {
@@ -141,6 +186,41 @@ TEST_F(SdfAsFound, whatIsMissingIsLeftOut) {
                 ElementsAre(HasSubstr("a.sdf:4: there is no 'model://gone' near ")));
 }
 
+TEST_F(SdfAsFound, namesMayDifferInCase) {
+    folder_.write("Models/Crate/Model.config",
+                  "<model><name>crate</name><sdf version='1.9'>MODEL.sdf</sdf></model>");
+    folder_.write("Models/Crate/model.sdf",
+                  sdf("<model name='c'><link name='l'>" + visual("v", mesh_of("meshes/crate.obj")) +
+                      "</link></model>"));
+    folder_.write("Models/Crate/meshes/Crate.OBJ", triangle_obj);
+    EXPECT_THAT(objects(world("<include><uri>models/crate</uri></include>")),
+                ElementsAre("c::l::v"));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a.sdf:4: 'models/crate' is called "),
+                                       HasSubstr("a.sdf:4: 'model.config' is called "),
+                                       HasSubstr("a.sdf:4: 'MODEL.sdf' is called "),
+                                       HasSubstr("model.sdf:3: c::l::v: 'meshes/crate.obj' is "
+                                                 "called ")));
+}
+
+TEST_F(SdfAsFound, aDownloadIsToldOnceAndNoNameIsCutShort) {
+    const std::string model = "https://fuel.gazebosim.org/1.0/nobody-at-all/models/No such model";
+    const std::string include = "<include><uri>" + model + "</uri></include>\n";
+    const std::string mesh = mesh_of(model + "/tip/files/meshes/a.dae");
+    objects(world(include + include +
+                  model_of(visual("a", mesh) + visual("b", mesh) + visual("c", unit_box))));
+    EXPECT_THAT(warnings_,
+                ElementsAre(HasSubstr("a.sdf:4: '" + model +
+                                      "' has not been downloaded; fetch it with `gz fuel download "
+                                      "-u '" +
+                                      model + "'`"),
+                            HasSubstr("a.sdf:7: m::l::a: '" + model + "/tip/files/meshes/a.dae'")));
+    const std::string name = "model://fetch_description_of_nobody/meshes/base_link_collision.dae";
+    objects(world(model_of(visual("a", mesh_of(name)) + visual("c", unit_box))));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("there is no '" + name + "' near ")));
+    objects(world(model_of(visual("a", "<mesh/>") + visual("c", unit_box))));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a.sdf:5: m::l::a: no file is named; left out")));
+}
+
 TEST_F(SdfAsFound, aBrokenModelIsLeftOut) {
     folder_.write("b.sdf", "<sdf version='1.9'><model name='b'>\n<link></model></sdf>");
     EXPECT_THAT(
@@ -155,10 +235,11 @@ TEST_F(SdfAsFound, linesAreThoseOfTheFile) {
     objects(
         world("<!-- two\nlines --><gui>\n<camera name='c'/>\n</gui>\n<model\n name='m'\n "
               "canonical_link='l'>\n<static>true\n</static><link name='l'>" +
-              visual("v", unit_box) + "<sensor\nname='s'/>\n" +
+              visual("v", unit_box) + "<sensor\nname='s' type='ray'/>\n" +
               visual("far", unit_box, "\n<pose>3e8 0\n 0 0 0 0</pose>") + "</link></model>\n" +
               "<include><uri>\ngone\n</uri></include>\n<road name='r'/>"));
     EXPECT_THAT(warnings_, ElementsAre("a.sdf:22: <road> is not supported and left out",
+                                       HasSubstr("a.sdf:13: sensor 's' of link 'l': has neither"),
                                        HasSubstr("a.sdf:19: there is no 'gone' near"),
                                        HasSubstr("a.sdf:15: m::l::far: lies at")));
 }

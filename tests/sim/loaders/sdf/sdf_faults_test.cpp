@@ -40,7 +40,8 @@ TEST_F(SdfFaults, missingFilesAndFolders) {
 }
 
 TEST_F(SdfFaults, noWorld) {
-    EXPECT_THAT(faults(sdf("")), ElementsAre("a.sdf: holds no <world> and no <model>"));
+    EXPECT_THAT(faults(sdf("")),
+                ElementsAre("a.sdf: holds no <world>, and no <model> with a <link>"));
 }
 
 TEST_F(SdfFaults, nothingToSee) {
@@ -185,9 +186,10 @@ TEST_F(SdfFaults, robotsThatReachTooFar) {
                   "<robot name='r'><link name='a'/><link name='b'><visual><geometry><box size='1 1 "
                   "1'/></geometry></visual></link><joint name='j' type='fixed'><parent link='a'/>"
                   "<child link='b'/><origin xyz='0 3e8 0'/></joint></robot>");
-    EXPECT_THAT(faults_of([&] { load_sdf(folder_.path() / "a.urdf", {.strict = true}); }, folder_),
-                ElementsAre("a.urdf: r::b: lies at 0 3e+08 0; everything must lie within 1e7 m of "
-                            "the origin"));
+    EXPECT_THAT(
+        faults_of([&] { load_sdf(folder_.path() / "a.urdf", {.strict = true}); }, folder_),
+        ElementsAre("a.urdf:1: r::b: lies at 0 3e+08 0; everything must lie within 1e7 m of "
+                    "the origin"));
 }
 
 }  // namespace

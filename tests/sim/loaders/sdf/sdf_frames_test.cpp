@@ -207,6 +207,32 @@ TEST_F(SdfFrames, ofTwoSensorsOfOneNameTheFirstCounts) {
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("not the first of this name")));
 }
 
+TEST_F(SdfFrames, ofTwoLinksOfOneNameTheFirstCounts) {
+    const std::string moved = "<pose>5 0 0 0 0 0</pose>";
+    load(world("<model name='m'><link name='l'>" + visual("v", unit_box) +
+               "</link><link name='l'>" + moved + visual("v", unit_box) + sensor("s", burgers_ray) +
+               "</link><model name='n'><link>" + moved + visual("v", unit_box) +
+               sensor("s", burgers_ray) + "</link></model></model>"));
+    EXPECT_TRUE(std::ranges::none_of(scene_->frames, [](const Frame& f) { return !!f.lidar; }));
+    EXPECT_THAT(warnings_, testing::Contains(HasSubstr("its link is not the first of this name")));
+    EXPECT_THAT(warnings_, testing::Contains(HasSubstr("its link has no name")));
+}
+
+// Where a saved world has moved its link.
+TEST_F(SdfFrames, lieWhereTheStateHasThem) {
+    load(
+        world("<model name='m'><link name='l'>" + visual("v", unit_box) +
+              "</link><link name='arm'>"
+              "<pose>1 0 0 0 0 0</pose>" +
+              visual("v", unit_box) +
+              sensor("s", "<pose>0.5 0 0 0 0 0</pose>" + std::string{burgers_ray}) +
+              "</link></model><state world_name='w'><model name='m'><pose>0 0 3 0 0 0</pose>"
+              "<link name='arm'><pose>0 2 3 0 0 1.5707963267948966</pose></link></model></state>"));
+    constexpr double left = std::numbers::pi / 2;
+    expect_at("m::arm", pose_from_rpy({0, 2, 0}, {0, 0, left}));
+    expect_at("m::arm::s", pose_from_rpy({0, 2.5, 0}, {0, 0, left}));
+}
+
 TEST_F(SdfFrames, aCrowdOfSensorsIsOfferedInPart) {
     std::string models;
     for (int model = 0; model < 41; ++model) {

@@ -138,14 +138,16 @@ TEST_F(SdfLimits, AModelNamesAFileOfAVersionThatIsRead) {
     };
     const auto none = ElementsAre(
         "a.sdf:4: 'm' is the folder m, which has no model.config that names an SDF file");
-    EXPECT_THAT(config("<sdf>new.sdf</sdf>"), none);
-    EXPECT_THAT(config("<sdf version='1.10'>new.sdf</sdf>"), none);
     EXPECT_THAT(config("<sdf version='1.9'/>"), none);
     EXPECT_THAT(config(""), none);
     const auto reads_old = Contains(HasSubstr("holds nothing that a scanner could see"));
     const std::string old = "<sdf version='1.6'>old.sdf</sdf>";
     EXPECT_THAT(config(old + "<sdf version='1.10'>new.sdf</sdf>"), reads_old);
     EXPECT_THAT(config("<sdf version='1.5'>new.sdf</sdf>" + old), reads_old);
+    EXPECT_THAT(config("<sdf>new.sdf</sdf>" + old), reads_old);
+    const auto reads_new = ElementsAre(HasSubstr("m/new.sdf:3: there is no 'lost'"));
+    EXPECT_THAT(config("<sdf>new.sdf</sdf>"), reads_new);
+    EXPECT_THAT(config("<sdf version='1.10'>new.sdf</sdf>"), reads_new);
 }
 
 }  // namespace

@@ -249,8 +249,8 @@ TEST_F(Sdf, whatTheLibraryOnlyPrintsIsAWarning) {
     load(world(model_of(visual("a", unit_box, "<colour>red</colour>"))));
     EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
     ASSERT_EQ(warnings_.size(), 1U);
-    EXPECT_THAT(warnings_[0], HasSubstr("a.sdf:L5"));
-    EXPECT_THAT(warnings_[0], HasSubstr("XML Element[colour], child of element[visual]"));
+    EXPECT_THAT(warnings_[0], HasSubstr("a.sdf:5: "));
+    EXPECT_THAT(warnings_[0], HasSubstr("<colour> in <visual> is nothing that SDF 1.9 knows"));
 }
 
 TEST_F(Sdf, collisionsAloneAreNotSeen) {

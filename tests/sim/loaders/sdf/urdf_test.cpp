@@ -152,7 +152,7 @@ TEST_F(Urdf, FindsPackagesAbroadAndAround) {
     unsetenv("ROS_PACKAGE_PATH");
     unsetenv("AMENT_PREFIX_PATH");
     EXPECT_THAT(faults(mesh("package://other/b.obj")),
-                Contains("a.urdf: r::l::l_visual: there is no 'model://other/b.obj' near " +
+                Contains("a.urdf:3: r::l::l_visual: there is no 'package://other/b.obj' near " +
                          folder_.path().string() +
                          ", nor in GZ_SIM_RESOURCE_PATH, GAZEBO_MODEL_PATH, SDF_PATH, "
                          "ROS_PACKAGE_PATH or AMENT_PREFIX_PATH; left out"));
@@ -184,7 +184,8 @@ TEST_F(Urdf, TellsFaultsOfARobotInAWorldUnderItsOwnName) {
     const auto file = folder_.write("w.sdf", world("<include><uri>bad.urdf</uri></include>"));
     EXPECT_THAT(faults_of([&] { load_sdf(file); }, folder_),
                 ElementsAre("bad.urdf:3: Failed to find root link: Two root links found: [a] and "
-                            "[b]"));
+                            "[b]; left out, no scanner sees it",
+                            HasSubstr("w.sdf: holds nothing that a scanner could see")));
 }
 
 TEST_F(Urdf, StandsOnTheWorldIfItSaysSo) {

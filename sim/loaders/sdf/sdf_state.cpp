@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/sdf/sdf_state.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <sstream>
+
+#include <tinyxml2.h>
+
+#include "sim/loaders/quote.h"
+
+namespace scipd::sim {
+namespace {
+
+using tinyxml2::XMLElement;
+
+/// That many finite numbers and nothing else.
+bool read_numbers(const char* text, std::span<double> numbers) {
+    std::istringstream in{text == nullptr ? "" : text};
+    for (double& number : numbers) {
+        if (!(in >> number) || !std::isfinite(number)) return false;
+    }
+    return (in >> std::ws).eof();
+}
+
+std::optional<Pose> pose_of(const XMLElement& element) {
+    std::array<double, 6> n{};
+    const auto* pose = element.FirstChildElement("pose");
+    // Gazebo Classic takes none for that of the origin.
+    if (pose != nullptr && pose->GetText() != nullptr && !read_numbers(pose->GetText(), n)) {
+        return std::nullopt;
+    }
+    return pose_from_rpy({n[0], n[1], n[2]}, {n[3], n[4], n[5]});
+}
+
+/// Gazebo Classic keeps the scale that it has in place of one below 0.
+std::optional<glm::dvec3> scale_of(const XMLElement& element) {
+    std::array<double, 3> n{1.0, 1.0, 1.0};
+    const auto* scale = element.FirstChildElement("scale");
+    if (scale != nullptr && !read_numbers(scale->GetText(), n)) return std::nullopt;
+    if (n[0] < 0.0 || n[1] < 0.0 || n[2] < 0.0) return glm::dvec3{1.0};
+    return glm::dvec3{n[0], n[1], n[2]};
+}
+
+class StateReader {
+  public:
+    StateReader(const std::filesystem::path& file, std::vector<std::string>& warnings)
+        : file_(file), warnings_(warnings) {}
+
+    SdfState read(const XMLElement& state) {
+        read_parts(state, "");
+        for (const auto* list = state.FirstChildElement("deletions"); list != nullptr;
+             list = list->NextSiblingElement("deletions")) {
+            for (const auto* name = list->FirstChildElement("name"); name != nullptr;
+                 name = name->NextSiblingElement("name")) {
+                if (name->GetText() != nullptr) state_.deleted.insert(name->GetText());
+            }
+        }
+        return std::move(state_);
+    }
+
+  private:
+    void read_parts(const XMLElement& outer, const std::string& prefix) {
+        for (const auto* part = outer.FirstChildElement(); part != nullptr;
+             part = part->NextSiblingElement()) {
+            const std::string_view kind = part->Name();
+            const char* name = part->Attribute("name");
+            if ((kind != "model" && kind != "link") || name == nullptr) continue;
+            add(*part, prefix + name);
+            if (kind == "model") read_parts(*part, prefix + name + "::");
+        }
+    }
+
+    void add(const XMLElement& part, const std::string& name) {
+        const auto pose = pose_of(part);
+        const auto scale = scale_of(part);
+        if (pose && scale) {
+            state_.entries.insert({name, {*pose, *scale, part.GetLineNum()}});
+            return;
+        }
+        warnings_.push_back(file_.string() + ':' + std::to_string(part.GetLineNum()) +
+                            ": the <state> of " + name + " has a " + (pose ? "scale" : "pose") +
+                            " that is no row of finite numbers; it stays as its model says");
+    }
+
+    const std::filesystem::path& file_;
+    std::vector<std::string>& warnings_;
+    SdfState state_;
+};
+
+void insert_models(XMLElement& world, const XMLElement& state) {
+    const auto* list = state.FirstChildElement("insertions");
+    const auto* model = list == nullptr ? nullptr : list->FirstChildElement("model");
+    for (; model != nullptr; model = model->NextSiblingElement("model"))
+        world.InsertEndChild(model->DeepClone(world.GetDocument()));
+}
+
+}  // namespace
+
+const SdfState::Entry* SdfState::use(const std::string& name) {
+    const auto found = entries.find(name);
+    if (found == entries.end()) return nullptr;
+    found->second.is_used = true;
+    return &found->second;
+}
+
+std::string SdfState::unused(const std::filesystem::path& file) const {
+    const std::pair<const std::string, Entry>* first = nullptr;
+    std::size_t count = 0;
+    for (const auto& entry : entries) {
+        if (entry.second.is_used) continue;
+        ++count;
+        if (first == nullptr || entry.second.line < first->second.line) first = &entry;
+    }
+    if (first == nullptr) return {};
+    return file.string() + ':' + std::to_string(first->second.line) + ": <state> tells where " +
+           quote(first->first) +
+           (count > 1 ? " and " + std::to_string(count - 1) + " more lie" : " lies") +
+           ", and the world has nothing of that name; ignored";
+}
+
+SdfState take_state(XMLElement& world, const std::filesystem::path& file,
+                    std::vector<std::string>& warnings) {
+    auto* element = world.FirstChildElement("state");
+    if (element == nullptr) return {};
+    SdfState state = StateReader{file, warnings}.read(*element);
+    insert_models(world, *element);
+    for (; element != nullptr; element = world.FirstChildElement("state"))
+        world.DeleteChild(element);
+    return state;
+}
+
+}  // namespace scipd::sim

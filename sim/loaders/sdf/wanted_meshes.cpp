@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/sdf/wanted_meshes.h"
+
+#include <string>
+#include <string_view>
+
+#include <tinyxml2.h>
+
+namespace scipd::sim {
+namespace {
+
+using tinyxml2::XMLElement;
+
+std::string text_at(const XMLElement* element, const char* name) {
+    const auto* child = element == nullptr ? nullptr : element->FirstChildElement(name);
+    const char* text = child == nullptr ? nullptr : child->GetText();
+    return text == nullptr ? std::string{} : text;
+}
+
+class Search {
+  public:
+    Search(const std::filesystem::path& folder, const Resources& resources, SdfGeometry geometry)
+        : folder_(folder),
+          resources_(resources),
+          surface_(geometry == SdfGeometry::visual ? "visual" : "collision") {}
+
+    void look_into(const XMLElement& element) {
+        if (element.Name() == surface_) return add(element);
+        for (const auto* child = element.FirstChildElement(); child != nullptr;
+             child = child->NextSiblingElement()) {
+            look_into(*child);
+        }
+    }
+
+    std::vector<MeshSource> found;
+
+  private:
+    void add(const XMLElement& surface) {
+        const auto* geometry = surface.FirstChildElement("geometry");
+        const auto* mesh = geometry == nullptr ? nullptr : geometry->FirstChildElement("mesh");
+        if (mesh == nullptr) return;
+        // In SDF the one, in URDF the other.
+        const char* attribute = mesh->Attribute("filename");
+        const std::string uri = attribute != nullptr ? attribute : text_at(mesh, "uri");
+        const auto file = resources_.find(uri, folder_);
+        if (file.empty()) return;
+        found.push_back({file, text_at(mesh->FirstChildElement("submesh"), "name")});
+    }
+
+    const std::filesystem::path& folder_;
+    const Resources& resources_;
+    std::string_view surface_;
+};
+
+}  // namespace
+
+std::vector<MeshSource> wanted_meshes(const XMLElement& root, const std::filesystem::path& folder,
+                                      const Resources& resources, SdfGeometry geometry) {
+    Search search{folder, resources, geometry};
+    search.look_into(root);
+    return std::move(search.found);
+}
+
+}  // namespace scipd::sim
