@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "daemon/load_world.h"
+#include "daemon/mounting.h"
 #include "sim/backends/depth.h"
 #include "sim/loaders/poses/trajectory.h"
 
@@ -61,7 +62,11 @@ std::string check(const std::filesystem::path& file, bool strict) {
     config.strict |= strict;
     sim::LoadedScene world;
     Faults faults;
-    note_faults(faults, [&] { world = load_world(config); });
+    std::vector<std::string> notices;
+    note_faults(faults, [&] {
+        world = load_world(config);
+        notices = mount_by_name(config, *world.scene);
+    });
     std::size_t sensors = 0;
     for (const RobotConfig& robot : config.robots) {
         check_trajectory(config, robot, faults, world.warnings);
@@ -70,7 +75,7 @@ std::string check(const std::filesystem::path& file, bool strict) {
     }
     if (!faults.empty()) throw sim::LoadError(std::move(faults));
     std::string text;
-    for (const auto* list : {&world.warnings, &world.notes}) {
+    for (const auto* list : {&world.warnings, &world.notes, &notices}) {
         for (const std::string& line : *list)
             text += line + "\n";
     }

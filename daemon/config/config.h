@@ -41,6 +41,7 @@ struct PoseSource {
 struct RobotConfig {
     std::string name;
     sim::Pose world_from_robot;  ///< at the start
+    bool pose_given = false;     ///< else a named mount may give it another start
     std::string body;            ///< the scene's movable model that moves with it; empty: none
     std::optional<PoseSource> poses;
     sim::PosePolicy policy;

@@ -57,6 +57,24 @@ Model take_model(std::FILE* in) {
     return model;
 }
 
+void put_frame(const Frame& frame, std::FILE* out) {
+    put_all(frame.name, out);
+    put(frame.model, out);
+    put(frame.model_from_frame, out);
+    put_all(frame.sensor, out);
+    put(frame.lidar, out);
+}
+
+Frame take_frame(std::FILE* in) {
+    Frame frame;
+    frame.name = take_all<std::string>(in);
+    frame.model = take<ModelId>(in);
+    frame.model_from_frame = take<Pose>(in);
+    frame.sensor = take_all<std::string>(in);
+    frame.lidar = take<std::optional<Lidar>>(in);
+    return frame;
+}
+
 void put_material(const Material& material, std::FILE* out) {
     put_all(material.name, out);
     put(material.laser_retro, out);
@@ -92,6 +110,7 @@ class Sender {
         put_all(scene.name, out_);
         put(scene.anchor_m, out_);
         put_each(scene.models, out_, put_model);
+        put_each(scene.frames, out_, put_frame);
         put_each(scene.materials, out_, put_material);
         put_each(scene.objects, out_, [&](const Object& object, std::FILE*) { send(object); });
         put_each(meshes_, out_, put_mesh);
@@ -130,6 +149,7 @@ class Receiver {
         scene.name = take_all<std::string>(in_);
         scene.anchor_m = take<glm::dvec3>(in_);
         scene.models = take_each<std::vector<Model>>(in_, take_model);
+        scene.frames = take_each<std::vector<Frame>>(in_, take_frame);
         scene.materials = take_each<std::vector<Material>>(in_, take_material);
         std::vector<Plain> shapes;
         scene.objects = take_each<std::vector<Object>>(in_, [&](std::FILE*) {

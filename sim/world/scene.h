@@ -17,6 +17,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "sim/world/lidar.h"
 #include "sim/world/material.h"
 #include "sim/world/pose.h"
 #include "sim/world/shape.h"
@@ -50,10 +51,21 @@ struct Object {
     MaterialId material = 0;
 };
 
+/// A place in a model that its file gives a name, where a sensor may be mounted: a link, a frame,
+/// or where the file has a sensor of its own.
+struct Frame {
+    std::string name;  ///< MODEL::LINK, MODEL::FRAME, MODEL::LINK::SENSOR
+    ModelId model = 0;
+    Pose model_from_frame;
+    std::string sensor;          ///< its type, such as gpu_lidar; empty: none is there
+    std::optional<Lidar> lidar;  ///< where the sensor is one
+};
+
 struct Scene {
     std::string name;
     std::vector<Model> models;
     std::vector<Object> objects;
+    std::vector<Frame> frames;
     std::vector<Material> materials{{"default"}};
 
     /// A point of W near the middle of most things (anchor.h). Backends work in float relative to

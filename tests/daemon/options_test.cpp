@@ -126,6 +126,22 @@ TEST_F(OptionsTest, EachOptionHasItsPlace) {
     EXPECT_EQ(run(base + "--log-level warning").log_level, "warning");  // as log lines have it
 }
 
+TEST_F(OptionsTest, AMountMayBeNamed) {
+    const auto named = run(scene() + "--mount m::l");
+    EXPECT_EQ(sensor(named).mount, (NamedMount{.kind = MountKind::any, .name = "m::l"}));
+    EXPECT_FALSE(named.config.robots[0].pose_given);
+    EXPECT_TRUE(run(scene() + "--mount m::l --pose 1,2,0").config.robots[0].pose_given);
+    NamedMount lidar{.kind = MountKind::lidar, .name = "m::l::s", .chooses_model = true};
+    EXPECT_EQ(sensor(run(scene() + "--sensor-from m::l::s")).mount, lidar);
+    // What the user says counts, on whichever side.
+    lidar.chooses_model = false;
+    EXPECT_EQ(sensor(run(scene() + "--sensor-from m::l::s --model URG-04LX")).mount, lidar);
+    EXPECT_EQ(sensor(run(scene() + "--model URG-04LX --sensor-from m::l::s")).mount, lidar);
+    // Which model it will be is not known yet.
+    EXPECT_EQ(sensor(run(scene() + "--sensor-from s --power-up scip1.1")).power_up, PowerUp::scip1);
+    EXPECT_THAT(answer(scene() + "--sensor-from s --mount l").text, HasSubstr("--mount"));
+}
+
 TEST_F(OptionsTest, APoseMayBeginWithAMinus) {
     EXPECT_EQ(run("--pose -1,2,-0.5").config.robots[0].world_from_robot,
               sim::pose_from_rpy({-1.0, 2.0, 0.0}, {0.0, 0.0, -0.5}));

@@ -33,6 +33,8 @@ void rename(Scene& scene, const std::string& name) {
         model.name.replace(0, length, name);
     for (Object& object : scene.objects)
         object.name.replace(0, length, name);
+    for (Frame& frame : scene.frames)
+        frame.name.replace(0, length, name);
 }
 
 /// The first model at this pose; what lies in it and moves by itself goes along.

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <functional>
 #include <set>
-#include <string_view>
 
 #include <tinyxml2.h>
 
@@ -52,9 +51,7 @@ constexpr std::array nothing_to_a_scanner{"atmosphere",
                                           "wind"};
 constexpr std::array seen_but_not_read{"population"};
 
-/// In place of "::" in names: one character that nobody has in a name, and that says the same.
 constexpr std::string_view colons = "::";
-constexpr std::string_view stands_for_colons = "\u2237";
 
 template <typename Words>
 bool is_one_of(const XMLElement& element, const Words& words) {

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tinyxml2 {
@@ -16,6 +17,9 @@ class XMLElement;
 }  // namespace tinyxml2
 
 namespace scipd::sim {
+
+/// In place of "::" in names: one character that nobody has in a name, and that says the same.
+inline constexpr std::string_view stands_for_colons = "\u2237";
 
 /// Takes out what a scanner would see and we cannot read. Answers with a warning for each, which
 /// begins with its place in `file`.

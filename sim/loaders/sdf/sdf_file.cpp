@@ -136,7 +136,8 @@ class Reader {
 
     std::string converted(const SdfDocument& robot, std::vector<std::string>& faults) {
         const fs::path& file = robot.file;
-        std::string text = sdf_from_urdf(robot.text);
+        std::string text =
+            sdf_from_urdf(robot.text, file, strict_, result_.sensors, result_.warnings);
         const auto said = console_.take();
         for (const auto& fault : said.faults) {
             if (is_printed_echo(fault)) continue;
@@ -233,6 +234,7 @@ SdfFile read_sdf(SdfSurvey survey, bool strict) {
     result.warnings = std::move(survey.warnings);
     result.actors = std::move(survey.actors);
     result.state = std::move(survey.state);
+    result.sensors = std::move(survey.sensors);
     if (result.faults.empty()) Reader{std::move(survey), strict, result}.read();
     return result;
 }

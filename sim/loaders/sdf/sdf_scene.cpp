@@ -18,6 +18,7 @@
 #include "sim/loaders/sdf/scene_draft.h"
 #include "sim/loaders/sdf/scene_shapes.h"
 #include "sim/loaders/sdf/sdf_document.h"
+#include "sim/loaders/sdf/sdf_frames.h"
 #include "sim/loaders/sdf/sdf_place.h"
 #include "sim/loaders/sdf/sdf_shape.h"
 #include "sim/loaders/sdf/sdf_surface.h"
@@ -131,12 +132,17 @@ std::string SceneWalk::name_of(const sdf::Model& model) {
 void SceneWalk::add_parts(const sdf::Model& model, const Place& place, const std::string& name) {
     const auto* saved = read_.state.use(shown(name));
     scale_ = saved == nullptr ? glm::dvec3{1.0} : saved->scale;
+    ModelPlaces places{place, {}};
     for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
         const auto& link = *model.LinkByIndex(i);
         const auto link_name = name + "::" + link.Name();
         const auto here = place_of(place, link.SemanticPose(), link.Element(), link_name);
-        if (here) add_link(link, *here, link_name);
+        if (!here) continue;
+        add_link(link, *here, link_name);
+        places.links[link.Name()] = *here;
     }
+    for (Frame& frame : frames_of(model, places, name, read_.sensors))
+        draft_.add(std::move(frame));
     for (std::uint64_t i = 0; i < model.ModelCount(); ++i)
         add_nested(*model.ModelByIndex(i), place, name);
 }
@@ -150,10 +156,12 @@ void SceneWalk::add_nested(const sdf::Model& model, const Place& outer,
         const ModelId id = draft_.add(Model{name, true, place->world_from_here});
         place = {id, {}, place->world_from_here};
     }
+    draft_.add(Frame{name, place->body, place->body_from_here, {}, {}});
     add_parts(model, *place, name);
 }
 
 void SceneWalk::add_link(const sdf::Link& link, const Place& place, const std::string& name) {
+    draft_.add(Frame{name, place.body, place.body_from_here, {}, {}});
     for (const SdfSurface& surface : surfaces_of(link, options_.geometry))
         add_surface(surface, place, name);
     warn_of_unseen(link, name);

@@ -136,6 +136,7 @@ class Surveyor {
         add_warnings(take_unreadable(root, file));
         put_in_its_words(root);
         add_warnings(take_actors(root, file, survey_.actors));
+        add_warnings(offer_sensors(root, file, survey_.sensors));
         lower_version(root);
         if (!strict_) {
             add_warnings(faults_of_ignored(root, file));

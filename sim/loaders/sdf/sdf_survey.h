@@ -16,6 +16,7 @@
 #include "sim/loaders/sdf/resources.h"
 #include "sim/loaders/sdf/sdf.h"
 #include "sim/loaders/sdf/sdf_actor.h"
+#include "sim/loaders/sdf/sdf_sensors.h"
 #include "sim/loaders/sdf/sdf_state.h"
 
 namespace scipd::sim {
@@ -44,7 +45,8 @@ struct SdfSurvey {
     std::vector<MeshSource> meshes;      ///< that they will ask for
     std::vector<std::string> faults;
     std::vector<std::string> warnings;
-    double bytes = 0.0;  ///< that reading all of it takes, about
+    double bytes = 0.0;                ///< that reading all of it takes, about
+    std::vector<FoundSensor> sensors;  ///< of all documents but robots
 };
 
 /// Of a document by its place among them, by which the library asks for it.

@@ -36,6 +36,8 @@ Scene full_scene() {
                      {"b::ball", 1, {}, Sphere{0.25}, 2},  {"b::floor", 1, {}, Plane{{10, 20}}, 0},
                      {"b::mesh", 1, {}, mesh, 1},          {"b::other", 1, {}, other, 1},
                      {"b::again", 1, pose, mesh, 2}};
+    scene.frames = {{"a::l", 0, pose, {}, {}},
+                    {"b::c::l::s", 1, {}, "gpu_lidar", Lidar{360, 16, -1, 2, 0.1, 30, 5.5}}};
     scene.anchor_m = {100, -200, 3};
     return scene;
 }
@@ -85,6 +87,16 @@ TEST(ConfinedScene, ArrivesWhole) {
         EXPECT_EQ(is.shape.index(), was.shape.index());
         EXPECT_EQ(tessellate(is.shape).vertices_m, tessellate(was.shape).vertices_m);
         EXPECT_EQ(tessellate(is.shape).triangles, tessellate(was.shape).triangles);
+    }
+    ASSERT_EQ(arrived->frames.size(), 2U);
+    for (std::size_t i = 0; i < sent.frames.size(); ++i) {
+        const Frame& is = arrived->frames[i];
+        const Frame& was = sent.frames[i];
+        EXPECT_EQ(is.name, was.name);
+        EXPECT_EQ(is.model, was.model);
+        EXPECT_EQ(is.model_from_frame, was.model_from_frame);
+        EXPECT_EQ(is.sensor, was.sensor);
+        EXPECT_EQ(is.lidar, was.lidar);
     }
     // What was shared is.
     EXPECT_EQ(std::get<SharedMesh>(arrived->objects[4].shape),
