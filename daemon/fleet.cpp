@@ -205,9 +205,8 @@ Fleet::Stations::const_iterator Fleet::find_unchanged(const std::string& robot,
     });
 }
 
-std::unique_ptr<Fleet::Station> Fleet::take_unchanged(const std::string& robot,
-                                                      const SensorConfig& sensor,
-                                                      std::uint64_t seed) {
+std::unique_ptr<Station> Fleet::take_unchanged(const std::string& robot, const SensorConfig& sensor,
+                                               std::uint64_t seed) {
     const auto found = find_unchanged(robot, sensor, seed);
     if (found == stations_.end()) return nullptr;
     auto station = std::move(stations_[static_cast<std::size_t>(found - stations_.begin())]);
@@ -215,9 +214,8 @@ std::unique_ptr<Fleet::Station> Fleet::take_unchanged(const std::string& robot,
     return station;
 }
 
-std::unique_ptr<Fleet::Station> Fleet::power_up(const RobotConfig& robot,
-                                                const SensorConfig& sensor, std::uint64_t seed,
-                                                const Ports& ports) {
+std::unique_ptr<Station> Fleet::power_up(const RobotConfig& robot, const SensorConfig& sensor,
+                                         std::uint64_t seed, const Ports& ports) {
     auto station =
         std::make_unique<Station>(Station{.robot = robot.name, .config = sensor, .seed = seed});
     if (sensor.staring) {

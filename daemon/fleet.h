@@ -27,13 +27,11 @@
 #include "daemon/control/scan_stream.h"
 #include "daemon/control/scene_editor.h"
 #include "daemon/control/world.h"
-#include "daemon/device/device.h"
-#include "daemon/device/scan_loop.h"
-#include "daemon/device/staring_sensor.h"
 #include "daemon/device/wall_clock.h"
 #include "daemon/fleet_plan.h"
 #include "daemon/link/pty_port.h"
 #include "daemon/link/tcp_port.h"
+#include "daemon/station.h"
 
 namespace scipd::daemon {
 
@@ -87,21 +85,6 @@ class Fleet : public Api {
         std::shared_ptr<PoseFeed> feed;
     };
 
-    /// One sensor and what it is reached by.
-    struct Station {
-        std::string robot;
-        SensorConfig config;
-        std::uint64_t seed = 0;
-        std::unique_ptr<Device> device;          ///< null where it stares
-        std::unique_ptr<StaringSensor> staring;  ///< null where it is a scanner
-
-        [[nodiscard]] std::string name() const { return sensor_name(robot, config.name); }
-
-        std::unique_ptr<ScanLoop> loop;
-        std::shared_ptr<TcpPort> tcp;
-        std::shared_ptr<PtyPort> pty;
-        std::unique_ptr<ScanStream::Tap> tap;
-    };
     using Stations = std::vector<std::unique_ptr<Station>>;
 
     /// With all that it takes to serve those devices that will be new.

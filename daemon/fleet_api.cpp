@@ -11,7 +11,7 @@
 
 namespace scipd::daemon {
 
-const Fleet::Station* Fleet::find(const std::string& sensor) const {
+const Station* Fleet::find(const std::string& sensor) const {
     const auto found = std::ranges::find_if(
         stations_, [&](const auto& station) { return station->name() == sensor; });
     return found == stations_.end() ? nullptr : found->get();

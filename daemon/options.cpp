@@ -2,7 +2,6 @@
 // Copyright The scipd authors
 #include "daemon/options.h"
 
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -12,10 +11,8 @@
 
 #include "daemon/check.h"
 #include "daemon/config/demo_world.h"
-#include "daemon/config/mount.h"
 #include "daemon/config/sensor.h"
-#include "daemon/config/values.h"
-#include "daemon/models/registry.h"
+#include "daemon/option_groups.h"
 #include "sim/loaders/load_error.h"
 
 namespace scipd::daemon {
@@ -43,192 +40,6 @@ constexpr const char* examples = R"(Examples:
 Lengths are metres, angles radians; x is forward, y left, z up.
 Exit codes: 0 ended as asked, 1 failed while running (or, of --probe, nothing can be drawn here),
 2 wrong options, configuration or world.)";
-
-SensorConfig default_sensor() {
-    SensorConfig sensor;
-    sensor.name = "scanner";
-    sensor.model = find_model("UST-10LX");
-    sensor.tcp = Address{"127.0.0.1", 10940};
-    sensor.pty = PtyConfig{};
-    return sensor;
-}
-
-/// What the options say before it is known whether they count.
-struct Said {
-    Options options;
-    RobotConfig robot;
-    SensorConfig sensor = default_sensor();
-    bool start_given = false;
-    bool mount_given = false;
-    bool model_given = false;
-    fs::path config;
-    fs::path check;
-    bool list_models = false;
-    bool list_backends = false;
-    bool probe = false;
-};
-
-/// Adds options of one group; the text of each goes through one of config_values' parsers.
-class Group {
-  public:
-    Group(CLI::App& app, std::string title) : app_(app), title_(std::move(title)) {}
-
-    CLI::Option* add(const std::string& name, const std::string& value, const std::string& help,
-                     std::function<void(const std::string&)> take) {
-        const auto callback = [name, take = std::move(take)](const CLI::results_t& said) {
-            try {
-                take(said.front());
-            } catch (const std::invalid_argument& refusal) {
-                throw CLI::ValidationError(name, refusal.what());
-            }
-            return true;
-        };
-        return app_.add_option(name, callback, help)->type_name(value)->group(title_);
-    }
-
-    CLI::Option* add_flag(const std::string& name, bool& flag, const std::string& help) {
-        return app_.add_flag(name, flag, help)->group(title_);
-    }
-
-  private:
-    CLI::App& app_;
-    std::string title_;
-};
-
-void add_world(CLI::App& app, Said& said) {
-    Group group{app, "World"};
-    Config& config = said.options.config;
-    group.add("--scene", "FILE",
-              "the world: SDF, URDF, xacro, a ROS map, Stage, MVSim, a mesh or the folder of a "
-              "model; default: the rescue maze",
-              [&](const auto& text) { config.scene = parse_scene(text, fs::current_path()); });
-    group.add("--clock", "CLOCK",
-              "wall, or poses: time is the stamps of the poses and stands still between them; "
-              "default: wall",
-              [&](const auto& text) { config.clock = parse_clock(text); });
-    group.add("--seed", "N", "of all chance; the same seed gives the same noise; default: 1",
-              [&](const auto& text) { config.seed = parse_seed(text); });
-}
-
-void add_robot(CLI::App& app, Said& said) {
-    Group group{app, "Robot"};
-    group.add("--name", "ROBOT/SENSOR", "default: robot/scanner", [&](const std::string& text) {
-        const auto slash = text.find('/');
-        if (slash == text.npos) throw std::invalid_argument("must be ROBOT/SENSOR");
-        said.robot.name = parse_name(text.substr(0, slash));
-        said.sensor.name = parse_name(text.substr(slash + 1));
-    });
-    group.add(
-        "--pose", "X,Y,YAW",
-        "or X,Y,Z,ROLL,PITCH,YAW: where the robot starts; default: 1,1,0 in the maze, else 0,0,0",
-        [&](const auto& text) {
-            said.robot.world_from_robot = parse_pose(text);
-            said.start_given = true;
-        });
-    group.add(
-        "--poses", "SOURCE",
-        "live poses: udp:ADDR:PORT, - for stdin, or a file that is played in real time: TUM, "
-        "EuRoC, KITTI or CSV with a header",
-        [&](const auto& text) { said.robot.poses = parse_pose_source(text, fs::current_path()); });
-}
-
-void add_scanner(CLI::App& app, Said& said) {
-    Group group{app, "Scanner"};
-    SensorConfig& sensor = said.sensor;
-    group.add("--model", "MODEL",
-              "of --list-models; default: UST-10LX, or what fits --sensor-from best",
-              [&](const auto& text) {
-                  sensor.model = parse_model(text);
-                  said.model_given = true;
-              });
-    group.add("--mount", "X,Y,Z,R,P,Y",
-              "where it sits, or the NAME of a link, frame or sensor; default: 0.25 m up in the "
-              "maze, else at the origin",
-              [&](const auto& text) {
-                  take_mount(text, sensor);
-                  said.mount_given = true;
-              });
-    group
-        .add("--sensor-from", "MODEL::LINK::SENSOR",
-             "mount it where the world has a lidar; the end of its name will do",
-             [&](const auto& text) {
-                 said.mount_given = true;
-                 sensor.mount = NamedMount{.kind = MountKind::lidar, .name = text};
-             })
-        ->excludes("--mount");
-    group.add("--tcp", "ADDR:PORT", "or none; port 0 takes a free one; default: 127.0.0.1:10940",
-              [&](const auto& text) { sensor.tcp = parse_listener(text); });
-    group.add("--pty", "LINK", "a tty under this name, auto or none; default: auto",
-              [&](const auto& text) { sensor.pty = parse_pty(text, fs::current_path()); });
-    group.add("--backend", "NAME", "auto or one of --list-backends; default: auto",
-              [&](const auto& text) { sensor.backend = parse_backend(text); });
-    group.add("--accuracy", "ideal|sensor",
-              "without or with the noise of the data sheet; "
-              "default: sensor",
-              [&](const auto& text) { sensor.accuracy = parse_accuracy(text); });
-    group.add("--timing", "real|ideal", "replies on the firmware's grid, or at once; default: real",
-              [&](const auto& text) { sensor.timing = parse_timing(text); });
-    group.add("--power-up", "scip2.0|scip1.1|boot",
-              "booted, the same but in the old protocol (URG-04LX alone), or from cold; default: "
-              "scip2.0",
-              [&](const auto& text) { sensor.power_up = parse_power_up(text); });
-}
-
-void add_daemon(CLI::App& app, Said& said) {
-    Group group{app, "Daemon"};
-    Config& config = said.options.config;
-    group.add("--control", "SOCKET",
-              "of the control API; default: control.sock in the run directory",
-              [&](const auto& text) { config.control = parse_socket(text, fs::current_path()); });
-    group.add("--http", "ADDR:PORT", "the control API on TCP too, or none; default: none",
-              [&](const auto& text) { config.http = parse_listener(text); });
-}
-
-constexpr const char* alone_title = "Instead of the above";
-constexpr const char* general_title = "General";
-
-void add_alone(CLI::App& app, Said& said) {
-    Group group{app, alone_title};
-    group.add("--config", "FILE.yaml", "run what the file says",
-              [&](const auto& text) { said.config = text; });
-    group.add("--check", "FILE.yaml", "tell every fault of the file and end",
-              [&](const auto& text) { said.check = text; });
-    group.add_flag("--list-models", said.list_models, "the scanners that it can be");
-    group.add_flag("--list-backends", said.list_backends, "what this build computes ranges with");
-    group.add_flag("--probe", said.probe,
-                   "what this machine offers to a depth backend; 1 where it cannot draw");
-}
-
-/// Not CLI11's excludes(): it would list every pair in the help.
-void check_alone(const CLI::App& app) {
-    for (const CLI::Option* alone : app.get_options()) {
-        if (alone->get_group() != alone_title || alone->count() == 0) continue;
-        for (const CLI::Option* other : app.get_options()) {
-            if (other == alone || other->get_group() == general_title || other->count() == 0) {
-                continue;
-            }
-            throw std::invalid_argument(alone->get_name() + " stands alone: leave " +
-                                        other->get_name() + " out");
-        }
-    }
-}
-
-/// Those that go with all others.
-void add_general(CLI::App& app, Said& said) {
-    app.add_option("--log-level", said.options.log_level, "how much goes to standard error")
-        ->check(CLI::IsMember(
-            {"trace", "debug", "info", "warning", "warn", "error", "critical", "off"}))
-        ->capture_default_str()
-        ->group(general_title);
-    app.add_flag(
-           "--strict", said.options.strict,
-           "refuse a world of which anything would be left out or changed, instead of warning")
-        ->group(general_title);
-    app.set_version_flag("--version", "scipd " SCIPD_VERSION, "which scipd this is")
-        ->group(general_title);
-    app.set_help_flag();
-    app.set_help_flag("-h,--help", "this text")->group(general_title);
-}
 
 Answer refusal(const std::string& sentence) {
     return {2, sentence + "\n"};
@@ -275,13 +86,7 @@ std::variant<Options, Answer> parse_options(int argc, const char* const* argv) {
     CLI::App app{description, "scipd"};
     app.footer(examples);
     Said said;
-    said.robot.name = "robot";
-    add_world(app, said);
-    add_robot(app, said);
-    add_scanner(app, said);
-    add_daemon(app, said);
-    add_alone(app, said);
-    add_general(app, said);
+    add_options(app, said);
     try {
         app.parse(argc, argv);
         check_alone(app);

@@ -214,7 +214,7 @@ class MvsimScene {
         std::string name = short_name(said.empty() ? kind : said);
         for (int i = 2; !names_.insert(name).second; ++i)
             name = short_name((said.empty() ? kind : said) + '_' + std::to_string(i));
-        return draft_.add({name, movable, pose});
+        return draft_.add(Model{name, movable, pose});
     }
 
     void add_object(ModelId model, const Pose& pose, Shape shape, const std::string& material) {

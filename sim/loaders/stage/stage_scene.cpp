@@ -80,7 +80,7 @@ class StageScene {
         const std::string name = free_name(entity);
         try {
             const ModelId model =
-                draft_.add({name, entity.type == "position", pose_of(entity, "pose")});
+                draft_.add(Model{name, entity.type == "position", pose_of(entity, "pose")});
             add({model, Pose{}, name}, entity);
         } catch (const std::invalid_argument& wrong) {
             leave_out(entity, name, wrong.what());
