@@ -14,6 +14,7 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(sdformat REQUIRED IMPORTED_TARGET sdformat12)
 pkg_check_modules(console_bridge REQUIRED IMPORTED_TARGET console_bridge)
 pkg_check_modules(tinyxml2 REQUIRED IMPORTED_TARGET tinyxml2)
+pkg_check_modules(turbojpeg REQUIRED IMPORTED_TARGET libturbojpeg)
 pkg_check_modules(assimp REQUIRED IMPORTED_TARGET assimp)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
 find_path(stb_folder stb/stb_image.h REQUIRED) # headers only
@@ -24,6 +25,9 @@ if(NOT embree_FOUND)
   find_package(embree 3.13 REQUIRED)
 endif()
 message(STATUS "Embree ${embree_VERSION}")
+
+# Elevation models are left out of worlds where there is no GDAL, which is large; scipd then says so.
+pkg_check_modules(gdal IMPORTED_TARGET gdal)
 
 # The depth backend is left out where its headers are missing; scipd then says so. EGL itself is looked for when a
 # program runs, so that a machine without it still has the others.

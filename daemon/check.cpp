@@ -2,13 +2,16 @@
 // Copyright The scipd authors
 #include "daemon/check.h"
 
+#include <algorithm>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "daemon/load_world.h"
+#include "daemon/mounting.h"
 #include "sim/backends/depth.h"
 #include "sim/loaders/poses/trajectory.h"
 
@@ -25,11 +28,14 @@ void note_faults(Faults& faults, const std::function<void()>& load) {
     }
 }
 
-void check_trajectory(const Config& config, const RobotConfig& robot, Faults& faults) {
+void check_trajectory(const Config& config, const RobotConfig& robot, Faults& faults,
+                      std::vector<std::string>& warnings) {
     if (!robot.poses || robot.poses->kind != PoseSource::Kind::file) return;
     note_faults(faults, [&] {
         try {
-            (void)sim::load_tum(robot.poses->file);
+            auto loaded =
+                sim::load_trajectory(robot.poses->file, robot.poses->format, robot.poses->times);
+            std::ranges::move(loaded.warnings, std::back_inserter(warnings));
         } catch (const sim::LoadError& error) {
             throw named_at(config.place_of("robots." + robot.name + ".poses"), error);
         }
@@ -56,16 +62,20 @@ std::string check(const std::filesystem::path& file, bool strict) {
     config.strict |= strict;
     sim::LoadedScene world;
     Faults faults;
-    note_faults(faults, [&] { world = load_world(config); });
+    std::vector<std::string> notices;
+    note_faults(faults, [&] {
+        world = load_world(config);
+        notices = mount_by_name(config, *world.scene);
+    });
     std::size_t sensors = 0;
     for (const RobotConfig& robot : config.robots) {
-        check_trajectory(config, robot, faults);
+        check_trajectory(config, robot, faults, world.warnings);
         check_depth(robot, faults);
         sensors += robot.sensors.size();
     }
     if (!faults.empty()) throw sim::LoadError(std::move(faults));
     std::string text;
-    for (const auto* list : {&world.warnings, &world.notes}) {
+    for (const auto* list : {&world.warnings, &world.notes, &notices}) {
         for (const std::string& line : *list)
             text += line + "\n";
     }

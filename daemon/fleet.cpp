@@ -50,6 +50,14 @@ bool can_serve(const std::string& robot, const PoseSource& source, const RobotCo
     return source == *other.poses && (changes_hands || robot == other.name);
 }
 
+/// But for where its mount lies, if that is a name: another world may have it elsewhere.
+bool is_same(const SensorConfig& a, const SensorConfig& b) {
+    if (!a.mount || a.robot_from_sensor == b.robot_from_sensor) return a == b;
+    SensorConfig moved = a;
+    moved.robot_from_sensor = b.robot_from_sensor;
+    return moved == b;
+}
+
 }  // namespace
 
 Fleet::Fleet(const boost::asio::any_io_executor& executor, ClockKind clock)
@@ -57,7 +65,7 @@ Fleet::Fleet(const boost::asio::any_io_executor& executor, ClockKind clock)
       wall_clock_(executor),
       lockstep_(clock == ClockKind::poses ? std::make_unique<Lockstep>(executor) : nullptr),
       clock_(lockstep_ ? static_cast<Clock&>(lockstep_->clock()) : wall_clock_),
-      editor_(world_, loader_, [this] { return backend_wishes(); }),
+      editor_(world_, loader_, clock_, [this] { return backend_wishes(); }),
       chooser_(world_, loader_, [this] { return backend_wishes(); }),
       loader_(executor) {
     world_.on_placed([this] {
@@ -78,19 +86,22 @@ void Fleet::apply(FleetPlan&& plan) {
 
 // An exception on the way would leave ports behind that serve devices which are gone.
 void Fleet::take_up(FleetPlan&& plan, Ports ports, std::vector<Feed> feeds) noexcept {
-    auto& [config, loaded, backends] = plan;
+    auto& [config, loaded, backends, notices] = plan;
     for (const std::string& warning : loaded.warnings)
         spdlog::warn("{}", warning);
-    for (const std::string& note : loaded.notes)
-        spdlog::info("{}", note);
+    for (const auto* notes : {&loaded.notes, &notices}) {
+        for (const std::string& note : *notes)
+            spdlog::info("{}", note);
+    }
     editor_.set_file(config.scene, scene_options(config));
     loader_.discard(std::make_shared<SensorBackends>(
-        world_.replace_scene(std::move(loaded.scene), std::move(backends))));
+        world_.replace_scene(std::move(loaded.scene), std::move(backends), {}, clock_.now())));
     std::map<std::string, RobotStart> robots;
     for (const RobotConfig& robot : config.robots)
         robots[robot.name] = {robot.world_from_robot, robot.policy, robot.body};
     world_.set_robots(robots);
     replace_stations(config, ports);
+    (void)remount();
     ports_ = std::move(ports);
     replace_feeds(std::move(feeds));
 }
@@ -190,7 +201,7 @@ Fleet::Stations::const_iterator Fleet::find_unchanged(const std::string& robot,
                                                       const SensorConfig& sensor,
                                                       std::uint64_t seed) const {
     return std::ranges::find_if(stations_, [&](const auto& station) {
-        return station->robot == robot && station->config == sensor && station->seed == seed;
+        return station->robot == robot && station->seed == seed && is_same(station->config, sensor);
     });
 }
 

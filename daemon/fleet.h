@@ -122,6 +122,8 @@ class Fleet : public Api {
                                                     const Ports& ports);
     void replace_feeds(std::vector<Feed> feeds) noexcept;
     [[nodiscard]] const Station* find(const std::string& sensor) const;
+    /// By the places that the world has now; answers with a warning for each that it has not.
+    [[nodiscard]] std::vector<std::string> remount();
     /// Null has none.
     [[nodiscard]] std::optional<sim::TimedPose> pose_now(const sim::PoseTrack* track) const;
     [[nodiscard]] SensorStatus status_of(const Station& station) const;

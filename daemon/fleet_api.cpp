@@ -3,9 +3,11 @@
 //
 // What the control API asks a fleet for.
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "daemon/fleet.h"
+#include "daemon/mounting.h"
 
 namespace scipd::daemon {
 
@@ -42,11 +44,30 @@ SceneView Fleet::scene() const {
 }
 
 void Fleet::edit_scene(SceneEdit edit, EditDone done, std::stop_token withdrawn) {
-    auto told = [this, done = std::move(done)](const EditOutcome& outcome) {
+    auto told = [this, done = std::move(done)](EditOutcome outcome) {
+        if (outcome.result != EditOutcome::Result::done) return done(outcome);
+        std::ranges::move(remount(), std::back_inserter(outcome.messages));
         done(outcome);
-        if (outcome.result == EditOutcome::Result::done) choose_backends();
+        choose_backends();
     };
     editor_.edit(std::move(edit), std::move(told), std::move(withdrawn));
+}
+
+std::vector<std::string> Fleet::remount() {
+    std::vector<std::string> warnings;
+    for (const auto& station : stations_) {
+        SensorConfig& sensor = station->config;
+        if (!sensor.mount) continue;
+        if (const auto pose = mounted_again(*sensor.mount, *world_.scene())) {
+            sensor.robot_from_sensor = *pose;
+            station->device ? station->device->mount(*pose) : station->staring->mount(*pose);
+        } else {
+            warnings.push_back(editor_.file().string() + ": has no \"" + sensor.mount->name +
+                               "\" in a model \"" + sensor.mount->model + "\" to mount " +
+                               station->name() + " on; it stays where it was");
+        }
+    }
+    return warnings;
 }
 
 std::optional<sim::TimedPose> Fleet::pose_now(const sim::PoseTrack* track) const {
@@ -65,7 +86,10 @@ std::optional<std::string> Fleet::set_robot_pose(const std::string& robot,
 }
 
 std::optional<sim::TimedPose> Fleet::model_pose(const std::string& model) const {
-    return pose_now(world_.model(model));
+    const sim::Time now = clock_.now();
+    const auto pose = world_.model_pose(model, now);
+    if (!pose) return std::nullopt;
+    return sim::TimedPose{clock_.origin() + now, *pose};
 }
 
 std::optional<std::string> Fleet::set_model_pose(const std::string& model,

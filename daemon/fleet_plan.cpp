@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "daemon/load_world.h"
+#include "daemon/mounting.h"
 #include "sim/sensor/beam_pattern.h"
 
 namespace scipd::daemon {
@@ -38,6 +39,7 @@ BackendWish backend_wish(const std::string& robot, const SensorConfig& sensor,
 
 FleetPlan make_plan(Config config, const SettledBackends& settled, const std::stop_token& stop) {
     sim::LoadedScene loaded = load_world(config, stop);
+    std::vector<std::string> notices = mount_by_name(config, *loaded.scene);
     std::vector<BackendWish> wishes;
     for (const RobotConfig& robot : config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {
@@ -50,7 +52,7 @@ FleetPlan make_plan(Config config, const SettledBackends& settled, const std::st
         }
     }
     SensorBackends backends = make_backends(wishes, loaded.scene);
-    return {std::move(config), std::move(loaded), std::move(backends)};
+    return {std::move(config), std::move(loaded), std::move(backends), std::move(notices)};
 }
 
 }  // namespace scipd::daemon

@@ -20,6 +20,7 @@ struct FleetPlan {
     Config config;
     sim::LoadedScene loaded;
     SensorBackends backends;
+    std::vector<std::string> notices;  ///< no faults
 };
 
 /// What "auto" has been settled as, by sensor: good for one that is still the same.

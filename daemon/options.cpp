@@ -12,6 +12,7 @@
 
 #include "daemon/check.h"
 #include "daemon/config/demo_world.h"
+#include "daemon/config/mount.h"
 #include "daemon/config/sensor.h"
 #include "daemon/config/values.h"
 #include "daemon/models/registry.h"
@@ -23,9 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* description =
-    "scipd is a Hokuyo laser scanner as far as any program can tell: it speaks SCIP over TCP and "
-    "a\n"
-    "tty, and its ranges come from a 3D world. Without options: a UST-10LX in the demo world.\n"
+    "scipd is a Hokuyo laser scanner as far as any program can tell: it speaks SCIP over TCP and\n"
+    "a tty, and its ranges come from a 3D world. Without options: a UST-10LX in the demo world.\n"
     "When everything listens, one line of JSON on standard output tells where.";
 
 constexpr const char* examples = R"(Examples:
@@ -60,6 +60,7 @@ struct Said {
     SensorConfig sensor = default_sensor();
     bool start_given = false;
     bool mount_given = false;
+    bool model_given = false;
     fs::path config;
     fs::path check;
     bool list_models = false;
@@ -97,7 +98,9 @@ class Group {
 void add_world(CLI::App& app, Said& said) {
     Group group{app, "World"};
     Config& config = said.options.config;
-    group.add("--scene", "FILE", "the world, or the folder of a model; default: the rescue maze",
+    group.add("--scene", "FILE",
+              "the world: SDF, URDF, xacro, a ROS map, Stage, MVSim, a mesh or the folder of a "
+              "model; default: the rescue maze",
               [&](const auto& text) { config.scene = parse_scene(text, fs::current_path()); });
     group.add("--clock", "CLOCK",
               "wall, or poses: time is the stamps of the poses and stands still between them; "
@@ -124,21 +127,35 @@ void add_robot(CLI::App& app, Said& said) {
         });
     group.add(
         "--poses", "SOURCE",
-        "live poses: udp:ADDR:PORT, a file FILE.tum played in real time, or - for stdin",
+        "live poses: udp:ADDR:PORT, - for stdin, or a file that is played in real time: TUM, "
+        "EuRoC, KITTI or CSV with a header",
         [&](const auto& text) { said.robot.poses = parse_pose_source(text, fs::current_path()); });
 }
 
 void add_scanner(CLI::App& app, Said& said) {
     Group group{app, "Scanner"};
     SensorConfig& sensor = said.sensor;
-    group.add("--model", "MODEL", "MODEL or MODEL@FIRMWARE of --list-models; default: UST-10LX",
-              [&](const auto& text) { sensor.model = parse_model(text); });
-    group.add("--mount", "X,Y,Z,R,P,Y",
-              "where it sits; default: 0.25 m up in the maze, else at the origin",
+    group.add("--model", "MODEL",
+              "of --list-models; default: UST-10LX, or what fits --sensor-from best",
               [&](const auto& text) {
-                  sensor.robot_from_sensor = parse_pose(text);
+                  sensor.model = parse_model(text);
+                  said.model_given = true;
+              });
+    group.add("--mount", "X,Y,Z,R,P,Y",
+              "where it sits, or the NAME of a link, frame or sensor; default: 0.25 m up in the "
+              "maze, else at the origin",
+              [&](const auto& text) {
+                  take_mount(text, sensor);
                   said.mount_given = true;
               });
+    group
+        .add("--sensor-from", "MODEL::LINK::SENSOR",
+             "mount it where the world has a lidar; the end of its name will do",
+             [&](const auto& text) {
+                 said.mount_given = true;
+                 sensor.mount = NamedMount{.kind = MountKind::lidar, .name = text};
+             })
+        ->excludes("--mount");
     group.add("--tcp", "ADDR:PORT", "or none; port 0 takes a free one; default: 127.0.0.1:10940",
               [&](const auto& text) { sensor.tcp = parse_listener(text); });
     group.add("--pty", "LINK", "a tty under this name, auto or none; default: auto",
@@ -223,12 +240,16 @@ void complete(Said& said) {
     const bool demo = config.scene.empty();
     if (demo) config.scene = demo_scene();
     if (demo && !said.start_given) said.robot.world_from_robot = demo_start();
+    said.robot.pose_given = demo || said.start_given;
     if (demo && !said.mount_given) said.sensor.robot_from_sensor = demo_mount();
+    auto& mount = said.sensor.mount;
+    if (mount) mount->chooses_model = mount->kind == MountKind::lidar && !said.model_given;
 
     if (!said.sensor.tcp && !said.sensor.pty) {
         throw std::invalid_argument("--tcp none and --pty none: nobody could reach the scanner");
     }
-    check_power_up(said.sensor.power_up, said.sensor.model.profile);
+    if (!mount || !mount->chooses_model)
+        check_power_up(said.sensor.power_up, said.sensor.model.profile);
     said.robot.sensors = {said.sensor};
     config.robots = {said.robot};
 }

@@ -81,6 +81,7 @@ RobotConfig Reader::read_robot(const Field& field, SensorContext& context) {
     context.robot = robot.name;
     note_places(section, {"body", "poses"});
     robot.world_from_robot = read_pose(section, "pose", faults_);
+    robot.pose_given = section.find("pose") != nullptr;
     section.read("body", robot.body, [](const std::string& text) { return text; });
     const Field* sensors = section.find("sensors");
     const auto fields = sensors ? entries(*sensors, faults_) : std::vector<Field>{};
@@ -134,7 +135,7 @@ Config Reader::read(const YAML::Node& document) {
     note_places(section, {"scene"});
 
     const ModelChoice models{section.find("models"), faults_};
-    SensorContext context{models, claims_, base_, faults_};
+    SensorContext context{models, claims_, base_, faults_, places_};
     const Field* robots = section.find("robots");
     const auto fields = robots ? entries(*robots, faults_) : std::vector<Field>{};
     if (document.IsMap() && is_empty(robots)) {

@@ -18,6 +18,7 @@
 
 #include "daemon/config/sensor_config.h"
 #include "sim/loaders/map/ros_map.h"
+#include "sim/loaders/poses/trajectory_format.h"
 #include "sim/loaders/sdf/sdf.h"
 #include "sim/world/pose_track.h"
 
@@ -28,9 +29,11 @@ struct PoseSource {
     enum class Kind { udp, file, standard_input };
     Kind kind = Kind::udp;
     Address address;             ///< of udp
-    std::filesystem::path file;  ///< a TUM trajectory; its first stamp is the start of the daemon
-    double speed = 1.0;          ///< of a trajectory: how much faster than its stamps it is played
-    bool loop = false;           ///< of a trajectory: begins anew where it has ended
+    std::filesystem::path file;  ///< a trajectory; its first stamp is the start of the daemon
+    sim::TrajectoryFormat format = sim::TrajectoryFormat::guess;
+    std::filesystem::path times = {};  ///< of a KITTI trajectory; empty: beside it, or 10 Hz
+    double speed = 1.0;  ///< of a trajectory: how much faster than its stamps it is played
+    bool loop = false;   ///< of a trajectory: begins anew where it has ended
 
     bool operator==(const PoseSource&) const = default;
 };
@@ -38,6 +41,7 @@ struct PoseSource {
 struct RobotConfig {
     std::string name;
     sim::Pose world_from_robot;  ///< at the start
+    bool pose_given = false;     ///< else a named mount may give it another start
     std::string body;            ///< the scene's movable model that moves with it; empty: none
     std::optional<PoseSource> poses;
     sim::PosePolicy policy;

@@ -12,8 +12,9 @@
 namespace scipd::daemon {
 namespace {
 
-constexpr std::array<std::string_view, 8> poses_keys{"from",     "before",  "after", "stale_s",
-                                                     "jump_mps", "wait_ms", "speed", "loop"};
+constexpr std::array<std::string_view, 10> poses_keys{"from",     "before",  "after", "stale_s",
+                                                      "jump_mps", "wait_ms", "speed", "loop",
+                                                      "format",   "times"};
 
 using After = sim::PosePolicy::After;
 
@@ -30,12 +31,31 @@ bool parse_absent_before(std::string_view text) {
     throw std::invalid_argument("must be hold or none, not '" + std::string(text) + "'");
 }
 
+sim::TrajectoryFormat parse_format(std::string_view text) {
+    using Format = sim::TrajectoryFormat;
+    if (text == "tum") return Format::tum;
+    if (text == "euroc") return Format::euroc;
+    if (text == "kitti") return Format::kitti;
+    if (text == "csv") return Format::csv;
+    throw std::invalid_argument("must be tum, euroc, kitti or csv, not '" + std::string(text) +
+                                "'; left out, the file tells");
+}
+
 void refuse_of_live_poses(const Section& section, const RobotConfig& robot, Faults& faults) {
     if (!robot.poses || robot.poses->kind == PoseSource::Kind::file) return;
-    for (const std::string_view key : {"speed", "loop"}) {
+    for (const std::string_view key : {"speed", "loop", "format", "times"}) {
         if (const Field* field = section.find(key))
             faults.add(*field, "is of a trajectory; live poses come when they come");
     }
+}
+
+void read_of_trajectory(const Section& section, const std::filesystem::path& base,
+                        PoseSource& source) {
+    section.read("speed", source.speed, parse_speed);
+    section.read("loop", source.loop, parse_switch);
+    section.read("format", source.format, parse_format);
+    section.read("times", source.times,
+                 [&](const std::string& text) { return parse_file(text, base); });
 }
 
 }  // namespace
@@ -48,7 +68,7 @@ void read_poses(const Field& field, RobotConfig& robot, const std::filesystem::p
     if (field.value.IsMap()) {
         section.emplace(field, Section::Keys{poses_keys, {}}, faults);
         source = section->find("from");
-        if (!source) return faults.add(field, "needs from: udp:ADDR:PORT, a TUM file or -");
+        if (!source) return faults.add(field, "needs from: udp:ADDR:PORT, a trajectory or -");
     }
     faults.guard(*source, [&] { robot.poses = parse(text_of(source->value)); });
     if (robot.poses && robot.poses->kind == PoseSource::Kind::standard_input)
@@ -64,15 +84,9 @@ void read_poses(const Field& field, RobotConfig& robot, const std::filesystem::p
     section->read("wait_ms", wait, parse_wait);
     for (SensorConfig& sensor : robot.sensors)
         sensor.wait_for_poses = wait;
-    double speed = 1.0;
-    bool loop = false;
-    section->read("speed", speed, parse_speed);
-    section->read("loop", loop, parse_switch);
+    PoseSource unknown;
+    read_of_trajectory(*section, base, robot.poses ? *robot.poses : unknown);
     refuse_of_live_poses(*section, robot, faults);
-    if (robot.poses) {
-        robot.poses->speed = speed;
-        robot.poses->loop = loop;
-    }
 }
 
 }  // namespace scipd::daemon

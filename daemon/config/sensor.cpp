@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "daemon/config/mount.h"
 #include "daemon/config/numbers.h"
-#include "daemon/config/pose.h"
 #include "daemon/config/profile.h"
 #include "daemon/config/staring.h"
 #include "daemon/config/values.h"
@@ -178,7 +178,7 @@ SensorConfig read_sensor(const Field& field, SensorContext& context) {
     const Section section{field, {sensor_keys, later_sensor_keys}, faults};
     SensorConfig sensor;
     faults.guard(field, [&] { sensor.name = parse_name(field.key); });
-    sensor.robot_from_sensor = read_pose(section, "mount", faults);
+    read_mount(section, sensor, context);
     section.read("backend", sensor.backend, parse_backend);
     if (const Field* depth = section.find("depth")) {
         sensor.depth = read_depth(*depth, sensor.backend, faults);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "daemon/config/claims.h"
@@ -20,7 +21,8 @@ struct SensorContext {
     Claims& claims;
     std::filesystem::path base;  ///< of relative paths
     Faults& faults;
-    std::string robot = {};  ///< whose sensors are read
+    std::map<std::string, std::string>& places;  ///< as of Config
+    std::string robot = {};                      ///< whose sensors are read
 };
 
 /// Throws std::invalid_argument, with what to do, where the model cannot power up so.

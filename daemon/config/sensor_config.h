@@ -11,6 +11,7 @@
 #include <string>
 
 #include "daemon/config/address.h"
+#include "daemon/config/named_mount.h"
 #include "daemon/models/model.h"
 #include "sim/backends/depth_options.h"
 #include "sim/sensor/error_model.h"
@@ -81,7 +82,8 @@ struct SensorConfig {
     /// A camera or a ranger in the place of a model: it speaks no SCIP and has no wire, so that
     /// neither model nor tcp, pty, timing, power_up, clock and link are of it.
     std::optional<sim::StaringSpec> staring;
-    sim::Pose robot_from_sensor;
+    sim::Pose robot_from_sensor;      ///< of a named mount, once the world is loaded
+    std::optional<NamedMount> mount;  ///< what that is said by; nothing: numbers
     std::optional<Address> tcp;
     std::optional<PtyConfig> pty;
     std::string backend = "auto";

@@ -152,7 +152,7 @@ class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<S
         if (context.lockstep == nullptr && is_regular_file(STDIN_FILENO))
             throw std::runtime_error(
                 "poses from standard input need a pipe or a terminal, not a file: play a TUM file "
-                "with --poses FILE.tum, or let its stamps be the time with --clock poses");
+                "with --poses FILE, or let its stamps be the time with --clock poses");
         const int descriptor = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0);
         if (descriptor < 0)
             throw std::system_error(errno, std::generic_category(), "cannot read standard input");

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // A source of live poses for one robot, as its configuration names it: UDP datagrams, standard
-// input or a TUM file that is played. In lockstep it reads on when what has come has been worked
+// input or a trajectory that is played. In lockstep it reads on when what has come has been worked
 // off. Lives on the I/O thread.
 #pragma once
 
@@ -54,7 +54,7 @@ struct FeedContext {
     std::function<void(const std::string&)> report;
 };
 
-/// A TUM file. Throws LoadError where it cannot be read.
+/// A trajectory. Throws LoadError where it cannot be read.
 std::shared_ptr<PoseFeed> make_trajectory_feed(const FeedContext& context,
                                                const PoseSource& source);
 

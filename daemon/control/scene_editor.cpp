@@ -165,8 +165,8 @@ void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn)
 
 void SceneEditor::take_up(Next& next) {
     file_ = next.file;
-    loader_.discard(std::make_shared<SensorBackends>(
-        world_.replace_scene(std::move(next.scene), std::move(next.backends), next.placed_anew)));
+    loader_.discard(std::make_shared<SensorBackends>(world_.replace_scene(
+        std::move(next.scene), std::move(next.backends), next.placed_anew, clock_.now())));
 }
 
 void SceneEditor::warn_of_lost_bodies(Next& next) const {

@@ -14,6 +14,7 @@
 #include "daemon/control/loader.h"
 #include "daemon/control/scene_edit.h"
 #include "daemon/control/world.h"
+#include "daemon/device/clock.h"
 #include "sim/loaders/scene_file.h"
 
 namespace scipd::daemon {
@@ -23,9 +24,9 @@ class SceneEditor {
     /// What the sensors ask for at present.
     using Wishes = std::function<std::vector<BackendWish>()>;
 
-    /// `world` and `loader` must outlive it.
-    SceneEditor(World& world, Loader& loader, Wishes wishes)
-        : world_(world), loader_(loader), wishes_(std::move(wishes)) {}
+    /// All but the wishes must outlive it.
+    SceneEditor(World& world, Loader& loader, const Clock& clock, Wishes wishes)
+        : world_(world), loader_(loader), clock_(clock), wishes_(std::move(wishes)) {}
 
     /// The world has been loaded from there by somebody else, and all that comes is to be loaded in
     /// the same way.
@@ -47,6 +48,7 @@ class SceneEditor {
 
     World& world_;
     Loader& loader_;
+    const Clock& clock_;
     Wishes wishes_;
     std::filesystem::path file_;
     sim::SceneOptions options_;

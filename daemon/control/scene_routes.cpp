@@ -10,6 +10,7 @@
 #include "daemon/control/pose_routes.h"
 #include "daemon/control/problem.h"
 #include "daemon/control/scene_request.h"
+#include "daemon/models/best_fit.h"
 
 namespace scipd::daemon {
 namespace {
@@ -30,6 +31,24 @@ std::vector<Content> contents_of(const sim::Scene& scene) {
     return contents;
 }
 
+Json lidar_document(const Api& api, const sim::Scene& scene, const sim::Frame& frame) {
+    const sim::Model& model = scene.models[frame.model];
+    const auto now = api.model_pose(model.name);
+    const sim::Pose world_from_model = now ? now->pose : model.world_from_model;
+    const sim::Lidar& lidar = *frame.lidar;
+    Json document{{"name", frame.name},
+                  {"type", frame.sensor},
+                  {"pose", pose_document(world_from_model * frame.model_from_frame)},
+                  {"range_m", {lidar.min_range_m, lidar.max_range_m}},
+                  {"angle_rad", {lidar.min_angle_rad, lidar.max_angle_rad}},
+                  {"samples", lidar.samples},
+                  {"rows", lidar.rows},
+                  {"rate_hz", nullptr},
+                  {"fits", best_fit(lidar).profile.name}};
+    if (lidar.rate_hz > 0.0) document["rate_hz"] = lidar.rate_hz;
+    return document;
+}
+
 Json scene_document(const Api& api, const SceneView& view) {
     const sim::Scene& scene = *view.scene;
     const std::vector<Content> contents = contents_of(scene);
@@ -46,8 +65,15 @@ Json scene_document(const Api& api, const SceneView& view) {
     }
     for (const sim::Material& material : scene.materials)
         materials.push_back(material.name);
-    return {
-        {"file", view.file}, {"name", scene.name}, {"models", models}, {"materials", materials}};
+    Json sensors = Json::array();
+    for (const sim::Frame& frame : scene.frames) {
+        if (frame.lidar) sensors.push_back(lidar_document(api, scene, frame));
+    }
+    return {{"file", view.file},
+            {"name", scene.name},
+            {"models", models},
+            {"materials", materials},
+            {"sensors", sensors}};
 }
 
 int status_of(EditOutcome::Result result) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A TUM file as a feed. On the wall clock it hands poses on a little ahead of their time, so that
+// A trajectory as a feed. On the wall clock it hands poses on a little ahead of their time, so that
 // every sweep lies between two that are known; in lockstep one after the other, as long as somebody
 // waits for what they lead to.
 #include <algorithm>
@@ -20,7 +20,7 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
   public:
     TrajectoryFeed(const FeedContext& context, const PoseSource& source)
         : context_(context),
-          poses_(sim::load_tum(source.file)),
+          poses_(load(context, source)),
           speed_(source.speed),
           loop_(source.loop),
           alarm_(context.clock.make_alarm()) {
@@ -35,6 +35,13 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
     }
 
   private:
+    static std::vector<sim::TimedPose> load(const FeedContext& context, const PoseSource& source) {
+        auto loaded = sim::load_trajectory(source.file, source.format, source.times);
+        for (const std::string& warning : loaded.warnings)
+            context.report(warning);
+        return std::move(loaded.poses);
+    }
+
     static constexpr sim::Time ahead = std::chrono::milliseconds(500);
 
     // Poses may lie close, and be played fast: the sweeps are served in between.

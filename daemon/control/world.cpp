@@ -3,11 +3,13 @@
 #include "daemon/control/world.h"
 
 #include <algorithm>
+#include <chrono>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
 #include "sim/world/bounds.h"
+#include "sim/world/script.h"
 
 namespace scipd::daemon {
 namespace {
@@ -38,24 +40,35 @@ std::vector<double> radii_m(const sim::Scene& scene) {
     return radii;
 }
 
+bool same(const sim::SharedScript& a, const sim::SharedScript& b) {
+    return a == b || (a && b && *a == *b);
+}
+
+/// Sweeps that are measured late ask for no more.
+constexpr sim::Time recent = std::chrono::seconds(2);
+
 }  // namespace
 
 SensorBackends World::replace_scene(sim::SharedScene scene, SensorBackends backends,
-                                    const std::set<std::string>& placed_anew) {
+                                    const std::set<std::string>& placed_anew, sim::Time now) {
     scene_ = std::move(scene);
     names_ = sim::without_shapes(*scene_);
     SensorBackends old = replace_backends(std::move(backends));
     auto before = std::exchange(movable_, {});
     const std::vector<double> radii = radii_m(*scene_);
     for (sim::ModelId id = 0; id < scene_->models.size(); ++id) {
-        const auto& [name, movable, start] = scene_->models[id];
+        const auto& [name, movable, start, script] = scene_->models[id];
         if (!movable) continue;
+        MovableModel model{id, start, radii[id], sim::PoseTrack(start), script, now};
         const auto known = before.find(name);
-        const bool stays =
-            known != before.end() && known->second.start == start && !placed_anew.contains(name);
-        movable_.emplace(
-            name, MovableModel{id, start, radii[id],
-                               stays ? std::move(known->second.track) : sim::PoseTrack(start)});
+        const bool stays = known != before.end() && known->second.start == start &&
+                           same(known->second.script, script) && !placed_anew.contains(name);
+        if (stays) {
+            model.track = std::move(known->second.track);
+            model.begun = known->second.begun;
+            model.placed = known->second.placed;
+        }
+        movable_.emplace(name, std::move(model));
     }
     find_carriers();
     return old;
@@ -98,6 +111,12 @@ const sim::PoseTrack* World::model(std::string_view name) const {
     return found == movable_.end() ? nullptr : &found->second.path();
 }
 
+std::optional<sim::Pose> World::model_pose(std::string_view name, sim::Time time) const {
+    const auto found = movable_.find(name);
+    if (found == movable_.end()) return std::nullopt;
+    return found->second.at(time);
+}
+
 sim::ModelId World::body_of(std::string_view robot) const {
     const auto found = robots_.find(robot);
     if (found == robots_.end()) return sim::no_model;
@@ -136,7 +155,19 @@ std::optional<std::string> World::place_model(std::string_view name, const Place
     if (found->second.carrier != nullptr) {
         return "model: \"" + std::string(name) + "\" is the body of a robot; move the robot";
     }
+    if (found->second.follows_script()) {
+        end_script(found->second, placement);
+        return std::nullopt;
+    }
     return place(found->second.track, placement);
+}
+
+// What it did until then stays, for sweeps that are measured later.
+void World::end_script(MovableModel& model, const Placement& placement) {
+    model.track = model.script->between(model.begun, placement.time - recent, placement.time);
+    model.track.jump(placement.time, placement.pose);
+    model.placed = true;
+    if (on_placed_) on_placed_();
 }
 
 std::optional<std::string> World::place(sim::PoseTrack& track, const Placement& placement) {
@@ -160,8 +191,9 @@ bool World::poses_known(sim::Time until) const {
     };
     return std::ranges::none_of(robots_,
                                 [&](const auto& robot) { return expected(robot.second.track); }) &&
-           std::ranges::none_of(movable_,
-                                [&](const auto& model) { return expected(model.second.path()); });
+           std::ranges::none_of(movable_, [&](const auto& model) {
+               return !model.second.follows_script() && expected(model.second.path());
+           });
 }
 
 std::vector<sim::Pose> World::poses_at(sim::Time time) const {
@@ -170,15 +202,17 @@ std::vector<sim::Pose> World::poses_at(sim::Time time) const {
     for (const sim::Model& model : scene_->models)
         poses.push_back(model.world_from_model);
     for (const auto& [name, model] : movable_)
-        poses[model.id] = model.path().at(time);
+        poses[model.id] = model.at(time);
     return poses;
 }
 
-std::vector<sim::Mover> World::movers(sim::ModelId except) const {
+std::vector<sim::Mover> World::movers(sim::Time from, sim::Time to, sim::ModelId except) {
     std::vector<sim::Mover> movers;
     movers.reserve(movable_.size());
-    for (const auto& [name, model] : movable_) {
-        if (model.id != except) movers.push_back({model.id, model.radius_m, &model.path()});
+    for (auto& [name, model] : movable_) {
+        if (model.id == except) continue;
+        if (model.follows_script()) model.track = model.script->between(model.begun, from, to);
+        movers.push_back({model.id, model.radius_m, &model.path()});
     }
     return movers;
 }

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "daemon/control/cast.h"
+#include "daemon/control/placement.h"
 #include "daemon/control/sensor_backends.h"
 #include "sim/backends/range_backend.h"
 #include "sim/time.h"
@@ -23,6 +24,7 @@
 #include "sim/world/pose.h"
 #include "sim/world/pose_track.h"
 #include "sim/world/scene.h"
+#include "sim/world/script.h"
 
 namespace scipd::daemon {
 
@@ -35,26 +37,17 @@ struct RobotStart {
     bool operator==(const RobotStart&) const = default;
 };
 
-/// Where something is said to be.
-struct Placement {
-    sim::Time time{};
-    sim::Pose pose;
-    std::optional<sim::Velocity> velocity;
-    /// Said without a time, so that it holds from now on, whatever was said for later.
-    bool from_now_on = false;
-};
-
 class World {
   public:
     /// Why a pose is refused whose time lies before what is known already.
     static constexpr std::string_view not_later = "t: not later than the pose before it";
 
     /// Another scene in place of this one, with the backends made for it. Robots stay where they
-    /// are; movable models start where the new scene has them, unless they were there before,
-    /// started at the same place and are not placed anew. Answers with the backends of before,
-    /// which are bound to no thread.
+    /// are; movable models start where the new scene has them, and begin their scripts now, unless
+    /// they were there before, started at the same place and are not placed anew. Answers with the
+    /// backends of before, which are bound to no thread.
     SensorBackends replace_scene(sim::SharedScene scene, SensorBackends backends,
-                                 const std::set<std::string>& placed_anew = {});
+                                 const std::set<std::string>& placed_anew = {}, sim::Time now = {});
     /// Others for the same scene.
     SensorBackends replace_backends(SensorBackends backends);
     [[nodiscard]] const sim::SharedScene& scene() const { return scene_; }
@@ -66,8 +59,11 @@ class World {
     void set_robots(const std::map<std::string, RobotStart>& robots);
     /// Null where there is no robot of that name.
     [[nodiscard]] const sim::PoseTrack* robot(std::string_view name) const;
-    /// Null where there is no movable model of that name. A body is where its robot is.
+    /// Null where there is no movable model of that name. A body is where its robot is; of one that
+    /// follows its script nothing has been said.
     [[nodiscard]] const sim::PoseTrack* model(std::string_view name) const;
+    /// Wherever it is by whatever moves it.
+    [[nodiscard]] std::optional<sim::Pose> model_pose(std::string_view name, sim::Time time) const;
     /// What moves with the robot; no_model where nothing does.
     [[nodiscard]] sim::ModelId body_of(std::string_view robot) const;
     /// Bodies that the scene has no movable model for, by robot.
@@ -79,6 +75,7 @@ class World {
     std::optional<std::string> place_robot(std::string_view name, const Placement& placement);
     /// For senders that name none: fails where there is more than one.
     std::optional<std::string> place_only_robot(const Placement& placement);
+    /// It follows its script no more.
     std::optional<std::string> place_model(std::string_view name, const Placement& placement);
     /// A pose leaves nothing open that may be elsewhere at the same time.
     [[nodiscard]] bool has_one_mover() const;
@@ -105,8 +102,10 @@ class World {
 
     /// Where all models are, by ModelId.
     [[nodiscard]] std::vector<sim::Pose> poses_at(sim::Time time) const;
-    /// The movable models but one; good until something is replaced.
-    [[nodiscard]] std::vector<sim::Mover> movers(sim::ModelId except = sim::no_model) const;
+    /// The movable models but one, between these times; good until they are asked for again or
+    /// something is replaced.
+    [[nodiscard]] std::vector<sim::Mover> movers(sim::Time from, sim::Time to,
+                                                 sim::ModelId except = sim::no_model);
 
   private:
     struct Robot {
@@ -119,14 +118,24 @@ class World {
         sim::Pose start;
         double radius_m;       ///< of all its points around its origin
         sim::PoseTrack track;  ///< of its own; a body follows its robot's
+        sim::SharedScript script;
+        sim::Time begun{};    ///< the script
+        bool placed = false;  ///< somebody has moved it
         const Robot* carrier = nullptr;
 
         [[nodiscard]] const sim::PoseTrack& path() const {
             return carrier != nullptr ? carrier->track : track;
         }
+        [[nodiscard]] bool follows_script() const {
+            return script != nullptr && !placed && carrier == nullptr;
+        }
+        [[nodiscard]] sim::Pose at(sim::Time time) const {
+            return follows_script() ? script->at(begun, time) : path().at(time);
+        }
     };
 
     void find_carriers();
+    void end_script(MovableModel& model, const Placement& placement);
     std::optional<std::string> place(sim::PoseTrack& track, const Placement& placement);
 
     sim::SharedScene scene_;

@@ -49,6 +49,9 @@ class Device : public ScanSource {
     /// For what is random about it and its links, the same in every run.
     [[nodiscard]] sim::ChanceKey chance(sim::Purpose purpose) const;
 
+    /// From the next scan on it sits there on its robot.
+    void mount(const sim::Pose& robot_from_sensor) { sweep_.mount(robot_from_sensor); }
+
     [[nodiscard]] bool driven() const override;
     [[nodiscard]] bool watched() const override { return watcher_ != nullptr; }
     void on_wanted(std::function<void()> callback) override { on_wanted_ = std::move(callback); }
@@ -93,7 +96,7 @@ class Device : public ScanSource {
     sim::Time patience_;
     Clock& clock_;
     sim::DeviceClock device_clock_;
-    Sweep sweep_;
+    Sweep sweep_;             ///< but for where it is mounted
     sim::ScanTiming timing_;  ///< in device time: the crystal drives the mirror as well
 
     protocol::DeviceState state_;

@@ -44,6 +44,9 @@ class StaringSensor : public ScanSource {
 
     [[nodiscard]] const sim::StaringSpec& spec() const { return staring_.spec(); }
 
+    /// From the next measurement on it sits there on its robot.
+    void mount(const sim::Pose& robot_from_sensor) { sweep_.mount(robot_from_sensor); }
+
     /// Drivers need SCIP.
     [[nodiscard]] bool driven() const override { return false; }
     [[nodiscard]] bool watched() const override { return watcher_ != nullptr; }
@@ -73,7 +76,7 @@ class StaringSensor : public ScanSource {
 
     // Constant after construction.
     sim::Staring staring_;
-    Sweep sweep_;
+    Sweep sweep_;  ///< but for where it is mounted
     Clock& clock_;
     sim::Time first_;  ///< of the instants
     sim::Time patience_;

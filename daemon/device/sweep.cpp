@@ -85,7 +85,7 @@ void Sweep::cast(sim::Scan& scan, const BeamFired& fired) const {
 }
 
 void Sweep::cast_as_met(sim::Scan& scan, const BeamFired& fired, sim::ModelId unseen) const {
-    const std::vector<sim::Mover> movers = world_.movers(unseen);
+    const std::vector<sim::Mover> movers = world_.movers(fired(0), fired(beams() - 1), unseen);
     sim::RangeBackend& backend = world_.backend(name_);
     for (const sim::Part& part :
          sim::parts_of_sweep(optics(), scan.world_from_sensor, fired, movers)) {
@@ -97,7 +97,7 @@ void Sweep::cast_as_met(sim::Scan& scan, const BeamFired& fired, sim::ModelId un
 
 void Sweep::cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired,
                                 sim::ModelId unseen) const {
-    const std::vector<sim::Mover> movers = world_.movers(unseen);
+    const std::vector<sim::Mover> movers = world_.movers(fired(0), fired(beams() - 1), unseen);
     sim::RangeBackend& backend = world_.backend(name_);
     for (const auto& [part, time] : sim::equal_parts(beams(), most_poses(), fired, movers)) {
         for (const sim::Mover& mover : movers)

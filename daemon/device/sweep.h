@@ -31,6 +31,8 @@ class Sweep {
     /// sensor_name()
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const sim::SensorSpec& optics() const { return scanner_.spec(); }
+    /// From now on it sits there.
+    void mount(const sim::Pose& robot_from_sensor) { robot_from_sensor_ = robot_from_sensor; }
     [[nodiscard]] bool poses_known(sim::Time until) const { return world_.poses_known(until); }
     /// `origin`: what people call world time 0.
     [[nodiscard]] Measurement measure(std::int64_t revolution, sim::Time start, const Fired& fired,

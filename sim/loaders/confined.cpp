@@ -19,10 +19,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "sim/loaders/between_processes.h"
+
 namespace scipd::sim {
 namespace {
 
 constexpr int failed_with_words = 1;
+/// As a shell ends.
+constexpr int no_such_program = 127;
 /// For a world of so many models, each of which is a file.
 constexpr rlim_t most_descriptors = 1024;
 
@@ -184,6 +188,62 @@ File Confined::outcome() {
         throw std::runtime_error(all_of(file_.get()));
     }
     throw std::runtime_error(end_of(status, confines_));
+}
+
+namespace {
+
+/// In a child of a confined child: becomes the program.
+[[noreturn]] void become(const std::vector<std::string>& command, std::FILE* said,
+                         std::FILE* told) {
+    constexpr rlim_t most_output = 256U << 20U;
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    limit(RLIMIT_FSIZE, most_output);
+    const File nothing = memory_file();
+    dup2(fileno(nothing.get()), STDIN_FILENO);
+    dup2(fileno(said), STDOUT_FILENO);
+    dup2(fileno(told), STDERR_FILENO);
+    std::vector<char*> words;
+    for (const std::string& word : command)
+        words.push_back(const_cast<char*>(word.c_str()));
+    words.push_back(nullptr);
+    execvp(words.front(), words.data());
+    _exit(errno == ENOENT ? no_such_program : failed_with_words);
+}
+
+std::string from_its_beginning(std::FILE* file) {
+    std::rewind(file);
+    return all_of(file);
+}
+
+/// In a confined child.
+void run_program(const std::vector<std::string>& command, std::FILE* out) {
+    const File said = memory_file();
+    const File told = memory_file();
+    const pid_t pid = fork();
+    if (pid < 0) throw std::system_error(errno, std::generic_category(), "fork");
+    if (pid == 0) become(command, said.get(), told.get());
+    int status = 0;
+    while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+    }
+    const std::string words = from_its_beginning(told.get());
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : failed_with_words;
+    const bool is_there = code != no_such_program || !words.empty();
+    if (code != 0 && is_there) {
+        throw std::runtime_error(words.empty() ? "ends with " + std::to_string(code) : words);
+    }
+    put(is_there, out);
+    put_all(from_its_beginning(said.get()), out);
+}
+
+}  // namespace
+
+std::optional<std::string> output_of(const Confines& confines,
+                                     const std::vector<std::string>& command) {
+    const File answer = run_confined(confines, [&](std::FILE* out) { run_program(command, out); });
+    const bool is_there = take<bool>(answer.get());
+    auto text = take_all<std::string>(answer.get());
+    if (!is_there) return std::nullopt;
+    return text;
 }
 
 }  // namespace scipd::sim

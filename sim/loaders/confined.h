@@ -10,7 +10,10 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
+#include <string>
+#include <vector>
 
 #include "sim/loaders/plain_file.h"
 
@@ -52,5 +55,12 @@ inline File run_confined(const Confines& confines,
                          const std::function<void(std::FILE* out)>& work) {
     return Confined{confines, work}.outcome();
 }
+
+/// What a program prints on standard output, up to 256 MiB; nothing where there is no program of
+/// this name on the PATH. It gets these words as they are, without a shell, and an empty standard
+/// input. Throws std::runtime_error: as above, or with what a program that fails prints on standard
+/// error.
+std::optional<std::string> output_of(const Confines& confines,
+                                     const std::vector<std::string>& command);
 
 }  // namespace scipd::sim

@@ -13,6 +13,7 @@
 #include "sim/loaders/between_processes.h"
 #include "sim/loaders/confined.h"
 #include "sim/loaders/load_error.h"
+#include "sim/world/script.h"
 
 namespace scipd::sim {
 namespace {
@@ -27,10 +28,24 @@ Texts take_texts(std::FILE* in) {
     return take_each<Texts>(in, take_all<std::string>);
 }
 
+void put_script(const Script& script, std::FILE* out) {
+    put_all(script.steps, out);
+    put(script.lap, out);
+}
+
+SharedScript take_script(std::FILE* in) {
+    Script script;
+    script.steps = take_all<std::vector<Script::Step>>(in);
+    script.lap = take<Time>(in);
+    return std::make_shared<const Script>(std::move(script));
+}
+
 void put_model(const Model& model, std::FILE* out) {
     put_all(model.name, out);
     put(model.movable, out);
     put(model.world_from_model, out);
+    put(model.script != nullptr, out);
+    if (model.script) put_script(*model.script, out);
 }
 
 Model take_model(std::FILE* in) {
@@ -38,7 +53,26 @@ Model take_model(std::FILE* in) {
     model.name = take_all<std::string>(in);
     model.movable = take<bool>(in);
     model.world_from_model = take<Pose>(in);
+    if (take<bool>(in)) model.script = take_script(in);
     return model;
+}
+
+void put_frame(const Frame& frame, std::FILE* out) {
+    put_all(frame.name, out);
+    put(frame.model, out);
+    put(frame.model_from_frame, out);
+    put_all(frame.sensor, out);
+    put(frame.lidar, out);
+}
+
+Frame take_frame(std::FILE* in) {
+    Frame frame;
+    frame.name = take_all<std::string>(in);
+    frame.model = take<ModelId>(in);
+    frame.model_from_frame = take<Pose>(in);
+    frame.sensor = take_all<std::string>(in);
+    frame.lidar = take<std::optional<Lidar>>(in);
+    return frame;
 }
 
 void put_material(const Material& material, std::FILE* out) {
@@ -76,6 +110,7 @@ class Sender {
         put_all(scene.name, out_);
         put(scene.anchor_m, out_);
         put_each(scene.models, out_, put_model);
+        put_each(scene.frames, out_, put_frame);
         put_each(scene.materials, out_, put_material);
         put_each(scene.objects, out_, [&](const Object& object, std::FILE*) { send(object); });
         put_each(meshes_, out_, put_mesh);
@@ -114,6 +149,7 @@ class Receiver {
         scene.name = take_all<std::string>(in_);
         scene.anchor_m = take<glm::dvec3>(in_);
         scene.models = take_each<std::vector<Model>>(in_, take_model);
+        scene.frames = take_each<std::vector<Frame>>(in_, take_frame);
         scene.materials = take_each<std::vector<Material>>(in_, take_material);
         std::vector<Plain> shapes;
         scene.objects = take_each<std::vector<Object>>(in_, [&](std::FILE*) {

@@ -9,6 +9,10 @@
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/mesh/mesh_file.h"
 #include "sim/loaders/mesh/mesh_scene.h"
+#include "sim/loaders/mvsim/mvsim_scene.h"
+#include "sim/loaders/plain_file.h"
+#include "sim/loaders/sdf/xacro.h"
+#include "sim/loaders/stage/stage_scene.h"
 #include "sim/world/anchor.h"
 
 namespace scipd::sim {
@@ -20,18 +24,31 @@ bool is_folder(const std::filesystem::path& file) {
     return std::filesystem::is_directory(file, error);
 }
 
+/// As far as it tells what it is; empty where nothing can be had.
+std::string beginning_of(const std::filesystem::path& file) {
+    if (!why_no_file(file).empty()) return {};
+    std::string text(4096, ' ');
+    text.resize(std::fread(text.data(), 1, text.size(), open_file(file).get()));
+    return text;
+}
+
 LoadedScene load_here(const std::filesystem::path& file, const SceneOptions& options) {
     if (is_folder(file)) return load_sdf(file, options.sdf);
     const std::string extension = extension_of(file);
+    if (extension == ".world" && is_stage(beginning_of(file))) return load_stage(file);
     if (extension == ".sdf" || extension == ".world" || extension == ".urdf") {
         return load_sdf(file, options.sdf);
     }
+    if (extension == ".xacro") return load_xacro(file, options.sdf);
+    if (extension == ".xml") return load_mvsim(file, options.map);
     if (extension == ".yaml" || extension == ".yml") return load_ros_map(file, options.map);
     if (is_mesh_file(file)) return load_mesh_scene(file, options.sdf.mesh);
-    throw LoadError({file.string() +
-                     ": is no kind of world that is known; name an SDF (.sdf, .world), a URDF "
-                     "(.urdf), a ROS map (.yaml, .yml) or a mesh (.obj, .stl, .ply, .dae, .gltf, "
-                     ".glb)"});
+    throw LoadError(
+        {file.string() +
+         ": is no kind of world that is known; name an SDF (.sdf, .world), a URDF (.urdf, "
+         ".xacro), a world of Stage (.world) or MVSim (.xml), a ROS map (.yaml, .yml) or a mesh "
+         "(.obj, .stl, .ply, .dae, .gltf, "
+         ".glb)"});
 }
 
 void warn_of_coarseness(LoadedScene& loaded, const std::filesystem::path& file) {

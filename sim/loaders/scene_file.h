@@ -20,8 +20,9 @@ struct SceneOptions {
     LoadLimits limits = {};
 };
 
-/// The file's extension tells its kind: .sdf, .world and .urdf, .yaml and .yml for ROS maps, and
-/// those of meshes. A folder is that of a model (model_folder.h). Throws LoadError.
+/// The file's extension tells its kind: .sdf, .world and .urdf, .xacro, .yaml and .yml for ROS
+/// maps, and those of meshes; a .world that is no XML is one of Stage, and .xml is MVSim's. A
+/// folder is that of a model (model_folder.h). Throws LoadError.
 LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& options = {});
 
 /// What load_scene() reads, where it is one model, as that model. In no child of its own; calls of

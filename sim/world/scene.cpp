@@ -42,6 +42,10 @@ SharedScene with_models(const Scene& scene, const Scene& added) {
         object.material = id_of(added.materials[object.material], both->materials);
         both->objects.push_back(std::move(object));
     }
+    for (Frame frame : added.frames) {
+        frame.model += first;
+        both->frames.push_back(std::move(frame));
+    }
     return both;
 }
 
@@ -75,6 +79,11 @@ SharedScene without_model(const Scene& scene, std::string_view name) {
         if (!new_id[object.model]) continue;
         rest->objects.push_back(object);
         rest->objects.back().model = *new_id[object.model];
+    }
+    for (const Frame& frame : scene.frames) {
+        if (!new_id[frame.model]) continue;
+        rest->frames.push_back(frame);
+        rest->frames.back().model = *new_id[frame.model];
     }
     return rest;
 }

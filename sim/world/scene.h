@@ -17,6 +17,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "sim/world/lidar.h"
 #include "sim/world/material.h"
 #include "sim/world/pose.h"
 #include "sim/world/shape.h"
@@ -29,12 +30,16 @@ using ObjectId = std::uint32_t;
 using ModelId = std::uint32_t;
 inline constexpr ModelId no_model = std::numeric_limits<ModelId>::max();
 
+struct Script;  // script.h
+using SharedScript = std::shared_ptr<const Script>;
+
 /// What moves as one body. Names differ within a scene; one that lies in another begins with its
 /// name: OUTER::INNER.
 struct Model {
     std::string name;
     bool movable = false;
-    Pose world_from_model;  ///< at load
+    Pose world_from_model;          ///< at load
+    SharedScript script = nullptr;  ///< null: it moves only as it is told to
 };
 
 /// One piece of geometry of one material.
@@ -46,10 +51,21 @@ struct Object {
     MaterialId material = 0;
 };
 
+/// A place in a model that its file gives a name, where a sensor may be mounted: a link, a frame,
+/// or where the file has a sensor of its own.
+struct Frame {
+    std::string name;  ///< MODEL::LINK, MODEL::FRAME, MODEL::LINK::SENSOR
+    ModelId model = 0;
+    Pose model_from_frame;
+    std::string sensor;          ///< its type, such as gpu_lidar; empty: none is there
+    std::optional<Lidar> lidar;  ///< where the sensor is one
+};
+
 struct Scene {
     std::string name;
     std::vector<Model> models;
     std::vector<Object> objects;
+    std::vector<Frame> frames;
     std::vector<Material> materials{{"default"}};
 
     /// A point of W near the middle of most things (anchor.h). Backends work in float relative to

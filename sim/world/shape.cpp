@@ -164,6 +164,13 @@ Mesh capsule_mesh(double radius_m, double length_m) {
     return round_mesh(cut.corner_radius_m + 0.5 * length_m, rings, cut.sides);
 }
 
+Mesh cone_mesh(double radius_m, double length_m) {
+    // Nearer to the tip all is smaller, and so is the error.
+    const unsigned sides = sides_for(least_cosine(radius_m));
+    const double corner_radius_m = balanced_radius_m(radius_m, std::cos(std::numbers::pi / sides));
+    return round_mesh(0.5 * length_m, {{corner_radius_m, -0.5 * length_m}}, sides);
+}
+
 Mesh ellipsoid_mesh(const glm::dvec3& radii_m) {
     // No axis is stretched, so that nothing lies farther off than on the sphere around it.
     const double largest_m = std::max({radii_m.x, radii_m.y, radii_m.z});

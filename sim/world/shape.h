@@ -56,6 +56,9 @@ Mesh tessellate(const Shape& shape);
 /// spheres.
 Mesh capsule_mesh(double radius_m, double length_m);
 
+/// Its axis along z: the base at z = -length_m / 2, the tip at z = length_m / 2.
+Mesh cone_mesh(double radius_m, double length_m);
+
 /// Centred on the origin, its half axes along the frame's.
 Mesh ellipsoid_mesh(const glm::dvec3& radii_m);
 

@@ -15,6 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using testing::ElementsAre;
+using testing::HasSubstr;
 
 /// FILE:LINE: and the key of the sensor, which is the same in all of these.
 std::string at(const std::string& rest) {
@@ -22,6 +23,21 @@ std::string at(const std::string& rest) {
 }
 
 using ConfigSensorTest = ConfigFixture;
+
+TEST_F(ConfigSensorTest, AMountMayBeNamed) {
+    const SensorConfig on_link = sensor("mount: {link: bot::base, xyz: [0, 0, 0.1]}");
+    ASSERT_TRUE(on_link.mount);
+    EXPECT_EQ(on_link.mount->kind, MountKind::link);
+    EXPECT_EQ(on_link.mount->name, "bot::base");
+    EXPECT_EQ(on_link.mount->frame_from_sensor.translation_m.z, 0.1);
+    EXPECT_FALSE(on_link.mount->chooses_model);
+    EXPECT_EQ(sensor("mount: {sensor: lds}").mount->kind, MountKind::sensor);
+    EXPECT_FALSE(sensor("mount: {xyz: [0, 0, 0.1]}").mount);
+    EXPECT_THAT(sensor_faults("mount: {sensor: lds, link: base}"),
+                ElementsAre(HasSubstr("mount: give link or sensor, not both")));
+    EXPECT_THAT(sensor_faults("mount: {sensor: ''}"), ElementsAre(HasSubstr("must name a place")));
+    EXPECT_THAT(sensor_faults("mount: {lnk: base}"), ElementsAre(HasSubstr("did you mean link?")));
+}
 
 TEST_F(ConfigSensorTest, IsPoweredAndBootedWithAPerfectClockAndLinkWhereNothingIsSaid) {
     const SensorConfig plain = sensor("timing: real");

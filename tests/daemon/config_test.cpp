@@ -175,7 +175,7 @@ robots:
       a: {model: UST-10LX, pty: auto}
       b: {model: UST-10LX, pty: auto, sees_body: true}
   tram:
-    poses: {from: walk.tum, after: none, speed: 2.5, loop: true}
+    poses: {from: walk.tum, after: none, speed: 2.5, loop: true, format: kitti, times: walk.tum}
     sensors:
       a: {model: UST-10LX, pty: auto}
 )");
@@ -194,6 +194,8 @@ robots:
     EXPECT_EQ(tram.policy.after, sim::PosePolicy::After::absent);
     EXPECT_EQ(tram.poses->speed, 2.5);
     EXPECT_TRUE(tram.poses->loop);
+    EXPECT_EQ(tram.poses->format, sim::TrajectoryFormat::kitti);
+    EXPECT_EQ(tram.poses->times, dir_.path() / "walk.tum");
     EXPECT_EQ(tram.sensors[0].wait_for_poses, std::chrono::nanoseconds::zero());
 }
 
@@ -256,13 +258,19 @@ TEST_F(ConfigTest, SaysWhatPosesCannotBe) {
                       "}, sensors: {s: {model: UST-10LX, pty: auto}}}}");
     };
     EXPECT_THAT(faults_of("after: hold"),
-                ElementsAre("fleet.yaml:1: robots.r.poses: needs from: udp:ADDR:PORT, a TUM file "
+                ElementsAre("fleet.yaml:1: robots.r.poses: needs from: udp:ADDR:PORT, a trajectory "
                             "or -"));
     EXPECT_THAT(faults_of("from: '-', speed: 2, loop: true"),
                 ElementsAre("fleet.yaml:1: robots.r.poses.speed: is of a trajectory; live poses "
                             "come when they come",
                             "fleet.yaml:1: robots.r.poses.loop: is of a trajectory; live poses "
                             "come when they come"));
+    EXPECT_THAT(faults_of("from: '-', format: tum"),
+                ElementsAre("fleet.yaml:1: robots.r.poses.format: is of a trajectory; live poses "
+                            "come when they come"));
+    EXPECT_THAT(faults_of("from: walk.tum, format: gpx"),
+                ElementsAre("fleet.yaml:1: robots.r.poses.format: must be tum, euroc, kitti or "
+                            "csv, not 'gpx'; left out, the file tells"));
     EXPECT_THAT(faults_of("from: '-', before: now, stale_s: 0, jump_mps: -1"),
                 ElementsAre("fleet.yaml:1: robots.r.poses.before: must be hold or none, not 'now'",
                             "fleet.yaml:1: robots.r.poses.stale_s: must be more than 0 and up to "

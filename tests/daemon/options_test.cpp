@@ -126,6 +126,22 @@ TEST_F(OptionsTest, EachOptionHasItsPlace) {
     EXPECT_EQ(run(base + "--log-level warning").log_level, "warning");  // as log lines have it
 }
 
+TEST_F(OptionsTest, AMountMayBeNamed) {
+    const auto named = run(scene() + "--mount m::l");
+    EXPECT_EQ(sensor(named).mount, (NamedMount{.kind = MountKind::any, .name = "m::l"}));
+    EXPECT_FALSE(named.config.robots[0].pose_given);
+    EXPECT_TRUE(run(scene() + "--mount m::l --pose 1,2,0").config.robots[0].pose_given);
+    NamedMount lidar{.kind = MountKind::lidar, .name = "m::l::s", .chooses_model = true};
+    EXPECT_EQ(sensor(run(scene() + "--sensor-from m::l::s")).mount, lidar);
+    // What the user says counts, on whichever side.
+    lidar.chooses_model = false;
+    EXPECT_EQ(sensor(run(scene() + "--sensor-from m::l::s --model URG-04LX")).mount, lidar);
+    EXPECT_EQ(sensor(run(scene() + "--model URG-04LX --sensor-from m::l::s")).mount, lidar);
+    // Which model it will be is not known yet.
+    EXPECT_EQ(sensor(run(scene() + "--sensor-from s --power-up scip1.1")).power_up, PowerUp::scip1);
+    EXPECT_THAT(answer(scene() + "--sensor-from s --mount l").text, HasSubstr("--mount"));
+}
+
 TEST_F(OptionsTest, APoseMayBeginWithAMinus) {
     EXPECT_EQ(run("--pose -1,2,-0.5").config.robots[0].world_from_robot,
               sim::pose_from_rpy({-1.0, 2.0, 0.0}, {0.0, 0.0, -0.5}));
@@ -193,11 +209,11 @@ TEST_F(OptionsTest, CheckReadsTheWorldToo) {
               file.string() + ":1: scene: " + bad.string() + size + "\n");
     dir_.write("bad.sdf",
                "<sdf version='1.9'><world name='w'><include><uri>model://sun</uri></include>"
-               "<include><uri>model://ground_plane</uri></include><actor name='a'/>"
+               "<include><uri>model://ground_plane</uri></include><population name='a'/>"
                "</world></sdf>");
     EXPECT_EQ(answer("--check " + file.string()).exit_code, 0);
     EXPECT_EQ(answer("--check " + file.string()).text,
-              bad.string() + ":1: <actor> is not supported and left out\n" + file.string() +
+              bad.string() + ":1: <population> is not supported and left out\n" + file.string() +
                   ": no faults; robots: 1, sensors: 1, models: 1\n");
     EXPECT_EQ(answer("--check " + file.string() + " --strict").exit_code, 2);
     EXPECT_TRUE(run("--strict " + scene()).config.strict);
@@ -210,13 +226,25 @@ TEST_F(OptionsTest, CheckTellsFaultsOfTheWorldAndOfTrajectories) {
                                  "robots: {r: {poses: drive.tum, sensors: {s: {model: UST-20LX, "
                                  "pty: auto}}}}\n");
     dir_.write("bad.sdf", room("<box><size>1 0 1</size></box>"));
-    dir_.write("drive.tum", "1 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n");
+    dir_.write("drive.tum", "1 0 0 0 0 0 0 1\n0 0 0 0 0 0 0 1\n");
     EXPECT_EQ(answer("--check " + file.string()).exit_code, 2);
     EXPECT_THAT(answer("--check " + file.string()).text,
                 testing::AllOf(testing::HasSubstr(file.string() + ":1: scene: " +
                                                   dir_.path().string() + "/bad.sdf:1: "),
                                testing::HasSubstr(file.string() + ":2: robots.r.poses: " +
                                                   dir_.path().string() + "/drive.tum:2: ")));
+}
+
+TEST_F(OptionsTest, CheckTellsWhatIsLeftOutOfTrajectories) {
+    const auto file = dir_.write("fleet.yaml",
+                                 "scene: room.sdf\n"
+                                 "robots: {r: {poses: {from: drive.txt, format: csv}, sensors: {s: "
+                                 "{model: UST-20LX, pty: auto}}}}\n");
+    const auto drive = dir_.write("drive.txt", "t,x,y,yaw,v\n0,0,0,0,1\n0,0,0,0,1\n");
+    EXPECT_EQ(answer("--check " + file.string()).exit_code, 0);
+    EXPECT_THAT(answer("--check " + file.string()).text,
+                testing::StartsWith(drive.string() + ": the columns 'v' are not read\n" +
+                                    drive.string() + ":3: has the stamp of the pose before it"));
 }
 
 TEST_F(OptionsTest, CheckTellsWhereABodyIsMissing) {

@@ -318,7 +318,7 @@ TEST_F(RoutesTest, TheSceneIsListed) {
               R"("q":[0.0,0.0,0.0,1.0]},"objects":2,"materials":["default","material 1"]},)"
               R"({"name":"model 1","movable":true,"pose":{"xyz":[1.0,2.0,3.0],)"
               R"("q":[0.0,0.0,0.0,1.0]},"objects":1,"materials":["material 2"]}],)"
-              R"("materials":["default","material 1","material 2"]})"
+              R"("materials":["default","material 1","material 2"],"sensors":[]})"
               "\n");
 }
 

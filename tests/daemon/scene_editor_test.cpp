@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "daemon/device/stepped_clock.h"
 #include "tests/daemon/wall_world.h"
 
 namespace scipd::daemon {
@@ -33,10 +34,11 @@ TEST(SceneEditor, LeavesNothingOfThoseWhoAreAnsweredToTheLoader) {
     for (const std::string model : {"model 1", "no such model"}) {
         boost::asio::io_context io;
         World world = wall_world();
+        SteppedClock clock;
         std::promise<void> opens;
         const std::shared_future<void> gate = opens.get_future().share();
         Loader loader(io.get_executor());
-        SceneEditor editor(world, loader, [&] { return std::vector{wish_behind(gate)}; });
+        SceneEditor editor(world, loader, clock, [&] { return std::vector{wish_behind(gate)}; });
 
         auto somebody = std::make_shared<int>();
         const std::weak_ptr<int> still_there = somebody;
@@ -52,8 +54,9 @@ TEST(SceneEditor, LeavesNothingOfThoseWhoAreAnsweredToTheLoader) {
 TEST(SceneEditor, ForgetsWhatIsWithdrawnBeforeItHasBegun) {
     boost::asio::io_context io;
     World world = wall_world();
+    SteppedClock clock;
     Loader loader(io.get_executor());
-    SceneEditor editor(world, loader, [] { return std::vector<BackendWish>{}; });
+    SceneEditor editor(world, loader, clock, [] { return std::vector<BackendWish>{}; });
     std::string answered;
     const auto says = [&](const std::string& word) {
         return [&answered, word](const EditOutcome&) { answered += word; };

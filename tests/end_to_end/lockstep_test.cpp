@@ -51,13 +51,9 @@ class Digest {
     std::uint64_t value_ = 14695981039346656037ULL;
 };
 
-std::vector<std::string> in_lockstep() {
-    return {"--scene", scene("square_room.sdf").string(),
-            "--pty",   "auto",
-            "--clock", "poses",
-            "--poses", "-",
-            "--tcp",   "127.0.0.1:0",
-            "--seed",  "7"};
+std::vector<std::string> in_lockstep(std::string_view world = "square_room.sdf") {
+    return {"--scene", scene(world).string(), "--pty",  "auto", "--clock", "poses", "--poses", "-",
+            "--tcp",   "127.0.0.1:0",         "--seed", "7"};
 }
 
 /// A reader of all that a stream sends until the poses end.
@@ -106,9 +102,10 @@ struct Drive {
 };
 
 Drive drive(int simulated_s, int pause_every, bool company,
-            const std::function<std::string(int)>& line) {
+            const std::function<std::string(int)>& line,
+            std::string_view world = "square_room.sdf") {
     const TempDir directory;
-    const DaemonProcess daemon(directory, in_lockstep());
+    const DaemonProcess daemon(directory, in_lockstep(world));
     Reader reader(ScannerWire::tcp(daemon.port(), pause_every > 0 ? 4096 : 0), pause_every);
     std::optional<ScannerWire> other;
     if (company) {
@@ -158,6 +155,15 @@ TEST(InLockstep, ASimulatorThatIsStartedAgainGivesTheSameBytesToAllReaders) {
     EXPECT_EQ(quick.lost, 0U);
     EXPECT_LE(quick.time_s, simulated_s / 2.0);
     EXPECT_GE(quick.time_s, simulated_s / 2.0 - 3.0);
+}
+
+TEST(InLockstep, PeopleWhoWalkGiveTheSameBytesToAllReaders) {
+    constexpr int simulated_s = 30;
+    const auto line = [](int i) { return pose_line(i); };
+    const Drive quick = drive(simulated_s, 0, false, line, "crossing.sdf");
+    const Drive slow = drive(simulated_s, 3, true, line, "crossing.sdf");
+    EXPECT_EQ(quick.digest, slow.digest);
+    EXPECT_EQ(quick.lost + slow.lost, 0U);
 }
 
 TEST(InLockstep, TimeStandsStillWithoutPosesAndAnswersComeAllTheSame) {

@@ -17,6 +17,9 @@ import yaml
 
 SDF = ("<model name='m'><link name='l'><visual name='v'><geometry><box><size>0.1 0.1 0.1</size></box></geometry></visual>"
        "</link></model>")
+LIDAR = ("<model name='l'><link name='l'><sensor name='s' type='gpu_lidar'><lidar><scan><horizontal><samples>9</samples>"
+         "<min_angle>-1</min_angle><max_angle>1</max_angle></horizontal></scan><range><min>0.1</min><max>inf</max></range></lidar>"
+         "</sensor><visual name='v'><geometry><box><size>0.1 0.1 0.1</size></box></geometry></visual></link></model>")
 FLEET = """
 scene: SCENE
 control: control.sock
@@ -57,6 +60,7 @@ EXCHANGES = [
     ("POST", "/scene/models", "/scene/models", {"name": "m", "sdf": SDF, "replace": True, "static": False}, 201),
     ("POST", "/scene/models", "/scene/models", {"name": "n"}, 400),
     ("POST", "/scene/models", "/scene/models", {"name": "n", "file": "no such file"}, 400),
+    ("POST", "/scene/models", "/scene/models", {"name": "lidar", "sdf": LIDAR}, 201),
     ("GET", "/scene", "/scene", None, 200),
     ("GET", POSE, "/scene/models/m/pose", None, 200),
     ("GET", POSE, "/scene/models/n/pose", None, 404),

@@ -3,6 +3,7 @@
 #include "tests/tools/control_stand_in.h"
 
 #include <chrono>
+#include <limits>
 #include <utility>
 
 #include <boost/asio/post.hpp>
@@ -22,6 +23,18 @@ ControlStandIn::ControlStandIn(std::vector<std::string> robots, std::string cloc
                  .movable({{1, 2, 0}, {1, 0, 0, 0}})
                  .with(sim::Box{{1, 1, 1}}, {})
                  .build();
+    sim::Scene with_lidars = *scene_;
+    const sim::Pose turned = sim::pose_from_rpy({0.5, 0, 0.25}, {0, 0, 1});
+    with_lidars.frames = {
+        {"model 1::l", 1, {}, {}, {}},
+        {"model 1::l::eye", 1, {}, "camera", {}},
+        {"model 1::l::lds", 1, turned, "ray", sim::Lidar{360, 1, 0.0, 6.28, 0.12, 3.5, 5.0}},
+        {"model 0::l::top",
+         0,
+         {},
+         "gpu_lidar",
+         sim::Lidar{1081, 16, -2.3562, 2.3562, 0.02, std::numeric_limits<double>::infinity(), 0}}};
+    scene_ = std::make_shared<const sim::Scene>(std::move(with_lidars));
     sim::Scan scan{.revolution = 7, .start = std::chrono::seconds(2)};
     scan.world_from_sensor = {{}};
     scan.posed_at = {scan.start};

@@ -52,6 +52,24 @@ TEST_F(ScipctlScene, ListsModels) {
     EXPECT_EQ(document["models"][1]["name"], "model 1");
 }
 
+TEST_F(ScipctlScene, ListsTheLidarsOfTheWorld) {
+    const Outcome outcome = scipctl({"scene", "list", "--sensors"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out,
+              "maze.sdf\n\n"
+              "SENSOR           TYPE       POSE              RANGE          ANGLES           "
+              "SAMPLES    RATE    FITS BEST\n"
+              "model 1::l::lds  ray        1.5,2,0.25,0,0,1  0.12 to 3.5 m  0 to 359.8 deg   "
+              "360        5.0 Hz  URG-04LX\n"
+              "model 0::l::top  gpu_lidar  0,0,0,0,0,0       0.02 to inf m  -135 to 135 deg  "
+              "1081 x 16  -       UST-10LX\n");
+    const auto document =
+        nlohmann::json::parse(scipctl({"scene", "list", "--sensors", "--json"}).out);
+    ASSERT_EQ(document.size(), 2U);
+    EXPECT_EQ(document[0]["fits"], "URG-04LX");
+    EXPECT_EQ(document[1]["range_m"], nlohmann::json::parse("[0.02,null]"));
+}
+
 TEST_F(ScipctlScene, LoadsAWorldByItsWholePath) {
     const std::string file = directory_.write("other.sdf", "<sdf/>");
     const Outcome outcome = scipctl({"scene", "load", file});
@@ -162,6 +180,8 @@ TEST_F(ScipctlScene, CompletesInBash) {
     EXPECT_EQ(complete("scipctl --control x pose st", "4"), "stream\n");
     EXPECT_EQ(complete("scipctl scene ''", "2"), "list load add move remove --help --control\n");
     EXPECT_EQ(complete("scipctl scene add --sc", "3"), "--scale\n");
+    EXPECT_EQ(complete("scipctl scene add --s", "3"), "--scale\n");
+    EXPECT_EQ(complete("scipctl scene list --s", "3"), "--sensors\n");
     EXPECT_EQ(complete("scipctl completion ''", "2"), "bash zsh --help --control\n");
     EXPECT_EQ(complete("scipctl truth x", "2"), "\n");
 }

@@ -172,6 +172,23 @@ TEST(Scipctl, PlaysATrajectory) {
     EXPECT_NEAR(std::chrono::duration<double>(*puts[2].time - *puts[0].time).count(), 0.15, 2e-6);
 }
 
+TEST(Scipctl, PlaysATrajectoryOfAnyFormAndTellsWhatItLeavesOut) {
+    const ControlStandIn daemon({"rescue"});
+    const TempDir directory;
+    const auto file = directory.write("lap.csv",
+                                      "time_ms,x,y,theta,v\n"
+                                      "100,1,0,0,5\n"
+                                      "100,9,0,0,5\n"
+                                      "101,2,0,0,5\n");
+    const Outcome outcome = run_scipctl(daemon, {"pose", "play", file});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("the columns 'v' are not read\n"));
+    EXPECT_THAT(outcome.err, HasSubstr("lap.csv:3: has the stamp of the pose before it"));
+    const auto puts = daemon.puts();
+    ASSERT_EQ(puts.size(), 2U);
+    EXPECT_EQ(puts[1].pose.translation_m.x, 2.0);
+}
+
 TEST(Scipctl, PlaysInLockstepWithTheFilesOwnStamps) {
     const ControlStandIn daemon({"rescue"}, "poses");
     const TempDir directory;

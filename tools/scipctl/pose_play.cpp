@@ -4,6 +4,7 @@
 // Each pose leaves at its own instant, reckoned from the start and not from the pose before, so
 // that nothing adds up.
 #include <chrono>
+#include <iostream>
 #include <memory>
 #include <string>
 #include <thread>
@@ -35,8 +36,9 @@ sim::Time first_stamp(ControlClient& client, const std::vector<sim::TimedPose>& 
 }
 
 void play(const ControlOptions& control, const PlayOptions& options) {
-    const auto poses = sim::load_tum(options.file);
-    if (poses.empty()) throw ControlError(0, options.file + " has no poses");
+    const auto [poses, warnings] = sim::load_trajectory(options.file);
+    for (const std::string& warning : warnings)
+        std::cerr << warning << '\n';
     ControlClient client(control.socket);
     const std::string path = pose_path(choose_robot(client, options.robot));
     const sim::Time stamp = first_stamp(client, poses);
@@ -60,7 +62,10 @@ void play(const ControlOptions& control, const PlayOptions& options) {
 void add_pose_play_command(CLI::App& pose, const ControlOptions& control) {
     auto* const command = pose.add_subcommand("play", "move a robot along a recorded trajectory");
     const auto options = std::make_shared<PlayOptions>();
-    command->add_option("FILE", options->file, "in TUM's form: t x y z qx qy qz qw, a pose a line")
+    command
+        ->add_option("FILE", options->file,
+                     "TUM (t x y z qx qy qz qw, a pose a line), EuRoC or KITTI ground truth, or "
+                     "CSV with a header")
         ->required()
         ->check(CLI::ExistingFile);
     command->add_option("--robot", options->robot, "may be left out where there is one only");

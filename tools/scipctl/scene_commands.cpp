@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
+#include <iomanip>
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <numbers>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -33,6 +36,11 @@ struct AddOptions {
 
 struct LoadOptions {
     std::string file;
+    bool json = false;
+};
+
+struct ListOptions {
+    bool sensors = false;
     bool json = false;
 };
 
@@ -72,14 +80,42 @@ void tell(const Json& loaded, bool json) {
         std::cerr << "warning: " << warning.get<std::string>() << '\n';
 }
 
-void list(const ControlOptions& control, bool json) {
+/// "0.1 to 30 m"
+std::string span(const Json& two, double factor, const char* unit) {
+    const auto text = [&](const Json& number) {
+        if (number.is_null()) return std::string{"inf"};
+        std::ostringstream out;
+        out << std::setprecision(4) << number.get<double>() * factor;
+        return out.str();
+    };
+    return text(two[0]) + " to " + text(two[1]) + unit;
+}
+
+void list_sensors(const Json& scene) {
+    constexpr double deg_per_rad = 180.0 / std::numbers::pi;
+    std::vector<Row> rows{
+        {"SENSOR", "TYPE", "POSE", "RANGE", "ANGLES", "SAMPLES", "RATE", "FITS BEST"}};
+    for (const Json& sensor : scene.at("sensors")) {
+        const Json& rate = sensor.at("rate_hz");
+        const Json& lines = sensor.at("rows");
+        rows.push_back({sensor.at("name"), sensor.at("type"), text_of(sensor.at("pose")),
+                        span(sensor.at("range_m"), 1.0, " m"),
+                        span(sensor.at("angle_rad"), deg_per_rad, " deg"),
+                        sensor.at("samples").dump() + (lines == 1 ? "" : " x " + lines.dump()),
+                        rate.is_null() ? "-" : rate.dump() + " Hz", sensor.at("fits")});
+    }
+    print_table(std::cout, rows);
+}
+
+void list(const ControlOptions& control, const ListOptions& options) {
     ControlClient client(control.socket);
     const Json scene = client.get("/scene");
-    if (json) {
-        std::cout << json_text(scene, 2) << '\n';
+    if (options.json) {
+        std::cout << json_text(options.sensors ? scene.at("sensors") : scene, 2) << '\n';
         return;
     }
     std::cout << scene.value("file", "-") << "\n\n";
+    if (options.sensors) return list_sensors(scene);
     std::vector<Row> rows{{"MODEL", "MOVABLE", "POSE", "OBJECTS", "MATERIALS"}};
     for (const Json& model : scene.at("models")) {
         rows.push_back({model.at("name"), model.at("movable").get<bool>() ? "yes" : "no",
@@ -151,6 +187,16 @@ void remove(const ControlOptions& control, const std::string& name) {
     change(client, name, false, [&](const std::string& path) { client.remove(path); });
 }
 
+void add_list_command(CLI::App& scene, const ControlOptions& control) {
+    auto* const command = scene.add_subcommand("list", "the models of the world");
+    const auto options = std::make_shared<ListOptions>();
+    command->add_flag("--sensors", options->sensors,
+                      "the lidars that its files describe, for scipd --sensor-from, and the model "
+                      "that comes closest to each");
+    command->add_flag("--json", options->json, "as a JSON document");
+    command->callback([&control, options] { list(control, *options); });
+}
+
 void add_add_command(CLI::App& scene, const ControlOptions& control) {
     auto* const command = scene.add_subcommand("add", "one more model, from SDF, URDF or a mesh");
     const auto options = std::make_shared<AddOptions>();
@@ -195,10 +241,7 @@ void add_scene_commands(CLI::App& program, const ControlOptions& control) {
     auto* const scene = program.add_subcommand("scene", "what there is for scanners to see");
     scene->require_subcommand(1);
 
-    auto* const list_command = scene->add_subcommand("list", "the models of the world");
-    const auto json = std::make_shared<bool>(false);
-    list_command->add_flag("--json", *json, "as a JSON document");
-    list_command->callback([&control, json] { list(control, *json); });
+    add_list_command(*scene, control);
 
     auto* const load_command = scene->add_subcommand("load", "another world in place of this one");
     const auto options = std::make_shared<LoadOptions>();

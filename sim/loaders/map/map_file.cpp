@@ -2,7 +2,9 @@
 // Copyright The scipd authors
 #include "sim/loaders/map/map_file.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -28,7 +30,7 @@ constexpr std::array<std::pair<std::string_view, MapMode>, 3> modes{
 /// As map_server does it.
 fs::path image_path(const std::string& text, const fs::path& folder) {
     if (text.empty() || text.find('\0') != text.npos) {
-        throw std::invalid_argument("must name a PGM or PNG");
+        throw std::invalid_argument("must name a picture");
     }
     const char* home = std::getenv("HOME");
     if (text.starts_with("~/") && home != nullptr) return fs::path{home} / text.substr(2);
@@ -55,9 +57,12 @@ bool truth(const YAML::Node& node) {
     throw std::invalid_argument("must be 0 or 1");
 }
 
+/// In any case, as people write it.
 MapMode mode_of(const YAML::Node& node) {
+    std::string text = node.IsScalar() ? node.Scalar() : std::string();
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
     for (const auto& [name, mode] : modes) {
-        if (node.IsScalar() && node.Scalar() == name) return mode;
+        if (text == name) return mode;
     }
     throw std::invalid_argument("must be trinary, scale or raw");
 }
@@ -139,7 +144,7 @@ MapFile MapFileReader::read() && {
         throw LoadError(std::move(faults_));
     }
     want("image", use("image", [&](const YAML::Node& node) {
-             if (!node.IsScalar()) throw std::invalid_argument("must name a PGM or PNG");
+             if (!node.IsScalar()) throw std::invalid_argument("must name a picture");
              map_.image = image_path(node.Scalar(), file_.parent_path());
          }));
     want("resolution", use("resolution", [&](const YAML::Node& node) {

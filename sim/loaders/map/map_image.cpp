@@ -5,15 +5,17 @@
 #include <stdexcept>
 #include <string>
 
+#include "sim/loaders/map/jpeg.h"
 #include "sim/loaders/map/pgm.h"
-#include "sim/loaders/map/png.h"
+#include "sim/loaders/map/stb_picture.h"
 
 namespace scipd::sim {
 
 MapImage read_map_image(std::string_view bytes) {
-    if (is_png(bytes)) return read_png(bytes);
+    if (is_stb_picture(bytes)) return read_stb_picture(bytes);
+    if (is_jpeg(bytes)) return read_jpeg(bytes);
     if (is_pgm(bytes)) return read_pgm(bytes);
-    throw std::invalid_argument("is neither PGM nor PNG; save the map as one of these");
+    throw std::invalid_argument("is no PGM, PNG, BMP or JPEG; save the map as one of these");
 }
 
 void check_map_size(std::uint64_t width, std::uint64_t height) {

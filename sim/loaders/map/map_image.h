@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The picture of a ROS map: PGM (plain and raw) or PNG, as samples. Not what they mean: that is in
-// occupancy.h. What an image would take is known from its header and refused before anything is
-// allocated for it. Any thread; nothing shared.
+// The picture of a ROS map: PGM (plain and raw), PNG, BMP or JPEG, as samples. Not what they mean:
+// that is in occupancy.h. What an image would take is known from its header and refused before
+// anything is allocated for it. Any thread; nothing shared.
 #pragma once
 
 #include <cstddef>

@@ -12,6 +12,7 @@
 #include "sim/loaders/between_processes.h"
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/mesh/mesh_reader.h"
+#include "sim/loaders/mesh/mesh_relief.h"
 
 namespace scipd::sim {
 namespace {
@@ -75,14 +76,18 @@ std::uintmax_t check_file(const fs::path& file) {
 
 }  // namespace
 
-MeshReading::MeshReading(fs::path file, const std::string& submesh, MeshAxes axes,
+MeshReading::MeshReading(fs::path file, std::string submesh, MeshAxes axes,
                          const MeshLimits& limits)
-    : file_(std::move(file)) {
+    : file_(std::move(file)), submesh_(std::move(submesh)), axes_(axes), limits_(limits) {
+    begin(MeshContents::all);
+}
+
+void MeshReading::begin(MeshContents contents) {
     try {
-        const Confines confines = confines_of(file_, check_file(file_), limits);
+        const Confines confines = confines_of(file_, check_file(file_), limits_);
         const auto work = [&](std::FILE* out) {
-            put_each(submesh.empty() ? read_mesh(file_, axes, limits)
-                                     : read_submesh(file_, submesh, limits),
+            put_each(submesh_.empty() ? read_mesh(file_, axes_, limits_, contents)
+                                      : read_submesh(file_, submesh_, limits_, contents),
                      out, put_part);
         };
         child_ = std::make_unique<Confined>(confines, work);
@@ -91,10 +96,21 @@ MeshReading::MeshReading(fs::path file, const std::string& submesh, MeshAxes axe
     }
 }
 
+std::vector<MeshPart> MeshReading::outcome() {
+    if (!child_) throw std::runtime_error(why_not_);
+    return take_each<std::vector<MeshPart>>(child_->outcome().get(), take_part);
+}
+
 std::vector<MeshPart> MeshReading::parts() {
     try {
-        if (!child_) throw std::runtime_error(why_not_);
-        return take_each<std::vector<MeshPart>>(child_->outcome().get(), take_part);
+        try {
+            return outcome();
+        } catch (const std::runtime_error&) {
+            const bool is_slow = std::chrono::steady_clock::now() - begun_ > limits_.wall_time / 2;
+            if (is_slow || !child_ || !can_be_relieved(file_)) throw;
+        }
+        begin(MeshContents::relieved);
+        return outcome();
     } catch (const std::runtime_error& wrong) {
         throw LoadError({file_.string() + ": " + wrong.what()});
     }

@@ -5,6 +5,7 @@
 // anywhere. Any thread.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -12,14 +13,15 @@
 
 #include "sim/loaders/confined.h"
 #include "sim/loaders/mesh/mesh_file.h"
+#include "sim/loaders/mesh/mesh_reader.h"
 
 namespace scipd::sim {
 
-/// A file that is being read.
+/// A file that is being read: all of it or, where that fails, what matters of it.
 class MeshReading {
   public:
     /// Begins. All of the file, or its submesh of this name, which is read as_in_file.
-    MeshReading(std::filesystem::path file, const std::string& submesh, MeshAxes axes,
+    MeshReading(std::filesystem::path file, std::string submesh, MeshAxes axes,
                 const MeshLimits& limits);
 
     /// As they lie in the file. Waits, once. Throws LoadError, which names the file: it cannot be a
@@ -27,7 +29,14 @@ class MeshReading {
     std::vector<MeshPart> parts();
 
   private:
+    void begin(MeshContents contents);
+    std::vector<MeshPart> outcome();
+
     std::filesystem::path file_;
+    std::string submesh_;
+    MeshAxes axes_;
+    MeshLimits limits_;
+    std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
     std::string why_not_;
     std::unique_ptr<Confined> child_;
 };

@@ -23,6 +23,15 @@ class Stream final : public Assimp::DefaultIOStream {
     Stream(File file, const std::string& name) : DefaultIOStream(file.release(), name) {}
 };
 
+Stream* stream_of(const std::string& contents) {
+    File file = memory_file();
+    std::fwrite(contents.data(), 1, contents.size(), file.get());
+    std::rewind(file.get());
+    // By which the stream asks for its size.
+    const std::string name = "/proc/self/fd/" + std::to_string(fileno(file.get()));
+    return new Stream(std::move(file), name);
+}
+
 /// Nothing lies below the root of all files: that would be everything.
 bool lies_in(const fs::path& file, const fs::path& folder) {
     if (file.parent_path() == folder) return true;
@@ -41,6 +50,7 @@ MeshFolder::MeshFolder(const fs::path& mesh) : mesh_(mesh) {
 
 std::string MeshFolder::why_not(const fs::path& file) const {
     if (file == mesh_) return {};
+    if (relieved_ && file.extension() == ".mtl") return "is not wanted";
     // Links and dots followed to their ends.
     std::error_code error;
     const fs::path real = fs::canonical(file, error);
@@ -57,12 +67,13 @@ bool MeshFolder::Exists(const char* file) const {
 Assimp::IOStream* MeshFolder::Open(const char* file, const char* mode) {
     std::string why = mode[0] == 'r' ? why_not(file) : "is only read";
     try {
+        if (why.empty() && relieved_ && file == mesh_) return stream_of(*relieved_);
         if (why.empty()) return new Stream(open_file(file), file);
     } catch (const std::runtime_error& error) {
         why = error.what();
     }
     const fs::path name = fs::path{file}.lexically_relative(mesh_.parent_path());
-    if (refusal_.empty()) refusal_ = "names " + quote(name.string()) + ", which " + why;
+    if (refusal_.empty()) refusal_ = "names " + quote(name.string(), whole_path) + ", which " + why;
     return nullptr;
 }
 

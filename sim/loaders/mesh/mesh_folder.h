@@ -7,7 +7,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <assimp/DefaultIOSystem.h>
@@ -17,6 +19,9 @@ namespace scipd::sim {
 class MeshFolder final : public Assimp::DefaultIOSystem {
   public:
     explicit MeshFolder(const std::filesystem::path& mesh);
+
+    /// The mesh holds this; nothing beside it that only says how it looks may be opened.
+    void relieve(std::string contents) { relieved_ = std::move(contents); }
 
     bool Exists(const char* file) const override;
     /// Null where it may not be opened; nothing is ever written.
@@ -31,6 +36,7 @@ class MeshFolder final : public Assimp::DefaultIOSystem {
     [[nodiscard]] std::string why_not(const std::filesystem::path& file) const;
 
     std::filesystem::path mesh_;
+    std::optional<std::string> relieved_;
     /// Of the mesh as it is named, and of what that leads to: installations link file by file.
     std::vector<std::filesystem::path> folders_;
     std::string refusal_;

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <new>
 #include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <assimp/Importer.hpp>
@@ -19,6 +21,8 @@
 #include <assimp/scene.h>
 
 #include "sim/loaders/mesh/mesh_folder.h"
+#include "sim/loaders/mesh/mesh_relief.h"
+#include "sim/loaders/plain_file.h"
 #include "sim/loaders/quote.h"
 
 namespace scipd::sim {
@@ -36,6 +40,7 @@ constexpr unsigned int plain = aiProcess_Triangulate | aiProcess_RemoveComponent
 constexpr unsigned int flat = aiProcess_PreTransformVertices | aiProcess_SortByPType;
 
 constexpr std::size_t most_names_told = 10;
+constexpr std::uintmax_t largest_file = 1ULL << 30;
 
 std::span<aiMesh* const> meshes_of(const aiScene& scene) {
     return {scene.mMeshes, scene.mNumMeshes};
@@ -78,7 +83,7 @@ bool is_finite(const aiMesh* mesh) {
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != reason.npos) throw std::bad_alloc();
     const auto& folder = dynamic_cast<const MeshFolder&>(*importer.GetIOHandler());
-    throw std::runtime_error("cannot be read as a mesh: " + printable(reason) +
+    throw std::runtime_error("cannot be read as a mesh: " + printable(reason, whole_path) +
                              (folder.refusal().empty() ? "" : "; it " + folder.refusal()));
 }
 
@@ -92,24 +97,42 @@ void keep_names_only(const aiScene& scene) {
     }
 }
 
+/// What is asked of one file.
+struct Wish {
+    const std::filesystem::path& file;
+    MeshAxes axes;
+    unsigned int steps;
+    const MeshLimits& limits;
+    MeshContents contents;
+};
+
+/// Which the importer owns.
+MeshFolder* folder_of(const Wish& wish) {
+    auto folder = std::make_unique<MeshFolder>(wish.file);
+    if (wish.contents == MeshContents::relieved) {
+        folder->relieve(
+            relieved(wish.file, read_file(wish.file, largest_file, "a mesh is wanted here")));
+    }
+    return folder.release();
+}
+
 /// All that is asked of a file before and after the steps that make what is wanted of it.
-const aiScene& read(Assimp::Importer& importer, const std::filesystem::path& file, MeshAxes axes,
-                    unsigned int steps, const MeshLimits& limits) {
-    importer.SetIOHandler(new MeshFolder(file));  // which the importer owns from here on
+const aiScene& read(Assimp::Importer& importer, const Wish& wish) {
+    importer.SetIOHandler(folder_of(wish));
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, unwanted);
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION,
-                             axes == MeshAxes::as_in_file);
-    const aiScene* scene = importer.ReadFile(file.string(), 0);
+                             wish.axes == MeshAxes::as_in_file);
+    const aiScene* scene = importer.ReadFile(wish.file.string(), 0);
     if (scene == nullptr) refuse(importer);
     // What is in nobody's way is not asked whether it is right: two cameras of one name, a texture.
     keep_names_only(*scene);
     importer.ApplyPostProcessing(aiProcess_RemoveComponent);
     scene = importer.ApplyPostProcessing(aiProcess_ValidateDataStructure);
     if (scene == nullptr) refuse(importer);
-    check_triangle_count(*scene, limits);
-    scene = importer.ApplyPostProcessing(steps);
+    check_triangle_count(*scene, wish.limits);
+    scene = importer.ApplyPostProcessing(wish.steps);
     if (scene == nullptr) refuse(importer);
     if (!std::ranges::all_of(meshes_of(*scene), is_finite)) {
         throw std::runtime_error("has a vertex that is not finite");
@@ -156,42 +179,66 @@ void drop_empty(std::vector<MeshPart>& parts) {
     std::erase_if(parts, [](const MeshPart& part) { return part.mesh.triangles.empty(); });
 }
 
-/// Walks the nodes of a file and keeps what lies in those of one name, or is a mesh of that name.
+/// What a name may be that of, the meaning of Gazebo first.
+enum class Named {
+    /// Nodes, less what lies in nodes in them that have names of their own: gz-common 5 and Gazebo
+    /// Classic name submeshes so (ColladaLoader.cc, AssimpLoader.cc).
+    node,
+    mesh,
+    node_with_all,
+};
+
+/// Walks the nodes of a file and keeps what a name means.
 class Picker {
   public:
     Picker(const aiScene& scene, const std::string& name) : scene_(scene), name_(name) {}
 
-    /// All that lies in a node of this name belongs to it.
-    void walk(const aiNode& node, const aiMatrix4x4& file_from_parent, bool inside) {
-        const aiMatrix4x4 file_from_node = file_from_parent * node.mTransformation;
-        const bool wanted = named(node.mName) || inside;
-        for (const unsigned index : std::span{node.mMeshes, node.mNumMeshes}) {
-            const aiMesh& mesh = *scene_.mMeshes[index];
-            if (named(mesh.mName) || wanted) pick(mesh, file_from_node);
-        }
-        for (const aiNode* child : std::span{node.mChildren, node.mNumChildren})
-            walk(*child, file_from_node, wanted);
+    std::vector<MeshPart> pick(Named named) {
+        parts_.clear();
+        named_ = named;
+        walk(*scene_.mRootNode, aiMatrix4x4{}, false);
+        drop_empty(parts_);
+        return std::move(parts_);
     }
-
-    [[nodiscard]] std::vector<MeshPart>& parts() { return parts_; }
 
     [[nodiscard]] std::string names() const {
         std::string text;
         std::size_t told = 0;
         for (const auto& name : names_) {
             if (told++ == most_names_told) return text + ", ...";
-            text += (text.empty() ? "" : ", ") + quote(name);
+            text += (text.empty() ? "" : ", ") + quote(name, whole_path);
         }
         return text.empty() ? "none" : text;
     }
 
   private:
-    bool named(const aiString& name) {
-        if (name.length > 0) names_.insert(name.C_Str());
+    void walk(const aiNode& node, const aiMatrix4x4& file_from_parent, bool inside) {
+        const aiMatrix4x4 file_from_node = file_from_parent * node.mTransformation;
+        if (is_wanted(node.mName)) {
+            inside = true;
+        } else if (named_ == Named::node && !is_made_up(node.mName)) {
+            inside = false;
+        }
+        for (const unsigned index : std::span{node.mMeshes, node.mNumMeshes}) {
+            const aiMesh& mesh = *scene_.mMeshes[index];
+            const bool is_named = is_wanted(mesh.mName);
+            if (named_ == Named::mesh ? is_named : inside) add(mesh, file_from_node);
+        }
+        for (const aiNode* child : std::span{node.mChildren, node.mNumChildren})
+            walk(*child, file_from_node, inside);
+    }
+
+    /// By Assimp.
+    [[nodiscard]] static bool is_made_up(const aiString& name) {
+        return std::string_view{name.C_Str()}.starts_with("$ColladaAutoName$");
+    }
+
+    bool is_wanted(const aiString& name) {
+        if (name.length > 0 && !is_made_up(name)) names_.insert(name.C_Str());
         return name_ == name.C_Str();
     }
 
-    void pick(const aiMesh& mesh, const aiMatrix4x4& file_from_node) {
+    void add(const aiMesh& mesh, const aiMatrix4x4& file_from_node) {
         const auto move = [&](const aiVector3D& vertex) {
             const aiVector3D at = file_from_node * vertex;
             return glm::vec3{at.x, at.y, at.z};
@@ -201,6 +248,7 @@ class Picker {
 
     const aiScene& scene_;
     const std::string& name_;
+    Named named_ = Named::node;
     std::set<std::string> names_;
     std::vector<MeshPart> parts_;
 };
@@ -208,9 +256,9 @@ class Picker {
 }  // namespace
 
 std::vector<MeshPart> read_mesh(const std::filesystem::path& file, MeshAxes axes,
-                                const MeshLimits& limits) {
+                                const MeshLimits& limits, MeshContents contents) {
     Assimp::Importer importer;
-    const aiScene& scene = read(importer, file, axes, plain | flat, limits);
+    const aiScene& scene = read(importer, {file, axes, plain | flat, limits, contents});
     const auto move = [y_up = is_y_up(file, axes)](const aiVector3D& v) {
         return y_up ? glm::vec3{v.x, -v.z, v.y} : glm::vec3{v.x, v.y, v.z};
     };
@@ -223,17 +271,22 @@ std::vector<MeshPart> read_mesh(const std::filesystem::path& file, MeshAxes axes
 }
 
 std::vector<MeshPart> read_submesh(const std::filesystem::path& file, const std::string& name,
-                                   const MeshLimits& limits) {
-    Assimp::Importer importer;
-    const aiScene& scene = read(importer, file, MeshAxes::as_in_file, plain, limits);
-    Picker picker{scene, name};
-    picker.walk(*scene.mRootNode, aiMatrix4x4{}, false);
-    auto& parts = picker.parts();
-    drop_empty(parts);
-    if (parts.empty()) {
-        throw std::runtime_error("has no submesh " + quote(name) + "; there are " + picker.names());
+                                   const MeshLimits& limits, MeshContents contents) {
+    std::string names;
+    // Of COLLADA, Gazebo knows the names; who has none to go by has taken an id.
+    for (const bool by_name : {true, false}) {
+        Assimp::Importer importer;
+        importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, by_name);
+        const aiScene& scene =
+            read(importer, {file, MeshAxes::as_in_file, plain, limits, contents});
+        Picker picker{scene, name};
+        for (const Named named : {Named::node, Named::mesh, Named::node_with_all}) {
+            if (auto parts = picker.pick(named); !parts.empty()) return parts;
+        }
+        if (by_name) names = picker.names();
+        if (extension_of(file) != ".dae") break;
     }
-    return std::move(parts);
+    throw std::runtime_error("has no submesh " + quote(name, whole_path) + "; there are " + names);
 }
 
 }  // namespace scipd::sim

@@ -13,13 +13,19 @@
 
 namespace scipd::sim {
 
+/// How much of a file the library gets to see.
+enum class MeshContents {
+    all,
+    relieved,  ///< mesh_relief.h
+};
+
 /// As load_mesh_parts() without a scale. Throws std::runtime_error, saying what is wrong, or
 /// std::bad_alloc.
 std::vector<MeshPart> read_mesh(const std::filesystem::path& file, MeshAxes axes,
-                                const MeshLimits& limits);
+                                const MeshLimits& limits, MeshContents contents);
 
 /// As load_submesh() without a scale, where it lies in the file. Throws the same.
 std::vector<MeshPart> read_submesh(const std::filesystem::path& file, const std::string& name,
-                                   const MeshLimits& limits);
+                                   const MeshLimits& limits, MeshContents contents);
 
 }  // namespace scipd::sim

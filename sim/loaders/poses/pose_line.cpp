@@ -11,6 +11,7 @@
 #include "sim/loaders/poses/trajectory.h"
 #include "sim/loaders/poses/tum_line.h"
 #include "sim/loaders/quote.h"
+#include "sim/loaders/text_number.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {

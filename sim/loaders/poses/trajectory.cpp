@@ -3,101 +3,252 @@
 #include "sim/loaders/poses/trajectory.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <utility>
 
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/plain_file.h"
+#include "sim/loaders/poses/kitti_line.h"
+#include "sim/loaders/poses/pose_columns.h"
+#include "sim/loaders/poses/trajectory_draft.h"
 #include "sim/loaders/poses/tum_line.h"
+#include "sim/loaders/quote.h"
+#include "sim/loaders/text_number.h"
 
 namespace scipd::sim {
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+namespace fs = std::filesystem;
 
-/// Past this many faults a file is not a trajectory at all, and a list of them helps nobody.
-constexpr std::size_t fault_limit = 100;
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 /// A week of a hundred poses a second is half of this.
 constexpr std::uintmax_t largest_file = 1U << 30U;
 
-using Seconds = std::chrono::duration<double>;
+/// Until `use` has had enough and says false.
+template <typename Use>
+void for_each_line(std::string_view text, const Use& use) {
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    while (!text.empty()) {
+        const auto end = std::min(text.find('\n'), text.size());
+        if (!use(text.substr(0, end))) return;
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+}
 
-/// Twice as much still fits into a Time.
-constexpr Seconds longest{4.5e9};
+/// `use` gets the lines that say something, and adds to the draft.
+template <typename Use>
+void read_lines(std::string_view text, TrajectoryDraft& draft, const Use& use) {
+    for_each_line(text, [&](std::string_view line) {
+        draft.begin_line();
+        if (!says_nothing(line)) use(line);
+        return true;
+    });
+}
 
-class TumReader {
-  public:
-    explicit TumReader(const std::filesystem::path& file) : file_(file.string()) {}
+void add(const std::variant<TimedPose, std::string>& parsed, TrajectoryDraft& draft) {
+    if (const auto* refusal = std::get_if<std::string>(&parsed)) return draft.add_fault(*refusal);
+    draft.append(std::get<TimedPose>(parsed));
+}
 
-    void read_line(std::string_view line) {
-        ++line_number_;
-        if (says_nothing(line)) return;
-        auto parsed = parse_tum_line(line);
-        if (auto* refusal = std::get_if<std::string>(&parsed)) {
-            return add_fault(*refusal);
+Trajectory read_tum(std::string_view text, TrajectoryDraft draft) {
+    read_lines(text, draft, [&](std::string_view line) { add(parse_tum_line(line), draft); });
+    return std::move(draft).finish("t tx ty tz qx qy qz qw");
+}
+
+Trajectory read_euroc(std::string_view text, TrajectoryDraft draft) {
+    const PoseColumns columns = euroc_columns();
+    read_lines(text, draft,
+               [&](std::string_view line) { add(columns.pose_of(cells_of(line, ',')), draft); });
+    return std::move(draft).finish("timestamp,p_x,p_y,p_z,q_w,q_x,q_y,q_z");
+}
+
+Trajectory read_kitti(std::string_view text, const std::optional<std::vector<Time>>& times,
+                      TrajectoryDraft draft) {
+    constexpr Time frame = std::chrono::milliseconds(100);
+    std::size_t count = 0;
+    read_lines(text, draft, [&](std::string_view line) {
+        const std::size_t index = count++;
+        if (times && index >= times->size()) {
+            return draft.add_fault("there are stamps for " + std::to_string(index) + " poses only");
         }
-        append(std::get<TimedPose>(parsed));
+        const Time time = times ? (*times)[index] : static_cast<Time::rep>(index) * frame;
+        const auto parsed = parse_kitti_line(line);
+        if (const auto* why = std::get_if<std::string>(&parsed)) return draft.add_fault(*why);
+        draft.append({time, std::get<Pose>(parsed)});
+    });
+    if (times && times->size() > count) {
+        draft.warn("has " + std::to_string(count) + " poses, but there are " +
+                   std::to_string(times->size()) + " stamps; the rest is left out");
+    }
+    return std::move(draft).finish("r11 r12 r13 x r21 r22 r23 y r31 r32 r33 z");
+}
+
+char delimiter_of(std::string_view line) {
+    for (const char delimiter : {';', ',', '\t'}) {
+        if (line.find(delimiter) != line.npos) return delimiter;
+    }
+    return ' ';
+}
+
+/// A comment's text.
+std::string_view without_mark(std::string_view line) {
+    line = trimmed(line);
+    return trimmed(line.substr(std::min(line.find_first_not_of('#'), line.size())));
+}
+
+/// What nobody counts in anything else: seconds end at 9e9, and milliseconds of today are 1.7e12.
+int guessed_power(std::string_view stamp) {
+    const double value = parse_number(stamp).value_or(0.0);
+    if (value > 1e17) return -9;
+    if (value > 1e14) return -6;
+    return value > 1e11 ? -3 : 0;
+}
+
+class CsvReader {
+  public:
+    explicit CsvReader(TrajectoryDraft draft) : draft_(std::move(draft)) {}
+
+    /// False where nothing can be made of the rest.
+    bool read(std::string_view line) {
+        draft_.begin_line();
+        const bool is_comment = says_nothing(line);
+        if (columns_) {
+            if (!is_comment) read_row(line);
+        } else if (!trimmed(line).empty()) {
+            return read_header(line, is_comment);
+        }
+        return true;
     }
 
-    std::vector<TimedPose> finish() && {
-        if (fault_count_ > fault_limit) {
-            faults_.push_back(file_ + ": and " + std::to_string(fault_count_ - fault_limit) +
-                              " more");
-        }
-        if (poses_.empty() && faults_.empty()) {
-            faults_.push_back(file_ + ": holds no pose; a line is t tx ty tz qx qy qz qw");
-        }
-        if (!faults_.empty()) throw LoadError(std::move(faults_));
-        return std::move(poses_);
+    Trajectory finish() && {
+        if (!not_read_.empty()) draft_.warn("the columns " + not_read_ + " are not read");
+        return std::move(draft_).finish("a row under a header such as t,x,y,z,roll,pitch,yaw");
     }
 
   private:
-    void append(const TimedPose& next) {
-        if (!poses_.empty() && next.time <= poses_.back().time) {
-            return add_fault("t must be later than the pose before it");
+    /// A comment may be one.
+    bool read_header(std::string_view line, bool is_comment) {
+        if (is_comment) line = without_mark(line);
+        delimiter_ = delimiter_of(line);
+        std::vector<std::string> not_read;
+        const auto columns = named_columns(cells_of(line, delimiter_), not_read);
+        if (const auto* why = std::get_if<std::string>(&columns)) {
+            if (is_comment) return true;
+            draft_.add_fault(*why);
+            return false;
         }
-        // In floating point: they may lie farther apart than a Time can tell.
-        if (!poses_.empty() && Seconds(next.time) - Seconds(poses_.front().time) > longest) {
-            return add_fault("t must lie within 4.5e9 s of the first one");
-        }
-        poses_.push_back(next);
+        columns_ = std::get<PoseColumns>(columns);
+        for (const std::string& name : not_read)
+            not_read_ += (not_read_.empty() ? "" : ", ") + name;
+        not_read_ = printable(not_read_);
+        return true;
     }
 
-    void add_fault(const std::string& text) {
-        if (++fault_count_ > fault_limit) return;
-        faults_.push_back(file_ + ':' + std::to_string(line_number_) + ": " + text);
+    void read_row(std::string_view line) {
+        const auto cells = cells_of(line, delimiter_);
+        if (!columns_->time_power && cells.size() > columns_->time.index)
+            columns_->time_power = guessed_power(cells[columns_->time.index]);
+        add(columns_->pose_of(cells), draft_);
     }
 
-    std::string file_;
-    std::size_t line_number_ = 0;
-    std::size_t fault_count_ = 0;
-    std::vector<std::string> faults_;
-    std::vector<TimedPose> poses_;
+    TrajectoryDraft draft_;
+    std::optional<PoseColumns> columns_;
+    std::string not_read_;
+    char delimiter_ = ',';
 };
+
+Trajectory read_csv(std::string_view text, TrajectoryDraft draft) {
+    CsvReader reader{std::move(draft)};
+    for_each_line(text, [&](std::string_view line) { return reader.read(line); });
+    return std::move(reader).finish();
+}
+
+bool is_word(std::string_view cell) {
+    return !cell.empty() && (std::isalpha(static_cast<unsigned char>(cell.front())) != 0);
+}
+
+/// Whole nanoseconds of our time and what follows them, under no header that says otherwise.
+bool looks_like_euroc(const std::vector<std::string_view>& cells, std::string_view comment) {
+    const std::string_view stamp = cells.front();
+    const bool is_whole = stamp.find_first_of(".eE") == stamp.npos;
+    if (cells.size() < 8 || !is_whole || guessed_power(stamp) != -9) return false;
+    std::vector<std::string> not_read;
+    const auto named = named_columns(cells_of(without_mark(comment), ','), not_read);
+    const auto* columns = std::get_if<PoseColumns>(&named);
+    return columns == nullptr || columns->same_places(euroc_columns());
+}
 
 }  // namespace
 
-std::vector<TimedPose> load_tum(const std::filesystem::path& file) {
-    return parse_tum(read_file(file, largest_file, "name a TUM trajectory"), file);
+TrajectoryFormat guessed_format(std::string_view text) {
+    std::string_view first;
+    std::string_view comment;
+    for_each_line(text, [&](std::string_view line) {
+        (says_nothing(line) ? comment : first) = trimmed(line);
+        return first.empty();
+    });
+    const char delimiter = delimiter_of(first);
+    const auto cells = cells_of(first, delimiter);
+    if (is_word(cells.front())) return TrajectoryFormat::csv;
+    if (delimiter == ',' || delimiter == ';') {
+        return looks_like_euroc(cells, comment) ? TrajectoryFormat::euroc : TrajectoryFormat::csv;
+    }
+    return cells_of(first, ' ').size() == 12 ? TrajectoryFormat::kitti : TrajectoryFormat::tum;
+}
+
+std::vector<Time> parse_times(std::string_view text, const fs::path& file) {
+    std::vector<Time> times;
+    std::size_t number = 0;
+    for_each_line(text, [&](std::string_view line) {
+        ++number;
+        if (says_nothing(line)) return true;
+        const auto time = parse_stamp(trimmed(line));
+        if (!time) {
+            throw LoadError({file.string() + ':' + std::to_string(number) +
+                             ": a line is the time of a pose in seconds, not " +
+                             quote(trimmed(line))});
+        }
+        times.push_back(*time);
+        return true;
+    });
+    return times;
+}
+
+Trajectory load_trajectory(const fs::path& file, TrajectoryFormat format, const fs::path& times) {
+    const std::string text = read_file(file, largest_file, "name a trajectory");
+    if (format == TrajectoryFormat::guess) format = guessed_format(text);
+    const fs::path beside = file.parent_path() / "times.txt";
+    const bool is_beside = times.empty() && why_no_file(beside).empty();
+    const fs::path& stamps = is_beside ? beside : times;
+    if (format != TrajectoryFormat::kitti || stamps.empty()) {
+        return parse_trajectory(text, file, format);
+    }
+    const std::string lines =
+        read_file(stamps, largest_file, "the stamps of a trajectory are wanted");
+    return parse_trajectory(text, file, format, parse_times(lines, stamps));
+}
+
+Trajectory parse_trajectory(std::string_view text, const fs::path& file, TrajectoryFormat format,
+                            const std::optional<std::vector<Time>>& times) {
+    if (format == TrajectoryFormat::guess) format = guessed_format(text);
+    switch (format) {
+        case TrajectoryFormat::euroc:
+            return read_euroc(text, TrajectoryDraft{file});
+        case TrajectoryFormat::kitti:
+            return read_kitti(text, times, TrajectoryDraft{file});
+        case TrajectoryFormat::csv:
+            return read_csv(text, TrajectoryDraft{file});
+        default:
+            return read_tum(text, TrajectoryDraft{file});
+    }
 }
 
 Time lap_time(const std::vector<TimedPose>& poses) {
     if (poses.size() < 2) return {};
     const Time last_step = poses.back().time - poses[poses.size() - 2].time;
     return poses.back().time - poses.front().time + last_step;
-}
-
-std::vector<TimedPose> parse_tum(std::string_view text, const std::filesystem::path& file) {
-    std::string_view rest = text;
-    if (rest.starts_with(byte_order_mark)) rest.remove_prefix(byte_order_mark.size());
-    TumReader reader{file};
-    while (!rest.empty()) {
-        const auto end = std::min(rest.find('\n'), rest.size());
-        reader.read_line(rest.substr(0, end));
-        rest.remove_prefix(std::min(end + 1, rest.size()));
-    }
-    return std::move(reader).finish();
 }
 
 }  // namespace scipd::sim

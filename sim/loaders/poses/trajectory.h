@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Poses as text. A TUM file: `t tx ty tz qx qy qz qw` a line, seconds and metres, # begins a
-// comment; stamps are read as integers of nanoseconds, since a double near 1.7e9 s has a step of
-// 238 ns. A pose line: one JSON object or one TUM line, as it comes from a file, stdin or a
-// datagram. Any thread; nothing shared.
+// Poses as text. # begins a comment, and stamps are read as integers of nanoseconds, since a double
+// near 1.7e9 s has a step of 238 ns. A trajectory is a file of one of these forms, in metres:
+//   tum    `t tx ty tz qx qy qz qw` a line, in seconds
+//   euroc  state_groundtruth_estimate0/data.csv: nanoseconds, p_x, p_y, p_z, q_w, q_x, q_y, q_z,
+//   ... kitti  twelve numbers a line (kitti_line.h); the stamps are those of a times.txt, or 10 Hz
+//   csv    with a header that names its columns (column_names.cpp)
+// A pose line: one JSON object or one TUM line, as it comes from a file, stdin or a datagram. Any
+// thread; nothing shared.
 #pragma once
 
 #include <filesystem>
@@ -14,6 +18,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/loaders/poses/trajectory_format.h"
 #include "sim/time.h"
 #include "sim/world/pose.h"
 
@@ -24,10 +29,27 @@ struct TimedPose {
     Pose pose;
 };
 
-/// Stamps strictly growing, within 4.5e9 s. Throws LoadError with every fault.
-std::vector<TimedPose> load_tum(const std::filesystem::path& file);
-/// The same of a text that is there already; `file` names it in faults.
-std::vector<TimedPose> parse_tum(std::string_view text, const std::filesystem::path& file);
+struct Trajectory {
+    std::vector<TimedPose> poses;  ///< stamps strictly growing, within 4.5e9 s
+    std::vector<std::string> warnings;
+};
+
+/// `times` has the stamps of a KITTI file, a line each; empty: times.txt beside it, where there is
+/// one. Throws LoadError with every fault.
+Trajectory load_trajectory(const std::filesystem::path& file,
+                           TrajectoryFormat format = TrajectoryFormat::guess,
+                           const std::filesystem::path& times = {});
+
+/// Stamps of KITTI: of each of the lines that say something.
+std::vector<Time> parse_times(std::string_view text, const std::filesystem::path& file);
+
+/// The same of a text that is there already; `file` names it in faults. No `times`: 10 Hz.
+Trajectory parse_trajectory(std::string_view text, const std::filesystem::path& file,
+                            TrajectoryFormat format = TrajectoryFormat::guess,
+                            const std::optional<std::vector<Time>>& times = {});
+
+/// What the file's first lines look like.
+TrajectoryFormat guessed_format(std::string_view text);
 
 /// Of a loop, from its first pose to the same one of the next lap: the way back takes as long as
 /// the last step. Nothing where there is but one pose, which makes no loop.

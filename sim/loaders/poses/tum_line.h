@@ -14,9 +14,6 @@
 
 namespace scipd::sim {
 
-/// Stamps beyond this many seconds do not fit into nanoseconds of 64 bits (9.2e9 s).
-inline constexpr double time_limit_s = 9e9;
-
 /// Without the blanks, tabs and carriage returns around it.
 std::string_view trimmed(std::string_view text);
 

@@ -11,6 +11,7 @@
 #include "sim/loaders/mesh/mesh_file.h"
 #include "sim/loaders/quote.h"
 #include "sim/world/anchor.h"
+#include "sim/world/script.h"
 
 namespace scipd::sim {
 namespace {
@@ -32,13 +33,17 @@ void rename(Scene& scene, const std::string& name) {
         model.name.replace(0, length, name);
     for (Object& object : scene.objects)
         object.name.replace(0, length, name);
+    for (Frame& frame : scene.frames)
+        frame.name.replace(0, length, name);
 }
 
 /// The first model at this pose; what lies in it and moves by itself goes along.
 void move_to(Scene& scene, const Pose& world_from_model) {
     const Pose shift = world_from_model * inverse(scene.models.front().world_from_model);
-    for (Model& model : scene.models)
+    for (Model& model : scene.models) {
         model.world_from_model = shift * model.world_from_model;
+        if (model.script) model.script = moved(shift, *model.script);
+    }
     scene.models.front().world_from_model = world_from_model;
 }
 

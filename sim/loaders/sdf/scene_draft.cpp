@@ -62,6 +62,8 @@ void SceneDraft::show_names() {
         model.name = shown(model.name);
     for (Object& object : scene_.objects)
         object.name = shown(object.name);
+    for (Frame& frame : scene_.frames)
+        frame.name = shown(frame.name);
     std::ranges::transform(warnings_, warnings_.begin(), shown);
     std::ranges::transform(faults_, faults_.begin(), shown);
 }

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/loaders/loaded_scene.h"
@@ -23,6 +24,7 @@ class SceneDraft {
     ModelId add(Model model);
     /// A material without a name is "default".
     void add(Object object, const Material& material);
+    void add(Frame frame) { scene_.frames.push_back(std::move(frame)); }
     [[nodiscard]] const Model& model(ModelId id) const { return scene_.models[id]; }
 
     /// Each once.

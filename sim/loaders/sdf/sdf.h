@@ -6,9 +6,10 @@
 //
 // What moves as one body: a model of the world with all that lies in it, joints as they stand at
 // zero. A model that lies in a static one is part of it, unless it says <static>false</static>
-// itself: a door in a house, movable as HOUSE::DOOR. Lights, plugins, physics and sensors are
-// nothing to a scanner; what it would see and cannot be had is a warning that names it and its
-// place.
+// itself: a door in a house, movable as HOUSE::DOOR. Lights, plugins and physics are nothing to a
+// scanner; of sensors only their places count, and the figures of lidars. What it would see and
+// cannot be had is a warning that names it and its place, and costs no more than the visual, link
+// or model that has it. The <state> of a world that Gazebo Classic saved says where its things lie.
 #pragma once
 
 #include <cstddef>

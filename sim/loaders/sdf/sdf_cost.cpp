@@ -16,9 +16,9 @@ struct Cost {
     std::string_view element;
     double bytes;
 };
-constexpr std::array costs{Cost{"model", 1.4e6},     Cost{"link", 0.85e6},  Cost{"actor", 1e6},
-                           Cost{"joint", 0.6e6},     Cost{"sensor", 0.6e6}, Cost{"visual", 0.17e6},
-                           Cost{"collision", 0.17e6}};
+constexpr std::array costs{Cost{"model", 1.4e6},  Cost{"link", 0.85e6},   Cost{"joint", 0.6e6},
+                           Cost{"sensor", 0.6e6}, Cost{"visual", 0.17e6}, Cost{"collision", 0.17e6},
+                           Cost{"frame", 12e3}};
 constexpr double other_element_bytes = 2e3;
 
 }  // namespace

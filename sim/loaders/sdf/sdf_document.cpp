@@ -7,9 +7,10 @@
 #include <cstdio>
 #include <functional>
 #include <set>
-#include <string_view>
 
 #include <tinyxml2.h>
+
+#include "sim/loaders/sdf/sdf_road.h"
 
 namespace scipd::sim {
 namespace {
@@ -21,6 +22,7 @@ constexpr std::array nothing_to_a_scanner{"atmosphere",
                                           "audio_sink",
                                           "audio_source",
                                           "battery",
+                                          "blend",
                                           "cast_shadows",
                                           "enable_wind",
                                           "gravity",
@@ -41,15 +43,15 @@ constexpr std::array nothing_to_a_scanner{"atmosphere",
                                           "sensor",
                                           "spherical_coordinates",
                                           "surface",
+                                          "texture",
                                           "transparency",
+                                          "use_terrain_paging",
                                           "velocity_decay",
                                           "visibility_flags",
                                           "wind"};
-constexpr std::array seen_but_not_read{"actor", "population", "road"};
+constexpr std::array seen_but_not_read{"population"};
 
-/// In place of "::" in names: one character that nobody has in a name, and that says the same.
 constexpr std::string_view colons = "::";
-constexpr std::string_view stands_for_colons = "\u2237";
 
 template <typename Words>
 bool is_one_of(const XMLElement& element, const Words& words) {
@@ -197,31 +199,6 @@ std::string drop_further_models(XMLElement& root) {
     return "holds several models outside a world; only the first is used";
 }
 
-class LinePrinter : public tinyxml2::XMLPrinter {
-  public:
-    LinePrinter() : XMLPrinter(nullptr, true) {}
-
-    bool VisitEnter(const XMLElement& element, const tinyxml2::XMLAttribute* first) override {
-        // Within the tag that is open still, where it is a blank like any other.
-        while (line_ < element.GetLineNum())
-            Putc('\n');
-        return XMLPrinter::VisitEnter(element, first);
-    }
-
-  protected:
-    void Write(const char* data, std::size_t size) override {
-        line_ += static_cast<int>(std::count(data, data + size, '\n'));
-        XMLPrinter::Write(data, size);
-    }
-    void Putc(char c) override {
-        line_ += c == '\n' ? 1 : 0;
-        XMLPrinter::Putc(c);
-    }
-
-  private:
-    int line_ = 1;
-};
-
 }  // namespace
 
 std::vector<std::string> take_unreadable(XMLElement& root, const std::filesystem::path& file) {
@@ -238,6 +215,17 @@ std::vector<std::string> take_unreadable(XMLElement& root, const std::filesystem
         delete_children(*world, take);
     }
     return warnings;
+}
+
+void put_in_its_words(XMLElement& root) {
+    for_each(root, [](XMLElement& element) {
+        if (std::string_view{element.Name()} != "geometry") return;
+        if (auto* cone = element.FirstChildElement("cone")) cone->SetName("scipd:cone");
+    });
+    for (auto* world = root.FirstChildElement("world"); world != nullptr;
+         world = world->NextSiblingElement("world")) {
+        put_roads_as_models(*world);
+    }
 }
 
 void lower_version(XMLElement& root) {
@@ -268,12 +256,6 @@ void drop_empty_models(XMLElement& root) {
          child = child->NextSiblingElement())
         drop_empty_models(*child);
     delete_children(root, is_empty_model);
-}
-
-std::string line_for_line(const tinyxml2::XMLDocument& document) {
-    LinePrinter printer;
-    document.Accept(&printer);
-    return printer.CStr();
 }
 
 std::string shown(const std::string& name) {

@@ -9,19 +9,26 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tinyxml2 {
-class XMLDocument;
 class XMLElement;
 }  // namespace tinyxml2
 
 namespace scipd::sim {
 
+/// In place of "::" in names: one character that nobody has in a name, and that says the same.
+inline constexpr std::string_view stands_for_colons = "\u2237";
+
 /// Takes out what a scanner would see and we cannot read. Answers with a warning for each, which
 /// begins with its place in `file`.
 std::vector<std::string> take_unreadable(tinyxml2::XMLElement& root,
                                          const std::filesystem::path& file);
+
+/// Puts what libsdformat 12 does not know in words that it carries along: a <cone> becomes a
+/// <scipd:cone>, a <road> a model (sdf_road.h).
+void put_in_its_words(tinyxml2::XMLElement& root);
 
 /// A version that the library does not know becomes the last that it knows; it skips what is new
 /// since then.
@@ -33,9 +40,6 @@ std::vector<std::string> relieve(tinyxml2::XMLElement& root, const std::filesyst
 
 /// The library wants a link in each; a model of none is one that nobody sees.
 void drop_empty_models(tinyxml2::XMLElement& root);
-
-/// As text in which every element begins on the line that it had.
-std::string line_for_line(const tinyxml2::XMLDocument& document);
 
 /// A name as its file has it: a document that went through relieve() has no "::" in names, which
 /// the library takes for its own.

@@ -8,11 +8,10 @@
 #include <utility>
 
 #include <sdf/Element.hh>
-#include <sdf/ParserConfig.hh>
 
 #include "sim/loaders/load_error.h"
-#include "sim/loaders/plain_file.h"
 #include "sim/loaders/sdf/sdf_console.h"
+#include "sim/loaders/sdf/sdf_library.h"
 #include "sim/loaders/sdf/sdf_printed.h"
 #include "sim/loaders/sdf/sdf_repair.h"
 #include "sim/loaders/sdf/urdf.h"
@@ -24,49 +23,6 @@ namespace fs = std::filesystem;
 
 /// What libsdformat calls a text, in an element and in messages.
 constexpr std::array text_names{"", "<data-string>", "data-string"};
-
-/// For what a world includes: the library wants files.
-class MemoryFiles {
-  public:
-    /// In place of what this document was before.
-    fs::path write(std::size_t document, const std::string& text) {
-        files_[document] = memory_file();
-        std::FILE* file = files_[document].get();
-        std::fwrite(text.data(), 1, text.size(), file);
-        std::fflush(file);
-        return "/proc/self/fd/" + std::to_string(fileno(file));
-    }
-
-  private:
-    std::map<std::size_t, File> files_;
-};
-
-/// The global configuration is the only one that the library has for includes within includes.
-class GlobalConfig {
-  public:
-    explicit GlobalConfig(sdf::ParserConfig config)
-        : before_(std::exchange(sdf::ParserConfig::GlobalConfig(), std::move(config))) {}
-    ~GlobalConfig() { sdf::ParserConfig::GlobalConfig() = std::move(before_); }
-    GlobalConfig(const GlobalConfig&) = delete;
-    GlobalConfig& operator=(const GlobalConfig&) = delete;
-
-  private:
-    sdf::ParserConfig before_;
-};
-
-using Includes = std::map<std::string, fs::path>;
-
-sdf::ParserConfig config_for(Includes includes) {
-    sdf::ParserConfig config;
-    config.SetWarningsPolicy(sdf::EnforcementPolicy::WARN);
-    config.SetUnrecognizedElementsPolicy(sdf::EnforcementPolicy::WARN);
-    config.SetDeprecatedElementsPolicy(sdf::EnforcementPolicy::WARN);
-    config.SetFindCallback([includes = std::move(includes)](const std::string& uri) {
-        const auto known = includes.find(uri);
-        return known == includes.end() ? std::string{} : known->second.string();
-    });
-    return config;
-}
 
 StandIn stand_in_for(const SdfDocument& document) {
     if (!document.is_converted) return {document.file, true};
@@ -116,17 +72,12 @@ class Reader {
     /// For the library, which wants files.
     void write(std::size_t document) {
         const SdfDocument& from = documents_[document];
-        const fs::path path = files_.write(document, from.text);
-        includes_[uri_of(document)] = path;
-        result_.stand_ins[path] = stand_in_for(from);
+        result_.stand_ins[library_.write(uri_of(document), from.text)] = stand_in_for(from);
     }
 
     sdf::Errors load(const std::string& text) {
         (void)console_.take();
-        const sdf::ParserConfig config = config_for(includes_);
-        const GlobalConfig global{config};
-        result_.root = sdf::Root{};
-        return result_.root.LoadSdfString(text, config);
+        return library_.load(text, result_.root);
     }
 
     /// Takes out what the library has something against, of what is included first: an error in
@@ -146,6 +97,7 @@ class Reader {
 
     sdf::Errors mend(std::size_t document) {
         SdfDocument& mended = documents_[document];
+        mend_values(mended);
         sdf::Errors errors = load(mended.text);
         for (int round = 0; round < most_rounds && !errors.empty(); ++round) {
             auto warnings = take_out(errors, mended);
@@ -162,6 +114,20 @@ class Reader {
         return errors;
     }
 
+    /// Those come first, one at a time, and what lies before one is right: each round reads only
+    /// what lies behind it.
+    void mend_values(SdfDocument& document) {
+        SdfDocument rest = document;
+        for (int round = 0; round < 10 * most_rounds; ++round) {
+            sdf::Errors errors = load(rest.text);
+            std::erase_if(errors, [](const auto& error) { return !error.XmlPath(); });
+            if (errors.empty()) return;
+            drop_read(errors.front(), rest);
+            if (take_out(errors, rest).empty()) return;
+            std::ranges::move(take_out(errors, document), std::back_inserter(result_.warnings));
+        }
+    }
+
     void leave_out(std::size_t document, const std::string& why) {
         result_.warnings.push_back(why + "; left out, no scanner sees it");
         for (SdfDocument& other : documents_)
@@ -170,7 +136,8 @@ class Reader {
 
     std::string converted(const SdfDocument& robot, std::vector<std::string>& faults) {
         const fs::path& file = robot.file;
-        std::string text = sdf_from_urdf(robot.text);
+        std::string text =
+            sdf_from_urdf(robot.text, file, strict_, result_.sensors, result_.warnings);
         const auto said = console_.take();
         for (const auto& fault : said.faults) {
             if (is_printed_echo(fault)) continue;
@@ -225,9 +192,8 @@ class Reader {
     std::vector<std::size_t> order_;
     bool strict_;
     SdfFile& result_;
-    Includes includes_;
     SdfConsole console_;
-    MemoryFiles files_;
+    SdfLibrary library_;
 };
 
 }  // namespace
@@ -266,7 +232,9 @@ SdfFile read_sdf(SdfSurvey survey, bool strict) {
     SdfFile result;
     result.faults = std::move(survey.faults);
     result.warnings = std::move(survey.warnings);
+    result.actors = std::move(survey.actors);
     result.state = std::move(survey.state);
+    result.sensors = std::move(survey.sensors);
     if (result.faults.empty()) Reader{std::move(survey), strict, result}.read();
     return result;
 }

@@ -29,6 +29,8 @@ struct SdfFile {
     sdf::Root root;  ///< complete where there are no faults
     std::vector<std::string> faults;
     std::vector<std::string> warnings;
+    std::vector<SdfActor> actors;  ///< models say which is theirs
+    std::vector<FoundSensor> sensors;
     SdfState state;
     /// Files that the library was given in place of others, by what it calls them: they are gone.
     std::map<std::string, StandIn> stand_ins;

@@ -11,6 +11,7 @@
 #include <tinyxml2.h>
 
 #include "sim/loaders/quote.h"
+#include "sim/loaders/sdf/line_for_line.h"
 #include "sim/loaders/sdf/sdf_document.h"
 #include "sim/loaders/sdf/sdf_names.h"
 #include "sim/loaders/sdf/sdf_suspect.h"
@@ -123,16 +124,17 @@ void take(const std::set<XMLElement*>& gone) {
         element->Parent()->DeleteChild(element);
 }
 
-/// Of the models of its world.
-std::string text_with_only(std::size_t wanted, const XMLDocument& xml) {
+/// A document of one thing in its world, and of the frames that it may lie in.
+std::string text_of_one(const XMLElement& model) {
     XMLDocument copy;
-    xml.DeepCopy(&copy);
-    auto* world = copy.RootElement()->FirstChildElement("world");
-    std::size_t place = 0;
-    for (auto* child = world->FirstChildElement(); child != nullptr; ++place) {
-        auto* next = child->NextSiblingElement();
-        if (place != wanted && is_one_of(*child, {"model", "include"})) world->DeleteChild(child);
-        child = next;
+    const auto* world = model.Parent()->ToElement();
+    auto* root = copy.InsertEndChild(world->Parent()->ShallowClone(&copy));
+    auto* inside = root->InsertEndChild(world->ShallowClone(&copy));
+    for (const auto* child = world->FirstChildElement(); child != nullptr;
+         child = child->NextSiblingElement()) {
+        if (child == &model || is_one_of(*child, {"frame"})) {
+            inside->InsertEndChild(child->DeepClone(&copy));
+        }
     }
     return line_for_line(copy);
 }
@@ -193,19 +195,34 @@ std::vector<std::string> take_out(const sdf::Errors& errors, SdfDocument& docume
     return warnings;
 }
 
+void drop_read(const sdf::Error& error, SdfDocument& document) {
+    XMLDocument xml;
+    xml.Parse(document.text.c_str());
+    auto* world = xml.Error() ? nullptr : xml.RootElement()->FirstChildElement("world");
+    auto* at = xml.Error() ? nullptr : suspect_of(error, *xml.RootElement());
+    while (at != nullptr && at->Parent() != world)
+        at = outer(*at);
+    if (world == nullptr || at == nullptr) return;
+    for (auto* child = world->FirstChildElement(); child != at;) {
+        auto* next = child->NextSiblingElement();
+        if (is_one_of(*child, {"model", "include"})) world->DeleteChild(child);
+        child = next;
+    }
+    document.text = line_for_line(xml);
+}
+
 std::vector<std::string> take_out_models(
     SdfDocument& document, const std::function<std::string(const std::string&)>& fault_of) {
     XMLDocument xml;
-    if (xml.Parse(document.text.c_str()) != tinyxml2::XML_SUCCESS) return {};
-    auto* world = xml.RootElement()->FirstChildElement("world");
+    xml.Parse(document.text.c_str());
+    auto* world = xml.Error() ? nullptr : xml.RootElement()->FirstChildElement("world");
     if (world == nullptr) return {};
     std::set<XMLElement*> all_gone;
     std::vector<std::string> warnings;
-    std::size_t place = 0;
     for (auto* model = world->FirstChildElement(); model != nullptr;
-         model = model->NextSiblingElement(), ++place) {
+         model = model->NextSiblingElement()) {
         if (!is_one_of(*model, {"model", "include"})) continue;
-        const auto fault = fault_of(text_with_only(place, xml));
+        const auto fault = fault_of(text_of_one(*model));
         if (fault.empty()) continue;
         all_gone.insert(model);
         warnings.push_back(warning_of(*model, fault, document));

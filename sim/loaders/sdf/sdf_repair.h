@@ -23,6 +23,9 @@ std::vector<sdf::Error> without_echoes(const sdf::Errors& errors);
 /// nothing to shape and place. Answers with a warning for each; none where it cannot tell.
 std::vector<std::string> take_out(const sdf::Errors& errors, SdfDocument& document);
 
+/// Takes out of a world what the library has read before it came to the error.
+void drop_read(const sdf::Error& error, SdfDocument& document);
+
 /// Takes out the models of a world that have a fault each alone, which `fault_of` a text tells.
 std::vector<std::string> take_out_models(
     SdfDocument& document, const std::function<std::string(const std::string&)>& fault_of);

@@ -5,20 +5,20 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <set>
 #include <utility>
 
 #include <sdf/Element.hh>
 #include <sdf/Link.hh>
-#include <sdf/Mesh.hh>
 #include <sdf/Model.hh>
 #include <sdf/World.hh>
 
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/mesh/mesh_shelf.h"
 #include "sim/loaders/name.h"
+#include "sim/loaders/sdf/actor_model.h"
+#include "sim/loaders/sdf/actor_skin.h"
 #include "sim/loaders/sdf/scene_draft.h"
+#include "sim/loaders/sdf/scene_shapes.h"
 #include "sim/loaders/sdf/sdf_document.h"
+#include "sim/loaders/sdf/sdf_frames.h"
 #include "sim/loaders/sdf/sdf_place.h"
 #include "sim/loaders/sdf/sdf_shape.h"
 #include "sim/loaders/sdf/sdf_surface.h"
@@ -52,10 +52,9 @@ class SceneWalk {
               MeshShelf& shelf)
         : read_(std::move(read)),
           file_(std::move(file)),
-          resources_(resources),
           options_(std::move(options)),
           draft_(file_, options_.strict, std::move(read_.warnings)),
-          shelf_(shelf) {}
+          shapes_(read_, file_, resources, options_, draft_, shelf) {}
 
     LoadedScene run() &&;
 
@@ -68,23 +67,17 @@ class SceneWalk {
     void add_nested(const sdf::Model& model, const Place& outer, const std::string& outer_name);
     void add_link(const sdf::Link& link, const Place& place, const std::string& name);
     void add_surface(const SdfSurface& surface, const Place& link, const std::string& link_name);
-    void add_shape(const SdfSurface& surface, Object object, const std::string& place);
-    void add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object,
-                  const std::string& place);
-    void leave_out_missing(const sdf::Mesh& mesh, const fs::path& folder, const std::string& place);
     void warn_of_unseen(const sdf::Link& link, const std::string& name);
     std::optional<Place> place_of(const Place& outer, const sdf::SemanticPose& pose,
                                   const sdf::ElementPtr& element, const std::string& name);
 
     SdfFile read_;
     fs::path file_;
-    const Resources& resources_;
     SdfOptions options_;
     SceneDraft draft_;
-    std::set<std::string> warned_kinds_;
-    std::set<std::string> told_;  ///< downloads, by their commands
-    MeshShelf& shelf_;
-    glm::dvec3 scale_{1.0};  ///< of the model whose links are looked at
+    SceneShapes shapes_;
+    const SdfActor* actor_ = nullptr;  ///< that the present model was
+    glm::dvec3 scale_{1.0};            ///< of the model whose links are looked at
 };
 
 LoadedScene SceneWalk::run() && {
@@ -120,9 +113,11 @@ void SceneWalk::add_model(const sdf::Model& model) {
     if (read_.state.deleted.contains(shown(name))) return;
     const auto place = place_of({}, model.SemanticPose(), model.Element(), name);
     if (!place) return;
-    const Pose& world_from_model = place->world_from_here;
-    const ModelId id = draft_.add(Model{name, !model.Static(), world_from_model});
-    add_parts(model, {id, {}, world_from_model}, name);
+    actor_ = actor_of(model, read_.actors);
+    const Model still{name, !model.Static(), place->world_from_here};
+    const ModelId id = draft_.add(actor_ == nullptr ? still : walking(still, *actor_, model));
+    add_parts(model, {id, {}, place->world_from_here}, name);
+    actor_ = nullptr;
 }
 
 std::string SceneWalk::name_of(const sdf::Model& model) {
@@ -137,12 +132,17 @@ std::string SceneWalk::name_of(const sdf::Model& model) {
 void SceneWalk::add_parts(const sdf::Model& model, const Place& place, const std::string& name) {
     const auto* saved = read_.state.use(shown(name));
     scale_ = saved == nullptr ? glm::dvec3{1.0} : saved->scale;
+    ModelPlaces places{place, {}};
     for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
         const auto& link = *model.LinkByIndex(i);
         const auto link_name = name + "::" + link.Name();
         const auto here = place_of(place, link.SemanticPose(), link.Element(), link_name);
-        if (here) add_link(link, *here, link_name);
+        if (!here) continue;
+        add_link(link, *here, link_name);
+        places.links[link.Name()] = *here;
     }
+    for (Frame& frame : frames_of(model, places, name, read_.sensors))
+        draft_.add(std::move(frame));
     for (std::uint64_t i = 0; i < model.ModelCount(); ++i)
         add_nested(*model.ModelByIndex(i), place, name);
 }
@@ -156,10 +156,12 @@ void SceneWalk::add_nested(const sdf::Model& model, const Place& outer,
         const ModelId id = draft_.add(Model{name, true, place->world_from_here});
         place = {id, {}, place->world_from_here};
     }
+    draft_.add(Frame{name, place->body, place->body_from_here, {}, {}});
     add_parts(model, *place, name);
 }
 
 void SceneWalk::add_link(const sdf::Link& link, const Place& place, const std::string& name) {
+    draft_.add(Frame{name, place.body, place.body_from_here, {}, {}});
     for (const SdfSurface& surface : surfaces_of(link, options_.geometry))
         add_surface(surface, place, name);
     warn_of_unseen(link, name);
@@ -188,65 +190,10 @@ void SceneWalk::add_surface(const SdfSurface& surface, const Place& link,
     if (surface.laser_retro && !std::isfinite(*surface.laser_retro)) {
         return draft_.leave_out(place + "laser_retro must be finite");
     }
-    try {
-        if (const auto* mesh = surface.geometry->MeshShape()) {
-            return add_mesh(surface, *mesh, std::move(object), place);
-        }
-        add_shape(surface, std::move(object), place);
-    } catch (const LoadError& error) {
-        for (const auto& fault : error.faults())
-            draft_.leave_out(place + fault);
+    if (actor_ != nullptr && surface.name == skin_name) {
+        return shapes_.add_skin(surface, std::move(object), scale_, place);
     }
-}
-
-void SceneWalk::add_shape(const SdfSurface& surface, Object object, const std::string& place) {
-    const auto primitive = primitive_of(*surface.geometry);
-    if (!primitive) {
-        const auto kind = kind_of(*surface.geometry);
-        if (!warned_kinds_.insert(kind).second) return;
-        return draft_.pass_over(place + '<' + kind +
-                                "> is not supported and left out, here and elsewhere");
-    }
-    const auto larger = scaled(primitive->shape, scale_);
-    if (!larger) {
-        draft_.warn(place +
-                    "keeps its size, as in Gazebo: the scale in <state> is for boxes, "
-                    "cylinders, spheres and meshes");
-    }
-    object.shape = larger ? *larger : primitive->shape;
-    shelf_.count(object.shape);
-    object.model_from_object = object.model_from_object * primitive->geometry_from_shape;
-    draft_.add(std::move(object), {surface.material, surface.laser_retro});
-}
-
-/// Of a download, the first time only.
-void SceneWalk::leave_out_missing(const sdf::Mesh& mesh, const fs::path& folder,
-                                  const std::string& place) {
-    const auto command = download_command(mesh.Uri());
-    if (!command.empty() && !told_.insert(command).second) return;
-    // What the library has in place of none.
-    const bool has_uri = mesh.Uri() != "__default__";
-    const auto uri = has_uri ? read_.uri_as_written(mesh.Element(), mesh.Uri()) : "";
-    draft_.leave_out(place + resources_.not_found(uri, folder));
-}
-
-void SceneWalk::add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object,
-                         const std::string& place) {
-    const auto file = read_.file_of(mesh.Element(), file_);
-    // A text is called by a name, and lies in no folder.
-    const auto folder = file.is_absolute() ? file.parent_path() : resources_.folder();
-    const auto found = resources_.find(mesh.Uri(), folder);
-    if (found.empty()) return leave_out_missing(mesh, folder, place);
-    if (auto warning = case_warning(mesh.Uri(), found); !warning.empty()) {
-        draft_.warn(place + warning);
-    }
-    sdf::Mesh larger = mesh;
-    larger.SetScale(mesh.Scale() * ignition::math::Vector3d{scale_.x, scale_.y, scale_.z});
-    for (const auto& part : shelf_.parts_of(found, larger)) {
-        object.shape = part.mesh;
-        draft_.add(object, {surface.material.empty() ? part.material : surface.material,
-                            surface.laser_retro});
-    }
+    shapes_.add(surface, std::move(object), scale_, place);
 }
 
 /// What lies in `outer` at this pose; nothing where it cannot lie there.

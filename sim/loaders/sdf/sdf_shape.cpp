@@ -17,6 +17,8 @@
 #include <sdf/Sphere.hh>
 
 #include "sim/loaders/load_error.h"
+#include "sim/loaders/sdf/sdf_numbers.h"
+#include "sim/loaders/sdf/sdf_road.h"
 #include "sim/world/extrusion.h"
 #include "sim/world/reach.h"
 
@@ -65,6 +67,13 @@ PlacedShape placed_plane(const sdf::Plane& plane) {
 PlacedShape placed_capsule(const sdf::Capsule& capsule) {
     check_sizes({capsule.Radius(), capsule.Length()});
     return placed(capsule_mesh(capsule.Radius(), capsule.Length()));
+}
+
+PlacedShape placed_cone(sdf::Element& cone) {
+    const double radius_m = number_in(cone, "radius", 1.0);
+    const double length_m = number_in(cone, "length", 1.0);
+    check_sizes({radius_m, length_m});
+    return placed(cone_mesh(radius_m, length_m));
 }
 
 PlacedShape placed_ellipsoid(const ignition::math::Vector3d& radii) {
@@ -117,9 +126,11 @@ std::optional<PlacedShape> primitive_of(const sdf::Geometry& geometry) {
     if (const auto* ellipsoid = geometry.EllipsoidShape()) {
         return placed_ellipsoid(ellipsoid->Radii());
     }
-    if (geometry.Element() && geometry.Element()->HasElement("polyline")) {
-        return placed_polylines(geometry.Element()->GetElement("polyline"));
-    }
+    const auto element = geometry.Element();
+    if (!element) return {};
+    if (element->HasElement("polyline")) return placed_polylines(element->GetElement("polyline"));
+    if (const auto cone = element->FindElement("scipd:cone")) return placed_cone(*cone);
+    if (const auto road = element->FindElement("scipd:road")) return placed_road(*road);
     return {};
 }
 

@@ -15,6 +15,7 @@
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/plain_file.h"
 #include "sim/loaders/quote.h"
+#include "sim/loaders/sdf/line_for_line.h"
 #include "sim/loaders/sdf/model_folder.h"
 #include "sim/loaders/sdf/sdf_cost.h"
 #include "sim/loaders/sdf/sdf_document.h"
@@ -133,6 +134,9 @@ class Surveyor {
             survey_.state = take_state(*world, file, survey_.warnings);
         }
         add_warnings(take_unreadable(root, file));
+        put_in_its_words(root);
+        add_warnings(take_actors(root, file, survey_.actors));
+        add_warnings(offer_sensors(root, file, survey_.sensors));
         lower_version(root);
         if (!strict_) {
             add_warnings(faults_of_ignored(root, file));

@@ -15,6 +15,8 @@
 #include "sim/loaders/mesh/mesh_shelf.h"
 #include "sim/loaders/sdf/resources.h"
 #include "sim/loaders/sdf/sdf.h"
+#include "sim/loaders/sdf/sdf_actor.h"
+#include "sim/loaders/sdf/sdf_sensors.h"
 #include "sim/loaders/sdf/sdf_state.h"
 
 namespace scipd::sim {
@@ -37,12 +39,14 @@ struct SdfDocument {
 
 struct SdfSurvey {
     std::vector<SdfDocument> documents;  ///< the source first, then each include once
+    std::vector<SdfActor> actors;        ///< of all documents; their models know which is theirs
     SdfState state;                      ///< of the source's first world
     std::vector<std::size_t> order;      ///< of the documents: none before what it includes
     std::vector<MeshSource> meshes;      ///< that they will ask for
     std::vector<std::string> faults;
     std::vector<std::string> warnings;
-    double bytes = 0.0;  ///< that reading all of it takes, about
+    double bytes = 0.0;                ///< that reading all of it takes, about
+    std::vector<FoundSensor> sensors;  ///< of all documents but robots
 };
 
 /// Of a document by its place among them, by which the library asks for it.

@@ -2,6 +2,8 @@
 // Copyright The scipd authors
 #include "sim/loaders/sdf/urdf.h"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <vector>
 
@@ -61,6 +63,43 @@ void keep_joint(XMLElement& robot, const std::string& joint) {
         extension.InsertNewChildElement(wish)->SetText("true");
 }
 
+/// What <gazebo reference="LINK"> has of sensors: the library would hand them on, and refuse the
+/// robot for a faulty one.
+class Sensors {
+  public:
+    /// Takes them out.
+    explicit Sensors(XMLElement& robot) {
+        for_children(robot, "gazebo", [&](XMLElement& extension) {
+            const std::string link = attribute(extension, "reference");
+            if (link.empty()) return;
+            for_children(extension, "sensor", [&](XMLElement& sensor) {
+                sensor.SetAttribute(line_mark, sensor.GetLineNum());
+                all_.emplace_back(link, kept_.InsertEndChild(sensor.DeepClone(&kept_)));
+                extension.DeleteChild(&sensor);
+            });
+        });
+    }
+
+    void put_into(XMLElement& model) {
+        for_children(model, "link", [&](XMLElement& link) {
+            for (const auto& [name, sensor] : all_) {
+                if (name == attribute(link, "name"))
+                    link.InsertEndChild(sensor->DeepClone(model.GetDocument()));
+            }
+        });
+    }
+
+  private:
+    XMLDocument kept_;
+    std::vector<std::pair<std::string, tinyxml2::XMLNode*>> all_;  ///< by link
+};
+
+void delete_sensors(XMLElement& model) {
+    for_children(model, "link", [&](XMLElement& link) {
+        for_children(link, "sensor", [&](XMLElement& sensor) { link.DeleteChild(&sensor); });
+    });
+}
+
 MaterialNames prepare(XMLElement& robot) {
     MaterialNames materials;
     for_children(robot, "material", [&](XMLElement& material) { robot.DeleteChild(&material); });
@@ -110,10 +149,12 @@ bool is_urdf(std::string_view text) {
     return root_of(document, text, "robot") != nullptr;
 }
 
-std::string sdf_from_urdf(std::string_view text) {
+std::string sdf_from_urdf(std::string_view text, const std::filesystem::path& file, bool strict,
+                          std::vector<FoundSensor>& sensors, std::vector<std::string>& warnings) {
     XMLDocument urdf;
     XMLElement* robot = root_of(urdf, text, "robot");
     if (robot == nullptr) return {};
+    Sensors extensions{*robot};
     const MaterialNames materials = prepare(*robot);
 
     const sdf::SDFPtr converted{new sdf::SDF};
@@ -126,6 +167,9 @@ std::string sdf_from_urdf(std::string_view text) {
     if (model == nullptr) return {};
     root->SetAttribute("xmlns:scipd", "urn:scipd:sdf");
     name_materials(*model, materials);
+    extensions.put_into(*model);
+    std::ranges::move(offer_sensors(*root, file, sensors), std::back_inserter(warnings));
+    if (!strict) delete_sensors(*model);
     return text_of(result);
 }
 

@@ -6,18 +6,24 @@
 // shapes whatever they weigh, and wants to name what it sees. Call it while an SdfConsole is held.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "sim/loaders/sdf/sdf_sensors.h"
 
 namespace scipd::sim {
 
 /// Whether the root of this XML is a <robot>.
 bool is_urdf(std::string_view text);
 
-/// The robot as an SDF document, every link of it, with all joints at zero. What the library has
-/// against it is on the console; empty where it makes nothing of it.
-std::string sdf_from_urdf(std::string_view text);
+/// The robot as an SDF document, every link of it, with all joints at zero, and what its <gazebo>
+/// extensions have of sensors, as offer_sensors() leaves it; they themselves stay in it if
+/// `strict`. What the library has against it is on the console; empty where it makes nothing of it.
+std::string sdf_from_urdf(std::string_view text, const std::filesystem::path& file, bool strict,
+                          std::vector<FoundSensor>& sensors, std::vector<std::string>& warnings);
 
 /// The lines of its links, by name.
 std::map<std::string, int> lines_of_links(std::string_view text);

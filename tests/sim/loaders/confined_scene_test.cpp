@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "sim/loaders/load_error.h"
+#include "sim/world/script.h"
 
 namespace scipd::sim {
 namespace {
@@ -25,13 +26,18 @@ Scene full_scene() {
     const auto other = std::make_shared<const Mesh>(Mesh{{{5, 0, 0}}, {}});
     Scene scene;
     scene.name = "w";
-    scene.models = {{"a", false, {}}, {"b::c", true, pose_from_rpy({1, 2, 3}, {0.1, 0.2, 0.3})}};
+    const Pose start = pose_from_rpy({1, 2, 3}, {0.1, 0.2, 0.3});
+    const Script script{{{Time(0), start}, {Time(5), Pose{}}}, Time(9)};
+    scene.models = {{"a", false, {}},
+                    {"b::c", true, start, std::make_shared<const Script>(script)}};
     scene.materials = {{"default"}, {"oak", 7.5}, {"", std::nullopt}};
     const Pose pose = pose_from_rpy({4, 5, 6}, {0.4, 0.5, 0.6});
     scene.objects = {{"a::box", 0, {}, Box{{1, 2, 3}}, 0}, {"a::can", 0, pose, Cylinder{0.5, 2}, 1},
                      {"b::ball", 1, {}, Sphere{0.25}, 2},  {"b::floor", 1, {}, Plane{{10, 20}}, 0},
                      {"b::mesh", 1, {}, mesh, 1},          {"b::other", 1, {}, other, 1},
                      {"b::again", 1, pose, mesh, 2}};
+    scene.frames = {{"a::l", 0, pose, {}, {}},
+                    {"b::c::l::s", 1, {}, "gpu_lidar", Lidar{360, 16, -1, 2, 0.1, 30, 5.5}}};
     scene.anchor_m = {100, -200, 3};
     return scene;
 }
@@ -67,6 +73,9 @@ TEST(ConfinedScene, ArrivesWhole) {
     EXPECT_FALSE(arrived->models[0].movable);
     EXPECT_TRUE(arrived->models[1].movable);
     EXPECT_EQ(arrived->models[1].world_from_model, sent.models[1].world_from_model);
+    EXPECT_EQ(arrived->models[0].script, nullptr);
+    ASSERT_NE(arrived->models[1].script, nullptr);
+    EXPECT_EQ(*arrived->models[1].script, *sent.models[1].script);
     ASSERT_EQ(arrived->objects.size(), sent.objects.size());
     for (std::size_t i = 0; i < sent.objects.size(); ++i) {
         const Object& is = arrived->objects[i];
@@ -78,6 +87,16 @@ TEST(ConfinedScene, ArrivesWhole) {
         EXPECT_EQ(is.shape.index(), was.shape.index());
         EXPECT_EQ(tessellate(is.shape).vertices_m, tessellate(was.shape).vertices_m);
         EXPECT_EQ(tessellate(is.shape).triangles, tessellate(was.shape).triangles);
+    }
+    ASSERT_EQ(arrived->frames.size(), 2U);
+    for (std::size_t i = 0; i < sent.frames.size(); ++i) {
+        const Frame& is = arrived->frames[i];
+        const Frame& was = sent.frames[i];
+        EXPECT_EQ(is.name, was.name);
+        EXPECT_EQ(is.model, was.model);
+        EXPECT_EQ(is.model_from_frame, was.model_from_frame);
+        EXPECT_EQ(is.sensor, was.sensor);
+        EXPECT_EQ(is.lidar, was.lidar);
     }
     // What was shared is.
     EXPECT_EQ(std::get<SharedMesh>(arrived->objects[4].shape),

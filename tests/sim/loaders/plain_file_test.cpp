@@ -107,10 +107,10 @@ TEST_F(PlainFile, isWantedOfAMapsPicture) {
 }
 
 TEST_F(PlainFile, isWantedOfATrajectory) {
-    EXPECT_THAT(faults_of([&] { load_tum(fifo("a.tum")); }, folder_),
-                ElementsAre("a.tum: is a FIFO; name a TUM trajectory"));
-    EXPECT_THAT(faults_of([&] { load_tum(device("b.tum")); }, folder_),
-                ElementsAre("b.tum: is a device; name a TUM trajectory"));
+    EXPECT_THAT(faults_of([&] { load_trajectory(fifo("a.tum")); }, folder_),
+                ElementsAre("a.tum: is a FIFO; name a trajectory"));
+    EXPECT_THAT(faults_of([&] { load_trajectory(device("b.tum")); }, folder_),
+                ElementsAre("b.tum: is a device; name a trajectory"));
 }
 
 TEST_F(PlainFile, isWantedOfAllThatAWorldNames) {

@@ -15,6 +15,7 @@
 #include "sim/backends/registry.h"
 #include "sim/loaders/poses/trajectory.h"
 #include "sim/loaders/scene_file.h"
+#include "sim/world/script.h"
 
 namespace scipd::sim {
 namespace {
@@ -73,7 +74,7 @@ TEST_P(Worlds, nameAMaterialForEverySurface) {
 
 TEST_P(Worlds, areClosedToAScannerInside) {
     auto backend = make_backend("reference", loaded_.scene);
-    const auto drive = load_tum(scene_file(name_ + ".tum"));
+    const auto drive = load_trajectory(scene_file(name_ + ".tum")).poses;
     for (const auto& end : {drive.front(), drive.back()}) {
         EXPECT_TRUE(std::isfinite(std::ranges::max(sweep_m(*backend, end.pose))));
     }
@@ -81,14 +82,14 @@ TEST_P(Worlds, areClosedToAScannerInside) {
 
 TEST_P(Worlds, leaveTheirDriveFree) {
     auto backend = make_backend("reference", loaded_.scene);
-    const auto drive = load_tum(scene_file(name_ + ".tum"));
+    const auto drive = load_trajectory(scene_file(name_ + ".tum")).poses;
     for (std::size_t i = 0; i < drive.size(); i += 5) {
         ASSERT_GT(nearest_m(*backend, drive[i].pose), 0.3F) << "pose " << i;
     }
 }
 
 TEST_P(Worlds, areDrivenThroughAtASteadyRate) {
-    const auto drive = load_tum(scene_file(name_ + ".tum"));
+    const auto drive = load_trajectory(scene_file(name_ + ".tum")).poses;
     EXPECT_EQ(drive.front().time, Time{0});
     for (std::size_t i = 1; i < drive.size(); ++i) {
         const auto step = drive[i].time - drive[i - 1].time;
@@ -116,6 +117,24 @@ TEST(RescueMaze, leavesTheStartFree) {
     EXPECT_GT(nearest, 0.99F);
     // The outer walls, whose inner faces are the axes.
     EXPECT_NEAR(nearest, 1.0F, 1e-4F);
+}
+
+TEST(Crossing, hasTheRangesThatItsCommentLists) {
+    const auto [scene, warnings] = load_sdf(scene_file("crossing.sdf"));
+    EXPECT_THAT(warnings, IsEmpty());
+    const ModelId person = find_model(*scene, "person").value();
+    const Script& walk = *scene->models[person].script;
+    EXPECT_EQ(walk.lap, std::chrono::seconds(6));
+    auto backend = make_backend("reference", scene);
+    for (const auto& [time_ms, range_m] :
+         {std::pair{0, 3.F}, {1200, 1.33F}, {4200, 1.33F}, {6000, 3.F}, {7200, 1.33F}}) {
+        backend->move(person, walk.at(Time{}, std::chrono::milliseconds(time_ms)));
+        EXPECT_NEAR(sweep_m(*backend, Pose{}).at(180), range_m, 1e-4F) << time_ms;
+    }
+    for (Time time{}; time < walk.lap; time += std::chrono::milliseconds(20)) {
+        backend->move(person, walk.at(Time{}, time));
+        ASSERT_GT(nearest_m(*backend, Pose{}), 1.2F) << "no robot at the origin is run over";
+    }
 }
 
 TEST(SquareRoom, hasTheRangesThatItsCommentLists) {

@@ -105,6 +105,26 @@ TEST(Scene, AModelGoesWithAllThatLiesInIt) {
     EXPECT_EQ(before.models.size(), 4U);
 }
 
+TEST(Scene, FramesComeAndGoWithTheirModels) {
+    Scene before = house();
+    before.frames = {{"wall::l", 0, {}, {}, {}},
+                     {"shed::l", 1, {}, {}, {}},
+                     {"shed::door::l", 2, {}, {}, {}},
+                     {"shedding::l", 3, {}, {}, {}}};
+    Scene added = cart();
+    added.frames = {{"cart::l::s", 0, {}, "ray", Lidar{.samples = 7}}};
+    const SharedScene more = with_models(before, added);
+    ASSERT_EQ(more->frames.size(), 5U);
+    EXPECT_EQ(more->frames[4].model, 4U);
+    EXPECT_EQ(more->frames[4].lidar, Lidar{.samples = 7});
+    const SharedScene less = without_model(*more, "shed");
+    ASSERT_EQ(less->frames.size(), 3U);
+    EXPECT_EQ(less->frames[1].name, "shedding::l");
+    EXPECT_EQ(less->frames[1].model, 1U);
+    EXPECT_EQ(less->frames[2].name, "cart::l::s");
+    EXPECT_EQ(less->frames[2].model, 2U);
+}
+
 TEST(Scene, WhatLiesInAModelGoesAlone) {
     EXPECT_THAT(names(*without_model(house(), "shed::door")),
                 ElementsAre("wall", "shed", "shedding"));

@@ -68,6 +68,38 @@ std::string odd_png(unsigned width, unsigned height, unsigned depth, unsigned co
            chunk("IDAT", data) + chunk("IEND", "");
 }
 
+std::string bmp(int width, int height, const std::vector<int>& greys) {
+    const auto little_endian = [](unsigned value) {
+        const std::string bytes = big_endian(value);
+        return std::string(bytes.rbegin(), bytes.rend());
+    };
+    std::string rows;
+    for (int row = 0; row < std::abs(height); ++row) {
+        const int from_top = height < 0 ? row : height - 1 - row;
+        for (int column = 0; column < width; ++column) {
+            const int grey = greys[static_cast<std::size_t>(from_top * width + column)];
+            rows += std::string(3, static_cast<char>(grey));
+        }
+        rows.resize((rows.size() + 3) / 4 * 4);
+    }
+    return "BM" + little_endian(static_cast<unsigned>(54 + rows.size())) + little_endian(0) +
+           little_endian(54) + little_endian(40) + little_endian(static_cast<unsigned>(width)) +
+           little_endian(static_cast<unsigned>(height)) + std::string{1, 0, 24, 0} +
+           std::string(24, '\0') + rows;
+}
+
+std::string jpeg(int width, const std::vector<int>& greys) {
+    const std::string bytes = bytes_of(greys);
+    std::string out;
+    stbi_write_jpg_to_func(
+        [](void* to, void* data, int size) {
+            static_cast<std::string*>(to)->append(static_cast<char*>(data),
+                                                  static_cast<std::size_t>(size));
+        },
+        &out, width, static_cast<int>(bytes.size()) / width, 1, bytes.data(), 100);
+    return out;
+}
+
 std::string yaml(const std::string& image, const std::string& more) {
     return "image: " + image + "\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\n" + more +
            (more.find("occupied_thresh") == more.npos ? "occupied_thresh: 0.65\n" : "") +

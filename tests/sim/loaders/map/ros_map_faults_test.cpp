@@ -47,7 +47,7 @@ TEST_F(RosMapFaults, everyFaultOfTheYamlAtOnceWithItsLine) {
                             "a.yaml:4: occupied_thresh: must be a number within 0 and 1",
                             "a.yaml:5: free_thresh: must be a number within 0 and 1"));
     EXPECT_THAT(faults(yaml("[]", "mode: raw\n")),
-                ElementsAre("a.yaml:1: image: must name a PGM or PNG"));
+                ElementsAre("a.yaml:1: image: must name a picture"));
     EXPECT_THAT(faults("image: a.pgm\nresolution: 1\norigin: [0, 0]\nnegate: 0\n"),
                 ElementsAre("a.yaml:3: origin: must be [x, y, yaw]"));
     EXPECT_THAT(faults(yaml("a.pgm", "occupied_thresh: 0.2\nfree_thresh: 0.3\n")),
@@ -85,7 +85,7 @@ TEST_F(RosMapFaults, aMapThatIsTooLarge) {
 
 TEST_F(RosMapFaults, brokenPictures) {
     EXPECT_THAT(picture_faults("GIF89a"),
-                ElementsAre("a.pgm: is neither PGM nor PNG; save the map as one of these"));
+                ElementsAre("a.pgm: is no PGM, PNG, BMP or JPEG; save the map as one of these"));
     EXPECT_THAT(picture_faults("P5 2"),
                 ElementsAre("a.pgm: is a broken PGM: the height is missing"));
     EXPECT_THAT(picture_faults("P5 2 2 0\n1234"),
@@ -105,6 +105,29 @@ TEST_F(RosMapFaults, brokenPictures) {
     EXPECT_THAT(picture_faults("\x89PNG"), ElementsAre(HasSubstr("a.pgm: is a broken PNG")));
 }
 
+// The library would take zeros for what is missing: walls.
+TEST_F(RosMapFaults, picturesThatEndEarly) {
+    const std::string map = bmp(3, 2, {0, 255, 0, 255, 0, 255});
+    EXPECT_THAT(picture_faults(map), IsEmpty());
+    EXPECT_THAT(picture_faults(map.substr(0, map.size() - 5)),
+                ElementsAre("a.pgm: is a broken BMP: it ends 2 bytes too early"));
+    EXPECT_THAT(picture_faults("BM"),
+                ElementsAre("a.pgm: is a broken BMP: it ends within its header"));
+    const std::string photo = jpeg(16, std::vector<int>(256, 0));
+    EXPECT_THAT(picture_faults(photo), IsEmpty());
+    EXPECT_THAT(picture_faults(photo.substr(0, photo.size() - 2)),
+                ElementsAre(HasSubstr("a.pgm: is a broken JPEG: ")));
+    EXPECT_THAT(picture_faults(photo.substr(0, photo.size() / 2)),
+                ElementsAre(HasSubstr("a.pgm: is a broken JPEG: ")));
+}
+
+TEST_F(RosMapFaults, aBmpOfRunLengths) {
+    std::string map = bmp(3, 2, {0, 255, 0, 255, 0, 255});
+    map[30] = 1;
+    EXPECT_THAT(picture_faults(map),
+                ElementsAre("a.pgm: is a BMP of run lengths; save it without compression"));
+}
+
 TEST_F(RosMapFaults, picturesThatAreTooLargeByTheirHeader) {
     const auto too_many = "a.pgm: has 100000 x 100000 pixels; a map has at most 100 million";
     EXPECT_THAT(picture_faults("P5 100000 100000 255\n"), ElementsAre(too_many));
@@ -116,6 +139,14 @@ TEST_F(RosMapFaults, picturesThatAreTooLargeByTheirHeader) {
                 ElementsAre(HasSubstr("a.pgm: is a broken PNG: ")));
     EXPECT_THAT(picture_faults(odd_png(9000, 9000, 16, 6, "")),
                 ElementsAre("a.pgm: takes more than 512 MiB; save it in 8-bit grey"));
+    std::string map = bmp(3, 2, {0, 255, 0, 255, 0, 255});
+    map.replace(20, 2, "\x01\x10");  // a width of 0x10010003
+    EXPECT_THAT(picture_faults(map),
+                ElementsAre("a.pgm: has 268500995 x 2 pixels; a map has at most 100 million"));
+    std::string photo = jpeg(16, std::vector<int>(256, 0));
+    photo.replace(photo.find("\xFF\xC0") + 5, 4, std::string{'\x80', 0, '\x80', 0});
+    EXPECT_THAT(picture_faults(photo),
+                ElementsAre("a.pgm: has 32768 x 32768 pixels; a map has at most 100 million"));
     // Within the limits, but the file ends long before.
     EXPECT_THAT(picture_faults("P5 9999 9999 255\n"), ElementsAre(HasSubstr("too early")));
     EXPECT_THAT(picture_faults("P2 9999 9999 255\n"), ElementsAre(HasSubstr("too early")));

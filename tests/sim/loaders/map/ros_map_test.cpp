@@ -263,6 +263,52 @@ TEST(RosMap, picturesOfEveryDepth) {
     EXPECT_EQ(row("f.png", odd_png(3, 1, 1, 0, std::string{0, '\x20'})), "##.");
 }
 
+// Rows of a BMP are from the bottom, or from the top where its height is negative.
+TEST(RosMap, aBmp) {
+    MapFolder files;
+    const std::vector<int> greys{white, white, white, black, white, black};
+    for (const int height : {2, -2}) {
+        const auto scene = files.load("a.bmp", bmp(3, height, greys), yaml("a.bmp")).scene;
+        Probe probe{scene};
+        EXPECT_EQ(probe.row(3), "#.#");
+        EXPECT_LT(probe.top_m(0.5, 1.5), 0.F);
+    }
+}
+
+TEST(RosMap, aJpeg) {
+    MapFolder files;
+    // Blocks of 8 x 8: black, grey of 102 and white from left to right.
+    std::vector<int> greys;
+    for (int row = 0; row < 8; ++row) {
+        for (const int value : {black, 102, white})
+            greys.insert(greys.end(), 8, value);
+    }
+    const auto row = [&](const std::string& threshold) {
+        return Probe{files
+                         .load("a.jpg", jpeg(24, greys),
+                               yaml("a.jpg", "occupied_thresh: " + threshold + "\n"))
+                         .scene}
+            .row(24);
+    };
+    // 102 is an occupancy of 0.6.
+    EXPECT_EQ(row("0.59"), "################........");
+    EXPECT_EQ(row("0.61"), "########................");
+}
+
+TEST(RosMap, modesInAnyCase) {
+    MapFolder files;
+    const auto picture = pgm(2, {66, 254});
+    // A percent of 66 is occupied; a grey of 66 is, too, and one of 254 is not.
+    EXPECT_EQ(
+        Probe{files.load("a.pgm", pgm(2, {66, 30}), yaml("a.pgm", "mode: Raw\n")).scene}.row(2),
+        "#.");
+    for (const std::string mode : {"Trinary", "SCALE"}) {
+        EXPECT_EQ(
+            Probe{files.load("a.pgm", picture, yaml("a.pgm", "mode: " + mode + "\n")).scene}.row(2),
+            "#.");
+    }
+}
+
 TEST(RosMap, theImageLiesBesideTheYamlOrWhereItIsToldTo) {
     MapFolder files;
     const auto picture = pgm(1, {black});

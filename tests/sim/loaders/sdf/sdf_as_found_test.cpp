@@ -78,7 +78,7 @@ TEST_F(SdfAsFound, whatIsNothingToAScannerMayBeFaulty) {
     expect_nothing_to_a_scanner(link(inertia("1", "-1")), no_mass);
     expect_nothing_to_a_scanner(link("<inertial><pose>a b c 0 0 0</pose></inertial>"));
     expect_nothing_to_a_scanner(link("<sensor name='s' type='no such type'/>"));
-    expect_nothing_to_a_scanner(link("<sensor name='s'/><sensor name='s' type='ray'/>"),
+    expect_nothing_to_a_scanner(link("<sensor name='s'/><sensor name='s' type='imu'/>"),
                                 "sensor m::k::s has no type");
     expect_nothing_to_a_scanner(link("<light name='s' type='no such type'/>"));
     expect_nothing_to_a_scanner(
@@ -237,8 +237,9 @@ TEST_F(SdfAsFound, linesAreThoseOfTheFile) {
               "canonical_link='l'>\n<static>true\n</static><link name='l'>" +
               visual("v", unit_box) + "<sensor\nname='s' type='ray'/>\n" +
               visual("far", unit_box, "\n<pose>3e8 0\n 0 0 0 0</pose>") + "</link></model>\n" +
-              "<include><uri>\ngone\n</uri></include>\n<road name='r'/>"));
-    EXPECT_THAT(warnings_, ElementsAre("a.sdf:22: <road> is not supported and left out",
+              "<include><uri>\ngone\n</uri></include>\n<population name='p'/>"));
+    EXPECT_THAT(warnings_, ElementsAre("a.sdf:22: <population> is not supported and left out",
+                                       HasSubstr("a.sdf:13: sensor 's' of link 'l': has neither"),
                                        HasSubstr("a.sdf:19: there is no 'gone' near"),
                                        HasSubstr("a.sdf:15: m::l::far: lies at")));
 }

@@ -53,9 +53,9 @@ TEST_F(SdfFaults, nothingToSee) {
 }
 
 TEST_F(SdfFaults, onlyWhatIsNotSupported) {
-    const auto heightmap = "<heightmap><uri>a.png</uri></heightmap>";
-    EXPECT_THAT(faults(world(model_of(visual("v", heightmap)))),
-                ElementsAre("a.sdf:5: m::l::v: <heightmap> is not supported and left out, here and "
+    const auto relief = "<image><uri>a.png</uri></image>";
+    EXPECT_THAT(faults(world(model_of(visual("v", relief)))),
+                ElementsAre("a.sdf:5: m::l::v: <image> is not supported and left out, here and "
                             "elsewhere",
                             nothing_seen));
 }

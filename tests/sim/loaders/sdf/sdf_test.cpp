@@ -234,13 +234,13 @@ TEST_F(Sdf, anchorIsAWholePointNearTheMiddle) {
 }
 
 TEST_F(Sdf, whatIsNotSupportedIsWarnedOfOnce) {
-    const std::string terrain = "<heightmap><uri>a.png</uri></heightmap>";
+    const std::string relief = "<image><uri>a.png</uri></image>";
     const auto scene =
-        load(world(model_of(visual("a", unit_box) + visual("b", terrain) + visual("c", terrain))));
+        load(world(model_of(visual("a", unit_box) + visual("b", relief) + visual("c", relief))));
     EXPECT_EQ(scene->objects.size(), 1U);
     const auto place = (folder_.path() / "a.sdf").string();
     EXPECT_THAT(warnings_,
-                ElementsAre(place + ":6: m::l::b: <heightmap> is not supported and left out, here "
+                ElementsAre(place + ":6: m::l::b: <image> is not supported and left out, here "
                                     "and elsewhere"));
 }
 

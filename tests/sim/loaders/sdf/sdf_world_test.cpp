@@ -331,10 +331,8 @@ TEST_F(SdfWorld, WhatIsNothingToAScannerIsIgnoredInSilence) {
 
 TEST_F(SdfWorld, WhatAScannerWouldSeeAndCannotBeHadIsNamedWithItsPlace) {
     load(world(model_of(visual("v", unit_box)) +
-               "<actor name='walker'><skin><filename>a.dae</filename></skin></actor>\n"
-               "<road name='r'><width>2</width><point>0 0 0</point></road>"));
-    EXPECT_THAT(warnings_, ElementsAre(place() + ":7: <actor> is not supported and left out",
-                                       place() + ":8: <road> is not supported and left out"));
+               "<population name='p'><model name='n'/></population>"));
+    EXPECT_THAT(warnings_, ElementsAre(place() + ":7: <population> is not supported and left out"));
 }
 
 TEST_F(SdfWorld, ScaledMeshesAreScaledAboutTheirOrigin) {
@@ -368,11 +366,11 @@ TEST_F(SdfWorld, SubmeshesArePickedByNameAndMayBeCentred) {
 TEST_F(SdfWorld, TextsAreWorldsToo) {
     folder_.write("parts/part.obj", triangle_obj);
     const auto model = "<model name='m'>\n<link name='l'>" + visual("v", mesh_of("part.obj")) +
-                       visual("f", "<heightmap><uri>a</uri></heightmap>") + "</link></model>";
+                       visual("f", "<image><uri>a</uri></image>") + "</link></model>";
     for (const auto& text : {"<?xml version='1.0'?><!-- a < b -->\n" + model, sdf("\n" + model)}) {
         const auto loaded = load_sdf_text(text, "posted", folder_.path() / "parts");
         EXPECT_EQ(loaded.scene->models.at(0).name, "m");
-        EXPECT_THAT(loaded.warnings, ElementsAre(HasSubstr("m::l::f: <heightmap> is not ")));
+        EXPECT_THAT(loaded.warnings, ElementsAre(HasSubstr("m::l::f: <image> is not ")));
         EXPECT_THAT(loaded.warnings, ElementsAre(HasSubstr("posted:")));
     }
 }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Any bytes as a TUM file: poses that can be played, or faults that can be shown.
+// Any bytes as a trajectory, of the form that they look like and of every other: poses that can be
+// played, or faults that can be shown.
 #include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -35,22 +37,38 @@ void check(const std::vector<TimedPose>& poses) {
     }
 }
 
+void check(const std::string& sentence) {
+    require(sentence.starts_with("walk:") && sentence.size() < 500);
+    for (const char c : sentence)
+        require(c >= ' ' && c <= '~');
+}
+
 void check(const LoadError& error) {
     require(!error.faults().empty() && error.faults().size() <= 101);
-    for (const auto& fault : error.faults()) {
-        require(fault.starts_with("walk.tum:") && fault.size() < 400);
-        for (const char c : fault)
-            require(c >= ' ' && c <= '~');
+    for (const auto& fault : error.faults())
+        check(fault);
+}
+
+void read_as(TrajectoryFormat format, std::string_view text) {
+    try {
+        const Trajectory trajectory = parse_trajectory(text, "walk", format);
+        check(trajectory.poses);
+        require(trajectory.warnings.size() <= 2);
+        for (const auto& warning : trajectory.warnings)
+            check(warning);
+    } catch (const LoadError& error) {
+        check(error);
     }
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    try {
-        check(parse_tum({reinterpret_cast<const char*>(data), size}, "walk.tum"));
-    } catch (const LoadError& error) {
-        check(error);
+    using Format = TrajectoryFormat;
+    const std::string_view text{reinterpret_cast<const char*>(data), size};
+    for (const Format format :
+         {Format::guess, Format::tum, Format::euroc, Format::kitti, Format::csv}) {
+        read_as(format, text);
     }
     return 0;
 }

@@ -9,9 +9,9 @@
 namespace scipd::sim {
 
 /// Whether it begins as one.
-bool is_png(std::string_view bytes);
+bool is_jpeg(std::string_view bytes);
 
-/// Any PNG: palettes are resolved, 16 bits kept. Throws std::invalid_argument.
-MapImage read_png(std::string_view bytes);
+/// Grey stays grey; everything else becomes RGB. Throws std::invalid_argument.
+MapImage read_jpeg(std::string_view bytes);
 
 }  // namespace scipd::sim

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/models/best_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "daemon/models/registry.h"
+
+namespace scipd::daemon {
+namespace {
+
+/// A product in the words of worlds.
+sim::Lidar figures_of(const Model& model) {
+    constexpr double m_per_mm = 1e-3;
+    const sim::SensorSpec& optics = model.optics;
+    const std::chrono::duration<double> period = model.profile.nominal_scan_period();
+    return {.samples = optics.beams(),
+            .rows = 1,
+            .min_angle_rad = optics.angle_rad(optics.first_step),
+            .max_angle_rad = optics.angle_rad(optics.last_step),
+            .min_range_m = model.profile.dmin_mm * m_per_mm,
+            .max_range_m = optics.max_range_m,
+            .rate_hz = 1.0 / period.count()};
+}
+
+double view_rad(const sim::Lidar& lidar) {
+    return lidar.max_angle_rad - lidar.min_angle_rad;
+}
+
+/// Nothing where a row has one beam.
+double step_rad(const sim::Lidar& lidar) {
+    return lidar.samples < 2 ? 0.0 : view_rad(lidar) / (lidar.samples - 1);
+}
+
+/// In factors of e, either way; 0 where one of them says nothing.
+double apart(double a, double b) {
+    const bool known = a > 0.0 && b > 0.0 && std::isfinite(a) && std::isfinite(b);
+    return known ? std::abs(std::log(a / b)) : 0.0;
+}
+
+bool same(double a, double b) {
+    constexpr double rounded = 0.01;
+    return a == b || std::abs(a - b) <= rounded * std::max(std::abs(a), std::abs(b));
+}
+
+std::string span(double low, double high, const char* unit) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.3g to %.4g %s", low, high, unit);
+    return text.data();
+}
+
+std::string one(double value, const char* unit) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.10g%s", std::round(value * 100) / 100, unit);
+    return text.data();
+}
+
+std::string range_text(const sim::Lidar& lidar) {
+    return span(lidar.min_range_m, lidar.max_range_m, "m");
+}
+
+std::string angle_text(const sim::Lidar& lidar) {
+    constexpr double deg_per_rad = 180.0 / std::numbers::pi;
+    return span(lidar.min_angle_rad * deg_per_rad, lidar.max_angle_rad * deg_per_rad, "deg");
+}
+
+}  // namespace
+
+double misfit(const Model& model, const sim::Lidar& lidar) {
+    constexpr double share_of_nearest = 0.1;
+    const sim::Lidar has = figures_of(model);
+    return apart(has.max_range_m, lidar.max_range_m) +
+           share_of_nearest * apart(has.min_range_m, lidar.min_range_m) +
+           apart(view_rad(has), view_rad(lidar)) + apart(step_rad(has), step_rad(lidar)) +
+           apart(has.rate_hz, lidar.rate_hz);
+}
+
+const Model& best_fit(const sim::Lidar& lidar) {
+    return *std::ranges::min_element(models(), {},
+                                     [&](const Model& model) { return misfit(model, lidar); });
+}
+
+std::string differences(const Model& model, const sim::Lidar& lidar) {
+    const sim::Lidar has = figures_of(model);
+    std::string text;
+    const auto add = [&](const std::string& is, const std::string& wanted) {
+        text += (text.empty() ? "" : ", ") + is + " instead of " + wanted;
+    };
+    constexpr double same_angle_rad = 0.01;
+    if (!same(has.min_range_m, lidar.min_range_m) || !same(has.max_range_m, lidar.max_range_m))
+        add(range_text(has), range_text(lidar));
+    if (std::abs(has.min_angle_rad - lidar.min_angle_rad) > same_angle_rad ||
+        std::abs(has.max_angle_rad - lidar.max_angle_rad) > same_angle_rad)
+        add(angle_text(has), angle_text(lidar));
+    if (has.samples != lidar.samples)
+        add(std::to_string(has.samples) + " steps", std::to_string(lidar.samples));
+    if (lidar.rate_hz > 0.0 && !same(has.rate_hz, lidar.rate_hz))
+        add(one(has.rate_hz, " Hz"), one(lidar.rate_hz, " Hz"));
+    if (lidar.rows > 1) add("one row", std::to_string(lidar.rows));
+    return text;
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/mesh/collada_relief.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <map>
+#include <stdexcept>
+
+#include <tinyxml2.h>
+
+#include "sim/loaders/mesh/collada_primitive.h"
+
+namespace scipd::sim {
+namespace {
+
+using tinyxml2::XMLElement;
+
+constexpr std::array wanted_of_file{"asset",
+                                    "library_controllers",
+                                    "library_geometries",
+                                    "library_materials",
+                                    "library_nodes",
+                                    "library_visual_scenes",
+                                    "scene"};
+constexpr std::array unwanted{"bind", "bind_vertex_input", "extra", "instance_camera",
+                              "instance_light"};
+/// A controller may control what another one makes of a mesh.
+constexpr int longest_chain = 8;
+
+template <typename Words>
+bool is_one_of(const XMLElement& element, const Words& words) {
+    return std::ranges::find(words, std::string_view{element.Name()}) != words.end();
+}
+
+std::string attribute(const XMLElement& element, const char* name) {
+    const char* value = element.Attribute(name);
+    return value == nullptr ? "" : value;
+}
+
+void delete_children(XMLElement& element, const std::function<bool(XMLElement&)>& is_unwanted) {
+    for (auto* child = element.FirstChildElement(); child != nullptr;) {
+        auto* next = child->NextSiblingElement();
+        if (is_unwanted(*child)) element.DeleteChild(child);
+        child = next;
+    }
+}
+
+/// With all that lies in it.
+void for_each(XMLElement& element, const std::function<void(XMLElement&)>& visit) {
+    visit(element);
+    for (auto* child = element.FirstChildElement(); child != nullptr;
+         child = child->NextSiblingElement()) {
+        for_each(*child, visit);
+    }
+}
+
+/// "#" and the name of each skin and morph, and what it changes.
+std::map<std::string, std::string> sources_of_controllers(XMLElement& root) {
+    std::map<std::string, std::string> sources;
+    for_each(root, [&](XMLElement& element) {
+        if (!is_one_of(element, std::array{"controller"})) return;
+        for (const char* kind : {"skin", "morph"}) {
+            if (const auto* inside = element.FirstChildElement(kind)) {
+                sources[std::string{"#"}.append(attribute(element, "id"))] =
+                    attribute(*inside, "source");
+            }
+        }
+    });
+    return sources;
+}
+
+/// Shows the mesh as it was before the controller.
+void uncover(XMLElement& instance, const std::map<std::string, std::string>& sources) {
+    std::string url = attribute(instance, "url");
+    for (int link = 0; link < longest_chain; ++link) {
+        const auto source = sources.find(url);
+        if (source == sources.end()) break;
+        url = source->second;
+    }
+    instance.SetName("instance_geometry");
+    instance.SetAttribute("url", url.c_str());
+    delete_children(
+        instance, [](XMLElement& child) { return !is_one_of(child, std::array{"bind_material"}); });
+}
+
+}  // namespace
+
+std::string relieved_collada(std::string_view text) {
+    tinyxml2::XMLDocument document;
+    if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS ||
+        document.RootElement() == nullptr) {
+        throw std::runtime_error("is no XML that can be read");
+    }
+    XMLElement& root = *document.RootElement();
+    delete_children(root, [](XMLElement& child) { return !is_one_of(child, wanted_of_file); });
+    const auto sources = sources_of_controllers(root);
+    delete_children(root, [](XMLElement& child) {
+        return is_one_of(child, std::array{"library_controllers"});
+    });
+    for_each(root, [&](XMLElement& element) {
+        delete_children(element, [](XMLElement& child) { return is_one_of(child, unwanted); });
+        if (is_one_of(element, std::array{"instance_controller"})) uncover(element, sources);
+        if (is_one_of(element, std::array{"mesh"})) relieve_collada_mesh(element);
+    });
+    tinyxml2::XMLPrinter printer{nullptr, true};
+    document.Accept(&printer);
+    return printer.CStr();
+}
+
+}  // namespace scipd::sim

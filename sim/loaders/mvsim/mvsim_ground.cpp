@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/mvsim/mvsim_ground.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "sim/loaders/map/map_walls.h"
+#include "sim/loaders/map/occupancy.h"
+#include "sim/world/reach.h"
+
+namespace scipd::sim {
+namespace {
+
+double resolution_m(const MvsimNode& node, double otherwise_m) {
+    const double said_m = node.number("resolution", otherwise_m);
+    if (said_m >= 1e-4 && said_m <= 1e3) return said_m;
+    throw std::invalid_argument("<resolution> must be within 0.0001 and 1000 m a pixel");
+}
+
+glm::dvec3 checked(const glm::dvec3& xyz_m) {
+    if (plausible_position(xyz_m)) return xyz_m;
+    throw std::invalid_argument("must lie within 1e7 m of the origin");
+}
+
+/// The mean of the colours, from 0 to 1.
+std::vector<float> greys_of(const MapImage& image) {
+    std::vector<float> greys;
+    greys.reserve(image.width * image.height);
+    const unsigned colours = image.channels < 3 ? 1 : 3;
+    std::visit(
+        [&](const auto& samples) {
+            for (std::size_t first = 0; first < samples.size(); first += image.channels) {
+                float sum = 0.0F;
+                for (unsigned i = 0; i < colours; ++i)
+                    sum += static_cast<float>(samples[first + i]);
+                greys.push_back(sum / static_cast<float>(colours * image.white));
+            }
+        },
+        image.samples);
+    return greys;
+}
+
+/// Cells are cut along the diagonal from their corner of the least x and y.
+void add_cells(std::size_t rows, std::size_t columns, Mesh& mesh) {
+    for (std::size_t row = 0; row + 1 < rows; ++row) {
+        for (std::size_t column = 0; column + 1 < columns; ++column) {
+            const auto here = static_cast<glm::uint>(row * columns + column);
+            const auto next = static_cast<glm::uint>(here + columns);
+            mesh.triangles.emplace_back(here, here + 1, next + 1);
+            mesh.triangles.emplace_back(here, next, next + 1);
+        }
+    }
+}
+
+}  // namespace
+
+PlacedMesh grid_mesh(const MvsimNode& grid, std::string_view picture, double bottom_m,
+                     double top_m) {
+    MapFile map;
+    map.mode = MapMode::scale;
+    map.resolution_m = resolution_m(grid, 0.1);
+    map.occupied_above = 0.5;
+    map.free_below = 0.5;
+    const CellGrid cells = cells_of(read_map_image(picture), map);
+    const double columns = static_cast<double>(cells.columns);
+    const double rows = static_cast<double>(cells.rows);
+    const glm::dvec2 origin{grid.number("centerpixel_x", 0.5 * columns),
+                            grid.number("centerpixel_y", 0.5 * rows)};
+    const glm::dvec2 middle_m = map.resolution_m * (0.5 * glm::dvec2{columns, rows} - origin);
+    Mesh mesh = wall_mesh(cells, Cell::occupied, {map.resolution_m, bottom_m, top_m});
+    if (mesh.triangles.empty()) throw std::invalid_argument("has no dark pixel");
+    return {std::move(mesh), checked({middle_m, 0.0})};
+}
+
+PlacedMesh elevation_mesh(const MvsimNode& map, std::string_view picture) {
+    constexpr std::size_t most_cells = 10'000'000;
+    const MapImage image = read_map_image(picture);
+    if (image.width < 2 || image.height < 2 || image.width * image.height > most_cells) {
+        throw std::invalid_argument("wants a picture of 2 x 2 to 10 million pixels");
+    }
+    const double cell_m = resolution_m(map, 1.0);
+    const double low_m = map.number("elevation_image_min_z", 0.0);
+    const double high_m = map.number("elevation_image_max_z", 5.0);
+    const std::vector<float> greys = greys_of(image);
+    const auto [darkest, brightest] = std::ranges::minmax(greys);
+    const double step_m = brightest > darkest ? (high_m - low_m) / (brightest - darkest) : 0.0;
+    Mesh mesh;
+    for (std::size_t row = 0; row < image.height; ++row) {
+        for (std::size_t column = 0; column < image.width; ++column) {
+            const double z_m = low_m + step_m * (greys[row * image.width + column] - darkest);
+            mesh.vertices_m.emplace_back(cell_m * double(row), cell_m * double(column), z_m);
+        }
+    }
+    add_cells(image.height, image.width, mesh);
+    const glm::dvec2 span_m = cell_m * glm::dvec2{image.height - 1, image.width - 1};
+    checked({span_m, high_m});
+    checked({span_m, low_m});
+    return {std::move(mesh), checked({map.number("corner_min_x", -0.5 * span_m.x),
+                                      map.number("corner_min_y", -0.5 * span_m.y), 0.0})};
+}
+
+}  // namespace scipd::sim

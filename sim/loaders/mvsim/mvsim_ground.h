@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Pictures of MVSim: grids of cells, and grounds. Pure; what cannot be read is thrown as
+// std::invalid_argument.
+#pragma once
+
+#include <string_view>
+
+#include "sim/loaders/mvsim/mvsim_node.h"
+#include "sim/world/mesh.h"
+
+namespace scipd::sim {
+
+struct PlacedMesh {
+    Mesh mesh;
+    glm::dvec3 origin_m;
+};
+
+/// `<element class="occupancy_grid">` of a picture: its darker half stands between these heights.
+PlacedMesh grid_mesh(const MvsimNode& grid, std::string_view picture, double bottom_m,
+                     double top_m);
+
+/// `<element class="elevation_map">`: x grows with the rows of the picture, y with its columns, and
+/// its darkest and brightest pixels are the lowest and the highest.
+PlacedMesh elevation_mesh(const MvsimNode& map, std::string_view picture);
+
+}  // namespace scipd::sim

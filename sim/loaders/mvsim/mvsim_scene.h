@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A world file of MVSim as a world: its planes, grids, elevation maps, walls and blocks. Vehicles,
+// and blocks that only a 3D model shows, are left out with a warning. Any thread; nothing shared.
+#pragma once
+
+#include <filesystem>
+
+#include "sim/loaders/loaded_scene.h"
+#include "sim/loaders/map/ros_map.h"
+
+namespace scipd::sim {
+
+/// The options are for occupancy grids, which have no heights. Throws LoadError.
+LoadedScene load_mvsim(const std::filesystem::path& file, const MapOptions& options = {});
+
+}  // namespace scipd::sim

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// named_columns() of pose_columns.h: what people call the columns of a pose.
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <numbers>
+
+#include "sim/loaders/poses/pose_columns.h"
+#include "sim/loaders/poses/tum_line.h"
+#include "sim/loaders/quote.h"
+
+namespace scipd::sim {
+namespace {
+
+struct Name {
+    std::string word;  ///< lower case, blanks and points as underscores
+    std::string unit;
+};
+
+std::string trimmed_name(std::string_view text) {
+    const auto begin = text.find_first_not_of("_ #");
+    if (begin == text.npos) return {};
+    return std::string(text.substr(begin, text.find_last_not_of("_ ") - begin + 1));
+}
+
+/// `timestamp [ns]`, `Time (s)` and `t_ms` have units.
+Name parse_name(std::string_view cell) {
+    std::string text(cell);
+    std::ranges::transform(text, text.begin(), [](unsigned char c) {
+        return c == '.' || c == ' ' ? '_' : static_cast<char>(std::tolower(c));
+    });
+    if (const auto bracket = text.find_first_of("[("); bracket != text.npos) {
+        const auto end = text.find_first_of("])", bracket);
+        return {trimmed_name(text.substr(0, bracket)),
+                trimmed_name(text.substr(bracket + 1, end - bracket - 1))};
+    }
+    const std::string name = trimmed_name(text);
+    const auto last = name.rfind('_');
+    constexpr std::array units{"s", "sec", "secs", "ms", "us", "ns", "m", "rad", "deg"};
+    if (last == name.npos || std::ranges::find(units, name.substr(last + 1)) == units.end()) {
+        return {name, {}};
+    }
+    return {name.substr(0, last), name.substr(last + 1)};
+}
+
+/// Every way to write it, as the one that is read.
+const std::map<std::string, std::string, std::less<>>& synonyms() {
+    static const auto all = [] {
+        std::map<std::string, std::string, std::less<>> names{
+            {"t", "t"},         {"time", "t"},    {"timestamp", "t"}, {"stamp", "t"},
+            {"yaw", "yaw"},     {"theta", "yaw"}, {"heading", "yaw"}, {"roll", "roll"},
+            {"pitch", "pitch"}, {"qw", "qw"}};
+        for (const std::string axis : {"x", "y", "z"}) {
+            names[axis] = axis;
+            for (const std::string before : {"t", "p", "p_", "pos_", "position_", "p_rs_r_"})
+                names[before + axis] = axis;
+        }
+        for (const std::string axis : {"x", "y", "z", "w"}) {
+            for (const std::string before : {"q", "q_", "quat_", "orientation_", "q_rs_"})
+                names[before + axis] = "q" + axis;
+        }
+        return names;
+    }();
+    return all;
+}
+
+std::optional<int> time_power(const std::string& unit) {
+    if (unit == "s" || unit == "sec" || unit == "secs" || unit == "seconds") return 0;
+    if (unit == "ms") return -3;
+    if (unit == "us") return -6;
+    if (unit == "ns") return -9;
+    return {};
+}
+
+class Header {
+  public:
+    /// Empty, or why it is none.
+    std::string read(const std::vector<std::string_view>& cells,
+                     std::vector<std::string>& not_read) {
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            const Name name = parse_name(cells[i]);
+            const auto known = synonyms().find(name.word);
+            if (known == synonyms().end()) {
+                not_read.push_back(quote(cells[i]));
+            } else if (!found_.emplace(known->second, Column{i, printable(trimmed(cells[i]))})
+                            .second) {
+                return "has two columns for " + known->second + ": " +
+                       quote(found_[known->second].name) + " and " + quote(cells[i]);
+            } else if (auto why = take_unit(known->second, name.unit); !why.empty()) {
+                return quote(cells[i]) + ' ' + why;
+            }
+        }
+        for (const char* wanted : {"t", "x", "y"}) {
+            if (!found_.contains(wanted)) return missing(wanted);
+        }
+        const bool has_quaternion = find("qx") && find("qy") && find("qz") && find("qw");
+        return has_quaternion || find("yaw") ? "" : missing("yaw, or qx, qy, qz and qw");
+    }
+
+    [[nodiscard]] PoseColumns columns(std::size_t count) const {
+        PoseColumns all;
+        all.time = *find("t");
+        all.time_power = power_;
+        all.xy = {*find("x"), *find("y")};
+        all.z = find("z");
+        if (find("qx") && find("qy") && find("qz") && find("qw"))
+            all.quaternion = {{*find("qx"), *find("qy"), *find("qz"), *find("qw")}};
+        all.roll = find("roll");
+        all.pitch = find("pitch");
+        all.yaw = find("yaw");
+        all.radians_per_unit = angle_unit_ == "deg" ? std::numbers::pi / 180.0 : 1.0;
+        all.least_count = count;
+        return all;
+    }
+
+  private:
+    static std::string missing(const std::string& what) {
+        return "the header has no column " + what + "; name the columns of a pose t, x, y, z and " +
+               "qx, qy, qz, qw, or roll, pitch, yaw";
+    }
+
+    [[nodiscard]] std::optional<Column> find(const char* name) const {
+        const auto found = found_.find(name);
+        return found == found_.end() ? std::nullopt : std::optional(found->second);
+    }
+
+    std::string take_unit(const std::string& name, std::string unit) {
+        if (name == "t") {
+            power_ = time_power(unit);
+            return power_ || unit.empty() ? "" : "must be in s, ms, us or ns";
+        }
+        if (name == "x" || name == "y" || name == "z")
+            return unit.empty() || unit == "m" ? "" : "must be in metres";
+        if (name.starts_with('q')) return {};
+        if (unit.empty()) unit = "rad";
+        if (unit != "rad" && unit != "deg") return "must be in rad or deg";
+        const bool differs = !angle_unit_.empty() && angle_unit_ != unit;
+        angle_unit_ = unit;
+        return differs ? "must have the unit of the other angles" : "";
+    }
+
+    std::map<std::string, Column, std::less<>> found_;
+    std::optional<int> power_;
+    std::string angle_unit_;
+};
+
+}  // namespace
+
+std::variant<PoseColumns, std::string> named_columns(const std::vector<std::string_view>& cells,
+                                                     std::vector<std::string>& not_read) {
+    Header header;
+    if (auto why = header.read(cells, not_read); !why.empty()) return why;
+    return header.columns(cells.size());
+}
+
+}  // namespace scipd::sim

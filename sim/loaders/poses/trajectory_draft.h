@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A trajectory while its file is read line by line: the poses so far, and everything that is wrong,
+// so that one run tells all. Knows no format. Any thread; one owner.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/loaders/poses/trajectory.h"
+
+namespace scipd::sim {
+
+class TrajectoryDraft {
+  public:
+    /// Messages begin with the file.
+    explicit TrajectoryDraft(const std::filesystem::path& file) : file_(file.string()) {}
+
+    void begin_line() { ++line_number_; }
+    /// Left out where it has the stamp of the pose before it, as recorders write that hear of one
+    /// pose twice.
+    void append(const TimedPose& next);
+    /// Of the line.
+    void add_fault(const std::string& text);
+    void warn(const std::string& text) { warnings_.push_back(file_ + ": " + text); }
+
+    /// Throws LoadError where anything is wrong, or where there is no pose; `a_line` says what one
+    /// looks like.
+    Trajectory finish(const std::string& a_line) &&;
+
+  private:
+    std::string file_;
+    std::size_t line_number_ = 0;
+    std::size_t fault_count_ = 0;
+    std::size_t repeated_count_ = 0;
+    std::size_t first_repeated_line_ = 0;
+    std::vector<std::string> faults_;
+    std::vector<std::string> warnings_;
+    std::vector<TimedPose> poses_;
+};
+
+}  // namespace scipd::sim

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/sdf/actor_walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <glm/geometric.hpp>
+
+namespace scipd::sim {
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+
+constexpr double stray_m = 1e-4;
+constexpr Time shortest_step = std::chrono::milliseconds(1);
+/// What changes within it is a jump.
+constexpr Time instant{1};
+/// For all that is reckoned with it to fit into a Time.
+constexpr Seconds longest{4e9};
+/// Of one trajectory: 7 MB.
+constexpr std::size_t most_steps = 100'000;
+
+/// From one waypoint to the next, where s = 0 and s = 1.
+struct Cubic {
+    glm::dvec3 from_m;
+    glm::dvec3 to_m;
+    glm::dvec3 leaves_m;  ///< by what it moves in s = 1
+    glm::dvec3 arrives_m;
+
+    [[nodiscard]] glm::dvec3 at(double s) const {
+        const double rest = 1.0 - s;
+        return rest * rest * ((1.0 + 2.0 * s) * from_m + s * leaves_m) +
+               s * s * ((1.0 + 2.0 * rest) * to_m - rest * arrives_m);
+    }
+
+    /// A chord strays by an eighth of the second derivative, at most, which is greatest at an end.
+    [[nodiscard]] std::size_t parts() const {
+        const glm::dvec3 way_m = to_m - from_m;
+        const double bend_m = std::max(glm::length(6.0 * way_m - 4.0 * leaves_m - 2.0 * arrives_m),
+                                       glm::length(6.0 * way_m - 2.0 * leaves_m - 4.0 * arrives_m));
+        return static_cast<std::size_t>(std::ceil(std::sqrt(bend_m / 8.0 / stray_m)));
+    }
+};
+
+class Spline {
+  public:
+    explicit Spline(const Trajectory& trajectory) : points_(trajectory.waypoints) {
+        // The first one is waited for where it stands.
+        if (const Waypoint first = points_.front(); first.time > Time{})
+            points_.insert(points_.begin(), Waypoint{Time{}, first.pose});
+        pull_ = 0.5 * (1.0 - trajectory.tension);
+    }
+
+    [[nodiscard]] Time duration() const { return points_.back().time; }
+
+    void append_to(std::vector<Script::Step>& steps, Time begin) const {
+        const std::size_t most = std::max(most_steps / points_.size(), std::size_t{1});
+        for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+            const Time span = points_[i + 1].time - points_[i].time;
+            const Cubic cubic = from(i);
+            const std::size_t parts =
+                std::clamp(cubic.parts(), std::size_t{1},
+                           std::min(most, static_cast<std::size_t>(span / shortest_step)));
+            for (std::size_t part = 0; part < parts; ++part) {
+                const double s = static_cast<double>(part) / static_cast<double>(parts);
+                const Time since = std::chrono::duration_cast<Time>(s * Seconds(span));
+                steps.push_back({begin + points_[i].time + since, {cubic.at(s), turned(i, s)}});
+            }
+        }
+        steps.push_back({begin + duration(), points_.back().pose});
+    }
+
+  private:
+    [[nodiscard]] const glm::dvec3& at_m(std::size_t i) const {
+        return points_[i].pose.translation_m;
+    }
+
+    /// A way that ends where it begins goes on there.
+    [[nodiscard]] glm::dvec3 tangent_m(std::size_t i) const {
+        const std::size_t last = points_.size() - 1;
+        const bool closed = at_m(0) == at_m(last);
+        const bool is_end = i == 0 || i == last;
+        if (is_end && closed) return pull_ * (at_m(1) - at_m(last - 1));
+        return pull_ * (at_m(std::min(i + 1, last)) - at_m(i == 0 ? 0 : i - 1));
+    }
+
+    [[nodiscard]] Cubic from(std::size_t i) const {
+        return {at_m(i), at_m(i + 1), tangent_m(i), tangent_m(i + 1)};
+    }
+
+    [[nodiscard]] glm::dquat turned(std::size_t i, double s) const {
+        return interpolate(points_[i].pose, points_[i + 1].pose, s).rotation;
+    }
+
+    std::vector<Waypoint> points_;
+    double pull_;
+};
+
+/// At this time it is somewhere else, without a way there.
+void end_before(Time time, std::vector<Script::Step>& steps) {
+    if (steps.empty() || steps.back().time < time) return;
+    const Time latest = time - instant;
+    const Time before = steps.size() > 1 ? steps[steps.size() - 2].time : -instant;
+    if (before < latest) {
+        steps.back().time = latest;
+    } else {
+        steps.pop_back();
+    }
+}
+
+}  // namespace
+
+SharedScript walk_of(const std::vector<Trajectory>& trajectories, Time delay, bool loops) {
+    const Pose& start = trajectories.front().waypoints.front().pose;
+    auto walk = std::make_shared<Script>();
+    if (delay > Time{}) walk->steps.push_back({{}, start});
+    Time end = delay;
+    for (const Trajectory& trajectory : trajectories) {
+        const Spline spline(trajectory);
+        if (Seconds(end) + Seconds(spline.duration()) > longest) return nullptr;
+        end_before(end, walk->steps);
+        spline.append_to(walk->steps, end);
+        end += spline.duration();
+    }
+    const bool goes_round = loops && end - delay >= shortest_step;
+    if (!goes_round) return walk;
+    end_before(end, walk->steps);
+    walk->lap = end;
+    return walk;
+}
+
+}  // namespace scipd::sim

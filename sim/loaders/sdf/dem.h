@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Digital elevation models, through GDAL where there was one to build with (dem.cpp), which a
+// no_dem.cpp stands in for. Any thread; nothing shared.
+#pragma once
+
+#include <filesystem>
+
+#include "sim/loaders/sdf/height_grid.h"
+
+namespace scipd::sim {
+
+/// Throws LoadError, which names the file.
+HeightGrid read_dem(const std::filesystem::path& file);
+
+}  // namespace scipd::sim

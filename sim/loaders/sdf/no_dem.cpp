@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Stands in for dem.cpp in a build without GDAL.
+#include "sim/loaders/load_error.h"
+#include "sim/loaders/plain_file.h"
+#include "sim/loaders/sdf/dem.h"
+
+namespace scipd::sim {
+
+HeightGrid read_dem(const std::filesystem::path& file) {
+    const auto why = why_no_file(file);
+    throw LoadError({file.string() + ": " +
+                     (why.empty() ? "is no picture, and this scipd was built without GDAL, which "
+                                    "reads elevation models; build it where libgdal-dev is "
+                                    "installed, or convert the file with `gdal_translate -of PNG "
+                                    "-ot UInt16 -scale` and name the PNG"
+                                  : why + "; a terrain is wanted here")});
+}
+
+}  // namespace scipd::sim

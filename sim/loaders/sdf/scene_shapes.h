@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// From the geometry of a surface to an object of the scene, with the files that it names: meshes
+// and heightmaps. What cannot be had is left out of the draft, which says why. Any thread; one
+// owner.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+
+#include <glm/vec3.hpp>
+
+#include "sim/loaders/mesh/mesh_shelf.h"
+#include "sim/loaders/sdf/resources.h"
+#include "sim/loaders/sdf/scene_draft.h"
+#include "sim/loaders/sdf/sdf.h"
+#include "sim/loaders/sdf/sdf_file.h"
+#include "sim/loaders/sdf/sdf_shape.h"
+#include "sim/loaders/sdf/sdf_surface.h"
+
+namespace scipd::sim {
+
+class SceneShapes {
+  public:
+    /// All of these outlive this object. `file` is what was asked for.
+    SceneShapes(const SdfFile& read, const std::filesystem::path& file, const Resources& resources,
+                const SdfOptions& options, SceneDraft& draft, MeshShelf& shelf)
+        : read_(read),
+          file_(file),
+          resources_(resources),
+          options_(options),
+          draft_(draft),
+          shelf_(shelf) {}
+
+    /// `object` lies where the surface does; messages begin with `place`.
+    void add(const SdfSurface& surface, Object object, const glm::dvec3& scale,
+             const std::string& place);
+
+    /// Of an actor: a mesh, or a capsule where there is none.
+    void add_skin(const SdfSurface& surface, Object object, const glm::dvec3& scale,
+                  const std::string& place);
+
+  private:
+    void add_shape(const SdfSurface& surface, Object object, const glm::dvec3& scale,
+                   const std::string& place);
+    std::optional<PlacedShape> shape_of(const sdf::Geometry& geometry, const std::string& place);
+    void add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Object object,
+                  const glm::dvec3& scale, const std::string& place);
+    void leave_out_missing(const sdf::Mesh& mesh, const std::filesystem::path& folder,
+                           const std::string& place);
+    /// Where a relative URI in this element starts.
+    [[nodiscard]] std::filesystem::path folder_of(const sdf::ElementPtr& element) const;
+
+    const SdfFile& read_;
+    const std::filesystem::path& file_;
+    const Resources& resources_;
+    const SdfOptions& options_;
+    SceneDraft& draft_;
+    MeshShelf& shelf_;
+    std::set<std::string> warned_kinds_;
+    std::set<std::string> told_;  ///< downloads, by their commands
+};
+
+}  // namespace scipd::sim

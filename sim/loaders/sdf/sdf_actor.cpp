@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/sdf/sdf_actor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <locale>
+#include <numbers>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <tinyxml2.h>
+
+#include "sim/loaders/quote.h"
+#include "sim/loaders/sdf/actor_walk.h"
+#include "sim/world/reach.h"
+
+namespace scipd::sim {
+namespace {
+
+using tinyxml2::XMLElement;
+
+constexpr std::size_t most_waypoints = 10'000;
+constexpr Time closest = std::chrono::milliseconds(1);
+constexpr double latest_s = 1e9;
+/// Where a pose is "there" for somebody who has typed it twice.
+constexpr double same_place_m = 1e-3;
+
+std::string text_of(const XMLElement* element) {
+    return element == nullptr || element->GetText() == nullptr ? "" : element->GetText();
+}
+
+/// Nothing where the text is anything but finite numbers, or too few.
+std::optional<std::vector<double>> numbers_in(const std::string& text, std::size_t count) {
+    std::istringstream words(text);
+    words.imbue(std::locale::classic());
+    std::vector<double> numbers;
+    for (double number = 0.0; words >> number;)
+        numbers.push_back(number);
+    const bool good = words.eof() && numbers.size() == count &&
+                      std::ranges::all_of(numbers, [](double n) { return std::isfinite(n); });
+    return good ? std::optional(numbers) : std::nullopt;
+}
+
+std::optional<double> number_in(const XMLElement* element) {
+    const auto numbers = numbers_in(text_of(element), 1);
+    return numbers ? std::optional(numbers->front()) : std::nullopt;
+}
+
+/// As SDF writes it; nothing where it cannot be read or lies too far out.
+std::optional<Pose> pose_in(const XMLElement* element) {
+    if (element == nullptr) return Pose{};
+    const char* format = element->Attribute("rotation_format");
+    const bool as_quaternion = format != nullptr && format == std::string_view{"quat_xyzw"};
+    const auto n = numbers_in(text_of(element), as_quaternion ? 7 : 6);
+    if (!n) return std::nullopt;
+    const glm::dvec3 at_m{(*n)[0], (*n)[1], (*n)[2]};
+    if (!plausible_position(at_m)) return std::nullopt;
+    if (as_quaternion) {
+        const glm::dquat turn{(*n)[6], (*n)[3], (*n)[4], (*n)[5]};
+        if (!(glm::length(turn) > 1e-6)) return std::nullopt;
+        return Pose{at_m, glm::normalize(turn)};
+    }
+    const double unit = element->BoolAttribute("degrees") ? std::numbers::pi / 180.0 : 1.0;
+    return pose_from_rpy(at_m, unit * glm::dvec3{(*n)[3], (*n)[4], (*n)[5]});
+}
+
+bool is_true(const XMLElement* element, bool otherwise) {
+    const std::string text = text_of(element);
+    if (text.find_first_not_of(" \t\r\n") == text.npos) return otherwise;
+    return text.find("true") != text.npos || text.find('1') != text.npos;
+}
+
+/// One <actor>. What libsdformat would refuse a world for is taken out of it.
+class ActorReader {
+  public:
+    ActorReader(XMLElement& actor, const std::filesystem::path& file,
+                std::vector<std::string>& warnings)
+        : actor_(actor), file_(file), warnings_(warnings) {}
+
+    SdfActor read() {
+        SdfActor read;
+        check_scale();
+        auto* element = actor_.FirstChildElement("pose");
+        if (const auto pose = pose_in(element)) {
+            read.pose = *pose;
+        } else {
+            warn(*element,
+                 "has a <pose> that is no six finite numbers within 1e7 m; it is left out");
+            actor_.DeleteChild(element);
+        }
+        read.script = read_script(read.pose);
+        if (read.script != nullptr) return read;
+        if (const auto* plugin = actor_.FirstChildElement("plugin")) {
+            warn(*plugin, "is moved by a <plugin> in Gazebo and stands here, until poses move it");
+        }
+        return read;
+    }
+
+  private:
+    void check_scale() {
+        auto* skin = actor_.FirstChildElement("skin");
+        auto* scale = skin == nullptr ? nullptr : skin->FirstChildElement("scale");
+        if (scale == nullptr || number_in(scale).value_or(0.0) > 0.0) return;
+        warn(*scale, "has a <scale> of " + quote(text_of(scale)) + "; 1 is taken");
+        skin->DeleteChild(scale);
+    }
+
+    SharedScript read_script(const Pose& pose) {
+        const auto* script = actor_.FirstChildElement("script");
+        if (script == nullptr || !is_true(script->FirstChildElement("auto_start"), true)) return {};
+        std::vector<Trajectory> trajectories;
+        for (const auto* trajectory = script->FirstChildElement("trajectory");
+             trajectory != nullptr; trajectory = trajectory->NextSiblingElement("trajectory")) {
+            if (auto read = read_trajectory(*trajectory)) trajectories.push_back(std::move(*read));
+        }
+        if (trajectories.empty()) return {};
+        std::ranges::stable_sort(trajectories, {}, &Trajectory::id);
+        warn_of_origin(*script, pose, trajectories.front().waypoints.front().pose);
+        auto walk = walk_of(trajectories, delay_of(*script),
+                            is_true(script->FirstChildElement("loop"), true));
+        if (walk == nullptr) warn(*script, "has a script of more than 4e9 s; it stands");
+        return walk;
+    }
+
+    /// Gazebo Sim tells waypoints from there.
+    void warn_of_origin(const XMLElement& script, const Pose& pose, const Pose& first) {
+        const bool is_origin = pose == Pose{};
+        const double apart_m = glm::distance(pose.translation_m, first.translation_m);
+        if (is_origin || apart_m < same_place_m) return;
+        warn(script,
+             "has waypoints, which are taken as poses in the world, whatever its <pose>: Gazebo "
+             "Classic does so, Gazebo Sim tells them from the <pose>");
+    }
+
+    Time delay_of(const XMLElement& script) {
+        const auto* element = script.FirstChildElement("delay_start");
+        if (element == nullptr) return {};
+        const auto delay_s = number_in(element);
+        if (delay_s && *delay_s >= 0.0 && *delay_s <= latest_s) return to_time(*delay_s);
+        warn(*element, "has a <delay_start> of " + quote(text_of(element)) +
+                           ", which is none from 0 to 1e9 s; it does not wait");
+        return {};
+    }
+
+    std::optional<Trajectory> read_trajectory(const XMLElement& element) {
+        Trajectory trajectory{element.IntAttribute("id"), tension_of(element), {}};
+        for (const auto* waypoint = element.FirstChildElement("waypoint"); waypoint != nullptr;
+             waypoint = waypoint->NextSiblingElement("waypoint")) {
+            if (++waypoints_ > most_waypoints) {
+                warn(*waypoint, "has more than 10000 waypoints; the rest is left out");
+                break;
+            }
+            if (const auto read = read_waypoint(*waypoint)) trajectory.waypoints.push_back(*read);
+        }
+        put_in_order(element, trajectory.waypoints);
+        if (!trajectory.waypoints.empty()) return trajectory;
+        warn(element, "has a <trajectory> without waypoints; left out");
+        return std::nullopt;
+    }
+
+    double tension_of(const XMLElement& element) {
+        const char* text = element.Attribute("tension");
+        if (text == nullptr) return 0.0;
+        const auto number = numbers_in(text, 1);
+        const double tension = number ? std::clamp(number->front(), 0.0, 1.0) : 0.0;
+        if (!number || tension != number->front()) {
+            warn(element, "has a tension of " + quote(text) + ", which is none from 0 to 1; " +
+                              (tension == 0.0 ? "0" : "1") + " is taken");
+        }
+        return tension;
+    }
+
+    std::optional<Waypoint> read_waypoint(const XMLElement& element) {
+        const auto* time = element.FirstChildElement("time");
+        const auto time_s = time == nullptr ? std::optional(0.0) : number_in(time);
+        const auto pose = pose_in(element.FirstChildElement("pose"));
+        const bool good = time_s && *time_s >= 0.0 && *time_s <= latest_s;
+        if (good && pose) return Waypoint{to_time(*time_s), *pose};
+        warn(element,
+             good ? "has a waypoint whose <pose> is no six finite numbers within 1e7 m; left out"
+                  : "has a waypoint whose <time> is none from 0 to 1e9 s; left out");
+        return std::nullopt;
+    }
+
+    /// In the file they may stand in any order; of those of one time Gazebo takes the last.
+    void put_in_order(const XMLElement& trajectory, std::vector<Waypoint>& waypoints) {
+        const auto earlier = [](const Waypoint& a, const Waypoint& b) { return a.time < b.time; };
+        if (!std::ranges::is_sorted(waypoints, earlier)) {
+            warn(trajectory, "has waypoints whose times go back; they are taken by time");
+            std::ranges::stable_sort(waypoints, earlier);
+        }
+        std::vector<Waypoint> apart;
+        for (Waypoint& waypoint : waypoints) {
+            if (waypoint.time < closest) waypoint.time = {};
+            if (!apart.empty() && waypoint.time - apart.back().time < closest) apart.pop_back();
+            apart.push_back(waypoint);
+        }
+        if (apart.size() < waypoints.size()) {
+            warn(trajectory,
+                 "has waypoints less than a millisecond apart; the last of them is taken");
+        }
+        waypoints = std::move(apart);
+    }
+
+    static Time to_time(double seconds) { return Time(std::llround(seconds * 1e9)); }
+
+    /// Each kind once for each actor.
+    void warn(const XMLElement& at, const std::string& what) {
+        if (std::ranges::find(told_, what) != told_.end()) return;
+        told_.push_back(what);
+        const char* name = actor_.Attribute("name");
+        warnings_.push_back(file_.string() + ':' + std::to_string(at.GetLineNum()) + ": actor " +
+                            quote(name == nullptr ? "" : name) + ' ' + what);
+    }
+
+    XMLElement& actor_;
+    const std::filesystem::path& file_;
+    std::vector<std::string>& warnings_;
+    std::vector<std::string> told_;
+    std::size_t waypoints_ = 0;
+};
+
+/// The skin as the visual of a link.
+void add_skin(XMLElement& model, const std::string& uri, const std::string& scale) {
+    auto* link = model.InsertNewChildElement("link");
+    link->SetAttribute("name", std::string{skin_name}.c_str());
+    auto* visual = link->InsertNewChildElement("visual");
+    visual->SetAttribute("name", std::string{skin_name}.c_str());
+    auto* mesh = visual->InsertNewChildElement("geometry")->InsertNewChildElement("mesh");
+    mesh->InsertNewChildElement("uri")->SetText(uri.empty() ? no_skin : uri.c_str());
+    if (scale.empty()) return;
+    mesh->InsertNewChildElement("scale")->SetText((scale + ' ' + scale + ' ' + scale).c_str());
+}
+
+void make_model(XMLElement& actor, std::size_t index) {
+    const auto* skin = actor.FirstChildElement("skin");
+    const bool has_body = skin != nullptr || actor.FirstChildElement("link") != nullptr ||
+                          actor.FirstChildElement("include") != nullptr;
+    const std::string uri = skin == nullptr ? "" : text_of(skin->FirstChildElement("filename"));
+    const std::string scale = skin == nullptr ? "" : text_of(skin->FirstChildElement("scale"));
+    for (const char* part : {"skin", "animation", "script"}) {
+        while (auto* child = actor.FirstChildElement(part))
+            actor.DeleteChild(child);
+    }
+    actor.SetName("model");
+    actor.InsertNewChildElement(actor_mark)->SetText(std::to_string(index).c_str());
+    if (skin != nullptr || !has_body) add_skin(actor, uri, scale);
+}
+
+}  // namespace
+
+std::vector<std::string> take_actors(XMLElement& root, const std::filesystem::path& file,
+                                     std::vector<SdfActor>& actors) {
+    std::vector<std::string> warnings;
+    const auto take = [&](XMLElement& parent) {
+        while (auto* actor = parent.FirstChildElement("actor")) {
+            root.SetAttribute("xmlns:scipd", "urn:scipd:sdf");
+            actors.push_back(ActorReader(*actor, file, warnings).read());
+            make_model(*actor, actors.size() - 1);
+        }
+    };
+    take(root);
+    for (auto* world = root.FirstChildElement("world"); world != nullptr;
+         world = world->NextSiblingElement("world"))
+        take(*world);
+    return warnings;
+}
+
+}  // namespace scipd::sim

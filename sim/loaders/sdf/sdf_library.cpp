@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/sdf/sdf_library.h"
+
+#include <cstdio>
+#include <utility>
+
+#include <sdf/ParserConfig.hh>
+
+namespace scipd::sim {
+namespace {
+
+/// The global configuration is the only one that the library has for includes within includes.
+class GlobalConfig {
+  public:
+    explicit GlobalConfig(sdf::ParserConfig config)
+        : before_(std::exchange(sdf::ParserConfig::GlobalConfig(), std::move(config))) {}
+    ~GlobalConfig() { sdf::ParserConfig::GlobalConfig() = std::move(before_); }
+    GlobalConfig(const GlobalConfig&) = delete;
+    GlobalConfig& operator=(const GlobalConfig&) = delete;
+
+  private:
+    sdf::ParserConfig before_;
+};
+
+}  // namespace
+
+std::filesystem::path SdfLibrary::write(const std::string& uri, const std::string& text) {
+    File memory = memory_file();
+    std::FILE* file = memory.get();
+    std::fwrite(text.data(), 1, text.size(), file);
+    std::fflush(file);
+    const std::filesystem::path path = "/proc/self/fd/" + std::to_string(fileno(file));
+    includes_[uri] = {path, std::move(memory)};
+    return path;
+}
+
+sdf::Errors SdfLibrary::load(const std::string& text, sdf::Root& root) const {
+    sdf::ParserConfig config;
+    config.SetWarningsPolicy(sdf::EnforcementPolicy::WARN);
+    config.SetUnrecognizedElementsPolicy(sdf::EnforcementPolicy::WARN);
+    config.SetDeprecatedElementsPolicy(sdf::EnforcementPolicy::WARN);
+    config.SetFindCallback([this](const std::string& uri) {
+        const auto known = includes_.find(uri);
+        return known == includes_.end() ? std::string{} : known->second.path.string();
+    });
+    const GlobalConfig global{config};
+    root = sdf::Root{};
+    return root.LoadSdfString(text, config);
+}
+
+}  // namespace scipd::sim

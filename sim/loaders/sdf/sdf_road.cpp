@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/sdf/sdf_road.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <tinyxml2.h>
+
+#include "sim/loaders/load_error.h"
+#include "sim/loaders/sdf/sdf_numbers.h"
+#include "sim/world/reach.h"
+
+namespace scipd::sim {
+namespace {
+
+using tinyxml2::XMLElement;
+
+/// Of all but the roads.
+std::set<std::string> names_in(XMLElement& world) {
+    std::set<std::string> names;
+    for (auto* child = world.FirstChildElement(); child; child = child->NextSiblingElement()) {
+        const char* name = child->Attribute("name");
+        const bool is_road = std::string_view{child->Name()} == "road";
+        if (name != nullptr && !is_road) names.insert(name);
+    }
+    return names;
+}
+
+/// Gazebo needs no names of roads; the library wants one for each model, and none of `__default__`.
+std::string name_for(const XMLElement& road, std::set<std::string>& taken) {
+    const char* given = road.Attribute("name");
+    const std::string wanted =
+        given == nullptr || std::string_view{given}.starts_with("__") ? "road" : given;
+    std::string name = wanted;
+    for (int count = 2; !taken.insert(name).second; ++count)
+        name = wanted + "_" + std::to_string(count);
+    return name;
+}
+
+void move_children(XMLElement& from, const char* name, XMLElement& to) {
+    while (auto* child = from.FirstChildElement(name))
+        to.InsertEndChild(child);
+}
+
+void put_as_model(XMLElement& road, const std::string& name) {
+    auto& document = *road.GetDocument();
+    auto* geometry = document.NewElement("geometry");
+    auto* strip = geometry->InsertNewChildElement("scipd:road");
+    move_children(road, "width", *strip);
+    move_children(road, "point", *strip);
+    auto* material = road.FirstChildElement("material");
+    // The element itself, which knows its line.
+    road.SetName("model");
+    road.SetAttribute("name", name.c_str());
+    road.InsertNewChildElement("static")->SetText("true");
+    auto* link = road.InsertNewChildElement("link");
+    link->SetAttribute("name", "link");
+    auto* visual = link->InsertNewChildElement("visual");
+    visual->SetAttribute("name", "visual");
+    if (material != nullptr) visual->InsertEndChild(material);
+    visual->InsertEndChild(geometry);
+}
+
+/// Where nothing lies between two points, there is no way from one to the other.
+std::vector<glm::dvec3> points_of(sdf::Element& road) {
+    std::vector<glm::dvec3> points_m;
+    for (auto point = road.FindElement("point"); point; point = point->GetNextElement("point")) {
+        const glm::dvec3 at_m = vector_of(*point);
+        if (!plausible_position(at_m)) {
+            throw LoadError({"every <point> of a <road> must be finite and at most 1e7 m away"});
+        }
+        if (points_m.empty() || points_m.back() != at_m) points_m.push_back(at_m);
+    }
+    return points_m;
+}
+
+/// From the middle of a road to its left edge at this point, level. As Gazebo Classic 11 has it
+/// (gazebo/rendering/Road2d.cc): across the way from the point before to the one after, and wider
+/// in a turn, unless it is none or one back to where the road came from.
+glm::dvec3 to_the_left_m(const std::vector<glm::dvec3>& points_m, std::size_t at, double width_m) {
+    const glm::dvec3& before_m = points_m[at == 0 ? 0 : at - 1];
+    const glm::dvec3& after_m = points_m[std::min(at + 1, points_m.size() - 1)];
+    double widening = 1.0;
+    if (at > 0 && at + 1 < points_m.size()) {
+        const double turn = glm::dot(glm::normalize(before_m - points_m[at]),
+                                     glm::normalize(after_m - points_m[at]));
+        if (std::abs(turn) < 0.97) widening = 1.0 / std::sin(0.5 * std::acos(turn));
+    }
+    const glm::dvec3 along_m = after_m - before_m;
+    const double left_rad = std::atan2(along_m.x, -along_m.y);
+    return 0.5 * width_m * widening * glm::dvec3{std::cos(left_rad), std::sin(left_rad), 0.0};
+}
+
+Mesh strip_along(const std::vector<glm::dvec3>& points_m, double width_m) {
+    Mesh mesh;
+    for (std::size_t at = 0; at < points_m.size(); ++at) {
+        const glm::dvec3 left_m = to_the_left_m(points_m, at, width_m);
+        mesh.vertices_m.emplace_back(points_m[at] + left_m);
+        mesh.vertices_m.emplace_back(points_m[at] - left_m);
+        if (at == 0) continue;
+        const auto here = static_cast<glm::uint>(2 * at);
+        mesh.triangles.emplace_back(here - 2, here - 1, here);
+        mesh.triangles.emplace_back(here - 1, here, here + 1);
+    }
+    return mesh;
+}
+
+}  // namespace
+
+void put_roads_as_models(XMLElement& world) {
+    auto taken = names_in(world);
+    while (auto* road = world.FirstChildElement("road"))
+        put_as_model(*road, name_for(*road, taken));
+}
+
+PlacedShape placed_road(sdf::Element& road) {
+    const double width_m = number_in(road, "width", 1.0);
+    if (!(width_m > 0.0 && width_m <= position_limit_m)) {
+        throw LoadError({"the <width> of a <road> must be above 0 and at most 1e7 m"});
+    }
+    auto points_m = points_of(road);
+    if (points_m.size() < 2) throw LoadError({"a <road> needs two <point>s that differ"});
+    // Far out, where the points of a map of the country lie, floats are coarse.
+    const glm::dvec3 first_m = glm::round(points_m.front());
+    for (glm::dvec3& point_m : points_m)
+        point_m -= first_m;
+    return {std::make_shared<const Mesh>(strip_along(points_m, width_m)), {first_m}};
+}
+
+}  // namespace scipd::sim

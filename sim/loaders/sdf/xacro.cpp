@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/sdf/xacro.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "sim/loaders/confined.h"
+#include "sim/loaders/load_error.h"
+#include "sim/loaders/plain_file.h"
+#include "sim/loaders/quote.h"
+
+namespace scipd::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// For a Python that reads some hundred files.
+const Confines confines{.processor_time = std::chrono::seconds(60),
+                        .memory_bytes = std::size_t{4} << 30U,
+                        .wall_time = std::chrono::minutes(1)};
+
+/// Without the line end.
+std::string words_of(const std::runtime_error& error) {
+    std::string words = shown(error.what());
+    return words.substr(0, words.find_last_not_of('\n') + 1);
+}
+
+std::string expanded(const fs::path& file) {
+    const auto refuse = [&](const std::string& why) {
+        throw LoadError({file.string() + ": " + why});
+    };
+    if (const auto why = why_no_file(file); !why.empty()) {
+        refuse(why + "; name a robot written in xacro");
+    }
+    try {
+        if (const auto text = output_of(confines, {"xacro", file.string()})) return *text;
+    } catch (const std::runtime_error& error) {
+        refuse("xacro fails: " + words_of(error));
+    }
+    const std::string name = file.filename().string();
+    refuse(
+        "is written in xacro, which is not installed here: install it (pip install xacro, or "
+        "the package ros-...-xacro), or write `xacro " +
+        name + " > " + file.stem().string() + "` where it is, and name that file");
+    return {};
+}
+
+}  // namespace
+
+LoadedScene load_xacro(const fs::path& given, const SdfOptions& options) {
+    const auto file = fs::absolute(given).lexically_normal();
+    return load_sdf_text(expanded(file), file.string() + " (as xacro prints it)",
+                         file.parent_path(), options);
+}
+
+}  // namespace scipd::sim

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/stage/stage_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <numbers>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "sim/loaders/load_error.h"
+#include "sim/loaders/name.h"
+#include "sim/loaders/plain_file.h"
+#include "sim/loaders/quote.h"
+#include "sim/loaders/sdf/scene_draft.h"
+#include "sim/loaders/stage/stage_body.h"
+#include "sim/loaders/stage/stage_file.h"
+#include "sim/world/reach.h"
+
+namespace scipd::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t largest_text = 16U << 20U;
+constexpr std::uintmax_t largest_picture = 512U << 20U;
+constexpr std::size_t most_triangles = 20'000'000;
+constexpr double boundary_m = 0.01;
+
+/// Without a body unless they are given one.
+constexpr std::array sensors{"ranger", "laser",        "sensor",    "camera",
+                             "sonar",  "blobfinder",   "fiducial",  "fiducialfinder",
+                             "bumper", "wifi",         "loadcell",  "lightindicator",
+                             "speech", "blinkenlight", "powerpack", "block",
+                             "window", "gui",          "audio"};
+
+bool is_sensor(const std::string& type) {
+    return std::ranges::find(sensors, type) != sensors.end();
+}
+
+bool has_default_body(const std::string& type) {
+    return type == "model" || type == "position";
+}
+
+/// Stage looks beside the world; beside the file that includes is where people look.
+fs::path path_of(const std::string& name, const fs::path& world, const fs::path& by) {
+    const fs::path beside_world = world.parent_path() / name;
+    return why_no_file(beside_world).empty() ? beside_world : by.parent_path() / name;
+}
+
+class StageScene {
+  public:
+    StageScene(fs::path file, StageFile stage)
+        : file_(std::move(file)), draft_(file_, false, std::move(stage.warnings)) {
+        draft_.set_name(file_.stem().string());
+        const std::string length = stage.world.text("unit_length", "m");
+        units_.metres = length == "cm" ? 0.01 : (length == "mm" ? 0.001 : 1.0);
+        const bool in_radians = stage.world.text("unit_angle", "degrees") == "radians";
+        units_.radians = in_radians ? 1.0 : std::numbers::pi / 180.0;
+        for (const StageEntity& entity : stage.world.children)
+            add_model(entity);
+    }
+
+    LoadedScene finish() && { return std::move(draft_).finish("body"); }
+
+  private:
+    /// Where an entity stands in its model, and what it is called there.
+    struct Stand {
+        ModelId model;
+        Pose model_from_entity;
+        std::string name;
+    };
+
+    void add_model(const StageEntity& entity) {
+        if (is_sensor(entity.type)) return;
+        const std::string name = free_name(entity);
+        try {
+            const ModelId model =
+                draft_.add({name, entity.type == "position", pose_of(entity, "pose")});
+            add({model, Pose{}, name}, entity);
+        } catch (const std::invalid_argument& wrong) {
+            leave_out(entity, name, wrong.what());
+        }
+    }
+
+    /// Stage numbers those that have no name.
+    std::string free_name(const StageEntity& entity) {
+        const std::string said = entity.text("name", entity.type.c_str());
+        std::string name = short_name(said.empty() ? entity.type : said);
+        for (int i = 1; !names_.insert(name).second; ++i)
+            name = short_name(said + ':' + std::to_string(i));
+        return name;
+    }
+
+    void add(const Stand& stand, const StageEntity& entity) {
+        const glm::dvec3 size_m = stage_size_m(entity, units_);
+        const bool is_seen =
+            entity.number("ranger_return", 1.0) >= 0.0 && entity.number("laser_return", 1.0) != 0.0;
+        if (is_seen) add_body(stand, entity, size_m);
+        // Children stand on top.
+        const double top_m = entity.number("stack_children", 1.0) != 0.0 ? size_m.z : 0.0;
+        for (const StageEntity& child : entity.children) {
+            if (child.type != "block") add_child(stand, child, top_m);
+        }
+    }
+
+    void add_child(const Stand& parent, const StageEntity& child, double top_m) {
+        const std::string name = parent.name + "::" + child.text("name", child.type.c_str());
+        try {
+            const Pose on_top{{0.0, 0.0, top_m}, {1.0, 0.0, 0.0, 0.0}};
+            add({parent.model, parent.model_from_entity * on_top * pose_of(child, "pose"), name},
+                child);
+        } catch (const std::invalid_argument& wrong) {
+            leave_out(child, name, wrong.what());
+        }
+    }
+
+    void add_body(const Stand& stand, const StageEntity& entity, const glm::dvec3& size_m) {
+        const Stand body{stand.model, stand.model_from_entity * pose_of(entity, "origin"),
+                         stand.name + "::body"};
+        const Pose lifted{{0.0, 0.0, 0.5 * size_m.z}, {1.0, 0.0, 0.0, 0.0}};
+        std::vector<Mesh> blocks = block_meshes(entity, size_m, units_);
+        const bool has_blocks = !blocks.empty();
+        for (Mesh& block : blocks)
+            add_mesh(body, std::move(block));
+        if (const std::string bitmap = entity.text("bitmap"); !bitmap.empty()) {
+            add_bitmap(body, entity, bitmap, size_m);
+        } else if (!has_blocks && entity.number("noblocks", 0.0) == 0.0) {
+            if (has_default_body(entity.type)) {
+                add_object(body, lifted, Box{size_m});
+            } else if (!is_sensor(entity.type)) {
+                draft_.leave_out(entity.place + ": " + quote(entity.type) +
+                                 " is no model that is known");
+            }
+        }
+        if (entity.number("boundary", 0.0) != 0.0) add_boundary(body, size_m, lifted);
+    }
+
+    void add_bitmap(const Stand& body, const StageEntity& entity, const std::string& name,
+                    const glm::dvec3& size_m) {
+        const fs::path place{entity.place.substr(0, entity.place.rfind(':'))};
+        const fs::path picture = path_of(name, file_, place);
+        try {
+            const std::string bytes =
+                read_file(picture, largest_picture, "a bitmap is wanted here");
+            add_mesh(body, bitmap_mesh(bytes, size_m, most_triangles - triangles_));
+        } catch (const LoadError& wrong) {
+            draft_.leave_out(entity.place + ": " + wrong.what());
+        } catch (const std::invalid_argument& wrong) {
+            draft_.leave_out(entity.place + ": " + picture.string() + ' ' + wrong.what());
+        }
+    }
+
+    /// Thin walls along the rim of the size.
+    void add_boundary(const Stand& body, const glm::dvec3& size_m, const Pose& lifted) {
+        for (const int axis : {0, 1}) {
+            glm::dvec3 wall_m = size_m;
+            wall_m[axis] = std::min(boundary_m, size_m[axis]);
+            for (const double side : {-0.5, 0.5}) {
+                Pose pose = lifted;
+                pose.translation_m[axis] = side * (size_m[axis] - wall_m[axis]);
+                add_object(body, pose, Box{wall_m});
+            }
+        }
+    }
+
+    void add_mesh(const Stand& body, Mesh mesh) {
+        if (mesh.triangles.size() > most_triangles - triangles_) {
+            throw std::invalid_argument("makes more than 20 million triangles of the world");
+        }
+        triangles_ += mesh.triangles.size();
+        add_object(body, Pose{}, std::make_shared<const Mesh>(std::move(mesh)));
+    }
+
+    void add_object(const Stand& body, const Pose& body_from_object, Shape shape) {
+        const Pose pose = body.model_from_entity * body_from_object;
+        if (!plausible_position(pose.translation_m)) {
+            throw std::invalid_argument("lies farther than 1e7 m from the origin");
+        }
+        draft_.add({body.name, body.model, pose, std::move(shape), 0}, {"wall"});
+    }
+
+    /// Four numbers, x y z and heading; Stage 2 had no z.
+    Pose pose_of(const StageEntity& entity, const char* property) {
+        const auto said = entity.numbers(property);
+        if (said.empty()) return {};
+        std::array<double, 4> numbers{};
+        std::copy_n(said.begin(), std::min<std::size_t>(said.size(), 4), numbers.begin());
+        if (said.size() == 3) {
+            std::swap(numbers[2], numbers[3]);
+            if (!std::exchange(told_of_stage_2_, true)) {
+                draft_.warn(entity.place + ": " + property +
+                            " has three numbers: x, y and heading are taken, as Stage 2 has them");
+            }
+        }
+        const glm::dvec3 xyz_m = glm::dvec3{numbers[0], numbers[1], numbers[2]} * units_.metres;
+        if (!plausible_position(xyz_m) || std::abs(numbers[3]) > 1e6)
+            throw std::invalid_argument(std::string(property) + " must lie within 1e7 m");
+        return pose_from_rpy(xyz_m, {0.0, 0.0, numbers[3] * units_.radians});
+    }
+
+    void leave_out(const StageEntity& entity, const std::string& name, const std::string& why) {
+        draft_.leave_out(entity.place + ": " + printable(name) + ": " + why);
+    }
+
+    fs::path file_;
+    StageUnits units_;
+    SceneDraft draft_;
+    std::set<std::string, std::less<>> names_;
+    std::size_t triangles_ = 0;
+    bool told_of_stage_2_ = false;
+};
+
+}  // namespace
+
+bool is_stage(std::string_view text) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    const auto first = text.find_first_not_of(" \t\r\n");
+    return first != text.npos && text[first] != '<';
+}
+
+LoadedScene load_stage(const fs::path& given) {
+    const auto file = fs::absolute(given).lexically_normal();
+    const auto find = [&](const std::string& name, const fs::path& by) -> std::optional<StageText> {
+        const fs::path included = path_of(name, file, by);
+        if (!why_no_file(included).empty()) return std::nullopt;
+        return StageText{included, read_file(included, largest_text, "a file of Stage is wanted")};
+    };
+    const std::string text = read_file(file, largest_text, "name a world of Stage");
+    return StageScene{file, parse_stage({file, text}, find)}.finish();
+}
+
+}  // namespace scipd::sim

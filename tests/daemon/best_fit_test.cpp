@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Which product stands for the lidar of a world: worked out by hand from the data of each.
+#include "daemon/models/best_fit.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "daemon/models/registry.h"
+
+namespace scipd::daemon {
+namespace {
+
+/// hokuyo_utm30lx and the like in Gazebo: 270 degrees, 0.25 each.
+sim::Lidar hokuyo() {
+    return {.samples = 1081,
+            .rows = 1,
+            .min_angle_rad = -2.35619,
+            .max_angle_rad = 2.35619,
+            .min_range_m = 0.02,
+            .max_range_m = 30.0,
+            .rate_hz = 40.0};
+}
+
+std::string best(const sim::Lidar& lidar) {
+    return best_fit(lidar).profile.name;
+}
+
+TEST(BestFit, IsTheProductOfWhichTheFiguresAre) {
+    EXPECT_EQ(best(hokuyo()), "UST-10LX");
+    EXPECT_NEAR(misfit(find_model("UST-10LX"), hokuyo()), 0.0, 1e-4);
+    EXPECT_EQ(differences(find_model("UST-10LX"), hokuyo()), "");
+
+    sim::Lidar lidar = hokuyo();
+    lidar.samples = 2161;
+    EXPECT_EQ(best(lidar), "UST-10LX-H01");
+    lidar = hokuyo();
+    lidar.max_range_m = 60.0;
+    lidar.min_range_m = 0.023;
+    EXPECT_EQ(best(lidar), "UTM-30LX");  // before others with the same figures
+    // hokuyo_urg_04lx.
+    EXPECT_EQ(best({.samples = 682,
+                    .rows = 1,
+                    .min_angle_rad = -2.0944,
+                    .max_angle_rad = 2.0920,
+                    .min_range_m = 0.02,
+                    .max_range_m = 5.6,
+                    .rate_hz = 10.0}),
+              "URG-04LX");
+    // The same of a faster one.
+    EXPECT_EQ(best({.samples = 682,
+                    .rows = 1,
+                    .min_angle_rad = -2.0944,
+                    .max_angle_rad = 2.0920,
+                    .min_range_m = 0.02,
+                    .max_range_m = 5.6,
+                    .rate_hz = 35.0}),
+              "UBG-04LX-F01");
+}
+
+TEST(BestFit, CountsFactorsEitherWay) {
+    const Model& ust = find_model("UST-10LX");
+    for (const double factor : {2.0, 0.5}) {
+        sim::Lidar lidar = hokuyo();
+        lidar.max_range_m *= factor;
+        EXPECT_NEAR(misfit(ust, lidar), 0.6931, 1e-3);
+        lidar = hokuyo();
+        lidar.rate_hz *= factor;
+        EXPECT_NEAR(misfit(ust, lidar), 0.6931, 1e-3);
+    }
+}
+
+TEST(BestFit, WhatTheFileLeavesOpenCountsNothing) {
+    sim::Lidar lidar = hokuyo();
+    lidar.rate_hz = 0.0;
+    lidar.max_range_m = std::numeric_limits<double>::infinity();
+    EXPECT_NEAR(misfit(find_model("UST-10LX"), lidar), 0.0, 1e-4);
+    lidar.samples = 1;
+    lidar.min_angle_rad = lidar.max_angle_rad = 0.0;
+    EXPECT_NEAR(misfit(find_model("UST-10LX"), lidar), 0.0, 1e-4);
+}
+
+TEST(BestFit, TellsWhatIsUnlike) {
+    // An LDS-01.
+    const sim::Lidar lds{.samples = 360,
+                         .rows = 4,
+                         .min_angle_rad = 0.0,
+                         .max_angle_rad = 6.28319,
+                         .min_range_m = 0.12,
+                         .max_range_m = 3.5,
+                         .rate_hz = 5.0};
+    EXPECT_EQ(differences(find_model("UST-10LX"), lds),
+              "0.02 to 30 m instead of 0.12 to 3.5 m, -135 to 135 deg instead of 0 to 360 deg, "
+              "1081 steps instead of 360, 40 Hz instead of 5 Hz, one row instead of 4");
+}
+
+}  // namespace
+}  // namespace scipd::daemon

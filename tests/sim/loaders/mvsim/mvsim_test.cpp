@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Worlds of MVSim, whose ranges are known.
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/loaders/scene_file.h"
+#include "tests/sim/loaders/every_backend.h"
+#include "tests/sim/loaders/faults_of.h"
+#include "tests/sim/loaders/map/map_folder.h"
+
+namespace scipd::sim {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr double none = std::numeric_limits<double>::infinity();
+
+class Mvsim : public ::testing::Test {
+  protected:
+    LoadedScene load(const std::string& inside) {
+        return load_scene(folder_.write(
+            "a.world.xml", "<mvsim_world version=\"1.0\">\n" + inside + "</mvsim_world>\n"));
+    }
+    SharedScene scene(const std::string& inside) {
+        auto loaded = load(inside);
+        EXPECT_THAT(loaded.warnings, IsEmpty());
+        return loaded.scene;
+    }
+    std::vector<std::string> faults(const std::string& inside) {
+        return faults_of([&] { load(inside); }, folder_);
+    }
+    std::vector<std::string> warnings(const std::string& inside) {
+        auto all = load(inside).warnings;
+        const auto prefix = folder_.path().string() + '/';
+        for (auto& warning : all) {
+            for (auto at = warning.find(prefix); at != warning.npos; at = warning.find(prefix))
+                warning.erase(at, prefix.size());
+        }
+        return all;
+    }
+    tests::TempDir folder_;
+};
+
+// Walls of 0.2 m between the corners of a square of 6 m.
+TEST_F(Mvsim, aSquareRoom) {
+    const auto room = scene(
+        "<simul_timestep>0</simul_timestep><gui><ortho>false</ortho></gui>\n"
+        "<element class='ground_grid'><floating>true</floating></element>\n"
+        "<element class='horizontal_plane'><x_min>-5</x_min><y_min>-5</y_min><x_max>5</x_max>"
+        "<y_max>5</y_max><z>0.5</z></element>\n"
+        "<walls><wallThickness>0.2</wallThickness><wallHeight>2.5</wallHeight><shape>"
+        "<pt>-3 -3</pt><pt>3 -3</pt> <pt>3 -3</pt><pt>3 3</pt> <pt>3 3</pt><pt>-3 3</pt> "
+        "<pt>-3 3</pt><pt>-3 -3</pt></shape></walls>\n");
+    const glm::dvec3 middle_m{0, 0, 1};
+    expect_range(room, middle_m, {1, 0, 0}, 2.9);
+    expect_range(room, middle_m, {0, -1, 0}, 2.9);
+    expect_range(room, middle_m, {-1, 1, 0}, 2.9 * std::sqrt(2.0));
+    expect_range(room, middle_m, {0, 0, -1}, 0.5);
+    expect_range(room, {0, 0, 2.49}, {-1, 0, 0}, 2.9);
+    expect_range(room, {0, 0, 2.51}, {-1, 0, 0}, none);
+    expect_range(room, {9, 3.05, 1}, {-1, 0, 0}, 5.9);
+    EXPECT_THAT(room->models, SizeIs(2));
+    EXPECT_FALSE(room->models[1].movable);
+}
+
+TEST_F(Mvsim, wallsThatAreTurned) {
+    const auto room = scene(
+        "<walls><transformation>[0 -1 0 5; 1 0 0 0; 0 0 1 0; 0 0 0 1]</transformation>"
+        "<shape><pt>-1 0</pt><pt>1 0</pt><pt>9 9</pt><pt>9 8</pt></shape></walls>");
+    // Along y at x 5.
+    expect_range(room, {0, 0, 1}, {1, 0, 0}, 4.95);
+    expect_range(room, {0, 1.01, 1}, {1, 0, 0}, none);
+}
+
+TEST_F(Mvsim, aVerticalPlaneWithADoorAndAWindow) {
+    const auto wall = scene(
+        "<element class='vertical_plane'><x0>4</x0><y0>-5</y0><x1>4</x1><y1>5</y1><z>0</z>"
+        "<height>3</height><thickness>0.4</thickness>"
+        "<door position='0.5' width='2' z_min='0' z_max='2'/>"
+        "<window><position>0.75</position><width>1</width><z_min>1</z_min><z_max>2</z_max></window>"
+        "</element>");
+    expect_range(wall, {0, -2, 1}, {1, 0, 0}, 3.8);
+    expect_range(wall, {0, 0, 1}, {1, 0, 0}, none);
+    expect_range(wall, {0, 0.99, 1.99}, {1, 0, 0}, none);
+    expect_range(wall, {0, 1.01, 1.99}, {1, 0, 0}, 3.8);
+    expect_range(wall, {0, 0, 2.01}, {1, 0, 0}, 3.8);
+    expect_range(wall, {0, 2.5, 1.5}, {1, 0, 0}, none);
+    expect_range(wall, {0, 2.5, 0.9}, {1, 0, 0}, 3.8);
+    // From the threshold to the door frame.
+    expect_range(wall, {4, 0, 1}, {0, 1, 0}, 1.0);
+}
+
+TEST_F(Mvsim, blocksOfClasses) {
+    const auto blocks = scene(
+        "<block:class name='crate'><static>true</static><zmin>0.5</zmin><zmax>2</zmax>"
+        "<shape><pt>-1 -1</pt><pt>-1 1</pt><pt>1 1</pt><pt>1 -1</pt></shape></block:class>\n"
+        "<block class='crate' name='a'><init_pose>5 0 45</init_pose></block>\n"
+        "<block class='crate'><init_pose3d>-5 0 1 0 0 0</init_pose3d><zmax>1</zmax></block>\n"
+        "<block><init_pose>0 5 0</init_pose></block>\n"
+        "<block><init_pose>0 -5 0</init_pose><geometry type='cylinder' radius='1' length='3' "
+        "vertex_count='4'/></block>\n");
+    expect_range(blocks, {0, 0, 1}, {1, 0, 0}, 5.0 - std::sqrt(2.0));
+    expect_range(blocks, {0, 0, 0.45}, {1, 0, 0}, none);
+    expect_range(blocks, {0, 0, 1.99}, {1, 0, 0}, 5.0 - std::sqrt(2.0));
+    expect_range(blocks, {0, 0, 1.75}, {-1, 0, 0}, 4.0);
+    expect_range(blocks, {0, 0, 2.05}, {-1, 0, 0}, none);
+    expect_range(blocks, {0, 0, 0.99}, {0, 1, 0}, 4.5);
+    // A square on its corner.
+    expect_range(blocks, {0, 0, 2.9}, {0, -1, 0}, 4.0);
+    ASSERT_THAT(blocks->models, SizeIs(4));
+    EXPECT_EQ(blocks->models[0].name, "a");
+    EXPECT_EQ(blocks->models[1].name, "block");
+    EXPECT_EQ(blocks->models[2].name, "block_2");
+    EXPECT_FALSE(blocks->models[0].movable);
+    EXPECT_TRUE(blocks->models[2].movable);
+}
+
+TEST_F(Mvsim, loopsConditionsAndVariables) {
+    folder_.write("parts/post.xml",
+                  "<block name='post'><init_pose>${at} 0 0</init_pose><zmax>${high|3}</zmax>"
+                  "<static>1</static></block>");
+    const auto world = scene(
+        "<variable name='STEP' value='2'/>\n"
+        "<for var='i' from='1' to='3'><if condition='$f{i != 2 and STEP >= 2}'>"
+        "<block><init_pose>0 $f{STEP*i^2 - 1 + sin(pi)} 0</init_pose></block></if></for>\n"
+        "<include file='parts/post.xml' at='$f{-(2+3)*2}'/>\n"
+        "<include file='parts/post.xml' at='9' high='1'/>\n");
+    ASSERT_THAT(world->models, SizeIs(4));
+    expect_range(world, {0, 0, 0.5}, {0, 1, 0}, 0.5);
+    expect_range(world, {0, 3, 0.5}, {0, 1, 0}, 13.5);
+    expect_range(world, {0, 0, 2.9}, {-1, 0, 0}, 9.5);
+    expect_range(world, {0, 0, 1.1}, {1, 0, 0}, none);
+}
+
+TEST_F(Mvsim, anOccupancyGridOfAPicture) {
+    folder_.write("a.pgm", pgm(3, {255, 255, 0, 255, 255, 255}));
+    const auto grid = scene(
+        "<element class='occupancy_grid'><file>a.pgm</file><resolution>0.5</resolution>"
+        "<centerpixel_x>1</centerpixel_x><centerpixel_y>0</centerpixel_y></element>");
+    // The dark pixel is the right one of the upper row: x 0.5 to 1, y 0.5 to 1.
+    expect_range(grid, {-1, 0.75, 1}, {1, 0, 0}, 1.5);
+    expect_range(grid, {0.75, 0, 1.9}, {0, 1, 0}, 0.5);
+    expect_range(grid, {-1, 0.25, 1}, {1, 0, 0}, none);
+    EXPECT_THAT(
+        warnings("<element class='occupancy_grid'><file>a.pgm</file></element>"),
+        ElementsAre("a.world.xml:2: has no centerpixel_x and _y; the middle of its picture is the "
+                    "origin"));
+    folder_.write("map.yaml", yaml("a.pgm"));
+    expect_range(scene("<element class='occupancy_grid'><file>map.yaml</file></element>"),
+                 {0, 1.5, 1}, {1, 0, 0}, 2.0);
+}
+
+// Black, grey and white from row to row: x grows with the rows.
+TEST_F(Mvsim, anElevationMap) {
+    folder_.write("hill.pgm", pgm(2, {0, 0, 100, 100, 200, 200}));
+    const auto hill = scene(
+        "<element class='elevation_map'><elevation_image>hill.pgm</elevation_image>"
+        "<resolution>2</resolution><elevation_image_min_z>1</elevation_image_min_z>"
+        "<elevation_image_max_z>3</elevation_image_max_z><corner_min_x>0</corner_min_x>"
+        "<corner_min_y>-1</corner_min_y></element>");
+    expect_range(hill, {0.5, 0.2, 9}, {0, 0, -1}, 7.75);
+    expect_range(hill, {3.5, 0.2, 9}, {0, 0, -1}, 6.25);
+    expect_range(hill, {3.5, 1.2, 9}, {0, 0, -1}, none);
+}
+
+TEST_F(Mvsim, whatIsLeftOutIsTold) {
+    EXPECT_THAT(
+        warnings("<vehicle name='r1' class='jackal'><init_pose>0 0 0</init_pose></vehicle>\n"
+                 "<block><init_pose>0 0</init_pose></block>\n"
+                 "<block><init_pose>$f{rand()} 0 0</init_pose></block>\n"
+                 "<block><init_pose>$(date) 0 0</init_pose></block>\n"
+                 "<block><visual><model_uri>shelf.dae</model_uri></visual></block>\n"
+                 "<include file='none.xml'/>\n"
+                 "<element class='pointcloud'/>\n"
+                 "<walls><model_uri>walls.dae</model_uri></walls>\n"
+                 "<actor><x/></actor>\n"
+                 "<block><shape><pt>0 0</pt><pt>1 0</pt><pt>0 1</pt></shape>"
+                 "<visual><model_uri>a.dae</model_uri></visual></block>\n"),
+        ElementsAre(
+            "a.world.xml:2: <vehicle> is a robot; configure it here; left out",
+            "a.world.xml:3: <block> <init_pose> wants 3 numbers, not '0 0'; left out",
+            "a.world.xml:4: <block> the function 'rand' is not known here; left out",
+            HasSubstr("a.world.xml:5: <block> neither commands nor the environment are asked"),
+            "a.world.xml:6: <block> is shown by 'shelf.dae', and 3D models are not read; give it a "
+            "<shape>; left out",
+            "a.world.xml:7: <include> names none.xml, which is not there; left out",
+            "a.world.xml:8: <element> class 'pointcloud' is not known here; left out",
+            "a.world.xml:9: <walls> of a 3D model are not read; give them a <shape>; left out",
+            "a.world.xml:10: <actor> is not known here; left out",
+            "a.world.xml:11: 'a.dae' is not read; the shape counts"));
+}
+
+TEST_F(Mvsim, whatIsNoWorldOfMvsim) {
+    const auto faults_of_text = [&](const std::string& text) {
+        const auto file = folder_.write("a.world.xml", text);
+        return faults_of([&] { load_scene(file); }, folder_);
+    };
+    EXPECT_THAT(faults_of_text("<robot/>"),
+                ElementsAre("a.world.xml: is no world of MVSim: its root is <robot>, not "
+                            "<mvsim_world>"));
+    EXPECT_THAT(faults_of_text("<mvsim_world>\n<a></b></mvsim_world>"),
+                ElementsAre("a.world.xml:2: is no XML that can be read"));
+    EXPECT_THAT(faults_of_text(""), ElementsAre("a.world.xml:0: is no XML that can be read"));
+}
+
+TEST_F(Mvsim, whatGoesInCirclesOrOnForEverIsRefused) {
+    EXPECT_THAT(faults("<include file='a.world.xml'/>"),
+                ElementsAre(HasSubstr("do they go in circles?")));
+    EXPECT_THAT(faults("<for var='i' from='0' to='1e5'><for var='k' from='0' to='1e5'/></for>"),
+                ElementsAre("a.world.xml:2: its loops make more than 200000 elements"));
+}
+
+}  // namespace
+}  // namespace scipd::sim
