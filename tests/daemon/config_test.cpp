@@ -226,11 +226,12 @@ TEST_F(ConfigTest, ReadsWhatAWorldMayTake) {
     EXPECT_EQ(config.limits.load_time, std::chrono::seconds(900));
     EXPECT_EQ(parse(robots).limits, WorldLimits{});
     EXPECT_THAT(faults(robots + "limits: {world_memory_mb: 0, world_triangles: 8GiB, memory: 2}"),
-                ElementsAre("fleet.yaml:2: limits.memory: unknown key; there are world_memory_mb, "
-                            "world_triangles, world_load_s",
-                            "fleet.yaml:2: limits.world_memory_mb: must be 1 to 1000000, not '0'",
-                            "fleet.yaml:2: limits.world_triangles: must be 1 to 1000000000, not "
-                            "'8GiB'"));
+                ElementsAre("fleet.yaml:2: limits.memory: unknown key; known here are "
+                            "world_memory_mb, world_triangles, world_load_s",
+                            "fleet.yaml:2: limits.world_memory_mb: must be a whole number from 1 "
+                            "to 1000000, not '0'",
+                            "fleet.yaml:2: limits.world_triangles: must be a whole number from 1 "
+                            "to 1000000000, not '8GiB'"));
 }
 
 TEST_F(ConfigTest, RaisesWithAWorldsLimitsWhatItsMeshesMayTake) {

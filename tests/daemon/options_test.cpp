@@ -280,7 +280,7 @@ TEST(Options, AnswersQuestionsOnStandardOutput) {
 TEST(Options, SaysInOneSentenceWhatIsWrong) {
     const std::pair<const char*, const char*> table[] = {
         {"--scene /nowhere.sdf", "--scene: there is no file '/nowhere.sdf'"},
-        {"--scene /", "--scene: '/' is a directory; name a file"},
+        {"--poses /", "--poses: '/' is a directory; name a file"},
         {"--scene /dev/zero", "--scene: '/dev/zero' is a device; name a file"},
         {"--poses /dev/zero", "--poses: '/dev/zero' is a device; name a file"},
         {"--tcp 10940",

@@ -77,7 +77,11 @@ std::size_t first_element(std::string_view text) {
 LoadedScene load_sdf(const fs::path& given, const SdfOptions& options) {
     // Absolute from here on, as the library does it: a message then names every file in one way.
     const auto named = fs::absolute(given).lexically_normal();
-    const auto file = model_file_of(named);
+    std::vector<std::string> of_folder;
+    const auto file = model_file_of(named, of_folder);
+    for (std::string& warning : of_folder)
+        warning = named.string() + ": " + warning;
+    if (options.strict && !of_folder.empty()) throw LoadError(std::move(of_folder));
     if (file.empty()) {
         throw LoadError({named.string() +
                          ": is a folder without a model.config that names an SDF file; name a file "
@@ -86,7 +90,9 @@ LoadedScene load_sdf(const fs::path& given, const SdfOptions& options) {
     if (const auto why = why_no_file(file); !why.empty()) {
         throw LoadError({file.string() + ": " + why + "; name an SDF world or model"});
     }
-    return load({file}, file.parent_path(), options);
+    LoadedScene loaded = load({file}, file.parent_path(), options);
+    loaded.warnings.insert(loaded.warnings.begin(), of_folder.begin(), of_folder.end());
+    return loaded;
 }
 
 LoadedScene load_sdf_text(const std::string& text, const std::string& name, const fs::path& folder,

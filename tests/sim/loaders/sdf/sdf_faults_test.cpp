@@ -35,8 +35,10 @@ TEST_F(SdfFaults, missingFilesAndFolders) {
     EXPECT_THAT(faults_of([&] { load_sdf(folder_.path() / "b.sdf"); }, folder_),
                 ElementsAre("b.sdf: no such file; name an SDF world or model"));
     folder_.write("c/d", "");
-    EXPECT_THAT(faults_of([&] { load_sdf(folder_.path() / "c"); }, folder_),
-                ElementsAre("c: is a directory; name an SDF world or model"));
+    EXPECT_THAT(
+        faults_of([&] { load_sdf(folder_.path() / "c"); }, folder_),
+        ElementsAre("c: is a folder without a model.config that names an SDF file; name a file "
+                    "or the folder of a model"));
 }
 
 TEST_F(SdfFaults, noWorld) {
