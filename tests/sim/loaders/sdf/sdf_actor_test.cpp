@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/backends/registry.h"
-#include "sim/loaders/sdf/model_fragment.h"
+#include "sim/loaders/scene_file.h"
 #include "sim/loaders/sdf/sdf.h"
 #include "tests/sim/backends/contract.h"
 #include "tests/sim/loaders/faults_of.h"
