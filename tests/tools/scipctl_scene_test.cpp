@@ -180,7 +180,6 @@ TEST_F(ScipctlScene, CompletesInBash) {
     EXPECT_EQ(complete("scipctl --control x pose st", "4"), "stream\n");
     EXPECT_EQ(complete("scipctl scene ''", "2"), "list load add move remove --help --control\n");
     EXPECT_EQ(complete("scipctl scene add --sc", "3"), "--scale\n");
-    EXPECT_EQ(complete("scipctl scene add --s", "3"), "--scale\n");
     EXPECT_EQ(complete("scipctl scene list --s", "3"), "--sensors\n");
     EXPECT_EQ(complete("scipctl completion ''", "2"), "bash zsh --help --control\n");
     EXPECT_EQ(complete("scipctl truth x", "2"), "\n");

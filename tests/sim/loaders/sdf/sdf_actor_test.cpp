@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/backends/registry.h"
-#include "sim/loaders/sdf/model_fragment.h"
+#include "sim/loaders/scene_file.h"
 #include "sim/loaders/sdf/sdf.h"
 #include "tests/sim/backends/contract.h"
 #include "tests/sim/loaders/faults_of.h"
@@ -289,6 +289,14 @@ TEST_F(IncludedActors, CanBeAddedToAWorldThatIsThere) {
     EXPECT_NEAR(pose(3s).translation_m.x, 10.0, 1e-9);
     EXPECT_NEAR(pose(3s).translation_m.y, 5.0, 1e-9);
     EXPECT_LT(glm::distance(model().world_from_model.translation_m, there.translation_m), 1e-12);
+}
+
+TEST_F(IncludedActors, StandStillWhereTheyAreToldSo) {
+    const auto file = folder_.path() / "models/man/model.sdf";
+    const auto model =
+        load_model_file(file, {"walker", std::nullopt, false}, {}).scene->models.at(0);
+    EXPECT_FALSE(model.movable);
+    EXPECT_EQ(model.script, nullptr);
 }
 
 TEST_F(SdfActors, AreRefusedWhereNothingMayBeLeftOut) {
