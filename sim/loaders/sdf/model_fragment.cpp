@@ -50,18 +50,26 @@ void move_to(Scene& scene, const Pose& world_from_model) {
 /// All of it is one body, with what could move by itself.
 void make_movable(Scene& scene) {
     const Pose model_from_world = inverse(scene.models.front().world_from_model);
+    const auto model_from_part = [&](ModelId part) {
+        return model_from_world * scene.models[part].world_from_model;
+    };
     for (Object& object : scene.objects) {
-        const Pose& world_from_part = scene.models[object.model].world_from_model;
-        object.model_from_object = model_from_world * world_from_part * object.model_from_object;
+        object.model_from_object = model_from_part(object.model) * object.model_from_object;
         object.model = 0;
+    }
+    for (Frame& frame : scene.frames) {
+        frame.model_from_frame = model_from_part(frame.model) * frame.model_from_frame;
+        frame.model = 0;
     }
     scene.models.resize(1);
     scene.models.front().movable = true;
 }
 
 void make_static(Scene& scene) {
-    for (Model& model : scene.models)
+    for (Model& model : scene.models) {
         model.movable = false;
+        model.script = nullptr;
+    }
 }
 
 void override_static(Scene& scene, std::optional<bool> movable) {

@@ -4,6 +4,8 @@
 // Models that a running scene is given: from a text, a file and a mesh.
 #include "sim/loaders/sdf/model_fragment.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -115,6 +117,10 @@ TEST_F(ModelFragment, MovesAsOneBodyWhereItIsToldSo) {
     backend->move(0, pose_from_rpy({4, 0, 0}, {0, 0, -1.5707963267948966}));
     EXPECT_FLOAT_EQ(range_m(), 6.5F);
     EXPECT_EQ(scene->objects.at(hit.object).name, "hall::l::v");
+    const auto link = std::ranges::find(scene->frames, "hall::door::l", &Frame::name);
+    ASSERT_NE(link, scene->frames.end());
+    EXPECT_EQ(link->model, 0U);
+    EXPECT_EQ(link->model_from_frame.translation_m, (glm::dvec3{0, 4, 0}));
 }
 
 TEST_F(ModelFragment, StandsStillWithAllThatLiesInItWhereItIsToldSo) {

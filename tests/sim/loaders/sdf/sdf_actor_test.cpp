@@ -291,6 +291,14 @@ TEST_F(IncludedActors, CanBeAddedToAWorldThatIsThere) {
     EXPECT_LT(glm::distance(model().world_from_model.translation_m, there.translation_m), 1e-12);
 }
 
+TEST_F(IncludedActors, StandStillWhereTheyAreToldSo) {
+    const auto file = folder_.path() / "models/man/model.sdf";
+    const auto model =
+        load_model_file(file, {"walker", std::nullopt, false}, {}).scene->models.at(0);
+    EXPECT_FALSE(model.movable);
+    EXPECT_EQ(model.script, nullptr);
+}
+
 TEST_F(SdfActors, AreRefusedWhereNothingMayBeLeftOut) {
     load(world(actor(skin + script(along_x()))), {.strict = true});
     EXPECT_NE(model().script, nullptr);
