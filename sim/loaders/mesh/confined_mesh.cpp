@@ -74,7 +74,71 @@ std::uintmax_t check_file(const fs::path& file) {
     return size;
 }
 
+/// For as long, and with as much memory, as each may take at least.
+Confines confines_of(const std::vector<MeshSource>& sources, const MeshLimits& limits) {
+    std::uintmax_t size = 0;
+    for (const MeshSource& source : sources)
+        size += check_file(source.file);
+    return confines_of(sources.front().file, size, limits);
+}
+
+std::vector<MeshPart> read(const MeshSource& source, MeshAxes axes, const MeshLimits& limits,
+                           MeshContents contents) {
+    return source.submesh.empty() ? read_mesh(source.file, axes, limits, contents)
+                                  : read_submesh(source.file, source.submesh, limits, contents);
+}
+
+bool goes_alone(const fs::path& file) {
+    return extension_of(file) == ".gltf" || !why_no_file(file).empty();
+}
+
 }  // namespace
+
+std::vector<std::vector<MeshSource>> batches_of(const std::vector<MeshSource>& sources) {
+    // So that several children have something to do, and none has much to lose.
+    constexpr std::uintmax_t most_bytes = 8'000'000;
+    std::vector<std::vector<MeshSource>> batches;
+    std::uintmax_t bytes = most_bytes;  // of the last one
+    for (const MeshSource& source : sources) {
+        std::error_code error;
+        const auto size = goes_alone(source.file) ? most_bytes : fs::file_size(source.file, error);
+        if (error || bytes + size > most_bytes) {
+            batches.emplace_back();
+            bytes = 0;
+        }
+        batches.back().push_back(source);
+        bytes += error ? most_bytes : size;
+    }
+    return batches;
+}
+
+MeshBatch::MeshBatch(std::vector<MeshSource> sources, const MeshLimits& of_each)
+    : sources_(std::move(sources)) {
+    try {
+        const auto work = [&](std::FILE* out) {
+            for (const MeshSource& source : sources_) {
+                put_each(read(source, MeshAxes::as_in_file, of_each, MeshContents::all), out,
+                         put_part);
+            }
+        };
+        child_ = std::make_unique<Confined>(confines_of(sources_, of_each), work);
+    } catch (const std::runtime_error&) {
+        // outcome() answers with nothing.
+    }
+}
+
+std::optional<std::vector<std::vector<MeshPart>>> MeshBatch::outcome() {
+    if (!child_) return std::nullopt;
+    try {
+        const File answer = child_->outcome();
+        std::vector<std::vector<MeshPart>> parts;
+        for (std::size_t i = 0; i < sources_.size(); ++i)
+            parts.push_back(take_each<std::vector<MeshPart>>(answer.get(), take_part));
+        return parts;
+    } catch (const std::runtime_error&) {
+        return std::nullopt;
+    }
+}
 
 MeshReading::MeshReading(fs::path file, std::string submesh, MeshAxes axes,
                          const MeshLimits& limits)
@@ -86,9 +150,7 @@ void MeshReading::begin(MeshContents contents) {
     try {
         const Confines confines = confines_of(file_, check_file(file_), limits_);
         const auto work = [&](std::FILE* out) {
-            put_each(submesh_.empty() ? read_mesh(file_, axes_, limits_, contents)
-                                      : read_submesh(file_, submesh_, limits_, contents),
-                     out, put_part);
+            put_each(read({file_, submesh_}, axes_, limits_, contents), out, put_part);
         };
         child_ = std::make_unique<Confined>(confines, work);
     } catch (const std::runtime_error& wrong) {

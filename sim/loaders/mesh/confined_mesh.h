@@ -8,6 +8,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,26 @@
 #include "sim/loaders/mesh/mesh_reader.h"
 
 namespace scipd::sim {
+
+/// Some files that are being read by one child, which costs a third of a child for each: most of
+/// that is memory that each has to be given anew.
+class MeshBatch {
+  public:
+    /// Begins.
+    MeshBatch(std::vector<MeshSource> sources, const MeshLimits& of_each);
+
+    [[nodiscard]] const std::vector<MeshSource>& sources() const { return sources_; }
+    /// Of each, as they lie in the files. Waits, once. Nothing where anything is wrong with any of
+    /// them: what it is, and with which, is told by those who read them alone.
+    std::optional<std::vector<std::vector<MeshPart>>> outcome();
+
+  private:
+    std::vector<MeshSource> sources_;
+    std::unique_ptr<Confined> child_;
+};
+
+/// What one child reads in one go. All sources in their order; files that are not there go alone.
+std::vector<std::vector<MeshSource>> batches_of(const std::vector<MeshSource>& sources);
 
 /// A file that is being read: all of it or, where that fails, what matters of it.
 class MeshReading {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <chrono>
+#include <compare>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -36,6 +37,14 @@ struct MeshLimits {
 struct Submesh {
     std::string name;      ///< of its node (OBJ: the object or group) or of its mesh
     bool centred = false;  ///< moved so that the middle of its bounds is the origin
+};
+
+/// All of a file, or its submesh of this name.
+struct MeshSource {
+    std::filesystem::path file;
+    std::string submesh;
+
+    std::strong_ordering operator<=>(const MeshSource&) const = default;
 };
 
 /// Which way is up.

@@ -8,8 +8,6 @@
 #include <thread>
 #include <utility>
 
-#include "sim/loaders/mesh/confined_mesh.h"
-
 namespace scipd::sim {
 namespace {
 
@@ -44,20 +42,35 @@ std::size_t triangles_of(const InFile& outcome) {
 }  // namespace
 
 void MeshShelf::read_ahead(const std::vector<MeshSource>& sources) {
-    std::deque<std::pair<MeshSource, MeshReading>> running;
+    const std::set<MeshSource> once{sources.begin(), sources.end()};
+    std::deque<MeshBatch> running;
     std::size_t triangles = 0;
-    const auto finish_first = [&] {
-        auto& [source, reading] = running.front();
-        triangles += triangles_of(in_file_.emplace(source, outcome_of(reading)).first->second);
-        running.pop_front();
-    };
-    for (const MeshSource& source : std::set<MeshSource>{sources.begin(), sources.end()}) {
-        if (running.size() == most_readings()) finish_first();
+    for (auto& batch : batches_of({once.begin(), once.end()})) {
+        if (running.size() == most_readings()) {
+            triangles += take_up(running.front());
+            running.pop_front();
+        }
         if (triangles > most_triangles_) break;  // which is told where they are shown
-        running.emplace_back(source, begin_reading(source, of_each_));
+        running.emplace_back(std::move(batch), of_each_);
     }
-    while (!running.empty())
-        finish_first();
+    for (MeshBatch& batch : running)
+        take_up(batch);
+}
+
+std::size_t MeshShelf::take_up(MeshBatch& batch) {
+    auto outcome = batch.outcome();
+    std::size_t triangles = 0;
+    for (std::size_t i = 0; i < batch.sources().size(); ++i) {
+        const MeshSource& source = batch.sources()[i];
+        if (outcome) {
+            in_file_.emplace(source, std::move((*outcome)[i]));
+        } else {
+            MeshReading alone = begin_reading(source, of_each_);
+            in_file_.emplace(source, outcome_of(alone));
+        }
+        triangles += triangles_of(in_file_.at(source));
+    }
+    return triangles;
 }
 
 const std::vector<MeshPart>& MeshShelf::in_file(const MeshSource& source) {

@@ -5,7 +5,6 @@
 // in how many places it is shown, and all triangles together stay within a limit.
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -18,6 +17,7 @@
 #include <sdf/Mesh.hh>
 
 #include "sim/loaders/load_error.h"
+#include "sim/loaders/mesh/confined_mesh.h"
 #include "sim/loaders/mesh/mesh_file.h"
 #include "sim/world/shape.h"
 
@@ -27,14 +27,6 @@ namespace scipd::sim {
 struct SharedPart {
     std::string material;
     SharedMesh mesh;
-};
-
-/// All of a file, or its submesh of this name.
-struct MeshSource {
-    std::filesystem::path file;
-    std::string submesh;
-
-    std::strong_ordering operator<=>(const MeshSource&) const = default;
 };
 
 class MeshShelf {
@@ -56,6 +48,8 @@ class MeshShelf {
     using Key = std::tuple<MeshSource, double, double, double, bool>;
     using InFile = std::variant<std::vector<MeshPart>, LoadError>;
 
+    /// Answers with the number of its triangles.
+    std::size_t take_up(MeshBatch& batch);
     const std::vector<MeshPart>& in_file(const MeshSource& source);
 
     std::size_t most_triangles_;

@@ -249,6 +249,21 @@ TEST_F(SdfAsFound, anEmptyWorldIsOne) {
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a.sdf: holds nothing that a scanner could see")));
 }
 
+TEST_F(SdfAsFound, ofManyMeshesTheBrokenOnesAloneAreLeftOut) {
+    folder_.write("broken.obj", "v 0 0 0\nv 1 0 0\nf 1 2 9\n");
+    folder_.write("late.stl", "solid cut short");
+    std::string visuals;
+    for (int i = 0; i < 40; ++i) {
+        const std::string name = "thing_" + std::to_string(i) + ".obj";
+        folder_.write(name, triangle_obj);
+        visuals += visual("v" + std::to_string(i), mesh_of(name));
+    }
+    visuals += visual("b", mesh_of("broken.obj")) + visual("l", mesh_of("late.stl"));
+    EXPECT_EQ(objects(world(model_of(visuals))).size(), 40U);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("broken.obj: cannot be read as a mesh"),
+                                       HasSubstr("late.stl: ")));
+}
+
 // aws-robomaker-bookstore-world.
 TEST_F(SdfAsFound, aBookThatLiesFarUpIsToldAndCostsTheShopNothing) {
     const auto thing = [](const std::string& name, const std::string& at) {
