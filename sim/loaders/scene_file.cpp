@@ -47,8 +47,7 @@ LoadedScene load_here(const std::filesystem::path& file, const SceneOptions& opt
         {file.string() +
          ": is no kind of world that is known; name an SDF (.sdf, .world), a URDF (.urdf, "
          ".xacro), a world of Stage (.world) or MVSim (.xml), a ROS map (.yaml, .yml) or a mesh "
-         "(.obj, .stl, .ply, .dae, .gltf, "
-         ".glb)"});
+         "(.obj, .stl, .ply, .dae, .gltf, .glb), or the folder of a model"});
 }
 
 void warn_of_coarseness(LoadedScene& loaded, const std::filesystem::path& file) {

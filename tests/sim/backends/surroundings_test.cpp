@@ -147,7 +147,7 @@ std::filesystem::path scene_file(const std::string& name) {
 TEST(Surroundings, AreNeverOddOnADriveThroughAScene) {
     for (const std::string name : {"rescue_maze", "square_room", "corridor"}) {
         const auto scene = load_scene(scene_file(name + ".sdf")).scene;
-        const auto drive = load_trajectory(scene_file(name + ".tum")).poses;
+        const std::vector<TimedPose> drive = load_trajectory(scene_file(name + ".tum")).poses;
         ASSERT_FALSE(drive.empty());
         for (std::size_t i = 0; i < drive.size(); i += 20) {
             for (const double height_m : {0.1, 0.25, 0.6}) {

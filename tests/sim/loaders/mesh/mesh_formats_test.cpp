@@ -231,11 +231,12 @@ TEST(MeshFormat, aMeshInMillimetresIsWarnedOf) {
 
 TEST(MeshFormat, worldsOfOtherKindsAreRefusedByName) {
     const TempDir folder;
-    EXPECT_THAT(faults_of([&] { load_scene(folder.path() / "a.blend"); }, folder),
-                ElementsAre("a.blend: is no kind of world that is known; name an SDF (.sdf, "
-                            ".world), a URDF (.urdf, .xacro), a world of Stage (.world) or MVSim "
-                            "(.xml), a ROS map (.yaml, .yml) or a mesh (.obj, .stl, .ply, .dae, "
-                            ".gltf, .glb)"));
+    EXPECT_THAT(
+        faults_of([&] { load_scene(folder.path() / "a.blend"); }, folder),
+        ElementsAre("a.blend: is no kind of world that is known; name an SDF (.sdf, .world), "
+                    "a URDF (.urdf, .xacro), a world of Stage (.world) or MVSim (.xml), a "
+                    "ROS map (.yaml, .yml) or a mesh (.obj, .stl, .ply, .dae, .gltf, "
+                    ".glb), or the folder of a model"));
     EXPECT_THAT(faults_of([&] { load_scene(folder.path() / "a.stl"); }, folder),
                 ElementsAre("a.stl: no such file; a mesh is wanted here"));
     EXPECT_THAT(faults_of([&] { load_scene(folder.path() / "a.YML"); }, folder),
