@@ -254,9 +254,9 @@ TEST_F(SdfAsFound, ofManyMeshesTheBrokenOnesAloneAreLeftOut) {
     folder_.write("late.stl", "solid cut short");
     std::string visuals;
     for (int i = 0; i < 40; ++i) {
-        const std::string name = "thing_" + std::to_string(i) + ".obj";
-        folder_.write(name, triangle_obj);
-        visuals += visual("v" + std::to_string(i), mesh_of(name));
+        const std::string name = "thing_" + std::to_string(i);
+        folder_.write(name + ".obj", triangle_obj);
+        visuals += visual(name, mesh_of(name + ".obj"));
     }
     visuals += visual("b", mesh_of("broken.obj")) + visual("l", mesh_of("late.stl"));
     EXPECT_EQ(objects(world(model_of(visuals))).size(), 40U);
