@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import zlib
 
 LONGEST_S = 120
 CORNERS = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
@@ -40,6 +41,22 @@ EVERY_SHAPE = """<?xml version="1.0"?>
 <joint name="j" type="revolute"><parent>k</parent><child>l</child><axis><xyz>0 0 1</xyz></axis></joint>
 <model name="o"><link name="p"/><frame name="q"/></model></model>
 <include><uri>model://carton</uri><name>box</name><pose>3 3 0 0 0 0</pose></include>
+</world></sdf>
+"""
+SAVED = """<?xml version="1.0"?>
+<sdf version="1.7"><world name="w">
+<model name="m"><link name="a::b"><pose frame="">0 0 1 0 0 0</pose><visual name="v"><geometry><box><size>1 1 1</size></box></geometry></visual>
+<sensor name="s" type="ray"><pose>0 0 1 0 0 0.5</pose><update_rate>10</update_rate><ray><scan><horizontal><samples>360</samples>
+<min_angle>-2</min_angle><max_angle>2</max_angle></horizontal></scan><range><min>0.1</min><max>30</max></range></ray></sensor></link></model>
+<model name="n"><static>1</static><link name="l"><visual name="v"><geometry><cone><radius>0.5</radius><length>1</length></cone></geometry></visual>
+<visual name="h"><geometry><heightmap><uri>hills.png</uri><size>10 10 2</size><pos>0 0 0</pos><sampling>2</sampling></heightmap></geometry>
+</visual></link></model>
+<road name="r"><width>2</width><point>0 0 0</point><point>5 0 0.1</point><point>5 5 0</point></road>
+<actor name="man"><pose>1 0 0 0 0 0</pose><skin><filename>solid.obj</filename><scale>1.1</scale></skin><script><loop>true</loop>
+<delay_start>1</delay_start><trajectory id="0" type="walk" tension="0.3"><waypoint><time>0</time><pose>0 0 1 0 0 0</pose></waypoint>
+<waypoint><time>2</time><pose>2 0 1 0 0 0</pose></waypoint><waypoint><time>4</time><pose>2 2 1 0 0 1.5</pose></waypoint></trajectory></script></actor>
+<state world_name="w"><sim_time>1 2</sim_time><model name="m"><pose>1 2 3 0 0 0.5</pose><scale>1 2 3</scale><link name="a::b">
+<pose>1 2 4 0 0 0.5</pose></link></model><insertions><model name="x"><link name="l"/></model></insertions><deletions><name>n</name></deletions></state>
 </world></sdf>
 """
 ONE_MESH = """<sdf version="1.9"><model name="m"><link name="l"><visual name="v"><geometry><mesh><uri>{}</uri></mesh></geometry>
@@ -95,12 +112,23 @@ def dae():
 </library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>""".encode()
 
 
+def png():
+    """Heights of 9 x 9, grey, 8 bits."""
+    def chunk(kind, content):
+        return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
+
+    rows = b"".join(b"\0" + bytes(x * y * 3 for x in range(9)) for y in range(9))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", 9, 9, 8, 0, 0, 0, 0)) + chunk(b"IDAT", zlib.compress(rows)) +
+            chunk(b"IEND", b""))
+
+
 def sources(scenes):
     """What may be damaged: (name, bytes, the scene that shows it or None: it is the scene)."""
     obj = "mtllib solid.mtl\nusemtl oak\n" + "".join(f"v {xyz(c)}\n" for c in CORNERS)
     obj += "".join("f %d %d %d\n" % tuple(i + 1 for i in face) for face in FACES)
     (scenes / "solid.obj").write_text(obj)
     (scenes / "solid.mtl").write_text("newmtl oak\nKd 0.5 0.4 0.3\n")
+    (scenes / "hills.png").write_bytes(png())
     stl_text, stl_binary = stl()
     ply_text, ply_binary = ply()
     meshes = [("obj", obj.encode()), ("stl", stl_text), ("stl", stl_binary), ("ply", ply_text), ("ply", ply_binary), ("glb", glb()),
@@ -110,7 +138,9 @@ def sources(scenes):
     yield "solid.mtl", (scenes / "solid.mtl").read_bytes(), ("shown.sdf", ONE_MESH.format("solid.obj"))
     for _ in range(5):
         yield "case.sdf", EVERY_SHAPE.encode(), None
-    for name in ("square_room.sdf", "corridor.sdf", "depot.sdf", "rescue_maze.sdf", "models/carton/model.sdf"):
+        yield "case.sdf", SAVED.encode(), None
+    yield "hills.png", png(), ("shown.sdf", SAVED)
+    for name in ("square_room.sdf", "crossing.sdf", "corridor.sdf", "depot.sdf", "rescue_maze.sdf", "models/carton/model.sdf"):
         yield "case.sdf", (scenes / name).read_bytes(), None
     yield "case.urdf", (scenes / "models/forklift.urdf").read_bytes(), None
     yield "case.yaml", (scenes / "office_map.yaml").read_bytes(), None
