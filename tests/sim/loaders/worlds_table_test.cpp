@@ -193,7 +193,7 @@ TEST(WorldsTable, hasARowForEveryWorld) {
     std::set<std::string> named;
     for (const Row& row : rows())
         named.insert(row.file);
-    const std::set<std::string> worlds{".sdf", ".urdf", ".world", ".yaml", ".xml"};
+    const std::set<std::string> worlds{".sdf", ".urdf", ".world", ".yaml", ".xml", ".dae", ".gltf"};
     for (const auto& entry : fs::directory_iterator{world_file("")}) {
         if (!worlds.contains(entry.path().extension())) continue;
         EXPECT_THAT(named, Contains(entry.path().filename().string()));
@@ -224,6 +224,9 @@ INSTANTIATE_TEST_SUITE_P(All, SecondReader,
                                            Twice{"tests/sim/loaders/worlds/version_1_12.sdf"},
                                            Twice{"tests/sim/loaders/worlds/colons_in_names.sdf"},
                                            Twice{"tests/sim/loaders/worlds/inertia.sdf"},
+                                           Twice{"tests/sim/loaders/worlds/no_version.sdf"},
+                                           Twice{"tests/sim/loaders/worlds/robot_with_lidar.urdf"},
+                                           Twice{"tests/sim/loaders/worlds/robot_of_one_body.urdf"},
                                            Twice{
                                                "tests/sim/loaders/worlds/sensors_and_joints.sdf"}));
 
@@ -244,6 +247,57 @@ TEST_P(SecondReader, seesTheSame) {
         EXPECT_NEAR(*range_m, hits[i].range_m, 1e-5 * (1.0 + *range_m)) << "beam " << i;
     }
     EXPECT_GT(met, beams / 20);
+}
+
+/// Worlds that differ in what is nothing to a scanner, or left out.
+using Alike = std::vector<const char*>;
+
+class WorldsAlike : public ::testing::TestWithParam<Alike> {};
+
+INSTANTIATE_TEST_SUITE_P(
+    All, WorldsAlike,
+    ::testing::Values(
+        Alike{"no_version.sdf", "version_of_words.sdf", "lidar.sdf", "lidar_of_nothing.sdf",
+              "mesh_without_uri.sdf", "short_road.sdf", "population.sdf", "heightmap_missing.sdf",
+              "missing_submesh.sdf"},
+        Alike{"heightmap.sdf", "heightmap_textures.sdf", "heightmap_coloured.sdf"},
+        Alike{"actor.sdf", "actor_stands.sdf", "actor_goes_back.sdf", "actor_animation.sdf",
+              "actor_no_waypoints.sdf", "actor_lost_waypoint.sdf"},
+        Alike{"missing_mtl.obj", "faulty_mtl.obj", "faulty_animation.dae", "faulty_skin.dae",
+              "faulty.gltf"},
+        Alike{"map_pgm.yaml", "map_png.yaml", "map_bmp.yaml", "map_jpg.yaml", "map_mode.yaml",
+              "mvsim_grid.xml"},
+        Alike{"stage_missing_bitmap.world", "stage_missing_include.world", "stage_unknown.world"},
+        Alike{"mvsim_gui.xml", "mvsim_vehicle.xml", "mvsim_shown_block.xml"}));
+
+TEST_P(WorldsAlike, lookTheSame) {
+    const auto truth =
+        hits_of("reference", load_scene(world_file(GetParam().front()), options(false)).scene);
+    for (const char* file : GetParam()) {
+        SCOPED_TRACE(file);
+        const auto hits = hits_of("reference", load_scene(world_file(file), options(false)).scene);
+        for (std::size_t i = 0; i < beams; ++i) {
+            ASSERT_EQ(hits[i].met(), truth[i].met()) << "beam " << i;
+            if (!hits[i].met()) continue;
+            EXPECT_NEAR(hits[i].range_m, truth[i].range_m, 1e-4) << "beam " << i;
+        }
+    }
+}
+
+class WorldsWithLidars : public ::testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(All, WorldsWithLidars,
+                         ::testing::Values("lidar.sdf", "robot_with_lidar.urdf"));
+
+TEST_P(WorldsWithLidars, havePlacesForThem) {
+    const auto scene = load_scene(world_file(GetParam()), options(false)).scene;
+    const auto place = std::ranges::find_if(
+        scene->frames, [](const Frame& frame) { return frame.lidar.has_value(); });
+    ASSERT_NE(place, scene->frames.end());
+    EXPECT_TRUE(place->name.ends_with("::lidar")) << place->name;
+    EXPECT_EQ(place->lidar->samples, 1081);
+    EXPECT_DOUBLE_EQ(place->lidar->max_range_m, 30.0);
+    EXPECT_DOUBLE_EQ(place->lidar->rate_hz, 40.0);
 }
 
 }  // namespace
