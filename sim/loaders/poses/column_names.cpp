@@ -95,8 +95,9 @@ class Header {
         for (const char* wanted : {"t", "x", "y"}) {
             if (!found_.contains(wanted)) return missing(wanted);
         }
-        const bool has_quaternion = find("qx") && find("qy") && find("qz") && find("qw");
-        return has_quaternion || find("yaw") ? "" : missing("yaw, or qx, qy, qz and qw");
+        if (!has_quaternion() && !find("yaw")) return missing("yaw, or qx, qy, qz and qw");
+        leave_one_rotation(not_read);
+        return {};
     }
 
     [[nodiscard]] PoseColumns columns(std::size_t count) const {
@@ -105,7 +106,7 @@ class Header {
         all.time_power = power_;
         all.xy = {*find("x"), *find("y")};
         all.z = find("z");
-        if (find("qx") && find("qy") && find("qz") && find("qw"))
+        if (has_quaternion())
             all.quaternion = {{*find("qx"), *find("qy"), *find("qz"), *find("qw")}};
         all.roll = find("roll");
         all.pitch = find("pitch");
@@ -124,6 +125,26 @@ class Header {
     [[nodiscard]] std::optional<Column> find(const char* name) const {
         const auto found = found_.find(name);
         return found == found_.end() ? std::nullopt : std::optional(found->second);
+    }
+
+    [[nodiscard]] bool has_quaternion() const {
+        return find("qx") && find("qy") && find("qz") && find("qw");
+    }
+
+    /// A whole quaternion counts more than angles.
+    void leave_one_rotation(std::vector<std::string>& not_read) {
+        const auto is_spare = [spare_quaternion = !has_quaternion()](const std::string& name) {
+            const bool is_angle = name == "roll" || name == "pitch" || name == "yaw";
+            return spare_quaternion ? name.starts_with('q') : is_angle;
+        };
+        for (auto column = found_.begin(); column != found_.end();) {
+            if (is_spare(column->first)) {
+                not_read.push_back(quote(column->second.name));
+                column = found_.erase(column);
+            } else {
+                ++column;
+            }
+        }
     }
 
     std::string take_unit(const std::string& name, std::string unit) {

@@ -53,6 +53,15 @@ TEST_F(Trajectories, areGuessedByTheirFirstLines) {
     EXPECT_EQ(guessed_format(""), Format::tum);
 }
 
+TEST_F(Trajectories, haveOneRotationAndTellWhatElseIsThere) {
+    const auto both = load("t,x,y,qx,qy,qz,qw,yaw\n1,2,3,0,0,0,1,0.5\n");
+    EXPECT_THAT(both.warnings, ElementsAre(HasSubstr("the columns 'yaw' are not read")));
+    expect_pose(both.poses[0].pose, {2, 3, 0}, {0, 0, 0});
+    const auto part = load("t,x,y,qx,qy,qz,yaw\n1,2,3,0.5,0.5,0.5,0.5\n");
+    EXPECT_THAT(part.warnings, ElementsAre(HasSubstr("the columns 'qx', 'qy', 'qz' are not read")));
+    expect_pose(part.poses[0].pose, {2, 3, 0}, {0, 0, 0.5});
+}
+
 // The first two lines of a recording's ground truth and one that turns by 90 degrees about z.
 TEST_F(Trajectories, euroc) {
     const auto loaded = load(
