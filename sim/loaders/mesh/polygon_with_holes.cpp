@@ -55,10 +55,9 @@ class Clipper {
         if (area(outline) < 0.0) std::ranges::reverse(outline);
         for (Loop& hole : holes) {
             if (area(hole) > 0.0) std::ranges::reverse(hole);
-            // Its rightmost corner first.
-            std::ranges::rotate(hole, std::ranges::max_element(hole, {}, [&](std::size_t corner) {
-                                    return at(corner).x;
-                                }));
+            const auto rightmost = std::ranges::max_element(
+                hole, {}, [&](std::size_t corner) { return at(corner).x; });
+            std::rotate(hole.begin(), rightmost, hole.end());
         }
         std::ranges::sort(holes, std::ranges::greater{},
                           [&](const Loop& hole) { return at(hole[0]).x; });

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Poses as text. # begins a comment, and stamps are read as integers of nanoseconds, since a double
-// near 1.7e9 s has a step of 238 ns. A trajectory is a file of one of these forms, in metres:
-//   tum    `t tx ty tz qx qy qz qw` a line, in seconds
-//   euroc  state_groundtruth_estimate0/data.csv: nanoseconds, p_x, p_y, p_z, q_w, q_x, q_y, q_z,
-//   ... kitti  twelve numbers a line (kitti_line.h); the stamps are those of a times.txt, or 10 Hz
-//   csv    with a header that names its columns (column_names.cpp)
-// A pose line: one JSON object or one TUM line, as it comes from a file, stdin or a datagram. Any
-// thread; nothing shared.
+// Poses as text, in metres. # begins a comment, and stamps are read as integers of nanoseconds,
+// since a double near 1.7e9 s has a step of 238 ns. A trajectory is a file of one of the forms of
+// trajectory_format.h. A pose line is one JSON object or one TUM line, as it comes from a file,
+// stdin or a datagram. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>
