@@ -15,6 +15,7 @@
 namespace scipd::sim {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -146,11 +147,21 @@ TEST_F(SdfAsFound, newerVersionsAreReadAsFarAsTheyAreKnown) {
     const std::string inside =
         model_of("<pose degrees='true'>0 0 1 0 0 0</pose>" + visual("v", unit_box)) +
         "<wind><linear_velocity>1 0 0</linear_velocity></wind>";
-    for (const std::string version : {"1.10", "1.11", "1.12", "2.0"}) {
-        EXPECT_THAT(
-            objects("<sdf version='" + version + "'><world name='w'>" + inside + "</world></sdf>"),
-            ElementsAre("m::l::v"))
-            << version;
+    const auto of_version = [&](const std::string& version) {
+        return "<sdf version='" + version + "'><world name='w'>" + inside + "</world></sdf>";
+    };
+    for (const std::string version : {"1.10", "1.11", "1.12"}) {
+        EXPECT_THAT(objects(of_version(version)), ElementsAre("m::l::v")) << version;
+        EXPECT_THAT(warnings_, IsEmpty()) << version;
+    }
+    for (const std::string version : {"1.13", "1.99", "2.0"}) {
+        const std::string newer = "a.sdf:1: is of version " + version +
+                                  ", which is newer than any known here; it is read as SDF 1.9";
+        EXPECT_THAT(objects(of_version(version)), ElementsAre("m::l::v")) << version;
+        EXPECT_THAT(warnings_, ElementsAre(newer));
+        const auto file = folder_.write("a.sdf", of_version(version));
+        EXPECT_THAT(faults_of([&] { load_scene(file, {.sdf = {.strict = true}}); }, folder_),
+                    Contains(newer));
     }
 }
 
