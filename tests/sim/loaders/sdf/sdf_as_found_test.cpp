@@ -4,6 +4,8 @@
 // Worlds with the faults that those of public repositories have: scanned all the same, and what is
 // left out is told.
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -291,6 +293,12 @@ TEST_F(SdfAsFound, aBookThatLiesFarUpIsToldAndCostsTheShopNothing) {
                 ElementsAre("a.sdf: book::l::v reaches 343000 m from (0 2 0), where most of the "
                             "world lies; ranges out there may be wrong by 31 mm, within 1 km of "
                             "that point by less than 0.1 mm"));
+    const std::vector<std::pair<std::string, std::string>> figures{
+        {"9e3", "0.98"}, {"4e4", "3.9"}, {"-2.5e6", "250"}, {"9e6", "1000"}};
+    for (const auto& [height_m, error_mm] : figures) {
+        objects(world(shop + thing("book", "0 0 " + height_m)));
+        EXPECT_THAT(warnings_, ElementsAre(HasSubstr("wrong by " + error_mm + " mm, within")));
+    }
 }
 
 }  // namespace
