@@ -57,6 +57,14 @@ File open_file(const fs::path& path) {
     return file;
 }
 
+std::string beginning_of(const fs::path& path) {
+    constexpr std::size_t enough = 4096;
+    if (!why_no_file(path).empty()) return {};
+    std::string text(enough, ' ');
+    text.resize(std::fread(text.data(), 1, text.size(), open_file(path).get()));
+    return text;
+}
+
 File memory_file() {
     const int descriptor = memfd_create("scipd", MFD_CLOEXEC);
     if (descriptor < 0) throw std::runtime_error("no file in memory can be had: " + reason(errno));

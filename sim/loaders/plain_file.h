@@ -24,6 +24,9 @@ std::string why_no_file(const std::filesystem::path& path);
 /// For reading. Throws std::runtime_error, saying why it cannot be had.
 File open_file(const std::filesystem::path& path);
 
+/// As far as it tells what it is; empty where it is no plain file. Throws as open_file().
+std::string beginning_of(const std::filesystem::path& path);
+
 /// Without a name, in memory. Throws std::runtime_error.
 File memory_file();
 

@@ -24,14 +24,6 @@ bool is_folder(const std::filesystem::path& file) {
     return std::filesystem::is_directory(file, error);
 }
 
-/// As far as it tells what it is; empty where nothing can be had.
-std::string beginning_of(const std::filesystem::path& file) {
-    if (!why_no_file(file).empty()) return {};
-    std::string text(4096, ' ');
-    text.resize(std::fread(text.data(), 1, text.size(), open_file(file).get()));
-    return text;
-}
-
 LoadedScene load_here(const std::filesystem::path& file, const SceneOptions& options) {
     if (is_folder(file)) return load_sdf(file, options.sdf);
     const std::string extension = extension_of(file);

@@ -13,6 +13,8 @@
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/mesh/mesh_reader.h"
 #include "sim/loaders/mesh/mesh_relief.h"
+#include "sim/loaders/mistaken_file.h"
+#include "sim/loaders/plain_file.h"
 
 namespace scipd::sim {
 namespace {
@@ -71,6 +73,9 @@ std::uintmax_t check_file(const fs::path& file) {
     std::error_code error;
     const auto size = fs::file_size(file, error);
     if (error || size > largest_file) throw std::runtime_error("is larger than 1 GiB");
+    if (const auto why = why_mistaken(beginning_of(file), "mesh"); !why.empty()) {
+        throw std::runtime_error(why);
+    }
     return size;
 }
 

@@ -86,6 +86,9 @@ TEST_F(RosMapFaults, aMapThatIsTooLarge) {
 TEST_F(RosMapFaults, brokenPictures) {
     EXPECT_THAT(picture_faults("GIF89a"),
                 ElementsAre("a.pgm: is no PGM, PNG, BMP or JPEG; save the map as one of these"));
+    EXPECT_THAT(picture_faults("version https://git-lfs.github.com/spec/v1\noid sha256:1\n"),
+                ElementsAre("a.pgm: is a pointer of Git LFS, no picture; fetch the file itself "
+                            "with `git lfs pull`"));
     EXPECT_THAT(picture_faults("P5 2"),
                 ElementsAre("a.pgm: is a broken PGM: the height is missing"));
     EXPECT_THAT(picture_faults("P5 2 2 0\n1234"),

@@ -104,6 +104,21 @@ TEST_F(MeshLimitsTest, aFileThatIsTooLargeIsNotEvenOpened) {
                 ElementsAre("a.stl: is larger than 1 GiB"));
 }
 
+TEST_F(MeshLimitsTest, whatIsKeptInThePlaceOfAMeshIsCalledSo) {
+    const std::string pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:1\n";
+    for (const std::string name : {"a.dae", "a.stl", "a.obj", "a.glb", "a.gltf", "a.ply"}) {
+        EXPECT_THAT(faults(name, pointer),
+                    ElementsAre(name + ": is a pointer of Git LFS, no mesh; fetch the file itself "
+                                       "with `git lfs pull`"));
+        EXPECT_THAT(faults(name, "\n<!DOCTYPE html>\n<html></html>"),
+                    ElementsAre(name + ": is a page of HTML, no mesh; download the file itself, "
+                                       "not the page that shows it"));
+    }
+    const auto file = folder_.write("b.dae", pointer);
+    EXPECT_THAT(faults_of([&] { load_submesh(file, {"part"}); }, folder_),
+                ElementsAre(StartsWith("b.dae: is a pointer of Git LFS, no mesh")));
+}
+
 TEST_F(MeshLimitsTest, aSubmeshIsReadBehindTheSameOnes) {
     const auto submesh_faults = [&](const std::string& name, const std::string& text) {
         const auto file = folder_.write(name, text);
