@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <cstdint>
+#include <system_error>
 #include <utility>
 
 #include "sim/loaders/load_error.h"
@@ -64,24 +66,27 @@ Trajectory read_euroc(std::string_view text, TrajectoryDraft draft) {
     return std::move(draft).finish("timestamp,p_x,p_y,p_z,q_w,q_x,q_y,q_z");
 }
 
-Trajectory read_kitti(std::string_view text, const std::optional<std::vector<Time>>& times,
+void compare_counts(std::size_t poses, const Stamps& stamps, TrajectoryDraft& draft) {
+    const std::size_t count = stamps.times.size();
+    const std::string both = "has " + std::to_string(poses) + " poses, but there are " +
+                             std::to_string(count) + " stamps in " + stamps.file.string();
+    if (poses > count) draft.refuse(both + "; name the file of its stamps as `times`");
+    if (poses < count) draft.warn(both + "; the rest is left out");
+}
+
+Trajectory read_kitti(std::string_view text, const std::optional<Stamps>& stamps,
                       TrajectoryDraft draft) {
     constexpr Time frame = std::chrono::milliseconds(100);
     std::size_t count = 0;
     read_lines(text, draft, [&](std::string_view line) {
         const std::size_t index = count++;
-        if (times && index >= times->size()) {
-            return draft.add_fault("there are stamps for " + std::to_string(index) + " poses only");
-        }
-        const Time time = times ? (*times)[index] : static_cast<Time::rep>(index) * frame;
+        if (stamps && index >= stamps->times.size()) return;
+        const Time time = stamps ? stamps->times[index] : static_cast<Time::rep>(index) * frame;
         const auto parsed = parse_kitti_line(line);
         if (const auto* why = std::get_if<std::string>(&parsed)) return draft.add_fault(*why);
         draft.append({time, std::get<Pose>(parsed)});
     });
-    if (times && times->size() > count) {
-        draft.warn("has " + std::to_string(count) + " poses, but there are " +
-                   std::to_string(times->size()) + " stamps; the rest is left out");
-    }
+    if (stamps) compare_counts(count, *stamps, draft);
     return std::move(draft).finish("r11 r12 r13 x r21 r22 r23 y r31 r32 r33 z");
 }
 
@@ -198,46 +203,51 @@ TrajectoryFormat guessed_format(std::string_view text) {
     return cells_of(first, ' ').size() == 12 ? TrajectoryFormat::kitti : TrajectoryFormat::tum;
 }
 
-std::vector<Time> parse_times(std::string_view text, const fs::path& file) {
+Stamps parse_stamps(std::string_view text, const fs::path& file) {
+    using Seconds = std::chrono::duration<double>;
     std::vector<Time> times;
     std::size_t number = 0;
+    const auto refuse = [&](const std::string& why) {
+        throw LoadError({file.string() + ':' + std::to_string(number) + ": " + why});
+    };
     for_each_line(text, [&](std::string_view line) {
         ++number;
         if (says_nothing(line)) return true;
         const auto time = parse_stamp(trimmed(line));
-        if (!time) {
-            throw LoadError({file.string() + ':' + std::to_string(number) +
-                             ": a line is the time of a pose in seconds, not " +
-                             quote(trimmed(line))});
-        }
+        if (!time) refuse("a line is the time of a pose in seconds, not " + quote(trimmed(line)));
+        if (!times.empty() && *time < times.back()) refuse("is earlier than the stamp before it");
+        if (!times.empty() && Seconds(*time) - Seconds(times.front()) > longest_trajectory)
+            refuse("must lie within 4.5e9 s of the first stamp");
         times.push_back(*time);
         return true;
     });
-    return times;
+    return {file, std::move(times)};
 }
 
 Trajectory load_trajectory(const fs::path& file, TrajectoryFormat format, const fs::path& times) {
     const std::string text = read_file(file, largest_file, "name a trajectory");
     if (format == TrajectoryFormat::guess) format = guessed_format(text);
     const fs::path beside = file.parent_path() / "times.txt";
-    const bool is_beside = times.empty() && why_no_file(beside).empty();
+    // Whatever it is: one that cannot be read is told below.
+    std::error_code error;
+    const bool is_beside = times.empty() && fs::exists(fs::symlink_status(beside, error));
     const fs::path& stamps = is_beside ? beside : times;
     if (format != TrajectoryFormat::kitti || stamps.empty()) {
         return parse_trajectory(text, file, format);
     }
     const std::string lines =
         read_file(stamps, largest_file, "the stamps of a trajectory are wanted");
-    return parse_trajectory(text, file, format, parse_times(lines, stamps));
+    return parse_trajectory(text, file, format, parse_stamps(lines, stamps));
 }
 
 Trajectory parse_trajectory(std::string_view text, const fs::path& file, TrajectoryFormat format,
-                            const std::optional<std::vector<Time>>& times) {
+                            const std::optional<Stamps>& stamps) {
     if (format == TrajectoryFormat::guess) format = guessed_format(text);
     switch (format) {
         case TrajectoryFormat::euroc:
             return read_euroc(text, TrajectoryDraft{file});
         case TrajectoryFormat::kitti:
-            return read_kitti(text, times, TrajectoryDraft{file});
+            return read_kitti(text, stamps, TrajectoryDraft{file});
         case TrajectoryFormat::csv:
             return read_csv(text, TrajectoryDraft{file});
         default:

@@ -36,13 +36,19 @@ Trajectory load_trajectory(const std::filesystem::path& file,
                            TrajectoryFormat format = TrajectoryFormat::guess,
                            const std::filesystem::path& times = {});
 
-/// Stamps of KITTI: of each of the lines that say something.
-std::vector<Time> parse_times(std::string_view text, const std::filesystem::path& file);
+/// Those of a KITTI file.
+struct Stamps {
+    std::filesystem::path file;
+    std::vector<Time> times;  ///< none before the one before it
+};
 
-/// The same of a text that is there already; `file` names it in faults. No `times`: 10 Hz.
+/// Of each of the lines that say something. Throws LoadError at the first that is wrong.
+Stamps parse_stamps(std::string_view text, const std::filesystem::path& file);
+
+/// The same of a text that is there already; `file` names it in faults. No stamps: 10 Hz.
 Trajectory parse_trajectory(std::string_view text, const std::filesystem::path& file,
                             TrajectoryFormat format = TrajectoryFormat::guess,
-                            const std::optional<std::vector<Time>>& times = {});
+                            const std::optional<Stamps>& stamps = {});
 
 /// What the file's first lines look like.
 TrajectoryFormat guessed_format(std::string_view text);

@@ -14,9 +14,6 @@ constexpr std::size_t fault_limit = 100;
 
 using Seconds = std::chrono::duration<double>;
 
-/// Twice as much still fits into a Time.
-constexpr Seconds longest{4.5e9};
-
 }  // namespace
 
 void TrajectoryDraft::append(const TimedPose& next) {
@@ -28,7 +25,7 @@ void TrajectoryDraft::append(const TimedPose& next) {
         return add_fault("t must be later than the pose before it");
     }
     // In floating point: they may lie farther apart than a Time can tell.
-    if (!poses_.empty() && Seconds(next.time) - Seconds(poses_.front().time) > longest) {
+    if (!poses_.empty() && Seconds(next.time) - Seconds(poses_.front().time) > longest_trajectory) {
         return add_fault("t must lie within 4.5e9 s of the first one");
     }
     poses_.push_back(next);

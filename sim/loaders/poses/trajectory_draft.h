@@ -5,6 +5,7 @@
 // so that one run tells all. Knows no format. Any thread; one owner.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -13,6 +14,9 @@
 #include "sim/loaders/poses/trajectory.h"
 
 namespace scipd::sim {
+
+/// Twice as much still fits into a Time.
+constexpr std::chrono::duration<double> longest_trajectory{4.5e9};
 
 class TrajectoryDraft {
   public:
@@ -25,6 +29,8 @@ class TrajectoryDraft {
     void append(const TimedPose& next);
     /// Of the line.
     void add_fault(const std::string& text);
+    /// Of the whole file.
+    void refuse(const std::string& text) { faults_.push_back(file_ + ": " + text); }
     void warn(const std::string& text) { warnings_.push_back(file_ + ": " + text); }
 
     /// Throws LoadError where anything is wrong, or where there is no pose; `a_line` says what one

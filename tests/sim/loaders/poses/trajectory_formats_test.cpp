@@ -118,11 +118,41 @@ TEST_F(Trajectories, kittiHasItsStampsFromAFileBesideItOrNamed) {
     EXPECT_EQ(load_trajectory(file, Format::kitti, named).poses[1].time, 2s);
     folder_.write("times.txt", "0\n1\n2\n");
     EXPECT_THAT(load(two).warnings, ElementsAre(HasSubstr("has 2 poses, but there are 3 stamps")));
-    folder_.write("times.txt", "0\n");
-    EXPECT_THAT(faults(two), ElementsAre("a.txt:2: there are stamps for 1 poses only"));
     folder_.write("times.txt", "0\nnoon\n");
     EXPECT_THAT(faults(two), ElementsAre("times.txt:2: a line is the time of a pose in seconds, "
                                          "not 'noon'"));
+}
+
+// As of another drive.
+TEST_F(Trajectories, stampsThatAreNoneOfAKittiFileAreToldOnce) {
+    const std::string pose = "1 0 0 0 0 1 0 0 0 0 1 0\n";
+    const std::string four = pose + pose + pose + pose;
+    const auto with_stamps = [&](const std::string& text) {
+        folder_.write("times.txt", text);
+        return faults(four);
+    };
+    EXPECT_THAT(
+        with_stamps("0\n"),
+        ElementsAre("a.txt: has 4 poses, but there are 1 stamps in times.txt; name the file "
+                    "of its stamps as `times`"));
+    EXPECT_THAT(with_stamps(""), ElementsAre(HasSubstr("there are 0 stamps in times.txt")));
+    EXPECT_THAT(with_stamps("9\n\n3\n2\n1\n"),
+                ElementsAre("times.txt:3: is earlier than the stamp before it"));
+    EXPECT_THAT(with_stamps("0\n5e9\n6e9\n7e9\n"),
+                ElementsAre("times.txt:2: must lie within 4.5e9 s of the first stamp"));
+    EXPECT_THAT(with_stamps(four),
+                ElementsAre(HasSubstr("times.txt:1: a line is the time of a pose in seconds")));
+}
+
+TEST_F(Trajectories, aTimesTxtThatIsNoPlainFileIsToldWhereItIsWanted) {
+    std::filesystem::create_directory(folder_.path() / "times.txt");
+    EXPECT_THAT(faults("1 0 0 0 0 1 0 0 0 0 1 0\n"),
+                ElementsAre("times.txt: is a directory; the stamps of a trajectory are wanted"));
+    EXPECT_EQ(load("1 1 2 3 0 0 0 1\n").poses.size(), 1U);  // TUM has its own
+    std::filesystem::remove(folder_.path() / "times.txt");
+    std::filesystem::create_symlink("nowhere", folder_.path() / "times.txt");
+    EXPECT_THAT(faults("1 0 0 0 0 1 0 0 0 0 1 0\n"),
+                ElementsAre(HasSubstr("times.txt: no such file")));
 }
 
 TEST_F(Trajectories, faultsOfKitti) {
