@@ -280,6 +280,14 @@ TEST_F(SdfAsFound, aWorldIsTheSameWhereverScipdIsStarted) {
                 ElementsAre("right::l::v"));
 }
 
+TEST_F(SdfAsFound, theRootOfOldWorldsIsGazebo) {
+    EXPECT_THAT(objects("<gazebo version='1.2'><world name='w'><model name='m'><static>1</static>"
+                        "<link name='l'>" +
+                        visual("v", unit_box) + "</link></model></world></gazebo>"),
+                ElementsAre("m::l::v"));
+    EXPECT_THAT(warnings_, IsEmpty());
+}
+
 TEST_F(SdfAsFound, anIncludeWhoseConfigIsNoneIsLeftOutAlone) {
     folder_.write("m/model.config", std::string(std::size_t{2} << 20U, ' '));
     EXPECT_THAT(
