@@ -9,8 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "sim/loaders/any_case.h"
 #include "sim/loaders/quote.h"
-#include "sim/loaders/sdf/any_case.h"
 #include "sim/loaders/sdf/model_folder.h"
 
 namespace scipd::sim {
