@@ -280,6 +280,14 @@ TEST_F(SdfAsFound, aWorldIsTheSameWhereverScipdIsStarted) {
                 ElementsAre("right::l::v"));
 }
 
+TEST_F(SdfAsFound, aVisualWithoutAShapeIsToldUnlessItIsMeantSo) {
+    EXPECT_THAT(objects(world(model_of(visual("a", unit_box) + "<visual name='b'/>\n" +
+                                       visual("c", "") + visual("d", "<empty/>")))),
+                ElementsAre("m::l::a"));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("m::l::b: has no <geometry> with a shape"),
+                                       HasSubstr("m::l::c: has no <geometry> with a shape")));
+}
+
 TEST_F(SdfAsFound, theRootOfOldWorldsIsGazebo) {
     EXPECT_THAT(objects("<gazebo version='1.2'><world name='w'><model name='m'><static>1</static>"
                         "<link name='l'>" +
