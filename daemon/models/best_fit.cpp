@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <numbers>
 
 #include "daemon/models/registry.h"
@@ -42,6 +43,22 @@ double apart(double a, double b) {
     return known ? std::abs(std::log(a / b)) : 0.0;
 }
 
+/// Hokuyo names its products after it: 10 m, UST-10LX. Mostly far below DMAX. 0 where unknown.
+double guaranteed_range_m(const std::string& product) {
+    constexpr int decimal = 10;
+    const auto dash = product.find('-');
+    if (dash == product.npos) return 0.0;
+    return static_cast<double>(std::strtol(product.c_str() + dash + 1, nullptr, decimal));
+}
+
+/// A world has either the range of the data sheet or the one that the product reports.
+double range_apart(const Model& model, const sim::Lidar& lidar) {
+    const double reported = apart(model.optics.max_range_m, lidar.max_range_m);
+    const double guaranteed_m = guaranteed_range_m(model.profile.name);
+    if (guaranteed_m <= 0.0) return reported;
+    return std::min(reported, apart(guaranteed_m, lidar.max_range_m));
+}
+
 bool same(double a, double b) {
     constexpr double rounded = 0.01;
     return a == b || std::abs(a - b) <= rounded * std::max(std::abs(a), std::abs(b));
@@ -73,7 +90,7 @@ std::string angle_text(const sim::Lidar& lidar) {
 double misfit(const Model& model, const sim::Lidar& lidar) {
     constexpr double share_of_nearest = 0.1;
     const sim::Lidar has = figures_of(model);
-    return apart(has.max_range_m, lidar.max_range_m) +
+    return range_apart(model, lidar) +
            share_of_nearest * apart(has.min_range_m, lidar.min_range_m) +
            apart(view_rad(has), view_rad(lidar)) + apart(step_rad(has), step_rad(lidar)) +
            apart(has.rate_hz, lidar.rate_hz);

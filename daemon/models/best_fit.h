@@ -13,7 +13,8 @@ namespace scipd::daemon {
 
 /// How far the product is from it in range, angles, steps and rate: 0 is the same, and a figure
 /// that is off by a factor of e counts 1, whichever figure it is. What the file leaves open counts
-/// nothing; the nearest range counts a tenth.
+/// nothing; the nearest range counts a tenth; of the range that the data sheet guarantees and the
+/// one that the product reports (DMAX), the closer counts.
 double misfit(const Model& model, const sim::Lidar& lidar);
 
 /// The product that is the least far from it; of several the one that `--list-models` has first.

@@ -50,6 +50,13 @@ LoadedScene load_here(const std::filesystem::path& file, const SceneOptions& opt
          "(.obj, .stl, .ply, .dae, .gltf, .glb), or the folder of a model"});
 }
 
+std::string millimetres(double value_m) {
+    const double value_mm = 1e3 * value_m;
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), value_mm < 10.0 ? "%.2g mm" : "%.0f mm", value_mm);
+    return text.data();
+}
+
 void warn_of_coarseness(LoadedScene& loaded, const std::filesystem::path& file) {
     const Scene& scene = *loaded.scene;
     const auto worst = coarsest(scene);
@@ -58,8 +65,8 @@ void warn_of_coarseness(LoadedScene& loaded, const std::filesystem::path& file) 
     std::array<char, 300> figures{};
     std::snprintf(figures.data(), figures.size(),
                   " reaches %.0f m from (%.0f %.0f %.0f), where most of the world lies; ranges out "
-                  "there may be wrong by %.2g mm, within 1 km of that point by less than 0.1 mm",
-                  worst->distance_m, at_m.x, at_m.y, at_m.z, 1e3 * worst->error_m);
+                  "there may be wrong by %s, within 1 km of that point by less than 0.1 mm",
+                  worst->distance_m, at_m.x, at_m.y, at_m.z, millimetres(worst->error_m).c_str());
     loaded.warnings.push_back(file.string() + ": " + scene.objects[worst->object].name +
                               figures.data());
 }

@@ -30,6 +30,18 @@ double largest(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
+/// Planes, which are exact at any distance, count only where there is nothing else.
+std::vector<Bounds> bounds_that_count(const Scene& scene) {
+    std::vector<Bounds> things;
+    std::vector<Bounds> planes;
+    for (const Object& object : scene.objects) {
+        const Bounds bounds = bounds_in_world(scene, object);
+        if (bounds.empty()) continue;
+        (std::holds_alternative<Plane>(object.shape) ? planes : things).push_back(bounds);
+    }
+    return things.empty() ? planes : things;
+}
+
 /// In each coordinate as many of the points lie on one side as on the other.
 glm::dvec3 median(const std::vector<glm::dvec3>& points_m) {
     glm::dvec3 result{0.0};
@@ -67,15 +79,11 @@ double spacing_m(double distance_m) {
 }  // namespace
 
 glm::dvec3 anchor_of(const Scene& scene) {
-    std::vector<Bounds> all;
-    Bounds whole;
-    for (const Object& object : scene.objects) {
-        const Bounds bounds = bounds_in_world(scene, object);
-        if (bounds.empty()) continue;
-        all.push_back(bounds);
-        whole.include(bounds, Pose{});
-    }
+    const std::vector<Bounds> all = bounds_that_count(scene);
     if (all.empty()) return glm::dvec3{0.0};
+    Bounds whole;
+    for (const Bounds& bounds : all)
+        whole.include(bounds, Pose{});
     const bool is_small = largest(whole.high_m - whole.low_m) <= 2.0 * near_m;
     return glm::round((is_small ? whole : bounds_of_most(all)).middle_m());
 }

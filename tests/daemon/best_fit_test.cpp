@@ -13,7 +13,7 @@
 namespace scipd::daemon {
 namespace {
 
-/// hokuyo_utm30lx and the like in Gazebo: 270 degrees, 0.25 each.
+/// What a UST-10LX says of itself: 270 degrees, 0.25 each.
 sim::Lidar hokuyo() {
     return {.samples = 1081,
             .rows = 1,
@@ -64,12 +64,62 @@ TEST(BestFit, CountsFactorsEitherWay) {
     const Model& ust = find_model("UST-10LX");
     for (const double factor : {2.0, 0.5}) {
         sim::Lidar lidar = hokuyo();
-        lidar.max_range_m *= factor;
-        EXPECT_NEAR(misfit(ust, lidar), 0.6931, 1e-3);
-        lidar = hokuyo();
         lidar.rate_hz *= factor;
         EXPECT_NEAR(misfit(ust, lidar), 0.6931, 1e-3);
     }
+    // Beyond the 30 m that it reports, below the 10 m that are guaranteed.
+    for (const double range_m : {60.0, 5.0}) {
+        sim::Lidar lidar = hokuyo();
+        lidar.max_range_m = range_m;
+        EXPECT_NEAR(misfit(ust, lidar), 0.6931, 1e-3);
+    }
+}
+
+/// 270 degrees at 40 Hz.
+sim::Lidar of_data_sheet(double min_range_m, double max_range_m, int samples = 1081) {
+    sim::Lidar lidar = hokuyo();
+    lidar.min_range_m = min_range_m;
+    lidar.max_range_m = max_range_m;
+    lidar.samples = samples;
+    return lidar;
+}
+
+TEST(BestFit, IsTheProductOfWhichTheDataSheetIs) {
+    EXPECT_EQ(best(of_data_sheet(0.06, 5.0, 541)), "UST-05LX");
+    EXPECT_EQ(best(of_data_sheet(0.06, 10.0)), "UST-10LX");
+    EXPECT_EQ(best(of_data_sheet(0.06, 20.0)), "UST-20LX");
+    EXPECT_EQ(best(of_data_sheet(0.1, 30.0)), "UTM-30LX");
+    for (const double nearest_m : {0.02, 0.06}) {
+        for (const double farthest_m : {4.0, 4.095, 5.6}) {
+            for (const int samples : {682, 683, 726}) {
+                const sim::Lidar lidar{.samples = samples,
+                                       .rows = 1,
+                                       .min_angle_rad = -2.0944,
+                                       .max_angle_rad = 2.0944,
+                                       .min_range_m = nearest_m,
+                                       .max_range_m = farthest_m,
+                                       .rate_hz = 10.0};
+                EXPECT_EQ(best(lidar), "URG-04LX") << samples << " to " << farthest_m;
+            }
+        }
+    }
+}
+
+TEST(BestFit, OfOthersIsOneOfTheirRange) {
+    // Half a turn of gpu_laser in Gazebo's lessons.
+    sim::Lidar half = of_data_sheet(0.1, 30.0, 720);
+    half.min_angle_rad = -1.570796;
+    half.max_angle_rad = 1.570796;
+    EXPECT_EQ(best(half), "UTM-30LX");
+    // An RPLIDAR or LDS: of 8 m or 10 m, and no faster than need be.
+    const sim::Lidar lds{.samples = 360,
+                         .rows = 1,
+                         .min_angle_rad = -3.14159,
+                         .max_angle_rad = 3.14159,
+                         .min_range_m = 0.12,
+                         .max_range_m = 12.0,
+                         .rate_hz = 10.0};
+    EXPECT_EQ(best(lds), "UHG-08LX");
 }
 
 TEST(BestFit, WhatTheFileLeavesOpenCountsNothing) {

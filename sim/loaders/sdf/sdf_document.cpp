@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <functional>
 #include <set>
+#include <utility>
 
 #include <tinyxml2.h>
 
@@ -228,13 +229,21 @@ void put_in_its_words(XMLElement& root) {
     }
 }
 
-void lower_version(XMLElement& root) {
+std::vector<std::string> lower_version(XMLElement& root, const std::filesystem::path& file) {
+    constexpr std::pair known{1, 9};
+    constexpr std::pair newest{1, 12};
     if (std::string_view{root.Name()} == "gazebo") root.SetName("sdf");
     int major = 0;
     int minor = 0;
     const char* version = root.Attribute("version");
-    if (version == nullptr || std::sscanf(version, "%d.%d", &major, &minor) != 2) return;
-    if (major > 1 || minor > 9) root.SetAttribute("version", "1.9");
+    if (version == nullptr || std::sscanf(version, "%d.%d", &major, &minor) != 2) return {};
+    const std::pair given{major, minor};
+    if (given <= known) return {};
+    root.SetAttribute("version", "1.9");
+    if (given <= newest) return {};
+    return {file.string() + ':' + std::to_string(root.GetLineNum()) + ": is of version " +
+            std::to_string(major) + '.' + std::to_string(minor) +
+            ", which is newer than any known here; it is read as SDF 1.9"};
 }
 
 std::vector<std::string> relieve(XMLElement& root, const std::filesystem::path& file) {

@@ -31,8 +31,9 @@ std::vector<std::string> take_unreadable(tinyxml2::XMLElement& root,
 void put_in_its_words(tinyxml2::XMLElement& root);
 
 /// A version that the library does not know becomes the last that it knows; it skips what is new
-/// since then.
-void lower_version(tinyxml2::XMLElement& root);
+/// since then. Answers with a warning where the version is newer than any known here.
+std::vector<std::string> lower_version(tinyxml2::XMLElement& root,
+                                       const std::filesystem::path& file);
 
 /// Takes out what is nothing to a scanner: physics, lights, sensors, plugins, colours, and joints
 /// that no frame refers to. Answers with warnings, as take_unreadable().

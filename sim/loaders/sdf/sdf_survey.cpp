@@ -129,7 +129,7 @@ class Surveyor {
         put_in_its_words(root);
         add_warnings(take_actors(root, file, survey_.actors));
         add_warnings(offer_sensors(root, file, survey_.sensors));
-        lower_version(root);
+        add_warnings(lower_version(root, file));
         if (!strict_) {
             add_warnings(faults_of_ignored(root, file));
             add_warnings(relieve(root, file));

@@ -39,10 +39,11 @@ std::string expanded(const fs::path& file) {
         refuse("xacro fails: " + words_of(error));
     }
     const std::string name = file.filename().string();
+    const std::string robot = file.stem().replace_extension(".urdf").string();
     refuse(
         "is written in xacro, which is not installed here: install it (pip install xacro, or "
         "the package ros-...-xacro), or write `xacro " +
-        name + " > " + file.stem().string() + "` where it is, and name that file");
+        name + " > " + robot + "` where it is, and name that file");
     return {};
 }
 

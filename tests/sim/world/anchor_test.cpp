@@ -64,6 +64,19 @@ TEST(AnchorOf, OfTwoThingsLiesWithTheOneNearTheOrigin) {
     }
 }
 
+TEST(AnchorOf, GroundPlanesCountOnlyWhereNothingElseIs) {
+    const Plane ground{{1e5, 1e5}};
+    const Pose there = at(700, 0, 0);
+    EXPECT_EQ(anchor_of(*SceneBuilder().add(ground, there).build()), there.translation_m);
+    const glm::dvec3 alone = anchor_of(*hall().build());
+    EXPECT_EQ(anchor_of(*hall().add(ground, there).build()), alone);
+    // Nor do many of them outvote the hall.
+    SceneBuilder scene = hall(at(400'000, 0, 0));
+    for (int i = 0; i < 20; ++i)
+        scene.add(Plane{{10, 10}}, at(-400'000, 10.0 * i, 0));
+    EXPECT_LT(glm::distance(anchor_of(*scene.build()), alone + glm::dvec3(400'000, 0, 0)), 2.0);
+}
+
 TEST(Coarsest, TellsWhatLiesFarthestAndWhatItCosts) {
     EXPECT_FALSE(coarsest(*hall().build()));
     EXPECT_FALSE(coarsest(Scene{}));

@@ -4,6 +4,8 @@
 // Worlds with the faults that those of public repositories have: scanned all the same, and what is
 // left out is told.
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,6 +17,7 @@
 namespace scipd::sim {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -146,11 +149,21 @@ TEST_F(SdfAsFound, newerVersionsAreReadAsFarAsTheyAreKnown) {
     const std::string inside =
         model_of("<pose degrees='true'>0 0 1 0 0 0</pose>" + visual("v", unit_box)) +
         "<wind><linear_velocity>1 0 0</linear_velocity></wind>";
-    for (const std::string version : {"1.10", "1.11", "1.12", "2.0"}) {
-        EXPECT_THAT(
-            objects("<sdf version='" + version + "'><world name='w'>" + inside + "</world></sdf>"),
-            ElementsAre("m::l::v"))
-            << version;
+    const auto of_version = [&](const std::string& version) {
+        return "<sdf version='" + version + "'><world name='w'>" + inside + "</world></sdf>";
+    };
+    for (const std::string version : {"1.10", "1.11", "1.12"}) {
+        EXPECT_THAT(objects(of_version(version)), ElementsAre("m::l::v")) << version;
+        EXPECT_THAT(warnings_, IsEmpty()) << version;
+    }
+    for (const std::string version : {"1.13", "1.99", "2.0"}) {
+        const std::string newer = "a.sdf:1: is of version " + version +
+                                  ", which is newer than any known here; it is read as SDF 1.9";
+        EXPECT_THAT(objects(of_version(version)), ElementsAre("m::l::v")) << version;
+        EXPECT_THAT(warnings_, ElementsAre(newer));
+        const auto file = folder_.write("a.sdf", of_version(version));
+        EXPECT_THAT(faults_of([&] { load_scene(file, {.sdf = {.strict = true}}); }, folder_),
+                    Contains(newer));
     }
 }
 
@@ -335,6 +348,12 @@ TEST_F(SdfAsFound, aBookThatLiesFarUpIsToldAndCostsTheShopNothing) {
                 ElementsAre("a.sdf: book::l::v reaches 343000 m from (0 2 0), where most of the "
                             "world lies; ranges out there may be wrong by 31 mm, within 1 km of "
                             "that point by less than 0.1 mm"));
+    const std::vector<std::pair<std::string, std::string>> figures{
+        {"9e3", "0.98"}, {"4e4", "3.9"}, {"-2.5e6", "250"}, {"9e6", "1000"}};
+    for (const auto& [height_m, error_mm] : figures) {
+        objects(world(shop + thing("book", "0 0 " + height_m)));
+        EXPECT_THAT(warnings_, ElementsAre(HasSubstr("wrong by " + error_mm + " mm, within")));
+    }
 }
 
 }  // namespace

@@ -72,6 +72,9 @@ TEST_F(Xacro, withoutTheProgramIsToldHowToConvert) {
     EXPECT_THAT(faults(), ElementsAre(AllOf(HasSubstr("which is not installed here"),
                                             HasSubstr("pip install xacro"),
                                             HasSubstr("`xacro robot.urdf.xacro > robot.urdf`"))));
+    const auto bare = folder_.write("r.xacro", "<robot name='r'/>");
+    EXPECT_THAT(faults_of([&] { load_scene(bare); }, folder_),
+                ElementsAre(HasSubstr("`xacro r.xacro > r.urdf`")));
 }
 
 TEST_F(Xacro, aProgramThatDoesNotEndIsEnded) {
