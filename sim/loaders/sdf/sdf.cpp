@@ -12,6 +12,7 @@
 #include "sim/loaders/quote.h"
 #include "sim/loaders/sdf/model_folder.h"
 #include "sim/loaders/sdf/resources.h"
+#include "sim/loaders/sdf/sdf_cost.h"
 #include "sim/loaders/sdf/sdf_file.h"
 #include "sim/loaders/sdf/sdf_scene.h"
 

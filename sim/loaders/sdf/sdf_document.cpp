@@ -229,6 +229,7 @@ void put_in_its_words(XMLElement& root) {
 }
 
 void lower_version(XMLElement& root) {
+    if (std::string_view{root.Name()} == "gazebo") root.SetName("sdf");
     int major = 0;
     int minor = 0;
     const char* version = root.Attribute("version");

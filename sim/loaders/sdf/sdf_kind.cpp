@@ -53,7 +53,8 @@ std::string why_no_sdf(const std::string& text, const tinyxml2::XMLDocument& par
     start.remove_prefix(std::min(start.find_first_not_of(" \t\r\n"), start.size()));
     const auto* root = parsed.Error() ? nullptr : parsed.RootElement();
     const std::string_view name = root == nullptr ? "" : root->Name();
-    if (name == "sdf" || name == "robot") return {};
+    // <gazebo> is what <sdf> was called up to its version 1.2.
+    if (name == "sdf" || name == "robot" || name == "gazebo") return {};
     if (const auto kind = known_kind(start); !kind.empty()) return ":1: " + kind;
     if (parsed.Error()) return broken_xml(parsed);
     if (root == nullptr) return ":1: is no SDF: holds no element";
