@@ -12,6 +12,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "sim/loaders/any_case.h"
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/map/map_file.h"
 #include "sim/loaders/map/map_image.h"
@@ -93,8 +94,8 @@ class MapScene {
 LoadedScene load_ros_map(const fs::path& given, const MapOptions& options) {
     assert(options.bottom_m < options.top_m);
     const auto file = fs::absolute(given).lexically_normal();
-    const MapFile map =
-        parse_map_file(read_file(file, largest_yaml, "name the YAML of a ROS map"), file);
+    MapFile map = parse_map_file(read_file(file, largest_yaml, "name the YAML of a ROS map"), file);
+    map.image = as_it_is_called(map.image, map.warnings);
     CellGrid grid = load_cells(map);
     check_extent(map, grid);
     if (options.unknown == UnknownCells::wall) {

@@ -43,18 +43,23 @@ std::size_t triangles_of(const InFile& outcome) {
 
 void MeshShelf::read_ahead(const std::vector<MeshSource>& sources) {
     const std::set<MeshSource> once{sources.begin(), sources.end()};
-    std::deque<MeshBatch> running;
+    std::deque<Running> running;
     std::size_t triangles = 0;
+    const auto take_up_first = [&] {
+        triangles += std::visit([this](auto& first) { return take_up(first); }, running.front());
+        running.pop_front();
+    };
     for (auto& batch : batches_of({once.begin(), once.end()})) {
-        if (running.size() == most_readings()) {
-            triangles += take_up(running.front());
-            running.pop_front();
-        }
+        if (running.size() == most_readings()) take_up_first();
         if (triangles > most_triangles_) break;  // which is told where they are shown
-        running.emplace_back(std::move(batch), of_each_);
+        if (batch.size() > 1) {
+            running.emplace_back(std::in_place_type<MeshBatch>, std::move(batch), of_each_);
+        } else {
+            running.emplace_back(Alone{batch.front(), begin_reading(batch.front(), of_each_)});
+        }
     }
-    for (MeshBatch& batch : running)
-        take_up(batch);
+    while (!running.empty())
+        take_up_first();
 }
 
 std::size_t MeshShelf::take_up(MeshBatch& batch) {
@@ -63,14 +68,17 @@ std::size_t MeshShelf::take_up(MeshBatch& batch) {
     for (std::size_t i = 0; i < batch.sources().size(); ++i) {
         const MeshSource& source = batch.sources()[i];
         if (outcome) {
-            in_file_.emplace(source, std::move((*outcome)[i]));
+            triangles += triangles_of(in_file_[source] = std::move((*outcome)[i]));
         } else {
-            MeshReading alone = begin_reading(source, of_each_);
-            in_file_.emplace(source, outcome_of(alone));
+            Alone alone{source, begin_reading(source, of_each_)};
+            triangles += take_up(alone);
         }
-        triangles += triangles_of(in_file_.at(source));
     }
     return triangles;
+}
+
+std::size_t MeshShelf::take_up(Alone& alone) {
+    return triangles_of(in_file_[alone.source] = outcome_of(alone.reading));
 }
 
 const std::vector<MeshPart>& MeshShelf::in_file(const MeshSource& source) {

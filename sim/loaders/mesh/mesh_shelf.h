@@ -48,8 +48,15 @@ class MeshShelf {
     using Key = std::tuple<MeshSource, double, double, double, bool>;
     using InFile = std::variant<std::vector<MeshPart>, LoadError>;
 
-    /// Answers with the number of its triangles.
+    struct Alone {
+        MeshSource source;
+        MeshReading reading;
+    };
+    using Running = std::variant<MeshBatch, Alone>;
+
+    /// Each answers with the number of its triangles.
     std::size_t take_up(MeshBatch& batch);
+    std::size_t take_up(Alone& alone);
     const std::vector<MeshPart>& in_file(const MeshSource& source);
 
     std::size_t most_triangles_;

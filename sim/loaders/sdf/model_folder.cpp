@@ -9,10 +9,10 @@
 
 #include <tinyxml2.h>
 
+#include "sim/loaders/any_case.h"
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/plain_file.h"
 #include "sim/loaders/quote.h"
-#include "sim/loaders/sdf/any_case.h"
 
 namespace scipd::sim {
 namespace {
@@ -80,6 +80,29 @@ fs::path model_file_of(const fs::path& path, std::vector<std::string>& warnings)
     if (best == nullptr) return {};
     fs::path found = there(path, best->GetText(), warnings);
     return found.empty() ? path / best->GetText() : found;
+}
+
+std::string why_no_model(const fs::path& path, const fs::path& model) {
+    const auto why = why_no_file(model);
+    std::error_code error;
+    if (why.empty() || !fs::is_directory(path, error)) return why.empty() ? why : ' ' + why;
+    return " is the folder " + path.string() + ", which has no model.config that names an SDF file";
+}
+
+bool calls_itself(const fs::path& folder, const std::string& name) {
+    for (const char* file : {"model.config", "manifest.xml", "package.xml"}) {
+        if (!why_no_file(folder / file).empty()) continue;
+        tinyxml2::XMLDocument config;
+        try {
+            config.Parse(read_file(folder / file, largest_config, "a name is sought here").c_str());
+        } catch (const LoadError&) {
+            continue;  // which is told where it is read for what it says
+        }
+        const auto* root = config.RootElement();
+        const auto* said = root == nullptr ? nullptr : root->FirstChildElement("name");
+        if (said != nullptr && said->GetText() != nullptr && said->GetText() == name) return true;
+    }
+    return false;
 }
 
 }  // namespace scipd::sim

@@ -16,4 +16,11 @@ namespace scipd::sim {
 std::filesystem::path model_file_of(const std::filesystem::path& path,
                                     std::vector<std::string>& warnings);
 
+/// Empty where `model`, as model_file_of() found it in `path`, can be read.
+std::string why_no_model(const std::filesystem::path& path, const std::filesystem::path& model);
+
+/// Whether its model.config, or its package.xml, has this name for it, whatever it is called on
+/// disk.
+bool calls_itself(const std::filesystem::path& folder, const std::string& name);
+
 }  // namespace scipd::sim

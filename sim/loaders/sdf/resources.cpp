@@ -9,8 +9,9 @@
 #include <string_view>
 #include <utility>
 
+#include "sim/loaders/any_case.h"
 #include "sim/loaders/quote.h"
-#include "sim/loaders/sdf/any_case.h"
+#include "sim/loaders/sdf/model_folder.h"
 
 namespace scipd::sim {
 namespace {
@@ -66,8 +67,9 @@ fs::path near(const fs::path& folder, const Uri& uri, Look look) {
     for (fs::path up = above.parent_path(); up.has_relative_path(); up = up.parent_path()) {
         if (auto found = look(up, uri.name); !found.empty()) return found;
     }
-    // MODEL/meshes/x from within MODEL, whatever its folder is called.
+    // MODEL/meshes/x from within MODEL, where its folder is called otherwise.
     const fs::path name = uri.name;
+    if (!calls_itself(folder, name.begin()->string())) return {};
     const fs::path inside = look(folder, name.lexically_relative(*name.begin()));
     return !inside.empty() && !fs::is_directory(inside) ? inside : fs::path{};
 }

@@ -12,6 +12,7 @@
 #include "sim/loaders/quote.h"
 #include "sim/loaders/sdf/model_folder.h"
 #include "sim/loaders/sdf/resources.h"
+#include "sim/loaders/sdf/sdf_cost.h"
 #include "sim/loaders/sdf/sdf_file.h"
 #include "sim/loaders/sdf/sdf_scene.h"
 
@@ -42,7 +43,7 @@ LoadedScene load(const SdfSource& source, const fs::path& folder, const SdfOptio
         MeshShelf shelf{options.most_triangles, options.mesh};
         if (survey.faults.empty()) shelf.read_ahead(survey.meshes);
         auto notes = notes_of(source, survey.bytes, options.most_memory_bytes);
-        SdfFile read = read_sdf(std::move(survey), options.strict);
+        SdfFile read = read_sdf(std::move(survey), options);
         if (!read.faults.empty()) throw LoadError(std::move(read.faults));
         LoadedScene loaded = scene_of(std::move(read), source.file, resources, options, shelf);
         loaded.notes = std::move(notes);

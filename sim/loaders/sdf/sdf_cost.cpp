@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <tinyxml2.h>
 
@@ -34,6 +35,10 @@ double bytes_for_robot(const tinyxml2::XMLElement& element) {
          child = child->NextSiblingElement())
         bytes += bytes_for_robot(*child);
     return bytes;
+}
+
+std::string megabytes(double bytes) {
+    return std::to_string(static_cast<long>(std::min(1e15, std::ceil(bytes / 1e6)))) + " MB";
 }
 
 }  // namespace scipd::sim

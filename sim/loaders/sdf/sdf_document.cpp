@@ -232,6 +232,7 @@ void put_in_its_words(XMLElement& root) {
 std::vector<std::string> lower_version(XMLElement& root, const std::filesystem::path& file) {
     constexpr std::pair known{1, 9};
     constexpr std::pair newest{1, 12};
+    if (std::string_view{root.Name()} == "gazebo") root.SetName("sdf");
     int major = 0;
     int minor = 0;
     const char* version = root.Attribute("version");

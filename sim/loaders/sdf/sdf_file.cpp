@@ -31,10 +31,10 @@ StandIn stand_in_for(const SdfDocument& document) {
 
 class Reader {
   public:
-    Reader(SdfSurvey survey, bool strict, SdfFile& result)
+    Reader(SdfSurvey survey, const SdfOptions& options, SdfFile& result)
         : documents_(std::move(survey.documents)),
           order_(std::move(survey.order)),
-          strict_(strict),
+          options_(options),
           result_(result) {}
 
     void read() {
@@ -42,10 +42,10 @@ class Reader {
             convert(i);
         if (!result_.faults.empty()) return;
         sdf::Errors errors = load(documents_.front().text);
-        if (!errors.empty() && !strict_) errors = mend();
+        if (!errors.empty() && !options_.strict) errors = mend();
         for (const char* name : text_names)
             result_.stand_ins[name] = stand_in_for(documents_.front());
-        add_printed(strict_ || !errors.empty());
+        add_printed(options_.strict || !errors.empty());
         add_errors(errors);
     }
 
@@ -60,7 +60,7 @@ class Reader {
             SdfDocument& robot = documents_[document];
             robot.robot = std::exchange(robot.text, converted(robot, faults));
             robot.is_converted = true;
-            if (!faults.empty() && (document == 0 || strict_)) {
+            if (!faults.empty() && (document == 0 || options_.strict)) {
                 std::ranges::move(faults, std::back_inserter(result_.faults));
             } else if (!faults.empty()) {
                 leave_out(document, faults.front());
@@ -137,7 +137,7 @@ class Reader {
     std::string converted(const SdfDocument& robot, std::vector<std::string>& faults) {
         const fs::path& file = robot.file;
         std::string text =
-            sdf_from_urdf(robot.text, file, strict_, result_.sensors, result_.warnings);
+            sdf_from_urdf(robot.text, file, options_, result_.sensors, result_.warnings);
         const auto said = console_.take();
         for (const auto& fault : said.faults) {
             if (is_printed_echo(fault)) continue;
@@ -190,7 +190,7 @@ class Reader {
 
     std::vector<SdfDocument> documents_;
     std::vector<std::size_t> order_;
-    bool strict_;
+    const SdfOptions& options_;
     SdfFile& result_;
     SdfConsole console_;
     SdfLibrary library_;
@@ -228,14 +228,14 @@ std::string SdfFile::uri_as_written(const sdf::ElementPtr& element, const std::s
     return stand_in->second.robot.find(package) == std::string::npos ? uri : package;
 }
 
-SdfFile read_sdf(SdfSurvey survey, bool strict) {
+SdfFile read_sdf(SdfSurvey survey, const SdfOptions& options) {
     SdfFile result;
     result.faults = std::move(survey.faults);
     result.warnings = std::move(survey.warnings);
     result.actors = std::move(survey.actors);
     result.state = std::move(survey.state);
     result.sensors = std::move(survey.sensors);
-    if (result.faults.empty()) Reader{std::move(survey), strict, result}.read();
+    if (result.faults.empty()) Reader{std::move(survey), options, result}.read();
     return result;
 }
 

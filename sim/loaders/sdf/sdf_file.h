@@ -47,6 +47,6 @@ struct SdfFile {
 };
 
 /// Wants an absolute path. Reads nothing that would take more than this much memory.
-SdfFile read_sdf(SdfSurvey survey, bool strict);
+SdfFile read_sdf(SdfSurvey survey, const SdfOptions& options);
 
 }  // namespace scipd::sim

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -19,6 +22,8 @@ using tinyxml2::XMLElement;
 
 constexpr std::array joint_types{"ball",     "continuous", "fixed", "gearbox",  "prismatic",
                                  "revolute", "revolute2",  "screw", "universal"};
+constexpr std::array<std::string_view, 6> joint_types_of_robots{
+    "continuous", "fixed", "floating", "planar", "prismatic", "revolute"};
 
 bool is_called(const XMLElement& element, std::string_view name) {
     return element.Name() == name;
@@ -117,6 +122,50 @@ bool is_of_no_type(const XMLElement& joint) {
            std::ranges::find(joint_types, std::string_view{type}) == joint_types.end();
 }
 
+std::string_view type_of(const XMLElement& joint) {
+    const char* type = joint.Attribute("type");
+    return type == nullptr ? "" : type;
+}
+
+bool is_joint_of_robot(const XMLElement& element) {
+    const auto* robot = element.Parent()->ToElement();
+    return is_called(element, "joint") && robot != nullptr && is_called(*robot, "robot");
+}
+
+bool is_of_no_type_of_robots(const XMLElement& joint) {
+    return is_joint_of_robot(joint) &&
+           std::ranges::find(joint_types_of_robots, type_of(joint)) == joint_types_of_robots.end();
+}
+
+bool has_no_limit(const XMLElement& joint) {
+    const auto type = type_of(joint);
+    if (!is_joint_of_robot(joint) || (type != "revolute" && type != "prismatic")) return false;
+    const auto* limit = joint.FirstChildElement("limit");
+    double number = 0.0;
+    return limit == nullptr ||
+           limit->QueryDoubleAttribute("effort", &number) != tinyxml2::XML_SUCCESS ||
+           limit->QueryDoubleAttribute("velocity", &number) != tinyxml2::XML_SUCCESS;
+}
+
+bool has_no_direction(const XMLElement& joint) {
+    const auto* axis = joint.FirstChildElement("axis");
+    const auto type = type_of(joint);
+    if (!is_joint_of_robot(joint) || axis == nullptr || type == "fixed" || type == "floating") {
+        return false;
+    }
+    const char* xyz = axis->Attribute("xyz");
+    std::istringstream in{xyz == nullptr ? "1 0 0" : xyz};
+    double x = 0.0;
+    double y = 0.0;
+    double z = 0.0;
+    return !(in >> x >> y >> z) || std::hypot(x, y, z) == 0.0;
+}
+
+bool mimics_nothing(const XMLElement& joint) {
+    const auto* mimic = joint.FirstChildElement("mimic");
+    return is_joint_of_robot(joint) && mimic != nullptr && mimic->Attribute("joint") == nullptr;
+}
+
 bool is_sensor_of_no_type(const XMLElement& sensor) {
     return is_called(sensor, "sensor") && sensor.Attribute("type") == nullptr;
 }
@@ -129,7 +178,7 @@ struct Kind {
     std::size_t count = 0;
 };
 
-void find(const XMLElement& element, std::array<Kind, 6>& kinds) {
+void find(const XMLElement& element, std::span<Kind> kinds) {
     for (Kind& kind : kinds) {
         if (!kind.is_faulty(element)) continue;
         if (kind.count++ == 0) kind.first = &element;
@@ -147,6 +196,16 @@ std::string warning_of(const Kind& kind, const std::filesystem::path& file) {
            std::string{kind.fault} + "; scanners do not need it, ignored";
 }
 
+std::vector<std::string> warnings_of(const XMLElement& root, const std::filesystem::path& file,
+                                     std::span<Kind> kinds) {
+    find(root, kinds);
+    std::vector<std::string> warnings;
+    for (const Kind& kind : kinds) {
+        if (kind.count > 0) warnings.push_back(warning_of(kind, file));
+    }
+    return warnings;
+}
+
 }  // namespace
 
 std::vector<std::string> faults_of_ignored(const XMLElement& root,
@@ -158,12 +217,17 @@ std::vector<std::string> faults_of_ignored(const XMLElement& root,
         Kind{joins_nothing, "joint ", "joins a link that is not there"},
         Kind{is_of_no_type, "joint ", "has a type that is none"},
         Kind{is_sensor_of_no_type, "sensor ", "has no type"}};
-    find(root, kinds);
-    std::vector<std::string> warnings;
-    for (const Kind& kind : kinds) {
-        if (kind.count > 0) warnings.push_back(warning_of(kind, file));
-    }
-    return warnings;
+    return warnings_of(root, file, kinds);
+}
+
+std::vector<std::string> faults_of_ignored_in_robot(const XMLElement& robot,
+                                                    const std::filesystem::path& file) {
+    std::array<Kind, 5> kinds{Kind{has_script_without_uri, "material script of ", "has no <uri>"},
+                              Kind{is_of_no_type_of_robots, "joint ", "has a type that is none"},
+                              Kind{has_no_limit, "joint ", "has no <limit> of effort and velocity"},
+                              Kind{has_no_direction, "axis of joint ", "has no direction"},
+                              Kind{mimics_nothing, "joint ", "has a <mimic> of no joint"}};
+    return warnings_of(robot, file, kinds);
 }
 
 }  // namespace scipd::sim

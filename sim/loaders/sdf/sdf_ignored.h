@@ -20,4 +20,8 @@ namespace scipd::sim {
 std::vector<std::string> faults_of_ignored(const tinyxml2::XMLElement& root,
                                            const std::filesystem::path& file);
 
+/// The same of a URDF robot.
+std::vector<std::string> faults_of_ignored_in_robot(const tinyxml2::XMLElement& robot,
+                                                    const std::filesystem::path& file);
+
 }  // namespace scipd::sim

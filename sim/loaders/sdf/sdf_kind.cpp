@@ -39,9 +39,10 @@ std::string known_kind(std::string_view text) {
 std::string why_no_sdf(const std::string& text, const tinyxml2::XMLDocument& parsed) {
     const auto* root = parsed.Error() ? nullptr : parsed.RootElement();
     const std::string_view name = root == nullptr ? "" : root->Name();
-    if (name == "sdf" || name == "robot") return {};
-    if (const auto kind = known_kind(without_blank_start(text)); !kind.empty())
-        return ":1: " + kind;
+    // <gazebo> is what <sdf> was called up to its version 1.2.
+    if (name == "sdf" || name == "robot" || name == "gazebo") return {};
+    const std::string kind = known_kind(without_blank_start(text));
+    if (!kind.empty()) return ":1: " + kind;
     if (parsed.Error()) return broken_xml(parsed);
     if (root == nullptr) return ":1: is no SDF: holds no element";
     return ':' + std::to_string(root->GetLineNum()) + ": is no SDF: its root is <" +

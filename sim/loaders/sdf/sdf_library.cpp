@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "sim/loaders/sdf/sdf_library.h"
 
+#include <climits>
 #include <cstdio>
 #include <utility>
 
@@ -24,6 +25,12 @@ class GlobalConfig {
 };
 
 }  // namespace
+
+std::string uri_of(std::size_t document) {
+    // The library looks in the working directory first: no file there can have a path so long.
+    static const std::string longer_than_any_path(PATH_MAX, '-');
+    return "scipd://" + std::to_string(document) + longer_than_any_path;
+}
 
 std::filesystem::path SdfLibrary::write(const std::string& uri, const std::string& text) {
     File memory = memory_file();

@@ -5,6 +5,7 @@
 // thread, while it holds an SdfConsole; one owner.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -15,6 +16,9 @@
 #include "sim/loaders/plain_file.h"
 
 namespace scipd::sim {
+
+/// Of a document by its place among them, by which the library asks for it.
+std::string uri_of(std::size_t document);
 
 class SdfLibrary {
   public:

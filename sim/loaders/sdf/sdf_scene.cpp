@@ -45,6 +45,15 @@ bool says_not_static(const sdf::Model& model) {
     return !model.Static() && model.Element()->HasElement("static");
 }
 
+bool has_shape(const SdfSurface& surface) {
+    return surface.geometry != nullptr && kind_of(*surface.geometry) != "empty";
+}
+
+bool says_empty(const SdfSurface& surface) {
+    const auto element = surface.geometry == nullptr ? nullptr : surface.geometry->Element();
+    return element && element->HasElement("empty");
+}
+
 /// Walks from the root to the surfaces.
 class SceneWalk {
   public:
@@ -182,11 +191,15 @@ void SceneWalk::add_surface(const SdfSurface& surface, const Place& link,
     Object object;
     object.name = link_name + "::" + surface.name;
     object.model = link.body;
-    if (surface.geometry == nullptr || kind_of(*surface.geometry) == "empty") return;
+    const auto place = read_.place_of(surface.element, file_) + ": " + object.name + ": ";
+    if (!has_shape(surface)) {
+        // As Gazebo does it, where it is not meant: nothing is shown.
+        if (!says_empty(surface)) draft_.leave_out(place + "has no <geometry> with a shape");
+        return;
+    }
     const auto here = place_of(link, surface.pose, surface.element, object.name);
     if (!here) return;
     object.model_from_object = here->body_from_here;
-    const auto place = read_.place_of(surface.element, file_) + ": " + object.name + ": ";
     if (surface.laser_retro && !std::isfinite(*surface.laser_retro)) {
         return draft_.leave_out(place + "laser_retro must be finite");
     }

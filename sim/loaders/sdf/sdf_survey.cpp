@@ -21,6 +21,7 @@
 #include "sim/loaders/sdf/sdf_document.h"
 #include "sim/loaders/sdf/sdf_ignored.h"
 #include "sim/loaders/sdf/sdf_kind.h"
+#include "sim/loaders/sdf/sdf_library.h"
 #include "sim/loaders/sdf/sdf_names.h"
 #include "sim/loaders/sdf/wanted_meshes.h"
 
@@ -33,15 +34,6 @@ namespace fs = std::filesystem;
 /// times that.
 constexpr double largest_part = 1.0 / 64;
 constexpr std::size_t deepest_include = 32;
-
-/// Empty where `model`, the file that the library has for what an include names, can be read.
-std::string why_no_model(const fs::path& found, const fs::path& model) {
-    const auto why = why_no_file(model);
-    std::error_code error;
-    if (why.empty() || !fs::is_directory(found, error)) return why.empty() ? why : ' ' + why;
-    return " is the folder " + found.string() +
-           ", which has no model.config that names an SDF file";
-}
 
 std::string trimmed(const char* text) {
     std::string_view all = text == nullptr ? "" : text;
@@ -208,18 +200,31 @@ class Surveyor {
         const auto folder = open_.size() > 1 ? file.parent_path() : resources_.folder();
         const fs::path found = resources_.find(uri, folder).lexically_normal();
         if (found.empty()) return leave_out_missing(uri, folder, place);
-        std::vector<std::string> notes{case_warning(uri, found)};
-        const fs::path model = model_file_of(found, notes);
-        const auto why = why_no_model(found, model);
-        if (!why.empty()) return leave_out(place + quote(uri, whole_path) + why);
-        for (const auto& note : notes) {
-            if (!note.empty()) survey_.warnings.push_back(place + note);
-        }
-        const auto document = document_of(model, place);
+        const auto model = model_of(uri, found, place);
+        if (!model) return false;
+        const auto document = document_of(*model, place);
         // A lamp, say.
         if (!document || survey_.documents[*document].is_relieved_of_all) return false;
         element->SetText(uri_of(*document).c_str());
         return true;
+    }
+
+    /// The file of an include that was found; nothing where there is none that can be read.
+    std::optional<fs::path> model_of(const std::string& uri, const fs::path& found,
+                                     const std::string& place) {
+        try {
+            std::vector<std::string> notes{case_warning(uri, found)};
+            fs::path model = model_file_of(found, notes);
+            const auto why = why_no_model(found, model);
+            for (const auto& note : notes) {
+                if (!note.empty()) survey_.warnings.push_back(place + note);
+            }
+            if (why.empty()) return model;
+            leave_out(place + quote(uri, whole_path) + why);
+        } catch (const LoadError& error) {
+            leave_out(place + error.what());
+        }
+        return std::nullopt;
     }
 
     /// Of a download, the first time only.
@@ -279,14 +284,6 @@ class Surveyor {
 };
 
 }  // namespace
-
-std::string uri_of(std::size_t document) {
-    return "scipd://" + std::to_string(document);
-}
-
-std::string megabytes(double bytes) {
-    return std::to_string(static_cast<long>(std::min(1e15, std::ceil(bytes / 1e6)))) + " MB";
-}
 
 SdfSurvey survey_sdf(const SdfSource& source, const Resources& resources,
                      const SdfOptions& options) {

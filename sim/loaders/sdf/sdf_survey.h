@@ -49,12 +49,6 @@ struct SdfSurvey {
     std::vector<FoundSensor> sensors;  ///< of all documents but robots
 };
 
-/// Of a document by its place among them, by which the library asks for it.
-std::string uri_of(std::size_t document);
-
-/// For messages.
-std::string megabytes(double bytes);
-
 /// What cannot be included is left out with a warning; `strict` makes that a fault, and leaves the
 /// documents as they are.
 SdfSurvey survey_sdf(const SdfSource& source, const Resources& resources,

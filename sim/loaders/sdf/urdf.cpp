@@ -10,6 +10,8 @@
 #include <sdf/parser.hh>
 #include <tinyxml2.h>
 
+#include "sim/loaders/sdf/urdf_document.h"
+
 namespace scipd::sim {
 namespace {
 
@@ -149,12 +151,17 @@ bool is_urdf(std::string_view text) {
     return root_of(document, text, "robot") != nullptr;
 }
 
-std::string sdf_from_urdf(std::string_view text, const std::filesystem::path& file, bool strict,
-                          std::vector<FoundSensor>& sensors, std::vector<std::string>& warnings) {
+std::string sdf_from_urdf(std::string_view text, const std::filesystem::path& file,
+                          const SdfOptions& options, std::vector<FoundSensor>& sensors,
+                          std::vector<std::string>& warnings) {
     XMLDocument urdf;
     XMLElement* robot = root_of(urdf, text, "robot");
     if (robot == nullptr) return {};
     Sensors extensions{*robot};
+    if (!options.strict) {
+        std::ranges::move(relieve_robot(*robot, file, options.geometry),
+                          std::back_inserter(warnings));
+    }
     const MaterialNames materials = prepare(*robot);
 
     const sdf::SDFPtr converted{new sdf::SDF};
@@ -169,7 +176,7 @@ std::string sdf_from_urdf(std::string_view text, const std::filesystem::path& fi
     name_materials(*model, materials);
     extensions.put_into(*model);
     std::ranges::move(offer_sensors(*root, file, sensors), std::back_inserter(warnings));
-    if (!strict) delete_sensors(*model);
+    if (!options.strict) delete_sensors(*model);
     return text_of(result);
 }
 

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/loaders/sdf/sdf.h"
 #include "sim/loaders/sdf/sdf_sensors.h"
 
 namespace scipd::sim {
@@ -20,10 +21,12 @@ namespace scipd::sim {
 bool is_urdf(std::string_view text);
 
 /// The robot as an SDF document, every link of it, with all joints at zero, and what its <gazebo>
-/// extensions have of sensors, as offer_sensors() leaves it; they themselves stay in it if
-/// `strict`. What the library has against it is on the console; empty where it makes nothing of it.
-std::string sdf_from_urdf(std::string_view text, const std::filesystem::path& file, bool strict,
-                          std::vector<FoundSensor>& sensors, std::vector<std::string>& warnings);
+/// extensions have of sensors, as offer_sensors() leaves it; they themselves stay in it if strict,
+/// and so does what is nothing to a scanner (urdf_document.h). What the library has against it is
+/// on the console; empty where it makes nothing of it.
+std::string sdf_from_urdf(std::string_view text, const std::filesystem::path& file,
+                          const SdfOptions& options, std::vector<FoundSensor>& sensors,
+                          std::vector<std::string>& warnings);
 
 /// The lines of its links, by name.
 std::map<std::string, int> lines_of_links(std::string_view text);

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sim/loaders/any_case.h"
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/name.h"
 #include "sim/loaders/plain_file.h"
@@ -143,7 +144,10 @@ class StageScene {
     void add_bitmap(const Stand& body, const StageEntity& entity, const std::string& name,
                     const glm::dvec3& size_m) {
         const fs::path place{entity.place.substr(0, entity.place.rfind(':'))};
-        const fs::path picture = path_of(name, file_, place);
+        std::vector<std::string> warnings;
+        const fs::path picture = as_it_is_called(path_of(name, file_, place), warnings);
+        for (const auto& warning : warnings)
+            draft_.warn(entity.place + ": " + warning);
         try {
             const std::string bytes =
                 read_file(picture, largest_picture, "a bitmap is wanted here");

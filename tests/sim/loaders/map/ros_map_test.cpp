@@ -27,6 +27,16 @@ constexpr int white = 254;
 
 const MapOptions unknown_is_wall{.unknown = UnknownCells::wall};
 
+TEST(RosMap, thePictureIsFoundInAnyCase) {
+    MapFolder files;
+    const auto loaded =
+        files.load("Hall.PGM", pgm(1, {black}),
+                   "image: hall.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\n"
+                   "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+    EXPECT_EQ(loaded.scene->objects.size(), 1U);
+    EXPECT_THAT(loaded.warnings, ElementsAre(HasSubstr("Hall.PGM here; it is used")));
+}
+
 TEST(RosMap, rowsAreFromTheTopAndTheOriginIsTheLowerLeftCorner) {
     MapFolder files;
     const auto loaded = files.load("a.pgm", pgm(3, {white, white, black, white, white, white}),

@@ -262,6 +262,61 @@ TEST_F(SdfAsFound, anEmptyWorldIsOne) {
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a.sdf: holds nothing that a scanner could see")));
 }
 
+/// Back where it was when it ends.
+class WorkingDirectory {
+  public:
+    explicit WorkingDirectory(const std::filesystem::path& there) {
+        std::filesystem::current_path(there);
+    }
+    ~WorkingDirectory() { std::filesystem::current_path(before_); }
+    WorkingDirectory(const WorkingDirectory&) = delete;
+    WorkingDirectory& operator=(const WorkingDirectory&) = delete;
+
+  private:
+    std::filesystem::path before_ = std::filesystem::current_path();
+};
+
+TEST_F(SdfAsFound, aWorldIsTheSameWhereverScipdIsStarted) {
+    const std::string config = "<model><name>m</name><sdf version='1.9'>model.sdf</sdf></model>";
+    const auto model = [](const std::string& name) {
+        return sdf("<model name='" + name + "'><link name='l'>" + visual("v", unit_box) +
+                   "</link></model>");
+    };
+    folder_.write("m/model.config", config);
+    folder_.write("m/model.sdf", model("right"));
+    for (const std::string number : {"0", "1", "2"}) {
+        folder_.write("other/" + number + "/model.config", config);
+        folder_.write("other/" + number + "/model.sdf", model("wrong"));
+    }
+    const WorkingDirectory other{folder_.path() / "other"};
+    EXPECT_THAT(objects(world("<include><uri>model://m</uri></include>")),
+                ElementsAre("right::l::v"));
+}
+
+TEST_F(SdfAsFound, aVisualWithoutAShapeIsToldUnlessItIsMeantSo) {
+    EXPECT_THAT(objects(world(model_of(visual("a", unit_box) + "<visual name='b'/>\n" +
+                                       visual("c", "") + visual("d", "<empty/>")))),
+                ElementsAre("m::l::a"));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("m::l::b: has no <geometry> with a shape"),
+                                       HasSubstr("m::l::c: has no <geometry> with a shape")));
+}
+
+TEST_F(SdfAsFound, theRootOfOldWorldsIsGazebo) {
+    EXPECT_THAT(objects("<gazebo version='1.2'><world name='w'><model name='m'><static>1</static>"
+                        "<link name='l'>" +
+                        visual("v", unit_box) + "</link></model></world></gazebo>"),
+                ElementsAre("m::l::v"));
+    EXPECT_THAT(warnings_, IsEmpty());
+}
+
+TEST_F(SdfAsFound, anIncludeWhoseConfigIsNoneIsLeftOutAlone) {
+    folder_.write("m/model.config", std::string(std::size_t{2} << 20U, ' '));
+    EXPECT_THAT(
+        objects(world("<include><uri>model://m</uri></include>" + model_of(visual("v", unit_box)))),
+        ElementsAre("m::l::v"));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a.sdf:4: m/model.config: is larger than 1 MiB")));
+}
+
 TEST_F(SdfAsFound, ofManyMeshesTheBrokenOnesAloneAreLeftOut) {
     folder_.write("broken.obj", "v 0 0 0\nv 1 0 0\nf 1 2 9\n");
     folder_.write("late.stl", "solid cut short");

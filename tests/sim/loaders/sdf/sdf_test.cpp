@@ -215,6 +215,7 @@ TEST_F(Sdf, oneMeshFileIsSharedAtEachScale) {
 
 TEST_F(Sdf, meshesAreFoundByEveryKindOfUri) {
     folder_.write("m/meshes/a.obj", triangle_obj);
+    folder_.write("m/package.xml", "<package><name>other</name></package>");
     const auto absolute = (folder_.path() / "m/meshes/a.obj").string();
     for (const auto& uri :
          {std::string{"meshes/a.obj"}, "file://" + absolute, absolute,
@@ -222,6 +223,18 @@ TEST_F(Sdf, meshesAreFoundByEveryKindOfUri) {
           std::string{"package://other/meshes/a.obj"}}) {
         const auto file = folder_.write("m/a.sdf", world(model_of(visual("v", mesh_of(uri)))));
         EXPECT_EQ(load_sdf(file).scene->objects.size(), 1U) << uri;
+    }
+}
+
+TEST_F(Sdf, meshesOfOtherModelsAreNotTakenFromThisOne) {
+    folder_.write("m/meshes/a.obj", triangle_obj);
+    folder_.write("m/model.config", "<model><name>m</name></model>");
+    for (const std::string uri : {"model://gone/meshes/a.obj", "package://gone/meshes/a.obj"}) {
+        const auto file = folder_.write(
+            "m/a.sdf", world(model_of(visual("b", unit_box) + visual("v", mesh_of(uri)))));
+        const auto loaded = load_sdf(file);
+        EXPECT_EQ(loaded.scene->objects.size(), 1U);
+        EXPECT_THAT(loaded.warnings, ElementsAre(HasSubstr("there is no '" + uri + "'")));
     }
 }
 

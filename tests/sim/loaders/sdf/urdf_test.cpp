@@ -55,9 +55,9 @@ class Urdf : public ::testing::Test {
     LoadedScene load(const std::string& text, const SdfOptions& options = {}) {
         return load_sdf(folder_.write("a.urdf", text), options);
     }
-    std::vector<std::string> faults(const std::string& text) {
+    std::vector<std::string> faults(const std::string& text, const SdfOptions& options = {}) {
         const auto file = folder_.write("a.urdf", text);
-        return faults_of([&] { load_sdf(file); }, folder_);
+        return faults_of([&] { load_sdf(file, options); }, folder_);
     }
     static glm::dvec3 origin_of(const Scene& scene, std::size_t object) {
         const auto& that = scene.objects.at(object);
@@ -162,7 +162,8 @@ TEST_F(Urdf, TellsEveryFaultAndItsLine) {
     EXPECT_THAT(faults(robot("<link name='a'>" + box_visual("1 x 1") + "</link>\n<link name='b'>" +
                              "<visual><geometry><torus/></geometry></visual></link>\n"
                              "<joint name='j' type='fixed'><parent link='a'/><child link='b'/>"
-                             "</joint>")),
+                             "</joint>"),
+                       {.strict = true}),
                 ElementsAre("a.urdf: Unable to parse component [x] to a double (while parsing a "
                             "vector value)",
                             "a.urdf:3: Could not parse visual element for Link [a]",

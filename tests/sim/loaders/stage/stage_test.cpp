@@ -59,6 +59,13 @@ class Stage : public ::testing::Test {
     tests::TempDir folder_;
 };
 
+TEST_F(Stage, aBitmapIsFoundInAnyCase) {
+    folder_.write("bitmaps/Room.PGM", frame(8, 0));
+    const std::string text = "model ( name \"r\" size [8 8 2] bitmap \"bitmaps/room.pgm\" )\n";
+    EXPECT_THAT(load(text).scene->objects, SizeIs(1));
+    EXPECT_THAT(warnings(text), ElementsAre(HasSubstr("is called bitmaps/Room.PGM here")));
+}
+
 TEST_F(Stage, aSquareRoom) {
     folder_.write("bitmaps/room.pgm", frame(8, 0));
     folder_.write("map.inc", "define floorplan model ( color \"gray30\" boundary 0 )\n");

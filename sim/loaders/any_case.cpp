@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/sdf/any_case.h"
+#include "sim/loaders/any_case.h"
 
 #include <algorithm>
 #include <system_error>
 #include <vector>
+
+#include "sim/loaders/quote.h"
 
 namespace scipd::sim {
 namespace {
@@ -49,6 +51,15 @@ fs::path in_any_case(const fs::path& folder, const fs::path& name) {
         at = std::move(next);
     }
     return at;
+}
+
+fs::path as_it_is_called(const fs::path& file, std::vector<std::string>& warnings) {
+    const fs::path wanted = fs::absolute(file).lexically_normal();
+    fs::path found = in_any_case(wanted.root_path(), wanted.relative_path());
+    if (found.empty() || !differs_in_case(found, wanted.relative_path())) return file;
+    warnings.push_back(file.string() + ": is called " + shown(found.string()) +
+                       " here; it is used, though the names differ in case");
+    return found;
 }
 
 bool differs_in_case(const fs::path& found, const fs::path& name) {

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/sdf/urdf_document.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <initializer_list>
+#include <iterator>
+#include <sstream>
+#include <string_view>
+
+#include <tinyxml2.h>
+
+#include "sim/loaders/quote.h"
+#include "sim/loaders/sdf/sdf_document.h"
+#include "sim/loaders/sdf/sdf_ignored.h"
+
+namespace scipd::sim {
+namespace {
+
+using tinyxml2::XMLElement;
+using Names = std::initializer_list<std::string_view>;
+
+constexpr std::size_t longest_text = 200;
+
+bool is_one_of(const XMLElement& element, Names names) {
+    return std::ranges::find(names, std::string_view{element.Name()}) != names.end();
+}
+
+void delete_children(XMLElement& element, const std::function<bool(XMLElement&)>& unwanted) {
+    for (auto* child = element.FirstChildElement(); child != nullptr;) {
+        auto* next = child->NextSiblingElement();
+        if (unwanted(*child)) element.DeleteChild(child);
+        child = next;
+    }
+}
+
+void keep_children(XMLElement& element, Names names) {
+    delete_children(element, [&](XMLElement& child) { return !is_one_of(child, names); });
+}
+
+std::string attribute(const XMLElement& element, const char* name) {
+    const char* value = element.Attribute(name);
+    return value == nullptr ? "" : value;
+}
+
+bool holds_numbers(const std::string& text, std::size_t count) {
+    std::istringstream in{text};
+    const std::vector<double> numbers{std::istream_iterator<double>{in}, {}};
+    return in.eof() && numbers.size() == count &&
+           std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
+}
+
+struct Numbers {
+    const char* element;
+    const char* attribute;
+    std::size_t count;
+    bool is_required;
+};
+
+constexpr Numbers of_parts[] = {{"origin", "xyz", 3, false},     {"origin", "rpy", 3, false},
+                                {"box", "size", 3, true},        {"sphere", "radius", 1, true},
+                                {"cylinder", "radius", 1, true}, {"cylinder", "length", 1, true},
+                                {"mesh", "scale", 3, false}};
+
+/// Empty where nothing is.
+std::string fault_of_numbers(const XMLElement& part) {
+    for (const Numbers& numbers : of_parts) {
+        if (std::string_view{part.Name()} != numbers.element) continue;
+        const char* text = part.Attribute(numbers.attribute);
+        if (text == nullptr && !numbers.is_required) continue;
+        const std::string what = std::string{"its <"} + part.Name();
+        if (text == nullptr) return what + "> has no " + numbers.attribute;
+        if (holds_numbers(text, numbers.count)) continue;
+        return what + ' ' + numbers.attribute + "='" + printable(text, longest_text) +
+               "'> is none that can be read";
+    }
+    return {};
+}
+
+/// Of a visual or collision, as urdfdom reads it; empty where nothing is.
+std::string fault_of_shape(const XMLElement& part) {
+    const auto* origin = part.FirstChildElement("origin");
+    if (origin != nullptr) {
+        if (auto fault = fault_of_numbers(*origin); !fault.empty()) return fault;
+    }
+    const auto* geometry = part.FirstChildElement("geometry");
+    if (geometry == nullptr) return "it has no <geometry>";
+    const auto* shape = geometry->FirstChildElement();
+    if (shape == nullptr) return "its <geometry> is empty";
+    if (!is_one_of(*shape, {"box", "cylinder", "mesh", "sphere"})) {
+        return std::string{"URDF has no <"} + printable(shape->Name(), longest_text) + '>';
+    }
+    if (is_one_of(*shape, {"mesh"}) && attribute(*shape, "filename").empty()) {
+        return "its <mesh> has no filename";
+    }
+    return fault_of_numbers(*shape);
+}
+
+/// Something of any shape: only that there is one counts, and what it is made of.
+void make_plain(XMLElement& part) {
+    keep_children(part, {"material"});
+    part.InsertNewChildElement("geometry")
+        ->InsertNewChildElement("box")
+        ->SetAttribute("size", "1 1 1");
+}
+
+class Relief {
+  public:
+    Relief(const std::filesystem::path& file, SdfGeometry geometry)
+        : file_(file), geometry_(geometry) {}
+
+    std::vector<std::string> run(XMLElement& robot) {
+        keep_children(robot, {"link", "joint", "material", "gazebo"});
+        for (auto* part = robot.FirstChildElement(); part != nullptr;
+             part = part->NextSiblingElement()) {
+            if (is_one_of(*part, {"link"})) relieve_link(*part);
+            if (is_one_of(*part, {"joint"})) relieve_joint(*part);
+            if (is_one_of(*part, {"gazebo"})) relieve_extension(*part);
+        }
+        return std::move(warnings_);
+    }
+
+  private:
+    void relieve_link(XMLElement& link) {
+        const std::string_view seen = geometry_ == SdfGeometry::visual ? "visual" : "collision";
+        keep_children(link, {"visual", "collision"});
+        delete_children(link, [&](XMLElement& part) {
+            if (part.Name() != seen) {
+                make_plain(part);
+                return false;
+            }
+            const std::string fault = fault_of_shape(part);
+            if (!fault.empty()) leave_out(link, part, fault);
+            return !fault.empty();
+        });
+    }
+
+    void leave_out(const XMLElement& link, const XMLElement& part, const std::string& why) {
+        const std::string name = attribute(part, "name");
+        warnings_.push_back(file_.string() + ':' + std::to_string(part.GetLineNum()) + ": link " +
+                            printable(attribute(link, "name"), longest_text) + ": " + part.Name() +
+                            (name.empty() ? "" : ' ' + printable(name, longest_text)) + ": " + why +
+                            "; left out, no scanner sees it");
+    }
+
+    /// Whatever moves it, it stands at zero.
+    static void relieve_joint(XMLElement& joint) {
+        joint.SetAttribute("type", "fixed");
+        keep_children(joint, {"origin", "parent", "child"});
+    }
+
+    static void relieve_extension(XMLElement& extension) {
+        if (attribute(extension, "reference").empty()) {
+            drop_empty_models(extension);
+            return keep_children(extension,
+                                 {"static", "pose", "link", "frame", "model", "include"});
+        }
+        name_material(extension);
+        delete_children(extension, [](XMLElement& part) {
+            if (is_one_of(part, {"visual", "collision"})) {
+                delete_children(part, [](XMLElement& child) { return !is_retro(child); });
+                return part.NoChildren();
+            }
+            return !is_material(part) && !is_retro(part);
+        });
+    }
+
+    /// Of the script of a visual, in the one word that Gazebo has for it.
+    static void name_material(XMLElement& extension) {
+        auto* within = extension.FirstChildElement("visual");
+        for (const char* name : {"material", "script", "name"})
+            within = within == nullptr ? nullptr : within->FirstChildElement(name);
+        if (within == nullptr || within->GetText() == nullptr) return;
+        if (extension.FirstChildElement("material") != nullptr) return;
+        extension.InsertNewChildElement("material")->SetText(within->GetText());
+    }
+
+    static bool is_material(const XMLElement& part) {
+        return is_one_of(part, {"material"}) && part.GetText() != nullptr;
+    }
+
+    static bool is_retro(const XMLElement& part) {
+        return is_one_of(part, {"laserRetro", "laser_retro"}) && part.GetText() != nullptr &&
+               holds_numbers(part.GetText(), 1);
+    }
+
+    const std::filesystem::path& file_;
+    SdfGeometry geometry_;
+    std::vector<std::string> warnings_;
+};
+
+}  // namespace
+
+std::vector<std::string> relieve_robot(XMLElement& robot, const std::filesystem::path& file,
+                                       SdfGeometry geometry) {
+    std::vector<std::string> warnings = faults_of_ignored_in_robot(robot, file);
+    std::ranges::move(Relief{file, geometry}.run(robot), std::back_inserter(warnings));
+    return warnings;
+}
+
+}  // namespace scipd::sim
