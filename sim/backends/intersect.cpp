@@ -67,23 +67,11 @@ class Inside {
     Crossing leave_{};
 };
 
-/// Moeller and Trumbore: Fast, minimum storage ray/triangle intersection, 1997.
 void meet_triangle(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                    Crossing& nearest) {
-    const glm::dvec3 ab = b - a;
-    const glm::dvec3 ac = c - a;
-    const glm::dvec3 p = glm::cross(ray.direction, ac);
-    const double determinant = glm::dot(ab, p);
-    if (determinant == 0.0) return;
-    const glm::dvec3 from_a = ray.origin_m - a;
-    const double u = glm::dot(from_a, p) / determinant;
-    if (!(u >= 0.0 && u <= 1.0)) return;
-    const glm::dvec3 q = glm::cross(from_a, ab);
-    const double v = glm::dot(ray.direction, q) / determinant;
-    if (!(v >= 0.0 && u + v <= 1.0)) return;
-    const double range_m = glm::dot(ac, q) / determinant;
-    if (range_m < 0.0 || range_m >= nearest.range_m) return;
-    nearest = {range_m, glm::normalize(glm::cross(ab, ac))};
+    const auto piercing = pierce(ray, a, b, c);
+    if (!piercing || piercing->range_m >= nearest.range_m) return;
+    nearest = {piercing->range_m, glm::normalize(glm::cross(b - a, c - a))};
 }
 
 struct Intersect {
@@ -129,6 +117,25 @@ struct Intersect {
 };
 
 }  // namespace
+
+// Moeller and Trumbore: Fast, minimum storage ray/triangle intersection, 1997.
+std::optional<Piercing> pierce(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b,
+                               const glm::dvec3& c) {
+    const glm::dvec3 ab = b - a;
+    const glm::dvec3 ac = c - a;
+    const glm::dvec3 p = glm::cross(ray.direction, ac);
+    const double determinant = glm::dot(ab, p);
+    if (determinant == 0.0) return std::nullopt;
+    const glm::dvec3 from_a = ray.origin_m - a;
+    const double u = glm::dot(from_a, p) / determinant;
+    if (!(u >= 0.0 && u <= 1.0)) return std::nullopt;
+    const glm::dvec3 q = glm::cross(from_a, ab);
+    const double v = glm::dot(ray.direction, q) / determinant;
+    if (!(v >= 0.0 && u + v <= 1.0)) return std::nullopt;
+    const double range_m = glm::dot(ac, q) / determinant;
+    if (range_m < 0.0) return std::nullopt;
+    return Piercing{range_m, determinant < 0.0};
+}
 
 Crossing intersect(const Ray& ray, const Shape& shape) {
     return std::visit(Intersect{ray}, shape);

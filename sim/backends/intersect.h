@@ -5,6 +5,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include <glm/vec3.hpp>
 
@@ -24,5 +25,15 @@ struct Crossing {
 };
 
 Crossing intersect(const Ray& ray, const Shape& shape);
+
+/// Where a ray goes through a triangle.
+struct Piercing {
+    double range_m;
+    bool is_back;  ///< its corners go clockwise, seen from where the ray begins
+};
+
+/// Nothing where it does not.
+std::optional<Piercing> pierce(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b,
+                               const glm::dvec3& c);
 
 }  // namespace scipd::sim

@@ -87,24 +87,12 @@ struct Passage {
     double nearest_m = std::numeric_limits<double>::infinity();
     bool nearest_is_back = false;
 
-    /// Moeller and Trumbore, as intersect() has it.
-    void add(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-        const glm::dvec3 ab = b - a;
-        const glm::dvec3 ac = c - a;
-        const glm::dvec3 p = glm::cross(ray.direction, ac);
-        const double determinant = glm::dot(ab, p);
-        if (determinant == 0.0) return;
-        const glm::dvec3 from_a = ray.origin_m - a;
-        const double u = glm::dot(from_a, p) / determinant;
-        if (!(u >= 0.0 && u <= 1.0)) return;
-        const glm::dvec3 q = glm::cross(from_a, ab);
-        const double v = glm::dot(ray.direction, q) / determinant;
-        const double range_m = glm::dot(ac, q) / determinant;
-        if (!(v >= 0.0 && u + v <= 1.0) || range_m < 0.0) return;
+    void add(const std::optional<Piercing>& piercing) {
+        if (!piercing) return;
         ++faces;
-        if (range_m > nearest_m) return;
-        nearest_m = range_m;
-        nearest_is_back = determinant < 0.0;
+        if (piercing->range_m > nearest_m) return;
+        nearest_m = piercing->range_m;
+        nearest_is_back = piercing->is_back;
     }
 };
 
@@ -130,8 +118,8 @@ bool in_meshes(Parts parts, const glm::dvec3& at_m) {
         for (const Placed& part : parts) {
             const Mesh& mesh = *std::get<SharedMesh>(part.object->shape);
             for (const glm::uvec3& triangle : mesh.triangles) {
-                passage.add(ray, mesh.vertices_m[triangle.x], mesh.vertices_m[triangle.y],
-                            mesh.vertices_m[triangle.z]);
+                passage.add(pierce(ray, mesh.vertices_m[triangle.x], mesh.vertices_m[triangle.y],
+                                   mesh.vertices_m[triangle.z]));
             }
         }
         return passage.faces % 2 == 1 && passage.nearest_is_back && passage.nearest_m > margin_m;
