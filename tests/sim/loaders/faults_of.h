@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/loaders/load_error.h"
@@ -12,8 +13,18 @@ namespace scipd::sim {
 
 using tests::TempDir;
 
-/// The faults of a call that must throw a LoadError, each without the folder's path wherever it
-/// stands.
+/// Each without the folder's path wherever it stands.
+inline std::vector<std::string> without_folder(std::vector<std::string> texts,
+                                               const TempDir& folder) {
+    const auto prefix = folder.path().string() + '/';
+    for (auto& text : texts) {
+        for (auto at = text.find(prefix); at != text.npos; at = text.find(prefix))
+            text.erase(at, prefix.size());
+    }
+    return texts;
+}
+
+/// The faults of a call that must throw a LoadError, without the folder's path.
 template <typename Call>
 std::vector<std::string> faults_of(const Call& call, const TempDir& folder) {
     std::vector<std::string> faults;
@@ -22,13 +33,7 @@ std::vector<std::string> faults_of(const Call& call, const TempDir& folder) {
     } catch (const LoadError& error) {
         faults = error.faults();
     }
-    const auto prefix = folder.path().string() + '/';
-    for (auto& fault : faults) {
-        for (auto at = fault.find(prefix); at != fault.npos; at = fault.find(prefix)) {
-            fault.erase(at, prefix.size());
-        }
-    }
-    return faults;
+    return without_folder(std::move(faults), folder);
 }
 
 }  // namespace scipd::sim

@@ -39,13 +39,7 @@ class Mvsim : public ::testing::Test {
         return faults_of([&] { load(inside); }, folder_);
     }
     std::vector<std::string> warnings(const std::string& inside) {
-        auto all = load(inside).warnings;
-        const auto prefix = folder_.path().string() + '/';
-        for (auto& warning : all) {
-            for (auto at = warning.find(prefix); at != warning.npos; at = warning.find(prefix))
-                warning.erase(at, prefix.size());
-        }
-        return all;
+        return without_folder(load(inside).warnings, folder_);
     }
     tests::TempDir folder_;
 };

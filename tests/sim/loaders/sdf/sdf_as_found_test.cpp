@@ -29,12 +29,7 @@ class SdfAsFound : public ::testing::Test {
     /// The names of all objects.
     std::vector<std::string> objects(const std::string& text) {
         auto loaded = load_scene(folder_.write("a.sdf", text));
-        warnings_ = std::move(loaded.warnings);
-        const auto prefix = folder_.path().string() + '/';
-        for (auto& warning : warnings_) {
-            for (auto at = warning.find(prefix); at != warning.npos; at = warning.find(prefix))
-                warning.erase(at, prefix.size());
-        }
+        warnings_ = without_folder(std::move(loaded.warnings), folder_);
         scene_ = loaded.scene;
         std::vector<std::string> names;
         for (const Object& object : scene_->objects)

@@ -40,13 +40,8 @@ class SdfRepair : public ::testing::Test {
         const std::string text = world(model("ok", link("l", visual("v", unit_box))) + models);
         const auto file = folder_.write("a.sdf", text);
         auto loaded = load_scene(file);
-        warnings_ = std::move(loaded.warnings);
+        warnings_ = without_folder(std::move(loaded.warnings), folder_);
         scene_ = loaded.scene;
-        const auto prefix = folder_.path().string() + '/';
-        for (auto& warning : warnings_) {
-            for (auto at = warning.find(prefix); at != warning.npos; at = warning.find(prefix))
-                warning.erase(at, prefix.size());
-        }
         std::vector<std::string> names;
         for (const Object& object : scene_->objects)
             names.push_back(object.name);

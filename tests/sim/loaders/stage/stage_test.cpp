@@ -48,13 +48,7 @@ class Stage : public ::testing::Test {
         return faults_of([&] { load(text); }, folder_);
     }
     std::vector<std::string> warnings(const std::string& text) {
-        auto all = load(text).warnings;
-        const auto prefix = folder_.path().string() + '/';
-        for (auto& warning : all) {
-            for (auto at = warning.find(prefix); at != warning.npos; at = warning.find(prefix))
-                warning.erase(at, prefix.size());
-        }
-        return all;
+        return without_folder(load(text).warnings, folder_);
     }
     tests::TempDir folder_;
 };
