@@ -11,6 +11,7 @@
 #include <tinyxml2.h>
 
 #include "sim/loaders/mesh/collada_primitive.h"
+#include "sim/loaders/xml_tree.h"
 
 namespace scipd::sim {
 namespace {
@@ -28,33 +29,6 @@ constexpr std::array unwanted{"bind", "bind_vertex_input", "extra", "instance_ca
                               "instance_light"};
 /// A controller may control what another one makes of a mesh.
 constexpr int longest_chain = 8;
-
-template <typename Words>
-bool is_one_of(const XMLElement& element, const Words& words) {
-    return std::ranges::find(words, std::string_view{element.Name()}) != words.end();
-}
-
-std::string attribute(const XMLElement& element, const char* name) {
-    const char* value = element.Attribute(name);
-    return value == nullptr ? "" : value;
-}
-
-void delete_children(XMLElement& element, const std::function<bool(XMLElement&)>& is_unwanted) {
-    for (auto* child = element.FirstChildElement(); child != nullptr;) {
-        auto* next = child->NextSiblingElement();
-        if (is_unwanted(*child)) element.DeleteChild(child);
-        child = next;
-    }
-}
-
-/// With all that lies in it.
-void for_each(XMLElement& element, const std::function<void(XMLElement&)>& visit) {
-    visit(element);
-    for (auto* child = element.FirstChildElement(); child != nullptr;
-         child = child->NextSiblingElement()) {
-        for_each(*child, visit);
-    }
-}
 
 /// "#" and the name of each skin and morph, and what it changes.
 std::map<std::string, std::string> sources_of_controllers(XMLElement& root) {

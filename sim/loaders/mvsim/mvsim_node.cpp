@@ -11,6 +11,7 @@
 
 #include "sim/loaders/quote.h"
 #include "sim/loaders/text_number.h"
+#include "sim/loaders/xml_tree.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {
@@ -18,11 +19,6 @@ namespace {
 
 constexpr double radians = std::numbers::pi / 180.0;
 constexpr std::size_t most_points = 10'000;
-
-std::string text_of(const tinyxml2::XMLElement& element) {
-    const char* text = element.GetText();
-    return text == nullptr ? "" : text;
-}
 
 double number_in(const std::string& text, const char* what) {
     return numbers_in(text, 1, what).front();
@@ -50,7 +46,7 @@ const tinyxml2::XMLElement* MvsimNode::find(const char* child) const {
 }
 
 std::string MvsimNode::own_text() const {
-    return substituted(text_of(element_), variables_);
+    return substituted(text_of(&element_), variables_);
 }
 
 std::string MvsimNode::attribute(const char* name) const {
@@ -61,7 +57,7 @@ std::string MvsimNode::attribute(const char* name) const {
 std::optional<std::string> MvsimNode::text(const char* child) const {
     const auto* found = find(child);
     if (found == nullptr) return std::nullopt;
-    return substituted(text_of(*found), variables_);
+    return substituted(text_of(found), variables_);
 }
 
 double MvsimNode::number(const char* child, double otherwise) const {

@@ -15,6 +15,7 @@
 
 #include "sim/loaders/quote.h"
 #include "sim/loaders/sdf/actor_walk.h"
+#include "sim/loaders/xml_tree.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {
@@ -27,10 +28,6 @@ constexpr Time closest = std::chrono::milliseconds(1);
 constexpr double latest_s = 1e9;
 /// Where a pose is "there" for somebody who has typed it twice.
 constexpr double same_place_m = 1e-3;
-
-std::string text_of(const XMLElement* element) {
-    return element == nullptr || element->GetText() == nullptr ? "" : element->GetText();
-}
 
 /// Nothing where the text is anything but finite numbers, or too few.
 std::optional<std::vector<double>> numbers_in(const std::string& text, std::size_t count) {

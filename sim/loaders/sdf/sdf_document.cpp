@@ -12,6 +12,7 @@
 #include <tinyxml2.h>
 
 #include "sim/loaders/sdf/sdf_road.h"
+#include "sim/loaders/xml_tree.h"
 
 namespace scipd::sim {
 namespace {
@@ -53,33 +54,6 @@ constexpr std::array nothing_to_a_scanner{"atmosphere",
 constexpr std::array seen_but_not_read{"population"};
 
 constexpr std::string_view colons = "::";
-
-template <typename Words>
-bool is_one_of(const XMLElement& element, const Words& words) {
-    return std::ranges::find(words, std::string_view{element.Name()}) != words.end();
-}
-
-/// With all that lies in it, from the outside in; `visit` may change what is in there.
-void for_each(XMLElement& element, const std::function<void(XMLElement&)>& visit) {
-    visit(element);
-    for (auto* child = element.FirstChildElement(); child != nullptr;
-         child = child->NextSiblingElement()) {
-        for_each(*child, visit);
-    }
-}
-
-void delete_children(XMLElement& element, const std::function<bool(XMLElement&)>& unwanted) {
-    for (auto* child = element.FirstChildElement(); child != nullptr;) {
-        auto* next = child->NextSiblingElement();
-        if (unwanted(*child)) element.DeleteChild(child);
-        child = next;
-    }
-}
-
-std::string text_at(XMLElement& element, const char* name) {
-    const auto* child = element.FirstChildElement(name);
-    return child == nullptr || child->GetText() == nullptr ? "" : child->GetText();
-}
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
     for (auto at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
@@ -155,7 +129,7 @@ void relieve_material(XMLElement& surface) {
     auto* material = surface.FirstChildElement("material");
     if (material == nullptr) return;
     auto* script = material->FirstChildElement("script");
-    const std::string name = script == nullptr ? "" : text_at(*script, "name");
+    const std::string name = script == nullptr ? "" : text_of(script->FirstChildElement("name"));
     if (!name.empty() && surface.FirstChildElement("scipd:material") == nullptr) {
         surface.InsertNewChildElement("scipd:material")->SetText(name.c_str());
     }

@@ -10,6 +10,8 @@
 
 #include <tinyxml2.h>
 
+#include "sim/loaders/xml_tree.h"
+
 namespace scipd::sim {
 namespace {
 
@@ -125,12 +127,8 @@ std::vector<std::string> mend_names(XMLElement& root, const std::filesystem::pat
 }
 
 std::string own_name(const XMLElement& element) {
-    if (!is_kind(element, "include")) {
-        const char* name = element.Attribute("name");
-        return name == nullptr ? "" : name;
-    }
-    const auto* name = element.FirstChildElement("name");
-    return name == nullptr || name->GetText() == nullptr ? "" : name->GetText();
+    return is_kind(element, "include") ? text_of(element.FirstChildElement("name"))
+                                       : attribute(element, "name");
 }
 
 std::string path_of(const XMLElement& element) {

@@ -15,6 +15,7 @@
 #include "sim/loaders/sdf/sdf_document.h"
 #include "sim/loaders/sdf/sdf_names.h"
 #include "sim/loaders/sdf/sdf_suspect.h"
+#include "sim/loaders/xml_tree.h"
 
 namespace scipd::sim {
 namespace {
@@ -23,10 +24,6 @@ using tinyxml2::XMLDocument;
 using tinyxml2::XMLElement;
 
 constexpr std::size_t longest_text = 200;
-
-bool is_one_of(const XMLElement& element, std::initializer_list<std::string_view> names) {
-    return std::ranges::find(names, std::string_view{element.Name()}) != names.end();
-}
 
 bool is_holder(const XMLElement& element) {
     return is_one_of(element,
@@ -82,10 +79,6 @@ std::string warning_of(XMLElement& gone, const std::string& why, const SdfDocume
     return place_of(gone, document) + kind + (name.empty() ? "" : ' ' + name) + ": " + end;
 }
 
-std::string text_of(const XMLElement& element) {
-    return element.GetText() == nullptr ? "" : element.GetText();
-}
-
 bool has_the_same_in_it(const XMLElement& one, const XMLElement& other) {
     const auto* a = one.FirstAttribute();
     const auto* b = other.FirstAttribute();
@@ -94,7 +87,7 @@ bool has_the_same_in_it(const XMLElement& one, const XMLElement& other) {
             return false;
     }
     return a == b && one.FirstChildElement() == nullptr && other.FirstChildElement() == nullptr &&
-           text_of(one) == text_of(other);
+           text_of(&one) == text_of(&other);
 }
 
 /// The same value elsewhere cannot be read either, and costs no round of its own. Itself, too.

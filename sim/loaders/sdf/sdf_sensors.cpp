@@ -17,6 +17,7 @@
 
 #include "sim/loaders/quote.h"
 #include "sim/loaders/sdf/sdf_document.h"
+#include "sim/loaders/xml_tree.h"
 
 namespace scipd::sim {
 namespace {
@@ -29,11 +30,6 @@ constexpr std::array<std::string_view, 4> lidar_types{"ray", "gpu_ray", "lidar",
 struct Fault : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
-
-std::string attribute(const XMLElement& element, const char* name) {
-    const char* value = element.Attribute(name);
-    return value == nullptr ? "" : value;
-}
 
 bool is_named(const XMLElement& element, std::string_view name) {
     return attribute(element, "name") == name;

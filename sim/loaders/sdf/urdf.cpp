@@ -11,6 +11,7 @@
 #include <tinyxml2.h>
 
 #include "sim/loaders/sdf/urdf_document.h"
+#include "sim/loaders/xml_tree.h"
 
 namespace scipd::sim {
 namespace {
@@ -28,11 +29,6 @@ void for_children(XMLElement& parent, const char* name, const Visit& visit) {
         visit(*child);
         child = next;
     }
-}
-
-std::string attribute(const XMLElement& element, const char* name) {
-    const char* value = element.Attribute(name);
-    return value == nullptr ? "" : value;
 }
 
 /// Any will do.

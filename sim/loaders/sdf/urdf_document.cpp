@@ -15,6 +15,7 @@
 #include "sim/loaders/quote.h"
 #include "sim/loaders/sdf/sdf_document.h"
 #include "sim/loaders/sdf/sdf_ignored.h"
+#include "sim/loaders/xml_tree.h"
 
 namespace scipd::sim {
 namespace {
@@ -24,25 +25,8 @@ using Names = std::initializer_list<std::string_view>;
 
 constexpr std::size_t longest_text = 200;
 
-bool is_one_of(const XMLElement& element, Names names) {
-    return std::ranges::find(names, std::string_view{element.Name()}) != names.end();
-}
-
-void delete_children(XMLElement& element, const std::function<bool(XMLElement&)>& unwanted) {
-    for (auto* child = element.FirstChildElement(); child != nullptr;) {
-        auto* next = child->NextSiblingElement();
-        if (unwanted(*child)) element.DeleteChild(child);
-        child = next;
-    }
-}
-
 void keep_children(XMLElement& element, Names names) {
     delete_children(element, [&](XMLElement& child) { return !is_one_of(child, names); });
-}
-
-std::string attribute(const XMLElement& element, const char* name) {
-    const char* value = element.Attribute(name);
-    return value == nullptr ? "" : value;
 }
 
 bool holds_numbers(const std::string& text, std::size_t count) {

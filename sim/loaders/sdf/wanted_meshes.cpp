@@ -7,16 +7,12 @@
 
 #include <tinyxml2.h>
 
+#include "sim/loaders/xml_tree.h"
+
 namespace scipd::sim {
 namespace {
 
 using tinyxml2::XMLElement;
-
-std::string text_at(const XMLElement* element, const char* name) {
-    const auto* child = element == nullptr ? nullptr : element->FirstChildElement(name);
-    const char* text = child == nullptr ? nullptr : child->GetText();
-    return text == nullptr ? std::string{} : text;
-}
 
 class Search {
   public:
@@ -41,11 +37,14 @@ class Search {
         const auto* mesh = geometry == nullptr ? nullptr : geometry->FirstChildElement("mesh");
         if (mesh == nullptr) return;
         // In SDF the one, in URDF the other.
-        const char* attribute = mesh->Attribute("filename");
-        const std::string uri = attribute != nullptr ? attribute : text_at(mesh, "uri");
+        const char* filename = mesh->Attribute("filename");
+        const std::string uri =
+            filename != nullptr ? filename : text_of(mesh->FirstChildElement("uri"));
         const auto file = resources_.find(uri, folder_);
         if (file.empty()) return;
-        found.push_back({file, text_at(mesh->FirstChildElement("submesh"), "name")});
+        const auto* submesh = mesh->FirstChildElement("submesh");
+        const auto* name = submesh == nullptr ? nullptr : submesh->FirstChildElement("name");
+        found.push_back({file, text_of(name)});
     }
 
     const std::filesystem::path& folder_;
