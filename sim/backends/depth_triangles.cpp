@@ -142,22 +142,23 @@ void DepthTriangles::turn_faces(const Block& block) {
 VertexRange DepthTriangles::move(ModelId model, const Pose& anchored_from_model) {
     std::size_t first = vertices_.size();
     std::size_t end = 0;
-    for (const Movable& movable : std::ranges::equal_range(movables_, model, {}, &Movable::model)) {
-        const Pose anchored_from_object = anchored_from_model * movable.model_from_object;
-        for (std::size_t i = 0; i < movable.in_object_m.size(); ++i) {
-            vertices_[movable.first_vertex + i].position_m =
-                anchored_from_object * glm::dvec3{movable.in_object_m[i]};
+    auto movable = std::ranges::lower_bound(movables_, model, {}, &Movable::model);
+    for (; movable != movables_.end() && movable->model == model; ++movable) {
+        const Pose anchored_from_object = anchored_from_model * movable->model_from_object;
+        for (std::size_t i = 0; i < movable->in_object_m.size(); ++i) {
+            vertices_[movable->first_vertex + i].position_m =
+                anchored_from_object * glm::dvec3{movable->in_object_m[i]};
         }
-        Body& body = bodies_[movable.body];
+        Body& body = bodies_[movable->body];
         for (Block& block : body.blocks)
             block.bounds = bounds_of(block);
         body.clusters = clustered(body.blocks);
         body.all.bounds = bounds_of(body.all);
-        middles_m_[movable.body] = glm::vec4{body.all.bounds.middle_m, 0.0F};
-        halves_m_[movable.body] = glm::vec4{body.all.bounds.half_m, 0.0F};
+        middles_m_[movable->body] = glm::vec4{body.all.bounds.middle_m, 0.0F};
+        halves_m_[movable->body] = glm::vec4{body.all.bounds.half_m, 0.0F};
         turn_faces(body.all);
-        first = std::min<std::size_t>(first, movable.first_vertex);
-        end = std::max(end, movable.first_vertex + movable.in_object_m.size());
+        first = std::min<std::size_t>(first, movable->first_vertex);
+        end = std::max(end, movable->first_vertex + movable->in_object_m.size());
     }
     return first < end ? VertexRange{first, end - first} : VertexRange{};
 }
