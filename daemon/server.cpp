@@ -11,8 +11,8 @@
 #include <unistd.h>
 
 #include "daemon/config/config.h"
-#include "daemon/control/routes.h"
-#include "daemon/control/socket_routes.h"
+#include "daemon/api/routes.h"
+#include "daemon/api/socket_routes.h"
 #include "daemon/run_directory.h"
 
 namespace scipd::daemon {

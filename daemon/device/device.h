@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "daemon/config/config.h"
-#include "daemon/control/world.h"
+#include "daemon/world/world.h"
 #include "daemon/device/bridge.h"
-#include "daemon/device/clock.h"
+#include "daemon/clock/clock.h"
 #include "daemon/device/lateness.h"
 #include "daemon/device/pace.h"
 #include "daemon/device/scan_log.h"

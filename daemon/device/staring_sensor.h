@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "daemon/config/config.h"
-#include "daemon/control/world.h"
-#include "daemon/device/clock.h"
+#include "daemon/world/world.h"
+#include "daemon/clock/clock.h"
 #include "daemon/device/lateness.h"
 #include "daemon/device/measurement.h"
 #include "daemon/device/pace.h"

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "daemon/config/config.h"
-#include "daemon/control/world.h"
+#include "daemon/world/world.h"
 #include "daemon/device/measurement.h"
 #include "sim/sensor/scanner.h"
 

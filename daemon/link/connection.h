@@ -15,7 +15,7 @@
 #include <boost/asio/posix/stream_descriptor.hpp>
 
 #include "daemon/device/client.h"
-#include "daemon/device/clock.h"
+#include "daemon/clock/clock.h"
 #include "daemon/link/link_model.h"
 #include "daemon/link/outbox.h"
 
