@@ -13,7 +13,7 @@
 #include "daemon/load_world.h"
 #include "daemon/mounting.h"
 #include "sim/backends/depth.h"
-#include "sim/loaders/poses/trajectory.h"
+#include "sim/loaders/poses/trajectory_file.h"
 
 namespace scipd::daemon {
 namespace {

@@ -16,22 +16,22 @@
 
 #include <boost/asio/any_io_executor.hpp>
 
-#include "daemon/config/config.h"
 #include "daemon/api/api.h"
-#include "daemon/world/backend_chooser.h"
-#include "daemon/world/loader.h"
-#include "daemon/poses/lockstep.h"
-#include "daemon/world/place_watch.h"
-#include "daemon/poses/pose_feed.h"
-#include "daemon/poses/pose_intake.h"
 #include "daemon/api/scan_stream.h"
-#include "daemon/world/scene_editor.h"
-#include "daemon/world/world.h"
 #include "daemon/clock/wall_clock.h"
+#include "daemon/config/config.h"
 #include "daemon/fleet_plan.h"
 #include "daemon/link/pty_port.h"
 #include "daemon/link/tcp_port.h"
+#include "daemon/poses/lockstep.h"
+#include "daemon/poses/pose_feed.h"
+#include "daemon/poses/pose_intake.h"
 #include "daemon/station.h"
+#include "daemon/world/backend_chooser.h"
+#include "daemon/world/loader.h"
+#include "daemon/world/place_watch.h"
+#include "daemon/world/scene_editor.h"
+#include "daemon/world/world.h"
 
 namespace scipd::daemon {
 
@@ -61,15 +61,13 @@ class Fleet : public Api {
     [[nodiscard]] const ScanLog* scans(const std::string& sensor) const override;
     [[nodiscard]] StaringSensor* staring(const std::string& sensor) override;
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string& robot) const override;
-    std::optional<std::string> set_robot_pose(const std::string& robot,
-                                              const sim::PoseLine& said) override;
-    std::optional<std::string> take_pose_line(std::string_view line, SenderClock& sender) override;
+    sim::Expected<> set_robot_pose(const std::string& robot, const sim::PoseLine& said) override;
+    sim::Expected<> take_pose_line(std::string_view line, SenderClock& sender) override;
     ScanStream& stream() override { return stream_; }
     [[nodiscard]] SceneView scene() const override;
     void edit_scene(SceneEdit edit, EditDone done, std::stop_token withdrawn) override;
     [[nodiscard]] std::optional<sim::TimedPose> model_pose(const std::string& model) const override;
-    std::optional<std::string> set_model_pose(const std::string& model,
-                                              const sim::PoseLine& said) override;
+    sim::Expected<> set_model_pose(const std::string& model, const sim::PoseLine& said) override;
 
   private:
     /// By what the configuration asks for, so that a port outlives a change of the scanner behind

@@ -35,7 +35,7 @@ std::map<std::string, Address> Fleet::pose_addresses() const {
     return addresses;
 }
 
-std::optional<std::string> Fleet::take_pose_line(std::string_view line, SenderClock& sender) {
+sim::Expected<> Fleet::take_pose_line(std::string_view line, SenderClock& sender) {
     return intake_.take_line(line, {}, sender, clock_.now());
 }
 
@@ -80,8 +80,7 @@ std::optional<sim::TimedPose> Fleet::robot_pose(const std::string& robot) const 
     return pose_now(world_.robot(robot));
 }
 
-std::optional<std::string> Fleet::set_robot_pose(const std::string& robot,
-                                                 const sim::PoseLine& said) {
+sim::Expected<> Fleet::set_robot_pose(const std::string& robot, const sim::PoseLine& said) {
     return intake_.take(said, robot, api_senders_[robot], clock_.now());
 }
 
@@ -92,8 +91,7 @@ std::optional<sim::TimedPose> Fleet::model_pose(const std::string& model) const 
     return sim::TimedPose{clock_.origin() + now, *pose};
 }
 
-std::optional<std::string> Fleet::set_model_pose(const std::string& model,
-                                                 const sim::PoseLine& said) {
+sim::Expected<> Fleet::set_model_pose(const std::string& model, const sim::PoseLine& said) {
     sim::PoseLine line = said;
     line.model = model;
     return intake_.take(line, {}, api_model_senders_[model], clock_.now());

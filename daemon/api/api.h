@@ -16,6 +16,8 @@
 
 #include "daemon/poses/pose_intake.h"
 #include "daemon/world/scene_edit.h"
+#include "sim/expected.h"
+#include "sim/loaders/poses/pose_line.h"
 #include "sim/loaders/poses/trajectory.h"
 #include "sim/time.h"
 #include "sim/world/pose.h"
@@ -88,13 +90,11 @@ class Api {
         const std::string& robot) const = 0;
 
     /// `robot` exists, and it is the one that is meant. The time is of the sender: nothing means
-    /// now. Answers why the pose is refused, or nothing once it holds.
-    virtual std::optional<std::string> set_robot_pose(const std::string& robot,
-                                                      const sim::PoseLine& said) = 0;
+    /// now. The pose holds when this returns, unless it is refused.
+    virtual sim::Expected<> set_robot_pose(const std::string& robot, const sim::PoseLine& said) = 0;
 
-    /// A line of a stream of many: why it is refused.
-    virtual std::optional<std::string> take_pose_line(std::string_view line,
-                                                      SenderClock& sender) = 0;
+    /// One line of a stream of many.
+    virtual sim::Expected<> take_pose_line(std::string_view line, SenderClock& sender) = 0;
 
     /// Of all sensors.
     virtual ScanStream& stream() = 0;
@@ -108,8 +108,7 @@ class Api {
     /// As of robots; nothing: no such movable model.
     [[nodiscard]] virtual std::optional<sim::TimedPose> model_pose(
         const std::string& model) const = 0;
-    virtual std::optional<std::string> set_model_pose(const std::string& model,
-                                                      const sim::PoseLine& said) = 0;
+    virtual sim::Expected<> set_model_pose(const std::string& model, const sim::PoseLine& said) = 0;
 };
 
 }  // namespace scipd::daemon

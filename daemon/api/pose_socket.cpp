@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "daemon/api/documents.h"
-#include "daemon/poses/pose_intake.h"
 #include "daemon/api/pose_routes.h"
+#include "daemon/poses/pose_intake.h"
 #include "daemon/poses/some_lines.h"
 
 namespace scipd::daemon {
@@ -30,20 +30,20 @@ class PoseSocket : public Conversation {
     struct Refused {
         std::uint64_t lines = 0;
         std::uint64_t first_line = 0;
-        std::string first_reason;
+        sim::Fault first_fault;
     };
 
     void take_line(std::string_view line) {
         ++lines_;
         if (sim::says_nothing(line)) return;
-        auto refusal = api_.take_pose_line(line, sender_);
-        if (refusal && ++refused_.lines == 1) refused_ = {1, lines_, *std::move(refusal)};
+        auto taken = api_.take_pose_line(line, sender_);
+        if (!taken && ++refused_.lines == 1) refused_ = {1, lines_, std::move(taken.error())};
     }
 
     void answer() {
         const Refused refused = std::exchange(refused_, {});
         if (refused.lines == 0) return;
-        Json document = Json::parse(pose_refused(refused.first_reason).body);
+        Json document = Json::parse(bad_request(refused.first_fault).body);
         document["line"] = refused.first_line;
         document["refused"] = refused.lines;
         socket_.send(std::make_shared<const std::string>(text_of(document)));

@@ -4,128 +4,157 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string_view>
 #include <utility>
 
 #include "sim/loaders/name.h"
+#include "sim/loaders/poses/pose_line.h"
 #include "sim/loaders/poses/small_json.h"
-#include "sim/loaders/poses/trajectory.h"
 #include "sim/loaders/quote.h"
 
 namespace scipd::daemon {
+
+using sim::Expected;
+
 namespace {
 
 using Json = nlohmann::json;
+using sim::refuse;
 
 constexpr std::array<std::string_view, 1> world_keys{"file"};
 constexpr std::array<std::string_view, 9> model_keys{
     "name", "sdf", "file", "mesh", "scale", "material", "pose", "static", "replace"};
 
-/// Of an object with no other keys than these. Throws BodyFault, as all below do.
-Json object_in(const std::string& body, std::span<const std::string_view> keys) {
-    Json object;
-    try {
-        object = sim::parse_small_json(body);
-    } catch (const std::runtime_error& error) {
-        throw BodyFault{std::string("the body must be a JSON object: ") + error.what(), {}};
-    }
-    if (!object.is_object()) throw BodyFault{"the body must be a JSON object", {}};
-    for (const auto& [key, value] : object.items()) {
+std::string listed(std::span<const std::string_view> keys) {
+    std::string text;
+    for (const auto key : keys)
+        text += (text.empty() ? "" : ", ") + std::string(key);
+    return text;
+}
+
+/// The object that a body is. Other keys than these are refused.
+Expected<Json> object_in(const std::string& body, std::span<const std::string_view> keys) {
+    auto object = sim::parse_small_json(body);
+    if (!object) return refuse("the body must be a JSON object: " + object.error().why);
+    if (!object->is_object()) return refuse("the body must be a JSON object");
+    for (const auto& [key, value] : object->items()) {
         if (std::ranges::find(keys, key) != keys.end()) continue;
-        std::string known;
-        for (const auto name : keys)
-            known += (known.empty() ? "" : ", ") + std::string(name);
-        throw BodyFault{"the key " + sim::quote(key) + " is unknown; there are " + known,
-                        sim::printable(key, 64)};
+        return refuse(sim::printable(key, 64),
+                      "the key " + sim::quote(key) + " is unknown; there are " + listed(keys));
     }
     return object;
 }
 
-/// Empty where it is not there.
-std::string text_at(const Json& object, const std::string& key) {
+/// Leaves the text as it is where the key is not there.
+Expected<> read_text(const Json& object, const std::string& key, std::string& text) {
     if (!object.contains(key)) return {};
     const Json& value = object[key];
-    if (value.is_string() && !value.get_ref<const std::string&>().empty()) return value;
-    throw BodyFault{key + " must be a text that says something", key};
+    if (!value.is_string() || value.get_ref<const std::string&>().empty())
+        return refuse(key, key + " must be a text that is not empty");
+    text = value;
+    return {};
 }
 
-std::string required_text(const Json& object, const std::string& key) {
-    if (!object.contains(key)) throw BodyFault{key + " is missing", key};
-    return text_at(object, key);
+Expected<> read_path(const Json& object, const std::string& key, std::filesystem::path& path) {
+    std::string text;
+    return read_text(object, key, text).map([&] { path = text; });
 }
 
-std::optional<bool> switch_at(const Json& object, const std::string& key) {
-    if (!object.contains(key)) return std::nullopt;
-    if (object[key].is_boolean()) return object[key].get<bool>();
-    throw BodyFault{key + " must be true or false", key};
+Expected<> read_switch(const Json& object, const std::string& key, std::optional<bool>& value) {
+    if (!object.contains(key)) return {};
+    if (!object[key].is_boolean()) return refuse(key, key + " must be true or false");
+    value = object[key].get<bool>();
+    return {};
 }
 
-/// In the words of a pose line, less its name, its time and its velocity.
-std::optional<sim::Pose> pose_at(const Json& object) {
-    if (!object.contains("pose")) return std::nullopt;
+Expected<> require(const Json& object, const std::string& key) {
+    if (!object.contains(key)) return refuse(key, key + " is missing");
+    return {};
+}
+
+/// In the words of a pose line, without name, time and velocity.
+Expected<> read_pose(const Json& object, std::optional<sim::Pose>& pose) {
+    if (!object.contains("pose")) return {};
     const Json& value = object["pose"];
-    if (!value.is_object()) throw BodyFault{R"(pose must be {"xyz":[..],"rpy":[..]})", "pose"};
+    if (!value.is_object()) return refuse("pose", R"(pose must be {"xyz":[..],"rpy":[..]})");
     for (const char* key : {"robot", "model", "t", "v", "w"}) {
-        if (value.contains(key)) throw BodyFault{"pose: has no " + std::string(key), "pose"};
+        if (value.contains(key)) return refuse("pose", "pose: has no " + std::string(key));
     }
-    const std::string line = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-    const auto parsed = sim::parse_pose_line(line);
-    if (const auto* why = std::get_if<std::string>(&parsed)) {
-        throw BodyFault{"pose: " + *why, "pose"};
-    }
-    return std::get<sim::PoseLine>(parsed).pose;
+    const auto line = sim::pose_line_in(value);
+    if (!line) return refuse("pose", "pose: " + line.error().why);
+    pose = line->pose;
+    return {};
 }
 
-/// What it is made from.
-void read_source(const Json& object, AddModel& edit) {
-    edit.sdf = text_at(object, "sdf");
-    edit.file = text_at(object, "file");
-    edit.mesh = text_at(object, "mesh");
-    edit.material = text_at(object, "material");
-    if (object.contains("sdf") + object.contains("file") + object.contains("mesh") != 1) {
-        throw BodyFault{"one of sdf, file and mesh must be given", "sdf"};
-    }
+Expected<> read_name(const Json& object, std::string& name) {
+    return require(object, "name")
+        .and_then([&] { return read_text(object, "name", name); })
+        .and_then([&]() -> Expected<> {
+            const std::string fault = sim::name_fault(name);
+            if (!fault.empty()) return refuse("name", "name " + fault);
+            return {};
+        });
+}
+
+Expected<> read_scale(const Json& object, double& scale) {
+    if (!object.contains("scale")) return {};
+    if (!object["scale"].is_number()) return refuse("scale", "scale must be a number");
+    scale = object["scale"];
+    return {};
+}
+
+/// Whether the keys that say what the model is made of go together.
+Expected<> check_source(const Json& object) {
+    if (object.contains("sdf") + object.contains("file") + object.contains("mesh") != 1)
+        return refuse("sdf", "one of sdf, file and mesh must be given");
     for (const char* key : {"scale", "material"}) {
-        if (object.contains(key) && object.contains("sdf")) {
-            throw BodyFault{std::string(key) + " goes with a mesh; a text has its own", key};
-        }
+        if (object.contains(key) && object.contains("sdf"))
+            return refuse(key, std::string(key) + " goes with a mesh; a text has its own");
     }
-    if (object.contains("scale")) {
-        if (!object["scale"].is_number()) throw BodyFault{"scale must be a number", "scale"};
-        edit.scale = object["scale"];
-    }
+    return {};
 }
 
-AddModel model_in(const Json& object) {
+Expected<> read_source(const Json& object, AddModel& edit) {
+    return read_text(object, "sdf", edit.sdf)
+        .and_then([&] { return read_path(object, "file", edit.file); })
+        .and_then([&] { return read_path(object, "mesh", edit.mesh); })
+        .and_then([&] { return read_text(object, "material", edit.material); })
+        .and_then([&] { return check_source(object); })
+        .and_then([&] { return read_scale(object, edit.scale); });
+}
+
+Expected<AddModel> model_in(const Json& object) {
     AddModel edit;
-    edit.placement = {required_text(object, "name"), pose_at(object)};
-    const std::string fault = sim::name_fault(edit.placement.name);
-    if (!fault.empty()) throw BodyFault{"name " + fault, "name"};
-    read_source(object, edit);
-    if (const auto is_static = switch_at(object, "static")) edit.placement.movable = !*is_static;
-    edit.replace = switch_at(object, "replace").value_or(false);
-    return edit;
+    std::optional<bool> is_static;
+    std::optional<bool> replace;
+    return read_name(object, edit.placement.name)
+        .and_then([&] { return read_pose(object, edit.placement.world_from_model); })
+        .and_then([&] { return read_source(object, edit); })
+        .and_then([&] { return read_switch(object, "static", is_static); })
+        .and_then([&] { return read_switch(object, "replace", replace); })
+        .map([&] {
+            if (is_static) edit.placement.movable = !*is_static;
+            edit.replace = replace.value_or(false);
+            return std::move(edit);
+        });
 }
 
 }  // namespace
 
-std::variant<LoadWorld, BodyFault> parse_load_world(const std::string& body) {
-    try {
-        return LoadWorld{required_text(object_in(body, world_keys), "file")};
-    } catch (BodyFault& fault) {
-        return std::move(fault);
-    }
+Expected<LoadWorld> parse_load_world(const std::string& body) {
+    return object_in(body, world_keys).and_then([](const Json& object) {
+        LoadWorld edit;
+        return require(object, "file")
+            .and_then([&] { return read_path(object, "file", edit.file); })
+            .map([&] { return std::move(edit); });
+    });
 }
 
-std::variant<AddModel, BodyFault> parse_add_model(const std::string& body) {
-    try {
-        return model_in(object_in(body, model_keys));
-    } catch (BodyFault& fault) {
-        return std::move(fault);
-    }
+Expected<AddModel> parse_add_model(const std::string& body) {
+    return object_in(body, model_keys).and_then(model_in);
 }
 
 }  // namespace scipd::daemon

@@ -8,8 +8,8 @@
 
 #include "daemon/api/documents.h"
 #include "daemon/api/pose_routes.h"
-#include "daemon/http/problem.h"
 #include "daemon/api/scene_request.h"
+#include "daemon/http/problem.h"
 #include "daemon/models/best_fit.h"
 
 namespace scipd::daemon {
@@ -127,20 +127,15 @@ void get_scene(Call&& call) {
 
 void put_scene(Call&& call) {
     auto parsed = parse_load_world(call.request.body);
-    if (const auto* fault = std::get_if<BodyFault>(&parsed)) {
-        return call.respond(problem(400, fault->sentence, fault->field));
-    }
-    edit(call, std::get<LoadWorld>(std::move(parsed)), 200, "file");
+    if (!parsed) return call.respond(bad_request(parsed.error()));
+    edit(call, *std::move(parsed), 200, "file");
 }
 
 void post_model(Call&& call) {
     auto parsed = parse_add_model(call.request.body);
-    if (const auto* fault = std::get_if<BodyFault>(&parsed)) {
-        return call.respond(problem(400, fault->sentence, fault->field));
-    }
-    auto& model = std::get<AddModel>(parsed);
-    std::string field{name_of(model)};
-    edit(call, std::move(model), 201, std::move(field));
+    if (!parsed) return call.respond(bad_request(parsed.error()));
+    std::string field{name_of(*parsed)};
+    edit(call, *std::move(parsed), 201, std::move(field));
 }
 
 void delete_model(Call&& call) {
@@ -157,8 +152,8 @@ void put_model_pose(Call&& call) {
     const std::string& name = call.names[0];
     if (!call.api.model_pose(name)) return call.respond(no_model(name));
     const auto said = pose_in(call, "model");
-    if (const auto* refusal = std::get_if<HttpResponse>(&said)) return call.respond(*refusal);
-    call.respond(accepted(call.api.set_model_pose(name, std::get<sim::PoseLine>(said))));
+    if (!said) return call.respond(bad_request(said.error()));
+    call.respond(accepted(call.api.set_model_pose(name, *said)));
 }
 
 }  // namespace scipd::daemon

@@ -18,7 +18,7 @@
 
 #include "daemon/config/sensor_config.h"
 #include "sim/loaders/map/ros_map.h"
-#include "sim/loaders/poses/trajectory_format.h"
+#include "sim/loaders/poses/trajectory.h"
 #include "sim/loaders/sdf/sdf.h"
 #include "sim/world/pose_track.h"
 

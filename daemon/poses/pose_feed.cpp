@@ -20,7 +20,7 @@
 
 #include "daemon/poses/some_lines.h"
 #include "daemon/poses/throttle.h"
-#include "sim/loaders/poses/trajectory.h"
+#include "sim/loaders/poses/pose_line.h"
 
 namespace scipd::daemon {
 
@@ -60,8 +60,8 @@ class LineSink {
 
     void take(std::string_view line) {
         if (sim::says_nothing(line)) return;
-        const auto refusal = context_.intake.take_line(line, robot_, sender_, context_.clock.now());
-        if (refusal) tell(*refusal);
+        const auto taken = context_.intake.take_line(line, robot_, sender_, context_.clock.now());
+        if (!taken) tell(taken.error().why);
     }
 
     [[nodiscard]] const FeedContext& context() const { return context_; }

@@ -6,7 +6,6 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <variant>
 
 #include <spdlog/spdlog.h>
 
@@ -16,16 +15,23 @@ namespace {
 // In floating point: stamps may lie farther apart than a Time can tell.
 using Seconds = std::chrono::duration<double>;
 
-// A stamp this far before the one ahead of it is no late packet: the sender has been started again.
-// One that has gained as much on our clock since then is damaged, or the sender's clock was set.
+// Where a stamp goes back by more than this, it is no late packet: the sender was started again.
+// Where it goes on by that much more than our clock does, it is damaged, or the sender's clock was
+// set.
 constexpr Seconds largest_slip = StampLeap::longest_back;
 
-// Jitter within this leaves poses exactly where their stamps say.
+// Poses that come earlier or later by less than this stay exactly where their stamps say.
 constexpr sim::Time dead_zone = std::chrono::milliseconds(100);
 // Longer than packets are held up together.
 constexpr sim::Time patience = std::chrono::milliseconds(500);
 // Longer than what was held up takes to come in, shorter than what a sender drifts much in.
 constexpr sim::Time portion = std::chrono::milliseconds(50);
+
+/// The same for those who only tell a person.
+sim::Expected<> told(const Placed& placed) {
+    if (placed) return {};
+    return tl::unexpected<sim::Fault>(placed.error());
+}
 
 std::string from_to(sim::Time before, sim::Time now) {
     std::array<char, 80> text{};
@@ -82,51 +88,52 @@ void SenderClock::extend_run(sim::Time arrival_minus_stamp, sim::Time arrival) {
     if (first || (side == Side::late) == (arrival_minus_stamp < least)) least = arrival_minus_stamp;
 }
 
-std::optional<std::string> PoseIntake::take_line(std::string_view line, std::string_view robot,
-                                                 SenderClock& sender, sim::Time arrival) {
-    const auto parsed = sim::parse_pose_line(line);
-    if (const auto* refusal = std::get_if<std::string>(&parsed)) return count(*refusal);
-    return take(std::get<sim::PoseLine>(parsed), robot, sender, arrival);
+sim::Expected<> PoseIntake::take_line(std::string_view line, std::string_view robot,
+                                      SenderClock& sender, sim::Time arrival) {
+    const auto said = sim::parse_pose_line(line);
+    if (!said) return count(tl::unexpected(said.error()));
+    return take(*said, robot, sender, arrival);
 }
 
 // In lockstep the senders' stamps are the time itself.
-std::optional<std::string> PoseIntake::take(const sim::PoseLine& line, std::string_view robot,
-                                            SenderClock& sender, sim::Time arrival) {
+sim::Expected<> PoseIntake::take(const sim::PoseLine& line, std::string_view robot,
+                                 SenderClock& sender, sim::Time arrival) {
     if (lockstep_ == nullptr) return take_at(sender.world_time(line.time, arrival), line, robot);
-    if (!line.time) return count("t is missing: time is that of the poses");
+    if (!line.time) return count(sim::refuse("t", "t is missing: time is that of the poses"));
     return count(take_stamped(*line.time, line, robot, sender));
 }
 
-std::optional<std::string> PoseIntake::take_stamped(sim::Time stamp, const sim::PoseLine& line,
-                                                    std::string_view robot, SenderClock& sender) {
+sim::Expected<> PoseIntake::take_stamped(sim::Time stamp, const sim::PoseLine& line,
+                                         std::string_view robot, SenderClock& sender) {
     const auto time = lockstep_->world_time(stamp);
     const sim::Time before = lockstep_->come_to(&sender);
     if (!time || *time - before > StampLeap::longest_ahead)
         return take_leaping(stamp, line, robot, sender);
-    const auto refusal = place(line, robot, *time);
-    if (refusal == World::not_later && before - *time > StampLeap::longest_back)
+    const Placed placed = place(line, robot, *time);
+    const bool leaps_back = before - *time > StampLeap::longest_back;
+    if (!placed && placed.error().reason == NotPlaced::Reason::not_later && leaps_back)
         return take_leaping(stamp, line, robot, sender);
-    if (refusal) return refusal;
+    if (!placed) return told(placed);
     if (*time > before) sender.leap().forget();
     lockstep_->begin_with(stamp);
     lockstep_->come_to(&sender, *time, world_.has_one_mover());
-    return std::nullopt;
+    return {};
 }
 
-// World time goes on from the last pose that was taken; where the stamps of it were, they go on
-// from the first one behind the leap.
-std::optional<std::string> PoseIntake::take_leaping(sim::Time stamp, const sim::PoseLine& line,
-                                                    std::string_view robot, SenderClock& sender) {
+// World time goes on from the last pose that was taken. The sender's stamps go on from the first
+// one behind the leap.
+sim::Expected<> PoseIntake::take_leaping(sim::Time stamp, const sim::PoseLine& line,
+                                         std::string_view robot, SenderClock& sender) {
     const sim::Time before = lockstep_->clock().origin() + lockstep_->come_to(&sender);
     const std::string leaps = "t: leaps" + from_to(before, stamp);
     if (!lockstep_->leads(&sender))
-        return leaps + "; others lead time, and stamps must keep to theirs";
+        return sim::refuse("t", leaps + "; others lead time, and stamps must keep to theirs");
     if (!sender.leap().take(stamp))
-        return leaps + "; a second of stamps that follow it makes it the time";
+        return sim::refuse("t", leaps + "; a second of stamps that follow it makes it the time");
     const sim::Time first = sender.leap().first();
     const auto time = lockstep_->time_anew(&sender, first, stamp);
-    if (!time) return leaps + ", too far for one run";
-    if (auto refusal = place(line, robot, *time)) return refusal;
+    if (!time) return sim::refuse("t", leaps + ", too far for one run");
+    if (const Placed placed = place(line, robot, *time); !placed) return told(placed);
     if (const auto others = leaps_told_.admit(std::chrono::steady_clock::now())) {
         spdlog::warn("the stamps of poses have leapt{}: time goes on from there{}",
                      from_to(before, first), *others);
@@ -134,16 +141,15 @@ std::optional<std::string> PoseIntake::take_leaping(sim::Time stamp, const sim::
     sender.leap().forget();
     lockstep_->begin_anew_with(&sender, first);
     lockstep_->come_to(&sender, *time, world_.has_one_mover());
-    return std::nullopt;
+    return {};
 }
 
-std::optional<std::string> PoseIntake::take_at(sim::Time time, const sim::PoseLine& line,
-                                               std::string_view robot) {
-    return count(place(line, robot, time));
+sim::Expected<> PoseIntake::take_at(sim::Time time, const sim::PoseLine& line,
+                                    std::string_view robot) {
+    return count(told(place(line, robot, time)));
 }
 
-std::optional<std::string> PoseIntake::place(const sim::PoseLine& line, std::string_view robot,
-                                             sim::Time time) {
+Placed PoseIntake::place(const sim::PoseLine& line, std::string_view robot, sim::Time time) {
     const Placement placement{time, line.pose, line.velocity, !line.time};
     if (!line.model.empty()) return world_.place_model(line.model, placement);
     if (!line.robot.empty()) return world_.place_robot(line.robot, placement);
@@ -151,14 +157,14 @@ std::optional<std::string> PoseIntake::place(const sim::PoseLine& line, std::str
     return world_.place_only_robot(placement);
 }
 
-std::optional<std::string> PoseIntake::count(std::optional<std::string> refusal) {
-    if (refusal) {
-        ++refused_;
-        last_refusal_ = refusal;
-    } else {
+sim::Expected<> PoseIntake::count(sim::Expected<> taken) {
+    if (taken) {
         ++accepted_;
+    } else {
+        ++refused_;
+        last_refusal_ = taken.error().why;
     }
-    return refusal;
+    return taken;
 }
 
 }  // namespace scipd::daemon

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Where every live pose goes through, whichever way it came: lines are understood, stamped in world
-// time, handed to the world, and counted. What is damaged is refused with a reason; the last good
+// Every live pose goes through here, whichever way it came: a line is understood, stamped in world
+// time, handed to the world, and counted. A damaged line is refused with a reason, and the last good
 // pose stays. Lives on the I/O thread.
 #pragma once
 
@@ -17,7 +17,8 @@
 #include "daemon/poses/stamp_leap.h"
 #include "daemon/poses/throttle.h"
 #include "daemon/world/world.h"
-#include "sim/loaders/poses/trajectory.h"
+#include "sim/expected.h"
+#include "sim/loaders/poses/pose_line.h"
 #include "sim/time.h"
 
 namespace scipd::daemon {
@@ -69,29 +70,27 @@ class PoseIntake {
     explicit PoseIntake(World& world, Lockstep* lockstep = nullptr)
         : world_(world), lockstep_(lockstep) {}
 
-    /// One line of a stream. `robot` is whom a line without a name means; empty: the only one there
-    /// is. Returns why the line was refused.
-    std::optional<std::string> take_line(std::string_view line, std::string_view robot,
-                                         SenderClock& sender, sim::Time arrival);
-    /// The same, understood already.
-    std::optional<std::string> take(const sim::PoseLine& line, std::string_view robot,
-                                    SenderClock& sender, sim::Time arrival);
-    /// The same in world time; a line without a time of its own holds from then on.
-    std::optional<std::string> take_at(sim::Time time, const sim::PoseLine& line,
-                                       std::string_view robot);
+    /// One line of a stream. A line without a name means `robot`, or the only robot where `robot`
+    /// is empty. A refused line is counted and changes nothing.
+    sim::Expected<> take_line(std::string_view line, std::string_view robot, SenderClock& sender,
+                              sim::Time arrival);
+    /// The same for a line that has been understood already.
+    sim::Expected<> take(const sim::PoseLine& line, std::string_view robot, SenderClock& sender,
+                         sim::Time arrival);
+    /// The same at a world time. A line that says no time itself holds from then on.
+    sim::Expected<> take_at(sim::Time time, const sim::PoseLine& line, std::string_view robot);
 
     [[nodiscard]] std::uint64_t accepted() const { return accepted_; }
     [[nodiscard]] std::uint64_t refused() const { return refused_; }
     [[nodiscard]] const std::optional<std::string>& last_refusal() const { return last_refusal_; }
 
   private:
-    std::optional<std::string> take_stamped(sim::Time stamp, const sim::PoseLine& line,
-                                            std::string_view robot, SenderClock& sender);
-    std::optional<std::string> take_leaping(sim::Time stamp, const sim::PoseLine& line,
-                                            std::string_view robot, SenderClock& sender);
-    std::optional<std::string> place(const sim::PoseLine& line, std::string_view robot,
-                                     sim::Time time);
-    std::optional<std::string> count(std::optional<std::string> refusal);
+    sim::Expected<> take_stamped(sim::Time stamp, const sim::PoseLine& line, std::string_view robot,
+                                 SenderClock& sender);
+    sim::Expected<> take_leaping(sim::Time stamp, const sim::PoseLine& line, std::string_view robot,
+                                 SenderClock& sender);
+    Placed place(const sim::PoseLine& line, std::string_view robot, sim::Time time);
+    sim::Expected<> count(sim::Expected<> taken);
 
     World& world_;
     Lockstep* lockstep_;

@@ -11,7 +11,7 @@
 
 #include "daemon/poses/pose_feed.h"
 #include "sim/loaders/load_error.h"
-#include "sim/loaders/poses/trajectory.h"
+#include "sim/loaders/poses/trajectory_file.h"
 
 namespace scipd::daemon {
 namespace {
@@ -98,7 +98,7 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
 
     void hand_on() {
         const sim::TimedPose& pose = poses_[next_];
-        context_.intake.take_at(next_time(), {.time = pose.time, .pose = pose.pose}, robot());
+        (void)context_.intake.take_at(next_time(), {.time = pose.time, .pose = pose.pose}, robot());
         ++next_;
         if (next_ == poses_.size() && loop_ && poses_.size() > 1) begin_lap();
     }

@@ -14,6 +14,8 @@
 namespace scipd::daemon {
 namespace {
 
+using Reason = NotPlaced::Reason;
+
 template <class Map>
 std::string names_of(const Map& map) {
     constexpr std::size_t most = 16;
@@ -46,6 +48,10 @@ bool same(const sim::SharedScript& a, const sim::SharedScript& b) {
 
 /// Sweeps that are measured late ask for no more.
 constexpr sim::Time recent = std::chrono::seconds(2);
+
+tl::unexpected<NotPlaced> refuse(NotPlaced::Reason reason, std::string field, std::string why) {
+    return tl::unexpected(NotPlaced{{std::move(field), std::move(why)}, reason});
+}
 
 }  // namespace
 
@@ -133,31 +139,39 @@ std::map<std::string, std::string> World::lost_bodies() const {
     return lost;
 }
 
-std::optional<std::string> World::place_robot(std::string_view name, const Placement& placement) {
+Placed World::place_robot(std::string_view name, const Placement& placement) {
     const auto found = robots_.find(name);
     if (found == robots_.end()) {
-        return "robot: there is no \"" + std::string(name) + "\"; robots are " + names_of(robots_);
+        return refuse(
+            Reason::unknown, "robot",
+            "robot: there is no \"" + std::string(name) + "\"; robots are " + names_of(robots_));
     }
     return place(found->second.track, placement);
 }
 
-std::optional<std::string> World::place_only_robot(const Placement& placement) {
-    if (robots_.size() != 1) return "robot: say which; robots are " + names_of(robots_);
+Placed World::place_only_robot(const Placement& placement) {
+    if (robots_.size() != 1) {
+        return refuse(Reason::unknown, "robot",
+                      "robot: say which; robots are " + names_of(robots_));
+    }
     return place(robots_.begin()->second.track, placement);
 }
 
-std::optional<std::string> World::place_model(std::string_view name, const Placement& placement) {
+Placed World::place_model(std::string_view name, const Placement& placement) {
     const auto found = movable_.find(name);
     if (found == movable_.end()) {
-        return "model: there is no movable \"" + std::string(name) + "\"; movable models are " +
-               names_of(movable_);
+        return refuse(Reason::unknown, "model",
+                      "model: there is no movable \"" + std::string(name) +
+                          "\"; movable models are " + names_of(movable_));
     }
     if (found->second.carrier != nullptr) {
-        return "model: \"" + std::string(name) + "\" is the body of a robot; move the robot";
+        return refuse(
+            Reason::carried, "model",
+            "model: \"" + std::string(name) + "\" is the body of a robot; move the robot");
     }
     if (found->second.follows_script()) {
         end_script(found->second, placement);
-        return std::nullopt;
+        return {};
     }
     return place(found->second.track, placement);
 }
@@ -170,14 +184,14 @@ void World::end_script(MovableModel& model, const Placement& placement) {
     if (on_placed_) on_placed_();
 }
 
-std::optional<std::string> World::place(sim::PoseTrack& track, const Placement& placement) {
+Placed World::place(sim::PoseTrack& track, const Placement& placement) {
     if (placement.from_now_on && placement.time <= track.last_time()) {
         track.jump(placement.time, placement.pose);
     } else if (!track.place(placement.time, placement.pose, placement.velocity)) {
-        return std::string(not_later);
+        return refuse(Reason::not_later, "t", "t: not later than the pose before it");
     }
     if (on_placed_) on_placed_();
-    return std::nullopt;
+    return {};
 }
 
 bool World::has_one_mover() const {

@@ -39,9 +39,6 @@ struct RobotStart {
 
 class World {
   public:
-    /// Why a pose is refused whose time lies before what is known already.
-    static constexpr std::string_view not_later = "t: not later than the pose before it";
-
     /// Another scene in place of this one, with the backends made for it. Robots stay where they
     /// are; movable models start where the new scene has them, and begin their scripts now, unless
     /// they were there before, started at the same place and are not placed anew. Answers with the
@@ -69,14 +66,12 @@ class World {
     /// Bodies that the scene has no movable model for, by robot.
     [[nodiscard]] std::map<std::string, std::string> lost_bodies() const;
 
-    /// The thing is there; between two poses that follow each other closely it moves evenly.
-    /// Returns why not, where it cannot be: no such robot, no such movable model, a time that is
-    /// not later than the pose before.
-    std::optional<std::string> place_robot(std::string_view name, const Placement& placement);
-    /// For senders that name none: fails where there is more than one.
-    std::optional<std::string> place_only_robot(const Placement& placement);
-    /// It follows its script no more.
-    std::optional<std::string> place_model(std::string_view name, const Placement& placement);
+    /// Puts the robot there. Between two poses that follow each other closely it moves evenly.
+    Placed place_robot(std::string_view name, const Placement& placement);
+    /// The same for senders that name no robot; refused unless there is exactly one.
+    Placed place_only_robot(const Placement& placement);
+    /// The same for a movable model, which no longer follows its script then.
+    Placed place_model(std::string_view name, const Placement& placement);
     /// A pose leaves nothing open that may be elsewhere at the same time.
     [[nodiscard]] bool has_one_mover() const;
     /// Called after everything that was placed.
@@ -136,7 +131,7 @@ class World {
 
     void find_carriers();
     void end_script(MovableModel& model, const Placement& placement);
-    std::optional<std::string> place(sim::PoseTrack& track, const Placement& placement);
+    Placed place(sim::PoseTrack& track, const Placement& placement);
 
     sim::SharedScene scene_;
     sim::SharedScene names_;  ///< scene_ without shapes

@@ -59,16 +59,14 @@ class AnyName : public tests::EmptyApi {
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string&) const override {
         return sim::TimedPose{};
     }
-    std::optional<std::string> set_robot_pose(const std::string&,
-                                              const sim::PoseLine& said) override {
+    sim::Expected<> set_robot_pose(const std::string&, const sim::PoseLine& said) override {
         require_sane(said.pose);
         return {};
     }
     [[nodiscard]] std::optional<sim::TimedPose> model_pose(const std::string&) const override {
         return sim::TimedPose{};
     }
-    std::optional<std::string> set_model_pose(const std::string&,
-                                              const sim::PoseLine& said) override {
+    sim::Expected<> set_model_pose(const std::string&, const sim::PoseLine& said) override {
         require_sane(said.pose);
         return {};
     }

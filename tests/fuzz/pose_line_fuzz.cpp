@@ -9,7 +9,7 @@
 #include <iostream>
 #include <string_view>
 
-#include "sim/loaders/poses/trajectory.h"
+#include "sim/loaders/poses/pose_line.h"
 
 namespace {
 
@@ -45,6 +45,11 @@ void check(std::string_view refusal) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view line{reinterpret_cast<const char*>(data), size};
-    std::visit([](const auto& outcome) { check(outcome); }, scipd::sim::parse_pose_line(line));
+    const auto parsed = scipd::sim::parse_pose_line(line);
+    if (parsed) {
+        check(*parsed);
+    } else {
+        check(parsed.error().why);
+    }
     return 0;
 }

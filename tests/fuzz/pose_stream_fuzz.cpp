@@ -20,9 +20,9 @@
 #include <boost/asio/io_context.hpp>
 #include <nlohmann/json.hpp>
 
+#include "daemon/api/pose_socket.h"
 #include "daemon/poses/lockstep.h"
 #include "daemon/poses/pose_intake.h"
-#include "daemon/api/pose_socket.h"
 #include "daemon/world/world.h"
 #include "sim/sensor/equal_parts.h"
 #include "tests/support/empty_api.h"
@@ -83,14 +83,13 @@ class Daemon : public tests::EmptyApi {
         world_.set_robots({{"a", {{}, policy, {}}}, {"b", {{}, policy, {}}}});
     }
 
-    std::optional<std::string> take_pose_line(std::string_view line,
-                                              daemon::SenderClock& sender) override {
-        const auto refusal = intake_.take_line(line, {}, sender, now_);
+    sim::Expected<> take_pose_line(std::string_view line, daemon::SenderClock& sender) override {
+        auto taken = intake_.take_line(line, {}, sender, now_);
         asked_.push_back(now_);
         for (const auto* track : tracks())
             asked_.push_back(track->last_time());
         now_ += 50ms;
-        return refusal;
+        return taken;
     }
 
     /// Lockstep does what it has been told to.

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "sim/loaders/load_error.h"
-#include "sim/loaders/poses/trajectory.h"
+#include "sim/loaders/poses/trajectory_file.h"
 
 namespace {
 

@@ -24,12 +24,8 @@ class EmptyApi : public daemon::Api {
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string&) const override {
         return {};
     }
-    std::optional<std::string> set_robot_pose(const std::string&, const sim::PoseLine&) override {
-        return {};
-    }
-    std::optional<std::string> take_pose_line(std::string_view, daemon::SenderClock&) override {
-        return {};
-    }
+    sim::Expected<> set_robot_pose(const std::string&, const sim::PoseLine&) override { return {}; }
+    sim::Expected<> take_pose_line(std::string_view, daemon::SenderClock&) override { return {}; }
     daemon::ScanStream& stream() override { return stream_; }
     [[nodiscard]] daemon::SceneView scene() const override { return {"empty.sdf", scene_}; }
     void edit_scene(daemon::SceneEdit, daemon::EditDone done, std::stop_token) override {
@@ -38,9 +34,7 @@ class EmptyApi : public daemon::Api {
     [[nodiscard]] std::optional<sim::TimedPose> model_pose(const std::string&) const override {
         return {};
     }
-    std::optional<std::string> set_model_pose(const std::string&, const sim::PoseLine&) override {
-        return {};
-    }
+    sim::Expected<> set_model_pose(const std::string&, const sim::PoseLine&) override { return {}; }
 
   private:
     sim::SharedScene scene_ = std::make_shared<const sim::Scene>();

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "sim/loaders/poses/trajectory.h"
+#include "sim/loaders/poses/pose_line.h"
 #include "tools/scipctl/commands.h"
 #include "tools/scipctl/control_client.h"
 #include "tools/scipctl/pose_text.h"
@@ -33,11 +33,9 @@ void get_pose(const ControlOptions& control, const GetOptions& options) {
         return;
     }
     // The answer is a pose line.
-    const auto line = sim::parse_pose_line(document.dump());
-    if (const auto* const why = std::get_if<std::string>(&line)) {
-        throw ControlError(0, "scipd's answer is no pose: " + *why);
-    }
-    std::cout << pose_text(std::get<sim::PoseLine>(line).pose) << '\n';
+    const auto line = sim::pose_line_in(document);
+    if (!line) throw ControlError(0, "scipd's answer is no pose: " + line.error().why);
+    std::cout << pose_text(line->pose) << '\n';
 }
 
 void set_pose(const ControlOptions& control, const SetOptions& options) {

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "sim/loaders/poses/trajectory.h"
+#include "sim/loaders/poses/trajectory_file.h"
 #include "tools/options.h"
 #include "tools/scipctl/commands.h"
 #include "tools/scipctl/control_client.h"

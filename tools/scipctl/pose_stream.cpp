@@ -7,9 +7,8 @@
 #include <memory>
 #include <string>
 #include <utility>
-#include <variant>
 
-#include "sim/loaders/poses/trajectory.h"
+#include "sim/loaders/poses/pose_line.h"
 #include "tools/scipctl/commands.h"
 #include "tools/scipctl/control_client.h"
 #include "tools/scipctl/pose_text.h"
@@ -29,12 +28,9 @@ class PoseForwarder {
 
     /// Throws ControlError.
     void forward(const std::string& text) {
-        const auto parsed = sim::parse_pose_line(text);
-        if (const auto* const why = std::get_if<std::string>(&parsed)) {
-            throw ControlError(400, *why);
-        }
-        const auto& line = std::get<sim::PoseLine>(parsed);
-        client_.put(path_of(line), pose_body(line));
+        const auto line = sim::parse_pose_line(text);
+        if (!line) throw ControlError(400, line.error().why);
+        client_.put(path_of(*line), pose_body(*line));
     }
 
   private:

@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/loaders/poses/trajectory.h"
+#include "sim/loaders/poses/pose_line.h"
 #include "sim/world/pose.h"
 
 namespace scipd::tools {

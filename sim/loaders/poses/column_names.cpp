@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// named_columns() of pose_columns.h: what people call the columns of a pose.
+// named_columns() of pose_columns.h: finds columns by the names that people give them.
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -25,7 +25,7 @@ std::string trimmed_name(std::string_view text) {
     return std::string(text.substr(begin, text.find_last_not_of("_ ") - begin + 1));
 }
 
-/// `timestamp [ns]`, `Time (s)` and `t_ms` have units.
+/// Splits a name from its unit, as in `timestamp [ns]`, `Time (s)` and `t_ms`.
 Name parse_name(std::string_view cell) {
     std::string text(cell);
     std::ranges::transform(text, text.begin(), [](unsigned char c) {
@@ -45,7 +45,7 @@ Name parse_name(std::string_view cell) {
     return {name.substr(0, last), name.substr(last + 1)};
 }
 
-/// Every way to write it, as the one that is read.
+/// Maps every way to write a column's name to the one that is used below.
 const std::map<std::string, std::string, std::less<>>& synonyms() {
     static const auto all = [] {
         std::map<std::string, std::string, std::less<>> names{
@@ -76,9 +76,8 @@ std::optional<int> time_power(const std::string& unit) {
 
 class Header {
   public:
-    /// Empty, or why it is none.
-    std::string read(const std::vector<std::string_view>& cells,
-                     std::vector<std::string>& not_read) {
+    Expected<> read(const std::vector<std::string_view>& cells,
+                    std::vector<std::string>& not_read) {
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const Name name = parse_name(cells[i]);
             const auto known = synonyms().find(name.word);
@@ -86,10 +85,10 @@ class Header {
                 not_read.push_back(quote(cells[i]));
             } else if (!found_.emplace(known->second, Column{i, printable(trimmed(cells[i]))})
                             .second) {
-                return "has two columns for " + known->second + ": " +
-                       quote(found_[known->second].name) + " and " + quote(cells[i]);
-            } else if (auto why = take_unit(known->second, name.unit); !why.empty()) {
-                return quote(cells[i]) + ' ' + why;
+                return refuse("has two columns for " + known->second + ": " +
+                              quote(found_[known->second].name) + " and " + quote(cells[i]));
+            } else if (const auto taken = take_unit(known->second, name.unit); !taken) {
+                return refuse(quote(cells[i]) + ' ' + taken.error().why);
             }
         }
         for (const char* wanted : {"t", "x", "y"}) {
@@ -117,9 +116,10 @@ class Header {
     }
 
   private:
-    static std::string missing(const std::string& what) {
-        return "the header has no column " + what + "; name the columns of a pose t, x, y, z and " +
-               "qx, qy, qz, qw, or roll, pitch, yaw";
+    static tl::unexpected<Fault> missing(const std::string& what) {
+        return refuse("the header has no column " + what +
+                      "; name the columns of a pose t, x, y, z and qx, qy, qz, qw, or roll, "
+                      "pitch, yaw");
     }
 
     [[nodiscard]] std::optional<Column> find(const char* name) const {
@@ -131,7 +131,7 @@ class Header {
         return find("qx") && find("qy") && find("qz") && find("qw");
     }
 
-    /// A whole quaternion counts more than angles.
+    /// Where there are both a whole quaternion and angles, the quaternion is read.
     void leave_one_rotation(std::vector<std::string>& not_read) {
         const auto is_spare = [spare_quaternion = !has_quaternion()](const std::string& name) {
             const bool is_angle = name == "roll" || name == "pitch" || name == "yaw";
@@ -147,19 +147,20 @@ class Header {
         }
     }
 
-    std::string take_unit(const std::string& name, std::string unit) {
+    Expected<> take_unit(const std::string& name, std::string unit) {
         if (name == "t") {
             power_ = time_power(unit);
-            return power_ || unit.empty() ? "" : "must be in s, ms, us or ns";
+            if (!power_ && !unit.empty()) return refuse("must be in s, ms, us or ns");
+        } else if (name == "x" || name == "y" || name == "z") {
+            if (!unit.empty() && unit != "m") return refuse("must be in metres");
+        } else if (!name.starts_with('q')) {
+            if (unit.empty()) unit = "rad";
+            if (unit != "rad" && unit != "deg") return refuse("must be in rad or deg");
+            const bool differs = !angle_unit_.empty() && angle_unit_ != unit;
+            if (differs) return refuse("must have the unit of the other angles");
+            angle_unit_ = unit;
         }
-        if (name == "x" || name == "y" || name == "z")
-            return unit.empty() || unit == "m" ? "" : "must be in metres";
-        if (name.starts_with('q')) return {};
-        if (unit.empty()) unit = "rad";
-        if (unit != "rad" && unit != "deg") return "must be in rad or deg";
-        const bool differs = !angle_unit_.empty() && angle_unit_ != unit;
-        angle_unit_ = unit;
-        return differs ? "must have the unit of the other angles" : "";
+        return {};
     }
 
     std::map<std::string, Column, std::less<>> found_;
@@ -169,11 +170,10 @@ class Header {
 
 }  // namespace
 
-std::variant<PoseColumns, std::string> named_columns(const std::vector<std::string_view>& cells,
-                                                     std::vector<std::string>& not_read) {
+Expected<PoseColumns> named_columns(const std::vector<std::string_view>& cells,
+                                    std::vector<std::string>& not_read) {
     Header header;
-    if (auto why = header.read(cells, not_read); !why.empty()) return why;
-    return header.columns(cells.size());
+    return header.read(cells, not_read).map([&] { return header.columns(cells.size()); });
 }
 
 }  // namespace scipd::sim

@@ -19,11 +19,11 @@ namespace {
 constexpr std::array column_names{"r11", "r12", "r13", "x",   "r21", "r22",
                                   "r23", "y",   "r31", "r32", "r33", "z"};
 
-/// Columns are what the camera's axes are in ours: right is -y, down is -z, ahead is x.
+/// Each column is an axis of the camera in our frame: right is -y, down is -z, ahead is x.
 const glm::dmat3 ours_from_camera{glm::dvec3{0.0, -1.0, 0.0}, glm::dvec3{0.0, 0.0, -1.0},
                                   glm::dvec3{1.0, 0.0, 0.0}};
 
-/// As far as six digits allow.
+/// Whether it is one, with the tolerance that numbers of six digits need.
 bool is_rotation(const glm::dmat3& matrix) {
     constexpr double tolerance = 1e-3;
     const glm::dmat3 square = glm::transpose(matrix) * matrix;
@@ -37,18 +37,18 @@ bool is_rotation(const glm::dmat3& matrix) {
 
 }  // namespace
 
-std::variant<Pose, std::string> parse_kitti_line(std::string_view line) {
+Expected<Pose> parse_kitti_line(std::string_view line) {
     const auto cells = cells_of(line, ' ');
     if (cells.size() != column_names.size()) {
-        return "a pose has 12 columns, the rows of [R t], this line has " +
-               std::to_string(cells.size());
+        return refuse("a pose has 12 columns, the rows of [R t], this line has " +
+                      std::to_string(cells.size()));
     }
     std::array<double, column_names.size()> value{};
     for (std::size_t i = 0; i < value.size(); ++i) {
         const auto number = parse_number(cells[i]);
         if (!number) {
-            return std::string{column_names[i]} + " must be a finite number, not " +
-                   quote(cells[i]);
+            return refuse(std::string{column_names[i]} + " must be a finite number, not " +
+                          quote(cells[i]));
         }
         value[i] = *number;
     }
@@ -56,9 +56,9 @@ std::variant<Pose, std::string> parse_kitti_line(std::string_view line) {
     const glm::dmat3 rotation{glm::dvec3{value[0], value[4], value[8]},
                               glm::dvec3{value[1], value[5], value[9]},
                               glm::dvec3{value[2], value[6], value[10]}};
-    if (!is_rotation(rotation)) return "r11 to r33 must be a rotation";
+    if (!is_rotation(rotation)) return refuse("r11 to r33 must be a rotation");
     const glm::dvec3 xyz_m = ours_from_camera * glm::dvec3{value[3], value[7], value[11]};
-    if (!plausible_position(xyz_m)) return "x, y and z must lie within 1e7 m of the origin";
+    if (!plausible_position(xyz_m)) return refuse("x, y and z must lie within 1e7 m of the origin");
     const glm::dmat3 turned = ours_from_camera * rotation * glm::transpose(ours_from_camera);
     return Pose{xyz_m, glm::normalize(glm::quat_cast(turned))};
 }

@@ -7,15 +7,14 @@
 // the drive begins at the origin, looking along x. Any thread; nothing shared.
 #pragma once
 
-#include <string>
 #include <string_view>
-#include <variant>
 
+#include "sim/expected.h"
 #include "sim/world/pose.h"
 
 namespace scipd::sim {
 
 /// The pose, or a sentence that says what is wrong.
-std::variant<Pose, std::string> parse_kitti_line(std::string_view line);
+Expected<Pose> parse_kitti_line(std::string_view line);
 
 }  // namespace scipd::sim

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Rows of a table; who names their columns is in column_names.cpp.
+// Reads the rows of a table. Finding its columns by their names is in column_names.cpp.
 #include "sim/loaders/poses/pose_columns.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ std::string_view bare(std::string_view cell) {
     return quoted ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
 }
 
-/// Reads cell after cell; the first that is wrong is what is told.
+/// Reads cell after cell, and remembers the first that is wrong.
 class RowReader {
   public:
     RowReader(const PoseColumns& columns, const std::vector<std::string_view>& cells)
@@ -34,16 +34,16 @@ class RowReader {
         const bool has_point = cell.find_first_of(".eE") != cell.npos;
         const auto time = parse_stamp(cell, columns_.time_power.value_or(0));
         if (columns_.whole_stamps && has_point) {
-            refuse(columns_.time, "must be whole nanoseconds", cell);
+            note(columns_.time, "must be whole nanoseconds", cell);
         } else if (!time) {
-            refuse(columns_.time, "must be a time in decimals, below 9e9 s", cell);
+            note(columns_.time, "must be a time in decimals, below 9e9 s", cell);
         }
         return time.value_or(Time{});
     }
 
     double number(const Column& column) {
         const auto value = parse_number(cells_[column.index]);
-        if (!value) refuse(column, "must be a finite number", cells_[column.index]);
+        if (!value) note(column, "must be a finite number", cells_[column.index]);
         return value.value_or(0.0);
     }
     double number(const std::optional<Column>& column) { return column ? number(*column) : 0.0; }
@@ -51,7 +51,7 @@ class RowReader {
     double angle_rad(const std::optional<Column>& column) {
         const double value_rad = number(column) * columns_.radians_per_unit;
         if (std::abs(value_rad) <= angle_limit_rad) return value_rad;
-        refuse(*column, "must lie within 1e6 rad", cells_[column->index]);
+        note(*column, "must lie within 1e6 rad", cells_[column->index]);
         return 0.0;
     }
 
@@ -66,26 +66,26 @@ class RowReader {
                                [this](const Column& column) { return number(column); });
         const auto rotation = normalised_quaternion(q[0], q[1], q[2], q[3]);
         if (!rotation) {
-            refuse((*columns_.quaternion)[0].name + " to " + (*columns_.quaternion)[3].name +
-                   " must be a quaternion of length 1");
+            note((*columns_.quaternion)[0].name + " to " + (*columns_.quaternion)[3].name +
+                 " must be a quaternion of length 1");
         }
         return rotation.value_or(glm::dquat{1.0, 0.0, 0.0, 0.0});
     }
 
-    void refuse(const std::string& why) {
-        if (refusal_.empty()) refusal_ = why;
+    void note(const std::string& why) {
+        if (!first_fault_) first_fault_ = Fault{{}, why};
     }
 
-    [[nodiscard]] const std::string& refusal() const { return refusal_; }
+    [[nodiscard]] const std::optional<Fault>& first_fault() const { return first_fault_; }
 
   private:
-    void refuse(const Column& column, const std::string& why, std::string_view cell) {
-        refuse(column.name + ' ' + why + ", not " + quote(cell));
+    void note(const Column& column, const std::string& why, std::string_view cell) {
+        note(column.name + ' ' + why + ", not " + quote(cell));
     }
 
     const PoseColumns& columns_;
     const std::vector<std::string_view>& cells_;
-    std::string refusal_;
+    std::optional<Fault> first_fault_;
 };
 
 }  // namespace
@@ -114,22 +114,21 @@ bool PoseColumns::same_places(const PoseColumns& other) const {
     return places(*this) == places(other);
 }
 
-std::variant<TimedPose, std::string> PoseColumns::pose_of(
-    const std::vector<std::string_view>& cells) const {
+Expected<TimedPose> PoseColumns::pose_of(const std::vector<std::string_view>& cells) const {
     if (cells.size() < least_count) {
-        return "a pose has " + std::to_string(least_count) + " columns or more, this line has " +
-               std::to_string(cells.size());
+        return refuse("a pose has " + std::to_string(least_count) +
+                      " columns or more, this line has " + std::to_string(cells.size()));
     }
     RowReader row{*this, cells};
     TimedPose pose;
     pose.time = row.time();
     pose.pose.translation_m = {row.number(xy[0]), row.number(xy[1]), row.number(z)};
     if (!plausible_position(pose.pose.translation_m)) {
-        row.refuse(xy[0].name + ", " + xy[1].name + (z ? " and " + z->name : std::string()) +
-                   " must lie within 1e7 m of the origin");
+        row.note(xy[0].name + ", " + xy[1].name + (z ? " and " + z->name : std::string()) +
+                 " must lie within 1e7 m of the origin");
     }
     pose.pose.rotation = row.rotation();
-    if (!row.refusal().empty()) return row.refusal();
+    if (row.first_fault()) return tl::unexpected(*row.first_fault());
     return pose;
 }
 

@@ -10,9 +10,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
+#include "sim/expected.h"
 #include "sim/loaders/poses/trajectory.h"
 
 namespace scipd::sim {
@@ -26,10 +26,10 @@ struct Column {
     std::string name;  ///< as faults call it
 };
 
-/// One of `quaternion` and `yaw` is set.
+/// Where in a row the parts of a pose are. Either `quaternion` or `yaw` is set.
 struct PoseColumns {
     Column time;
-    std::optional<int> time_power;  ///< its unit is 10^power s; nothing: told by the first stamp
+    std::optional<int> time_power;  ///< the unit is 10^power s; nothing: the first stamp tells
     bool whole_stamps = false;      ///< a point in a stamp is a fault
     std::array<Column, 2> xy;
     std::optional<Column> z;                          ///< else 0
@@ -42,16 +42,15 @@ struct PoseColumns {
 
     [[nodiscard]] bool same_places(const PoseColumns& other) const;
 
-    /// Or why this row is none: a sentence that names the column.
-    [[nodiscard]] std::variant<TimedPose, std::string> pose_of(
-        const std::vector<std::string_view>& cells) const;
+    /// The pose of a row, or a sentence that names the column that is wrong.
+    [[nodiscard]] Expected<TimedPose> pose_of(const std::vector<std::string_view>& cells) const;
 };
 
-/// Of EuRoC's ground truth.
+/// The columns of EuRoC's ground truth.
 PoseColumns euroc_columns();
 
-/// By the names in a CSV's header, whose other columns go to `not_read`; or what is wrong with it.
-std::variant<PoseColumns, std::string> named_columns(const std::vector<std::string_view>& header,
-                                                     std::vector<std::string>& not_read);
+/// Finds the columns by the names in a CSV's header. Columns with other names go to `not_read`.
+Expected<PoseColumns> named_columns(const std::vector<std::string_view>& header,
+                                    std::vector<std::string>& not_read);
 
 }  // namespace scipd::sim

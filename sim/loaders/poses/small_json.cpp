@@ -15,6 +15,11 @@ using Json = nlohmann::json;
 constexpr int deepest = 8;
 constexpr int most_values = 256;
 
+/// Thrown through the library's parser, which cannot be stopped otherwise.
+struct TooLarge : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 /// The library's own words, without its name and number in brackets.
 std::string words_of(const Json::exception& error) {
     const std::string_view text = error.what();
@@ -24,22 +29,23 @@ std::string words_of(const Json::exception& error) {
 
 }  // namespace
 
-Json parse_small_json(std::string_view text) {
+Expected<Json> parse_small_json(std::string_view text) {
     int values = 0;
     const auto count = [&values](int depth, Json::parse_event_t, const Json&) {
         if (depth > deepest) {
-            throw std::runtime_error("nests deeper than " + std::to_string(deepest) + " levels");
+            throw TooLarge("nests deeper than " + std::to_string(deepest) + " levels");
         }
         if (++values > most_values) {
-            throw std::runtime_error("has more than " + std::to_string(most_values) +
-                                     " keys and values");
+            throw TooLarge("has more than " + std::to_string(most_values) + " keys and values");
         }
         return true;
     };
     try {
         return Json::parse(text, count);
+    } catch (const TooLarge& error) {
+        return refuse(error.what());
     } catch (const Json::exception& error) {
-        throw std::runtime_error("not JSON: " + words_of(error));
+        return refuse("not JSON: " + words_of(error));
     }
 }
 

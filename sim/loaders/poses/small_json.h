@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// JSON from anywhere, of which little is expected: reading it takes no longer than that is worth,
-// however long and deep it is. Any thread; nothing shared.
+// Reads small JSON documents from anywhere. A document that is larger or deeper than any request or
+// pose line costs no more time than one of theirs. Any thread; nothing shared.
 #pragma once
 
 #include <string_view>
 
 #include <nlohmann/json.hpp>
 
+#include "sim/expected.h"
+
 namespace scipd::sim {
 
-/// Throws std::runtime_error, with a sentence for whoever sent it, where it is no JSON, nests
-/// deeper than a request or a pose line ever does, or has more values.
-nlohmann::json parse_small_json(std::string_view text);
+/// Refuses what is no JSON, nests deeper than a request or a pose line ever does, or has more
+/// values.
+Expected<nlohmann::json> parse_small_json(std::string_view text);
 
 }  // namespace scipd::sim

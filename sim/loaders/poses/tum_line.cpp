@@ -17,7 +17,7 @@ namespace {
 constexpr std::array column_names{"t", "tx", "ty", "tz", "qx", "qy", "qz", "qw"};
 constexpr std::string_view blanks = " \t\r\n\v\f";
 
-/// Cut at blanks; what follows the eighth column is counted, not kept.
+/// The columns of a line, cut at blanks. Those after the eighth are counted, but not kept.
 struct Columns {
     std::array<std::string_view, column_names.size()> text;
     std::size_t count = 0;
@@ -40,40 +40,36 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
-bool says_nothing(std::string_view line) {
-    const auto text = trimmed(line);
-    return text.empty() || text.front() == '#';
-}
-
 std::optional<glm::dquat> normalised_quaternion(double x, double y, double z, double w) {
     const double length = std::sqrt(x * x + y * y + z * z + w * w);
     if (!(length >= 1e-6 && length <= 1e6)) return {};
     return glm::dquat{w / length, x / length, y / length, z / length};
 }
 
-std::variant<TimedPose, std::string> parse_tum_line(std::string_view line) {
+Expected<TimedPose> parse_tum_line(std::string_view line) {
     const Columns columns{line};
     if (columns.count != column_names.size()) {
-        return "a pose has 8 columns (t tx ty tz qx qy qz qw), this line has " +
-               std::to_string(columns.count);
+        return refuse("a pose has 8 columns (t tx ty tz qx qy qz qw), this line has " +
+                      std::to_string(columns.count));
     }
     const auto time = parse_stamp(columns.text[0]);
     if (!time) {
-        return "t must be seconds as decimals below 9e9, not " + quote(columns.text[0]);
+        return refuse("t",
+                      "t must be seconds as decimals below 9e9, not " + quote(columns.text[0]));
     }
     std::array<double, column_names.size()> value{};
     for (std::size_t i = 1; i < value.size(); ++i) {
         const auto number = parse_number(columns.text[i]);
         if (!number) {
-            return std::string{column_names[i]} + " must be a finite number, not " +
-                   quote(columns.text[i]);
+            return refuse(std::string{column_names[i]} + " must be a finite number, not " +
+                          quote(columns.text[i]));
         }
         value[i] = *number;
     }
     const glm::dvec3 xyz_m{value[1], value[2], value[3]};
-    if (!plausible_position(xyz_m)) return "tx ty tz must lie within 1e7 m of the origin";
+    if (!plausible_position(xyz_m)) return refuse("tx ty tz must lie within 1e7 m of the origin");
     const auto rotation = normalised_quaternion(value[4], value[5], value[6], value[7]);
-    if (!rotation) return "qx qy qz qw must be a quaternion of length 1";
+    if (!rotation) return refuse("qx qy qz qw must be a quaternion of length 1");
     return TimedPose{*time, {xyz_m, *rotation}};
 }
 

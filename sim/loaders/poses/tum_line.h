@@ -6,21 +6,21 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
-#include <variant>
 
+#include "sim/expected.h"
 #include "sim/loaders/poses/trajectory.h"
 
 namespace scipd::sim {
 
-/// Without the blanks, tabs and carriage returns around it.
+/// The text without the blanks, tabs and line ends around it.
 std::string_view trimmed(std::string_view text);
 
-/// The pose, or a sentence that names the column at fault.
-std::variant<TimedPose, std::string> parse_tum_line(std::string_view line);
+/// The pose, or a sentence that names the column that is wrong.
+Expected<TimedPose> parse_tum_line(std::string_view line);
 
-/// Unit length, or nothing where there is no direction in it. Order as in files: x, y, z, w.
+/// The quaternion with length 1, or nothing where it is too short or too long to have a direction.
+/// The order is that of files: x, y, z, w.
 std::optional<glm::dquat> normalised_quaternion(double x, double y, double z, double w);
 
 }  // namespace scipd::sim

@@ -22,10 +22,11 @@ using nlohmann::json;
 /// Refuses what is rubbish.
 class FakeApi : public tests::EmptyApi {
   public:
-    std::optional<std::string> take_pose_line(std::string_view line, SenderClock&) override {
+    sim::Expected<> take_pose_line(std::string_view line, SenderClock&) override {
         ++lines_;
-        if (line.starts_with("rubbish")) return "xyz: " + std::string(line.substr(0, 9));
-        return std::nullopt;
+        if (line.starts_with("rubbish"))
+            return sim::refuse("xyz", "xyz: " + std::string(line.substr(0, 9)));
+        return {};
     }
 
     std::size_t lines_ = 0;

@@ -38,9 +38,8 @@ class FakeApi : public tests::EmptyApi {
         return now_;
     }
 
-    std::optional<std::string> set_robot_pose(const std::string& robot,
-                                              const sim::PoseLine& said) override {
-        if (refusal_) return refusal_;
+    sim::Expected<> set_robot_pose(const std::string& robot, const sim::PoseLine& said) override {
+        if (refusal_) return sim::refuse(*refusal_);
         robot_ = robot;
         time_ = said.time;
         now_.pose = said.pose;
@@ -61,9 +60,8 @@ class FakeApi : public tests::EmptyApi {
         return door_;
     }
 
-    std::optional<std::string> set_model_pose(const std::string&,
-                                              const sim::PoseLine& said) override {
-        if (refusal_) return refusal_;
+    sim::Expected<> set_model_pose(const std::string&, const sim::PoseLine& said) override {
+        if (refusal_) return sim::refuse(*refusal_);
         door_ = {said.time.value_or(0ns), said.pose};
         velocity_ = said.velocity;
         return {};
@@ -230,6 +228,7 @@ TEST_F(RoutesTest, AWrongPoseNamesItsField) {
         {R"({"xyz":[1,2,3],"rpy":[0,0]})", "rpy"},
         {R"({"xyz":[1,2,3],"t":"now"})", "t"},
         {R"({"xyz":[1,2,3],"yaw":1})", "yaw"},
+        {R"({"xyz":[1,2,3],"it's":1})", "it's"},
         {R"({"xyz":[1,2,3],"robot":"other"})", "robot"},
         {R"({"xyz":[1,2,3],"model":"door"})", "model"},
         {R"({"xyz":[1,2,3],"v":[1,0]})", "v"},
@@ -402,6 +401,12 @@ TEST_F(RoutesTest, AWrongModelNamesItsField) {
         EXPECT_EQ(problem_status(put("/scene", body)), 400);
     }
     EXPECT_EQ(document(put("/scene", R"({"file":3})"))["field"], "file");
+    // A pose is read as the JSON that it is: a line would be too long for this key.
+    const auto response = ask(
+        {"POST", "/scene/models", "",
+         R"({"name":"a","sdf":"x","pose":{"xyz":[1,2,3],")" + std::string(5000, 'k') + R"(":0}})"});
+    EXPECT_THAT(document(response)["detail"].get<std::string>(),
+                testing::StartsWith("pose: the key 'kkkk"));
     EXPECT_TRUE(api_.edits_.empty());
 }
 

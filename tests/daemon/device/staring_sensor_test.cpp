@@ -11,8 +11,8 @@
 
 #include <gtest/gtest.h>
 
-#include "daemon/device/scan_loop.h"
 #include "daemon/clock/stepped_clock.h"
+#include "daemon/device/scan_loop.h"
 #include "tests/daemon/device/ideal_camera.h"
 #include "tests/daemon/wall_world.h"
 
@@ -45,7 +45,7 @@ class StaringSensorTest : public testing::Test {
         sensor_->watch([this](const StaringRecord& record) { seen_.push_back(record); });
     }
     void move_to(sim::Time time, double x_m) {
-        ASSERT_FALSE(
+        ASSERT_TRUE(
             world_.place_robot("robot", {.time = time, .pose = {{x_m, 0, 0}, {1, 0, 0, 0}}}));
         loop_->poses_came();
     }

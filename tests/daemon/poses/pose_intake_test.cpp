@@ -8,11 +8,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/daemon/wall_world.h"
+#include "tests/support/why_not.h"
 
 namespace scipd::daemon {
 namespace {
 
 using namespace std::chrono_literals;
+using tests::why_not;
 
 TEST(SenderClock, TakesTheTimeOfArrivalWhereThereIsNoStamp) {
     SenderClock sender;
@@ -233,7 +235,7 @@ class PoseIntakeTest : public testing::Test {
   protected:
     std::optional<std::string> take(const char* line, sim::Time arrival,
                                     const char* robot = "robot") {
-        return intake_.take_line(line, robot, sender_, arrival);
+        return why_not(intake_.take_line(line, robot, sender_, arrival));
     }
     [[nodiscard]] double robot_x() const { return world_.robot("robot")->last().translation_m.x; }
 

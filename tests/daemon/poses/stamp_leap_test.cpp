@@ -12,6 +12,7 @@
 
 #include "daemon/poses/pose_intake.h"
 #include "tests/daemon/wall_world.h"
+#include "tests/support/why_not.h"
 
 namespace scipd::daemon {
 namespace {
@@ -19,11 +20,14 @@ namespace {
 using namespace std::chrono_literals;
 using testing::Optional;
 using testing::StartsWith;
+using tests::why_not;
+
+const std::string not_later = "t: not later than the pose before it";
 
 class PoseIntakeInLockstep : public testing::Test {
   protected:
     std::optional<std::string> take(const std::string& line) {
-        return intake_.take_line(line, {}, sender_, 0s);
+        return why_not(intake_.take_line(line, {}, sender_, 0s));
     }
     std::optional<std::string> take_stamped(double t_s, const std::string& rest = "") {
         return take("{\"t\":" + std::to_string(t_s) + ",\"xyz\":[1,0,0]" + rest + "}");
@@ -68,9 +72,9 @@ TEST_F(PoseIntakeInLockstep, RefusesOneStampThatLeapsAndGoesOn) {
     EXPECT_EQ(refused_from(10.0), 0);
     for (const double leap_s : {1e6, -1e6, 8.9e9, -8.9e9, 700.0, 0.0}) {
         EXPECT_THAT(take_stamped(leap_s), Optional(StartsWith("t: leaps from 13.980 s to ")));
-        EXPECT_EQ(take_stamped(13.98), World::not_later);
+        EXPECT_EQ(take_stamped(13.98), not_later);
     }
-    EXPECT_EQ(intake_.last_refusal(), World::not_later);
+    EXPECT_EQ(intake_.last_refusal(), not_later);
     EXPECT_EQ(refused_from(14.0), 0);
     EXPECT_EQ(stamp_now(), 17'960ms);  // something else may be said of 17.98
     EXPECT_EQ(now(), 7960ms);
@@ -158,7 +162,8 @@ TEST_F(PoseIntakeInLockstep, LeavesTheTimeToThoseWhoLeadIt) {
         const std::string line =
             "{\"model\":\"model 1\",\"t\":" + std::to_string(5000.0 + i * 0.02) +
             ",\"xyz\":[0,0,0]}";
-        ASSERT_EQ(intake_.take_line(line, {}, other, 0s).value_or("").substr(0, 8), "t: leaps");
+        ASSERT_EQ(why_not(intake_.take_line(line, {}, other, 0s)).value_or("").substr(0, 8),
+                  "t: leaps");
     }
     EXPECT_EQ(stamp_now(), 1'003'960ms);
     EXPECT_EQ(refused_from(1004.0), 0);
@@ -176,8 +181,9 @@ TEST_F(PoseIntakeInLockstep, TakesUpStreamsThatShareTheirTime) {
             const auto line = [&](int k) {
                 return "{\"t\":" + std::to_string(first_s + k * 0.02) + ",\"xyz\":[1,0,0]}";
             };
-            if (i < 200 && intake_.take_line(line(i), "robot", sender_, 0s)) ++refused;
-            if (i >= behind && intake_.take_line(line(i - behind), "second", second, 0s)) ++refused;
+            if (i < 200 && !intake_.take_line(line(i), "robot", sender_, 0s)) ++refused;
+            if (i >= behind && !intake_.take_line(line(i - behind), "second", second, 0s))
+                ++refused;
         }
         return refused;
     };

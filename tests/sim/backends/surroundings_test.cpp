@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/backends/registry.h"
-#include "sim/loaders/poses/trajectory.h"
+#include "sim/loaders/poses/trajectory_file.h"
 #include "sim/loaders/scene_file.h"
 #include "tests/support/scene_builder.h"
 

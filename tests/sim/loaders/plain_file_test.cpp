@@ -14,7 +14,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
-#include "sim/loaders/poses/trajectory.h"
+#include "sim/loaders/poses/trajectory_file.h"
 #include "sim/loaders/scene_file.h"
 #include "tests/sim/loaders/faults_of.h"
 #include "tests/sim/loaders/sdf/sdf_text.h"

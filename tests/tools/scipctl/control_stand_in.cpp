@@ -95,13 +95,13 @@ std::optional<sim::TimedPose> ControlStandIn::robot_pose(const std::string& robo
     return sim::TimedPose{{}, found->second};
 }
 
-std::optional<std::string> ControlStandIn::set_robot_pose(const std::string& robot,
-                                                          const sim::PoseLine& said) {
-    if (said.pose.translation_m.x > 1000.0) return "that is outside the world";
+sim::Expected<> ControlStandIn::set_robot_pose(const std::string& robot,
+                                               const sim::PoseLine& said) {
+    if (said.pose.translation_m.x > 1000.0) return sim::refuse("that is outside the world");
     const std::scoped_lock lock(mutex_);
     poses_[robot] = said.pose;
     puts_.push_back({robot, said.time, said.pose, said.velocity});
-    return std::nullopt;
+    return {};
 }
 
 const daemon::ScanLog* ControlStandIn::scans(const std::string& sensor) const {
@@ -133,11 +133,11 @@ std::optional<sim::TimedPose> ControlStandIn::model_pose(const std::string& mode
     return sim::TimedPose{{}, scene_->models[1].world_from_model};
 }
 
-std::optional<std::string> ControlStandIn::set_model_pose(const std::string& model,
-                                                          const sim::PoseLine& said) {
+sim::Expected<> ControlStandIn::set_model_pose(const std::string& model,
+                                               const sim::PoseLine& said) {
     const std::scoped_lock lock(mutex_);
     puts_.push_back({model, said.time, said.pose, said.velocity});
-    return std::nullopt;
+    return {};
 }
 
 }  // namespace scipd::tests

@@ -15,9 +15,9 @@
 
 #include <boost/asio/io_context.hpp>
 
-#include "daemon/http/server.h"
 #include "daemon/api/routes.h"
 #include "daemon/device/scan_log.h"
+#include "daemon/http/server.h"
 #include "tests/support/empty_api.h"
 #include "tests/support/temp_dir.h"
 
@@ -46,14 +46,12 @@ class ControlStandIn : EmptyApi {
   private:
     [[nodiscard]] daemon::Status status() const override;
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string& robot) const override;
-    std::optional<std::string> set_robot_pose(const std::string& robot,
-                                              const sim::PoseLine& said) override;
+    sim::Expected<> set_robot_pose(const std::string& robot, const sim::PoseLine& said) override;
     [[nodiscard]] const daemon::ScanLog* scans(const std::string& sensor) const override;
     [[nodiscard]] daemon::SceneView scene() const override { return {"maze.sdf", scene_}; }
     void edit_scene(daemon::SceneEdit edit, daemon::EditDone done, std::stop_token) override;
     [[nodiscard]] std::optional<sim::TimedPose> model_pose(const std::string& model) const override;
-    std::optional<std::string> set_model_pose(const std::string& model,
-                                              const sim::PoseLine& said) override;
+    sim::Expected<> set_model_pose(const std::string& model, const sim::PoseLine& said) override;
 
     TempDir directory_;
     std::string clock_;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
+#include "sim/loaders/poses/pose_line.h"
+
 #include <cmath>
 #include <numbers>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "sim/loaders/poses/trajectory.h"
 
 namespace scipd::sim {
 namespace {
@@ -14,18 +14,15 @@ namespace {
 using namespace std::chrono_literals;
 
 PoseLine accepted(std::string_view line) {
-    auto parsed = parse_pose_line(line);
-    if (const auto* refusal = std::get_if<std::string>(&parsed)) {
-        ADD_FAILURE() << line << "\nis refused: " << *refusal;
-        return {};
-    }
-    return std::get<PoseLine>(parsed);
+    const auto parsed = parse_pose_line(line);
+    if (parsed) return *parsed;
+    ADD_FAILURE() << line << "\nis refused: " << parsed.error().why;
+    return {};
 }
 
 std::string refusal(std::string_view line) {
-    auto parsed = parse_pose_line(line);
-    const auto* why = std::get_if<std::string>(&parsed);
-    return why == nullptr ? "accepted" : *why;
+    const auto parsed = parse_pose_line(line);
+    return parsed ? "accepted" : parsed.error().why;
 }
 
 TEST(PoseLine, saysWhoWhenAndWhere) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/poses/trajectory.h"
-
 #include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sim/loaders/poses/trajectory_file.h"
 #include "tests/sim/loaders/faults_of.h"
 
 namespace scipd::sim {

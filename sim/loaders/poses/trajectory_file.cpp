@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/poses/trajectory_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <cstdint>
+#include <system_error>
+#include <utility>
+
+#include "sim/loaders/load_error.h"
+#include "sim/loaders/plain_file.h"
+#include "sim/loaders/poses/kitti_line.h"
+#include "sim/loaders/poses/pose_columns.h"
+#include "sim/loaders/poses/pose_line.h"
+#include "sim/loaders/poses/trajectory_draft.h"
+#include "sim/loaders/poses/tum_line.h"
+#include "sim/loaders/quote.h"
+#include "sim/loaders/text_number.h"
+
+namespace scipd::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+/// A week of a hundred poses a second is half of this.
+constexpr std::uintmax_t largest_file = 1U << 30U;
+
+/// Hands each line to `use`, until that answers false.
+template <typename Use>
+void for_each_line(std::string_view text, const Use& use) {
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    while (!text.empty()) {
+        const auto end = std::min(text.find('\n'), text.size());
+        if (!use(text.substr(0, end))) return;
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+}
+
+/// Hands the lines that say something to `use`, which adds to the draft.
+template <typename Use>
+void read_lines(std::string_view text, TrajectoryDraft& draft, const Use& use) {
+    for_each_line(text, [&](std::string_view line) {
+        draft.begin_line();
+        if (!says_nothing(line)) use(line);
+        return true;
+    });
+}
+
+void add(const Expected<TimedPose>& pose, TrajectoryDraft& draft) {
+    if (!pose) return draft.add_fault(pose.error().why);
+    draft.append(*pose);
+}
+
+Trajectory read_tum(std::string_view text, TrajectoryDraft draft) {
+    read_lines(text, draft, [&](std::string_view line) { add(parse_tum_line(line), draft); });
+    return std::move(draft).finish("t tx ty tz qx qy qz qw");
+}
+
+Trajectory read_euroc(std::string_view text, TrajectoryDraft draft) {
+    const PoseColumns columns = euroc_columns();
+    read_lines(text, draft,
+               [&](std::string_view line) { add(columns.pose_of(cells_of(line, ',')), draft); });
+    return std::move(draft).finish("timestamp,p_x,p_y,p_z,q_w,q_x,q_y,q_z");
+}
+
+void compare_counts(std::size_t poses, const Stamps& stamps, TrajectoryDraft& draft) {
+    const std::size_t count = stamps.times.size();
+    const std::string both = "has " + std::to_string(poses) + " poses, but there are " +
+                             std::to_string(count) + " stamps in " + stamps.file.string();
+    if (poses > count) draft.refuse(both + "; name the file of its stamps as `times`");
+    if (poses < count) draft.warn(both + "; the rest is left out");
+}
+
+Trajectory read_kitti(std::string_view text, const std::optional<Stamps>& stamps,
+                      TrajectoryDraft draft) {
+    constexpr Time frame = std::chrono::milliseconds(100);
+    std::size_t count = 0;
+    read_lines(text, draft, [&](std::string_view line) {
+        const std::size_t index = count++;
+        if (stamps && index >= stamps->times.size()) return;
+        const Time time = stamps ? stamps->times[index] : static_cast<Time::rep>(index) * frame;
+        add(parse_kitti_line(line).map([&](const Pose& pose) {
+            return TimedPose{time, pose};
+        }),
+            draft);
+    });
+    if (stamps) compare_counts(count, *stamps, draft);
+    return std::move(draft).finish("r11 r12 r13 x r21 r22 r23 y r31 r32 r33 z");
+}
+
+char delimiter_of(std::string_view line) {
+    for (const char delimiter : {';', ',', '\t'}) {
+        if (line.find(delimiter) != line.npos) return delimiter;
+    }
+    return ' ';
+}
+
+/// The text of a comment, without the # before it.
+std::string_view without_mark(std::string_view line) {
+    line = trimmed(line);
+    return trimmed(line.substr(std::min(line.find_first_not_of('#'), line.size())));
+}
+
+/// The unit that a stamp of this size must be in: seconds end at 9e9, and the milliseconds since
+/// 1970 are 1.7e12 today.
+int guessed_power(std::string_view stamp) {
+    const double value = parse_number(stamp).value_or(0.0);
+    if (value > 1e17) return -9;
+    if (value > 1e14) return -6;
+    return value > 1e11 ? -3 : 0;
+}
+
+class CsvReader {
+  public:
+    explicit CsvReader(TrajectoryDraft draft) : draft_(std::move(draft)) {}
+
+    /// False: the header is wrong, so that the rest cannot be read.
+    bool read(std::string_view line) {
+        draft_.begin_line();
+        const bool is_comment = says_nothing(line);
+        if (columns_) {
+            if (!is_comment) read_row(line);
+        } else if (!trimmed(line).empty()) {
+            return read_header(line, is_comment);
+        }
+        return true;
+    }
+
+    Trajectory finish() && {
+        if (!not_read_.empty()) draft_.warn("the columns " + not_read_ + " are not read");
+        return std::move(draft_).finish("a row under a header such as t,x,y,z,roll,pitch,yaw");
+    }
+
+  private:
+    /// The header may stand in a comment.
+    bool read_header(std::string_view line, bool is_comment) {
+        if (is_comment) line = without_mark(line);
+        delimiter_ = delimiter_of(line);
+        std::vector<std::string> not_read;
+        const auto columns = named_columns(cells_of(line, delimiter_), not_read);
+        if (!columns) {
+            if (is_comment) return true;
+            draft_.add_fault(columns.error().why);
+            return false;
+        }
+        columns_ = *columns;
+        for (const std::string& name : not_read)
+            not_read_ += (not_read_.empty() ? "" : ", ") + name;
+        not_read_ = printable(not_read_);
+        return true;
+    }
+
+    void read_row(std::string_view line) {
+        const auto cells = cells_of(line, delimiter_);
+        if (!columns_->time_power && cells.size() > columns_->time.index)
+            columns_->time_power = guessed_power(cells[columns_->time.index]);
+        add(columns_->pose_of(cells), draft_);
+    }
+
+    TrajectoryDraft draft_;
+    std::optional<PoseColumns> columns_;
+    std::string not_read_;
+    char delimiter_ = ',';
+};
+
+Trajectory read_csv(std::string_view text, TrajectoryDraft draft) {
+    CsvReader reader{std::move(draft)};
+    for_each_line(text, [&](std::string_view line) { return reader.read(line); });
+    return std::move(reader).finish();
+}
+
+bool is_word(std::string_view cell) {
+    return !cell.empty() && (std::isalpha(static_cast<unsigned char>(cell.front())) != 0);
+}
+
+/// Whether the first cell is whole nanoseconds since 1970, enough cells follow it, and no header
+/// names other columns.
+bool looks_like_euroc(const std::vector<std::string_view>& cells, std::string_view comment) {
+    const std::string_view stamp = cells.front();
+    const bool is_whole = stamp.find_first_of(".eE") == stamp.npos;
+    if (cells.size() < 8 || !is_whole || guessed_power(stamp) != -9) return false;
+    std::vector<std::string> not_read;
+    const auto columns = named_columns(cells_of(without_mark(comment), ','), not_read);
+    return !columns || columns->same_places(euroc_columns());
+}
+
+}  // namespace
+
+TrajectoryFormat guessed_format(std::string_view text) {
+    std::string_view first;
+    std::string_view comment;
+    for_each_line(text, [&](std::string_view line) {
+        (says_nothing(line) ? comment : first) = trimmed(line);
+        return first.empty();
+    });
+    const char delimiter = delimiter_of(first);
+    const auto cells = cells_of(first, delimiter);
+    if (is_word(cells.front())) return TrajectoryFormat::csv;
+    if (delimiter == ',' || delimiter == ';') {
+        return looks_like_euroc(cells, comment) ? TrajectoryFormat::euroc : TrajectoryFormat::csv;
+    }
+    return cells_of(first, ' ').size() == 12 ? TrajectoryFormat::kitti : TrajectoryFormat::tum;
+}
+
+Stamps parse_stamps(std::string_view text, const fs::path& file) {
+    using Seconds = std::chrono::duration<double>;
+    std::vector<Time> times;
+    std::size_t number = 0;
+    const auto refuse = [&](const std::string& why) {
+        throw LoadError({file.string() + ':' + std::to_string(number) + ": " + why});
+    };
+    for_each_line(text, [&](std::string_view line) {
+        ++number;
+        if (says_nothing(line)) return true;
+        const auto time = parse_stamp(trimmed(line));
+        if (!time) refuse("a line is the time of a pose in seconds, not " + quote(trimmed(line)));
+        if (!times.empty() && *time < times.back()) refuse("is earlier than the stamp before it");
+        if (!times.empty() && Seconds(*time) - Seconds(times.front()) > longest_trajectory)
+            refuse("must lie within 4.5e9 s of the first stamp");
+        times.push_back(*time);
+        return true;
+    });
+    return {file, std::move(times)};
+}
+
+Trajectory load_trajectory(const fs::path& file, TrajectoryFormat format, const fs::path& times) {
+    const std::string text = read_file(file, largest_file, "name a trajectory");
+    if (format == TrajectoryFormat::guess) format = guessed_format(text);
+    const fs::path beside = file.parent_path() / "times.txt";
+    // Whatever it is: one that cannot be read is told below.
+    std::error_code error;
+    const bool is_beside = times.empty() && fs::exists(fs::symlink_status(beside, error));
+    const fs::path& stamps = is_beside ? beside : times;
+    if (format != TrajectoryFormat::kitti || stamps.empty()) {
+        return parse_trajectory(text, file, format);
+    }
+    const std::string lines =
+        read_file(stamps, largest_file, "the stamps of a trajectory are wanted");
+    return parse_trajectory(text, file, format, parse_stamps(lines, stamps));
+}
+
+Trajectory parse_trajectory(std::string_view text, const fs::path& file, TrajectoryFormat format,
+                            const std::optional<Stamps>& stamps) {
+    if (format == TrajectoryFormat::guess) format = guessed_format(text);
+    switch (format) {
+        case TrajectoryFormat::euroc:
+            return read_euroc(text, TrajectoryDraft{file});
+        case TrajectoryFormat::kitti:
+            return read_kitti(text, stamps, TrajectoryDraft{file});
+        case TrajectoryFormat::csv:
+            return read_csv(text, TrajectoryDraft{file});
+        default:
+            return read_tum(text, TrajectoryDraft{file});
+    }
+}
+
+}  // namespace scipd::sim
