@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "daemon/config/config_file.h"
 #include "daemon/load_world.h"
 #include "daemon/mounting.h"
 #include "sim/backends/depth.h"

@@ -9,8 +9,8 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "daemon/config/run_directory.h"
 #include "daemon/load_world.h"
-#include "daemon/run_directory.h"
 #include "protocol/ideal.h"
 
 namespace scipd::daemon {

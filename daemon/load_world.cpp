@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "daemon/config/demo_world.h"
-#include "daemon/config/limits.h"
+#include "daemon/config/world_options.h"
 
 namespace scipd::daemon {
 namespace {

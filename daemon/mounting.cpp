@@ -3,11 +3,11 @@
 #include "daemon/mounting.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <string_view>
 
 #include "daemon/config/sensor.h"
 #include "daemon/models/best_fit.h"
+#include "sim/expected.h"
 #include "sim/loaders/load_error.h"
 
 namespace scipd::daemon {
@@ -49,7 +49,7 @@ bool ends_with_name(std::string_view whole, std::string_view end) {
     return whole.empty() || whole.ends_with("::");
 }
 
-/// Of that kind, in that model where it is known.
+/// All places of that kind, in that model where it is known.
 Frames places_for(const NamedMount& mount, const sim::Scene& scene) {
     Frames all;
     for (const sim::Frame& frame : scene.frames) {
@@ -59,7 +59,7 @@ Frames places_for(const NamedMount& mount, const sim::Scene& scene) {
     return all;
 }
 
-/// Those that the name may mean: one where it is whole.
+/// The places that the name may mean. A whole name means one.
 Frames meant(const Frames& all, std::string_view name) {
     const auto whole = std::ranges::find(all, name, &sim::Frame::name);
     if (whole != all.end()) return {*whole};
@@ -79,20 +79,20 @@ std::string names_of(const Frames& frames) {
     return text.empty() ? "none" : text;
 }
 
-/// Throws std::invalid_argument, saying what there is.
-const sim::Frame& find_place(const NamedMount& mount, const sim::Scene& scene,
-                             const std::string& file) {
+/// The only place that has the name; never null. A fault says what there is.
+sim::Expected<const sim::Frame*> find_place(const NamedMount& mount, const sim::Scene& scene,
+                                            const std::string& file) {
     const Frames all = places_for(mount, scene);
     const Frames found = meant(all, mount.name);
-    if (found.size() == 1) return *found.front();
+    if (found.size() == 1) return found.front();
     if (found.size() > 1) {
-        throw std::invalid_argument("\"" + mount.name + "\" may be one of several in " + file +
-                                    ": " + names_of(found) + "; write one of these");
+        return sim::refuse("\"" + mount.name + "\" may be one of several in " + file + ": " +
+                           names_of(found) + "; write one of these");
     }
     const std::string where =
         mount.model.empty() ? file : "model \"" + mount.model + "\" of " + file;
-    throw std::invalid_argument(where + " has no " + std::string{name_of(mount.kind)} + " \"" +
-                                mount.name + "\"; there are: " + names_of(all));
+    return sim::refuse(where + " has no " + std::string{name_of(mount.kind)} + " \"" + mount.name +
+                       "\"; there are: " + names_of(all));
 }
 
 /// What a user should know of a scanner in the place of this lidar.
@@ -111,7 +111,7 @@ std::string notice(const std::string& name, const Model& model, const sim::Frame
            unlike(model);
 }
 
-/// Of all robots, one after the other.
+/// Mounts the sensors of all robots, one after the other.
 class Mounting {
   public:
     Mounting(Config& config, const sim::Scene& scene) : config_(config), scene_(scene) {}
@@ -130,45 +130,52 @@ class Mounting {
     void mount(RobotConfig& robot, SensorConfig& sensor) {
         const std::string place =
             config_.place_of("robots." + robot.name + ".sensors." + sensor.name + ".mount");
-        try {
-            sensor.mount->model = robot.body;
-            const sim::Frame& frame = find_place(*sensor.mount, scene_, config_.scene.string());
-            take_model(robot, scene_.models[frame.model]);
-            sensor.mount->model = scene_.models[frame.model].name;
-            sensor.robot_from_sensor = frame.model_from_frame * sensor.mount->frame_from_sensor;
-            if (frame.lidar && !sensor.staring) look_at(*frame.lidar, robot, sensor, frame);
-        } catch (const std::invalid_argument& fault) {
-            faults_.push_back(place + fault.what());
-        }
+        sensor.mount->model = robot.body;
+        const auto mounted =
+            find_place(*sensor.mount, scene_, config_.scene.string())
+                .and_then([&](const sim::Frame* frame) { return put_on(*frame, robot, sensor); });
+        if (!mounted) faults_.push_back(place + mounted.error().why);
+    }
+
+    sim::Expected<> put_on(const sim::Frame& frame, RobotConfig& robot, SensorConfig& sensor) {
+        const sim::Model& model = scene_.models[frame.model];
+        if (auto taken = take_model(robot, model); !taken) return taken;
+        sensor.mount->model = model.name;
+        sensor.robot_from_sensor = frame.model_from_frame * sensor.mount->frame_from_sensor;
+        if (!frame.lidar || sensor.staring) return {};
+        return look_at(*frame.lidar, robot, sensor, frame);
     }
 
     /// The robot is this model, or rides on it.
-    void take_model(RobotConfig& robot, const sim::Model& model) {
+    sim::Expected<> take_model(RobotConfig& robot, const sim::Model& model) {
         const auto [known, is_first] = model_of_.emplace(robot.name, model.name);
         if (!is_first && known->second != model.name) {
-            throw std::invalid_argument("lies in model \"" + model.name +
-                                        "\", another sensor of \"" + robot.name + "\" in \"" +
-                                        known->second + "\"; give each model a robot of its own");
+            return sim::refuse("lies in model \"" + model.name + "\", another sensor of \"" +
+                               robot.name + "\" in \"" + known->second +
+                               "\"; give each model a robot of its own");
         }
-        if (!is_first) return;
+        if (!is_first) return {};
         if (!robot.pose_given) robot.world_from_robot = model.world_from_model;
-        if (!model.movable || !robot.body.empty()) return;
+        if (!model.movable || !robot.body.empty()) return {};
         for (const RobotConfig& other : config_.robots) {
             if (other.body != model.name) continue;
-            throw std::invalid_argument("lies in model \"" + model.name +
-                                        "\", which is the body of robot \"" + other.name +
-                                        "\"; make it a sensor of that one");
+            return sim::refuse("lies in model \"" + model.name +
+                               "\", which is the body of robot \"" + other.name +
+                               "\"; make it a sensor of that one");
         }
         robot.body = model.name;
+        return {};
     }
 
-    void look_at(const sim::Lidar& lidar, const RobotConfig& robot, SensorConfig& sensor,
-                 const sim::Frame& frame) {
+    sim::Expected<> look_at(const sim::Lidar& lidar, const RobotConfig& robot, SensorConfig& sensor,
+                            const sim::Frame& frame) {
         if (sensor.mount->chooses_model) {
             sensor.model = best_fit(lidar);
-            check_power_up(sensor.power_up, sensor.model.profile);
+            auto checked = check_power_up(sensor.power_up, sensor.model.profile);
+            if (!checked) return checked;
         }
         notices_.push_back(notice(sensor_name(robot.name, sensor.name), sensor.model, frame));
+        return {};
     }
 
     Config& config_;

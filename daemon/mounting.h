@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Mounts that are named, in a world that is loaded. Touches nothing that runs: any thread may do
-// it.
+// Finds the places of named mounts in a world that is loaded. Touches nothing that runs: any thread
+// may do it.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,8 @@ namespace scipd::daemon {
 /// is not one place.
 std::vector<std::string> mount_by_name(Config& config, const sim::Scene& scene);
 
-/// The same of one that has been mounted before; nothing: this world has no such place.
+/// The pose of a sensor that has been mounted before, in another world; nothing where that world has
+/// no such place.
 std::optional<sim::Pose> mounted_again(const NamedMount& mount, const sim::Scene& scene);
 
 }  // namespace scipd::daemon

@@ -3,7 +3,6 @@
 #include "daemon/option_groups.h"
 
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -19,19 +18,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Adds options of one group; the text of each goes through one of config_values' parsers.
+/// Adds options of one group. The text of each goes through a parser of daemon/config.
 class Group {
   public:
     Group(CLI::App& app, std::string title) : app_(app), title_(std::move(title)) {}
 
     CLI::Option* add(const std::string& name, const std::string& value, const std::string& help,
-                     std::function<void(const std::string&)> take) {
+                     std::function<sim::Expected<>(const std::string&)> take) {
         const auto callback = [name, take = std::move(take)](const CLI::results_t& said) {
-            try {
-                take(said.front());
-            } catch (const std::invalid_argument& refusal) {
-                throw CLI::ValidationError(name, refusal.what());
-            }
+            const auto taken = take(said.front());
+            if (!taken) throw CLI::ValidationError(name, taken.error().why);
             return true;
         };
         return app_.add_option(name, callback, help)->type_name(value)->group(title_);
@@ -46,41 +42,49 @@ class Group {
     std::string title_;
 };
 
+template <class Value, class Target>
+sim::Expected<> put(sim::Expected<Value> value, Target& target) {
+    return value.map([&](const Value& good) { target = good; });
+}
+
 void add_world(CLI::App& app, Said& said) {
     Group group{app, "World"};
     Config& config = said.options.config;
-    group.add("--scene", "FILE",
-              "the world: SDF, URDF, xacro, a ROS map, Stage, MVSim, a mesh or the folder of a "
-              "model; default: the rescue maze",
-              [&](const auto& text) { config.scene = parse_scene(text, fs::current_path()); });
+    group.add(
+        "--scene", "FILE",
+        "the world: SDF, URDF, xacro, a ROS map, Stage, MVSim, a mesh or the folder of a "
+        "model; default: the rescue maze",
+        [&](const auto& text) { return put(parse_scene(text, fs::current_path()), config.scene); });
     group.add("--clock", "CLOCK",
               "wall, or poses: time is the stamps of the poses and stands still between them; "
               "default: wall",
-              [&](const auto& text) { config.clock = parse_clock(text); });
+              [&](const auto& text) { return put(parse_clock(text), config.clock); });
     group.add("--seed", "N", "of all chance; the same seed gives the same noise; default: 1",
-              [&](const auto& text) { config.seed = parse_seed(text); });
+              [&](const auto& text) { return put(parse_seed(text), config.seed); });
 }
 
 void add_robot(CLI::App& app, Said& said) {
     Group group{app, "Robot"};
     group.add("--name", "ROBOT/SENSOR", "default: robot/scanner", [&](const std::string& text) {
         const auto slash = text.find('/');
-        if (slash == text.npos) throw std::invalid_argument("must be ROBOT/SENSOR");
-        said.robot.name = parse_name(text.substr(0, slash));
-        said.sensor.name = parse_name(text.substr(slash + 1));
+        if (slash == text.npos) return sim::Expected<>{sim::refuse("must be ROBOT/SENSOR")};
+        return put(parse_name(text.substr(0, slash)), said.robot.name).and_then([&] {
+            return put(parse_name(text.substr(slash + 1)), said.sensor.name);
+        });
     });
     group.add(
         "--pose", "X,Y,YAW",
         "or X,Y,Z,ROLL,PITCH,YAW: where the robot starts; default: 1,1,0 in the maze, else 0,0,0",
         [&](const auto& text) {
-            said.robot.world_from_robot = parse_pose(text);
             said.start_given = true;
+            return put(parse_pose(text), said.robot.world_from_robot);
         });
-    group.add(
-        "--poses", "SOURCE",
-        "live poses: udp:ADDR:PORT, - for stdin, or a file that is played in real time: TUM, "
-        "EuRoC, KITTI or CSV with a header",
-        [&](const auto& text) { said.robot.poses = parse_pose_source(text, fs::current_path()); });
+    group.add("--poses", "SOURCE",
+              "live poses: udp:ADDR:PORT, - for stdin, or a file that is played in real time: TUM, "
+              "EuRoC, KITTI or CSV with a header",
+              [&](const auto& text) {
+                  return put(parse_pose_source(text, fs::current_path()), said.robot.poses);
+              });
 }
 
 void add_scanner(CLI::App& app, Said& said) {
@@ -89,15 +93,15 @@ void add_scanner(CLI::App& app, Said& said) {
     group.add("--model", "MODEL",
               "of --list-models; default: UST-10LX, or what fits --sensor-from best",
               [&](const auto& text) {
-                  sensor.model = parse_model(text);
                   said.model_given = true;
+                  return put(parse_model(text), sensor.model);
               });
     group.add("--mount", "X,Y,Z,R,P,Y",
               "where it sits, or the NAME of a link, frame or sensor; default: 0.25 m up in the "
               "maze, else at the origin",
               [&](const auto& text) {
-                  take_mount(text, sensor);
                   said.mount_given = true;
+                  return take_mount(text, sensor);
               });
     group
         .add("--sensor-from", "MODEL::LINK::SENSOR",
@@ -105,24 +109,26 @@ void add_scanner(CLI::App& app, Said& said) {
              [&](const auto& text) {
                  said.mount_given = true;
                  sensor.mount = NamedMount{.kind = MountKind::lidar, .name = text};
+                 return sim::Expected<>{};
              })
         ->excludes("--mount");
     group.add("--tcp", "ADDR:PORT", "or none; port 0 takes a free one; default: 127.0.0.1:10940",
-              [&](const auto& text) { sensor.tcp = parse_listener(text); });
-    group.add("--pty", "LINK", "a tty under this name, auto or none; default: auto",
-              [&](const auto& text) { sensor.pty = parse_pty(text, fs::current_path()); });
+              [&](const auto& text) { return put(parse_listener(text), sensor.tcp); });
+    group.add(
+        "--pty", "LINK", "a tty under this name, auto or none; default: auto",
+        [&](const auto& text) { return put(parse_pty(text, fs::current_path()), sensor.pty); });
     group.add("--backend", "NAME", "auto or one of --list-backends; default: auto",
-              [&](const auto& text) { sensor.backend = parse_backend(text); });
+              [&](const auto& text) { return put(parse_backend(text), sensor.backend); });
     group.add("--accuracy", "ideal|sensor",
               "without or with the noise of the data sheet; "
               "default: sensor",
-              [&](const auto& text) { sensor.accuracy = parse_accuracy(text); });
+              [&](const auto& text) { return put(parse_accuracy(text), sensor.accuracy); });
     group.add("--timing", "real|ideal", "replies on the firmware's grid, or at once; default: real",
-              [&](const auto& text) { sensor.timing = parse_timing(text); });
+              [&](const auto& text) { return put(parse_timing(text), sensor.timing); });
     group.add("--power-up", "scip2.0|scip1.1|boot",
               "booted, the same but in the old protocol (URG-04LX alone), or from cold; default: "
               "scip2.0",
-              [&](const auto& text) { sensor.power_up = parse_power_up(text); });
+              [&](const auto& text) { return put(parse_power_up(text), sensor.power_up); });
 }
 
 void add_daemon(CLI::App& app, Said& said) {
@@ -130,9 +136,11 @@ void add_daemon(CLI::App& app, Said& said) {
     Config& config = said.options.config;
     group.add("--control", "SOCKET",
               "of the control API; default: control.sock in the run directory",
-              [&](const auto& text) { config.control = parse_socket(text, fs::current_path()); });
+              [&](const auto& text) {
+                  return put(parse_socket(text, fs::current_path()), config.control);
+              });
     group.add("--http", "ADDR:PORT", "the control API on TCP too, or none; default: none",
-              [&](const auto& text) { config.http = parse_listener(text); });
+              [&](const auto& text) { return put(parse_listener(text), config.http); });
 }
 
 constexpr const char* alone_title = "Instead of the above";
@@ -141,16 +149,16 @@ constexpr const char* general_title = "General";
 void add_alone(CLI::App& app, Said& said) {
     Group group{app, alone_title};
     group.add("--config", "FILE.yaml", "run what the file says",
-              [&](const auto& text) { said.config = text; });
+              [&](const auto& text) { return put<fs::path>(text, said.config); });
     group.add("--check", "FILE.yaml", "tell every fault of the file and end",
-              [&](const auto& text) { said.check = text; });
+              [&](const auto& text) { return put<fs::path>(text, said.check); });
     group.add_flag("--list-models", said.list_models, "the scanners that it can be");
     group.add_flag("--list-backends", said.list_backends, "what this build computes ranges with");
     group.add_flag("--probe", said.probe,
                    "what this machine offers to a depth backend; 1 where it cannot draw");
 }
 
-/// Those that go with all others.
+/// Adds the options that go with all others.
 void add_general(CLI::App& app, Said& said) {
     app.add_option("--log-level", said.options.log_level, "how much goes to standard error")
         ->check(CLI::IsMember(
@@ -187,17 +195,18 @@ void add_options(CLI::App& app, Said& said) {
 }
 
 /// Not CLI11's excludes(): it would list every pair in the help.
-void check_alone(const CLI::App& app) {
+sim::Expected<> check_alone(const CLI::App& app) {
     for (const CLI::Option* alone : app.get_options()) {
         if (alone->get_group() != alone_title || alone->count() == 0) continue;
         for (const CLI::Option* other : app.get_options()) {
             if (other == alone || other->get_group() == general_title || other->count() == 0) {
                 continue;
             }
-            throw std::invalid_argument(alone->get_name() + " stands alone: leave " +
-                                        other->get_name() + " out");
+            return sim::refuse(alone->get_name() + " stands alone: leave " + other->get_name() +
+                               " out");
         }
     }
+    return {};
 }
 
 }  // namespace scipd::daemon

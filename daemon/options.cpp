@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/options.h"
 
-#include <stdexcept>
+#include <exception>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "daemon/check.h"
+#include "daemon/config/config_file.h"
 #include "daemon/config/demo_world.h"
 #include "daemon/config/sensor.h"
 #include "daemon/option_groups.h"
@@ -45,24 +46,31 @@ Answer refusal(const std::string& sentence) {
     return {2, sentence + "\n"};
 }
 
-/// What was left out becomes what design and help say.
-void complete(Said& said) {
+Answer wrong_options(const std::string& why) {
+    return refusal("scipd: " + why + "; see scipd --help");
+}
+
+/// Gives options that were left out the values that the help names.
+sim::Expected<> complete(Said& said) {
     Config& config = said.options.config;
     const bool demo = config.scene.empty();
-    if (demo) config.scene = demo_scene();
+    if (demo) {
+        const auto scene = demo_scene();
+        if (!scene) return tl::unexpected(scene.error());
+        config.scene = *scene;
+    }
     if (demo && !said.start_given) said.robot.world_from_robot = demo_start();
     said.robot.pose_given = demo || said.start_given;
     if (demo && !said.mount_given) said.sensor.robot_from_sensor = demo_mount();
     auto& mount = said.sensor.mount;
     if (mount) mount->chooses_model = mount->kind == MountKind::lidar && !said.model_given;
 
-    if (!said.sensor.tcp && !said.sensor.pty) {
-        throw std::invalid_argument("--tcp none and --pty none: nobody could reach the scanner");
-    }
-    if (!mount || !mount->chooses_model)
-        check_power_up(said.sensor.power_up, said.sensor.model.profile);
     said.robot.sensors = {said.sensor};
     config.robots = {said.robot};
+    if (!said.sensor.tcp && !said.sensor.pty)
+        return sim::refuse("--tcp none and --pty none: nobody could reach the scanner");
+    if (mount && mount->chooses_model) return {};
+    return check_power_up(said.sensor.power_up, said.sensor.model.profile);
 }
 
 std::variant<Options, Answer> act(Said& said) {
@@ -71,7 +79,8 @@ std::variant<Options, Answer> act(Said& said) {
     if (said.probe) return probe();
     if (!said.check.empty()) return Answer{0, check(said.check, said.options.strict)};
     if (said.config.empty()) {
-        complete(said);
+        if (const auto completed = complete(said); !completed)
+            return wrong_options(completed.error().why);
     } else {
         said.options.config = load_config(said.config);
         said.options.config_file = fs::absolute(said.config);
@@ -89,7 +98,7 @@ std::variant<Options, Answer> parse_options(int argc, const char* const* argv) {
     add_options(app, said);
     try {
         app.parse(argc, argv);
-        check_alone(app);
+        if (const auto alone = check_alone(app); !alone) return wrong_options(alone.error().why);
         return act(said);
     } catch (const CLI::CallForHelp&) {
         return Answer{0, app.help()};
@@ -100,7 +109,7 @@ std::variant<Options, Answer> parse_options(int argc, const char* const* argv) {
     } catch (const sim::LoadError& error) {
         return refusal(error.what());
     } catch (const std::exception& error) {
-        return refusal(std::string{"scipd: "} + error.what() + "; see scipd --help");
+        return wrong_options(error.what());
     }
 }
 

@@ -12,8 +12,8 @@
 
 #include "daemon/api/routes.h"
 #include "daemon/api/socket_routes.h"
-#include "daemon/config/config.h"
-#include "daemon/run_directory.h"
+#include "daemon/config/config_file.h"
+#include "daemon/config/run_directory.h"
 
 namespace scipd::daemon {
 

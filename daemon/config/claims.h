@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "daemon/config/config.h"
+#include "daemon/config/address.h"
 #include "daemon/config/section.h"
 
 namespace scipd::daemon {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What a user wants to run, however it was said: a YAML file or command-line options. Plain values,
-// complete and checked: names are unique, models and backends exist, files that a configuration
-// names can be opened by the paths here. Nothing has been opened or bound yet.
+// What a user wants to run, said by a YAML file (config_file.h) or by command-line options. Plain
+// values, complete and checked: names are unique, models and backends exist, and the paths here
+// lead to the files that a configuration names. Nothing has been opened or bound yet.
 #pragma once
 
 #include <chrono>
@@ -12,7 +12,6 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -53,13 +52,13 @@ struct RobotConfig {
 /// What time is.
 enum class ClockKind {
     wall,
-    poses,  ///< the stamps of the pose streams: it stands still between them
+    poses,  ///< the stamps of the pose streams; time stands still between them
 };
 
-/// What a world may take; one model that is added, an eighth of the memory and a tenth of the
-/// triangles.
+/// How much a world may take. A model that is added later may take an eighth of the memory and a
+/// tenth of the triangles.
 struct WorldLimits {
-    std::size_t memory_bytes = std::size_t{4} << 30U;  ///< to be read, by estimate (SdfOptions)
+    std::size_t memory_bytes = std::size_t{4} << 30U;  ///< for reading it, estimated (SdfOptions)
     std::size_t triangles = 20'000'000;
     std::chrono::seconds load_time = std::chrono::minutes{10};
 
@@ -69,7 +68,7 @@ struct WorldLimits {
 struct Config {
     std::filesystem::path scene;
     sim::SdfGeometry geometry = sim::SdfGeometry::visual;
-    bool strict = false;  ///< what a world would be warned of is a fault
+    bool strict = false;  ///< whatever a world would cause a warning for is a fault
     sim::MapOptions map;
     WorldLimits limits;
     ClockKind clock = ClockKind::wall;
@@ -77,10 +76,11 @@ struct Config {
     std::vector<RobotConfig> robots;
     std::filesystem::path control;  ///< empty: control.sock in the run directory
     std::optional<Address> http;
-    /// By key, where it stands, "FILE:LINE: KEY: ": of those whose faults only show in other files.
+    /// Where a key stands, "FILE:LINE: KEY: ", for the keys whose faults show only when other files
+    /// have been read.
     std::map<std::string, std::string> places;
 
-    /// Empty: nobody knows, as of what options say.
+    /// Where the key stands; empty where that is unknown, as for command-line options.
     [[nodiscard]] std::string place_of(const std::string& key) const {
         const auto found = places.find(key);
         return found == places.end() ? std::string{} : found->second;
@@ -88,22 +88,5 @@ struct Config {
 
     bool operator==(const Config&) const = default;
 };
-
-/// Everything that is wrong with a configuration, at once: one fault a line, each with FILE:LINE:
-/// KEY: what to do.
-class ConfigError : public std::runtime_error {
-  public:
-    explicit ConfigError(std::vector<std::string> faults);
-    [[nodiscard]] const std::vector<std::string>& faults() const { return faults_; }
-
-  private:
-    std::vector<std::string> faults_;
-};
-
-/// Throws ConfigError. Paths in the result are absolute; in the file they are relative to it.
-Config load_config(const std::filesystem::path& file);
-
-/// The same from text; `file` names it in faults and is what paths are relative to.
-Config parse_config(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace scipd::daemon

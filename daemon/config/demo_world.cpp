@@ -3,7 +3,6 @@
 #include "daemon/config/demo_world.h"
 
 #include <array>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 
@@ -24,7 +23,7 @@ std::array<fs::path, 2> scene_folders() {
 
 }  // namespace
 
-fs::path demo_scene() {
+sim::Expected<fs::path> demo_scene() {
     std::string sought;
     for (const auto& folder : scene_folders()) {
         std::error_code error;
@@ -32,7 +31,7 @@ fs::path demo_scene() {
         if (fs::exists(scene, error)) return scene;
         sought += (sought.empty() ? "neither at " : " nor at ") + scene.string();
     }
-    throw std::invalid_argument("name a scene: the demo world is " + sought);
+    return sim::refuse("name a scene: the demo world is " + sought);
 }
 
 std::vector<fs::path> stock_models() {

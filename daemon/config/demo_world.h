@@ -7,13 +7,14 @@
 #include <filesystem>
 #include <vector>
 
+#include "sim/expected.h"
 #include "sim/world/pose.h"
 
 namespace scipd::daemon {
 
 /// The rescue maze: where it was installed beside this program, else in the sources that it was
-/// built from. Throws std::invalid_argument, saying where it was sought.
-std::filesystem::path demo_scene();
+/// built from. A fault says where it was sought.
+sim::Expected<std::filesystem::path> demo_scene();
 
 /// Where the models may be that come with scipd; worlds for Gazebo include two of them without
 /// bringing them along, sun and ground_plane.

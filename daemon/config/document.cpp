@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/config/document.h"
-
+//
+// parse_document() of section.h.
 #include <sstream>
 
 #include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/eventhandler.h>
+
+#include "daemon/config/section.h"
 
 namespace scipd::daemon {
 namespace {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 
 #include "daemon/config/profile.h"
 #include "daemon/config/values.h"
@@ -15,10 +14,10 @@ namespace {
 
 constexpr std::array<std::string_view, 1> like_key{"like"};
 
-std::string parse_own_name(const std::string& text) {
+sim::Expected<std::string> parse_own_name(const std::string& text) {
     const bool hides = std::ranges::any_of(
         models(), [&](const Model& model) { return model.profile.name == text; });
-    if (hides) throw std::invalid_argument("is a model of scipd's own; use another name");
+    if (hides) return sim::refuse("is a model of scipd's own; use another name");
     return parse_name(text);
 }
 
@@ -40,23 +39,18 @@ std::optional<Model> ModelChoice::read_own(const Field& field, Faults& faults) {
                    "needs like, the model that all else is taken from, such as `like: UST-10LX`");
     }
     override_model(section, field, model, faults);
-    faults.guard(field, [&] {
-        const std::string name = parse_own_name(field.key);
-        if (model) model->profile.name = name;
-    });
+    std::string name;
+    faults.take(field, parse_own_name(field.key), name);
+    if (model) model->profile.name = name;
     if (faults.count() > faults_before) model.reset();
     return model;
 }
 
-std::optional<Model> ModelChoice::find(const std::string& name) const {
+sim::Expected<std::optional<Model>> ModelChoice::find(const std::string& name) const {
     if (const auto own = own_.find(name); own != own_.end()) return own->second;
-    try {
-        return parse_model(name);
-    } catch (const std::invalid_argument& refusal) {
-        if (own_.empty()) throw;
-        throw std::invalid_argument(refusal.what() + std::string{"; this file defines "} +
-                                    own_names());
-    }
+    const auto model = parse_model(name);
+    if (model || own_.empty()) return model;
+    return sim::refuse(model.error().why + "; this file defines " + own_names());
 }
 
 std::string ModelChoice::own_names() const {

@@ -20,9 +20,8 @@ class ModelChoice {
     /// `models` is the root key; null where there is none.
     ModelChoice(const Field* models, Faults& faults);
 
-    /// Nothing: one of the file's own that has faults, which are told already. Throws
-    /// std::invalid_argument where there is no such model.
-    [[nodiscard]] std::optional<Model> find(const std::string& name) const;
+    /// Nothing where it is one of the file's own that has faults, which have been told already.
+    [[nodiscard]] sim::Expected<std::optional<Model>> find(const std::string& name) const;
 
   private:
     static std::optional<Model> read_own(const Field& field, Faults& faults);

@@ -3,7 +3,6 @@
 #include "daemon/config/mount.h"
 
 #include <array>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -15,17 +14,18 @@ namespace {
 
 constexpr std::array<std::string_view, 4> mount_keys{"link", "sensor", "xyz", "rpy"};
 
-std::string parse_frame(const std::string& text) {
-    if (text.empty()) throw std::invalid_argument("must name a place, such as MODEL::LINK");
-    return text;
+sim::Expected<std::string> parse_frame(std::string_view text) {
+    if (text.empty()) return sim::refuse("must name a place, such as MODEL::LINK");
+    return std::string{text};
 }
 
 }  // namespace
 
-void read_mount(const Section& section, SensorConfig& sensor, SensorContext& context) {
+void read_mount(const Section& section, SensorConfig& sensor, Faults& faults,
+                std::map<std::string, std::string>& places) {
     const Field* field = section.find("mount");
     if (!field) return;
-    const Section mount{*field, {mount_keys, {}}, context.faults};
+    const Section mount{*field, {mount_keys, {}}, faults};
     glm::dvec3 xyz_m{0.0};
     glm::dvec3 rpy_rad{0.0};
     mount.read_vector("xyz", xyz_m, parse_metres);
@@ -35,21 +35,22 @@ void read_mount(const Section& section, SensorConfig& sensor, SensorContext& con
     const bool on_sensor = mount.find("sensor") != nullptr;
     if (!on_sensor && !mount.find("link")) return;
     if (on_sensor && mount.find("link")) {
-        context.faults.add(*field, "give link or sensor, not both");
+        faults.add(*field, "give link or sensor, not both");
     }
     NamedMount named{.kind = on_sensor ? MountKind::sensor : MountKind::link,
                      .frame_from_sensor = pose};
     mount.read(on_sensor ? "sensor" : "link", named.name, parse_frame);
     sensor.mount = std::move(named);
-    context.places[field->path] = context.faults.place(field->line, field->path);
+    places[field->path] = faults.place(field->line, field->path);
 }
 
-void take_mount(std::string_view text, SensorConfig& sensor) {
-    if (text.find(',') != text.npos) {
-        sensor.robot_from_sensor = parse_pose(text);
-    } else {
-        sensor.mount = NamedMount{.kind = MountKind::any, .name = parse_frame(std::string{text})};
-    }
+sim::Expected<> take_mount(std::string_view text, SensorConfig& sensor) {
+    if (text.find(',') != text.npos)
+        return parse_pose(text).map(
+            [&](const sim::Pose& pose) { sensor.robot_from_sensor = pose; });
+    return parse_frame(text).map([&](const std::string& name) {
+        sensor.mount = NamedMount{.kind = MountKind::any, .name = name};
+    });
 }
 
 }  // namespace scipd::daemon

@@ -5,17 +5,22 @@
 // thread; nothing shared.
 #pragma once
 
+#include <map>
+#include <string>
 #include <string_view>
 
-#include "daemon/config/sensor.h"
+#include "daemon/config/section.h"
+#include "daemon/config/sensor_config.h"
+#include "sim/expected.h"
 
 namespace scipd::daemon {
 
-/// The key `mount`: {xyz: [..], rpy: [..]}, and {link: NAME} or {sensor: NAME} from which they
-/// count.
-void read_mount(const Section& section, SensorConfig& sensor, SensorContext& context);
+/// Reads the key `mount`: {xyz: [..], rpy: [..]}. They count from the place that `link: NAME` or
+/// `sensor: NAME` names, else from the robot. `places` is that of Config.
+void read_mount(const Section& section, SensorConfig& sensor, Faults& faults,
+                std::map<std::string, std::string>& places);
 
-/// X,Y,YAW, X,Y,Z,ROLL,PITCH,YAW or a NAME. Throws std::invalid_argument.
-void take_mount(std::string_view text, SensorConfig& sensor);
+/// X,Y,YAW, X,Y,Z,ROLL,PITCH,YAW or a NAME.
+[[nodiscard]] sim::Expected<> take_mount(std::string_view text, SensorConfig& sensor);
 
 }  // namespace scipd::daemon

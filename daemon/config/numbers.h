@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Numbers from the text that a user wrote, with their bounds, as config_values are: every function
-// but the first throws std::invalid_argument, saying what to do. Any thread; nothing shared.
+// Numbers from the text that a user wrote, each with its bounds. A Fault says what to do; its field
+// is empty, since only the caller knows the key. Any thread; nothing shared.
 #pragma once
 
 #include <charconv>
@@ -12,9 +12,11 @@
 #include <string_view>
 #include <system_error>
 
+#include "sim/expected.h"
+
 namespace scipd::daemon {
 
-/// Nothing where it is none, or does not fit.
+/// Nothing where the text is no integer, or one too large for the type.
 template <class Integer>
 std::optional<Integer> parse_integer(std::string_view text) {
     Integer value = 0;
@@ -23,51 +25,52 @@ std::optional<Integer> parse_integer(std::string_view text) {
     return value;
 }
 
-/// From least to most, both inclusive.
-int parse_whole(std::string_view text, int least, int most);
+/// A whole number from least to most, both inclusive.
+sim::Expected<int> parse_whole(std::string_view text, int least, int most);
 
 /// How much too fast a device's clock runs, parts per million.
-double parse_ppm(std::string_view text);
+sim::Expected<double> parse_ppm(std::string_view text);
 /// What a device's clock can show: 24 bits of milliseconds.
-std::uint32_t parse_device_time(std::string_view text);
+sim::Expected<std::uint32_t> parse_device_time(std::string_view text);
 
-/// Milliseconds, up to 10 minutes: what a device takes for something.
-std::chrono::nanoseconds parse_period(std::string_view text);
+/// Milliseconds, up to 10 minutes: how long a device takes for something.
+sim::Expected<std::chrono::nanoseconds> parse_period(std::string_view text);
 /// Milliseconds, up to 10 seconds: what a link adds.
-std::chrono::nanoseconds parse_link_delay(std::string_view text);
-/// Seconds, 1 to 3600, or 0: when a client that does not acknowledge anything is gone.
-std::chrono::nanoseconds parse_dead_after(std::string_view text);
-/// Milliseconds, up to 900: how long scans wait for poses. A daemon that is later by a second gives
-/// a scan up.
-std::chrono::nanoseconds parse_wait(std::string_view text);
+sim::Expected<std::chrono::nanoseconds> parse_link_delay(std::string_view text);
+/// Seconds, 1 to 3600, or 0 for never: after how long a client that acknowledges nothing counts as
+/// gone.
+sim::Expected<std::chrono::nanoseconds> parse_dead_after(std::string_view text);
+/// Milliseconds, up to 900: how long scans wait for poses. It must be less than a second, after
+/// which the daemon gives a scan up.
+sim::Expected<std::chrono::nanoseconds> parse_wait(std::string_view text);
 /// Seconds, up to an hour: after which a stream of poses is stale.
-std::chrono::nanoseconds parse_stale(std::string_view text);
-/// Hz, 1 to 1000, as what lies between. Below, a measurement's poses could be forgotten when it is
-/// asked for.
-std::chrono::nanoseconds parse_rate(std::string_view text);
-/// Degrees that a pinhole can see, in radians.
-double parse_view(std::string_view text);
-/// Degrees of a cone from rim to rim, up to half the space, in radians.
-double parse_cone(std::string_view text);
-/// Metres per second: nothing moves faster.
-double parse_fastest(std::string_view text);
+sim::Expected<std::chrono::nanoseconds> parse_stale(std::string_view text);
+/// Hz, 1 to 1000, as the time from one measurement to the next. At less than 1 Hz the poses of a
+/// measurement could be forgotten before it is asked for.
+sim::Expected<std::chrono::nanoseconds> parse_rate(std::string_view text);
+/// Degrees, more than 0 and up to 170, in radians: the view of a pinhole camera.
+sim::Expected<double> parse_view(std::string_view text);
+/// Degrees, more than 0 and up to 180, in radians: a cone from rim to rim.
+sim::Expected<double> parse_cone(std::string_view text);
+/// Metres per second, up to 1e6: a speed that nothing exceeds.
+sim::Expected<double> parse_fastest(std::string_view text);
 /// How much faster than its stamps a trajectory is played, 0.001 to 1000.
-double parse_speed(std::string_view text);
+sim::Expected<double> parse_speed(std::string_view text);
 /// Bits per second of a serial line.
-int parse_baud(std::string_view text);
-/// Bytes in one piece; 0: all.
-int parse_split(std::string_view text);
+sim::Expected<int> parse_baud(std::string_view text);
+/// Bytes in one piece of a message; 0: the whole message.
+sim::Expected<int> parse_split(std::string_view text);
 
 /// A depth buffer's pixels from one beam to the next, 1 to 16.
-double parse_oversample(std::string_view text);
-/// Radians from degrees, 10 to 120: what a depth buffer draws in one pass.
-double parse_pass(std::string_view text);
+sim::Expected<double> parse_oversample(std::string_view text);
+/// Degrees, 10 to 120, in radians: how wide a view a depth buffer draws in one pass.
+sim::Expected<double> parse_pass(std::string_view text);
 
-double parse_metres(std::string_view text);
-double parse_radians(std::string_view text);
+sim::Expected<double> parse_metres(std::string_view text);
+sim::Expected<double> parse_radians(std::string_view text);
 /// Metres, not negative.
-double parse_length(std::string_view text);
-/// Of a whole, 0 to 1.
-double parse_share(std::string_view text);
+sim::Expected<double> parse_length(std::string_view text);
+/// A part of a whole, 0 to 1.
+sim::Expected<double> parse_share(std::string_view text);
 
 }  // namespace scipd::daemon

@@ -3,7 +3,7 @@
 #include "daemon/config/poses.h"
 
 #include <array>
-#include <stdexcept>
+#include <optional>
 #include <string>
 
 #include "daemon/config/numbers.h"
@@ -18,27 +18,26 @@ constexpr std::array<std::string_view, 10> poses_keys{"from",     "before",  "af
 
 using After = sim::PosePolicy::After;
 
-After parse_after(std::string_view text) {
+sim::Expected<After> parse_after(std::string_view text) {
     if (text == "hold") return After::hold;
     if (text == "extrapolate") return After::extrapolate;
     if (text == "none") return After::absent;
-    throw std::invalid_argument("must be hold, extrapolate or none, not '" + std::string(text) +
-                                "'");
+    return sim::refuse("must be hold, extrapolate or none, not '" + std::string(text) + "'");
 }
 
-bool parse_absent_before(std::string_view text) {
+sim::Expected<bool> parse_absent_before(std::string_view text) {
     if (text == "hold" || text == "none") return text == "none";
-    throw std::invalid_argument("must be hold or none, not '" + std::string(text) + "'");
+    return sim::refuse("must be hold or none, not '" + std::string(text) + "'");
 }
 
-sim::TrajectoryFormat parse_format(std::string_view text) {
+sim::Expected<sim::TrajectoryFormat> parse_format(std::string_view text) {
     using Format = sim::TrajectoryFormat;
     if (text == "tum") return Format::tum;
     if (text == "euroc") return Format::euroc;
     if (text == "kitti") return Format::kitti;
     if (text == "csv") return Format::csv;
-    throw std::invalid_argument("must be tum, euroc, kitti or csv, not '" + std::string(text) +
-                                "'; left out, the file tells");
+    return sim::refuse("must be tum, euroc, kitti or csv, not '" + std::string(text) +
+                       "'; left out, the file tells");
 }
 
 void refuse_of_live_poses(const Section& section, const RobotConfig& robot, Faults& faults) {
@@ -60,6 +59,18 @@ void read_of_trajectory(const Section& section, const std::filesystem::path& bas
 
 }  // namespace
 
+sim::Pose read_pose(const Section& parent, std::string_view key, Faults& faults) {
+    static constexpr std::array<std::string_view, 2> keys{"xyz", "rpy"};
+    const Field* field = parent.find(key);
+    if (!field) return {};
+    const Section section{*field, {keys, {}}, faults};
+    glm::dvec3 xyz_m{0.0};
+    glm::dvec3 rpy_rad{0.0};
+    section.read_vector("xyz", xyz_m, parse_metres);
+    section.read_vector("rpy", rpy_rad, parse_radians);
+    return sim::pose_from_rpy(xyz_m, rpy_rad);
+}
+
 void read_poses(const Field& field, RobotConfig& robot, const std::filesystem::path& base,
                 Claims& claims, Faults& faults) {
     const auto parse = [&](const std::string& text) { return parse_pose_source(text, base); };
@@ -70,7 +81,7 @@ void read_poses(const Field& field, RobotConfig& robot, const std::filesystem::p
         source = section->find("from");
         if (!source) return faults.add(field, "needs from: udp:ADDR:PORT, a trajectory or -");
     }
-    faults.guard(*source, [&] { robot.poses = parse(text_of(source->value)); });
+    faults.take(*source, text_of(source->value).and_then(parse), robot.poses);
     if (robot.poses && robot.poses->kind == PoseSource::Kind::standard_input)
         claims.claim(source, "standard input");
     if (robot.poses && robot.poses->kind == PoseSource::Kind::udp)

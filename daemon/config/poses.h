@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Where a robot's poses come from and what holds where there are none: `poses: SOURCE`, or a map
-// with `from: SOURCE` and more. Any thread; nothing shared.
+// Reads where a robot is: its start under `pose`, and under `poses` where its live poses come from
+// and what holds where there are none. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 #include "daemon/config/claims.h"
 #include "daemon/config/config.h"
@@ -13,7 +14,12 @@
 
 namespace scipd::daemon {
 
-/// Fills what `field`, the value of the robot's key `poses`, says of it and of its sensors.
+/// The pose under this key, {xyz: [..], rpy: [..]}. Each is zeros where it is left out, and so are
+/// both where the key is not there.
+sim::Pose read_pose(const Section& parent, std::string_view key, Faults& faults);
+
+/// Reads `poses: SOURCE`, or a map with `from: SOURCE` and more, into the robot and its sensors.
+/// `field` is the value of the robot's key `poses`.
 void read_poses(const Field& field, RobotConfig& robot, const std::filesystem::path& base,
                 Claims& claims, Faults& faults);
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <string>
 
 #include "daemon/config/numbers.h"
@@ -18,6 +17,8 @@ namespace {
 using protocol::DeviceProfile;
 using protocol::DistanceCodes;
 using protocol::Scip1Texts;
+using sim::Expected;
+using sim::refuse;
 
 constexpr std::size_t longest_text = 64;  // urg_library takes lines of 71: VEND: and ; and a sum
 constexpr int largest_number = 1'000'000;
@@ -30,64 +31,62 @@ struct Member {
     void (*read)(const Field& field, Struct& target, Faults& faults);
 };
 
-std::string parse_text(std::string_view text) {
+Expected<std::string> parse_text(std::string_view text) {
     const bool printable = std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~'; });
     if (!printable || text.size() > longest_text) {
-        throw std::invalid_argument("must be at most 64 characters of printable ASCII, not " +
-                                    sim::quote(text));
+        return refuse("must be at most 64 characters of printable ASCII, not " + sim::quote(text));
     }
     return std::string{text};
 }
 
-int parse_number(std::string_view text) {
+Expected<int> parse_number(std::string_view text) {
     return parse_whole(text, 0, largest_number);
 }
 
 /// One of several words.
 template <class Value, std::size_t count>
-Value parse_word(std::string_view text,
-                 const std::array<std::pair<std::string_view, Value>, count>& words) {
+Expected<Value> parse_word(std::string_view text,
+                           const std::array<std::pair<std::string_view, Value>, count>& words) {
     std::string choices;
     for (const auto& [word, value] : words) {
         if (text == word) return value;
         choices += (choices.empty() ? "" : ", ") + std::string{word};
     }
-    throw std::invalid_argument("must be one of " + choices + ", not " + sim::quote(text));
+    return refuse("must be one of " + choices + ", not " + sim::quote(text));
 }
 
-protocol::Family parse_family(std::string_view text) {
+Expected<protocol::Family> parse_family(std::string_view text) {
     using enum protocol::Family;
     return parse_word<protocol::Family, 4>(text, {{{"a1", a1}, {"a2", a2}, {"b", b}, {"c", c}}});
 }
 
-protocol::TimeSpelling parse_spelling(std::string_view text) {
+Expected<protocol::TimeSpelling> parse_spelling(std::string_view text) {
     using enum protocol::TimeSpelling;
     return parse_word<protocol::TimeSpelling, 2>(
         text, {{{"hexadecimal", hexadecimal}, {"encoded", encoded}}});
 }
 
-protocol::Support parse_support(std::string_view text) {
+Expected<protocol::Support> parse_support(std::string_view text) {
     using enum protocol::Support;
     return parse_word<protocol::Support, 3>(
         text, {{{"never", never}, {"later_firmware", later_firmware}, {"yes", yes}}});
 }
 
-protocol::Status parse_refusal(std::string_view text) {
+Expected<protocol::Status> parse_refusal(std::string_view text) {
     using namespace protocol::status;
     return parse_word<protocol::Status, 4>(
         text, {{{"0C", too_short}, {"0D", too_long}, {"0E", undefined}, {"0F", unsupported}}});
 }
 
-protocol::Answer parse_cell(std::string_view text) {
+Expected<protocol::Answer> parse_cell(std::string_view text) {
     if (const auto answer = protocol::parse_answer(text)) return *answer;
-    throw std::invalid_argument(
-        "must be a command, a state and a status or --, as in \"QT adjust 00\", not " +
-        sim::quote(text));
+    return refuse("must be a command, a state and a status or --, as in \"QT adjust 00\", not " +
+                  sim::quote(text));
 }
 
 template <auto member, auto parse, class Struct>
 void read_as(const Field& field, Struct& target, Faults& faults) {
-    faults.guard(field, [&] { target.*member = parse(text_of(field.value)); });
+    faults.take(field, text_of(field.value).and_then(parse), target.*member);
 }
 
 template <auto member, class Struct>
@@ -110,25 +109,34 @@ void read_period(const Field& field, Struct& target, Faults& faults) {
     read_as<member, parse_period>(field, target, faults);
 }
 
-/// The items of a list, each with the path of the list and the line of its own.
-std::vector<Field> items(const Field& list) {
-    if (!list.value.IsSequence() || list.value.size() > longest_list) {
-        throw std::invalid_argument("must be a list of at most 64, in brackets");
-    }
+/// The items of a list, each with the path of the list and its own line.
+Expected<std::vector<Field>> items(const Field& list) {
+    if (!list.value.IsSequence() || list.value.size() > longest_list)
+        return refuse("must be a list of at most 64, in brackets");
     std::vector<Field> fields;
     for (const YAML::Node& item : list.value)
         fields.push_back({list.key, list.path, item.Mark().line + 1, item});
     return fields;
 }
 
+/// Every item of a list, or the fault of the first that is wrong.
+template <auto parse>
+auto values_of(const Field& list) {
+    using Value = typename decltype(parse({}))::value_type;
+    return items(list).and_then([](const std::vector<Field>& fields) {
+        Expected<std::vector<Value>> values{tl::in_place};
+        for (const Field& item : fields) {
+            const auto value = text_of(item.value).and_then(parse);
+            if (!value) return decltype(values){tl::unexpect, value.error()};
+            values->push_back(*value);
+        }
+        return values;
+    });
+}
+
 template <auto member, auto parse, class Struct>
 void read_list(const Field& field, Struct& target, Faults& faults) {
-    faults.guard(field, [&] {
-        std::vector<decltype(parse({}))> values;
-        for (const Field& item : items(field))
-            values.push_back(parse(text_of(item.value)));
-        target.*member = values;
-    });
+    faults.take(field, values_of<parse>(field), target.*member);
 }
 
 /// The keys of a table, and these.
@@ -230,19 +238,19 @@ constexpr std::array<std::string_view, 3> noise_keys{"from_m", "sigma_m", "share
 
 std::vector<sim::NoiseStep> read_noise(const Field& field, Faults& faults) {
     std::vector<sim::NoiseStep> noise;
-    faults.guard(field, [&] {
-        for (const Field& item : items(field)) {
-            const Section section{item, {noise_keys, {}}, faults};
-            sim::NoiseStep step{};
-            section.read("from_m", step.from_range_m, parse_length);
-            section.read("sigma_m", step.sigma_m, parse_length);
-            section.read("share", step.sigma_share, parse_share);
-            const bool in_order = noise.empty() ? step.from_range_m == 0.0
-                                                : step.from_range_m > noise.back().from_range_m;
-            if (!in_order) faults.add(item, "from_m must begin with 0 and grow");
-            noise.push_back(step);
-        }
-    });
+    std::vector<Field> steps;
+    faults.take(field, items(field), steps);
+    for (const Field& item : steps) {
+        const Section section{item, {noise_keys, {}}, faults};
+        sim::NoiseStep step{};
+        section.read("from_m", step.from_range_m, parse_length);
+        section.read("sigma_m", step.sigma_m, parse_length);
+        section.read("share", step.sigma_share, parse_share);
+        const bool in_order = noise.empty() ? step.from_range_m == 0.0
+                                            : step.from_range_m > noise.back().from_range_m;
+        if (!in_order) faults.add(item, "from_m must begin with 0 and grow");
+        noise.push_back(step);
+    }
     return noise;
 }
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <numeric>
 
-#include "daemon/config/config.h"
+#include "daemon/config/config_error.h"
 #include "sim/loaders/quote.h"
 
 namespace scipd::daemon {
@@ -113,11 +113,23 @@ std::vector<Field> entries(const Field& map, Faults& faults) {
     return fields;
 }
 
-std::string text_of(const YAML::Node& value) {
+sim::Expected<std::string> text_of(const YAML::Node& value) {
     if (value.IsScalar()) return value.Scalar();
-    if (value.IsNull()) throw std::invalid_argument("has no value; give one or leave the key out");
-    throw std::invalid_argument(std::string{"must be a single value, not a "} +
-                                (value.IsMap() ? "map" : "list"));
+    if (value.IsNull()) return sim::refuse("has no value; give one or leave the key out");
+    return sim::refuse(std::string{"must be a single value, not a "} +
+                       (value.IsMap() ? "map" : "list"));
+}
+
+sim::Expected<std::vector<double>> numbers_of(const YAML::Node& value, std::size_t count,
+                                              ParseNumber parse, const std::string& advice) {
+    if (!value.IsSequence() || value.size() != count) return sim::refuse(advice);
+    std::vector<double> numbers;
+    for (const YAML::Node& item : value) {
+        const auto number = text_of(item).and_then(parse);
+        if (!number) return tl::unexpected(number.error());
+        numbers.push_back(*number);
+    }
+    return numbers;
 }
 
 Section::Section(const Field& map, const Keys& keys, Faults& faults) : faults_(faults) {
@@ -141,29 +153,25 @@ const Field* Section::find(std::string_view key) const {
     return found == fields_.end() ? nullptr : &*found;
 }
 
-void Section::read_vector(std::string_view key, glm::dvec3& target,
-                          double (*parse)(std::string_view)) const {
+void Section::read_vector(std::string_view key, glm::dvec3& target, ParseNumber parse) const {
     const Field* field = find(key);
     if (!field) return;
-    faults_.guard(*field, [&] {
-        if (!field->value.IsSequence() || field->value.size() != 3) {
-            throw std::invalid_argument("must be a list of three numbers, such as [1, 2, 0]");
-        }
-        for (int i = 0; i < 3; ++i)
-            target[i] = parse(text_of(field->value[i]));
-    });
+    const std::string advice = "must be a list of three numbers, such as [1, 2, 0]";
+    faults_.take(*field, numbers_of(field->value, 3, parse, advice).map([](const auto& numbers) {
+        return glm::dvec3{numbers[0], numbers[1], numbers[2]};
+    }),
+                 target);
 }
 
 void Section::read_pair(std::string_view key, std::array<double, 2>& target,
-                        double (*parse)(std::string_view)) const {
+                        ParseNumber parse) const {
     const Field* field = find(key);
     if (!field) return;
-    faults_.guard(*field, [&] {
-        if (!field->value.IsSequence() || field->value.size() != 2) {
-            throw std::invalid_argument("must be a list of two numbers, such as [1, 2]");
-        }
-        target = {parse(text_of(field->value[0])), parse(text_of(field->value[1]))};
-    });
+    const std::string advice = "must be a list of two numbers, such as [1, 2]";
+    faults_.take(*field, numbers_of(field->value, 2, parse, advice).map([](const auto& numbers) {
+        return std::array{numbers[0], numbers[1]};
+    }),
+                 target);
 }
 
 }  // namespace scipd::daemon

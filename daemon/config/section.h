@@ -6,8 +6,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,9 +16,12 @@
 #include <glm/vec3.hpp>
 #include <yaml-cpp/yaml.h>
 
+#include "sim/expected.h"
+
 namespace scipd::daemon {
 
-/// A value and where it stands. The line is its key's: that of an alias's value is elsewhere.
+/// A value and where it stands. The line is that of the key, since the value of an alias stands
+/// elsewhere.
 struct Field {
     std::string key;
     std::string path;  ///< "robots.rescue.pose"
@@ -37,13 +40,17 @@ class Faults {
     }
     void add(int line, std::string_view path, std::string_view sentence);
 
-    /// Calls read(); what it throws as std::invalid_argument is a fault of the field.
-    template <class Read>
-    void guard(const Field& field, Read read) {
-        try {
-            read();
-        } catch (const std::invalid_argument& refusal) {
-            add(field, refusal.what());
+    /// What is wrong becomes a fault of the field.
+    void require(const Field& field, const sim::Expected<>& checked) {
+        if (!checked) add(field, checked.error().why);
+    }
+    /// The same, and a good value goes to the target.
+    template <class Value, class Target>
+    void take(const Field& field, sim::Expected<Value> value, Target& target) {
+        if (value) {
+            target = *std::move(value);
+        } else {
+            add(field, value.error().why);
         }
     }
 
@@ -60,11 +67,21 @@ class Faults {
     std::vector<std::pair<int, std::string>> by_line_;
 };
 
-/// What a map holds, in the order of the file; what is no map, no key, or there twice is a fault.
+/// Reads the one YAML document that a configuration is; no text at all is an empty map. A second
+/// document is a fault. Throws ConfigError where the text is no YAML.
+YAML::Node parse_document(const std::string& text, Faults& faults);
+
+/// The entries of a map, in the order of the file. A value that is no map is a fault, and so is a key
+/// that is no plain name or stands there twice.
 std::vector<Field> entries(const Field& map, Faults& faults);
 
-/// The text of a single value. Throws std::invalid_argument where it is none.
-std::string text_of(const YAML::Node& value);
+/// The text of a single value, which is no map and no list.
+sim::Expected<std::string> text_of(const YAML::Node& value);
+
+/// The numbers of a list; where there are not so many, `advice` is the fault.
+using ParseNumber = sim::Expected<double> (*)(std::string_view text);
+sim::Expected<std::vector<double>> numbers_of(const YAML::Node& value, std::size_t count,
+                                              ParseNumber parse, const std::string& advice);
 
 /// A map with known keys.
 class Section {
@@ -80,19 +97,20 @@ class Section {
     /// Null where the key is not there.
     [[nodiscard]] const Field* find(std::string_view key) const;
 
-    /// target = parse(text), if the key is there.
+    /// target = parse(text), if the key is there and parse() answers with a value.
     template <class Target, class Parse>
     void read(std::string_view key, Target& target, Parse parse) const {
-        if (const Field* field = find(key)) {
-            faults_.guard(*field, [&] { target = parse(text_of(field->value)); });
-        }
+        if (const Field* field = find(key))
+            faults_.take(*field, text_of(field->value).and_then(parse), target);
+    }
+    /// The same for a text of which anything is right.
+    void read(std::string_view key, std::string& target) const {
+        if (const Field* field = find(key)) faults_.take(*field, text_of(field->value), target);
     }
 
-    /// The same for a list of three, and of two.
-    void read_vector(std::string_view key, glm::dvec3& target,
-                     double (*parse)(std::string_view text)) const;
-    void read_pair(std::string_view key, std::array<double, 2>& target,
-                   double (*parse)(std::string_view text)) const;
+    /// The same for a list of three numbers, and of two.
+    void read_vector(std::string_view key, glm::dvec3& target, ParseNumber parse) const;
+    void read_pair(std::string_view key, std::array<double, 2>& target, ParseNumber parse) const;
 
   private:
     Faults& faults_;

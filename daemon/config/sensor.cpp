@@ -4,15 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <string>
 
 #include "daemon/config/mount.h"
 #include "daemon/config/numbers.h"
 #include "daemon/config/profile.h"
+#include "daemon/config/run_directory.h"
 #include "daemon/config/staring.h"
 #include "daemon/config/values.h"
-#include "daemon/run_directory.h"
 
 namespace scipd::daemon {
 namespace {
@@ -38,7 +37,7 @@ std::string listed(const std::vector<int>& numbers) {
     return text;
 }
 
-/// Nothing where it is unknown which model it is: that is told already.
+/// Nothing where the model is unknown, which has been told then.
 std::optional<Model> read_model(const Section& section, const SensorContext& context) {
     std::optional<Model> model;
     section.read("model", model,
@@ -73,15 +72,12 @@ DeviceClockConfig read_clock(const Section& parent, Faults& faults) {
     return clock;
 }
 
-void check_baud(int baud, const protocol::DeviceProfile& profile) {
+sim::Expected<> check_baud(int baud, const protocol::DeviceProfile& profile) {
     const std::vector<int>& rates = profile.bit_rates;
-    if (rates.empty()) {
-        throw std::invalid_argument(profile.name + " has no serial line; leave it out");
-    }
-    if (std::ranges::find(rates, baud) == rates.end()) {
-        throw std::invalid_argument(profile.name + " has no such rate; use one of " +
-                                    listed(rates));
-    }
+    if (rates.empty()) return sim::refuse(profile.name + " has no serial line; leave it out");
+    if (std::ranges::find(rates, baud) == rates.end())
+        return sim::refuse(profile.name + " has no such rate; use one of " + listed(rates));
+    return {};
 }
 
 LinkConfig read_link(const Field& field, const Section& sensor, const std::optional<Model>& model,
@@ -107,9 +103,8 @@ LinkConfig read_link(const Field& field, const Section& sensor, const std::optio
     if (is_none(sensor.find("tcp")) && section.find("dead_after_s")) {
         faults.add(*section.find("dead_after_s"), "is of TCP; give tcp, or leave it out");
     }
-    if (link.baud && model) {
-        faults.guard(*section.find("baud"), [&] { check_baud(*link.baud, model->profile); });
-    }
+    if (link.baud && model)
+        faults.require(*section.find("baud"), check_baud(*link.baud, model->profile));
     return link;
 }
 
@@ -119,7 +114,7 @@ void check_reach(const Field& field, const Section& section, Faults& faults) {
     }
 }
 
-/// What a scanner has besides what all sensors have.
+/// Reads the keys that only scanners have.
 void read_scanner(const Field& field, const Section& section, SensorConfig& sensor,
                   SensorContext& context) {
     Faults& faults = context.faults;
@@ -135,7 +130,7 @@ void read_scanner(const Field& field, const Section& section, SensorConfig& sens
     section.read("timing", sensor.timing, parse_timing);
     section.read("power_up", sensor.power_up, parse_power_up);
     if (const Field* power_up = section.find("power_up"); power_up && model)
-        faults.guard(*power_up, [&] { check_power_up(sensor.power_up, model->profile); });
+        faults.require(*power_up, check_power_up(sensor.power_up, model->profile));
     sensor.clock = read_clock(section, faults);
     if (const Field* link = section.find("link")) {
         sensor.link = read_link(*link, section, model, faults);
@@ -168,17 +163,18 @@ bool read_staring(const Section& section, SensorConfig& sensor, Faults& faults) 
 
 }  // namespace
 
-void check_power_up(PowerUp power_up, const protocol::DeviceProfile& profile) {
+sim::Expected<> check_power_up(PowerUp power_up, const protocol::DeviceProfile& profile) {
     if (power_up == PowerUp::scip1 && !profile.speaks_scip1())
-        throw std::invalid_argument(profile.name + " never spoke SCIP 1.1; use scip2.0 or boot");
+        return sim::refuse(profile.name + " never spoke SCIP 1.1; use scip2.0 or boot");
+    return {};
 }
 
 SensorConfig read_sensor(const Field& field, SensorContext& context) {
     Faults& faults = context.faults;
     const Section section{field, {sensor_keys, later_sensor_keys}, faults};
     SensorConfig sensor;
-    faults.guard(field, [&] { sensor.name = parse_name(field.key); });
-    read_mount(section, sensor, context);
+    faults.take(field, parse_name(field.key), sensor.name);
+    read_mount(section, sensor, faults, context.places);
     section.read("backend", sensor.backend, parse_backend);
     if (const Field* depth = section.find("depth")) {
         sensor.depth = read_depth(*depth, sensor.backend, faults);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// One sensor of a configuration: its keys, and which of them go together. One thread at a time.
+// Reads one sensor of a configuration: its keys, and which of them go together. One thread at a
+// time.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +10,14 @@
 #include <string>
 
 #include "daemon/config/claims.h"
-#include "daemon/config/config.h"
 #include "daemon/config/models.h"
 #include "daemon/config/section.h"
+#include "daemon/config/sensor_config.h"
+#include "sim/expected.h"
 
 namespace scipd::daemon {
 
-/// What all sensors of a document are read with.
+/// What is needed to read any sensor of a document.
 struct SensorContext {
     const ModelChoice& models;
     Claims& claims;
@@ -25,8 +27,9 @@ struct SensorContext {
     std::string robot = {};                      ///< whose sensors are read
 };
 
-/// Throws std::invalid_argument, with what to do, where the model cannot power up so.
-void check_power_up(PowerUp power_up, const protocol::DeviceProfile& profile);
+/// Refuses what the model cannot power up as, and says what to do.
+[[nodiscard]] sim::Expected<> check_power_up(PowerUp power_up,
+                                             const protocol::DeviceProfile& profile);
 
 SensorConfig read_sensor(const Field& field, SensorContext& context);
 

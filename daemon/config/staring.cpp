@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 #include <initializer_list>
-#include <stdexcept>
 #include <string>
 
 #include "daemon/config/numbers.h"
@@ -24,21 +23,22 @@ constexpr std::array<std::string_view, 6> ranger_keys{"cone_deg", "beams",   "ag
 constexpr std::array<std::string_view, 2> noise_keys{"sigma_m", "share"};
 constexpr std::array<std::string_view, 8> wire_keys{"tcp",   "pty",  "timing",  "power_up",
                                                     "clock", "link", "profile", "echo"};
-/// Its numbers are written on the thread of all sensors: a tenth of a second for so many.
+/// The thread that serves all sensors writes the numbers of a picture. So many take a tenth of a
+/// second.
 constexpr int most_pixels = 640 * 480;
 constexpr int most_beams = 100'000;
 
-sim::Aggregate parse_aggregate(std::string_view text) {
+sim::Expected<sim::Aggregate> parse_aggregate(std::string_view text) {
     if (text == "nearest") return sim::Aggregate::nearest;
     if (text == "weighted") return sim::Aggregate::weighted;
-    throw std::invalid_argument("must be nearest or weighted, not " + quote(text));
+    return sim::refuse("must be nearest or weighted, not " + quote(text));
 }
 
-int parse_pixels(std::string_view text) {
+sim::Expected<int> parse_pixels(std::string_view text) {
     return parse_whole(text, 1, most_pixels);
 }
 
-int parse_beams(std::string_view text) {
+sim::Expected<int> parse_beams(std::string_view text) {
     return parse_whole(text, 1, most_beams);
 }
 

@@ -25,6 +25,19 @@ std::string choices() {
     return text;
 }
 
+/// Null where there is none of that name.
+const Model* search(std::string_view name) {
+    for (const Model& model : models()) {
+        if (name == model.profile.name || name == full_name(model)) return &model;
+    }
+    return nullptr;
+}
+
+std::string no_model(std::string_view name) {
+    return "there is no model \"" + std::string(name) + "\"; the models are " + choices() +
+           "; `scipd --list-models` tells their firmware";
+}
+
 }  // namespace
 
 const std::vector<Model>& models() {
@@ -39,12 +52,14 @@ const std::vector<Model>& models() {
     return all;
 }
 
+sim::Expected<Model> model_named(std::string_view name) {
+    if (const Model* const model = search(name)) return *model;
+    return sim::refuse(no_model(name));
+}
+
 const Model& find_model(std::string_view name) {
-    for (const Model& model : models()) {
-        if (name == model.profile.name || name == full_name(model)) return model;
-    }
-    throw std::invalid_argument("there is no model \"" + std::string(name) + "\"; the models are " +
-                                choices() + "; `scipd --list-models` tells their firmware");
+    if (const Model* const model = search(name)) return *model;
+    throw std::invalid_argument(no_model(name));
 }
 
 }  // namespace scipd::daemon

@@ -9,14 +9,18 @@
 #include <vector>
 
 #include "daemon/models/model.h"
+#include "sim/expected.h"
 
 namespace scipd::daemon {
 
 /// Every model, each with the firmware that its texts were seen on.
 const std::vector<Model>& models();
 
-/// MODEL or MODEL@FIRMWARE, as `scipd --list-models` prints them. Throws std::invalid_argument,
-/// naming the choices.
+/// The model that a user has named, as MODEL or MODEL@FIRMWARE, which is how `scipd --list-models`
+/// prints them. A fault tells the choices.
+sim::Expected<Model> model_named(std::string_view name);
+
+/// The same for a name that must be right. Throws std::invalid_argument where it is not.
 const Model& find_model(std::string_view name);
 
 }  // namespace scipd::daemon

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <spdlog/spdlog.h>
+#include <tl/expected.hpp>
 
 #include "sim/loaders/load_error.h"
 
@@ -30,12 +31,11 @@ namespace {
 
 using Result = EditOutcome::Result;
 
-struct Refusal {
-    Result result;
-    std::string why;
-};
+tl::unexpected<EditOutcome> refuse(Result result, const std::string& why) {
+    return tl::unexpected(EditOutcome{result, {why}});
+}
 
-/// What an edit begins with.
+/// The world as it is when an edit begins.
 struct Present {
     std::filesystem::path file;
     sim::SharedScene scene;
@@ -50,12 +50,15 @@ struct Edited {
     std::vector<std::string> warnings;
 };
 
-Edited edited(const LoadWorld& edit, const Present& present) {
+/// An error is an outcome that is told as it is; what cannot be loaded is thrown as a LoadError.
+using EditedOrNot = tl::expected<Edited, EditOutcome>;
+
+EditedOrNot edited(const LoadWorld& edit, const Present& present) {
     const auto file = (sim::folder_of_scene(present.file) / edit.file).lexically_normal();
     auto [scene, warnings, notes] = sim::load_scene(file, present.options);
     for (const std::string& note : notes)
         spdlog::info("{}", note);
-    return {file, scene, scene, std::move(warnings)};
+    return Edited{file, scene, scene, std::move(warnings)};
 }
 
 /// From a file that says itself what it is made of.
@@ -98,26 +101,26 @@ void check_triangles(const sim::Scene& scene, std::size_t most) {
                           "more"});
 }
 
-Edited edited(const AddModel& edit, const Present& present) {
+EditedOrNot edited(const AddModel& edit, const Present& present) {
     sim::SharedScene scene = present.scene;
     const std::string& name = edit.placement.name;
     if (sim::find_model(*scene, name)) {
         if (!edit.replace) {
-            throw Refusal{Result::taken, "there is a model \"" + name +
-                                             "\"; with \"replace\": true this takes its place"};
+            return refuse(Result::taken, "there is a model \"" + name +
+                                             "\"; with \"replace\": true this takes its place");
         }
         scene = sim::without_model(*scene, name);
     }
     auto [added, warnings, notes] = load_model(edit, present);
     scene = sim::with_models(*scene, *added);
     check_triangles(*scene, present.options.sdf.most_triangles);
-    return {present.file, std::move(scene), added, std::move(warnings)};
+    return Edited{present.file, std::move(scene), added, std::move(warnings)};
 }
 
-Edited edited(const RemoveModel& edit, const Present& present) {
+EditedOrNot edited(const RemoveModel& edit, const Present& present) {
     sim::SharedScene rest = sim::without_model(*present.scene, edit.name);
-    if (!rest) throw Refusal{Result::unknown, "there is no model \"" + edit.name + "\""};
-    return {present.file, std::move(rest), std::make_shared<const sim::Scene>(), {}};
+    if (!rest) return refuse(Result::unknown, "there is no model \"" + edit.name + "\"");
+    return Edited{present.file, std::move(rest), std::make_shared<const sim::Scene>(), {}};
 }
 
 }  // namespace
@@ -128,35 +131,32 @@ void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn)
         present.options.limits.stop = loader_.stopping();
         return [this, edit, done, present = std::move(present),
                 wishes = wishes_()]() mutable -> Loader::Finish {
-            // Whoever waits lives on the I/O thread and goes back there whole: of a copy that stays
-            // here, nobody knows which thread lets go last.
-            const auto refused = [&](Result result, std::vector<std::string> why) {
-                return [done = std::move(done), outcome = EditOutcome{result, std::move(why)}] {
-                    done(outcome);
-                };
+            // `done` belongs to the I/O thread and is moved back there whole. If a copy stayed here,
+            // the last of them could be destroyed on either thread.
+            const auto refused = [&](EditOutcome why) {
+                return [done = std::move(done), outcome = std::move(why)] { done(outcome); };
             };
             try {
-                Edited now =
+                EditedOrNot now =
                     std::visit([&](const auto& wanted) { return edited(wanted, present); }, edit);
+                if (!now) return refused(std::move(now.error()));
                 const auto next = std::make_shared<Next>();
-                *next = {now.file,
-                         now.scene,
-                         make_backends(wishes, now.scene),
+                *next = {now->file,
+                         now->scene,
+                         make_backends(wishes, now->scene),
                          {},
-                         std::move(now.warnings)};
-                for (const sim::Model& model : now.added->models)
+                         std::move(now->warnings)};
+                for (const sim::Model& model : now->added->models)
                     next->placed_anew.insert(model.name);
                 return [this, next, done = std::move(done)] {
                     take_up(*next);
                     warn_of_lost_bodies(*next);
                     done({Result::done, next->warnings});
                 };
-            } catch (const Refusal& refusal) {
-                return refused(refusal.result, {refusal.why});
             } catch (const sim::LoadError& error) {
-                return refused(Result::faulty, error.faults());
+                return refused({Result::faulty, error.faults()});
             } catch (const std::exception& error) {
-                return refused(Result::faulty, {error.what()});
+                return refused({Result::faulty, {error.what()}});
             }
         };
     };

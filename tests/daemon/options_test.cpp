@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "daemon/config/config_file.h"
 #include "daemon/models/registry.h"
 #include "tests/support/temp_dir.h"
 

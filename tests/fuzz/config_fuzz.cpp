@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "daemon/config/config.h"
+#include "daemon/config/config_file.h"
 #include "daemon/models/profile_check.h"
 
 namespace {

@@ -7,7 +7,6 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -124,12 +123,8 @@ std::string can_be_written(const std::string& file) {
 }
 
 std::string is_model(const std::string& name) {
-    try {
-        daemon::find_model(name);
-        return "";
-    } catch (const std::invalid_argument& refusal) {
-        return refusal.what();
-    }
+    const auto model = daemon::model_named(name);
+    return model ? "" : model.error().why;
 }
 
 CLI::App* add(CLI::App& program, const char* name, const char* what, Said& said,

@@ -4,7 +4,7 @@
 // scipctl: speaks to a running scipd over its control socket.
 #include <CLI/CLI.hpp>
 
-#include "daemon/run_directory.h"
+#include "daemon/config/run_directory.h"
 #include "tools/options.h"
 #include "tools/scipctl/commands.h"
 

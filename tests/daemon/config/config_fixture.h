@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "daemon/config/config.h"
+#include "daemon/config/config_file.h"
 #include "tests/support/temp_dir.h"
 
 namespace scipd::daemon {

@@ -2,14 +2,13 @@
 // Copyright The scipd authors
 //
 // What a configuration means, and the literal words of every fault in a broken one.
-#include "daemon/config/config.h"
-
 #include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "daemon/config/limits.h"
+#include "daemon/config/config_file.h"
+#include "daemon/config/world_options.h"
 #include "daemon/models/registry.h"
 #include "sim/world/pose.h"
 #include "tests/daemon/config/config_fixture.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/run_directory.h"
+#include "daemon/config/run_directory.h"
 
 #include <cstdlib>
 #include <filesystem>

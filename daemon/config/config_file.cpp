@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// load_config() of config.h: the root of a document and its robots. A scanner is in sensor,
-// what a single value may be in values, how faults are found and told in section.
-#include "daemon/config/config.h"
+// The root of a document and its robots are read here. A sensor is read in sensor.cpp and a single
+// value in values.cpp; section.cpp finds faults and tells them.
+#include "daemon/config/config_file.h"
 
 #include <array>
 #include <initializer_list>
@@ -13,16 +13,13 @@
 
 #include "daemon/config/claims.h"
 #include "daemon/config/demo_world.h"
-#include "daemon/config/document.h"
-#include "daemon/config/limits.h"
-#include "daemon/config/map.h"
 #include "daemon/config/models.h"
-#include "daemon/config/pose.h"
 #include "daemon/config/poses.h"
+#include "daemon/config/run_directory.h"
 #include "daemon/config/section.h"
 #include "daemon/config/sensor.h"
 #include "daemon/config/values.h"
-#include "daemon/run_directory.h"
+#include "daemon/config/world_options.h"
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/plain_file.h"
 
@@ -40,12 +37,12 @@ constexpr std::array<std::string_view, 11> root_keys{"scene",  "geometry", "stri
 constexpr std::array<std::string_view, 1> later_root_keys{"materials"};
 constexpr std::array<std::string_view, 4> robot_keys{"pose", "body", "poses", "sensors"};
 
-/// What is no map at all is told elsewhere.
+/// Whether there is no such map or nothing in it. A value that is no map is told elsewhere.
 bool is_empty(const Field* map) {
     return !map || (map->value.IsMap() && map->value.size() == 0);
 }
 
-/// Reads one document; what cannot be shared is remembered by who has it.
+/// Reads one document, and remembers who has what cannot be shared.
 class Reader {
   public:
     Reader(const fs::path& file, Faults& faults)
@@ -58,10 +55,10 @@ class Reader {
   private:
     RobotConfig read_robot(const Field& field, SensorContext& context);
     void claim_sockets(const Section& section, const Config& config);
-    /// Where these keys of it stand.
+    /// Notes where these keys of the section stand.
     void note_places(const Section& section, std::initializer_list<std::string_view> keys);
 
-    /// A parser of paths, from the place of the file.
+    /// A parser of paths that are relative to the file.
     template <class Parse>
     auto from_base(Parse parse) const {
         return [this, parse](const std::string& text) { return parse(text, base_); };
@@ -77,12 +74,12 @@ class Reader {
 RobotConfig Reader::read_robot(const Field& field, SensorContext& context) {
     const Section section{field, {robot_keys, {}}, faults_};
     RobotConfig robot;
-    faults_.guard(field, [&] { robot.name = parse_name(field.key); });
+    faults_.take(field, parse_name(field.key), robot.name);
     context.robot = robot.name;
     note_places(section, {"body", "poses"});
     robot.world_from_robot = read_pose(section, "pose", faults_);
     robot.pose_given = section.find("pose") != nullptr;
-    section.read("body", robot.body, [](const std::string& text) { return text; });
+    section.read("body", robot.body);
     const Field* sensors = section.find("sensors");
     const auto fields = sensors ? entries(*sensors, faults_) : std::vector<Field>{};
     sensor_count_ += fields.size();
@@ -119,7 +116,7 @@ Config Reader::read(const YAML::Node& document) {
     if (section.find("scene")) {
         section.read("scene", config.scene, from_base(parse_scene));
     } else {
-        faults_.guard(whole, [&] { config.scene = demo_scene(); });
+        faults_.take(whole, demo_scene(), config.scene);
     }
     section.read("geometry", config.geometry, parse_geometry);
     section.read("strict", config.strict, parse_switch);
@@ -167,14 +164,5 @@ Config load_config(const fs::path& file) {
     }
     return parse_config(text, file);
 }
-
-ConfigError::ConfigError(std::vector<std::string> faults)
-    : std::runtime_error([&] {
-          std::string text;
-          for (const auto& fault : faults)
-              text += (text.empty() ? "" : "\n") + fault;
-          return text;
-      }()),
-      faults_(std::move(faults)) {}
 
 }  // namespace scipd::daemon

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/config/world_options.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "daemon/config/numbers.h"
+
+namespace scipd::daemon {
+namespace {
+
+constexpr std::array<std::string_view, 3> map_keys{"z", "material", "unknown"};
+constexpr std::array<std::string_view, 3> limits_keys{"world_memory_mb", "world_triangles",
+                                                      "world_load_s"};
+
+/// A little more than a library takes for a triangle of a mesh (MeshLimits).
+constexpr std::size_t bytes_a_triangle = 800;
+
+sim::Expected<sim::UnknownCells> parse_unknown(std::string_view text) {
+    if (text == "free") return sim::UnknownCells::free;
+    if (text == "wall") return sim::UnknownCells::wall;
+    if (text == "unknown") return sim::UnknownCells::unknown;
+    return sim::refuse("must be free, wall or unknown, not '" + std::string(text) + "'");
+}
+
+void read_heights(const Field& field, sim::MapOptions& options, Faults& faults) {
+    const std::string advice = "must be the heights of the walls, [BOTTOM, TOP], such as [0, 2]";
+    const auto heights_m = numbers_of(field.value, 2, parse_metres, advice);
+    if (!heights_m) return faults.add(field, heights_m.error().why);
+    options.bottom_m = heights_m->front();
+    options.top_m = heights_m->back();
+    if (options.bottom_m >= options.top_m) faults.add(field, advice);
+}
+
+sim::Expected<std::size_t> parse_megabytes(std::string_view text) {
+    constexpr int most = 1'000'000;
+    constexpr std::size_t megabyte = 1'000'000;
+    return parse_whole(text, 1, most).map([](int megabytes) {
+        return megabyte * static_cast<std::size_t>(megabytes);
+    });
+}
+
+sim::Expected<std::size_t> parse_triangles(std::string_view text) {
+    constexpr int most = 1'000'000'000;
+    return parse_whole(text, 1, most).map([](int triangles) {
+        return static_cast<std::size_t>(triangles);
+    });
+}
+
+sim::Expected<std::chrono::seconds> parse_load_time(std::string_view text) {
+    constexpr int a_day_s = 86'400;
+    return parse_whole(text, 1, a_day_s).map([](int time_s) {
+        return std::chrono::seconds(time_s);
+    });
+}
+
+}  // namespace
+
+sim::MapOptions read_map(const Field& field, Faults& faults) {
+    const Section section{field, {map_keys, {}}, faults};
+    sim::MapOptions options;
+    if (const Field* z = section.find("z")) read_heights(*z, options, faults);
+    section.read("material", options.material);
+    section.read("unknown", options.unknown, parse_unknown);
+    return options;
+}
+
+WorldLimits read_limits(const Field& field, Faults& faults) {
+    const Section section{field, {limits_keys, {}}, faults};
+    WorldLimits limits;
+    section.read("world_memory_mb", limits.memory_bytes, parse_megabytes);
+    section.read("world_triangles", limits.triangles, parse_triangles);
+    section.read("world_load_s", limits.load_time, parse_load_time);
+    return limits;
+}
+
+void apply(const WorldLimits& limits, sim::SceneOptions& options) {
+    sim::MeshLimits& mesh = options.sdf.mesh;
+    options.sdf.most_memory_bytes = limits.memory_bytes;
+    options.sdf.most_triangles = limits.triangles;
+    options.limits.wall_time = limits.load_time;
+    if (limits.triangles > WorldLimits{}.triangles) mesh.triangles = limits.triangles;
+    mesh.triangles = std::min(mesh.triangles, limits.triangles);
+    mesh.memory_bytes = std::max(mesh.memory_bytes, bytes_a_triangle * mesh.triangles);
+    // The limits are estimates; the process that loads the world is held to twice as much.
+    const std::size_t held_bytes = 2 * std::max(limits.memory_bytes, mesh.memory_bytes);
+    options.limits.memory_bytes = std::max(options.limits.memory_bytes, held_bytes);
+}
+
+}  // namespace scipd::daemon

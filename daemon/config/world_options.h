@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Reads how a world is to be loaded: `map: {z: [BOTTOM, TOP], material: NAME, unknown: ..}` for what
+// a ROS map does not say of its walls, and `limits: {world_memory_mb: 8000, world_triangles:
+// 50000000, world_load_s: 900}` for what a world may take. Any thread; nothing shared.
+#pragma once
+
+#include "daemon/config/config.h"
+#include "daemon/config/section.h"
+#include "sim/loaders/map/ros_map.h"
+#include "sim/loaders/scene_file.h"
+
+namespace scipd::daemon {
+
+/// `field` is the value of the root's key `map`.
+sim::MapOptions read_map(const Field& field, Faults& faults);
+
+/// `field` is the value of the root's key `limits`.
+WorldLimits read_limits(const Field& field, Faults& faults);
+
+/// Sets the limits for all that is loaded with these options. One mesh of a world may be as large as
+/// all of it.
+void apply(const WorldLimits& limits, sim::SceneOptions& options);
+
+}  // namespace scipd::daemon
