@@ -91,10 +91,12 @@ class Api {
 
     /// `robot` exists, and it is the one that is meant. The time is of the sender: nothing means
     /// now. The pose holds when this returns, unless it is refused.
-    virtual sim::Expected<> set_robot_pose(const std::string& robot, const sim::PoseLine& said) = 0;
+    [[nodiscard]] virtual sim::Expected<> set_robot_pose(const std::string& robot,
+                                                         const sim::PoseLine& said) = 0;
 
     /// One line of a stream of many.
-    virtual sim::Expected<> take_pose_line(std::string_view line, SenderClock& sender) = 0;
+    [[nodiscard]] virtual sim::Expected<> take_pose_line(std::string_view line,
+                                                         SenderClock& sender) = 0;
 
     /// Of all sensors.
     virtual ScanStream& stream() = 0;
@@ -108,7 +110,8 @@ class Api {
     /// As of robots; nothing: no such movable model.
     [[nodiscard]] virtual std::optional<sim::TimedPose> model_pose(
         const std::string& model) const = 0;
-    virtual sim::Expected<> set_model_pose(const std::string& model, const sim::PoseLine& said) = 0;
+    [[nodiscard]] virtual sim::Expected<> set_model_pose(const std::string& model,
+                                                         const sim::PoseLine& said) = 0;
 };
 
 }  // namespace scipd::daemon

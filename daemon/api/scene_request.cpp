@@ -92,10 +92,10 @@ Expected<> read_pose(const Json& object, std::optional<sim::Pose>& pose) {
 Expected<> read_name(const Json& object, std::string& name) {
     return require(object, "name")
         .and_then([&] { return read_text(object, "name", name); })
-        .and_then([&]() -> Expected<> {
-            const std::string fault = sim::name_fault(name);
-            if (!fault.empty()) return refuse("name", "name " + fault);
-            return {};
+        .and_then([&] {
+            return sim::check_name(name).map_error([](const sim::Fault& fault) {
+                return sim::Fault{"name", "name " + fault.why};
+            });
         });
 }
 

@@ -24,31 +24,31 @@
 namespace scipd::daemon {
 
 /// World time for the stamps of one sender, whose clock may begin anywhere: its first stamp is the
-/// moment of its arrival, and the spacing of the others is kept. A sender that starts over, or
-/// whose clock leaps, is taken up anew.
+/// moment of its arrival, and the spacing of the others is kept. If the sender starts over or its
+/// clock leaps, this begins anew.
 ///
-/// One whose clock runs at another speed is followed: where all stamps of half a second came more
-/// than 100 ms late, they are moved until the least late one of the latest is 100 ms late; the same
-/// for early ones. What is shorter is a packet held up, or a drive sent ahead, and moves nothing.
-/// World time goes on growing with the stamps, a tenth as fast as they do at least.
+/// A clock that runs at another speed is followed. Once all stamps of half a second came more than
+/// 100 ms late, they are moved until the least late of the latest ones is 100 ms late; early stamps
+/// are moved in the same way. Shorter deviations are packets that were held up, or poses sent
+/// ahead, and move nothing. World time always grows with the stamps, at least a tenth as fast.
 class SenderClock {
   public:
     [[nodiscard]] sim::Time world_time(std::optional<sim::Time> stamp, sim::Time arrival);
 
-    /// In lockstep, where all senders share the time: what this one says away from it.
+    /// In lockstep, where all senders share the time: the leaps of this one away from it.
     [[nodiscard]] StampLeap& leap() { return leap_; }
 
   private:
     enum class Side { in_time, late, early };
 
-    /// Arrivals in a row that are all late, or all early, in portions: packets that were held up
-    /// come together, and only the last of them says how late the sender is.
+    /// Arrivals in a row that are all late, or all early, cut into portions of time: packets that
+    /// were held up come together, and only the last of them tells how late the sender is.
     struct Run {
         Side side = Side::in_time;
         sim::Time since{};
         sim::Time portion_since{};
         std::size_t portions = 0;
-        /// Arrival minus stamp of the least late (or early) one of each, in no order.
+        /// Arrival minus stamp of the least late (or early) arrival of each portion, in no order.
         std::array<sim::Time, 3> least{};
     };
 
@@ -72,24 +72,25 @@ class PoseIntake {
 
     /// One line of a stream. A line without a name means `robot`, or the only robot where `robot`
     /// is empty. A refused line is counted and changes nothing.
-    sim::Expected<> take_line(std::string_view line, std::string_view robot, SenderClock& sender,
-                              sim::Time arrival);
+    [[nodiscard]] sim::Expected<> take_line(std::string_view line, std::string_view robot,
+                                            SenderClock& sender, sim::Time arrival);
     /// The same for a line that has been understood already.
-    sim::Expected<> take(const sim::PoseLine& line, std::string_view robot, SenderClock& sender,
-                         sim::Time arrival);
+    [[nodiscard]] sim::Expected<> take(const sim::PoseLine& line, std::string_view robot,
+                                       SenderClock& sender, sim::Time arrival);
     /// The same at a world time. A line that says no time itself holds from then on.
-    sim::Expected<> take_at(sim::Time time, const sim::PoseLine& line, std::string_view robot);
+    [[nodiscard]] sim::Expected<> take_at(sim::Time time, const sim::PoseLine& line,
+                                          std::string_view robot);
 
     [[nodiscard]] std::uint64_t accepted() const { return accepted_; }
     [[nodiscard]] std::uint64_t refused() const { return refused_; }
     [[nodiscard]] const std::optional<std::string>& last_refusal() const { return last_refusal_; }
 
   private:
-    sim::Expected<> take_stamped(sim::Time stamp, const sim::PoseLine& line, std::string_view robot,
-                                 SenderClock& sender);
-    sim::Expected<> take_leaping(sim::Time stamp, const sim::PoseLine& line, std::string_view robot,
-                                 SenderClock& sender);
-    Placed place(const sim::PoseLine& line, std::string_view robot, sim::Time time);
+    [[nodiscard]] sim::Expected<> take_stamped(sim::Time stamp, const sim::PoseLine& line,
+                                               std::string_view robot, SenderClock& sender);
+    [[nodiscard]] sim::Expected<> take_leaping(sim::Time stamp, const sim::PoseLine& line,
+                                               std::string_view robot, SenderClock& sender);
+    [[nodiscard]] Placed place(const sim::PoseLine& line, std::string_view robot, sim::Time time);
     sim::Expected<> count(sim::Expected<> taken);
 
     World& world_;

@@ -67,11 +67,11 @@ class World {
     [[nodiscard]] std::map<std::string, std::string> lost_bodies() const;
 
     /// Puts the robot there. Between two poses that follow each other closely it moves evenly.
-    Placed place_robot(std::string_view name, const Placement& placement);
+    [[nodiscard]] Placed place_robot(std::string_view name, const Placement& placement);
     /// The same for senders that name no robot; refused unless there is exactly one.
-    Placed place_only_robot(const Placement& placement);
+    [[nodiscard]] Placed place_only_robot(const Placement& placement);
     /// The same for a movable model, which no longer follows its script then.
-    Placed place_model(std::string_view name, const Placement& placement);
+    [[nodiscard]] Placed place_model(std::string_view name, const Placement& placement);
     /// A pose leaves nothing open that may be elsewhere at the same time.
     [[nodiscard]] bool has_one_mover() const;
     /// Called after everything that was placed.

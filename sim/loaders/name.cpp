@@ -21,14 +21,15 @@ std::uint32_t hash_of(std::string_view text) {
 
 }  // namespace
 
-std::string name_fault(std::string_view name) {
-    if (name.empty()) return "must be a text that says something";
+Expected<> check_name(std::string_view name) {
+    if (name.empty()) return refuse("must be a text that is not empty");
     if (name.size() > longest_name) {
-        return "must be at most " + std::to_string(longest_name) + " bytes long, not " +
-               std::to_string(name.size());
+        return refuse("must be at most " + std::to_string(longest_name) + " bytes long, not " +
+                      std::to_string(name.size()));
     }
     const bool has_control = name.find_first_of("\n\t") != name.npos || shown(name) != name;
-    return has_control ? "must be UTF-8 without control characters" : "";
+    if (has_control) return refuse("must be UTF-8 without control characters");
+    return {};
 }
 
 std::string short_name(std::string_view name) {

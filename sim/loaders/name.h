@@ -8,17 +8,19 @@
 #include <string>
 #include <string_view>
 
+#include "sim/expected.h"
+
 namespace scipd::sim {
 
-/// In bytes; of what lies in another, of each of the names between `::`. Every one so long fits
-/// into a path of the control API.
+/// In bytes, for each of the names between `::` where one thing lies in another. A name of this
+/// length fits into a path of the control API.
 inline constexpr std::size_t longest_name = 64;
 
-/// Why a thing cannot be called so; empty where it can.
-std::string name_fault(std::string_view name);
+/// Refuses what a thing cannot be called.
+[[nodiscard]] Expected<> check_name(std::string_view name);
 
-/// The name that something has here which its world has given a longer one: its beginning, `~` and
-/// eight digits that come from the whole. A name that is short enough stays.
+/// The name that is used for a thing whose world gives it a longer one: the beginning of that, `~`
+/// and eight digits that are a hash of the whole. A name that is short enough stays as it is.
 std::string short_name(std::string_view name);
 
 }  // namespace scipd::sim
