@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As IPv6 has it: those of IPv4 are ::ffff:A.B.C.D.
+/// The host in the form of IPv6, in which A.B.C.D of IPv4 is ::ffff:A.B.C.D.
 in6_addr host_of(const Address& address) {
     const bool v6 = address.host.find(':') != std::string::npos;
     in6_addr host{};
@@ -19,7 +19,7 @@ in6_addr host_of(const Address& address) {
     return host;
 }
 
-/// Whether all of `other` is in it.
+/// Whether `host` is `other`, or all interfaces and `other` is one of them.
 bool has(const in6_addr& host, const in6_addr& other) {
     const in6_addr all_v4 = host_of({"0.0.0.0"});
     if (IN6_IS_ADDR_UNSPECIFIED(&host)) return true;
@@ -27,8 +27,8 @@ bool has(const in6_addr& host, const in6_addr& other) {
     return IN6_ARE_ADDR_EQUAL(&host, &other);
 }
 
-/// Links among its folders are followed; the last of it is taken as it is, since a tty is a link
-/// itself.
+/// The path with the links among its folders followed. Its last part stays as it is, since a tty is
+/// a link itself.
 std::string real_path(const fs::path& file) {
     std::error_code error;
     const fs::path folder = fs::weakly_canonical(file.parent_path(), error);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What two parts of one configuration cannot share: addresses, paths, standard input. The first to
-// ask keeps it; the second is a fault. Two addresses may take the same port on the same interface
-// without being equal. One thread at a time.
+// What two parts of one configuration cannot share: addresses, paths, standard input. The first
+// that claims it has it; the second is a fault. Two addresses can exclude each other without being
+// equal (exclude_each_other()). One thread at a time.
 #pragma once
 
 #include <filesystem>
@@ -20,21 +20,22 @@ namespace scipd::daemon {
 
 enum class Transport { tcp, udp };
 
-/// Whether only one of two sockets can have its address: the same one, or all interfaces of it.
-/// [::] is those of IPv4 as well, as Linux has it unless told otherwise.
+/// Whether a second socket cannot have its address when a first one has the other: both are the
+/// same, or one is all interfaces and so contains the other. [::] contains the interfaces of IPv4,
+/// too, which is Linux's default.
 bool exclude_each_other(const Address& one, const Address& other);
 
 class Claims {
   public:
     explicit Claims(Faults& faults) : faults_(faults) {}
 
-    /// `field` wants it; null claims nothing.
+    /// `field` claims this; null claims nothing.
     void claim(const Field* field, const std::string& what);
-    /// A file, however the path is spelt.
+    /// `field` claims this file, however the path is spelt.
     void claim_file(const Field* field, const std::filesystem::path& file);
-    /// The same by default, for somebody whose key may be left out.
+    /// The same for an owner that has a file even where its key is left out.
     void claim_file(const std::string& owner, const std::filesystem::path& file);
-    /// A port that the system chooses is nobody else's.
+    /// `field` claims this address. Port 0, where the system chooses one, claims nothing.
     void claim(const Field* field, Transport transport, const std::optional<Address>& address);
 
   private:
@@ -45,7 +46,7 @@ class Claims {
 
     Faults& faults_;
     std::map<std::string, std::string> owner_of_;
-    std::map<std::string, std::string> files_;  ///< whose they are, of those among them
+    std::map<std::string, std::string> files_;  ///< the files among them, and who owns each
     std::map<std::pair<Transport, std::uint16_t>, std::vector<Taken>> taken_;
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The models that the sensors of a configuration may name: those of the registry, and those that it
-// defines itself under `models:`, each like one of the registry but for what it says. One thread at
-// a time.
+// The models that the sensors of a configuration may name: those of the registry, and those that
+// the configuration defines under `models:`. Each of these is like one of the registry, except for
+// what the configuration says of it. One thread at a time.
 #pragma once
 
 #include <map>

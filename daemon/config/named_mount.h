@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A place for a sensor that the user has named instead of measured. Only the loaded world tells
-// where it is (daemon/mounting.h). Plain values.
+// A place for a sensor that the user has said by its name and not by numbers. Only the loaded world
+// tells where that is (daemon/mounting.h). Plain values.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace scipd::daemon {
 
-/// What of a world a name may be of.
+/// What kind of thing in a world has the name.
 enum class MountKind {
     any,
     link,    ///< or a frame
@@ -21,10 +21,10 @@ enum class MountKind {
 
 struct NamedMount {
     MountKind kind = MountKind::any;
-    std::string name;             ///< whole, MODEL::LINK::SENSOR, or its end
-    sim::Pose frame_from_sensor;  ///< how far from there
-    bool chooses_model = false;   ///< the product that fits the lidar there best takes its place
-    std::string model;            ///< of the world, that the place lies in; empty: not known yet
+    std::string name;             ///< MODEL::LINK::SENSOR, or the end of that
+    sim::Pose frame_from_sensor;  ///< from the named place
+    bool chooses_model = false;   ///< the sensor becomes the product that fits the lidar there best
+    std::string model;  ///< the world's model in which the place lies; empty: not known yet
 
     bool operator==(const NamedMount&) const = default;
 };

@@ -16,18 +16,18 @@
 
 namespace scipd::daemon {
 
-/// All members but name and release, which say what model it is.
+/// All members except name and release, which say what model it is.
 std::vector<std::string_view> profile_keys();
-/// Of `codes` and of `scip1`.
+/// The keys of `codes` and of `scip1`.
 std::vector<std::string_view> code_keys();
 std::vector<std::string_view> scip1_keys();
 
-/// A map with fields of a profile, and with these keys besides.
+/// A map that may have the fields of a profile and the keys `besides`.
 Section profile_section(const Field& map, std::span<const std::string_view> besides,
                         Faults& faults);
 
-/// What the section gives takes the place of what the model has; the optics follow. Then all must
-/// go together; without a model only each value by itself is looked at.
+/// Replaces what the section gives in the model, and derives the optics anew. Then it checks that
+/// all members of the profile go together. Without a model it only checks each value by itself.
 void override_model(const Section& section, const Field& map, std::optional<Model>& model,
                     Faults& faults);
 

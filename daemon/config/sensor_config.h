@@ -20,7 +20,7 @@
 
 namespace scipd::daemon {
 
-/// "auto" of the user is an empty link: one in the run directory.
+/// An empty link stands for `auto`: a link in the run directory.
 struct PtyConfig {
     std::filesystem::path link;
 
@@ -49,18 +49,20 @@ struct DeviceClockConfig {
 
 /// What lies between the device and its client.
 struct LinkConfig {
-    /// Each way, on every message; and by how much it varies, evenly, to either side.
+    /// How late every message arrives, each way; and by how much that varies to either side, evenly
+    /// distributed.
     std::chrono::nanoseconds latency{};
     std::chrono::nanoseconds jitter{};
-    /// The tty is a serial line that starts at this rate; nothing: USB, whose rate means nothing.
+    /// The tty is a serial line that starts at this rate. Nothing: it is USB, where a rate means
+    /// nothing.
     std::optional<int> baud;
-    /// Messages leave in pieces of at most so many bytes, each in a write of its own; 0: whole.
+    /// A message leaves in pieces of at most so many bytes, each in a write of its own; 0: whole.
     int split_bytes = 0;
-    /// What is sent within so long leaves in one write.
+    /// Messages that are sent within this time leave in one write.
     std::chrono::nanoseconds coalesce{};
-    /// A tty's last close ends what was begun on it; else it goes on unheard.
+    /// Whether the streams of a tty end when it is closed by the last program that has it open.
     bool stop_on_close = true;
-    /// A TCP client that has not acknowledged anything for so long is gone; 0: never.
+    /// A TCP client that has acknowledged nothing for this long counts as gone; 0: never.
     std::chrono::nanoseconds dead_after = std::chrono::seconds(30);
 
     bool operator==(const LinkConfig&) const = default;
@@ -79,25 +81,25 @@ inline std::string tty_name(const std::string& robot, const std::string& sensor)
 struct SensorConfig {
     std::string name;  ///< of the sensor alone: "front"
     Model model;       ///< with what the configuration overrides
-    /// A camera or a ranger in the place of a model: it speaks no SCIP and has no wire, so that
-    /// neither model nor tcp, pty, timing, power_up, clock and link are of it.
+    /// Set for a camera or a ranger. It speaks no SCIP and has no wire: model, tcp, pty, timing,
+    /// power_up, clock and link mean nothing then.
     std::optional<sim::StaringSpec> staring;
-    sim::Pose robot_from_sensor;      ///< of a named mount, once the world is loaded
-    std::optional<NamedMount> mount;  ///< what that is said by; nothing: numbers
+    sim::Pose robot_from_sensor;      ///< of a named mount: known once the world is loaded
+    std::optional<NamedMount> mount;  ///< nothing: the user gave robot_from_sensor in numbers
     std::optional<Address> tcp;
     std::optional<PtyConfig> pty;
     std::string backend = "auto";
     sim::DepthOptions depth;  ///< where the backend is a depth buffer, or auto takes one
     sim::Accuracy accuracy = sim::Accuracy::sensor;
-    /// Poses per sweep, or per measurement of a camera or ranger; nothing: one for each beam.
+    /// How many poses a sweep has, or a measurement of a camera or ranger; nothing: one a beam.
     std::optional<int> motion;
     Timing timing = Timing::real;
     PowerUp power_up = PowerUp::scip2;
     DeviceClockConfig clock;
     LinkConfig link;
-    /// How long its scans wait for poses that are late.
+    /// How long scans wait for poses that are late.
     std::chrono::nanoseconds wait_for_poses{};
-    bool sees_body = false;  ///< the robot's own body stands in its way too
+    bool sees_body = false;  ///< the robot's own body can stand in its way, too
 
     bool operator==(const SensorConfig&) const = default;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The optics of a sensor that speaks no SCIP, `camera` or `ranger` in the place of `model`. One
+// Reads the optics of a sensor that speaks no SCIP: `camera` or `ranger` in place of `model`. One
 // thread at a time.
 #pragma once
 

@@ -12,15 +12,15 @@
 namespace scipd::daemon {
 namespace {
 
-// As much is done in one go before sockets are looked at again.
+// So many steps are done before the event loop turns to the sockets again.
 constexpr int calls_in_one_go = 64;
 
 using Seconds = std::chrono::duration<double>;
-// So that any two times of the world are no farther apart than a Time can tell.
+// With these limits the difference of any two times of the world fits into a Time.
 constexpr Seconds farthest{4.5e9};
 constexpr Seconds farthest_origin{9.2e9};
 
-// In floating point: two stamps may lie farther apart than a Time can tell.
+// In floating point, since the difference of two stamps may not fit into a Time.
 bool too_far(sim::Time a, sim::Time b, Seconds limit = farthest) {
     return std::abs(Seconds(a).count() - Seconds(b).count()) > limit.count();
 }
@@ -56,8 +56,8 @@ void Lockstep::begin_anew_with(Stream stream, sim::Time first) {
     begun_ = true;
 }
 
-// A trajectory's stamps count from its own beginning: where it has led time on, that is what stamps
-// are told in already.
+// The stamps of a trajectory count from its own beginning. Where it has moved time on before the
+// first stamp came, the clock has its origin already.
 sim::Time Lockstep::origin_with(sim::Time stamp) const {
     return begun_ || clock_.now() > sim::Time{} ? clock_.origin() : stamp;
 }
@@ -104,7 +104,7 @@ sim::Time Lockstep::target() const {
     return least;
 }
 
-// Posted, so that nothing happens within the call of whoever says how far it has come.
+// Posted, so that nothing happens inside the call of a stream that says how far it has come.
 void Lockstep::go_on() {
     if (std::exchange(at_work_, true)) return;
     boost::asio::post(executor_, [this, alive = std::weak_ptr(alive_)] {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Time that is the stamps of the poses: it goes on as far as every stream has come, and no farther,
-// and what was due on the way is done in the order of time. The daemon neither sleeps nor skips: it
-// goes as fast as the poses come and the clients read. Lives on the I/O thread.
+// In lockstep, the stamps of the poses are the time. It goes on to the stamp that every stream of
+// poses has reached, and no farther. Whatever is due on the way is done in the order of time. The
+// daemon neither sleeps nor skips: it goes as fast as the poses come and the clients read. Lives on
+// the I/O thread.
 #pragma once
 
 #include <functional>
@@ -31,41 +32,42 @@ class Lockstep {
 
     [[nodiscard]] SteppedClock& clock() { return clock_; }
 
-    /// World time of a stamp: the first one of all is 0, and streams share their time. Nothing
-    /// where it is too far from that.
+    /// World time of a stamp. The first stamp of all is 0, and all streams share that origin. Nothing
+    /// where the stamp is too far from it.
     [[nodiscard]] std::optional<sim::Time> world_time(sim::Time stamp) const;
-    /// A pose of this stamp holds: if it is the first of all, the clock's origin.
+    /// A pose with this stamp was taken. If it is the first of all, it becomes the clock's origin.
     void begin_with(sim::Time stamp);
-    /// World time of a stamp if time went on with `first` from how far this stream has come.
+    /// The world time that a stamp would have if this stream went on with `first` from where it is.
     [[nodiscard]] std::optional<sim::Time> time_anew(Stream stream, sim::Time first,
                                                      sim::Time stamp) const;
-    /// So it does, for all streams. World time goes on; what people call it, its origin, leaps.
+    /// Lets the stream go on so, for all streams. World time goes on without a leap, and the clock's
+    /// origin leaps instead.
     void begin_anew_with(Stream stream, sim::Time first);
 
-    /// Time does not go on before this one has said so.
+    /// From now on time waits for this stream.
     void add(Stream stream) { streams_.try_emplace(stream); }
-    /// It has said all, and holds nobody back any more.
+    /// The stream has ended, and time no longer waits for it.
     void remove(Stream stream);
-    /// It has come to this time; where it has not said all of that time (another robot's pose, say)
-    /// time goes on to it when the stream has come farther. Streams that were not added lead where
-    /// there is no other.
+    /// The stream has reached this time. Unless it has `said_all` of that time, more may follow, such
+    /// as another robot's pose; time then goes on to it only when the stream has come farther. A
+    /// stream that was not added leads time only where none was added.
     void come_to(Stream stream, sim::Time time, bool said_all);
-    /// The latest that it has come to, or what time it is.
+    /// The latest time that the stream has reached, and not less than the present time.
     [[nodiscard]] sim::Time come_to(Stream stream) const;
-    /// It leads time, alone or with others.
+    /// Whether the stream leads time, alone or with others.
     [[nodiscard]] bool leads(Stream stream) const {
         return streams_.empty() || streams_.contains(stream);
     }
 
-    /// Calls once everything that is due by the poses that have come has been done.
+    /// Calls back once everything is done that is due up to the poses that have come.
     void when_caught_up(Call call);
-    /// The same, but not before somebody waits for something.
+    /// The same, but only when somebody waits for time to go on.
     void when_awaited(Call call);
 
   private:
     struct Progress {
         std::optional<sim::Time> latest;  ///< stamp
-        std::optional<sim::Time> known;   ///< all is known until then
+        std::optional<sim::Time> known;   ///< nothing more will be said up to this stamp
     };
 
     [[nodiscard]] const Progress& progress(Stream stream) const;
@@ -79,7 +81,7 @@ class Lockstep {
     SteppedClock clock_;
     bool begun_ = false;  ///< the clock has its origin
     std::map<Stream, Progress> streams_;
-    Progress others_;
+    Progress others_;  ///< of all streams that were not added, together
     std::vector<Call> for_caught_up_;
     std::vector<Call> for_awaited_;
     bool at_work_ = false;

@@ -29,26 +29,26 @@ using boost::system::error_code;
 
 namespace {
 
-/// Lines from anywhere into the intake; a person is told of refusals, not of every one.
+/// Hands lines from anywhere to the intake, and tells a person of refusals, but not of every one.
 class LineSink {
   public:
-    /// `robot` is the feed's own, whichever it is at the time.
+    /// `robot` is a member of the feed and may change.
     LineSink(FeedContext context, const std::string& robot)
         : context_(std::move(context)), robot_(robot) {}
 
-    /// Time in lockstep waits for what comes from now on.
+    /// From now on the time in lockstep waits for these poses.
     void begin() {
         if (context_.lockstep != nullptr) context_.lockstep->add(&sender_);
     }
 
-    /// Nothing comes any more.
+    /// No more lines will come.
     void end() {
         ended_ = true;
         if (context_.lockstep != nullptr) context_.lockstep->remove(&sender_);
     }
 
-    /// Some in each turn of the event loop; calls when all are taken and there is room for more.
-    /// `feed` has both this and the text.
+    /// Takes some lines in each turn of the event loop, and calls back when all are taken and there
+    /// is room for more. `feed` owns both this and the text.
     void take_lines(std::string_view text, const std::shared_ptr<PoseFeed>& feed,
                     const std::function<void()>& call) {
         text.remove_prefix(take_some_lines(text, [&](std::string_view line) { take(line); }));
@@ -126,7 +126,7 @@ class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
     void receive() {
         socket_.async_receive(asio::buffer(datagram_),
                               [self = shared_from_this()](error_code error, std::size_t size) {
-                                  // Stopped: what had come already does not say so itself.
+                                  // After stop(), a datagram that had come is still handed in.
                                   if (!self->socket_.is_open()) return;
                                   self->take({self->datagram_.data(), error ? 0 : size});
                               });
@@ -147,7 +147,7 @@ class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<S
   public:
     explicit StandardInputFeed(const FeedContext& context)
         : sink_(context, robot()), input_(context.executor) {
-        // All of its poses would come at once, more than are kept; in lockstep they are read as
+        // All poses of a file would come at once, more than are kept. In lockstep they are read as
         // time goes on.
         if (context.lockstep == nullptr && is_regular_file(STDIN_FILENO))
             throw std::runtime_error(
@@ -165,7 +165,7 @@ class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<S
     }
 
   private:
-    // Longer lines than any pose has are cut here and refused by the parser.
+    // A line that is longer than any pose is cut here, and the parser refuses it.
     static constexpr std::size_t max_line = 8192;
 
     void begin() override {

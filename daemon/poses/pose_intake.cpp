@@ -12,7 +12,7 @@
 namespace scipd::daemon {
 namespace {
 
-// In floating point: stamps may lie farther apart than a Time can tell.
+// In floating point, since the difference of two stamps may not fit into a Time.
 using Seconds = std::chrono::duration<double>;
 
 // Where a stamp goes back by more than this, it is no late packet: the sender was started again.
@@ -24,7 +24,7 @@ constexpr Seconds largest_slip = StampLeap::longest_back;
 constexpr sim::Time dead_zone = std::chrono::milliseconds(100);
 // Longer than packets are held up together.
 constexpr sim::Time patience = std::chrono::milliseconds(500);
-// Longer than what was held up takes to come in, shorter than what a sender drifts much in.
+// Longer than held-up packets take to come in, and shorter than a sender takes to drift much.
 constexpr sim::Time portion = std::chrono::milliseconds(50);
 
 /// The same for those who only tell a person.
@@ -50,7 +50,7 @@ sim::Time SenderClock::world_time(std::optional<sim::Time> stamp, sim::Time arri
     if (!world_minus_sender_ || leapt) take_up(*stamp, arrival);
     last_stamp_ = *stamp;
     last_arrival_ = arrival;
-    // Packets that were overtaken say nothing of the clock; equal stamps are one moment.
+    // A packet that was overtaken says nothing of the clock; equal stamps are one moment.
     if (*stamp > newest_stamp_) follow(*stamp, arrival);
     return *stamp + *world_minus_sender_;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Text that came from outside is worked off some lines at a time, so that whoever sends much of it
-// holds nobody up. Any thread; nothing shared.
+// Takes text from outside a few lines at a time, so that a sender of much text holds nobody up. Any
+// thread; nothing shared.
 #pragma once
 
 #include <algorithm>
@@ -11,11 +11,11 @@
 
 namespace scipd::daemon {
 
-/// Hands on as many lines, without their ends, as one turn of the event loop affords. Answers with
-/// how many bytes they are, line ends included: 0 where the text is empty only.
+/// Hands as many lines to `take`, without their ends, as one turn of the event loop has time for.
+/// Returns how many bytes they had with their ends; that is 0 only where the text is empty.
 template <class Take>
 std::size_t take_some_lines(std::string_view text, Take take) {
-    // A tenth of a millisecond or two: a hundred senders may do so at once.
+    // This takes a tenth of a millisecond or two, and a hundred senders may do it at once.
     constexpr int most_lines = 16;
     constexpr std::size_t most_bytes = 4096;
     std::size_t taken = 0;

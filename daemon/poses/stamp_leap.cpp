@@ -7,10 +7,10 @@
 namespace scipd::daemon {
 namespace {
 
-// In floating point: stamps may lie farther apart than a Time can tell.
+// In floating point, since the difference of two stamps may not fit into a Time.
 using Seconds = std::chrono::duration<double>;
 
-// Long enough that nothing moves evenly across the leap: poses so far apart are no one movement.
+// Poses that are so far apart are not joined to one even movement.
 constexpr Seconds long_enough{1.0};
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Stamps of one sender that leap away from the time: one alone is damaged; where others follow it,
-// the sender has been started again or its clock was set. Nothing but values.
+// Recognises a sender whose stamps leap away from the time. One such stamp alone is damaged. If others
+// follow it, the sender was started again or its clock was set. Nothing but values.
 #pragma once
 
 #include <chrono>
@@ -14,16 +14,18 @@ namespace scipd::daemon {
 
 class StampLeap {
   public:
-    /// A stamp this far before the one ahead of it is no late packet.
+    /// A stamp that goes back by more than this does not come from a late packet.
     static constexpr sim::Time longest_back = std::chrono::seconds(1);
-    /// Nobody means a silence longer than this, of which every scan would be made and read.
+    /// A stamp that goes on by more than this is not meant: every scan in between would have to be
+    /// made and read.
     static constexpr sim::Time longest_ahead = std::chrono::minutes(10);
 
-    /// One more stamp that leaps. True once they have followed each other for more than a second.
+    /// Takes one more stamp that leaps. True once such stamps have followed each other for more than
+    /// a second.
     bool take(sim::Time stamp);
-    /// Where that began.
+    /// The stamp with which they began.
     [[nodiscard]] sim::Time first() const { return first_.value_or(newest_); }
-    /// The stamps go on as they did before.
+    /// Called when the stamps go on as before the leap.
     void forget() { first_ = std::nullopt; }
 
   private:

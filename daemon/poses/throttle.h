@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// How often people are told of what may happen thousands of times a second: at once, and then at
-// most once a second, with how many were left out. Any thread; nothing shared.
+// Decides how often people are told of what may happen thousands of times a second: the first time
+// at once, then at most once a second, with the number of those left out. Any thread; nothing
+// shared.
 #pragma once
 
 #include <chrono>
@@ -17,8 +18,8 @@ class Throttle {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// It has happened once more. Nothing: not to be told now; else what to add when it is told, of
-    /// how many before it were not.
+    /// Called each time that it happens. Nothing: do not tell it now. Otherwise the text to add when
+    /// it is told, which says how many times before were not told.
     std::optional<std::string> admit(Time now) {
         if (last_ && now - *last_ < std::chrono::seconds(1)) {
             ++left_out_;

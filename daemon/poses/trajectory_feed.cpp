@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A trajectory as a feed. On the wall clock it hands poses on a little ahead of their time, so that
-// every sweep lies between two that are known; in lockstep one after the other, as long as somebody
-// waits for what they lead to.
+// A trajectory as a feed. On the wall clock it hands poses on a little before their time, so that
+// every sweep lies between two known poses. In lockstep it hands them on one after the other, while
+// somebody waits for time to go on.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -44,11 +44,11 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
 
     static constexpr sim::Time ahead = std::chrono::milliseconds(500);
 
-    // Poses may lie close, and be played fast: the sweeps are served in between.
+    // Poses may lie close together or be played fast, so the sweeps get their turn in between.
     static constexpr int poses_in_one_go = 256;
 
-    // Round after round of no time at all would never reach the next moment, and what takes more
-    // than a Time can tell would go backwards.
+    // Laps that take no time would never reach the next moment, and a lap that does not fit into a
+    // Time would go backwards.
     static constexpr double shortest_lap_s = 1e-3;
     static constexpr double longest_lap_s = 4e9;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A trajectory while its file is read line by line: the poses so far, and everything that is wrong,
-// so that one run tells all. Knows no format. Any thread; one owner.
+// A trajectory while its file is read line by line: the poses so far and every fault, so that a user
+// sees all faults at once. It knows no format. Any thread; one owner.
 #pragma once
 
 #include <chrono>
@@ -15,7 +15,7 @@
 
 namespace scipd::sim {
 
-/// Twice as much still fits into a Time.
+/// Half of what a Time can hold.
 constexpr std::chrono::duration<double> longest_trajectory{4.5e9};
 
 class TrajectoryDraft {
@@ -24,17 +24,17 @@ class TrajectoryDraft {
     explicit TrajectoryDraft(const std::filesystem::path& file) : file_(file.string()) {}
 
     void begin_line() { ++line_number_; }
-    /// Left out where it has the stamp of the pose before it, as recorders write that hear of one
-    /// pose twice.
+    /// Leaves the pose out if it has the stamp of the one before it: some recorders write a pose
+    /// twice.
     void append(const TimedPose& next);
-    /// Of the line.
+    /// Adds a fault of this line.
     void add_fault(const std::string& text);
-    /// Of the whole file.
+    /// Adds a fault of the whole file.
     void refuse(const std::string& text) { faults_.push_back(file_ + ": " + text); }
     void warn(const std::string& text) { warnings_.push_back(file_ + ": " + text); }
 
-    /// Throws LoadError where anything is wrong, or where there is no pose; `a_line` says what one
-    /// looks like.
+    /// Throws LoadError where anything is wrong or there is no pose. `a_line` shows the user what a
+    /// line looks like.
     Trajectory finish(const std::string& a_line) &&;
 
   private:
