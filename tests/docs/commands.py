@@ -10,8 +10,9 @@
 #   <!-- beside: scipd ... -->   this scipd runs meanwhile
 #   <!-- ends with 2 -->         the exit code of each command
 #   <!-- file: NAME -->          the block is no commands, but this file
-# All of it runs in a network namespace of its own and in an empty folder, so that ports and names are free. What a command
-# calls /tmp is in that folder.
+# Each page has a network namespace and an empty folder of its own, so that ports and names are free. What a command calls
+# /tmp is in that folder.
+import concurrent.futures
 import contextlib
 import dataclasses
 import os
@@ -169,33 +170,48 @@ def pages_of(sources):
     return [page for folder in folders for page in sorted((sources / folder).glob("*.md")) if page.name != "CHANGELOG.md"]
 
 
-def enter_namespace():
-    """This program again, alone with a loopback of its own."""
-    alone = ["unshare", "--map-root-user", "--net"]
-    if shutil.which("unshare") is None or subprocess.run([*alone, "ip", "link", "set", "lo", "up"], check=False).returncode != 0:
-        print("skipped: this machine lets nobody have a network namespace (unshare --map-root-user --net)")
-        sys.exit(SKIPPED)
-    os.execvpe(alone[0], [*alone, sys.executable, *sys.argv], {**os.environ, INSIDE: "1"})
+def alone(command):
+    """The command in a network namespace of its own, whose loopback it must bring up."""
+    return ["unshare", "--map-root-user", "--net", *command]
+
+
+def follow_alone(page, programs, sources):
+    """What there is to say of the page, and (run, not run), or None where it failed."""
+    begin = time.monotonic()
+    done = subprocess.run(alone([sys.executable, __file__, programs, sources, page]), capture_output=True, text=True,
+                          env={**os.environ, INSIDE: "1"}, check=False)
+    *said, counts = done.stdout.splitlines() or [""]
+    if done.returncode != 0:
+        return f"{done.stdout}{done.stderr}", None
+    run, skipped = map(int, counts.split())
+    if run:
+        said.append(f"{page.relative_to(sources)}: {run} commands in {time.monotonic() - begin:.1f} s")
+    return "\n".join(said), (run, skipped)
+
+
+def inside(page, programs, sources):
+    subprocess.run(["ip", "link", "set", "lo", "up"], check=True)
+    try:
+        run, skipped = follow(page, programs, sources)
+    except Failure as failure:
+        sys.exit(f"{page.relative_to(sources)}:{failure}")
+    print(run, skipped)
 
 
 def main():
-    if INSIDE not in os.environ:
-        enter_namespace()
-    subprocess.run(["ip", "link", "set", "lo", "up"], check=True)
     programs, sources, *pages = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
-    run = skipped = failed = 0
-    for page in pages or pages_of(sources):
-        begin = time.monotonic()
-        try:
-            counts = follow(page, programs, sources)
-        except Failure as failure:
-            failed += 1
-            print(f"{page.relative_to(sources)}:{failure}")
-            continue
-        run, skipped = run + counts[0], skipped + counts[1]
-        if counts[0]:
-            print(f"{page.relative_to(sources)}: {counts[0]} commands in {time.monotonic() - begin:.1f} s")
-    print(f"{run} commands were run, {skipped} were not; {failed} pages failed")
+    if INSIDE in os.environ:
+        return inside(pages[0], programs, sources)
+    if shutil.which("unshare") is None or subprocess.run(alone(["ip", "link", "set", "lo", "up"]), check=False).returncode != 0:
+        print("skipped: this machine lets nobody have a network namespace (unshare --map-root-user --net)")
+        sys.exit(SKIPPED)
+    # Readers mostly wait.
+    with concurrent.futures.ThreadPoolExecutor(4) as pool:
+        results = list(pool.map(lambda page: follow_alone(page, programs, sources), pages or pages_of(sources)))
+    print("\n".join(said for said, _ in results if said))
+    counts = [count for _, count in results if count]
+    failed = len(results) - len(counts)
+    print(f"{sum(run for run, _ in counts)} commands were run, {sum(skipped for _, skipped in counts)} were not; {failed} pages failed")
     sys.exit(failed > 0)
 
 
