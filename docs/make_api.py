@@ -35,6 +35,9 @@ curl --unix-socket "$XDG_RUNTIME_DIR/scipd/control.sock" -X PUT -d '{{"xyz":[1,0
 """
 
 
+BOUNDS = {"minimum": "at least", "maximum": "at most", "exclusiveMinimum": "above", "default": "default"}
+
+
 class Document:
     def __init__(self, root):
         self.root = root
@@ -75,9 +78,7 @@ def type_of(schema, linked=True):
     if "array" in kinds:
         least, most = schema.get("minItems"), schema.get("maxItems")
         return (f"{least} of " if least == most and least else "list of ") + type_of(schema["items"])
-    return " or ".join(kinds) + "".join(
-        f", {word} {str(schema[key]).lower()}" for key, word in [("minimum", "at least"), ("maximum", "at most"), ("exclusiveMinimum", "above"),
-                                                    ("default", "default")] if key in schema)
+    return " or ".join(kinds) + "".join(f", {word} {str(schema[key]).lower()}" for key, word in BOUNDS.items() if key in schema)
 
 
 def text_of(schema):
@@ -130,7 +131,8 @@ def api_page():
     for path, method, operation, _ in operations:
         text += f"| [{method} {path}](#{anchor(method + ' ' + path)}) | {operation['summary']} |\n"
     text += "\n" + "".join(request_part(document, *operation) for operation in operations)
-    return text + "".join(schema_part(name, schema) for name, schema in document.root["components"]["schemas"].items()).rstrip() + "\n"
+    schemas = document.root["components"]["schemas"].items()
+    return text + "".join(schema_part(name, schema) for name, schema in schemas).rstrip() + "\n"
 
 
 page.write_or_check(HERE / "api.md", api_page(), "docs/make_api.py", check="--check" in sys.argv)

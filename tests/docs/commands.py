@@ -27,8 +27,8 @@ import threading
 import time
 
 SKIPPED = 77
-COMMAND_S = 30
-READY_S = 20
+COMMAND_S = 60
+READY_S = 60
 INSIDE = "SCIPD_DOCS_NAMESPACE"
 SERVES = re.compile(r"(^|\|\s*)scipd(?!.*--(check|list-models|list-backends|probe|help|version))\b")
 MARKER = re.compile(r"<!-- (not run|beside|ends with|file):? (.*?) -->")
