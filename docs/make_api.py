@@ -85,14 +85,19 @@ def text_of(schema):
     return " ".join(schema.get("description", "").split())
 
 
-def fields_of(schema, prefix=""):
+def order_of(document, schema):
+    """Of the numbers of a vector."""
+    return text_of(document.follow(schema)) if schema.get("$ref", "").endswith(("/Vector", "/Quaternion")) else ""
+
+
+def fields_of(document, schema, prefix=""):
     """(name, type, needed, description) of an object, with the objects in it."""
     needed = schema.get("required", [])
     for name, field in schema["properties"].items():
         inner = field.get("items", field)
-        yield prefix + name, type_of(field), name in needed, text_of(field)
+        yield prefix + name, type_of(field), name in needed, text_of(field) or order_of(document, field)
         if "properties" in inner:
-            yield from fields_of(inner, prefix + name + ("[]." if inner is not field else "."))
+            yield from fields_of(document, inner, prefix + name + ("[]." if inner is not field else "."))
 
 
 def request_part(document, path, method, operation, parameters):
@@ -112,14 +117,14 @@ def request_part(document, path, method, operation, parameters):
     return text + "\n"
 
 
-def schema_part(name, schema):
+def schema_part(document, name, schema):
     text = f"## {name}\n\n"
     if text_of(schema):
         text += page.wrapped(text_of(schema).rstrip(".") + ".") + "\n\n"
     if "properties" not in schema:
         return text + type_of(schema) + "\n\n"
-    text += "| field | type | always there | what it is |\n|---|---|---|---|\n"
-    for field, kind, needed, description in fields_of(schema):
+    text += "| field | type | required | what it is |\n|---|---|---|---|\n"
+    for field, kind, needed, description in fields_of(document, schema):
         text += f"| `{field}` | {kind} | {'yes' if needed else 'no'} | {description} |\n"
     return text + "\n"
 
@@ -132,7 +137,7 @@ def api_page():
         text += f"| [{method} {path}](#{anchor(method + ' ' + path)}) | {operation['summary']} |\n"
     text += "\n" + "".join(request_part(document, *operation) for operation in operations)
     schemas = document.root["components"]["schemas"].items()
-    return text + "".join(schema_part(name, schema) for name, schema in schemas).rstrip() + "\n"
+    return text + "".join(schema_part(document, name, schema) for name, schema in schemas).rstrip() + "\n"
 
 
 page.write_or_check(HERE / "api.md", api_page(), "docs/make_api.py", check="--check" in sys.argv)
