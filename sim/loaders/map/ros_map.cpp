@@ -15,7 +15,7 @@
 #include "sim/loaders/any_case.h"
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/map/map_file.h"
-#include "sim/loaders/map/map_image.h"
+#include "sim/loaders/map/map_picture.h"
 #include "sim/loaders/map/map_walls.h"
 #include "sim/loaders/map/occupancy.h"
 #include "sim/loaders/plain_file.h"

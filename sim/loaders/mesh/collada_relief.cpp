@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/mesh/collada_relief.h"
-
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -11,6 +9,7 @@
 #include <tinyxml2.h>
 
 #include "sim/loaders/mesh/collada_primitive.h"
+#include "sim/loaders/mesh/mesh_relief.h"
 #include "sim/loaders/xml_tree.h"
 
 namespace scipd::sim {

@@ -4,8 +4,6 @@
 // The only file that knows GDAL. The library is large and is given files from anywhere: it reads
 // them in a child process, and only by drivers that open the file alone and what lies beside it.
 // What becomes of them is what gz-common 5 makes of them (Dem.cc).
-#include "sim/loaders/sdf/dem.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -28,6 +26,7 @@
 #include "sim/loaders/map/map_image.h"
 #include "sim/loaders/plain_file.h"
 #include "sim/loaders/quote.h"
+#include "sim/loaders/sdf/height_file.h"
 
 namespace scipd::sim {
 namespace {

@@ -9,6 +9,7 @@
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/plain_file.h"
 #include "sim/loaders/quote.h"
+#include "sim/loaders/sdf/sdf.h"
 
 namespace scipd::sim {
 namespace {

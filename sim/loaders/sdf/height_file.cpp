@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/sdf/height_grid.h"
+#include "sim/loaders/sdf/height_file.h"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +8,9 @@
 #include <string_view>
 
 #include "sim/loaders/load_error.h"
-#include "sim/loaders/map/map_image.h"
+#include "sim/loaders/map/map_picture.h"
 #include "sim/loaders/mesh/mesh_file.h"
 #include "sim/loaders/plain_file.h"
-#include "sim/loaders/sdf/dem.h"
 
 namespace scipd::sim {
 namespace {
