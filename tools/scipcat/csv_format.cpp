@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipcat/csv_writer.h"
-
 #include <cstddef>
 #include <cstdint>
 #include <sstream>
 #include <vector>
+
+#include "tools/scipcat/scan_format.h"
 
 namespace scipd::tools {
 namespace {
@@ -55,7 +55,12 @@ void append_cells(std::string& text, const Block& block, const ScanMessage& scan
     }
 }
 
-}  // namespace
+class CsvFormat final : public ScanFormat {
+  public:
+    [[nodiscard]] std::string head(const RecordedScanner& scanner) const override;
+    [[nodiscard]] std::string line(const RecordedScanner& scanner, const ScanMessage& scan,
+                                   HostTime received) const override;
+};
 
 std::string CsvFormat::head(const RecordedScanner& scanner) const {
     const auto& parameters = scanner.parameters;
@@ -82,6 +87,12 @@ std::string CsvFormat::line(const RecordedScanner& scanner, const ScanMessage& s
     for (const Block& block : blocks_of(scanner.request))
         append_cells(text, block, scan);
     return text + "\n";
+}
+
+}  // namespace
+
+std::unique_ptr<ScanFormat> csv_format() {
+    return std::make_unique<CsvFormat>();
 }
 
 }  // namespace scipd::tools

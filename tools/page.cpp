@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipcat/page.h"
+#include "tools/page.h"
 
 #include <utility>
 

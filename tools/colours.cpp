@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipcat/colours.h"
+#include "tools/colours.h"
 
 #include <algorithm>
 #include <array>

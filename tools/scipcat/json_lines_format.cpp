@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipcat/json_lines_writer.h"
-
 #include <nlohmann/json.hpp>
+
+#include "tools/scipcat/scan_format.h"
 
 namespace scipd::tools {
 namespace {
@@ -28,7 +28,12 @@ Json echoes_of(const ScanMessage& scan) {
     return steps;
 }
 
-}  // namespace
+class JsonLinesFormat final : public ScanFormat {
+  public:
+    [[nodiscard]] std::string head(const RecordedScanner& scanner) const override;
+    [[nodiscard]] std::string line(const RecordedScanner& scanner, const ScanMessage& scan,
+                                   HostTime received) const override;
+};
 
 std::string JsonLinesFormat::head(const RecordedScanner&) const {
     return {};
@@ -54,6 +59,12 @@ std::string JsonLinesFormat::line(const RecordedScanner& scanner, const ScanMess
     if (scan.request.intensity) object["intensities"] = scan.intensities;
     if (scan.request.echoes) object["echoes"] = echoes_of(scan);
     return object.dump() + "\n";
+}
+
+}  // namespace
+
+std::unique_ptr<ScanFormat> json_lines_format() {
+    return std::make_unique<JsonLinesFormat>();
 }
 
 }  // namespace scipd::tools
