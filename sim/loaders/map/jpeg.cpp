@@ -10,7 +10,7 @@
 #include <turbojpeg.h>
 
 #include "sim/loaders/map/map_picture.h"
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

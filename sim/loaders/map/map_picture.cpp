@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "sim/loaders/mistaken_file.h"
+#include "sim/loaders/file/mistaken_file.h"
 
 namespace scipd::sim {
 

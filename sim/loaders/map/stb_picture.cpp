@@ -11,7 +11,7 @@
 #include <string>
 
 #include "sim/loaders/map/map_picture.h"
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
 
 namespace {
 

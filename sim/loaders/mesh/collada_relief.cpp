@@ -8,9 +8,9 @@
 
 #include <tinyxml2.h>
 
+#include "sim/loaders/file/xml_tree.h"
 #include "sim/loaders/mesh/collada_primitive.h"
 #include "sim/loaders/mesh/mesh_relief.h"
-#include "sim/loaders/xml_tree.h"
 
 namespace scipd::sim {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "sim/loaders/loaded_scene.h"
+#include "sim/loaders/file/loaded_scene.h"
 #include "sim/loaders/mesh/mesh_file.h"
 
 namespace scipd::sim {

@@ -9,7 +9,7 @@
 
 #include "sim/loaders/poses/pose_columns.h"
 #include "sim/loaders/poses/tum_line.h"
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

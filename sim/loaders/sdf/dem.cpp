@@ -20,13 +20,13 @@
 #include <glm/vec2.hpp>
 #include <ogr_srs_api.h>
 
-#include "sim/loaders/between_processes.h"
-#include "sim/loaders/confined.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/between_processes.h"
+#include "sim/loaders/file/confined.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/map/map_image.h"
-#include "sim/loaders/plain_file.h"
-#include "sim/loaders/quote.h"
 #include "sim/loaders/sdf/height_file.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

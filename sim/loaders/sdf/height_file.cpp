@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/map/map_picture.h"
 #include "sim/loaders/mesh/mesh_file.h"
-#include "sim/loaders/plain_file.h"
 
 namespace scipd::sim {
 namespace {

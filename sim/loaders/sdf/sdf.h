@@ -15,7 +15,7 @@
 #include <filesystem>
 #include <string>
 
-#include "sim/loaders/loaded_scene.h"
+#include "sim/loaders/file/loaded_scene.h"
 #include "sim/loaders/sdf/sdf_options.h"
 
 namespace scipd::sim {

@@ -10,7 +10,7 @@
 
 #include <tinyxml2.h>
 
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

@@ -12,9 +12,8 @@
 
 #include <tinyxml2.h>
 
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/plain_file.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/sdf/line_for_line.h"
 #include "sim/loaders/sdf/model_folder.h"
 #include "sim/loaders/sdf/sdf_cost.h"
@@ -24,6 +23,7 @@
 #include "sim/loaders/sdf/sdf_library.h"
 #include "sim/loaders/sdf/sdf_names.h"
 #include "sim/loaders/sdf/wanted_meshes.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

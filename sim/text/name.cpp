@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/name.h"
+#include "sim/text/name.h"
 
 #include <array>
 #include <cstdint>
 #include <cstdio>
 
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/xml_tree.h"
+#include "sim/loaders/file/xml_tree.h"
 
 namespace scipd::sim {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
 
 #include <string>
 #include <utility>
 
 #include <gtest/gtest.h>
 
-#include "sim/loaders/name.h"
+#include "sim/text/name.h"
 
 namespace scipd::sim {
 namespace {

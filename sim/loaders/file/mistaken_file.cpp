@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/mistaken_file.h"
+#include "sim/loaders/file/mistaken_file.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/any_case.h"
+#include "sim/loaders/file/any_case.h"
 
 #include <algorithm>
 #include <system_error>
 #include <vector>
 
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

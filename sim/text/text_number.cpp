@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/text_number.h"
+#include "sim/text/text_number.h"
 
 #include <algorithm>
 #include <charconv>

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // What stands where a file is wanted and would block whoever opens it.
-#include "sim/loaders/plain_file.h"
+#include "sim/loaders/file/plain_file.h"
 
 #include <functional>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/confined.h"
+#include "sim/loaders/file/confined.h"
 
 #include <csignal>
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/confined.h"
+#include "sim/loaders/file/confined.h"
 
 #include <cerrno>
 #include <csignal>
@@ -19,7 +19,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "sim/loaders/between_processes.h"
+#include "sim/loaders/file/between_processes.h"
 
 namespace scipd::sim {
 namespace {

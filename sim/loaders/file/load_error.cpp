@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 
 #include <utility>
 

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/loaders/plain_file.h"
+#include "sim/loaders/file/plain_file.h"
 
 namespace scipd::sim {
 

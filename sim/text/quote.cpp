@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
 
 #include <array>
 #include <optional>
