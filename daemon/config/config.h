@@ -59,7 +59,7 @@ enum class ClockKind {
 /// What a world may take; one model that is added, an eighth of the memory and a tenth of the
 /// triangles.
 struct WorldLimits {
-    std::size_t memory_bytes = std::size_t{4} << 30U;  ///< to be read, by estimate (SdfOptions)
+    std::size_t memory_bytes = std::size_t{4} << 30U;  ///< limits.h
     std::size_t triangles = 20'000'000;
     std::chrono::seconds load_time = std::chrono::minutes{10};
 

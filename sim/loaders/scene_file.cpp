@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string>
 
+#include "sim/loaders/doing.h"
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/mesh/mesh_file.h"
 #include "sim/loaders/mesh/mesh_scene.h"
@@ -25,6 +26,7 @@ bool is_folder(const std::filesystem::path& file) {
 }
 
 LoadedScene load_here(const std::filesystem::path& file, const SceneOptions& options) {
+    now_doing("reading " + file.string());
     if (is_folder(file)) return load_sdf(file, options.sdf);
     const std::string extension = extension_of(file);
     if (extension == ".world" && is_stage(beginning_of(file))) return load_stage(file);

@@ -25,10 +25,9 @@ struct MeshPart {
     Mesh mesh;
 };
 
-/// What reading one file may take. The library takes up to 600 bytes a triangle (load_bench): the
-/// largest mesh fits into the memory.
+/// What reading one file may take. The library takes up to 600 bytes a triangle (load_bench).
 struct MeshLimits {
-    std::size_t memory_bytes = std::size_t{8} << 30U;
+    std::size_t memory_bytes = std::size_t{4} << 30U;
     std::size_t triangles = 10'000'000;
     std::chrono::milliseconds wall_time = std::chrono::minutes{2};
 };

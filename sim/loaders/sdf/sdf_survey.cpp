@@ -12,6 +12,7 @@
 
 #include <tinyxml2.h>
 
+#include "sim/loaders/doing.h"
 #include "sim/loaders/load_error.h"
 #include "sim/loaders/plain_file.h"
 #include "sim/loaders/quote.h"
@@ -89,6 +90,7 @@ class Surveyor {
     [[nodiscard]] double largest_file_bytes() const { return most_bytes_ * largest_part; }
 
     [[nodiscard]] std::string read(const fs::path& file) const {
+        now_doing("looking into " + file.string());
         return read_file(file, static_cast<std::uintmax_t>(largest_file_bytes()),
                          "an SDF or URDF file is wanted here");
     }
