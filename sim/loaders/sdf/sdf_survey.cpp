@@ -25,6 +25,8 @@
 #include "sim/loaders/sdf/sdf_library.h"
 #include "sim/loaders/sdf/sdf_names.h"
 #include "sim/loaders/sdf/wanted_meshes.h"
+#include "sim/loaders/text_number.h"
+#include "sim/loaders/xml_tree.h"
 
 namespace scipd::sim {
 namespace {
@@ -35,13 +37,6 @@ namespace fs = std::filesystem;
 /// times that.
 constexpr double largest_part = 1.0 / 64;
 constexpr std::size_t deepest_include = 32;
-
-std::string trimmed(const char* text) {
-    std::string_view all = text == nullptr ? "" : text;
-    constexpr std::string_view blank = " \t\r\n";
-    all.remove_prefix(std::min(all.find_first_not_of(blank), all.size()));
-    return std::string{all.substr(0, all.find_last_not_of(blank) + 1)};
-}
 
 class Surveyor {
   public:
@@ -91,7 +86,7 @@ class Surveyor {
 
     [[nodiscard]] std::string read(const fs::path& file) const {
         now_doing("looking into " + file.string());
-        return read_file(file, static_cast<std::uintmax_t>(largest_file_bytes()),
+        return read_text(file, static_cast<std::uintmax_t>(largest_file_bytes()),
                          "an SDF or URDF file is wanted here");
     }
 
@@ -162,7 +157,7 @@ class Surveyor {
     /// What it brings, of the documents that were looked at.
     [[nodiscard]] std::string model_in(const tinyxml2::XMLElement& include) const {
         const auto* uri = include.FirstChildElement("uri");
-        const std::string text = uri == nullptr ? "" : trimmed(uri->GetText());
+        const std::string text{trimmed(text_of(uri))};
         for (std::size_t i = 0; i < survey_.documents.size(); ++i) {
             if (text == uri_of(i)) return survey_.documents[i].model;
         }
@@ -197,7 +192,7 @@ class Surveyor {
     bool add_include(tinyxml2::XMLElement& include, const fs::path& file) {
         auto* element = include.FirstChildElement("uri");
         if (element == nullptr) return true;  // the library has words for it
-        const std::string uri = trimmed(element->GetText());
+        const std::string uri{trimmed(text_of(element))};
         const std::string place = file.string() + ':' + std::to_string(include.GetLineNum()) + ": ";
         const auto folder = open_.size() > 1 ? file.parent_path() : resources_.folder();
         const fs::path found = resources_.find(uri, folder).lexically_normal();
