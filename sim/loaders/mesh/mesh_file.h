@@ -32,13 +32,7 @@ struct MeshLimits {
     std::chrono::milliseconds wall_time = std::chrono::minutes{2};
 };
 
-/// One named thing of a mesh file.
-struct Submesh {
-    std::string name;      ///< of its node (OBJ: the object or group) or of its mesh
-    bool centred = false;  ///< moved so that the middle of its bounds is the origin
-};
-
-/// All of a file, or its submesh of this name.
+/// All of a file, or its submesh of this name: that of a node (OBJ: the object or group) or mesh.
 struct MeshSource {
     std::filesystem::path file;
     std::string submesh;
@@ -74,18 +68,9 @@ std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& file,
                                       MeshAxes axes = MeshAxes::as_in_file,
                                       const MeshLimits& limits = {});
 
-/// Its part of the file, one for each of its materials: where it lies in the file is kept unless it
-/// is centred. Throws LoadError, which tells the names that there are.
-std::vector<MeshPart> load_submesh(const std::filesystem::path& file, const Submesh& submesh,
-                                   const glm::dvec3& scale = {1.0, 1.0, 1.0},
-                                   const MeshLimits& limits = {});
-
 /// Brings parts as they lie in `file`, the middle of their bounds to the origin if they are to be
 /// centred, to this scale. Throws LoadError where a vertex is not finite then, or too far out.
 void place(std::vector<MeshPart>& parts, bool centred, const glm::dvec3& scale,
            const std::filesystem::path& file);
-
-/// All of the file as one mesh.
-Mesh load_mesh(const std::filesystem::path& file, const glm::dvec3& scale = {1.0, 1.0, 1.0});
 
 }  // namespace scipd::sim

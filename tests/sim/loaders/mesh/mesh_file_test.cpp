@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/sim/loaders/faults_of.h"
+#include "tests/sim/loaders/mesh/whole_mesh.h"
 
 namespace scipd::sim {
 namespace {

@@ -70,16 +70,15 @@ TEST(MeshShelf, ReadsAsManyAtATimeAsTheMemoryIsFor) {
     }
 }
 
-TEST(MeshShelf, ReadsAloneWhatWantsMoreThanItsShareOfABatch) {
+TEST(MeshShelf, ReadsAloneWhatCannotBeReadWithOthers) {
     const tests::TempDir folder;
-    const std::string text = large_obj().substr(0, 2'000'000);
-    const std::vector<MeshSource> sources{{folder.write("a.obj", text), ""},
-                                          {folder.write("b.obj", text), ""}};
+    const auto good = folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::vector<MeshSource> sources{{good, ""}, {folder.write("b.obj", "v 0 0 0\n"), ""}};
     ASSERT_EQ(batches_of(sources).size(), 1U);
-    MeshShelf shelf{10 * faces, {.memory_bytes = 250'000'000}};
+    MeshShelf shelf{10, {}};
     shelf.read_ahead(sources);
-    for (const MeshSource& source : sources)
-        EXPECT_EQ(shelf.parts_of(source.file, sdf::Mesh{}).size(), 1U);
+    EXPECT_EQ(shelf.parts_of(good, sdf::Mesh{}).size(), 1U);
+    EXPECT_THROW(shelf.parts_of(sources[1].file, sdf::Mesh{}), LoadError);
 }
 
 }  // namespace
