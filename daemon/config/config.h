@@ -69,7 +69,7 @@ struct WorldLimits {
 struct Config {
     std::filesystem::path scene;
     sim::SdfGeometry geometry = sim::SdfGeometry::visual;
-    bool strict = false;  ///< what a world would be warned of is a fault
+    bool strict = false;  ///< what is warned of in a world or a trajectory is a fault
     sim::MapOptions map;
     WorldLimits limits;
     ClockKind clock = ClockKind::wall;

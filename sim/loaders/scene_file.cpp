@@ -78,7 +78,9 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& op
 
 LoadedScene load_model_file(const std::filesystem::path& file, const Placement& placement,
                             const SceneOptions& options) {
-    return as_model(load_here(file, options), placement, file.string());
+    LoadedScene loaded = load_here(file, options);
+    if (options.sdf.strict && !loaded.warnings.empty()) throw LoadError(loaded.warnings);
+    return as_model(std::move(loaded), placement, file.string());
 }
 
 std::filesystem::path folder_of_scene(const std::filesystem::path& file) {
