@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "daemon/config/config.h"
-#include "daemon/control/sensor_backends.h"
+#include "daemon/world/sensor_backends.h"
 #include "sim/loaders/loaded_scene.h"
 
 namespace scipd::daemon {

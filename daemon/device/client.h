@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-#include "daemon/device/clock.h"
+#include "daemon/clock/clock.h"
 #include "daemon/device/device.h"
 #include "protocol/action.h"
 #include "protocol/session.h"

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "daemon/device/clock.h"
+#include "daemon/clock/clock.h"
 #include "daemon/device/scan_source.h"
 
 namespace scipd::daemon {

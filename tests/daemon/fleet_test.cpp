@@ -18,7 +18,7 @@
 
 #include "daemon/models/registry.h"
 #include "sim/loaders/load_error.h"
-#include "tests/daemon/ideal_camera.h"
+#include "tests/daemon/device/ideal_camera.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/scanner_wire.h"
 #include "tests/support/temp_dir.h"

@@ -17,8 +17,8 @@
 #include <boost/beast/http.hpp>
 #include <nlohmann/json.hpp>
 
-#include "daemon/control/routes.h"
-#include "daemon/control/socket_routes.h"
+#include "daemon/api/routes.h"
+#include "daemon/api/socket_routes.h"
 #include "daemon/device/scan_log.h"
 #include "tests/support/empty_api.h"
 

@@ -20,10 +20,10 @@
 #include <boost/asio/io_context.hpp>
 #include <nlohmann/json.hpp>
 
-#include "daemon/control/lockstep.h"
-#include "daemon/control/pose_intake.h"
-#include "daemon/control/pose_socket.h"
-#include "daemon/control/world.h"
+#include "daemon/api/pose_socket.h"
+#include "daemon/poses/lockstep.h"
+#include "daemon/poses/pose_intake.h"
+#include "daemon/world/world.h"
 #include "sim/sensor/equal_parts.h"
 #include "tests/support/empty_api.h"
 

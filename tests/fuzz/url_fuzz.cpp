@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "daemon/control/url.h"
+#include "daemon/http/url.h"
 
 namespace {
 

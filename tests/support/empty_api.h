@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "daemon/control/api.h"
-#include "daemon/control/scan_stream.h"
+#include "daemon/api/api.h"
+#include "daemon/api/scan_stream.h"
 
 namespace scipd::tests {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "daemon/control/sensor_backends.h"
+#include "daemon/world/sensor_backends.h"
 
 namespace scipd::daemon {
 

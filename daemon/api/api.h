@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What the routes need of the daemon, and the values that it tells. On the I/O thread; called from
+// routes only.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "daemon/poses/pose_intake.h"
+#include "daemon/world/scene_edit.h"
+#include "sim/loaders/poses/trajectory.h"
+#include "sim/time.h"
+#include "sim/world/pose.h"
+#include "sim/world/scene.h"
+
+namespace scipd::daemon {
+
+class ScanLog;
+class ScanStream;
+class StaringSensor;
+
+/// How long after their ideal instant scans left.
+struct LatenessStatus {
+    std::chrono::duration<double, std::milli> p50{};
+    std::chrono::duration<double, std::milli> p99{};
+    std::chrono::duration<double, std::milli> max{};
+};
+
+struct SensorStatus {
+    std::string name;                           ///< "rescue/front"
+    std::string model;                          ///< "UST-10LX"
+    std::string backend;                        ///< what casts, never "auto"
+    std::optional<std::string> backend_reason;  ///< what "auto" was settled by
+    std::string state;                          ///< "standby", "measuring", ..
+    std::optional<std::string> warning;         ///< of the place where it is
+    std::optional<std::string> tcp;  ///< "127.0.0.1:10940", the port that was really taken
+    std::optional<std::string> pty;  ///< the link
+    std::uint64_t clients = 0;       ///< connected now
+    std::uint64_t scans = 0;
+    std::uint64_t lost = 0;                  ///< scans that drivers did not get
+    std::uint64_t stream_lost = 0;           ///< and clients of /stream
+    std::optional<LatenessStatus> lateness;  ///< nothing: no scan yet
+};
+
+struct PosesStatus {
+    std::uint64_t accepted = 0;
+    std::uint64_t refused = 0;
+    std::optional<std::string> last_refusal;
+};
+
+struct Status {
+    std::chrono::duration<double> uptime{};
+    std::string clock;  ///< "wall" or "poses"
+    sim::Time time{};
+    std::string scene;
+    PosesStatus poses;
+    std::vector<SensorStatus> sensors;
+};
+
+struct SceneView {
+    std::filesystem::path file;
+    sim::SharedScene scene;
+};
+
+/// Times are those that people have: in lockstep the stamps of their poses. Nothing here throws.
+class Api {
+  public:
+    virtual ~Api() = default;
+
+    [[nodiscard]] virtual Status status() const = 0;
+
+    /// The latest scans of "rescue/front"; null: no such scanner.
+    [[nodiscard]] virtual const ScanLog* scans(const std::string& sensor) const = 0;
+
+    /// The camera or ranger of that name; null: no such.
+    [[nodiscard]] virtual StaringSensor* staring(const std::string& sensor) = 0;
+
+    /// The pose now and the time of now; nothing: no such robot.
+    [[nodiscard]] virtual std::optional<sim::TimedPose> robot_pose(
+        const std::string& robot) const = 0;
+
+    /// `robot` exists, and it is the one that is meant. The time is of the sender: nothing means
+    /// now. Answers why the pose is refused, or nothing once it holds.
+    virtual std::optional<std::string> set_robot_pose(const std::string& robot,
+                                                      const sim::PoseLine& said) = 0;
+
+    /// A line of a stream of many: why it is refused.
+    virtual std::optional<std::string> take_pose_line(std::string_view line,
+                                                      SenderClock& sender) = 0;
+
+    /// Of all sensors.
+    virtual ScanStream& stream() = 0;
+
+    [[nodiscard]] virtual SceneView scene() const = 0;
+
+    /// `done` is called when the change is in effect or refused, after those before it; never where
+    /// it is withdrawn before it has begun.
+    virtual void edit_scene(SceneEdit edit, EditDone done, std::stop_token withdrawn) = 0;
+
+    /// As of robots; nothing: no such movable model.
+    [[nodiscard]] virtual std::optional<sim::TimedPose> model_pose(
+        const std::string& model) const = 0;
+    virtual std::optional<std::string> set_model_pose(const std::string& model,
+                                                      const sim::PoseLine& said) = 0;
+};
+
+}  // namespace scipd::daemon

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/api/routes.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "daemon/api/pose_routes.h"
+#include "daemon/api/scene_routes.h"
+#include "daemon/api/sensor_routes.h"
+#include "daemon/api/socket_routes.h"
+#include "daemon/http/problem.h"
+#include "daemon/http/url.h"
+
+namespace scipd::daemon {
+namespace {
+
+/// The path between its slashes.
+using Segments = std::vector<std::string>;
+
+constexpr std::array<Route, 15> table{{
+    {"GET", "/status", get_status},
+    {"GET", "/sensors", get_sensors},
+    {"GET", "/sensors/{robot}/{sensor}", get_sensor},
+    {"GET", "/sensors/{robot}/{sensor}/reading", get_reading},
+    {"GET", "/sensors/{robot}/{sensor}/truth", get_truth},
+    {"GET", "/robots/{robot}/pose", get_robot_pose},
+    {"PUT", "/robots/{robot}/pose", put_robot_pose},
+    {"GET", "/scene", get_scene},
+    {"PUT", "/scene", put_scene},
+    {"POST", "/scene/models", post_model},
+    {"DELETE", "/scene/models/{model}", delete_model},
+    {"GET", "/scene/models/{model}/pose", get_model_pose},
+    {"PUT", "/scene/models/{model}/pose", put_model_pose},
+    {"GET", "/poses", ask_for_upgrade},
+    {"GET", "/stream", ask_for_upgrade},
+}};
+
+Segments split(std::string_view path) {
+    Segments segments;
+    while (path.starts_with('/')) {
+        path.remove_prefix(1);
+        const auto end = std::min(path.find('/'), path.size());
+        segments.emplace_back(path.substr(0, end));
+        path.remove_prefix(end);
+    }
+    return segments;
+}
+
+bool matches(const Segments& pattern, const Segments& path) {
+    return std::ranges::equal(pattern, path, [](const auto& wanted, const auto& segment) {
+        return wanted.starts_with('{') ? !segment.empty() : wanted == segment;
+    });
+}
+
+/// What the braces stand for; nothing where they are not well written.
+std::optional<std::vector<std::string>> names_in(const Segments& pattern, const Segments& path) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < pattern.size(); ++i) {
+        if (!pattern[i].starts_with('{')) continue;
+        auto name = percent_decoded(path[i]);
+        if (!name) return std::nullopt;
+        names.push_back(std::move(*name));
+    }
+    return names;
+}
+
+/// Of the table, each path once: "/status, /sensors, .."
+std::string all_paths() {
+    std::string text;
+    std::string_view last;
+    for (const Route& entry : table) {
+        if (entry.path == last) continue;
+        text += (text.empty() ? "" : ", ") + std::string(entry.path);
+        last = entry.path;
+    }
+    return text;
+}
+
+HttpResponse method_not_allowed(const HttpRequest& request, std::string allow) {
+    auto response = problem(405, "use " + allow + " here, not " + request.method);
+    response.allow = std::move(allow);
+    return response;
+}
+
+/// What the control API is to have, and has not yet.
+bool comes_later(const Segments& path) {
+    return path.size() == 4 && path[0] == "sensors" && path[3] == "faults";
+}
+
+HttpResponse not_found(const HttpRequest& request, const Segments& path) {
+    if (comes_later(path)) return problem(404, request.path + " is not in this version");
+    return problem(404, "there is no " + request.path + "; there are " + all_paths());
+}
+
+}  // namespace
+
+std::span<const Route> routes() {
+    return table;
+}
+
+void route(Api& api, const HttpRequest& request, Respond respond) {
+    const Segments path = split(request.path);
+    std::string allow;
+    for (const Route& entry : table) {
+        const Segments pattern = split(entry.path);
+        if (!matches(pattern, path)) continue;
+        if (entry.method == request.method) {
+            auto names = names_in(pattern, path);
+            if (!names) {
+                return respond(problem(400, "the path must have % and two hexadecimal digits"));
+            }
+            return entry.answer({api, request, std::move(*names), std::move(respond)});
+        }
+        allow += (allow.empty() ? "" : ", ") + std::string(entry.method);
+    }
+    respond(allow.empty() ? not_found(request, path) : method_not_allowed(request, allow));
+}
+
+}  // namespace scipd::daemon

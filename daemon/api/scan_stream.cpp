@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/api/scan_stream.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <malloc.h>
+
+#include "daemon/api/documents.h"
+#include "daemon/api/reading.h"
+
+namespace scipd::daemon {
+namespace {
+
+/// That less is given back to the system is not worth its while.
+constexpr std::size_t much = std::size_t{8} << 20U;
+
+/// The pose is that of the beam in the middle.
+Json document_of(const std::string& sensor, const ScanRecord& record) {
+    const sim::Scan& cast = *record.cast;
+    const auto& poses = cast.world_from_sensor;
+    return {{"sensor", sensor},
+            {"scan", cast.revolution},
+            {"time_s", seconds(record.told(cast.start))},
+            {"stamp_ms", record.stamp_ms},
+            {"pose", pose_document(poses[poses.size() / 2])},
+            {"first_step", record.sent.first_step},
+            {"front_step", record.front_step},
+            {"steps_per_turn", record.steps_per_turn},
+            {"sent_mm", record.sent.distance},
+            {"intensity", record.sent.intensity}};
+}
+
+}  // namespace
+
+/// One client. Has one message at a time on its way.
+class ScanStream::Subscriber : public Conversation {
+  public:
+    Subscriber(ScanStream& stream, std::string sensor, WebSocket& socket)
+        : stream_(stream),
+          sensor_(std::move(sensor)),
+          socket_(socket),
+          next_(stream.backlog_.end()) {
+        stream_.subscribers_.push_back(this);
+        stream_.follow_all();
+    }
+    ~Subscriber() override {
+        std::erase(stream_.subscribers_, this);
+        stream_.follow_all();
+        const std::size_t before = stream_.backlog_.bytes();
+        stream_.forget_what_all_have();
+        // The allocator would keep it.
+        if (before - stream_.backlog_.bytes() > much) malloc_trim(0);
+    }
+
+    /// Nobody has anything to say here.
+    std::size_t take(std::string_view rest) override { return rest.size(); }
+
+    void left() override {
+        on_its_way_ = false;
+        go_on();
+    }
+
+    void go_on() {
+        if (on_its_way_) return;
+        const Backlog::Message* message = stream_.backlog_.from(next_);
+        while (message != nullptr && !wants(message->source->name))
+            message = stream_.backlog_.from(++next_);
+        if (message == nullptr) return;
+        ++next_;
+        on_its_way_ = true;
+        socket_.send(message->text);
+    }
+
+    [[nodiscard]] bool wants(const std::string& sensor) const {
+        return sensor_.empty() || sensor_ == sensor;
+    }
+    /// The first message that it has not been sent.
+    [[nodiscard]] Backlog::Number next() const { return next_; }
+
+  private:
+    ScanStream& stream_;
+    std::string sensor_;
+    WebSocket& socket_;
+    Backlog::Number next_;
+    bool on_its_way_ = false;
+};
+
+ScanStream::Tap::Tap(ScanStream& stream, std::string sensor, Device& device)
+    : stream_(stream),
+      source_(std::make_shared<Backlog::Source>(Backlog::Source{.name = std::move(sensor)})),
+      watch_([this, &device](bool wanted) {
+          if (!wanted) return device.watch(nullptr);
+          device.watch([this](const ScanRecord& record) {
+              stream_.send(*this, text_of(document_of(source_->name, record)));
+          });
+      }) {
+    stream_.taps_.push_back(this);
+    stream_.follow(*this);
+}
+
+ScanStream::Tap::Tap(ScanStream& stream, std::string name, StaringSensor& sensor)
+    : stream_(stream),
+      source_(std::make_shared<Backlog::Source>(Backlog::Source{.name = std::move(name)})),
+      watch_([this, &sensor](bool wanted) {
+          if (!wanted) return sensor.watch(nullptr);
+          sensor.watch([this](const StaringRecord& record) {
+              stream_.send(*this, reading_text(source_->name, record));
+          });
+      }) {
+    stream_.taps_.push_back(this);
+    stream_.follow(*this);
+}
+
+ScanStream::Tap::~Tap() {
+    std::erase(stream_.taps_, this);
+    watch_(false);
+}
+
+ScanStream::ScanStream()
+    : backlog_([this](Backlog::Number number, const Backlog::Message& message) {
+          count_lost(number, message);
+      }) {}
+
+std::unique_ptr<Conversation> ScanStream::subscribe(const std::string& sensor, WebSocket& socket) {
+    return std::make_unique<Subscriber>(*this, sensor, socket);
+}
+
+void ScanStream::follow(Tap& tap) {
+    tap.watch_(std::ranges::any_of(
+        subscribers_, [&](const Subscriber* client) { return client->wants(tap.source_->name); }));
+}
+
+void ScanStream::follow_all() {
+    for (Tap* tap : taps_)
+        follow(*tap);
+}
+
+// A sensor is watched as long as somebody wants its scans.
+void ScanStream::send(const Tap& tap, std::string message) {
+    backlog_.add(tap.source_, std::move(message));
+    for (Subscriber* client : subscribers_)
+        client->go_on();
+    forget_what_all_have();
+}
+
+void ScanStream::count_lost(Backlog::Number number, const Backlog::Message& message) {
+    Backlog::Source& source = *message.source;
+    source.lost += static_cast<std::uint64_t>(
+        std::ranges::count_if(subscribers_, [&](const Subscriber* client) {
+            return client->next() <= number && client->wants(source.name);
+        }));
+}
+
+void ScanStream::forget_what_all_have() {
+    Backlog::Number first = backlog_.end();
+    for (const Subscriber* client : subscribers_)
+        first = std::min(first, client->next());
+    backlog_.forget_before(first);
+}
+
+}  // namespace scipd::daemon

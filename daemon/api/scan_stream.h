@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The WebSocket /stream: every scan of all sensors, or of one, as it is measured, to whoever
+// subscribes; while somebody does, scans are cast, whether a driver wants them or not. A message is
+// made once for all clients. One that is too slow loses whole messages, of all sensors alike, which
+// are counted. Lives on the I/O thread.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "daemon/device/device.h"
+#include "daemon/device/staring_sensor.h"
+#include "daemon/http/backlog.h"
+#include "daemon/http/web_socket.h"
+
+namespace scipd::daemon {
+
+class ScanStream {
+  public:
+    /// A sensor's end of it. The stream and the sensor must outlive it.
+    class Tap {
+      public:
+        Tap(ScanStream& stream, std::string sensor, Device& device);
+        Tap(ScanStream& stream, std::string name, StaringSensor& sensor);
+        Tap(const Tap&) = delete;
+        Tap& operator=(const Tap&) = delete;
+        ~Tap();
+
+        /// Messages that a subscriber was too slow for.
+        [[nodiscard]] std::uint64_t lost() const { return source_->lost; }
+
+      private:
+        friend class ScanStream;
+
+        ScanStream& stream_;
+        std::shared_ptr<Backlog::Source> source_;
+        std::function<void(bool wanted)> watch_;
+    };
+
+    ScanStream();
+    ScanStream(const ScanStream&) = delete;
+    ScanStream& operator=(const ScanStream&) = delete;
+
+    /// `sensor`: empty for all.
+    std::unique_ptr<Conversation> subscribe(const std::string& sensor, WebSocket& socket);
+
+  private:
+    class Subscriber;
+
+    /// Its sensor casts as long as somebody looks.
+    void follow(Tap& tap);
+    void follow_all();
+    void send(const Tap& tap, std::string message);
+    void count_lost(Backlog::Number number, const Backlog::Message& message);
+    void forget_what_all_have();
+
+    Backlog backlog_;
+    std::vector<Tap*> taps_;
+    std::vector<Subscriber*> subscribers_;
+};
+
+}  // namespace scipd::daemon

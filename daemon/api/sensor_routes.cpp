@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/api/sensor_routes.h"
+
+#include <charconv>
+#include <cstdint>
+
+#include "daemon/api/documents.h"
+#include "daemon/api/reading.h"
+#include "daemon/api/truth.h"
+#include "daemon/config/sensor_config.h"
+#include "daemon/device/scan_log.h"
+#include "daemon/device/staring_sensor.h"
+#include "daemon/http/problem.h"
+#include "daemon/http/url.h"
+
+namespace scipd::daemon {
+namespace {
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json to_json(const std::optional<LatenessStatus>& lateness) {
+    if (!lateness) return {{"p50", nullptr}, {"p99", nullptr}, {"max", nullptr}};
+    return {{"p50", lateness->p50.count()},
+            {"p99", lateness->p99.count()},
+            {"max", lateness->max.count()}};
+}
+
+Json to_json(const SensorStatus& sensor) {
+    return {{"name", sensor.name},
+            {"model", sensor.model},
+            {"backend", sensor.backend},
+            {"backend_reason", or_null(sensor.backend_reason)},
+            {"state", sensor.state},
+            {"warning", or_null(sensor.warning)},
+            {"tcp", or_null(sensor.tcp)},
+            {"pty", or_null(sensor.pty)},
+            {"clients", sensor.clients},
+            {"scans", sensor.scans},
+            {"lost", sensor.lost},
+            {"stream_lost", sensor.stream_lost},
+            {"lateness_ms", to_json(sensor.lateness)}};
+}
+
+Json to_json(const std::vector<SensorStatus>& sensors) {
+    Json list = Json::array();
+    for (const SensorStatus& sensor : sensors)
+        list.push_back(to_json(sensor));
+    return list;
+}
+
+Json to_json(const Status& status) {
+    return {{"uptime_s", status.uptime.count()},
+            {"clock", status.clock},
+            {"time_s", seconds(status.time)},
+            {"scene", status.scene},
+            {"poses",
+             {{"accepted", status.poses.accepted},
+              {"refused", status.poses.refused},
+              {"last_refusal", or_null(status.poses.last_refusal)}}},
+            {"sensors", to_json(status.sensors)}};
+}
+
+std::string sensor_of(const Call& call) {
+    return sensor_name(call.names[0], call.names[1]);
+}
+
+HttpResponse no_sensor(const Call& call) {
+    return problem(404, "there is no sensor \"" + sensor_of(call) + "\"");
+}
+
+/// Of a log that holds something.
+template <class Log>
+HttpResponse truth_of(const Log& log, const std::string& sensor, const std::string& number) {
+    std::int64_t scan = 0;
+    const char* const end = number.data() + number.size();
+    const auto [stop, error] = std::from_chars(number.data(), end, scan);
+    if (number.empty() || error != std::errc{} || stop != end) {
+        return problem(400, "scan must be the number of one, as /stream and this tell it", "scan");
+    }
+    if (const auto record = log.find(scan)) return ok_text(truth_text(sensor, *record));
+    return problem(404,
+                   "scan " + number + " is not kept: those from " + std::to_string(log.first()) +
+                       " to " + std::to_string(log.last()) + " are that somebody asked for",
+                   "scan");
+}
+
+HttpResponse truth_of(StaringSensor& staring, const Call& call) {
+    const SharedStaringRecord latest = staring.latest();
+    const std::string& query = call.request.query;
+    if (query.empty()) return ok_text(truth_text(sensor_of(call), *latest));
+    return truth_of(staring.log(), sensor_of(call), query_value(query, "scan").value_or(""));
+}
+
+}  // namespace
+
+void get_status(Call&& call) {
+    call.respond(ok(to_json(call.api.status())));
+}
+
+void get_sensors(Call&& call) {
+    call.respond(ok(to_json(call.api.status().sensors)));
+}
+
+void get_sensor(Call&& call) {
+    for (const SensorStatus& candidate : call.api.status().sensors) {
+        if (candidate.name == sensor_of(call)) return call.respond(ok(to_json(candidate)));
+    }
+    call.respond(no_sensor(call));
+}
+
+void get_reading(Call&& call) {
+    StaringSensor* const staring = call.api.staring(sensor_of(call));
+    if (staring != nullptr)
+        return call.respond(ok_text(reading_text(sensor_of(call), *staring->latest())));
+    if (call.api.scans(sensor_of(call)) == nullptr) return call.respond(no_sensor(call));
+    call.respond(problem(404, "\"" + sensor_of(call) +
+                                  "\" is a scanner, which its driver reads over SCIP; /sensors/" +
+                                  sensor_of(call) + "/truth tells what it saw"));
+}
+
+void get_truth(Call&& call) {
+    if (StaringSensor* const staring = call.api.staring(sensor_of(call)))
+        return call.respond(truth_of(*staring, call));
+    const ScanLog* const log = call.api.scans(sensor_of(call));
+    if (log == nullptr) return call.respond(no_sensor(call));
+    const SharedRecord latest = log->latest();
+    if (!latest) {
+        return call.respond(problem(404,
+                                    "there is no scan yet: nothing is cast until somebody asks for "
+                                    "scans, a driver or a client of /stream"));
+    }
+    const std::string& query = call.request.query;
+    if (query.empty()) return call.respond(ok_text(truth_text(sensor_of(call), *latest)));
+    call.respond(truth_of(*log, sensor_of(call), query_value(query, "scan").value_or("")));
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/clock/stepped_clock.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace scipd::daemon {
+
+class SteppedClock::QueuedAlarm : public Clock::Alarm {
+  public:
+    explicit QueuedAlarm(SteppedClock& clock) : clock_(clock) {}
+    ~QueuedAlarm() override { cancel(); }
+
+    void set(sim::Time at, Call call) override {
+        const bool awaited = clock_.awaited();
+        cancel();
+        place_ = clock_.queue_.emplace(at, this);
+        call_ = std::move(call);
+        if (!awaited) clock_.on_awaited_();
+    }
+
+    void cancel() override {
+        if (place_) clock_.queue_.erase(*std::exchange(place_, std::nullopt));
+        call_ = nullptr;
+    }
+
+    /// Leaves the queue. The call may take this alarm away.
+    Call take() {
+        Call call = std::exchange(call_, nullptr);
+        cancel();
+        return call;
+    }
+
+  private:
+    SteppedClock& clock_;
+    std::optional<std::multimap<sim::Time, QueuedAlarm*>::iterator> place_;
+    Call call_;
+};
+
+std::unique_ptr<Clock::Alarm> SteppedClock::make_alarm() {
+    return std::make_unique<QueuedAlarm>(*this);
+}
+
+void SteppedClock::hold(const void* who, bool needed) {
+    if (needed) {
+        holders_.insert(who);
+    } else if (holders_.erase(who) > 0 && holders_.empty()) {
+        on_released_();
+    }
+}
+
+bool SteppedClock::step(sim::Time until) {
+    if (queue_.empty() || queue_.begin()->first > until) {
+        now_ = std::max(now_, until);
+        return false;
+    }
+    const auto [at, alarm] = *queue_.begin();
+    now_ = std::max(now_, at);
+    const Call call = alarm->take();
+    call();
+    return true;
+}
+
+void SteppedClock::advance_to(sim::Time time) {
+    while (step(time)) {
+    }
+}
+
+}  // namespace scipd::daemon

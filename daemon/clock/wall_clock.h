@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The clock on which scanners run beside drivers that know no other. Lives on the I/O thread.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <utility>
+
+#include <boost/asio/any_io_executor.hpp>
+
+#include "daemon/clock/clock.h"
+
+namespace scipd::daemon {
+
+/// The steady clock as world time: 0 where it was made. The only place that reads a clock for the
+/// simulation. Calls come from `executor`.
+class WallClock : public Clock {
+  public:
+    explicit WallClock(boost::asio::any_io_executor executor) : executor_(std::move(executor)) {}
+
+    [[nodiscard]] sim::Time now() const override { return Steady::now() - epoch_; }
+    [[nodiscard]] std::unique_ptr<Alarm> make_alarm() override;
+
+  private:
+    using Steady = std::chrono::steady_clock;
+    class TimerAlarm;
+
+    boost::asio::any_io_executor executor_;
+    Steady::time_point epoch_ = Steady::now();
+};
+
+}  // namespace scipd::daemon

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/http/connection.h"
+
+#include <chrono>
+#include <exception>
+#include <utility>
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
+#include <poll.h>
+
+#include "daemon/http/problem.h"
+#include "daemon/http/web_socket_connection.h"
+
+namespace scipd::daemon {
+namespace {
+
+namespace asio = boost::asio;
+namespace http = boost::beast::http;
+
+using boost::system::error_code;
+
+/// How long a client may take to read what it was refused with.
+constexpr std::chrono::seconds linger{2};
+
+/// How soon it is noticed that a client who waits has hung up.
+constexpr std::chrono::milliseconds glance_period{100};
+
+/// Whether nothing comes from there any more.
+bool has_ended(int socket) {
+    pollfd state{socket, POLLRDHUP, 0};
+    return ::poll(&state, 1, 0) == 1;
+}
+
+HttpRequest to_plain(const http::request<http::string_body>& request) {
+    const std::string target{request.target().data(), request.target().size()};
+    const auto mark = target.find('?');
+    // HEAD is GET without the body of the answer.
+    const bool is_head = request.method() == http::verb::head;
+    const std::string method{request.method_string().data(), request.method_string().size()};
+    return {.method = is_head ? "GET" : method,
+            .path = target.substr(0, mark),
+            .query = mark == target.npos ? "" : target.substr(mark + 1),
+            .body = request.body(),
+            .withdrawn = {}};
+}
+
+http::response<http::string_body> to_beast(HttpResponse plain, bool keep_alive) {
+    http::response<http::string_body> response;
+    response.version(11);
+    response.result(static_cast<unsigned>(plain.status));
+    if (!plain.content_type.empty()) response.set(http::field::content_type, plain.content_type);
+    if (!plain.allow.empty()) response.set(http::field::allow, plain.allow);
+    if (plain.status == 426) response.set(http::field::upgrade, "websocket");
+    response.body() = std::move(plain.body);
+    response.keep_alive(keep_alive);
+    // A 204 has no length, not even 0 (RFC 9110, 8.6).
+    if (plain.status != 204) response.prepare_payload();
+    return response;
+}
+
+/// What to tell a client whose request cannot be read, or nothing where it is gone.
+std::optional<HttpResponse> unreadable(const error_code& error, const HttpLimits& limits) {
+    if (error == http::error::end_of_stream || error == http::error::partial_message) return {};
+    if (error == http::error::body_limit) {
+        return problem(413,
+                       "the body is larger than " + std::to_string(limits.body_bytes) + " bytes");
+    }
+    if (error == http::error::header_limit || error == http::error::buffer_overflow) {
+        return problem(
+            431, "the header is larger than " + std::to_string(limits.header_bytes) + " bytes");
+    }
+    if (error.category() == make_error_code(http::error::bad_method).category()) {
+        return problem(400, "not HTTP/1.1: " + error.message());
+    }
+    return {};
+}
+
+}  // namespace
+
+template <class Protocol>
+HttpConnection<Protocol>::HttpConnection(typename Protocol::socket socket,
+                                         std::shared_ptr<HttpService> service)
+    : service_(std::move(service)), stream_(std::move(socket)), glance_(stream_.get_executor()) {
+    service_->clients.insert(this);
+}
+
+template <class Protocol>
+HttpConnection<Protocol>::~HttpConnection() {
+    service_->clients.erase(this);
+}
+
+template <class Protocol>
+void HttpConnection<Protocol>::read_header() {
+    parser_.emplace();
+    parser_->header_limit(service_->limits.header_bytes);
+    parser_->body_limit(service_->limits.body_bytes);
+    stream_.expires_after(service_->limits.idle);
+    http::async_read_header(stream_, buffer_, *parser_,
+                            [self = this->shared_from_this()](const Error& error, std::size_t) {
+                                if (error) return self->refuse(error);
+                                self->allow_body();
+                            });
+}
+
+/// A client that asks before it sends a large body waits for the answer.
+template <class Protocol>
+void HttpConnection<Protocol>::allow_body() {
+    if (parser_->is_done() || parser_->get()[http::field::expect] != "100-continue") {
+        return read_body();
+    }
+    go_on_ = {http::status::continue_, 11};
+    http::async_write(stream_, go_on_,
+                      [self = this->shared_from_this()](const Error& error, std::size_t) {
+                          if (!error) self->read_body();
+                      });
+}
+
+template <class Protocol>
+void HttpConnection<Protocol>::read_body() {
+    if (parser_->is_done()) return answer();
+    http::async_read(stream_, buffer_, *parser_,
+                     [self = this->shared_from_this()](const Error& error, std::size_t) {
+                         if (error) return self->refuse(error);
+                         self->answer();
+                     });
+}
+
+template <class Protocol>
+void HttpConnection<Protocol>::answer() {
+    if (service_->closed) return;
+    const auto& request = parser_->get();
+    if (boost::beast::websocket::is_upgrade(request)) return upgrade();
+    const bool keep_alive = request.keep_alive();
+    const bool with_body = request.method() != http::verb::head;
+    const auto respond = [self = this->shared_from_this(), keep_alive,
+                          with_body](HttpResponse response) {
+        if (!self->service_->closed) self->write(std::move(response), keep_alive, with_body);
+    };
+    answered_ = false;
+    hung_up_ = {};
+    HttpRequest plain = to_plain(request);
+    plain.withdrawn = hung_up_.get_token();
+    try {
+        service_->handler(plain, respond);
+    } catch (const std::exception& error) {
+        respond(problem(500, error.what()));
+    }
+    if (!answered_) watch();
+}
+
+/// Not by reading: what a client has sent meanwhile would hide that it has ended.
+template <class Protocol>
+void HttpConnection<Protocol>::watch() {
+    glance_.expires_after(glance_period);
+    glance_.async_wait([weak = this->weak_from_this()](const Error& error) {
+        const auto self = weak.lock();
+        if (error || !self || self->answered_ || self->service_->closed) return;
+        if (!has_ended(self->stream_.socket().native_handle())) return self->watch();
+        self->hung_up_.request_stop();
+    });
+}
+
+template <class Protocol>
+void HttpConnection<Protocol>::upgrade() {
+    const auto& request = parser_->get();
+    auto answer = service_->open_web_socket(to_plain(request));
+    if (auto* refusal = std::get_if<HttpResponse>(&answer)) {
+        return write(std::move(*refusal), request.keep_alive());
+    }
+    std::make_shared<WebSocketConnection<Protocol>>(std::move(stream_), service_)
+        ->open(request, std::get<Converse>(std::move(answer)));
+}
+
+template <class Protocol>
+void HttpConnection<Protocol>::refuse(const Error& error) {
+    if (service_->closed) return;
+    if (auto refusal = unreadable(error, service_->limits)) write(std::move(*refusal), false);
+}
+
+template <class Protocol>
+void HttpConnection<Protocol>::write(HttpResponse plain, bool keep_alive, bool with_body) {
+    answered_ = true;
+    glance_.cancel();
+    response_ = to_beast(std::move(plain), keep_alive);
+    if (!with_body) response_.body().clear();
+    http::async_write(
+        stream_, response_,
+        [self = this->shared_from_this(), keep_alive](const Error& error, std::size_t) {
+            if (error || self->service_->closed) return;
+            keep_alive ? self->read_header() : self->close_gently();
+        });
+}
+
+/// A client that still sends would lose our answer to a reset connection: read until it ends.
+template <class Protocol>
+void HttpConnection<Protocol>::close_gently() {
+    Error error;
+    stream_.socket().shutdown(asio::socket_base::shutdown_send, error);
+    if (error) return;
+    stream_.expires_after(linger);
+    drop_input();
+}
+
+template <class Protocol>
+void HttpConnection<Protocol>::drop_input() {
+    buffer_.clear();
+    stream_.async_read_some(buffer_.prepare(4096),
+                            [self = this->shared_from_this()](const Error& error, std::size_t) {
+                                if (!error) self->drop_input();
+                            });
+}
+
+template class HttpConnection<asio::ip::tcp>;
+template class HttpConnection<asio::local::stream_protocol>;
+
+}  // namespace scipd::daemon

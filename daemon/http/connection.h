@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// One client of the HTTP server, over any stream: reads a request, writes its response, and again,
+// until either side has enough. Keeps itself alive. Lives on the I/O thread.
+//
+// Not a coroutine: Asio 1.74 has none with clang, which fuzzes and checks these sources.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <stop_token>
+#include <string>
+
+#include <boost/asio/steady_timer.hpp>
+#include <boost/beast/core/basic_stream.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/http.hpp>
+
+#include "daemon/http/server.h"
+#include "daemon/http/web_socket.h"
+
+namespace scipd::daemon {
+
+/// What a server can do with a connection, whatever it runs over.
+class HttpClient {
+  public:
+    virtual ~HttpClient() = default;
+    virtual void close() = 0;
+};
+
+/// Shared by a server and its connections.
+struct HttpService {
+    HttpServer::Handler handler;
+    OpenWebSocket open_web_socket;
+    HttpLimits limits;
+    bool closed = false;
+    std::set<HttpClient*> clients;  ///< each adds and removes itself
+};
+
+template <class Protocol>
+class HttpConnection : public HttpClient,
+                       public std::enable_shared_from_this<HttpConnection<Protocol>> {
+  public:
+    HttpConnection(typename Protocol::socket socket, std::shared_ptr<HttpService> service);
+    ~HttpConnection() override;
+
+    void read_header();
+    void close() override { stream_.close(); }
+
+  private:
+    using Error = boost::system::error_code;
+
+    void allow_body();
+    void read_body();
+    void answer();
+    void watch();
+    void upgrade();
+    void refuse(const Error& error);
+    void write(HttpResponse plain, bool keep_alive, bool with_body = true);
+    void close_gently();
+    void drop_input();
+
+    std::shared_ptr<HttpService> service_;
+    boost::beast::basic_stream<Protocol> stream_;
+    boost::beast::flat_buffer buffer_;
+    std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
+    bool answered_ = false;
+    std::stop_source hung_up_;
+    boost::asio::steady_timer glance_;  ///< at whether it has
+    boost::beast::http::response<boost::beast::http::empty_body> go_on_;
+    boost::beast::http::response<boost::beast::http::string_body> response_;
+};
+
+}  // namespace scipd::daemon

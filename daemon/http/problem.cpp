@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/http/problem.h"
+
+#include <nlohmann/json.hpp>
+
+namespace scipd::daemon {
+
+std::string_view http_title(int status) {
+    switch (status) {
+        case 400:
+            return "Bad Request";
+        case 404:
+            return "Not Found";
+        case 405:
+            return "Method Not Allowed";
+        case 409:
+            return "Conflict";
+        case 413:
+            return "Payload Too Large";
+        case 426:
+            return "Upgrade Required";
+        case 431:
+            return "Request Header Fields Too Large";
+        case 500:
+            return "Internal Server Error";
+        default:
+            return "Error";
+    }
+}
+
+HttpResponse problem(int status, std::string_view detail, std::string_view field) {
+    nlohmann::ordered_json document{{"type", "about:blank"},
+                                    {"title", http_title(status)},
+                                    {"status", status},
+                                    {"detail", detail}};
+    if (!field.empty()) document["field"] = field;
+    // Whatever bytes a sentence quotes, the document is JSON.
+    return {.status = status,
+            .content_type = "application/problem+json",
+            .body = document.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace),
+            .allow = {}};
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What the control API answers when it refuses: a problem document (RFC 9457).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "daemon/http/message.h"
+
+namespace scipd::daemon {
+
+/// The reason phrase of a status, "Error" where there is none here.
+std::string_view http_title(int status);
+
+/// {"type":"about:blank","title","status","detail"} and, unless it is empty, "field": the part of
+/// the request that is at fault.
+HttpResponse problem(int status, std::string_view detail, std::string_view field = {});
+
+}  // namespace scipd::daemon

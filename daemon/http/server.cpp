@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/http/server.h"
+
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <sys/stat.h>
+
+#include "daemon/http/connection.h"
+#include "daemon/http/problem.h"
+
+namespace scipd::daemon {
+
+namespace asio = boost::asio;
+namespace fs = std::filesystem;
+
+using asio::ip::tcp;
+using boost::system::error_code;
+using Local = asio::local::stream_protocol;
+
+/// One place to be connected at; keeps itself alive until it is closed.
+class HttpPort {
+  public:
+    virtual ~HttpPort() = default;
+    virtual void close() = 0;
+};
+
+namespace {
+
+/// After a failed accept, as when all descriptors are taken: not at once again.
+constexpr std::chrono::milliseconds accept_pause{100};
+
+template <class Protocol>
+class Listener : public HttpPort, public std::enable_shared_from_this<Listener<Protocol>> {
+  public:
+    Listener(typename Protocol::acceptor acceptor, std::shared_ptr<HttpService> service)
+        : service_(std::move(service)),
+          acceptor_(std::move(acceptor)),
+          pause_(acceptor_.get_executor()) {}
+
+    void accept() {
+        acceptor_.async_accept([self = this->shared_from_this()](const error_code& error,
+                                                                 typename Protocol::socket socket) {
+            if (self->service_->closed) return;
+            if (error) return self->accept_later();
+            std::make_shared<HttpConnection<Protocol>>(std::move(socket), self->service_)
+                ->read_header();
+            self->accept();
+        });
+    }
+
+    void close() override {
+        error_code ignored;
+        acceptor_.close(ignored);
+        pause_.cancel();
+    }
+
+  private:
+    void accept_later() {
+        pause_.expires_after(accept_pause);
+        pause_.async_wait([self = this->shared_from_this()](const error_code&) {
+            if (!self->service_->closed) self->accept();
+        });
+    }
+
+    std::shared_ptr<HttpService> service_;
+    typename Protocol::acceptor acceptor_;
+    asio::steady_timer pause_;
+};
+
+/// What a daemon that was killed has left behind.
+void remove_stale(const fs::path& path, const asio::any_io_executor& executor) {
+    const auto type = fs::symlink_status(path).type();
+    if (type == fs::file_type::not_found) return;
+    if (type != fs::file_type::socket) throw std::runtime_error("it is there and no socket");
+    Local::socket probe{executor};
+    error_code error;
+    probe.connect(Local::endpoint{path.string()}, error);
+    if (!error) throw std::runtime_error("another program listens there");
+    if (error != asio::error::connection_refused) throw boost::system::system_error{error};
+    fs::remove(path);
+}
+
+template <class Listen>
+void name_failures(const std::string& where, Listen listen) {
+    try {
+        listen();
+    } catch (const boost::system::system_error& error) {
+        throw std::runtime_error("cannot listen on " + where + ": " + error.code().message());
+    } catch (const std::exception& error) {
+        throw std::runtime_error("cannot listen on " + where + ": " + error.what());
+    }
+}
+
+}  // namespace
+
+HttpServer::HttpServer(asio::any_io_executor executor, Handler handler,
+                       OpenWebSocket open_web_socket, const HttpLimits& limits)
+    : executor_(std::move(executor)), service_(std::make_shared<HttpService>()) {
+    service_->handler = std::move(handler);
+    service_->open_web_socket = std::move(open_web_socket);
+    service_->limits = limits;
+}
+
+HttpServer::~HttpServer() {
+    close();
+}
+
+void HttpServer::listen(const fs::path& socket) {
+    name_failures(socket.string(), [&] {
+        remove_stale(socket, executor_);
+        Local::acceptor acceptor{executor_, Local{}};
+        // On Linux the file inherits the mode of its descriptor: at no instant can others open it.
+        ::fchmod(acceptor.native_handle(), S_IRUSR | S_IWUSR);
+        acceptor.bind(Local::endpoint{socket.string()});
+        sockets_.push_back(socket);
+        acceptor.listen();
+        const auto port = std::make_shared<Listener<Local>>(std::move(acceptor), service_);
+        port->accept();
+        ports_.push_back(port);
+    });
+}
+
+Address HttpServer::listen(const Address& address) {
+    Address taken;
+    name_failures(text_of(address), [&] {
+        const tcp::endpoint wanted{asio::ip::make_address(address.host), address.port};
+        tcp::acceptor acceptor{executor_, wanted};
+        taken = {address.host, acceptor.local_endpoint().port()};
+        const auto port = std::make_shared<Listener<tcp>>(std::move(acceptor), service_);
+        port->accept();
+        ports_.push_back(port);
+    });
+    return taken;
+}
+
+std::variant<HttpResponse, Converse> HttpServer::no_web_sockets(const HttpRequest&) {
+    return problem(404, "there are no WebSockets here");
+}
+
+void HttpServer::close() {
+    service_->closed = true;
+    for (const auto& port : ports_)
+        port->close();
+    // What ends at once takes itself off the list.
+    for (HttpClient* client : std::set(service_->clients))
+        client->close();
+    ports_.clear();
+    for (const auto& socket : sockets_) {
+        std::error_code ignored;
+        fs::remove(socket, ignored);
+    }
+    sockets_.clear();
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/http/web_socket_connection.h"
+
+#include <string_view>
+#include <utility>
+
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
+#include <boost/asio/post.hpp>
+
+namespace scipd::daemon {
+namespace {
+
+namespace asio = boost::asio;
+namespace websocket = boost::beast::websocket;
+
+/// A client with so many messages before it is not listened to until it has read some.
+constexpr std::size_t most_unread = 64;
+
+}  // namespace
+
+template <class Protocol>
+WebSocketConnection<Protocol>::WebSocketConnection(Stream stream,
+                                                   std::shared_ptr<HttpService> service)
+    : service_(std::move(service)), socket_(std::move(stream)) {
+    service_->clients.insert(this);
+    boost::beast::get_lowest_layer(socket_).expires_never();
+    socket_.set_option(websocket::stream_base::timeout::suggested(boost::beast::role_type::server));
+    socket_.read_message_max(service_->limits.body_bytes);
+    socket_.text(true);
+    socket_.auto_fragment(false);
+}
+
+template <class Protocol>
+WebSocketConnection<Protocol>::~WebSocketConnection() {
+    service_->clients.erase(this);
+}
+
+template <class Protocol>
+void WebSocketConnection<Protocol>::open(const Request& request, Converse converse) {
+    socket_.async_accept(request, [self = this->shared_from_this(),
+                                   converse = std::move(converse)](const Error& error) {
+        if (error || self->service_->closed) return;
+        self->conversation_ = converse(*self);
+        self->read();
+    });
+}
+
+template <class Protocol>
+void WebSocketConnection<Protocol>::read() {
+    waits_for_room_ = queue_.size() >= most_unread;
+    if (waits_for_room_) return;
+    socket_.async_read(buffer_, [self = this->shared_from_this()](const Error& error, std::size_t) {
+        self->received(error);
+    });
+}
+
+template <class Protocol>
+void WebSocketConnection<Protocol>::received(const Error& error) {
+    // The conversation may hold what refers to others that end before the last handler does.
+    if (error || service_->closed) return conversation_.reset();
+    work_off();
+}
+
+/// A long message in many turns of the event loop.
+template <class Protocol>
+void WebSocketConnection<Protocol>::work_off() {
+    // It has ended with a write that failed, while this message had already come.
+    if (!conversation_) return;
+    const auto bytes = buffer_.cdata();
+    buffer_.consume(conversation_->take({static_cast<const char*>(bytes.data()), bytes.size()}));
+    if (buffer_.size() == 0) return read();
+    asio::post(socket_.get_executor(), [self = this->shared_from_this()] { self->work_off(); });
+}
+
+template <class Protocol>
+void WebSocketConnection<Protocol>::send(std::shared_ptr<const std::string> message) {
+    queue_.push_back(std::move(message));
+    if (queue_.size() == 1) write();
+}
+
+template <class Protocol>
+void WebSocketConnection<Protocol>::write() {
+    socket_.async_write(asio::buffer(*queue_.front()),
+                        [self = this->shared_from_this()](const Error& error, std::size_t) {
+                            self->written(error);
+                        });
+}
+
+template <class Protocol>
+void WebSocketConnection<Protocol>::written(const Error& error) {
+    if (error || service_->closed) return conversation_.reset();
+    queue_.pop_front();
+    if (!queue_.empty()) write();
+    if (!conversation_) return;
+    conversation_->left();
+    if (waits_for_room_) read();
+}
+
+template <class Protocol>
+void WebSocketConnection<Protocol>::close() {
+    conversation_.reset();
+    boost::beast::get_lowest_layer(socket_).close();
+}
+
+template class WebSocketConnection<asio::ip::tcp>;
+template class WebSocketConnection<asio::local::stream_protocol>;
+
+}  // namespace scipd::daemon

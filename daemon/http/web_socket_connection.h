@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// One WebSocket over any stream that an HTTP request came by: reads messages for a conversation,
+// writes what it says. Keeps itself alive. Lives on the I/O thread.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <string>
+
+#include <boost/beast/core/basic_stream.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+
+#include "daemon/http/connection.h"
+#include "daemon/http/web_socket.h"
+
+namespace scipd::daemon {
+
+template <class Protocol>
+class WebSocketConnection : public HttpClient,
+                            public WebSocket,
+                            public std::enable_shared_from_this<WebSocketConnection<Protocol>> {
+  public:
+    using Stream = boost::beast::basic_stream<Protocol>;
+    using Request = boost::beast::http::request<boost::beast::http::string_body>;
+
+    WebSocketConnection(Stream stream, std::shared_ptr<HttpService> service);
+    ~WebSocketConnection() override;
+
+    /// Accepts the request; then the conversation begins.
+    void open(const Request& request, Converse converse);
+
+    void send(std::shared_ptr<const std::string> message) override;
+    void close() override;
+
+  private:
+    using Error = boost::system::error_code;
+
+    void read();
+    void received(const Error& error);
+    void work_off();
+    void write();
+    void written(const Error& error);
+
+    std::shared_ptr<HttpService> service_;
+    boost::beast::websocket::stream<Stream> socket_;
+    boost::beast::flat_buffer buffer_;
+    std::deque<std::shared_ptr<const std::string>> queue_;
+    bool waits_for_room_ = false;  ///< before it reads on
+    std::unique_ptr<Conversation> conversation_;
+};
+
+}  // namespace scipd::daemon

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/poses/pose_feed.h"
+
+#include <array>
+#include <chrono>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/ip/udp.hpp>
+#include <boost/asio/posix/stream_descriptor.hpp>
+#include <boost/asio/post.hpp>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "daemon/poses/some_lines.h"
+#include "daemon/poses/throttle.h"
+#include "sim/loaders/poses/trajectory.h"
+
+namespace scipd::daemon {
+
+namespace asio = boost::asio;
+using boost::system::error_code;
+
+namespace {
+
+/// Lines from anywhere into the intake; a person is told of refusals, not of every one.
+class LineSink {
+  public:
+    /// `robot` is the feed's own, whichever it is at the time.
+    LineSink(FeedContext context, const std::string& robot)
+        : context_(std::move(context)), robot_(robot) {}
+
+    /// Time in lockstep waits for what comes from now on.
+    void begin() {
+        if (context_.lockstep != nullptr) context_.lockstep->add(&sender_);
+    }
+
+    /// Nothing comes any more.
+    void end() {
+        ended_ = true;
+        if (context_.lockstep != nullptr) context_.lockstep->remove(&sender_);
+    }
+
+    /// Some in each turn of the event loop; calls when all are taken and there is room for more.
+    /// `feed` has both this and the text.
+    void take_lines(std::string_view text, const std::shared_ptr<PoseFeed>& feed,
+                    const std::function<void()>& call) {
+        text.remove_prefix(take_some_lines(text, [&](std::string_view line) { take(line); }));
+        if (text.empty()) return when_ready(call);
+        asio::post(context_.executor, [this, text, feed, call] {
+            if (!ended_) take_lines(text, feed, call);
+        });
+    }
+
+    void take(std::string_view line) {
+        if (sim::says_nothing(line)) return;
+        const auto refusal = context_.intake.take_line(line, robot_, sender_, context_.clock.now());
+        if (refusal) tell(*refusal);
+    }
+
+    [[nodiscard]] const FeedContext& context() const { return context_; }
+
+  private:
+    void tell(const std::string& refusal) {
+        const auto others = throttle_.admit(std::chrono::steady_clock::now());
+        if (others) context_.report("pose of " + robot_ + " refused: " + refusal + *others);
+    }
+
+    void when_ready(const std::function<void()>& call) {
+        if (context_.lockstep == nullptr) return call();
+        context_.lockstep->when_caught_up(call);
+    }
+
+    FeedContext context_;
+    const std::string& robot_;
+    SenderClock sender_;
+    bool ended_ = false;
+    Throttle throttle_;
+};
+
+bool is_regular_file(int descriptor) {
+    struct stat status {};
+    return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+}
+
+/// Every datagram holds one line or several.
+class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
+  public:
+    UdpFeed(const FeedContext& context, const Address& address)
+        : sink_(context, robot()), socket_(context.executor) {
+        try {
+            const asio::ip::udp::endpoint endpoint(asio::ip::make_address(address.host),
+                                                   address.port);
+            socket_.open(endpoint.protocol());
+            socket_.bind(endpoint);
+        } catch (const boost::system::system_error& error) {
+            const bool taken = error.code() == asio::error::address_in_use;
+            throw std::runtime_error("cannot receive poses on " + text_of(address) + ": " +
+                                     error.code().message() +
+                                     (taken ? "; each robot needs an address of its own" : ""));
+        }
+    }
+
+    void stop() override {
+        sink_.end();
+        socket_.close();
+    }
+
+    [[nodiscard]] std::optional<Address> address() const override {
+        const asio::ip::udp::endpoint taken = socket_.local_endpoint();
+        return Address{taken.address().to_string(), taken.port()};
+    }
+
+  private:
+    void begin() override {
+        sink_.begin();
+        receive();
+    }
+
+    void receive() {
+        socket_.async_receive(asio::buffer(datagram_),
+                              [self = shared_from_this()](error_code error, std::size_t size) {
+                                  // Stopped: what had come already does not say so itself.
+                                  if (!self->socket_.is_open()) return;
+                                  self->take({self->datagram_.data(), error ? 0 : size});
+                              });
+    }
+
+    void take(std::string_view datagram) {
+        sink_.take_lines(datagram, shared_from_this(), [weak = weak_from_this()] {
+            if (const auto feed = weak.lock()) feed->receive();
+        });
+    }
+
+    LineSink sink_;
+    asio::ip::udp::socket socket_;
+    std::array<char, 65536> datagram_;
+};
+
+class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<StandardInputFeed> {
+  public:
+    explicit StandardInputFeed(const FeedContext& context)
+        : sink_(context, robot()), input_(context.executor) {
+        // All of its poses would come at once, more than are kept; in lockstep they are read as
+        // time goes on.
+        if (context.lockstep == nullptr && is_regular_file(STDIN_FILENO))
+            throw std::runtime_error(
+                "poses from standard input need a pipe or a terminal, not a file: play a TUM file "
+                "with --poses FILE, or let its stamps be the time with --clock poses");
+        const int descriptor = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0);
+        if (descriptor < 0)
+            throw std::system_error(errno, std::generic_category(), "cannot read standard input");
+        input_.assign(descriptor);
+    }
+
+    void stop() override {
+        sink_.end();
+        input_.close();
+    }
+
+  private:
+    // Longer lines than any pose has are cut here and refused by the parser.
+    static constexpr std::size_t max_line = 8192;
+
+    void begin() override {
+        sink_.begin();
+        read();
+    }
+
+    void read() {
+        input_.async_read_some(asio::buffer(input_buffer_),
+                               [self = shared_from_this()](error_code error, std::size_t size) {
+                                   if (!self->input_.is_open()) return;  // stopped, as above
+                                   if (error) return self->end_of_input();
+                                   self->take({self->input_buffer_.data(), size});
+                               });
+    }
+
+    void end_of_input() {
+        sink_.take(line_);
+        sink_.end();
+        sink_.context().report("standard input has ended: " + robot() +
+                               " stays where its last pose puts it");
+    }
+
+    void take(std::string_view bytes) {
+        line_.append(bytes);
+        const std::size_t end = line_.rfind('\n');
+        const bool too_long = end == line_.npos && line_.size() > max_line;
+        const std::size_t whole = too_long ? line_.size() : end + 1;  // of no line end it is 0
+        sink_.take_lines(std::string_view(line_).substr(0, whole), shared_from_this(),
+                         [weak = weak_from_this(), whole] {
+                             if (const auto feed = weak.lock()) feed->read_on(whole);
+                         });
+    }
+
+    void read_on(std::size_t taken) {
+        line_.erase(0, taken);
+        read();
+    }
+
+    LineSink sink_;
+    asio::posix::stream_descriptor input_;
+    std::array<char, 4096> input_buffer_;
+    std::string line_;
+};
+
+}  // namespace
+
+std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const PoseSource& source) {
+    switch (source.kind) {
+        case PoseSource::Kind::udp:
+            return std::make_shared<UdpFeed>(context, source.address);
+        case PoseSource::Kind::standard_input:
+            return std::make_shared<StandardInputFeed>(context);
+        case PoseSource::Kind::file:
+            break;
+    }
+    return make_trajectory_feed(context, source);
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A source of live poses for one robot, as its configuration names it: UDP datagrams, standard
+// input or a trajectory that is played. In lockstep it reads on when what has come has been worked
+// off. Lives on the I/O thread.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <boost/asio/any_io_executor.hpp>
+
+#include "daemon/clock/clock.h"
+#include "daemon/config/config.h"
+#include "daemon/poses/lockstep.h"
+#include "daemon/poses/pose_intake.h"
+
+namespace scipd::daemon {
+
+class PoseFeed {
+  public:
+    virtual ~PoseFeed() = default;
+
+    /// Poses come from now on, for this robot; called again, for another one.
+    void serve(const std::string& robot) {
+        robot_ = robot;
+        if (!std::exchange(begun_, true)) begin();
+    }
+    virtual void stop() = 0;
+    /// Where poses are to be sent, with the port that was really taken; nothing: not by a network.
+    [[nodiscard]] virtual std::optional<Address> address() const { return std::nullopt; }
+
+  protected:
+    [[nodiscard]] const std::string& robot() const { return robot_; }
+
+  private:
+    virtual void begin() = 0;
+
+    std::string robot_;
+    bool begun_ = false;
+};
+
+/// What a feed needs of its surroundings; all must outlive it.
+struct FeedContext {
+    boost::asio::any_io_executor executor;
+    PoseIntake& intake;
+    Clock& clock;
+    Lockstep* lockstep = nullptr;  ///< null: on the wall clock
+    bool strict = false;           ///< warnings of a trajectory are faults
+    /// Tells a person that something was refused or is over.
+    std::function<void(const std::string&)> report;
+};
+
+/// A trajectory. Throws LoadError where it cannot be read.
+std::shared_ptr<PoseFeed> make_trajectory_feed(const FeedContext& context,
+                                               const PoseSource& source);
+
+/// Opens the source. Throws std::runtime_error, or LoadError for a trajectory that cannot be read.
+std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const PoseSource& source);
+
+}  // namespace scipd::daemon

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A trajectory as a feed. On the wall clock it hands poses on a little ahead of their time, so that
+// every sweep lies between two that are known; in lockstep one after the other, as long as somebody
+// waits for what they lead to.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "daemon/poses/pose_feed.h"
+#include "sim/loaders/load_error.h"
+#include "sim/loaders/poses/trajectory.h"
+
+namespace scipd::daemon {
+namespace {
+
+class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<TrajectoryFeed> {
+  public:
+    TrajectoryFeed(const FeedContext& context, const PoseSource& source)
+        : context_(context),
+          poses_(load(context, source)),
+          speed_(source.speed),
+          loop_(source.loop),
+          alarm_(context.clock.make_alarm()) {
+        check_length(source.file);
+    }
+    ~TrajectoryFeed() override { stop(); }
+
+    void stop() override {
+        alarm_->cancel();
+        next_ = poses_.size();
+        if (context_.lockstep != nullptr) context_.lockstep->remove(this);
+    }
+
+  private:
+    static std::vector<sim::TimedPose> load(const FeedContext& context, const PoseSource& source) {
+        auto loaded = sim::load_trajectory(source.file, source.format, source.times);
+        if (context.strict && !loaded.warnings.empty()) throw sim::LoadError(loaded.warnings);
+        for (const std::string& warning : loaded.warnings)
+            context.report(warning);
+        return std::move(loaded.poses);
+    }
+
+    static constexpr sim::Time ahead = std::chrono::milliseconds(500);
+
+    // Poses may lie close, and be played fast: the sweeps are served in between.
+    static constexpr int poses_in_one_go = 256;
+
+    // Round after round of no time at all would never reach the next moment, and what takes more
+    // than a Time can tell would go backwards.
+    static constexpr double shortest_lap_s = 1e-3;
+    static constexpr double longest_lap_s = 4e9;
+
+    void check_length(const std::filesystem::path& file) const {
+        const double lap_s = std::chrono::duration<double>(lap_time(poses_)).count() / speed_;
+        const bool too_short = loop_ && poses_.size() > 1 && lap_s < shortest_lap_s;
+        if (!too_short && lap_s <= longest_lap_s) return;
+        throw sim::LoadError(
+            {file.string() + ": at this speed it takes " +
+             (too_short ? "less than a millisecond, which is no loop" : "more than 4e9 s")});
+    }
+
+    void begin() override {
+        lap_begin_ = context_.clock.now();
+        if (context_.lockstep == nullptr) return play();
+        context_.lockstep->add(this);
+        step();
+    }
+
+    void play() {
+        const sim::Time now = context_.clock.now();
+        const auto due = [&] { return next_ < poses_.size() && next_time() <= now + 2 * ahead; };
+        for (int i = 0; i < poses_in_one_go && due(); ++i)
+            hand_on();
+        if (next_ < poses_.size()) alarm_->set(due() ? now : now + ahead, [this] { play(); });
+    }
+
+    void step() {
+        if (next_ >= poses_.size()) return context_.lockstep->remove(this);
+        const sim::Time time = next_time();
+        hand_on();
+        context_.lockstep->come_to(this, time, true);
+        context_.lockstep->when_awaited([weak = weak_from_this()] {
+            if (const auto feed = weak.lock()) feed->step();
+        });
+    }
+
+    /// World time of the next pose.
+    [[nodiscard]] sim::Time next_time() const {
+        return lap_begin_ + scaled(poses_[next_].time - poses_.front().time);
+    }
+
+    [[nodiscard]] sim::Time scaled(sim::Time of_file) const {
+        const double nanoseconds = static_cast<double>(of_file.count()) / speed_;
+        return sim::Time(std::llround(nanoseconds));
+    }
+
+    void hand_on() {
+        const sim::TimedPose& pose = poses_[next_];
+        context_.intake.take_at(next_time(), {.time = pose.time, .pose = pose.pose}, robot());
+        ++next_;
+        if (next_ == poses_.size() && loop_ && poses_.size() > 1) begin_lap();
+    }
+
+    void begin_lap() {
+        lap_begin_ += scaled(lap_time(poses_));
+        next_ = 0;
+    }
+
+    FeedContext context_;
+    std::vector<sim::TimedPose> poses_;
+    double speed_;
+    bool loop_;
+    std::unique_ptr<Clock::Alarm> alarm_;
+    sim::Time lap_begin_{};  ///< world time of the first pose
+    std::size_t next_ = 0;
+};
+
+}  // namespace
+
+std::shared_ptr<PoseFeed> make_trajectory_feed(const FeedContext& context,
+                                               const PoseSource& source) {
+    return std::make_shared<TrajectoryFeed>(context, source);
+}
+
+}  // namespace scipd::daemon

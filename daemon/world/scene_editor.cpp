@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/world/scene_editor.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <memory>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <spdlog/spdlog.h>
+
+#include "sim/loaders/load_error.h"
+
+namespace scipd::daemon {
+
+/// The scene as it is to be, ready to be cast into.
+struct SceneEditor::Next {
+    std::filesystem::path file;
+    sim::SharedScene scene;
+    SensorBackends backends;
+    std::set<std::string> placed_anew;  ///< models that are where the scene has them
+    std::vector<std::string> warnings;
+    std::vector<std::string> notes;
+};
+
+namespace {
+
+using Result = EditOutcome::Result;
+
+struct Refusal {
+    Result result;
+    std::string why;
+};
+
+/// What an edit begins with.
+struct Present {
+    std::filesystem::path file;
+    sim::SharedScene scene;
+    sim::SceneOptions options;
+};
+
+/// A scene without its backends yet.
+struct Edited {
+    std::filesystem::path file;
+    sim::SharedScene scene;
+    sim::SharedScene added;  ///< what of it is new
+    std::vector<std::string> warnings;
+    std::vector<std::string> notes;
+};
+
+Edited edited(const LoadWorld& edit, const Present& present) {
+    const auto file = (sim::folder_of_scene(present.file) / edit.file).lexically_normal();
+    auto [scene, warnings, notes] = sim::load_scene(file, present.options);
+    return {file, scene, scene, std::move(warnings), std::move(notes)};
+}
+
+/// From a file that says itself what it is made of.
+sim::LoadedScene load_whole(const std::filesystem::path& file, const AddModel& edit,
+                            const sim::SceneOptions& options) {
+    if (edit.scale != 1.0 || !edit.material.empty()) {
+        throw sim::LoadError(
+            {file.string() + ": is no mesh, which scale and material go with; it has its own"});
+    }
+    return sim::load_model_file(file, edit.placement, options);
+}
+
+sim::LoadedScene load_model(const AddModel& edit, const Present& present) {
+    const std::filesystem::path folder = sim::folder_of_scene(present.file);
+    sim::SceneOptions options = present.options;
+    options.sdf = sim::within_a_models_share(options.sdf);
+    return sim::load_confined(edit.placement.name, options.limits, [&] {
+        if (!edit.sdf.empty())
+            return sim::load_model_text(edit.sdf, edit.placement, folder, options.sdf);
+        const auto file = folder / (edit.file.empty() ? edit.mesh : edit.file);
+        if (!edit.file.empty() && !sim::is_mesh_file(file)) return load_whole(file, edit, options);
+        return sim::load_mesh_model(file, edit.placement, edit.scale, edit.material,
+                                    options.sdf.mesh);
+    });
+}
+
+/// Models that are each small may be many.
+void check_triangles(const sim::Scene& scene, std::size_t most) {
+    std::set<sim::SharedMesh> meshes;  // each of which many objects may show
+    for (const sim::Object& object : scene.objects) {
+        const auto* mesh = std::get_if<sim::SharedMesh>(&object.shape);
+        if (mesh != nullptr) meshes.insert(*mesh);
+    }
+    std::size_t triangles = 0;
+    for (const sim::SharedMesh& mesh : meshes)
+        triangles += mesh->triangles.size();
+    if (triangles <= most) return;
+    throw sim::LoadError({"with this one the world has more than " + std::to_string(most) +
+                          " triangles; world_triangles under limits in the configuration allows "
+                          "more"});
+}
+
+Edited edited(const AddModel& edit, const Present& present) {
+    sim::SharedScene scene = present.scene;
+    const std::string& name = edit.placement.name;
+    if (sim::find_model(*scene, name)) {
+        if (!edit.replace) {
+            throw Refusal{Result::taken, "there is a model \"" + name +
+                                             "\"; with \"replace\": true this takes its place"};
+        }
+        scene = sim::without_model(*scene, name);
+    }
+    auto [added, warnings, notes] = load_model(edit, present);
+    scene = sim::with_models(*scene, *added);
+    check_triangles(*scene, present.options.sdf.most_triangles);
+    return {present.file, std::move(scene), added, std::move(warnings), std::move(notes)};
+}
+
+Edited edited(const RemoveModel& edit, const Present& present) {
+    sim::SharedScene rest = sim::without_model(*present.scene, edit.name);
+    if (!rest) throw Refusal{Result::unknown, "there is no model \"" + edit.name + "\""};
+    return {present.file, std::move(rest), std::make_shared<const sim::Scene>(), {}, {}};
+}
+
+}  // namespace
+
+void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn) {
+    auto begin = [this, edit = std::move(edit), done = std::move(done)]() -> Loader::Work {
+        Present present{file_, world_.scene(), options_};
+        present.options.limits.stop = loader_.stopping();
+        return [this, edit, done, present = std::move(present),
+                wishes = wishes_()]() mutable -> Loader::Finish {
+            // Whoever waits lives on the I/O thread and goes back there whole: of a copy that stays
+            // here, nobody knows which thread lets go last.
+            const auto refused = [&](Result result, std::vector<std::string> why) {
+                return [done = std::move(done), outcome = EditOutcome{result, std::move(why), {}}] {
+                    done(outcome);
+                };
+            };
+            try {
+                Edited now =
+                    std::visit([&](const auto& wanted) { return edited(wanted, present); }, edit);
+                for (const std::string& note : now.notes)
+                    spdlog::info("{}", note);
+                const auto next = std::make_shared<Next>();
+                *next = {now.file,
+                         now.scene,
+                         make_backends(wishes, now.scene),
+                         {},
+                         std::move(now.warnings),
+                         std::move(now.notes)};
+                for (const sim::Model& model : now.added->models)
+                    next->placed_anew.insert(model.name);
+                return [this, next, done = std::move(done)] {
+                    take_up(*next);
+                    warn_of_lost_bodies(*next);
+                    done({Result::done, next->warnings, next->notes});
+                };
+            } catch (const Refusal& refusal) {
+                return refused(refusal.result, {refusal.why});
+            } catch (const sim::LoadError& error) {
+                return refused(Result::faulty, error.faults());
+            } catch (const std::exception& error) {
+                return refused(Result::faulty, {error.what()});
+            }
+        };
+    };
+    loader_.add(std::move(begin), std::move(withdrawn));
+}
+
+void SceneEditor::take_up(Next& next) {
+    file_ = next.file;
+    loader_.discard(std::make_shared<SensorBackends>(world_.replace_scene(
+        std::move(next.scene), std::move(next.backends), next.placed_anew, clock_.now())));
+}
+
+void SceneEditor::warn_of_lost_bodies(Next& next) const {
+    for (const auto& [robot, body] : world_.lost_bodies()) {
+        next.warnings.push_back(file_.string() + ": has no movable model \"" + body +
+                                "\" to be the body of robot \"" + robot + "\"");
+    }
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/world/world.h"
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "sim/world/bounds.h"
+#include "sim/world/script.h"
+
+namespace scipd::daemon {
+namespace {
+
+template <class Map>
+std::string names_of(const Map& map) {
+    constexpr std::size_t most = 16;
+    std::string text;
+    std::size_t told = 0;
+    for (const auto& [name, value] : map) {
+        if (told++ == most) return text + " and " + std::to_string(map.size() - most) + " more";
+        text += (text.empty() ? "" : ", ") + name;
+    }
+    return text.empty() ? "none" : text;
+}
+
+/// By ModelId; of movable models only.
+std::vector<double> radii_m(const sim::Scene& scene) {
+    std::vector<double> radii(scene.models.size(), 0.0);
+    for (const sim::Object& object : scene.objects) {
+        if (!scene.models[object.model].movable) continue;
+        sim::Bounds bounds;
+        bounds.include(sim::bounds_of(object.shape), object.model_from_object);
+        if (bounds.empty()) continue;
+        const glm::dvec3 farthest = glm::max(glm::abs(bounds.low_m), glm::abs(bounds.high_m));
+        radii[object.model] = std::max(radii[object.model], glm::length(farthest));
+    }
+    return radii;
+}
+
+bool same(const sim::SharedScript& a, const sim::SharedScript& b) {
+    return a == b || (a && b && *a == *b);
+}
+
+/// Sweeps that are measured late ask for no more.
+constexpr sim::Time recent = std::chrono::seconds(2);
+
+}  // namespace
+
+SensorBackends World::replace_scene(sim::SharedScene scene, SensorBackends backends,
+                                    const std::set<std::string>& placed_anew, sim::Time now) {
+    scene_ = std::move(scene);
+    names_ = sim::without_shapes(*scene_);
+    SensorBackends old = replace_backends(std::move(backends));
+    auto before = std::exchange(movable_, {});
+    const std::vector<double> radii = radii_m(*scene_);
+    for (sim::ModelId id = 0; id < scene_->models.size(); ++id) {
+        const auto& [name, movable, start, script] = scene_->models[id];
+        if (!movable) continue;
+        MovableModel model{id, start, radii[id], sim::PoseTrack(start), script, now};
+        const auto known = before.find(name);
+        const bool stays = known != before.end() && known->second.start == start &&
+                           same(known->second.script, script) && !placed_anew.contains(name);
+        if (stays) {
+            model.track = std::move(known->second.track);
+            model.begun = known->second.begun;
+            model.placed = known->second.placed;
+        }
+        movable_.emplace(name, std::move(model));
+    }
+    find_carriers();
+    return old;
+}
+
+SensorBackends World::replace_backends(SensorBackends backends) {
+    SensorBackends old = std::exchange(backends_, std::move(backends));
+    backends_.log_changes_since(old);
+    old.leave_thread();
+    return old;
+}
+
+void World::set_robots(const std::map<std::string, RobotStart>& robots) {
+    std::erase_if(robots_, [&](const auto& robot) { return !robots.contains(robot.first); });
+    for (const auto& [name, start] : robots) {
+        const auto known = robots_.find(name);
+        if (known != robots_.end() && known->second.start == start) continue;
+        robots_.insert_or_assign(
+            name, Robot{start, sim::PoseTrack(start.world_from_robot, start.policy)});
+    }
+    find_carriers();
+}
+
+void World::find_carriers() {
+    for (auto& [name, model] : movable_)
+        model.carrier = nullptr;
+    for (const auto& [name, robot] : robots_) {
+        const auto body = movable_.find(robot.start.body);
+        if (body != movable_.end()) body->second.carrier = &robot;
+    }
+}
+
+const sim::PoseTrack* World::robot(std::string_view name) const {
+    const auto found = robots_.find(name);
+    return found == robots_.end() ? nullptr : &found->second.track;
+}
+
+const sim::PoseTrack* World::model(std::string_view name) const {
+    const auto found = movable_.find(name);
+    return found == movable_.end() ? nullptr : &found->second.path();
+}
+
+std::optional<sim::Pose> World::model_pose(std::string_view name, sim::Time time) const {
+    const auto found = movable_.find(name);
+    if (found == movable_.end()) return std::nullopt;
+    return found->second.at(time);
+}
+
+sim::ModelId World::body_of(std::string_view robot) const {
+    const auto found = robots_.find(robot);
+    if (found == robots_.end()) return sim::no_model;
+    const auto body = movable_.find(found->second.start.body);
+    return body == movable_.end() ? sim::no_model : body->second.id;
+}
+
+std::map<std::string, std::string> World::lost_bodies() const {
+    std::map<std::string, std::string> lost;
+    for (const auto& [name, robot] : robots_) {
+        const std::string& body = robot.start.body;
+        if (!body.empty() && !movable_.contains(body)) lost[name] = body;
+    }
+    return lost;
+}
+
+std::optional<std::string> World::place_robot(std::string_view name, const Placement& placement) {
+    const auto found = robots_.find(name);
+    if (found == robots_.end()) {
+        return "robot: there is no \"" + std::string(name) + "\"; robots are " + names_of(robots_);
+    }
+    return place(found->second.track, placement);
+}
+
+std::optional<std::string> World::place_only_robot(const Placement& placement) {
+    if (robots_.size() != 1) return "robot: say which; robots are " + names_of(robots_);
+    return place(robots_.begin()->second.track, placement);
+}
+
+std::optional<std::string> World::place_model(std::string_view name, const Placement& placement) {
+    const auto found = movable_.find(name);
+    if (found == movable_.end()) {
+        return "model: there is no movable \"" + std::string(name) + "\"; movable models are " +
+               names_of(movable_);
+    }
+    if (found->second.carrier != nullptr) {
+        return "model: \"" + std::string(name) + "\" is the body of a robot; move the robot";
+    }
+    if (found->second.follows_script()) {
+        end_script(found->second, placement);
+        return std::nullopt;
+    }
+    return place(found->second.track, placement);
+}
+
+// What it did until then stays, for sweeps that are measured later.
+void World::end_script(MovableModel& model, const Placement& placement) {
+    model.track = model.script->between(model.begun, placement.time - recent, placement.time);
+    model.track.jump(placement.time, placement.pose);
+    model.placed = true;
+    if (on_placed_) on_placed_();
+}
+
+std::optional<std::string> World::place(sim::PoseTrack& track, const Placement& placement) {
+    if (placement.from_now_on && placement.time <= track.last_time()) {
+        track.jump(placement.time, placement.pose);
+    } else if (!track.place(placement.time, placement.pose, placement.velocity)) {
+        return std::string(not_later);
+    }
+    if (on_placed_) on_placed_();
+    return std::nullopt;
+}
+
+bool World::has_one_mover() const {
+    const auto moves_alone = [](const auto& model) { return model.second.carrier == nullptr; };
+    return robots_.size() == 1 && std::ranges::none_of(movable_, moves_alone);
+}
+
+bool World::poses_known(sim::Time until) const {
+    const auto expected = [&](const sim::PoseTrack& track) {
+        return track.live(until) && track.last_time() < until;
+    };
+    return std::ranges::none_of(robots_,
+                                [&](const auto& robot) { return expected(robot.second.track); }) &&
+           std::ranges::none_of(movable_, [&](const auto& model) {
+               return !model.second.follows_script() && expected(model.second.path());
+           });
+}
+
+std::vector<sim::Pose> World::poses_at(sim::Time time) const {
+    std::vector<sim::Pose> poses;
+    poses.reserve(scene_->models.size());
+    for (const sim::Model& model : scene_->models)
+        poses.push_back(model.world_from_model);
+    for (const auto& [name, model] : movable_)
+        poses[model.id] = model.at(time);
+    return poses;
+}
+
+std::vector<sim::Mover> World::movers(sim::Time from, sim::Time to, sim::ModelId except) {
+    std::vector<sim::Mover> movers;
+    movers.reserve(movable_.size());
+    for (auto& [name, model] : movable_) {
+        if (model.id == except) continue;
+        if (model.follows_script()) model.track = model.script->between(model.begun, from, to);
+        movers.push_back({model.id, model.radius_m, &model.path()});
+    }
+    return movers;
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// GET /sensors/R/S/truth over a real device before a wall whose ranges are closed form.
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "daemon/api/routes.h"
+#include "daemon/clock/stepped_clock.h"
+#include "daemon/device/client.h"
+#include "daemon/device/device.h"
+#include "tests/daemon/wall_world.h"
+#include "tests/support/empty_api.h"
+#include "tests/support/one_backend.h"
+
+namespace scipd::daemon {
+namespace {
+
+using nlohmann::json;
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+
+class TruthTest : public testing::Test, tests::EmptyApi {
+  protected:
+    [[nodiscard]] const ScanLog* scans(const std::string& sensor) const override {
+        return sensor == "robot/scanner" ? &device_.log() : nullptr;
+    }
+
+    HttpResponse ask(const std::string& query = {}) {
+        std::optional<HttpResponse> answer;
+        route(*this, {"GET", "/sensors/robot/scanner/truth", query, ""},
+              [&](const HttpResponse& response) { answer = response; });
+        return answer.value();
+    }
+    json truth(const std::string& query = {}) {
+        const auto response = ask(query);
+        EXPECT_EQ(response.status, 200) << response.body;
+        return json::parse(response.body);
+    }
+    std::string refusal(int status, const std::string& query = {}) {
+        const auto response = ask(query);
+        EXPECT_EQ(response.status, status) << response.body;
+        return json::parse(response.body).value("detail", "");
+    }
+
+    void turn(int times = 1) {
+        for (int i = 0; i < times; ++i) {
+            clock_.advance_to(device_.leaves(revolution_));
+            device_.turn_complete(revolution_++);
+        }
+    }
+
+    static SensorConfig in_three_fans() {
+        SensorConfig config = ideal_sensor();
+        config.motion = 3;
+        return config;
+    }
+
+    SteppedClock clock_;
+    World world_ = wall_world();
+    Device device_{"robot", in_three_fans(), 1, world_, clock_};
+    Client client_{device_, [] {}};
+    std::int64_t revolution_ = device_.next_revolution();
+};
+
+// A UST-10LX: 1081 steps of a quarter of a degree from 0, the front at 540.
+TEST_F(TruthTest, IsWhatTheWorldHasAndWhatWasSent) {
+    client_.receive("MD0000108000000\n");
+    turn();
+    const json said = truth();
+    EXPECT_EQ(said["sensor"], "robot/scanner");
+    EXPECT_EQ(said["scan"], revolution_ - 1);
+    const double start_s = said["time_s"];
+    EXPECT_EQ(said["stamp_ms"], static_cast<int>(std::floor(start_s * 1000 + 1e-6)));
+    ASSERT_EQ(said["poses"].size(), 1U);
+    EXPECT_EQ(said["poses"][0]["xyz"], json({0.0, 0.0, 0.0}));
+    EXPECT_EQ(said["poses"][0]["q"], json({0.0, 0.0, 0.0, 1.0}));
+    for (const char* list :
+         {"steps", "true_m", "object", "material", "incidence_rad", "sent_mm", "intensity"})
+        EXPECT_EQ(said[list].size(), 1081U) << list;
+
+    EXPECT_EQ(said["steps"][540], 540);
+    for (const int step : {540, 440, 640}) {
+        const double angle = (step - 540) * 0.25 * std::numbers::pi / 180.0;
+        const double range_m = 4.0 / std::cos(angle);
+        EXPECT_NEAR(said["true_m"][step], range_m, 2e-6);
+        EXPECT_NEAR(said["incidence_rad"][step], std::abs(angle), 1e-3);
+        EXPECT_EQ(said["object"][step], "object 0");
+        EXPECT_EQ(said["material"][step], "default");
+        EXPECT_EQ(said["sent_mm"][step], std::lround(range_m * 1000.0));
+        EXPECT_GT(said["intensity"][step], 0);
+    }
+    // Behind it there is nothing.
+    for (const char* list : {"true_m", "object", "material", "incidence_rad"})
+        EXPECT_EQ(said[list][0], nullptr) << list;
+    EXPECT_EQ(said["sent_mm"][0], device_.profile().codes.nothing);
+}
+
+// From the origin to the left at 1 m/s.
+TEST_F(TruthTest, HasAPoseForEachFan) {
+    (void)world_.place_robot("robot", {.time = 0s, .pose = {}});
+    (void)world_.place_robot("robot", {.time = 500ms, .pose = {{0, 0.5, 0}, {1, 0, 0, 0}}});
+    client_.receive("MD0540054000000\n");
+    turn(2);
+    const json poses = truth()["poses"];
+    ASSERT_EQ(poses.size(), 3U);
+    for (const json& pose : poses)
+        EXPECT_NEAR(pose["xyz"][1].get<double>(), pose["time_s"].get<double>(), 1e-9);
+    // A third of 1081 of 1440 steps in 25 ms.
+    const double between_s = poses[1]["time_s"].get<double>() - poses[0]["time_s"].get<double>();
+    EXPECT_NEAR(between_s, 0.025 * 1081 / 1440 / 3, 0.025 / 1440);
+}
+
+// In lockstep people have the stamps of their poses for times.
+TEST_F(TruthTest, TellsTimesFromTheOriginOfItsClock) {
+    client_.receive("MD0540054000000\n");
+    turn();
+    const json before = truth();
+    clock_.set_origin(1'000'000s);
+    turn();
+    const json said = truth();
+    const double turn_s = said["time_s"].get<double>() - before["time_s"].get<double>() - 1e6;
+    EXPECT_NEAR(turn_s, 0.025, 1e-3);
+    EXPECT_NEAR(said["poses"][0]["time_s"].get<double>() - said["time_s"].get<double>(),
+                before["poses"][0]["time_s"].get<double>() - before["time_s"].get<double>(), 1e-6);
+    // What was told is not told otherwise later.
+    EXPECT_EQ(truth("scan=" + std::to_string(revolution_ - 2)), before);
+}
+
+TEST_F(TruthTest, KeepsASecondOfScans) {
+    client_.receive("MD0540054000000\n");
+    turn(100);
+    const std::int64_t last = revolution_ - 1;
+    // 25 ms each: 40 turns before the last one is a second ago.
+    EXPECT_EQ(truth("scan=" + std::to_string(last - 40))["scan"], last - 40);
+    EXPECT_EQ(truth("scan=" + std::to_string(last))["scan"], last);
+    const std::string kept = "from " + std::to_string(last - 40) + " to " + std::to_string(last);
+    EXPECT_THAT(refusal(404, "scan=" + std::to_string(last - 41)), HasSubstr(kept));
+    EXPECT_THAT(refusal(404, "scan=" + std::to_string(last + 1)), HasSubstr(kept));
+}
+
+TEST_F(TruthTest, KeepsTheNamesOfTheirWorld) {
+    client_.receive("MD0540054000000\n");
+    turn();
+    const sim::SharedScene other = sim::SceneBuilder()
+                                       .add(sim::Box{{1, 1, 1}}, {{-9, 0, 0}, {1, 0, 0, 0}})
+                                       .add(sim::Box{{1, 1, 1}}, {{2.5, 0, 0}, {1, 0, 0, 0}})
+                                       .build();
+    const std::weak_ptr<const sim::Scene> before = world_.scene();
+    world_.replace_scene(other, one_backend(other));
+    EXPECT_TRUE(before.expired()) << "which may be large";
+    EXPECT_EQ(truth()["object"][540], "object 0");
+    turn();
+    EXPECT_EQ(truth()["object"][540], "object 1");
+    EXPECT_EQ(truth()["sent_mm"][540], 2000);
+    EXPECT_EQ(truth("scan=" + std::to_string(revolution_ - 2))["object"][540], "object 0");
+}
+
+TEST_F(TruthTest, SaysWhatToDoWhereThereIsNone) {
+    EXPECT_THAT(refusal(404), HasSubstr("until somebody asks for scans"));
+    client_.receive("MD0540054000000\n");
+    turn();
+    for (const char* query : {"scan=", "scan=x", "scan=1x", "scan=99999999999999999999", "n=1"})
+        EXPECT_THAT(refusal(400, query), HasSubstr("scan must be the number")) << query;
+}
+
+}  // namespace
+}  // namespace scipd::daemon

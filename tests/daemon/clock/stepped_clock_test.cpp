@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/clock/stepped_clock.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace scipd::daemon {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(SteppedClock, CallsInTheOrderOfTimeAndEachAtItsOwn) {
+    SteppedClock clock;
+    std::string called;
+    const auto at = [&](char name, sim::Time time) {
+        return [&, name, time] {
+            EXPECT_EQ(clock.now(), time);
+            called += name;
+        };
+    };
+    const auto late = clock.make_alarm();
+    const auto early = clock.make_alarm();
+    const auto second_of_the_same_time = clock.make_alarm();
+    late->set(30ms, at('c', 30ms));
+    early->set(10ms, at('a', 10ms));
+    second_of_the_same_time->set(10ms, at('b', 10ms));
+    clock.advance_to(20ms);
+    EXPECT_EQ(called, "ab");
+    EXPECT_EQ(clock.now(), 20ms);
+    clock.advance_to(30ms);
+    EXPECT_EQ(called, "abc");
+}
+
+TEST(SteppedClock, CallsWhatIsSetOnTheWay) {
+    SteppedClock clock;
+    const auto alarm = clock.make_alarm();
+    int calls = 0;
+    std::function<void()> again = [&] {
+        ++calls;
+        alarm->set(clock.now() + 10ms, again);
+    };
+    alarm->set(10ms, again);
+    clock.advance_to(1s);
+    EXPECT_EQ(calls, 100);
+}
+
+TEST(SteppedClock, CallsWhatIsOverdueNowAndNotFromWithinSet) {
+    SteppedClock clock;
+    clock.advance_to(5s);
+    bool called = false;
+    const auto alarm = clock.make_alarm();
+    alarm->set(1s, [&] {
+        called = true;
+        EXPECT_EQ(clock.now(), 5s);
+    });
+    EXPECT_FALSE(called);
+    clock.advance_to(5s);
+    EXPECT_TRUE(called);
+}
+
+TEST(SteppedClock, ForgetsWhatIsCancelledReplacedOrGone) {
+    SteppedClock clock;
+    std::string called;
+    const auto alarm = clock.make_alarm();
+    auto gone = clock.make_alarm();
+    const auto cancelled = clock.make_alarm();
+    alarm->set(1s, [&] { called += "replaced"; });
+    alarm->set(2s, [&] {
+        called += "new";
+        gone.reset();
+    });
+    gone->set(3s, [&] { called += "gone"; });
+    cancelled->set(1s, [&] { called += "cancelled"; });
+    cancelled->cancel();
+    clock.advance_to(10s);
+    EXPECT_EQ(called, "new");
+}
+
+TEST(SteppedClock, LetsACallTakeItsOwnAlarmAway) {
+    SteppedClock clock;
+    auto alarm = clock.make_alarm();
+    alarm->set(1s, [&] { alarm.reset(); });
+    clock.advance_to(2s);
+    EXPECT_EQ(alarm, nullptr);
+}
+
+TEST(SteppedClock, NeverGoesBack) {
+    SteppedClock clock;
+    clock.advance_to(2s);
+    clock.advance_to(1s);
+    EXPECT_EQ(clock.now(), 2s);
+}
+
+}  // namespace
+}  // namespace scipd::daemon

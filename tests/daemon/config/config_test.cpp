@@ -1,0 +1,443 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What a configuration means, and the literal words of every fault in a broken one.
+#include "daemon/config/config.h"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "daemon/config/limits.h"
+#include "daemon/models/registry.h"
+#include "sim/world/pose.h"
+#include "tests/daemon/config/config_fixture.h"
+
+namespace scipd::daemon {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using ConfigTest = ConfigFixture;
+
+constexpr const char* whole = R"(scene: room.sdf
+seed: 42
+clock: wall
+robots:
+  rescue:
+    pose: {xyz: [1, -1.5, 0], rpy: [0, 0, 3.14159]}
+    poses: udp:127.0.0.1:14550
+    sensors:
+      front:
+        model: UST-10LX
+        mount: {xyz: [0.2, 0, 0.25]}
+        tcp: 127.0.0.1:10940
+        pty: link/front
+      rear:
+        model: URG-04LX@3.1.04
+        pty: auto
+        backend: reference
+        accuracy: ideal
+        motion: 12
+        timing: ideal
+  other:
+    poses: walk.tum
+    sensors:
+      only: {model: UTM-30LX, tcp: "[::1]:0", motion: beam}
+control: control.sock
+http: localhost:8080
+)";
+
+TEST_F(ConfigTest, HoldsWhatTheFileSays) {
+    const Config config = parse(whole);
+    EXPECT_EQ(config.scene, dir_.path() / "room.sdf");
+    EXPECT_EQ(config.seed, 42u);
+    EXPECT_EQ(config.control, dir_.path() / "control.sock");
+    EXPECT_EQ(config.http, (Address{"127.0.0.1", 8080}));
+    ASSERT_EQ(config.robots.size(), 2u);
+
+    const RobotConfig& rescue = config.robots[0];
+    EXPECT_EQ(rescue.name, "rescue");
+    EXPECT_EQ(rescue.world_from_robot, sim::pose_from_rpy({1.0, -1.5, 0.0}, {0.0, 0.0, 3.14159}));
+    EXPECT_EQ(rescue.poses->kind, PoseSource::Kind::udp);
+    EXPECT_EQ(rescue.poses->address, (Address{"127.0.0.1", 14550}));
+    ASSERT_EQ(rescue.sensors.size(), 2u);
+
+    const SensorConfig& front = rescue.sensors[0];
+    EXPECT_EQ(front.name, "front");
+    EXPECT_EQ(front.model, find_model("UST-10LX"));
+    EXPECT_EQ(front.robot_from_sensor.translation_m, glm::dvec3(0.2, 0.0, 0.25));
+    EXPECT_EQ(front.tcp, (Address{"127.0.0.1", 10940}));
+    EXPECT_EQ(front.pty->link, dir_.path() / "link/front");
+    EXPECT_EQ(front.backend, "auto");
+    EXPECT_EQ(front.accuracy, sim::Accuracy::sensor);
+    EXPECT_EQ(front.motion, std::nullopt);
+    EXPECT_EQ(front.timing, Timing::real);
+
+    const SensorConfig& rear = rescue.sensors[1];
+    EXPECT_EQ(rear.tcp, std::nullopt);
+    EXPECT_EQ(rear.pty, PtyConfig{});
+    EXPECT_EQ(rear.backend, "reference");
+    EXPECT_EQ(rear.accuracy, sim::Accuracy::ideal);
+    EXPECT_EQ(rear.motion, 12);
+    EXPECT_EQ(rear.timing, Timing::ideal);
+
+    const RobotConfig& other = config.robots[1];
+    EXPECT_EQ(other.world_from_robot, sim::Pose{});
+    EXPECT_EQ(other.poses->kind, PoseSource::Kind::file);
+    EXPECT_EQ(other.poses->file, dir_.path() / "walk.tum");
+    EXPECT_EQ(other.sensors[0].tcp, (Address{"::1", 0}));
+}
+
+TEST_F(ConfigTest, TellsEveryFaultAtOnceInTheOrderOfLines) {
+    EXPECT_THAT(
+        faults(R"(scene: nowhere.sdf
+seed: -1
+materials: wood.yaml
+sceen: room.sdf
+robots:
+  rescue:
+    pose: {xyz: [1, 2], rpy: [0, north, .inf], yaw: 1}
+    body: tank
+    poses: {from: udp:somewhere, after: rest, wait_ms: 2000}
+    sensors:
+      front:
+        modle: UST-10LX
+        tcp: 127.0.0.1:70000
+        tcp: 127.0.0.1:10940
+        backend: opengl
+        accuracy: material
+        motion: 0
+        link: {baud: 19200}
+      rear/left:
+        model: UST-99
+        timing: fast
+  empty: {sensors: {}}
+clock: pose
+http: 8080
+)"),
+        ElementsAre("fleet.yaml:1: scene: there is no file 'nowhere.sdf'",
+                    "fleet.yaml:2: seed: must be a whole number from 0 to 18446744073709551615, "
+                    "not '-1'",
+                    "fleet.yaml:3: materials: is not supported by this version; leave it out",
+                    "fleet.yaml:4: sceen: unknown key; did you mean scene?",
+                    "fleet.yaml:7: robots.rescue.pose.yaw: unknown key; known here are xyz, rpy",
+                    "fleet.yaml:7: robots.rescue.pose.xyz: must be a list of three numbers, such "
+                    "as [1, 2, 0]",
+                    "fleet.yaml:7: robots.rescue.pose.rpy: must be a number, not 'north'",
+                    "fleet.yaml:9: robots.rescue.poses.from: must be ADDRESS:PORT such as "
+                    "127.0.0.1:10940, [::1]:10940 or localhost:0, not 'somewhere'",
+                    "fleet.yaml:9: robots.rescue.poses.after: must be hold, extrapolate or none, "
+                    "not 'rest'",
+                    "fleet.yaml:9: robots.rescue.poses.wait_ms: must be 0 to 900 ms, not '2000'",
+                    "fleet.yaml:11: robots.rescue.sensors.front: needs a model, a camera "
+                    "or a ranger; `scipd --list-models` tells the models",
+                    "fleet.yaml:12: robots.rescue.sensors.front.modle: unknown key; did you mean "
+                    "model?",
+                    "fleet.yaml:13: robots.rescue.sensors.front.tcp: must be ADDRESS:PORT such as "
+                    "127.0.0.1:10940, [::1]:10940 or localhost:0, not '127.0.0.1:70000'",
+                    "fleet.yaml:14: robots.rescue.sensors.front.tcp: given twice, first in line "
+                    "13; keep one",
+                    "fleet.yaml:15: robots.rescue.sensors.front.backend: this build has no "
+                    "backend 'opengl'; use auto, embree, depth, reference",
+                    "fleet.yaml:16: robots.rescue.sensors.front.accuracy: material is not built "
+                    "yet; use sensor or ideal",
+                    "fleet.yaml:17: robots.rescue.sensors.front.motion: must be beam or a number "
+                    "of poses per sweep, 1 to 100000, not '0'",
+                    "fleet.yaml:18: robots.rescue.sensors.front.link.baud: is of a tty; give "
+                    "pty, or leave it out",
+                    "fleet.yaml:19: robots.rescue.sensors.rear/left: 'rear/left' is no name: use "
+                    "up to 64 letters, digits, _ - and ., not beginning with a dot",
+                    "fleet.yaml:19: robots.rescue.sensors.rear/left: nobody can reach it; give "
+                    "tcp or pty, such as `pty: auto`",
+                    "fleet.yaml:20: robots.rescue.sensors.rear/left.model: there is no model "
+                    "\"UST-99\"; the models are URG-04LX, URG-04LX-UG01, UBG-04LX-F01, "
+                    "UHG-08LX, UTM-30LX, UTM-30LX-EW, UXM-30LX-E, UXM-30LX-EW, UXM-30LXH-EWA, "
+                    "UST-05LX, UST-10LX, UST-10LX-H01, UST-10LX-H02, UST-20LX, UST-20LX-H01, "
+                    "UST-30LX, UST-30LC; `scipd --list-models` tells their firmware",
+                    "fleet.yaml:21: robots.rescue.sensors.rear/left.timing: must be real or "
+                    "ideal, not 'fast'",
+                    "fleet.yaml:22: robots.empty: needs at least one sensor, under sensors",
+                    "fleet.yaml:23: clock: must be wall or poses, not 'pose'",
+                    "fleet.yaml:24: http: must be ADDRESS:PORT such as 127.0.0.1:10940, "
+                    "[::1]:10940 or localhost:0, not '8080'"));
+}
+
+TEST_F(ConfigTest, ReadsWhatHoldsWhereThereAreNoPoses) {
+    dir_.write("walk.tum", "0 0 0 0 0 0 0 1\n");
+    const Config config = parse(R"(clock: poses
+robots:
+  tank:
+    body: hull
+    poses: {from: udp:127.0.0.1:1, before: none, after: extrapolate, stale_s: 0.25, jump_mps: 5, wait_ms: 30}
+    sensors:
+      a: {model: UST-10LX, pty: auto}
+      b: {model: UST-10LX, pty: auto, sees_body: true}
+  tram:
+    poses: {from: walk.tum, after: none, speed: 2.5, loop: true, format: kitti, times: walk.tum}
+    sensors:
+      a: {model: UST-10LX, pty: auto}
+)");
+    EXPECT_EQ(config.clock, ClockKind::poses);
+    const RobotConfig& tank = config.robots[0];
+    EXPECT_EQ(tank.body, "hull");
+    EXPECT_EQ(tank.poses->kind, PoseSource::Kind::udp);
+    EXPECT_EQ(tank.policy, (sim::PosePolicy{.absent_before = true,
+                                            .after = sim::PosePolicy::After::extrapolate,
+                                            .stale_after = std::chrono::milliseconds(250),
+                                            .fastest_mps = 5.0}));
+    EXPECT_EQ(tank.sensors[0].wait_for_poses, std::chrono::milliseconds(30));
+    EXPECT_FALSE(tank.sensors[0].sees_body);
+    EXPECT_TRUE(tank.sensors[1].sees_body);
+    const RobotConfig& tram = config.robots[1];
+    EXPECT_EQ(tram.policy.after, sim::PosePolicy::After::absent);
+    EXPECT_EQ(tram.poses->speed, 2.5);
+    EXPECT_TRUE(tram.poses->loop);
+    EXPECT_EQ(tram.poses->format, sim::TrajectoryFormat::kitti);
+    EXPECT_EQ(tram.poses->times, dir_.path() / "walk.tum");
+    EXPECT_EQ(tram.sensors[0].wait_for_poses, std::chrono::nanoseconds::zero());
+}
+
+TEST_F(ConfigTest, ReadsWhatAMapAndAnSdfLeaveOpen) {
+    const std::string robots = "robots: {r: {sensors: {s: {model: UST-10LX, pty: auto}}}}\n";
+    const Config config = parse(
+        robots +
+        "geometry: collision\nstrict: true\nmap: {z: [-0.5, 3], material: brick, unknown: wall}");
+    EXPECT_EQ(config.geometry, sim::SdfGeometry::collision);
+    EXPECT_TRUE(config.strict);
+    EXPECT_EQ(config.map, (sim::MapOptions{-0.5, 3.0, "brick", sim::UnknownCells::wall}));
+    EXPECT_THAT(faults(robots + "geometry: both\nmap: {z: [2, 1], unknown: maybe, height: 2}"),
+                ElementsAre("fleet.yaml:2: geometry: must be visual or collision, not 'both'",
+                            "fleet.yaml:3: map.height: unknown key; known here are z, material, "
+                            "unknown",
+                            "fleet.yaml:3: map.z: must be the heights of the walls, [BOTTOM, TOP], "
+                            "such as [0, 2]",
+                            "fleet.yaml:3: map.unknown: must be free, wall or unknown, not "
+                            "'maybe'"));
+}
+
+TEST_F(ConfigTest, ReadsWhatAWorldMayTake) {
+    const std::string robots = "robots: {r: {sensors: {s: {pty: auto, model: UST-10LX}}}}\n";
+    const auto config = parse(
+        robots + "limits: {world_memory_mb: 20000, world_triangles: 50000000, world_load_s: 900}");
+    EXPECT_EQ(config.limits.memory_bytes, 20'000'000'000U);
+    EXPECT_EQ(config.limits.triangles, 50'000'000U);
+    EXPECT_EQ(config.limits.load_time, std::chrono::seconds(900));
+    EXPECT_EQ(parse(robots).limits, WorldLimits{});
+    EXPECT_THAT(faults(robots + "limits: {world_memory_mb: 0, world_triangles: 8GiB, memory: 2}"),
+                ElementsAre("fleet.yaml:2: limits.memory: unknown key; known here are "
+                            "world_memory_mb, world_triangles, world_load_s",
+                            "fleet.yaml:2: limits.world_memory_mb: must be a whole number from 1 "
+                            "to 1000000, not '0'",
+                            "fleet.yaml:2: limits.world_triangles: must be a whole number from 1 "
+                            "to 1000000000, not '8GiB'"));
+}
+
+TEST_F(ConfigTest, LimitsWithAWorldWhatItsMeshesMayTake) {
+    const sim::SceneOptions usual{};
+    sim::SceneOptions options;
+    apply(WorldLimits{}, options);
+    EXPECT_EQ(options.sdf.most_memory_bytes, usual.sdf.most_memory_bytes);
+    EXPECT_EQ(options.sdf.most_triangles, usual.sdf.most_triangles);
+    EXPECT_EQ(options.sdf.mesh.triangles, usual.sdf.mesh.triangles);
+    EXPECT_EQ(options.sdf.mesh.memory_bytes, usual.sdf.mesh.memory_bytes);
+    EXPECT_EQ(options.limits.memory_bytes, usual.limits.memory_bytes);
+    apply({.memory_bytes = 1'000'000'000, .triangles = 50'000'000}, options);
+    EXPECT_EQ(options.sdf.mesh.triangles, 50'000'000U);
+    EXPECT_EQ(options.sdf.mesh.memory_bytes, 1'000'000'000U);
+    EXPECT_GT(options.limits.memory_bytes, options.sdf.mesh.memory_bytes);
+    apply({.triangles = 1000, .load_time = std::chrono::seconds(3)}, options);
+    EXPECT_EQ(options.sdf.mesh.triangles, 1000U);
+    EXPECT_EQ(options.limits.wall_time, std::chrono::seconds(3));
+}
+
+TEST_F(ConfigTest, SaysWhatPosesCannotBe) {
+    const auto faults_of = [&](const std::string& poses) {
+        return faults("robots: {r: {poses: {" + poses +
+                      "}, sensors: {s: {model: UST-10LX, pty: auto}}}}");
+    };
+    EXPECT_THAT(faults_of("after: hold"),
+                ElementsAre("fleet.yaml:1: robots.r.poses: needs from: udp:ADDR:PORT, a trajectory "
+                            "or -"));
+    EXPECT_THAT(faults_of("from: '-', speed: 2, loop: true"),
+                ElementsAre("fleet.yaml:1: robots.r.poses.speed: is of a trajectory; live poses "
+                            "come when they come",
+                            "fleet.yaml:1: robots.r.poses.loop: is of a trajectory; live poses "
+                            "come when they come"));
+    EXPECT_THAT(faults_of("from: '-', format: tum"),
+                ElementsAre("fleet.yaml:1: robots.r.poses.format: is of a trajectory; live poses "
+                            "come when they come"));
+    EXPECT_THAT(faults_of("from: walk.tum, format: gpx"),
+                ElementsAre("fleet.yaml:1: robots.r.poses.format: must be tum, euroc, kitti or "
+                            "csv, not 'gpx'; left out, the file tells"));
+    EXPECT_THAT(faults_of("from: '-', before: now, stale_s: 0, jump_mps: -1"),
+                ElementsAre("fleet.yaml:1: robots.r.poses.before: must be hold or none, not 'now'",
+                            "fleet.yaml:1: robots.r.poses.stale_s: must be more than 0 and up to "
+                            "3600 s, not '0'",
+                            "fleet.yaml:1: robots.r.poses.jump_mps: must be more than 0 and up to "
+                            "1e6 m/s, not '-1'"));
+}
+
+TEST_F(ConfigTest, RefusesWhatTwoCannotShare) {
+    EXPECT_THAT(
+        faults(R"(scene: room.sdf
+http: 127.0.0.1:1002
+robots:
+  a:
+    poses: "-"
+    sensors:
+      one: {model: UST-10LX, tcp: 127.0.0.1:1001, pty: link}
+      two: {model: UST-10LX, tcp: 127.0.0.1:0, pty: auto}
+  b:
+    poses: "-"
+    sensors:
+      one: {model: UST-10LX, tcp: localhost:1001, pty: auto}
+      two: {model: UST-10LX, tcp: 127.0.0.1:0, pty: x/../link}
+      three: {model: UST-10LX, tcp: 127.0.0.1:1002}
+)"),
+        ElementsAre(
+            "fleet.yaml:10: robots.b.poses: standard input is taken by robots.a.poses; use another",
+            "fleet.yaml:12: robots.b.sensors.one.tcp: 127.0.0.1:1001 is taken by "
+            "robots.a.sensors.one.tcp; use another",
+            "fleet.yaml:13: robots.b.sensors.two.pty: link is taken by robots.a.sensors.one.pty; "
+            "use another",
+            "fleet.yaml:14: robots.b.sensors.three.tcp: 127.0.0.1:1002 is taken by http; use "
+            "another"));
+}
+
+TEST_F(ConfigTest, NeedsARobotWithASensor) {
+    const std::string start = "scene: room.sdf\n";
+    EXPECT_THAT(faults(start), ElementsAre("fleet.yaml:1: needs at least one robot, under robots"));
+    EXPECT_THAT(faults(start + "robots: {}"),
+                ElementsAre("fleet.yaml:2: robots: needs at least one robot, under robots"));
+    EXPECT_THAT(faults(start + "robots:"),
+                ElementsAre("fleet.yaml:2: robots: must be a map of keys and values"));
+    EXPECT_THAT(faults(start + "robots: {r: {}}"),
+                ElementsAre("fleet.yaml:2: robots.r: needs at least one sensor, under sensors"));
+    EXPECT_THAT(faults(start + "robots: {r: {sensors: [a]}}"),
+                ElementsAre("fleet.yaml:2: robots.r.sensors: must be a map of keys and values"));
+}
+
+TEST_F(ConfigTest, SaysWhatAValueMayBe) {
+    EXPECT_THAT(sensor_faults("backend:"),
+                ElementsAre("fleet.yaml:3: robots.r.sensors.s.backend: has no value; give one or "
+                            "leave the key out"));
+    EXPECT_THAT(sensor_faults("backend: [auto]"),
+                ElementsAre("fleet.yaml:3: robots.r.sensors.s.backend: must be a single value, "
+                            "not a list"));
+    EXPECT_THAT(sensor_faults("mount: [1, 2, 3]"),
+                ElementsAre("fleet.yaml:3: robots.r.sensors.s.mount: must be a map of keys and "
+                            "values"));
+    EXPECT_THAT(sensor_faults("mount: {xyz: [1e8, 0, 0]}"),
+                ElementsAre("fleet.yaml:3: robots.r.sensors.s.mount.xyz: must lie within 1e7 m, "
+                            "not '1e8'"));
+    EXPECT_THAT(sensor_faults("mount: {rpy: [nan, 0, 0]}"),
+                ElementsAre("fleet.yaml:3: robots.r.sensors.s.mount.rpy: must be a number, not "
+                            "'nan'"));
+    EXPECT_THAT(sensor_faults("accuracy: best"),
+                ElementsAre("fleet.yaml:3: robots.r.sensors.s.accuracy: must be sensor or ideal, "
+                            "not 'best'"));
+    EXPECT_THAT(sensor_faults("{a: b}: c"),
+                ElementsAre("fleet.yaml:3: robots.r.sensors.s: a key must be a plain name"));
+    EXPECT_THAT(sensor_faults("tcp: none"), ElementsAre());
+    EXPECT_THAT(faults("scene: room.sdf\n"
+                       "robots: {r: {sensors: {s: {model: UST-10LX, tcp: none, pty: none}}}}"),
+                ElementsAre("fleet.yaml:2: robots.r.sensors.s: nobody can reach it; give tcp or "
+                            "pty, such as `pty: auto`"));
+}
+
+TEST_F(ConfigTest, RefusesEveryKeyThatComesLater) {
+    EXPECT_THAT(sensor_faults("echo: x"),
+                ElementsAre("fleet.yaml:3: robots.r.sensors.s.echo: is not supported by this "
+                            "version; leave it out"));
+    EXPECT_THAT(
+        faults(std::string{whole} + "materials: wood.yaml"),
+        ElementsAre("fleet.yaml:27: materials: is not supported by this version; leave it out"));
+}
+
+TEST_F(ConfigTest, SaysWhereTheTextIsNotYaml) {
+    EXPECT_THAT(faults("scene: room.sdf\nrobots: {r: [}\n"),
+                ElementsAre(HasSubstr("fleet.yaml:2: not YAML: ")));
+    EXPECT_THAT(faults("scene: room.sdf\n\tseed: 1\n"),
+                ElementsAre(HasSubstr("fleet.yaml:2: not YAML: ")));
+    EXPECT_THAT(faults("just words"),
+                ElementsAre("fleet.yaml:1: must be a map of keys and values"));
+    EXPECT_THAT(faults(std::string{whole} + "---\nscene: room.sdf\n"),
+                ElementsAre("fleet.yaml:27: a second YAML document; keep one"));
+    // On which the library's own way to read all documents never ends.
+    EXPECT_THAT(faults("!tag,"),
+                testing::Contains("fleet.yaml:1: a second YAML document; keep one"));
+}
+
+TEST_F(ConfigTest, AFaultIsALineThatCanBeShown) {
+    EXPECT_THAT(sensor_faults("\"a\\n\\x1b\": 1"),
+                ElementsAre("fleet.yaml:3: robots.r.sensors.s.a??: unknown key; known here are "
+                            "model, camera, ranger, mount, tcp, pty, backend, depth, accuracy, "
+                            "motion, timing, power_up, clock, link, profile, sees_body"));
+    const auto told = faults(
+        "scene: room.sdf\nrobots: {r: {sensors: {s: "
+        "{pty: auto, model: \"UST\\n10\"}}}}");
+    EXPECT_THAT(told, ElementsAre(HasSubstr("there is no model \"UST?10\"")));
+    // The library quotes the byte that it stumbles over.
+    EXPECT_THAT(faults("\"\\\x01\""),
+                ElementsAre("fleet.yaml:1: not YAML: unknown escape character: ?"));
+}
+
+TEST_F(ConfigTest, BoundsWhatAHostileFileCosts) {
+    EXPECT_THAT(faults(std::string(500'000, '[')),
+                ElementsAre("fleet.yaml:1: nested too deeply to be a configuration"));
+    EXPECT_THAT(faults(std::string((1 << 20) + 1, ' ')),
+                ElementsAre("fleet.yaml:1: larger than 1 MiB; split it"));
+
+    std::string many = "scene: room.sdf\nrobots:\n";
+    for (int i = 0; i < 5000; ++i)
+        many += "  r" + std::to_string(i) + ": {}\n";
+    EXPECT_THAT(faults(many), ElementsAre("fleet.yaml:2: robots: has more than 4096 entries; "
+                                          "split it into several daemons"));
+
+    // One alias a robot, and every robot would have a hundred sensors.
+    std::string aliases = "scene: room.sdf\nrobots:\n  r: &r\n    sensors:\n";
+    for (int i = 0; i < 100; ++i)
+        aliases += "      s" + std::to_string(i) + ": {model: UST-10LX, pty: auto}\n";
+    for (int i = 0; i < 4000; ++i)
+        aliases += "  r" + std::to_string(i) + ": *r\n";
+    const auto told = faults(aliases);
+    ASSERT_EQ(told.size(), 101u);
+    EXPECT_EQ(told.front(),
+              "fleet.yaml:144: robots.r39: more than 4096 sensors in all; split them "
+              "over several daemons");
+    EXPECT_THAT(told.back(), HasSubstr("too many faults"));
+}
+
+TEST_F(ConfigTest, AnAliasIsWhatItStandsFor) {
+    const Config config = parse(R"(scene: room.sdf
+robots:
+  r:
+    sensors:
+      a: {model: UST-10LX, tcp: 127.0.0.1:0, mount: &front {xyz: [0.2, 0, 0]}}
+      b: {model: UST-20LX, tcp: 127.0.0.1:0, mount: *front}
+)");
+    EXPECT_EQ(config.robots[0].sensors[1].robot_from_sensor.translation_m,
+              glm::dvec3(0.2, 0.0, 0.0));
+}
+
+TEST_F(ConfigTest, LoadsAFileRelativeToItself) {
+    const auto file = dir_.write("fleet.yaml", whole);
+    EXPECT_EQ(load_config(file), parse(whole));
+    EXPECT_EQ(load_config(file).scene, dir_.path() / "room.sdf");
+}
+
+TEST_F(ConfigTest, NamesAFileThatCannotBeRead) {
+    const auto missing = (dir_.path() / "missing.yaml").string();
+    try {
+        load_config(missing);
+        FAIL();
+    } catch (const ConfigError& error) {
+        EXPECT_EQ(error.what(), missing + ": no such file; name a configuration of at most 1 MiB");
+    }
+    EXPECT_THROW(load_config(dir_.path()), ConfigError);
+}
+
+}  // namespace
+}  // namespace scipd::daemon

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/device/scan_loop.h"
+
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "daemon/clock/stepped_clock.h"
+#include "daemon/clock/wall_clock.h"
+#include "daemon/device/client.h"
+#include "tests/daemon/wall_world.h"
+
+namespace scipd::daemon {
+namespace {
+
+using namespace std::chrono_literals;
+
+class ScanLoopTest : public testing::Test {
+  protected:
+    boost::asio::io_context io_;
+    WallClock clock_{io_.get_executor()};
+    World world_ = wall_world();
+    Device device_{"robot", ideal_sensor(), 1, world_, clock_};
+    std::optional<ScanLoop> loop_{std::in_place, device_, clock_};
+};
+
+TEST_F(ScanLoopTest, WaitsForNothingWhereNobodyWantsScans) {
+    Client client(device_, [] {});
+    client.receive("VV\n");
+    EXPECT_EQ(io_.run_for(100ms), 0U);
+}
+
+TEST_F(ScanLoopTest, ServesEveryTurnOnceAndNoneTooEarly) {
+    std::vector<std::int64_t> revolutions;
+    Client client(device_, [&] {
+        if (device_.scans_sent() == revolutions.size()) return;  // a turn that nobody took
+        EXPECT_GE(clock_.now(), device_.leaves(device_.latest_scan()->revolution));
+        revolutions.push_back(device_.latest_scan()->revolution);
+    });
+    client.receive("MD0540054000008\n");
+    ASSERT_TRUE(run_until(io_, [&] { return !device_.wanted(); }));
+    // Nobody wants more: there is nothing to wait for.
+    EXPECT_EQ(device_.scans_sent(), 8U);
+    ASSERT_EQ(revolutions.size(), 8U);
+    for (std::size_t i = 1; i < revolutions.size(); ++i)
+        EXPECT_EQ(revolutions[i], revolutions[i - 1] + 1);
+    EXPECT_EQ(loop_->missed(), 0U);
+    io_.restart();
+    EXPECT_EQ(io_.run_for(100ms), 0U);
+}
+
+TEST_F(ScanLoopTest, ServesTurnsThatAreALittleLate) {
+    Client client(device_, [] {});
+    client.receive("MD0540054000000\n");
+    ASSERT_TRUE(run_until(io_, [&] { return device_.scans_sent() >= 1; }));
+    const std::int64_t first = device_.latest_scan()->revolution;
+    const auto sent = static_cast<std::int64_t>(device_.scans_sent());
+    std::this_thread::sleep_for(300ms);
+    ASSERT_TRUE(run_until(io_, [&] { return device_.latest_scan()->revolution > first + 12; }));
+    EXPECT_EQ(static_cast<std::int64_t>(device_.scans_sent()) - sent,
+              device_.latest_scan()->revolution - first);
+    EXPECT_EQ(loop_->missed(), 0U);
+}
+
+TEST_F(ScanLoopTest, CountsTurnsThatItSleptThrough) {
+    Client client(device_, [] {});
+    client.receive("MD0540054000000\n");
+    ASSERT_TRUE(run_until(io_, [&] { return device_.scans_sent() >= 1; }));
+    const std::int64_t first = device_.latest_scan()->revolution;
+    const auto sent = static_cast<std::int64_t>(device_.scans_sent());
+    std::this_thread::sleep_for(1300ms);
+    ASSERT_TRUE(run_until(io_, [&] { return device_.latest_scan()->revolution > first; }));
+    EXPECT_GT(loop_->missed(), 40U);
+    // What was not served was missed.
+    EXPECT_EQ(static_cast<std::int64_t>(device_.scans_sent()) - sent +
+                  static_cast<std::int64_t>(loop_->missed()),
+              device_.latest_scan()->revolution - first);
+}
+
+TEST_F(ScanLoopTest, CountsForThoseWhoWaited) {
+    const auto sleep_through = [&] {
+        std::int64_t latest = device_.next_revolution();
+        ASSERT_TRUE(run_until(io_, [&] {
+            return device_.latest_scan() && device_.latest_scan()->revolution > latest;
+        }));
+        latest = device_.latest_scan()->revolution;
+        std::this_thread::sleep_for(1300ms);
+        ASSERT_TRUE(run_until(io_, [&] { return device_.latest_scan()->revolution > latest; }));
+    };
+    device_.watch([](const ScanRecord&) {});
+    sleep_through();
+    EXPECT_EQ(loop_->missed(), 0U);
+    const std::uint64_t unwatched = loop_->missed_by_watchers();
+    EXPECT_GT(unwatched, 40U);
+
+    device_.watch(nullptr);
+    Client client(device_, [] {});
+    client.receive("MD0540054000000\n");
+    sleep_through();
+    EXPECT_GT(loop_->missed(), 40U);
+    EXPECT_EQ(loop_->missed_by_watchers(), unwatched);
+}
+
+TEST_F(ScanLoopTest, ServesNobodyOnceItIsGone) {
+    Client client(device_, [] {});
+    client.receive("MD0540054000000\n");
+    loop_.reset();
+    io_.run_for(100ms);
+    EXPECT_EQ(device_.scans_sent(), 0U);
+    client.receive("MD0540054000000\n");
+    io_.restart();
+    EXPECT_EQ(io_.run_for(100ms), 0U);
+}
+
+class LatePoses : public testing::Test {
+  protected:
+    static SensorConfig patient() {
+        SensorConfig config = ideal_sensor();
+        config.wait_for_poses = 30ms;
+        return config;
+    }
+
+    void place(sim::Time time) {
+        (void)world_.place_robot("robot", {time, sim::Pose{}});
+        loop_.poses_came();
+    }
+
+    SteppedClock clock_;
+    World world_ = wall_world();
+    Device device_{"robot", patient(), 1, world_, clock_};
+    ScanLoop loop_{device_, clock_};
+    Client client_{device_, [] {}};
+};
+
+TEST_F(LatePoses, AreWaitedForUpToABound) {
+    place(0ms);
+    client_.receive("MD0540054000000\n");
+    // The first turn fires its last step after 18.75 ms.
+    place(19ms);
+    clock_.advance_to(20ms);
+    const std::uint64_t before = device_.scans_sent();
+    EXPECT_EQ(before, 1U);
+    const sim::Time due = device_.leaves(device_.next_revolution());
+    clock_.advance_to(due + 10ms);
+    EXPECT_EQ(device_.scans_sent(), before);
+    place(due);
+    clock_.advance_to(due + 10ms);
+    EXPECT_EQ(device_.scans_sent(), before + 1);
+
+    // The next one gets no pose in time.
+    clock_.advance_to(due + 25ms + 29ms);
+    EXPECT_EQ(device_.scans_sent(), before + 1);
+    clock_.advance_to(due + 25ms + 30ms);
+    EXPECT_EQ(device_.scans_sent(), before + 2);
+    EXPECT_EQ(loop_.missed(), 0U);
+}
+
+TEST_F(LatePoses, AreNotExpectedOfAStreamThatHasEnded) {
+    place(0ms);
+    clock_.advance_to(2s);
+    client_.receive("MD0540054000000\n");
+    const sim::Time due = device_.leaves(device_.next_revolution() + 1);
+    clock_.advance_to(due);
+    EXPECT_GE(device_.scans_sent(), 1U);
+}
+
+}  // namespace
+}  // namespace scipd::daemon

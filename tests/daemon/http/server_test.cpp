@@ -1,0 +1,431 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The HTTP server over real sockets, against clients that behave and clients that do not.
+#include "daemon/http/server.h"
+
+#include <chrono>
+#include <future>
+#include <memory>
+#include <stdexcept>
+#include <stop_token>
+#include <thread>
+
+#include <boost/asio/connect.hpp>
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/read.hpp>
+#include <boost/asio/read_until.hpp>
+#include <boost/asio/write.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "tests/support/temp_dir.h"
+
+namespace scipd::daemon {
+namespace {
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+using Local = asio::local::stream_protocol;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// Who asked for /never.
+struct Waiting {
+    std::stop_token withdrawn;
+    Respond respond;
+};
+std::vector<Waiting> waiting;
+
+/// Says what it was asked; "/throw" does.
+void echo(const HttpRequest& request, const Respond& respond) {
+    if (request.path == "/never") return waiting.push_back({request.withdrawn, respond});
+    if (request.path == "/throw") throw std::runtime_error("a bug");
+    HttpResponse response;
+    response.content_type = "text/plain";
+    response.body = request.method + " " + request.path + " [" + request.query + "] " +
+                    std::to_string(request.body.size());
+    if (request.path == "/allow") response.status = 405, response.allow = "GET, PUT";
+    if (request.path == "/empty")
+        response = {.status = 204, .content_type = {}, .body = {}, .allow = {}};
+    respond(response);
+}
+
+/// Says over a WebSocket what it was told.
+class Parrot : public Conversation {
+  public:
+    explicit Parrot(WebSocket& socket) : socket_(socket) {}
+    std::size_t take(std::string_view message) override {
+        socket_.send(std::make_shared<const std::string>(message));
+        return message.size();
+    }
+
+  private:
+    WebSocket& socket_;
+};
+
+/// Takes a byte at a time, and says when it has had enough.
+class Nibbler : public Conversation {
+  public:
+    explicit Nibbler(WebSocket& socket) : socket_(socket) {}
+    std::size_t take(std::string_view rest) override {
+        if (rest.size() == 1) socket_.send(std::make_shared<const std::string>("all"));
+        return 1;
+    }
+
+  private:
+    WebSocket& socket_;
+};
+
+std::variant<HttpResponse, Converse> parrots(const HttpRequest& request) {
+    const bool nibbles = request.path == "/nibble";
+    return [nibbles](WebSocket& socket) -> std::unique_ptr<Conversation> {
+        if (nibbles) return std::make_unique<Nibbler>(socket);
+        return std::make_unique<Parrot>(socket);
+    };
+}
+
+/// A server on a thread of its own.
+class HttpServerTest : public testing::Test {
+  protected:
+    ~HttpServerTest() override {
+        on_server([this] { server_.reset(); });
+        work_.reset();
+        thread_.join();
+    }
+
+    /// What it throws comes back as its text.
+    template <class Work>
+    std::string on_server(Work work) {
+        const auto failure = std::make_shared<std::promise<std::string>>();
+        asio::post(io_, [failure, &work] {
+            try {
+                work();
+                failure->set_value("");
+            } catch (const std::runtime_error& error) {
+                failure->set_value(error.what());
+            }
+        });
+        return failure->get_future().get();
+    }
+
+    void start(const HttpLimits& limits = {}) {
+        on_server([&] {
+            server_.emplace(io_.get_executor(), echo, parrots, limits);
+            port_ = server_->listen(Address{"127.0.0.1", 0}).port;
+            server_->listen(socket_path_);
+        });
+    }
+
+    [[nodiscard]] tcp::socket connect() {
+        tcp::socket socket{client_io_};
+        socket.connect({asio::ip::make_address("127.0.0.1"), port_});
+        return socket;
+    }
+
+    [[nodiscard]] Local::socket connect_local() {
+        Local::socket socket{client_io_};
+        socket.connect(Local::endpoint{socket_path_.string()});
+        return socket;
+    }
+
+    /// All that comes until the server closes.
+    template <class Socket>
+    static std::string rest(Socket& socket) {
+        std::string text;
+        boost::system::error_code error;
+        asio::read(socket, asio::dynamic_buffer(text), error);
+        EXPECT_EQ(error, asio::error::eof);
+        return text;
+    }
+
+    /// Looks again and again, on the server's thread.
+    template <class Condition>
+    bool eventually(Condition condition) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+        bool holds = false;
+        while (!holds && std::chrono::steady_clock::now() < end) {
+            on_server([&] { holds = condition(); });
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        return holds;
+    }
+
+    template <class Socket>
+    static std::string ask(Socket socket, const std::string& bytes) {
+        asio::write(socket, asio::buffer(bytes));
+        return rest(socket);
+    }
+
+    tests::TempDir dir_;
+    std::filesystem::path socket_path_ = dir_.path() / "control.sock";
+    asio::io_context io_{1};
+    asio::io_context client_io_{1};
+    asio::executor_work_guard<asio::io_context::executor_type> work_{io_.get_executor()};
+    std::optional<HttpServer> server_;
+    std::uint16_t port_ = 0;
+    std::thread thread_{[this] { io_.run(); }};
+};
+
+const std::string last = "Connection: close\r\n";
+
+TEST_F(HttpServerTest, AnswersOverTcpAndTheSocket) {
+    start();
+    const std::string request = "GET /a/b?c=d&e HTTP/1.1\r\nHost: x\r\n" + last + "\r\n";
+    EXPECT_NE(port_, 0);
+    EXPECT_THAT(ask(connect(), request), testing::EndsWith("\r\n\r\nGET /a/b [c=d&e] 0"));
+    EXPECT_THAT(ask(connect(), request), StartsWith("HTTP/1.1 200 OK\r\n"));
+    EXPECT_THAT(ask(connect(), request), HasSubstr("Content-Type: text/plain\r\n"));
+    EXPECT_THAT(ask(connect(), request), HasSubstr("Content-Length: 18\r\n"));
+    EXPECT_EQ(ask(connect_local(), request), ask(connect(), request));
+}
+
+TEST_F(HttpServerTest, KeepsAConnectionForManyRequests) {
+    start();
+    auto socket = connect_local();
+    // Three at once: the answers keep their order.
+    asio::write(socket, asio::buffer("GET /1 HTTP/1.1\r\nHost: x\r\n\r\n"
+                                     "PUT /2 HTTP/1.1\r\nHost: x\r\nContent-Length: 3\r\n\r\nabc"
+                                     "GET /3 HTTP/1.1\r\nHost: x\r\n" +
+                                     last + "\r\n"));
+    const std::string text = rest(socket);
+    const auto first = text.find("GET /1 [] 0");
+    const auto second = text.find("PUT /2 [] 3");
+    const auto third = text.find("GET /3 [] 0");
+    ASSERT_NE(third, text.npos);
+    EXPECT_LT(first, second);
+    EXPECT_LT(second, third);
+}
+
+TEST_F(HttpServerTest, ServesManyAtOnce) {
+    start();
+    std::vector<tcp::socket> clients;
+    for (int i = 0; i < 64; ++i)
+        clients.push_back(connect());
+    for (auto client = clients.rbegin(); client != clients.rend(); ++client) {
+        asio::write(*client, asio::buffer("GET / HTTP/1.1\r\nHost: x\r\n" + last + "\r\n"));
+        EXPECT_THAT(rest(*client), HasSubstr("GET / [] 0"));
+    }
+}
+
+TEST_F(HttpServerTest, SaysWhichMethodsAndNothingInAnEmptyAnswer) {
+    start();
+    EXPECT_THAT(ask(connect(), "GET /allow HTTP/1.1\r\nHost: x\r\n" + last + "\r\n"),
+                HasSubstr("Allow: GET, PUT\r\n"));
+    const auto empty = ask(connect(), "GET /empty HTTP/1.1\r\nHost: x\r\n" + last + "\r\n");
+    EXPECT_THAT(empty, StartsWith("HTTP/1.1 204 No Content\r\n"));
+    EXPECT_THAT(empty, testing::EndsWith("\r\n\r\n"));
+    EXPECT_THAT(empty, testing::Not(HasSubstr("Content-")));
+}
+
+TEST_F(HttpServerTest, HeadIsGetWithoutItsBody) {
+    start();
+    const auto text = ask(connect(), "HEAD /abc HTTP/1.1\r\nHost: x\r\n" + last + "\r\n");
+    EXPECT_THAT(text, HasSubstr("Content-Length: 13\r\n"));  // of "GET /abc [] 0"
+    EXPECT_THAT(text, testing::EndsWith("\r\n\r\n"));
+}
+
+TEST_F(HttpServerTest, LetsAClientSendABodyThatItAsksFor) {
+    start();
+    auto socket = connect();
+    asio::write(socket, asio::buffer("PUT /x HTTP/1.1\r\nHost: x\r\nExpect: 100-continue\r\n"
+                                     "Content-Length: 4\r\n" +
+                                     last + "\r\n"));
+    const std::string expected = "HTTP/1.1 100 Continue\r\n\r\n";
+    std::string text(expected.size(), '\0');
+    asio::read(socket, asio::buffer(text));
+    EXPECT_EQ(text, expected);
+    EXPECT_THAT(ask(std::move(socket), "body"), HasSubstr("PUT /x [] 4"));
+}
+
+TEST_F(HttpServerTest, RefusesWhatIsTooLarge) {
+    start();
+    const auto put = [](std::size_t size) {
+        return "PUT / HTTP/1.1\r\nHost: x\r\nConnection: close\r\nContent-Length: " +
+               std::to_string(size) + "\r\n\r\n" + std::string(size, 'x');
+    };
+    constexpr std::size_t most = 1 << 20;
+    EXPECT_THAT(ask(connect(), put(most)), HasSubstr("PUT / [] 1048576"));
+    const auto body = ask(connect(), put(most + 1));
+    EXPECT_THAT(body, StartsWith("HTTP/1.1 413 Payload Too Large\r\n"));
+    EXPECT_THAT(body, HasSubstr(R"("detail":"the body is larger than 1048576 bytes")"));
+    EXPECT_THAT(
+        ask(connect_local(), "GET / HTTP/1.1\r\nX: " + std::string(20'000, 'x') + "\r\n\r\n"),
+        StartsWith("HTTP/1.1 431 Request Header Fields Too Large\r\n"));
+}
+
+TEST_F(HttpServerTest, RefusesWhatIsNotHttp) {
+    start();
+    for (const char* bytes : {"BM\n\n\r\n\r\n", "GET\r\n\r\n", "GET / SCIP/2.0\r\n\r\n",
+                              "GET / HTTP/1.1\r\nContent-Length: x\r\n\r\n"}) {
+        EXPECT_THAT(ask(connect(), bytes), StartsWith("HTTP/1.1 400 Bad Request\r\n")) << bytes;
+    }
+}
+
+TEST_F(HttpServerTest, ABugInTheHandlerIsA500AndNoMore) {
+    start();
+    const auto text = ask(connect(), "GET /throw HTTP/1.1\r\nHost: x\r\n" + last + "\r\n");
+    EXPECT_THAT(text, StartsWith("HTTP/1.1 500 Internal Server Error\r\n"));
+    EXPECT_THAT(ask(connect(), "GET / HTTP/1.1\r\nHost: x\r\n" + last + "\r\n"),
+                HasSubstr("200 OK"));
+}
+
+TEST_F(HttpServerTest, OutlivesClientsThatVanish) {
+    start();
+    for (const char* bytes : {"", "GET / HT", "PUT / HTTP/1.1\r\nContent-Length: 9\r\n\r\nab"}) {
+        auto socket = connect();
+        asio::write(socket, asio::buffer(std::string{bytes}));
+        // A reset, not an orderly end.
+        socket.set_option(asio::socket_base::linger{true, 0});
+        socket.close();
+    }
+    EXPECT_THAT(ask(connect(), "GET / HTTP/1.1\r\nHost: x\r\n" + last + "\r\n"),
+                HasSubstr("200 OK"));
+}
+
+TEST_F(HttpServerTest, NoticesThatAClientWhoWaitsHasHungUp) {
+    start();
+    auto stays = connect();
+    auto goes = connect();
+    auto goes_in_a_hurry = connect_local();
+    const std::string request = "GET /never HTTP/1.1\r\nHost: x\r\n\r\n";
+    asio::write(stays, asio::buffer(request));
+    const auto asked = [&](std::size_t clients) {
+        return eventually([&] { return waiting.size() == clients; });
+    };
+    ASSERT_TRUE(asked(1));
+    asio::write(goes, asio::buffer(request + request));  // the second hides that it goes
+    ASSERT_TRUE(asked(2));
+    asio::write(goes_in_a_hurry, asio::buffer(request));
+    ASSERT_TRUE(asked(3));
+    goes.close();
+    goes_in_a_hurry.close();
+    EXPECT_TRUE(eventually([] {
+        return waiting[1].withdrawn.stop_requested() && waiting[2].withdrawn.stop_requested();
+    }));
+    on_server([] {
+        EXPECT_FALSE(waiting[0].withdrawn.stop_requested());
+        waiting.clear();
+    });
+}
+
+// It does not hear the answer to the first message; the others have come already.
+TEST_F(HttpServerTest, OutlivesAClientThatTalksOverAWebSocketAndVanishes) {
+    start();
+    auto socket = connect_local();
+    asio::write(socket,
+                asio::buffer(std::string{"GET /talk HTTP/1.1\r\nHost: x\r\nConnection: Upgrade\r\n"
+                                         "Upgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+                                         "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"}));
+    std::string head;
+    asio::read_until(socket, asio::dynamic_buffer(head), "\r\n\r\n");
+    ASSERT_THAT(head, StartsWith("HTTP/1.1 101 "));
+    using namespace std::string_literals;
+    const std::string x = "\x81\x81\0\0\0\0x"s;  // the letter as a text message
+    on_server([&] {                              // which looks only when all of this has happened
+        asio::write(socket, asio::buffer(x + x + x));
+        socket.close();
+    });
+    EXPECT_THAT(ask(connect(), "GET / HTTP/1.1\r\nHost: x\r\n" + last + "\r\n"),
+                HasSubstr("200 OK"));
+}
+
+TEST_F(HttpServerTest, AnswersOthersWhileAConversationTakesALongMessage) {
+    start();
+    auto socket = connect_local();
+    const std::string message(1 << 20, 'x');
+    std::string bytes =
+        "GET /nibble HTTP/1.1\r\nHost: x\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
+        "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n";
+    asio::write(socket, asio::buffer(bytes));
+    std::string head;
+    asio::read_until(socket, asio::dynamic_buffer(head), "\r\n\r\n");
+    using namespace std::string_literals;
+    asio::write(socket, asio::buffer("\x81\xff\0\0\0\0\0\x10\0\0\0\0\0\0"s + message));
+    EXPECT_THAT(ask(connect(), "GET / HTTP/1.1\r\nHost: x\r\n" + last + "\r\n"),
+                HasSubstr("200 OK"));
+    EXPECT_EQ(socket.available(), 0U) << "it has not had enough yet";
+    std::string answer(5, '\0');
+    asio::read(socket, asio::buffer(answer));
+    EXPECT_EQ(answer,
+              "\x81\x03"
+              "all");
+}
+
+TEST_F(HttpServerTest, DropsAClientThatNeverFinishes) {
+    HttpLimits limits;
+    limits.idle = std::chrono::milliseconds{50};
+    start(limits);
+    auto silent = connect();
+    auto slow = connect_local();
+    asio::write(slow, asio::buffer(std::string{"GET / HTTP/1.1\r\nHo"}));
+    EXPECT_EQ(rest(silent), "");
+    EXPECT_EQ(rest(slow), "");
+}
+
+TEST_F(HttpServerTest, TheSocketIsForItsUserAndGoesAtTheEnd) {
+    start();
+    struct stat status {};
+    ASSERT_EQ(::stat(socket_path_.c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 0777, 0600u);
+    on_server([this] { server_->close(); });
+    EXPECT_FALSE(std::filesystem::exists(socket_path_));
+}
+
+TEST_F(HttpServerTest, ReplacesASocketThatWasLeftBehind) {
+    { Local::acceptor dead{client_io_, Local::endpoint{socket_path_.string()}}; }
+    ASSERT_TRUE(std::filesystem::exists(socket_path_));
+    start();
+    EXPECT_THAT(ask(connect_local(), "GET / HTTP/1.1\r\nHost: x\r\n" + last + "\r\n"),
+                HasSubstr("200 OK"));
+}
+
+TEST_F(HttpServerTest, NeverTakesWhatAnotherHas) {
+    const auto failure = [this](const auto& where) {
+        return on_server([&] { server_->listen(where); });
+    };
+    start();
+    EXPECT_EQ(failure(socket_path_),
+              "cannot listen on " + socket_path_.string() + ": another program listens there");
+    const auto file = dir_.write("file", "precious");
+    EXPECT_EQ(failure(file), "cannot listen on " + file.string() + ": it is there and no socket");
+    EXPECT_TRUE(std::filesystem::exists(file));
+    EXPECT_EQ(failure(dir_.path() / "no" / "socket"), "cannot listen on " +
+                                                          (dir_.path() / "no" / "socket").string() +
+                                                          ": No such file or directory");
+    EXPECT_EQ(failure(Address{"127.0.0.1", port_}),
+              "cannot listen on 127.0.0.1:" + std::to_string(port_) + ": Address already in use");
+}
+
+TEST_F(HttpServerTest, ClosesItsConnectionsWhenItEnds) {
+    start();
+    auto idle = connect();
+    auto busy = connect_local();
+    asio::write(busy, asio::buffer(std::string{"PUT / HTTP/1.1\r\nContent-Length: 9\r\n\r\nab"}));
+    // A whole exchange later, both are known to be accepted.
+    ask(connect(), "GET / HTTP/1.1\r\nHost: x\r\n" + last + "\r\n");
+    on_server([this] { server_.reset(); });
+    EXPECT_EQ(rest(idle), "");
+    boost::system::error_code error;
+    std::string text;
+    asio::read(busy, asio::dynamic_buffer(text), error);
+    EXPECT_EQ(text, "");
+    EXPECT_TRUE(error);
+    tcp::socket late{client_io_};
+    EXPECT_THROW(late.connect({asio::ip::make_address("127.0.0.1"), port_}),
+                 boost::system::system_error);
+}
+
+TEST(HttpServer, MayEndBeforeItsContextEverRuns) {
+    asio::io_context io{1};
+    HttpServer server{io.get_executor(), echo};
+    EXPECT_NE(server.listen(Address{"127.0.0.1", 0}).port, 0);
+}
+
+}  // namespace
+}  // namespace scipd::daemon

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/link/tcp_port.h"
+
+#include <array>
+#include <chrono>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include "daemon/clock/wall_clock.h"
+#include "tests/daemon/wall_world.h"
+#include "tests/support/scanner_wire.h"
+
+namespace scipd::daemon {
+namespace {
+
+using namespace std::chrono_literals;
+using tests::ScannerWire;
+
+class TcpPortTest : public testing::Test {
+  protected:
+    ~TcpPortTest() override {
+        port_->stop();
+        io_.restart();
+        io_.run_for(10ms);
+    }
+
+    [[nodiscard]] ScannerWire connect() const {
+        const std::string address = port_->address();
+        return ScannerWire::tcp(
+            static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1))));
+    }
+
+    /// Whether the answer to VV comes from this model: the end of its PROD.
+    bool is_answered_by(ScannerWire& wire, const std::string& model) {
+        wire.write("VV\n");
+        return comes(wire, model + ";");
+    }
+
+    bool comes(ScannerWire& wire, const std::string& text) {
+        std::string received;
+        return run_until(io_, [&] {
+            std::array<char, 1024> buffer;
+            received.append(buffer.data(), wire.read(buffer, 0ms));
+            return received.find(text) != std::string::npos;
+        });
+    }
+
+    bool is_cut_off(ScannerWire& wire) {
+        return run_until(io_, [&] {
+            try {
+                std::array<char, 1024> buffer;
+                (void)wire.read(buffer, 0ms);
+                return false;
+            } catch (const std::runtime_error&) {
+                return true;
+            }
+        });
+    }
+
+    boost::asio::io_context io_;
+    WallClock clock_{io_.get_executor()};
+    World world_ = wall_world();
+    Device device_{"robot", ideal_sensor(), 1, world_, clock_};
+    Device other_{"robot", ideal_sensor("UTM-30LX"), 1, world_, clock_};
+    std::shared_ptr<TcpPort> port_ =
+        std::make_shared<TcpPort>(io_.get_executor(), Address{"127.0.0.1", 0});
+};
+
+TEST_F(TcpPortTest, TellsThePortThatItTook) {
+    EXPECT_EQ(port_->address().rfind("127.0.0.1:", 0), 0U);
+    EXPECT_NE(port_->address(), "127.0.0.1:0");
+    const TcpPort six(io_.get_executor(), Address{"::1", 0});
+    EXPECT_EQ(six.address().rfind("[::1]:", 0), 0U);
+}
+
+TEST_F(TcpPortTest, RefusesAPortThatIsTaken) {
+    const std::string taken = port_->address();
+    const auto number = static_cast<std::uint16_t>(std::stoul(taken.substr(taken.rfind(':') + 1)));
+    try {
+        const TcpPort second(io_.get_executor(), Address{"127.0.0.1", number});
+        FAIL() << "it was taken twice";
+    } catch (const std::runtime_error& error) {
+        EXPECT_EQ(std::string(error.what()).rfind("cannot listen on " + taken + ": ", 0), 0U)
+            << error.what();
+    }
+}
+
+TEST_F(TcpPortTest, ServesOneClientAtATime) {
+    port_->serve(device_);
+    ScannerWire first = connect();
+    EXPECT_TRUE(is_answered_by(first, "UST-10LX"));
+    EXPECT_TRUE(port_->connected());
+    ScannerWire second = connect();
+    second.write("VV\n");
+    io_.restart();
+    io_.run_for(100ms);
+    EXPECT_EQ(device_.clients(), 1U);
+
+    first.close();
+    EXPECT_TRUE(comes(second, "PROD:UST-10LX;"));
+    EXPECT_EQ(device_.clients(), 1U);
+}
+
+TEST_F(TcpPortTest, WaitsWithoutHasteForADescriptor) {
+    port_->serve(device_);
+    ScannerWire wire = connect();
+    rlimit limit{};
+    ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &limit), 0);
+    const rlimit none{.rlim_cur = 0, .rlim_max = limit.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &none), 0);
+    io_.restart();
+    EXPECT_LT(io_.run_for(300ms), 20U);
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &limit), 0);
+    EXPECT_TRUE(is_answered_by(wire, "UST-10LX"));
+}
+
+TEST_F(TcpPortTest, LetsAClientWaitUntilThereIsADevice) {
+    ScannerWire early = connect();
+    early.write("VV\n");
+    io_.run_for(20ms);
+    port_->serve(device_);
+    EXPECT_TRUE(comes(early, "PROD:UST-10LX;"));
+}
+
+TEST_F(TcpPortTest, CutsOffTheClientOfTheDeviceBefore) {
+    port_->serve(device_);
+    ScannerWire wire = connect();
+    EXPECT_TRUE(is_answered_by(wire, "UST-10LX"));
+    port_->serve(other_);
+    EXPECT_TRUE(is_cut_off(wire));
+    ScannerWire next = connect();
+    EXPECT_TRUE(is_answered_by(next, "UTM-30LX"));
+    EXPECT_EQ(device_.clients(), 0U);
+}
+
+TEST_F(TcpPortTest, TakesTheTimeOfItsLinkAndNoRate) {
+    port_->serve(device_, {.latency = 20ms, .baud = 19200});
+    ScannerWire wire = connect();
+    io_.run_for(20ms);
+    const auto asked = std::chrono::steady_clock::now();
+    EXPECT_TRUE(is_answered_by(wire, "UST-10LX"));
+    EXPECT_GE(std::chrono::steady_clock::now() - asked, 40ms);
+}
+
+TEST_F(TcpPortTest, CutsAsItsLinkDoes) {
+    port_->serve(device_, {.split_bytes = 7});
+    ScannerWire wire = connect();
+    wire.write("VV\n");
+    std::string received;
+    std::size_t reads = 0;
+    // Looked at after each step, so that little can run together in the kernel.
+    EXPECT_TRUE(run_until(io_, [&] {
+        std::array<char, 1024> buffer;
+        const std::size_t count = wire.read(buffer, 0ms);
+        received.append(buffer.data(), count);
+        if (count > 0) ++reads;
+        return received.ends_with("\n\n");
+    }));
+    EXPECT_EQ(received.rfind("VV\n00P\n", 0), 0U);
+    EXPECT_GT(reads, received.size() / 7 / 2);
+}
+
+TEST_F(TcpPortTest, KeepsAClientThatReadsSlowlyAndNotOneThatNeverDoes) {
+    port_->serve(device_, {.dead_after = 3s});
+    const std::string address = port_->address();
+    ScannerWire wire = ScannerWire::tcp(
+        static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1))), 4096);
+    wire.write("MD0000108000000\n");
+    EXPECT_TRUE(comes(wire, "MD0000108000000\n00P\n\n"));
+    std::int64_t revolution = device_.next_revolution() + 1;
+    const auto fill = [&] {
+        const std::uint64_t lost = port_->lost_scans();
+        while (port_->lost_scans() == lost) {
+            device_.turn_complete(revolution++);
+            io_.restart();
+            io_.poll();
+        }
+    };
+    for (int round = 0; round < 3; ++round) {
+        fill();
+        io_.restart();
+        io_.run_for(1200ms);
+        ASSERT_TRUE(port_->connected()) << round;
+        ASSERT_TRUE(run_until(io_, [&] {
+            std::array<char, 4096> buffer;
+            return wire.read(buffer, 0ms) == 0;
+        }));
+    }
+    fill();
+    EXPECT_TRUE(run_until(io_, [&] { return !port_->connected(); }));
+}
+
+TEST_F(TcpPortTest, EndsWithItsClient) {
+    port_->serve(device_);
+    ScannerWire wire = connect();
+    EXPECT_TRUE(is_answered_by(wire, "UST-10LX"));
+    const std::string address = port_->address();
+    port_->stop();
+    EXPECT_TRUE(is_cut_off(wire));
+    EXPECT_FALSE(port_->connected());
+    EXPECT_EQ(device_.clients(), 0U);
+}
+
+}  // namespace
+}  // namespace scipd::daemon

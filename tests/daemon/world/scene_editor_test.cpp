@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/world/scene_editor.h"
+
+#include <future>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "daemon/clock/stepped_clock.h"
+#include "tests/daemon/wall_world.h"
+#include "tests/support/temp_dir.h"
+
+namespace scipd::daemon {
+namespace {
+
+/// A wish that whoever lets go of it last is held up by, until the gate opens.
+BackendWish wish_behind(const std::shared_future<void>& gate) {
+    BackendWish wish;
+    wish.sensor = "robot/scanner";
+    wish.backend = "reference";  // which looks at nothing that is settled, nor keeps it
+    wish.settled = {new BackendChoice, [gate](const BackendChoice* choice) {
+                        gate.wait();
+                        delete choice;
+                    }};
+    return wish;
+}
+
+// They are connections, which must not end on another thread than they live on.
+TEST(SceneEditor, LeavesNothingOfThoseWhoAreAnsweredToTheLoader) {
+    for (const std::string model : {"model 1", "no such model"}) {
+        boost::asio::io_context io;
+        World world = wall_world();
+        SteppedClock clock;
+        std::promise<void> opens;
+        const std::shared_future<void> gate = opens.get_future().share();
+        Loader loader(io.get_executor());
+        SceneEditor editor(world, loader, clock, [&] { return std::vector{wish_behind(gate)}; });
+
+        auto somebody = std::make_shared<int>();
+        const std::weak_ptr<int> still_there = somebody;
+        bool answered = false;
+        editor.edit(RemoveModel{model}, [&answered, asks = std::move(somebody)](
+                                            const EditOutcome&) { answered = true; });
+        EXPECT_TRUE(run_until(io, [&] { return answered; }));
+        EXPECT_TRUE(still_there.expired()) << model;
+        opens.set_value();
+    }
+}
+
+TEST(SceneEditor, ForgetsWhatIsWithdrawnBeforeItHasBegun) {
+    boost::asio::io_context io;
+    World world = wall_world();
+    SteppedClock clock;
+    Loader loader(io.get_executor());
+    SceneEditor editor(world, loader, clock, [] { return std::vector<BackendWish>{}; });
+    std::string answered;
+    const auto says = [&](const std::string& word) {
+        return [&answered, word](const EditOutcome&) { answered += word; };
+    };
+    std::stop_source first_goes;
+    std::stop_source second_goes;
+    auto somebody = std::make_shared<int>();
+    const std::weak_ptr<int> still_there = somebody;
+    editor.edit(RemoveModel{"nobody"}, says("first "), first_goes.get_token());
+    editor.edit(
+        RemoveModel{"model 1"},
+        [&answered, asks = std::move(somebody)](const EditOutcome&) { answered += "second "; },
+        second_goes.get_token());
+    first_goes.request_stop();  // it has begun
+    second_goes.request_stop();
+    editor.edit(RemoveModel{"nobody"}, says("third"));
+    EXPECT_TRUE(still_there.expired()) << "a connection, which would stay open";
+    EXPECT_TRUE(run_until(io, [&] { return answered.ends_with("third"); }));
+    EXPECT_EQ(answered, "first third");
+    EXPECT_NE(world.model("model 1"), nullptr);
+}
+
+class AddedFromFiles : public testing::Test {
+  protected:
+    EditOutcome add(const std::filesystem::path& file, bool strict) {
+        sim::SceneOptions options;
+        options.sdf.strict = strict;
+        options.sdf.most_memory_bytes = 8 * 20'000'000;  // of which a model may take an eighth
+        editor_.set_file(folder_.path() / "world.sdf", options);
+        std::optional<EditOutcome> outcome;
+        AddModel edit;
+        edit.placement.name = "added";
+        edit.file = file;
+        edit.replace = true;
+        editor_.edit(edit, [&outcome](const EditOutcome& answer) { outcome = answer; });
+        EXPECT_TRUE(run_until(io_, [&] { return outcome.has_value(); }));
+        return outcome.value_or(EditOutcome{});
+    }
+
+    tests::TempDir folder_;
+    boost::asio::io_context io_;
+    World world_ = wall_world();
+    SteppedClock clock_;
+    Loader loader_{io_.get_executor()};
+    SceneEditor editor_{world_, loader_, clock_, [] { return std::vector<BackendWish>{}; }};
+};
+
+TEST_F(AddedFromFiles, ObeyStrictOfAnyKind) {
+    folder_.write("a.world", "model ( size [1 1 1] )\nnothing ( )\n");
+    EXPECT_EQ(add("a.world", true).result, EditOutcome::Result::faulty);
+    const EditOutcome lenient = add("a.world", false);
+    EXPECT_EQ(lenient.result, EditOutcome::Result::done);
+    const auto warned = testing::ElementsAre(testing::HasSubstr("a.world:2: 'nothing' is no"));
+    EXPECT_THAT(lenient.messages, warned);
+    EXPECT_THAT(add("a.world", true).messages, warned);
+}
+
+TEST_F(AddedFromFiles, TellWhatTheyTakeWhereItIsMuch) {
+    std::string visuals;
+    for (int i = 0; i < 60; ++i) {
+        visuals += "<visual name='v" + std::to_string(i) +
+                   "'><geometry><box><size>1 1 1</size></box></geometry></visual>";
+    }
+    folder_.write("a.sdf", "<sdf version='1.9'><model name='m'><link name='l'>" + visuals +
+                               "</link></model></sdf>");
+    const EditOutcome large = add("a.sdf", false);
+    EXPECT_EQ(large.result, EditOutcome::Result::done);
+    EXPECT_THAT(large.messages, testing::IsEmpty());
+    EXPECT_THAT(large.notes, testing::ElementsAre(testing::HasSubstr(" to read, of 20 MB")));
+}
+
+}  // namespace
+}  // namespace scipd::daemon

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "daemon/world/backend_workshop.h"
+#include "sim/loaders/confined.h"
+#include "tests/support/scene_builder.h"
+
+namespace scipd::daemon {
+namespace {
+
+using testing::HasSubstr;
+
+sim::SharedScene scene_of(int boxes) {
+    sim::SceneBuilder scene;
+    for (int i = 0; i < boxes; ++i)
+        scene.add(sim::Box{{1.0, 10.0, 10.0}}, sim::pose_from_rpy({4.5 + 2 * i, 0, 0}, {0, 0, 0}));
+    return scene.build();
+}
+
+BackendWish wish(const std::string& sensor, const std::string& backend, int beams = 9) {
+    BackendWish wish;
+    wish.sensor = sensor;
+    wish.backend = backend;
+    wish.max_range_m = 30.0F;
+    for (int i = 0; i < beams; ++i) {
+        const double angle_rad = 0.05 * (i - beams / 2);
+        wish.directions.emplace_back(std::cos(angle_rad), std::sin(angle_rad), 0.0);
+    }
+    return wish;
+}
+
+float range_ahead_m(const SensorBackends& backends, const std::string& sensor) {
+    const std::vector<glm::vec3> forward{{1, 0, 0}};
+    const std::vector<sim::Pose> pose(1);
+    std::vector<sim::Hit> hits(1);
+    backends.of(sensor).cast({forward, pose}, hits);
+    return hits[0].range_m;
+}
+
+TEST(SensorBackends, AreWhatWasAskedForByName) {
+    const std::vector<BackendWish> wishes{wish("a/1", "embree"), wish("a/2", "reference"),
+                                          wish("b/1", "embree")};
+    const SensorBackends backends = make_backends(wishes, scene_of(1));
+    EXPECT_EQ(backends.of("a/1").name(), "embree");
+    EXPECT_EQ(backends.of("a/2").name(), "reference");
+    EXPECT_EQ(backends.choice_of("a/2")->backend, "reference");
+    EXPECT_EQ(backends.choice_of("a/2")->reason, "");
+    EXPECT_FLOAT_EQ(range_ahead_m(backends, "a/2"), 4.0F);
+}
+
+// Who has no Embree is not told to use it.
+TEST(SensorBackends, ThatCannotBeHadSayWhatElseThereIs) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "a sanitizer ends what has too little memory in words of its own";
+#endif
+    const sim::Confines little{.processor_time = std::chrono::seconds{20},
+                               .memory_bytes = 10'000'000};
+    const auto made_with_little = [&] {
+        sim::run_confined(little, [](std::FILE*) {
+            (void)make_backends(std::vector{wish("a/1", "auto")}, scene_of(1));
+        });
+    };
+    EXPECT_THAT(made_with_little,
+                testing::ThrowsMessage<std::runtime_error>(
+                    "a/1: backend embree: Embree does not start: there is too little memory; give "
+                    "scipd more memory, or use reference, which is slow"));
+}
+
+TEST(SensorBackends, AreSharedByThoseThatWantTheSame) {
+    const std::vector<BackendWish> wishes{wish("a/1", "embree"), wish("a/2", "reference"),
+                                          wish("b/1", "embree")};
+    const SensorBackends backends = make_backends(wishes, scene_of(1));
+    EXPECT_EQ(&backends.of("a/1"), &backends.of("b/1"));
+    EXPECT_NE(&backends.of("a/1"), &backends.of("a/2"));
+}
+
+TEST(SensorBackends, AreRaysForAutoThatIsNotMeasuredYet) {
+    const BackendWish open = wish("a/1", "auto");
+    const SensorBackends backends = make_backends({&open, 1}, scene_of(1));
+    EXPECT_EQ(backends.of("a/1").name(), "embree");
+    EXPECT_EQ(backends.choice_of("a/1")->reason, "not measured yet");
+    EXPECT_FALSE(backends.choice_of("a/1")->faces);
+}
+
+TEST(BackendWorkshop, SettlesAutoByMeasuring) {
+    BackendWorkshop workshop(scene_of(1));
+    BackendWish open = wish("a/1", "auto");
+    EXPECT_TRUE(workshop.is_open(open));
+    open.settled = workshop.measure(open, {});
+    EXPECT_FALSE(workshop.is_open(open));
+    // On a machine that cannot draw it says why.
+    EXPECT_THAT(open.settled->reason,
+                testing::AnyOf(testing::MatchesRegex("embree takes .* ms, depth .*"),
+                               HasSubstr("no depth: ")));
+    EXPECT_EQ(open.settled->faces, 1U);
+    const SensorBackends backends = workshop.make({&open, 1});
+    EXPECT_EQ(backends.of("a/1").name(), open.settled->backend);
+    EXPECT_EQ(backends.choice_of("a/1"), open.settled);
+    EXPECT_FLOAT_EQ(range_ahead_m(backends, "a/1"), 4.0F);
+}
+
+TEST(BackendWorkshop, MeasuresAgainWhenTheSceneHasChangedMuch) {
+    BackendWish settled = wish("a/1", "auto");
+    settled.settled =
+        std::make_shared<const BackendChoice>(BackendChoice{"embree", "as before", 10});
+    const auto open_in = [&](int boxes) {
+        const BackendWorkshop workshop(scene_of(boxes));
+        return workshop.is_open(settled);
+    };
+    EXPECT_FALSE(open_in(7));
+    EXPECT_FALSE(open_in(15));
+    EXPECT_TRUE(open_in(6));
+    EXPECT_TRUE(open_in(16));
+    // Until then it stays.
+    EXPECT_EQ(make_backends({&settled, 1}, scene_of(16)).choice_of("a/1"), settled.settled);
+    settled.backend = "reference";
+    EXPECT_FALSE(open_in(16));
+}
+
+TEST(BackendWorkshop, EndsMeasuringWhenNobodyWaitsForIt) {
+    BackendWorkshop workshop(scene_of(1));
+    const SharedChoice choice = workshop.measure(wish("a/1", "auto"), [] { return true; });
+    EXPECT_EQ(choice->backend, "embree");
+    EXPECT_THAT(choice->reason, testing::AnyOf(HasSubstr("ended"), HasSubstr("no depth: ")));
+}
+
+}  // namespace
+}  // namespace scipd::daemon

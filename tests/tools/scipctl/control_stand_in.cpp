@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tests/tools/scipctl/control_stand_in.h"
+
+#include <chrono>
+#include <limits>
+#include <utility>
+
+#include <boost/asio/post.hpp>
+
+#include "tests/support/scene_builder.h"
+
+namespace scipd::tests {
+
+ControlStandIn::ControlStandIn(std::vector<std::string> robots, std::string clock)
+    : clock_(std::move(clock)),
+      server_(io_.get_executor(),
+              [this](const daemon::HttpRequest& request, daemon::Respond respond) {
+                  daemon::route(*this, request, std::move(respond));
+              }) {
+    scene_ = sim::SceneBuilder()
+                 .add(sim::Box{{1, 1, 1}}, {}, 1)
+                 .movable({{1, 2, 0}, {1, 0, 0, 0}})
+                 .with(sim::Box{{1, 1, 1}}, {})
+                 .build();
+    sim::Scene with_lidars = *scene_;
+    const sim::Pose turned = sim::pose_from_rpy({0.5, 0, 0.25}, {0, 0, 1});
+    with_lidars.frames = {
+        {"model 1::l", 1, {}, {}, {}},
+        {"model 1::l::eye", 1, {}, "camera", {}},
+        {"model 1::l::lds", 1, turned, "ray", sim::Lidar{360, 1, 0.0, 6.28, 0.12, 3.5, 5.0}},
+        {"model 0::l::top",
+         0,
+         {},
+         "gpu_lidar",
+         sim::Lidar{1081, 16, -2.3562, 2.3562, 0.02, std::numeric_limits<double>::infinity(), 0}}};
+    scene_ = std::make_shared<const sim::Scene>(std::move(with_lidars));
+    sim::Scan scan{.revolution = 7, .start = std::chrono::seconds(2)};
+    scan.world_from_sensor = {{}};
+    scan.posed_at = {scan.start};
+    scan.hits = {{1.5F, 1.0F, 1, 0}, {}};
+    daemon::ScanRecord record;
+    record.cast = std::make_shared<const sim::Scan>(scan);
+    record.sent = {.first_step = 44, .distance = {1500, 1}, .intensity = {900, 0}};
+    record.stamp_ms = 2000;
+    record.scene = scene_;
+    record.backend = std::make_shared<const daemon::BackendChoice>(
+        daemon::BackendChoice{"embree", "embree takes 0.030 ms, depth takes 0.600 ms", 12});
+    record.front_step = 384;
+    record.steps_per_turn = 1024;
+    log_.add(std::make_shared<const daemon::ScanRecord>(std::move(record)));
+    for (std::string& robot : robots)
+        poses_[std::move(robot)] = {};
+    server_.listen(socket());
+    thread_ = std::thread([this] { io_.run(); });
+}
+
+ControlStandIn::~ControlStandIn() {
+    boost::asio::post(io_, [this] { server_.close(); });
+    thread_.join();
+}
+
+std::vector<Put> ControlStandIn::puts() const {
+    const std::scoped_lock lock(mutex_);
+    return puts_;
+}
+
+daemon::Status ControlStandIn::status() const {
+    daemon::Status status;
+    status.uptime = std::chrono::seconds(90);
+    status.clock = clock_;
+    status.time = std::chrono::milliseconds(12345);
+    status.scene = "maze.sdf";
+    status.poses = {.accepted = 7, .refused = 1, .last_refusal = "xyz is missing"};
+    for (const auto& [robot, pose] : poses_) {
+        status.sensors.push_back({.name = robot + "/front",
+                                  .model = "UST-10LX",
+                                  .backend = "embree",
+                                  .state = "streaming",
+                                  .tcp = "127.0.0.1:10940",
+                                  .pty = {},
+                                  .clients = 1,
+                                  .scans = 4000,
+                                  .lost = 2,
+                                  .stream_lost = 3,
+                                  .lateness = {}});
+    }
+    return status;
+}
+
+std::optional<sim::TimedPose> ControlStandIn::robot_pose(const std::string& robot) const {
+    const std::scoped_lock lock(mutex_);
+    const auto found = poses_.find(robot);
+    if (found == poses_.end()) return std::nullopt;
+    return sim::TimedPose{{}, found->second};
+}
+
+std::optional<std::string> ControlStandIn::set_robot_pose(const std::string& robot,
+                                                          const sim::PoseLine& said) {
+    if (said.pose.translation_m.x > 1000.0) return "that is outside the world";
+    const std::scoped_lock lock(mutex_);
+    poses_[robot] = said.pose;
+    puts_.push_back({robot, said.time, said.pose, said.velocity});
+    return std::nullopt;
+}
+
+const daemon::ScanLog* ControlStandIn::scans(const std::string& sensor) const {
+    return sensor.ends_with("/front") ? &log_ : nullptr;
+}
+
+std::vector<daemon::SceneEdit> ControlStandIn::edits() const {
+    const std::scoped_lock lock(mutex_);
+    return edits_;
+}
+
+void ControlStandIn::edit_scene(daemon::SceneEdit edit, daemon::EditDone done, std::stop_token) {
+    using Result = daemon::EditOutcome::Result;
+    const auto* const added = std::get_if<daemon::AddModel>(&edit);
+    const auto* const removed = std::get_if<daemon::RemoveModel>(&edit);
+    if (added != nullptr && added->placement.name == "model 1" && !added->replace) {
+        return done({Result::taken, {"taken"}});
+    }
+    if (removed != nullptr && !sim::find_model(*scene_, removed->name)) {
+        return done({Result::unknown, {"unknown"}});
+    }
+    const std::scoped_lock lock(mutex_);
+    edits_.push_back(std::move(edit));
+    done({Result::done, {"the sun is nothing to a scanner"}});
+}
+
+std::optional<sim::TimedPose> ControlStandIn::model_pose(const std::string& model) const {
+    if (model != "model 1") return std::nullopt;
+    return sim::TimedPose{{}, scene_->models[1].world_from_model};
+}
+
+std::optional<std::string> ControlStandIn::set_model_pose(const std::string& model,
+                                                          const sim::PoseLine& said) {
+    const std::scoped_lock lock(mutex_);
+    puts_.push_back({model, said.time, said.pose, said.velocity});
+    return std::nullopt;
+}
+
+}  // namespace scipd::tests
