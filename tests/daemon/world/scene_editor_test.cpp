@@ -108,11 +108,12 @@ class AddedFromFiles : public testing::Test {
 };
 
 TEST_F(AddedFromFiles, ObeyStrictOfAnyKind) {
-    folder_.write("a.world", "model ( size [1 1 1] )\nnothing ( )\n");
+    folder_.write("a.world", "model ( size [1 1 1] pose [1 0 90] )\n");
     EXPECT_EQ(add("a.world", true).result, EditOutcome::Result::faulty);
     const EditOutcome lenient = add("a.world", false);
     EXPECT_EQ(lenient.result, EditOutcome::Result::done);
-    const auto warned = testing::ElementsAre(testing::HasSubstr("a.world:2: 'nothing' is no"));
+    const auto warned =
+        testing::ElementsAre(testing::HasSubstr("a.world:1: pose has three numbers"));
     EXPECT_THAT(lenient.messages, warned);
     EXPECT_THAT(add("a.world", true).messages, warned);
 }
