@@ -165,6 +165,7 @@ std::vector<Fleet::Feed> Fleet::open_feeds(const Config& config) {
         .intake = intake_,
         .clock = clock_,
         .lockstep = lockstep_.get(),
+        .strict = config.strict,
         .report = [](const std::string& message) { spdlog::warn("{}", message); }};
     std::vector<Feed> feeds;
     for (const RobotConfig& robot : config.robots) {

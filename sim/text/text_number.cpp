@@ -11,6 +11,8 @@
 namespace scipd::sim {
 namespace {
 
+constexpr std::string_view blanks = " \t\r\n\v\f";
+
 bool all_digits(std::string_view text) {
     return std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
@@ -32,6 +34,12 @@ std::optional<int> take_exponent(std::string_view& text) {
 }
 
 }  // namespace
+
+std::string_view trimmed(std::string_view text) {
+    const auto begin = text.find_first_not_of(blanks);
+    if (begin == text.npos) return {};
+    return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
 
 std::optional<Time> parse_stamp(std::string_view text, int power) {
     const bool negative = text.starts_with('-');
@@ -70,6 +78,21 @@ std::optional<double> parse_number(std::string_view text) {
     if (error != std::errc{} || end != text.data() + text.size()) return {};
     if (!std::isfinite(value)) return {};
     return value;
+}
+
+std::optional<std::vector<double>> parse_numbers(std::string_view text, std::size_t count) {
+    std::vector<double> numbers;
+    for (auto begin = text.find_first_not_of(blanks); begin != text.npos;
+         begin = text.find_first_not_of(blanks)) {
+        text.remove_prefix(begin);
+        std::string_view word = text.substr(0, text.find_first_of(blanks));
+        text.remove_prefix(word.size());
+        if (word.starts_with('+')) word.remove_prefix(1);
+        const auto number = parse_number(word);
+        if (!number || numbers.size() == count) return std::nullopt;
+        numbers.push_back(*number);
+    }
+    return numbers.size() == count ? std::optional(numbers) : std::nullopt;
 }
 
 }  // namespace scipd::sim

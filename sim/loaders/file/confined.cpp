@@ -61,12 +61,17 @@ void enter(const Confines& confines, pid_t parent) {
     limit(RLIMIT_AS, memory_in_use() + confines.memory_bytes);
 }
 
+std::string advice(const std::string& what) {
+    return what.empty() ? "" : "; " + what;
+}
+
 /// In the child: the answer is in the file, and the status says whether it is one.
 [[noreturn]] void run(const Confines& confines, const std::function<void(std::FILE* out)>& work,
                       std::FILE* out, pid_t parent) {
     // Made while there is room for it.
-    const std::string too_much =
-        "takes more than " + std::to_string(confines.memory_bytes / 1'000'000) + " MB of memory";
+    const std::string too_much = "takes more than " +
+                                 std::to_string(confines.memory_bytes / 1'000'000) +
+                                 " MB of memory" + advice(confines.more_memory);
     const auto leave_with = [out](const char* words) {
         std::rewind(out);
         if (ftruncate(fileno(out), 0) == 0) std::fputs(words, out);
@@ -160,7 +165,10 @@ Confined::Confined(Confines confines, const std::function<void(std::FILE* out)>&
     const pid_t parent = getpid();
     const pid_t pid = fork();
     if (pid < 0) throw std::system_error(errno, std::generic_category(), "fork");
-    if (pid == 0) run(confines_, work, file_.get(), parent);
+    if (pid == 0) {
+        doing_.begin();
+        run(confines_, work, file_.get(), parent);
+    }
     child_ = std::make_unique<Child>(pid);
 }
 
@@ -172,10 +180,18 @@ void Confined::wait() {
     while (!child_->ends_within(glance)) {
         if (confines_.stop.stop_requested()) throw std::runtime_error("was not read to its end");
         if (std::chrono::steady_clock::now() < deadline_) continue;
-        const auto seconds = std::chrono::ceil<std::chrono::seconds>(confines_.wall_time).count();
-        throw std::runtime_error("was not read within " + std::to_string(seconds) +
-                                 " s; does it lie on a disk that does not answer?");
+        child_->kill();
+        throw std::runtime_error(too_late());
     }
+}
+
+std::string Confined::too_late() const {
+    const auto seconds = std::chrono::ceil<std::chrono::seconds>(confines_.wall_time).count();
+    const std::string doing = doing_.last();
+    return "was not read within " + std::to_string(seconds) + " s" +
+           (doing.empty() ? "" : "; at last it was " + doing) +
+           (confines_.more_time.empty() ? "; does it lie on a disk that does not answer?"
+                                        : advice(confines_.more_time));
 }
 
 File Confined::outcome() {

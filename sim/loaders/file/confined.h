@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/loaders/file/doing.h"
 #include "sim/loaders/file/plain_file.h"
 
 namespace scipd::sim {
@@ -24,6 +25,9 @@ struct Confines {
     std::size_t memory_bytes;  ///< above what the process has already
     std::chrono::milliseconds wall_time = std::chrono::minutes{2};
     std::stop_token stop = {};  ///< when nobody waits for it any more
+    /// What whoever reads that it took too much can do about it: "KEY allows more".
+    std::string more_memory = {};
+    std::string more_time = {};
 };
 
 /// `work` is alone on its thread, as after any fork(); it has standard input, output and error and
@@ -37,17 +41,19 @@ class Confined {
 
     /// What the work wrote, from its beginning; nothing else that it does is seen here. Waits,
     /// once. Throws std::runtime_error: in the words of the exception that left the work, or saying
-    /// how the child ended.
+    /// how the child ended and, where that was late, what it said of itself (doing.h).
     File outcome();
 
   private:
     class Child;
 
     void wait();
+    [[nodiscard]] std::string too_late() const;
 
     Confines confines_;
     std::chrono::steady_clock::time_point deadline_;
     File file_;
+    Doing doing_;
     std::unique_ptr<Child> child_;
 };
 

@@ -95,4 +95,12 @@ std::string read_file(const fs::path& path, std::uintmax_t most_bytes, const std
     return bytes;
 }
 
+std::string read_text(const fs::path& path, std::uintmax_t most_bytes, const std::string& wanted) {
+    std::string text = read_file(path, most_bytes, wanted);
+    // By its byte order mark, which is none of UTF-8.
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+        throw LoadError({path.string() + ": is in UTF-16; save it as UTF-8"});
+    return text;
+}
+
 }  // namespace scipd::sim

@@ -34,4 +34,8 @@ File memory_file();
 std::string read_file(const std::filesystem::path& path, std::uintmax_t most_bytes,
                       const std::string& wanted);
 
+/// The same of a text, which is UTF-8; one in UTF-16 is refused, and called so.
+std::string read_text(const std::filesystem::path& path, std::uintmax_t most_bytes,
+                      const std::string& wanted);
+
 }  // namespace scipd::sim

@@ -27,21 +27,14 @@ struct MeshPart {
     Mesh mesh;
 };
 
-/// What reading one file may take. The library takes up to 600 bytes a triangle (load_bench): the
-/// largest mesh fits into the memory.
+/// What reading one file may take. The library takes up to 600 bytes a triangle (load_bench).
 struct MeshLimits {
-    std::size_t memory_bytes = std::size_t{8} << 30U;
+    std::size_t memory_bytes = std::size_t{4} << 30U;
     std::size_t triangles = 10'000'000;
     std::chrono::milliseconds wall_time = std::chrono::minutes{2};
 };
 
-/// One named thing of a mesh file.
-struct Submesh {
-    std::string name;      ///< of its node (OBJ: the object or group) or of its mesh
-    bool centred = false;  ///< moved so that the middle of its bounds is the origin
-};
-
-/// All of a file, or its submesh of this name.
+/// All of a file, or its submesh of this name: that of a node (OBJ: the object or group) or mesh.
 struct MeshSource {
     std::filesystem::path file;
     std::string submesh;

@@ -23,13 +23,4 @@ std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& file,
                                       MeshAxes axes = MeshAxes::as_in_file,
                                       const MeshLimits& limits = {});
 
-/// Its part of the file, one for each of its materials: where it lies in the file is kept unless it
-/// is centred. Throws LoadError, which tells the names that there are.
-std::vector<MeshPart> load_submesh(const std::filesystem::path& file, const Submesh& submesh,
-                                   const glm::dvec3& scale = {1.0, 1.0, 1.0},
-                                   const MeshLimits& limits = {});
-
-/// All of the file as one mesh.
-Mesh load_mesh(const std::filesystem::path& file, const glm::dvec3& scale = {1.0, 1.0, 1.0});
-
 }  // namespace scipd::sim

@@ -232,13 +232,13 @@ class MvsimScene {
 
 LoadedScene load_mvsim(const fs::path& given, const MapOptions& options) {
     const auto file = fs::absolute(given).lexically_normal();
-    const std::string text = read_file(file, largest_text, "name a world of MVSim");
+    const std::string text = read_text(file, largest_text, "name a world of MVSim");
     MvsimScene scene{file, options};
     const MvsimVisitor visitor{.visit = [&](const MvsimNode& node) { scene.visit(node); },
                                .leave_out = [&](const std::string& what) { scene.leave_out(what); },
                                .read = [](const fs::path& included) -> std::optional<std::string> {
                                    if (!why_no_file(included).empty()) return std::nullopt;
-                                   return read_file(included, largest_text,
+                                   return read_text(included, largest_text,
                                                     "a part of a world is wanted");
                                }};
     walk_mvsim(text, file, visitor);

@@ -213,6 +213,20 @@ TEST_F(PoseFeedTest, SaysThatAPortIsInUse) {
     first->stop();
 }
 
+TEST_F(PoseFeedTest, RefusesATrajectoryWithAWarningWhereItIsStrict) {
+    const tests::TempDir directory;
+    const auto source = trajectory(
+        directory.write("drive.tum", "1 1 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n2 1 0 0 0 0 0 1\n"));
+    feed(source)->stop();
+    EXPECT_THAT(reports_, testing::ElementsAre(testing::HasSubstr("drive.tum:2: has the stamp")));
+    const FeedContext strict{.executor = io_.get_executor(),
+                             .intake = intake_,
+                             .clock = clock_,
+                             .strict = true,
+                             .report = [](const std::string&) {}};
+    EXPECT_THROW(make_feed(strict, source), sim::LoadError);
+}
+
 TEST_F(PoseFeedTest, PlaysATrajectoryFromTheMomentOfItsStart) {
     const tests::TempDir directory;
     const auto file = directory.write("drive.tum",

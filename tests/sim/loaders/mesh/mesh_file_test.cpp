@@ -10,6 +10,7 @@
 
 #include "sim/loaders/mesh/mesh_parts.h"
 #include "tests/sim/loaders/faults_of.h"
+#include "tests/sim/loaders/mesh/whole_mesh.h"
 
 namespace scipd::sim {
 namespace {
