@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/api/scene_routes.h"
-
+//
+// What is there: the scene, other scenes in its place, and models that come, go and move.
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "daemon/api/documents.h"
 #include "daemon/api/pose_routes.h"
-#include "daemon/http/problem.h"
 #include "daemon/api/scene_request.h"
+#include "daemon/http/problem.h"
 #include "daemon/models/best_fit.h"
 
 namespace scipd::daemon {

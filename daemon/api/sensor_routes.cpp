@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/api/sensor_routes.h"
-
+//
+// How the daemon and its sensors are doing, what cameras and rangers measure, and what was true when
+// a sensor measured.
 #include <charconv>
 #include <cstdint>
 
-#include "daemon/config/sensor_config.h"
 #include "daemon/api/documents.h"
-#include "daemon/http/problem.h"
+#include "daemon/api/handlers.h"
 #include "daemon/api/reading.h"
 #include "daemon/api/truth.h"
-#include "daemon/http/url.h"
+#include "daemon/config/sensor_config.h"
 #include "daemon/device/scan_log.h"
 #include "daemon/device/staring_sensor.h"
+#include "daemon/http/problem.h"
+#include "daemon/http/url.h"
 
 namespace scipd::daemon {
 namespace {

@@ -18,7 +18,6 @@
 #include <nlohmann/json.hpp>
 
 #include "daemon/api/routes.h"
-#include "daemon/api/socket_routes.h"
 #include "daemon/device/scan_log.h"
 #include "tests/support/empty_api.h"
 
