@@ -67,8 +67,8 @@ SensorStatus Fleet::status_of(const Station& station) const {
         status.lost += station.tcp->lost_scans();
     }
     if (station.pty) {
-        status.pty = station.pty->link();
-        status.clients += station.pty->open() ? 1 : 0;
+        status.pty = station.pty->address();
+        status.clients += station.pty->connected() ? 1 : 0;
         status.lost += station.pty->lost_scans();
     }
     return status;
