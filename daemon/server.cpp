@@ -13,6 +13,7 @@
 #include "daemon/api/routes.h"
 #include "daemon/config/config.h"
 #include "daemon/run_directory.h"
+#include "daemon/simulation.h"
 
 namespace scipd::daemon {
 
@@ -33,14 +34,14 @@ Server::Server(const Options& options, FleetPlan&& plan)
       control_(
           io_.get_executor(),
           [this](const HttpRequest& request, Respond respond) {
-              route(fleet_, request, std::move(respond));
+              route(api_, request, std::move(respond));
           },
-          [this](const HttpRequest& request) { return open_socket(fleet_, request); }) {
+          [this](const HttpRequest& request) { return open_socket(api_, request); }) {
     // The control socket next: if another scipd has it, its ttys are not touched either.
     listen_for_control();
     if (options_.config.http) http_ = text_of(control_.listen(*options_.config.http));
     fleet_.apply(std::move(plan));
-    fleet_.choose_backends();
+    fleet_.simulation().choose_backends();
     wait_for_signal();
 }
 
@@ -68,7 +69,7 @@ std::string Server::ready_line() const {
     const auto or_null = [](const std::optional<std::string>& text) {
         return text ? nlohmann::json(*text) : nullptr;
     };
-    for (const SensorStatus& sensor : fleet_.status().sensors) {
+    for (const SensorStatus& sensor : api_.status().sensors) {
         line["sensors"].push_back(nlohmann::ordered_json{{"name", sensor.name},
                                                          {"model", sensor.model},
                                                          {"tcp", or_null(sensor.tcp)},
@@ -105,9 +106,10 @@ void Server::reload() {
     }
     asked_again_ = std::exchange(loading_, true);
     if (asked_again_) return;
-    fleet_.loader().add([this] {
-        return [this, settled = fleet_.settled_backends(),
-                stop = fleet_.loader().stopping()]() -> Loader::Finish {
+    Simulation& simulation = fleet_.simulation();
+    simulation.loader.add([this, &simulation] {
+        return [this, settled = simulation.settled_backends(),
+                stop = simulation.loader.stopping()]() -> Loader::Finish {
             const auto task = std::make_shared<std::packaged_task<Next()>>(
                 [&] { return load_next(options_, settled, stop); });
             (*task)();
@@ -136,7 +138,7 @@ void Server::take_up(std::future<Next> loaded) {
             spdlog::warn(
                 "SIGHUP: control, http and clock stay as they are until scipd is started again");
         }
-        fleet_.choose_backends();
+        fleet_.simulation().choose_backends();
         spdlog::info("SIGHUP: {} is running now", options_.config_file->string());
     } catch (const std::exception& error) {
         spdlog::error("SIGHUP: nothing was changed, since\n{}", error.what());

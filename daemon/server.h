@@ -17,6 +17,8 @@
 #include <boost/asio/signal_set.hpp>
 
 #include "daemon/fleet.h"
+#include "daemon/fleet_api.h"
+#include "daemon/fleet_plan.h"
 #include "daemon/http/server.h"
 #include "daemon/link/path_hold.h"
 #include "daemon/options.h"
@@ -55,6 +57,7 @@ class Server {
     boost::asio::io_context io_{1};
     boost::asio::signal_set signals_;
     Fleet fleet_;
+    FleetApi api_{fleet_.simulation()};
     std::filesystem::path control_socket_;
     std::optional<PathHold> control_hold_;
     HttpServer control_;

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "daemon/api/object_text.h"
-#include "daemon/device/staring_sensor.h"
+#include "daemon/device/sensor_record.h"
 
 namespace scipd::daemon {
 

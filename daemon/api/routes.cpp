@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "daemon/api/pose_socket.h"
-#include "daemon/api/scan_stream.h"
 #include "daemon/http/problem.h"
 #include "daemon/http/url.h"
 
@@ -132,10 +131,10 @@ std::variant<HttpResponse, Converse> open_socket(Api& api, const HttpRequest& re
     if (sensor.empty() && !request.query.empty()) {
         return problem(400, "there is one parameter, ?sensor=ROBOT/SENSOR", "sensor");
     }
-    if (!sensor.empty() && api.scans(sensor) == nullptr && api.staring(sensor) == nullptr) {
+    if (!sensor.empty() && !api.log(sensor)) {
         return problem(404, "there is no sensor \"" + sensor + "\"", "sensor");
     }
-    return [&api, sensor](WebSocket& socket) { return api.stream().subscribe(sensor, socket); };
+    return [&api, sensor](WebSocket& socket) { return api.subscribe(sensor, socket); };
 }
 
 }  // namespace scipd::daemon

@@ -9,6 +9,8 @@
 
 #include "daemon/api/documents.h"
 #include "daemon/api/reading.h"
+#include "daemon/device/device.h"
+#include "daemon/device/staring_sensor.h"
 
 namespace scipd::daemon {
 namespace {

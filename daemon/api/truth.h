@@ -6,8 +6,7 @@
 
 #include <string>
 
-#include "daemon/device/scan_log.h"
-#include "daemon/device/staring_sensor.h"
+#include "daemon/device/sensor_record.h"
 
 namespace scipd::daemon {
 

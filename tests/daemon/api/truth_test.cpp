@@ -28,8 +28,8 @@ using testing::HasSubstr;
 
 class TruthTest : public testing::Test, tests::EmptyApi {
   protected:
-    [[nodiscard]] const ScanLog* scans(const std::string& sensor) const override {
-        return sensor == "robot/scanner" ? &device_.log() : nullptr;
+    [[nodiscard]] std::optional<SensorLog> log(const std::string& sensor) const override {
+        return sensor == "robot/scanner" ? std::optional<SensorLog>(device_.log()) : std::nullopt;
     }
 
     HttpResponse ask(const std::string& query = {}) {
