@@ -21,7 +21,7 @@
 #include "daemon/fleet_plan.h"
 #include "daemon/http/server.h"
 #include "daemon/link/path_hold.h"
-#include "daemon/options.h"
+#include "daemon/run_options.h"
 
 namespace scipd::daemon {
 

@@ -26,7 +26,7 @@ class ScanStream {
     /// A sensor's end of the stream. The stream and the sensor must outlive it.
     class Tap {
       public:
-        Tap(ScanStream& stream, std::string sensor, Device& device);
+        Tap(ScanStream& stream, std::string name, Device& device);
         Tap(ScanStream& stream, std::string name, StaringSensor& sensor);
         Tap(const Tap&) = delete;
         Tap& operator=(const Tap&) = delete;
@@ -37,10 +37,16 @@ class ScanStream {
 
       private:
         friend class ScanStream;
+        using Watch = std::function<void(bool wanted)>;
+
+        Tap(ScanStream& stream, std::string name, Watch watch);
+        /// Has the sensor tell the stream of every measurement, as long as that is wanted.
+        template <class Record, class Sensor>
+        Watch watch_of(Sensor& sensor);
 
         ScanStream& stream_;
         std::shared_ptr<Backlog::Source> source_;
-        std::function<void(bool wanted)> watch_;
+        Watch watch_;
     };
 
     ScanStream();
@@ -53,7 +59,7 @@ class ScanStream {
   private:
     class Subscriber;
 
-    /// Its sensor casts as long as somebody looks.
+    /// Its sensor casts as long as somebody subscribes.
     void follow(Tap& tap);
     void follow_all();
     void send(const Tap& tap, std::string message);

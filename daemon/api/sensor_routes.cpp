@@ -10,8 +10,7 @@
 
 #include "daemon/api/documents.h"
 #include "daemon/api/handlers.h"
-#include "daemon/api/reading.h"
-#include "daemon/api/truth.h"
+#include "daemon/api/measurement_text.h"
 #include "daemon/config/sensor_config.h"
 #include "daemon/http/problem.h"
 #include "daemon/http/url.h"

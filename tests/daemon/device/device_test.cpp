@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "daemon/clock/stepped_clock.h"
+#include "daemon/device/device.h"
 #include "protocol/char_code.h"
 #include "protocol/client/decoder.h"
 #include "protocol/client/scan_message.h"
