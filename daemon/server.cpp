@@ -19,10 +19,9 @@ namespace scipd::daemon {
 
 namespace asio = boost::asio;
 
-// The world before all else: until signals_ is made SIGINT and SIGTERM end the program, and nothing
-// is left behind.
-// What it takes is in the part of the memory that threads other than this one have, so that none
-// waits for the other while all of it is given back.
+// It loads the world before all else: until signals_ is made SIGINT and SIGTERM end the program, and
+// nothing is left behind. It loads on another thread: the memory of the world is then in the part of
+// the heap that other threads have, so that this one does not wait while the memory is given back.
 Server::Server(const Options& options)
     : Server(options,
              std::async(std::launch::async, [&] { return make_plan(options.config); }).get()) {}
@@ -45,7 +44,8 @@ Server::Server(const Options& options, FleetPlan&& plan)
     wait_for_signal();
 }
 
-// One that nobody has named is the first scipd's; those after it have their own.
+// The first scipd has the control socket that nobody has named; those started after it make their
+// own.
 void Server::listen_for_control() {
     const std::filesystem::path& named = options_.config.control;
     if (named.empty()) {

@@ -50,7 +50,7 @@ class HttpConnection : public HttpClient,
     std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
     bool answered_ = false;
     std::stop_source hung_up_;
-    boost::asio::steady_timer glance_;  ///< at whether it has
+    boost::asio::steady_timer glance_;  ///< when to look whether it has
     boost::beast::http::response<boost::beast::http::empty_body> go_on_;
     boost::beast::http::response<boost::beast::http::string_body> response_;
 };
