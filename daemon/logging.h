@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Where logs go and what their lines look like. Whoever logs never waits: a thread writes. Where that
-// thread cannot keep up, or nobody reads, the oldest lines are lost; a line tells how many. Start and
-// finish once, on the main thread, around all that logs.
+// Where logs go and what their lines look like. Whoever logs never waits: a thread writes. Where
+// that thread cannot keep up, or nobody reads, the oldest lines are lost; a line tells how many.
+// Start and finish once, on the main thread, around all that logs.
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The options of the command line, group by group: their help texts, and the values that a user gave.
-// options.cpp decides what follows from the values. At the start, on the only thread.
+// The options of the command line, group by group: their help texts, and the values that a user
+// gave. options.cpp decides what follows from the values. At the start, on the only thread.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +13,8 @@
 
 namespace scipd::daemon {
 
-/// What a user gave by options, or what holds where the user gave nothing. options.cpp decides later
-/// which of it counts.
+/// What a user gave by options, or what holds where the user gave nothing. options.cpp decides
+/// later which of it counts.
 struct OptionValues {
     OptionValues();
 

@@ -19,9 +19,10 @@ namespace scipd::daemon {
 
 namespace asio = boost::asio;
 
-// It loads the world before all else: until signals_ is made SIGINT and SIGTERM end the program, and
-// nothing is left behind. It loads on another thread: the memory of the world is then in the part of
-// the heap that other threads have, so that this one does not wait while the memory is given back.
+// It loads the world before all else: until signals_ is made SIGINT and SIGTERM end the program,
+// and nothing is left behind. It loads on another thread: the memory of the world is then in the
+// part of the heap that other threads have, so that this one does not wait while the memory is
+// given back.
 Server::Server(const Options& options)
     : Server(options,
              std::async(std::launch::async, [&] { return make_plan(options.config); }).get()) {}

@@ -2,9 +2,9 @@
 // Copyright The scipd authors
 //
 // The running program: one io_context, a fleet of scanners, the control API and signals. SIGINT and
-// SIGTERM end it cleanly. SIGHUP has it read the configuration again, on the loader's thread, so that
-// no stream waits for it; a faulty configuration changes nothing. Lives on the I/O thread, which is
-// the one that runs it.
+// SIGTERM end it cleanly. SIGHUP has it read the configuration again, on the loader's thread, so
+// that no stream waits for it; a faulty configuration changes nothing. Lives on the I/O thread,
+// which is the one that runs it.
 #pragma once
 
 #include <filesystem>

@@ -63,7 +63,8 @@ struct StationContext {
 /// By the sensor's full name; null: there is none.
 [[nodiscard]] Station* find_station(const Stations& stations, const std::string& sensor);
 
-/// The station of the same robot and seed whose sensor is configured like this; end(): there is none.
+/// The station of the same robot and seed whose sensor is configured like this; end(): there is
+/// none.
 [[nodiscard]] Stations::const_iterator find_unchanged(const Stations& stations,
                                                       const std::string& robot,
                                                       const SensorConfig& sensor,

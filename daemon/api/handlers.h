@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The functions that answer the requests of the control API, one for each method and path. routes.cpp
-// has the table that calls them. On the I/O thread.
+// The functions that answer the requests of the control API, one for each method and path.
+// routes.cpp has the table that calls them. On the I/O thread.
 #pragma once
 
 #include <string>

@@ -22,8 +22,8 @@ std::string reading_text(const std::string& sensor, const ScanRecord& record);
 std::string reading_text(const std::string& sensor, const StaringRecord& record);
 
 /// {"sensor","scan","time_s","stamp_ms","backend","backend_reason","poses":[{"time_s","xyz","q"}],
-/// "steps","true_m","object","material","incidence_rad","sent_mm","intensity"}: one pose for each fan
-/// that was cast; the other lists have an element for each step, null where nothing is hit.
+/// "steps","true_m","object","material","incidence_rad","sent_mm","intensity"}: one pose for each
+/// fan that was cast; the other lists have an element for each step, null where nothing is hit.
 std::string truth_text(const std::string& sensor, const ScanRecord& record);
 
 /// The same of a camera or ranger, without what a wire has: {"sensor","scan","time_s","backend",

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The control API without its sockets: a request goes in, a response comes out. The daemon implements
-// the abstract Api behind it. One table has all methods and paths. On the I/O thread.
+// The control API without its sockets: a request goes in, a response comes out. The daemon
+// implements the abstract Api behind it. One table has all methods and paths. On the I/O thread.
 #pragma once
 
 #include <span>

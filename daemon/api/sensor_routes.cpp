@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// How the daemon and its sensors are doing, what cameras and rangers measure, and what was true when
-// a sensor measured.
+// How the daemon and its sensors are doing, what cameras and rangers measure, and what was true
+// when a sensor measured.
 #include <charconv>
 #include <cstdint>
 #include <string>

@@ -85,8 +85,8 @@ class Device : public ScanSource, public Endpoint {
     void tell_clients(const ServedClient* knows = nullptr);
 
     [[nodiscard]] protocol::Turn turn(std::int64_t revolution) const;
-    /// Lets the mirror turn as the device's state says. To be called after whatever may have changed
-    /// that.
+    /// Lets the mirror turn as the device's state says. To be called after whatever may have
+    /// changed that.
     void follow_motor();
     /// Of a revolution that is complete.
     const ScanRecord& measure(std::int64_t revolution);

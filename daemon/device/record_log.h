@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The latest measurements of a sensor: those of a second, or fewer, for people who compare. A record
-// stays as it was made, in the scene of its time. A value; one thread.
+// The latest measurements of a sensor: those of a second, or fewer, for people who compare. A
+// record stays as it was made, in the scene of its time. A value; one thread.
 #pragma once
 
 #include <algorithm>

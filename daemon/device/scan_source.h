@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A sensor as ScanLoop sees it, which waits for the sensor's instants: it makes scans at instants of
-// its own as long as somebody wants them. Device and StaringSensor implement it. Lives on the I/O
-// thread.
+// A sensor as ScanLoop sees it, which waits for the sensor's instants: it makes scans at instants
+// of its own as long as somebody wants them. Device and StaringSensor implement it. Lives on the
+// I/O thread.
 #pragma once
 
 #include <cstdint>

@@ -52,8 +52,8 @@ class StaringSensor : public ScanSource {
     [[nodiscard]] bool poses_known(std::int64_t number) const override;
     void turn_complete(std::int64_t number) override;
 
-    /// The measurement of the last instant that need not wait for poses any more. Measures now where
-    /// nobody has asked before. Never null.
+    /// The measurement of the last instant that need not wait for poses any more. Measures now
+    /// where nobody has asked before. Never null.
     SharedStaringRecord latest();
     [[nodiscard]] const StaringLog& log() const { return log_; }
 

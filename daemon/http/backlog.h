@@ -39,7 +39,8 @@ class Backlog {
     explicit Backlog(Lose lose) : lose_(std::move(lose)) {}
 
     void add(const std::shared_ptr<Source>& source, std::string text);
-    /// Finds the first message from `number` on, and sets `number` to its own; null: there is none yet.
+    /// Finds the first message from `number` on, and sets `number` to its own; null: there is none
+    /// yet.
     [[nodiscard]] const Message* from(Number& number) const;
     [[nodiscard]] std::size_t bytes() const { return bytes_; }
     /// The number of the next message that is added.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// HTTP/1.1 and WebSockets on Unix sockets and TCP addresses. The server reads requests, hands each to
-// one function and writes what that answers. It knows no paths and no JSON. It serves any number of
-// clients; whatever a client sends ends at most its own connection. Lives on the I/O thread.
+// HTTP/1.1 and WebSockets on Unix sockets and TCP addresses. The server reads requests, hands each
+// to one function and writes what that answers. It knows no paths and no JSON. It serves any number
+// of clients; whatever a client sends ends at most its own connection. Lives on the I/O thread.
 #pragma once
 
 #include <filesystem>

@@ -14,8 +14,8 @@ namespace scipd::daemon {
 /// digits.
 std::optional<std::string> percent_decoded(std::string_view text);
 
-/// The decoded value of `key` in "scan=12&x=1". Nothing where the key is missing or its value cannot
-/// be decoded.
+/// The decoded value of `key` in "scan=12&x=1". Nothing where the key is missing or its value
+/// cannot be decoded.
 std::optional<std::string> query_value(std::string_view query, std::string_view key);
 
 }  // namespace scipd::daemon

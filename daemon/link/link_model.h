@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// One direction of the link between a device and its client. Tells when something that is sent at one
-// end arrives at the other, and in which pieces. The two directions share nothing. A link model
+// One direction of the link between a device and its client. Tells when something that is sent at
+// one end arrives at the other, and in which pieces. The two directions share nothing. A link model
 // neither waits nor moves bytes, and the time is handed in.
 //
 //   send() ─► coalesced ─► cut into pieces ─► one after the other on the line ─► latency ─► take()

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Messages on their way to one client, oldest first: those that wait and those that are under way on
-// the link. Their bytes are bounded: where the client or the line is too slow, the outbox refuses
-// whole scans; it never refuses a reply. One thread.
+// Messages on their way to one client, oldest first: those that wait and those that are under way
+// on the link. Their bytes are bounded: where the client or the line is too slow, the outbox
+// refuses whole scans; it never refuses a reply. One thread.
 #pragma once
 
 #include <cstddef>

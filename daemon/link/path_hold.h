@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Holds a path for one scipd, as long as that one lives. Another scipd is refused the path; whatever
-// the holder finds there was left behind by a scipd that was killed. The kernel knows who holds the
-// path, by a socket that is no file (unix(7): abstract): so nothing is left behind, and spellings of
-// the path do not matter. Other programs know nothing of this. Lives on the I/O thread.
+// Holds a path for one scipd, as long as that one lives. Another scipd is refused the path;
+// whatever the holder finds there was left behind by a scipd that was killed. The kernel knows who
+// holds the path, by a socket that is no file (unix(7): abstract): so nothing is left behind, and
+// spellings of the path do not matter. Other programs know nothing of this. Lives on the I/O
+// thread.
 #pragma once
 
 #include <filesystem>

@@ -43,7 +43,8 @@ class PtyPort : public Port, public std::enable_shared_from_this<PtyPort> {
 
   private:
     void watch();
-    /// Reads what has happened to the tty since last time. Answers whether somebody has it open now.
+    /// Reads what has happened to the tty since last time. Answers whether somebody has it open
+    /// now.
     bool somebody_there();
     void last_one_closed(bool next_was_heard);
     void clean_tty();

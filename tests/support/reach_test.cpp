@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What a folder reaches through the headers of others: a law on its own includes alone would not see
-// that.
+// What a folder reaches through the headers of others: a law on its own includes alone would not
+// see that.
 #include <filesystem>
 #include <fstream>
 #include <set>
