@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/api/scene_routes.h"
-
+//
+// What is there: the scene, other scenes in its place, and models that come, go and move.
 #include <optional>
 #include <set>
 #include <utility>

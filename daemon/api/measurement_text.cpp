@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/api/truth.h"
+#include "daemon/api/measurement_text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "daemon/api/object_text.h"
-#include "daemon/api/reading.h"
 
 namespace scipd::daemon {
 namespace {
@@ -37,7 +37,7 @@ Json reason_of(const BackendChoice& backend) {
     return backend.reason.empty() ? Json(nullptr) : Json(backend.reason);
 }
 
-/// What objects or materials are called, as JSON, each made when it is first asked for.
+/// The names of objects or materials as JSON, each made when it is first asked for.
 template <class Thing>
 class Names {
   public:
@@ -53,7 +53,7 @@ class Names {
     std::vector<std::string> texts_;
 };
 
-/// One element a hit.
+/// Adds a list with one element for each hit.
 template <class Append>
 void add_hits(ObjectText& text, std::string_view name, const sim::Scan& scan, Append append) {
     text.add_list(name, scan.hits, [&](std::string& list, const sim::Hit& hit) {
@@ -61,7 +61,7 @@ void add_hits(ObjectText& text, std::string_view name, const sim::Scan& scan, Ap
     });
 }
 
-/// What every hit has.
+/// Adds the lists that every sensor's hits have.
 void add_all_hits(ObjectText& text, const sim::Scan& cast, const sim::Scene& scene) {
     Names objects(scene.objects);
     Names materials(scene.materials);
@@ -76,7 +76,47 @@ void add_all_hits(ObjectText& text, const sim::Scan& cast, const sim::Scene& sce
     });
 }
 
+/// Adds what depends on the kind of sensor.
+void add_ranges(ObjectText& text, const StaringRecord& record) {
+    const auto* const grid = std::get_if<sim::PinholeGrid>(&record.spec.optics);
+    if (grid == nullptr) {
+        const float range_m = record.range_m.front();
+        return text.add("range_m", std::isfinite(range_m) ? Json(rounded(range_m)) : Json());
+    }
+    text.add("columns", grid->columns);
+    text.add("rows", grid->rows);
+    text.add_list("range_m", record.range_m, append_rounded);
+}
+
+Json middle_pose(const sim::Scan& scan) {
+    const auto& poses = scan.world_from_sensor;
+    return pose_document(poses[poses.size() / 2]);
+}
+
 }  // namespace
+
+std::string reading_text(const std::string& sensor, const ScanRecord& record) {
+    const sim::Scan& cast = *record.cast;
+    return text_of(Json{{"sensor", sensor},
+                        {"scan", cast.revolution},
+                        {"time_s", seconds(record.told(cast.start))},
+                        {"stamp_ms", record.stamp_ms},
+                        {"pose", middle_pose(cast)},
+                        {"first_step", record.sent.first_step},
+                        {"front_step", record.front_step},
+                        {"steps_per_turn", record.steps_per_turn},
+                        {"sent_mm", record.sent.distance},
+                        {"intensity", record.sent.intensity}});
+}
+
+std::string reading_text(const std::string& sensor, const StaringRecord& record) {
+    ObjectText text({{"sensor", sensor},
+                     {"scan", record.cast->revolution},
+                     {"time_s", seconds(record.told(record.cast->start))},
+                     {"pose", middle_pose(*record.cast)}});
+    add_ranges(text, record);
+    return std::move(text).finish();
+}
 
 std::string truth_text(const std::string& sensor, const ScanRecord& record) {
     const sim::Scan& cast = *record.cast;
@@ -102,7 +142,7 @@ std::string truth_text(const std::string& sensor, const StaringRecord& record) {
                      {"backend_reason", reason_of(*record.backend)}});
     add_poses(text, record);
     add_all_hits(text, *record.cast, *record.scene);
-    add_said(text, record);
+    add_ranges(text, record);
     return std::move(text).finish();
 }
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A number from a name. Pure; any thread.
+// A number made from a name. Pure; any thread.
 #pragma once
 
 #include <cstdint>
 #include <string_view>
 
-namespace scipd::daemon {
+namespace scipd::sim {
 
-/// FNV-1a: the same for the same name in every run, on every machine. What a sensor's chance is
-/// derived from.
+/// FNV-1a: the same name gives the same number in every run, on every machine. A sensor's chance is
+/// derived from it.
 inline std::uint64_t stable_number(std::string_view name) {
     std::uint64_t number = 14695981039346656037ULL;
     for (const char c : name)
@@ -18,4 +18,4 @@ inline std::uint64_t stable_number(std::string_view name) {
     return number;
 }
 
-}  // namespace scipd::daemon
+}  // namespace scipd::sim
