@@ -10,18 +10,11 @@
 #include <vector>
 
 #include "protocol/answer.h"
+#include "protocol/family.h"
 #include "protocol/status.h"
 #include "protocol/uptime.h"
 
 namespace scipd::protocol {
-
-/// Models of a family accept the same commands in the same states.
-enum class Family {
-    a1,  ///< URG-04LX and its kin: SCIP 2.0, two- and three-character distances
-    a2,  ///< UTM-30LX and UXM-30LX-E on USB: SCIP 2.0 with intensity
-    b,   ///< UTM-30LX-EW and UXM-30LX-EW: Ethernet, multi-echo
-    c,   ///< UST: Ethernet, SCIP 2.2, no multi-echo, no two-character distances
-};
 
 /// How II spells the clock.
 enum class TimeSpelling {
@@ -34,14 +27,6 @@ enum class Support {
     never,           ///< the model has not got it
     later_firmware,  ///< this firmware is older
     yes,
-};
-
-/// What some models of a family have and others have not.
-enum class Feature {
-    common,        ///< all have it
-    multi_echo,    ///< HD HE ND NE
-    microseconds,  ///< %TM %MD %ME
-    io_lines,      ///< GF GG MF MG
 };
 
 /// What stands in the place of a distance where there is none.
@@ -67,7 +52,7 @@ struct Scip1Texts {
 struct DeviceProfile {
     std::string name;     ///< as a user asks for it: NAME or NAME@RELEASE
     std::string release;  ///< the firmware that the texts and habits are of
-    Family family = Family::c;
+    Family family = Family::ust;
 
     // VV
     std::string vendor;

@@ -5,10 +5,6 @@
 namespace scipd::protocol {
 namespace {
 
-bool is_ethernet(const DeviceProfile& profile) {
-    return profile.family == Family::b || profile.family == Family::c;
-}
-
 std::optional<Status> refusal_by_length(const Request& request) {
     const std::size_t expected = width(request.command->parameters);
     if (request.parameters_length < expected) return status::too_short;
@@ -25,7 +21,7 @@ std::optional<Status> refusal_of(const Request& request, State state, Trouble tr
     if (request.command == nullptr) return profile.unknown_command;
     const Command& command = *request.command;
     const bool no_laser = trouble == Trouble::unstable || trouble == Trouble::laser;
-    if (command.operation == Operation::switch_laser_on && is_ethernet(profile) && no_laser)
+    if (command.operation == Operation::switch_laser_on && is_ethernet(profile.family) && no_laser)
         return Status("01");
     const auto status = refusal(command, state, profile);
     // Models for Ethernet have no tty; on the one that they have here SS is what it is on a tty

@@ -62,7 +62,7 @@ std::string Subscription::message(const ScanView& scan, const DeviceState& devic
 
 std::optional<Status> Subscription::trouble(const DeviceState& device,
                                             const DeviceProfile& profile) {
-    const bool old = profile.family == Family::a1 || profile.family == Family::a2;
+    const bool old = !is_ethernet(profile.family);
     const bool interrupted = std::exchange(interrupted_, device.trouble() != Trouble::none);
     if (device.failed()) return old ? status::broken : status::abnormal;
     if (interrupted_) return old ? status::verifying : status::unstable;

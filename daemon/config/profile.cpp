@@ -57,7 +57,8 @@ Value parse_word(std::string_view text,
 
 protocol::Family parse_family(std::string_view text) {
     using enum protocol::Family;
-    return parse_word<protocol::Family, 4>(text, {{{"a1", a1}, {"a2", a2}, {"b", b}, {"c", c}}});
+    return parse_word<protocol::Family, 4>(
+        text, {{{"a1", urg}, {"a2", utm_usb}, {"b", ethernet_multi_echo}, {"c", ust}}});
 }
 
 protocol::TimeSpelling parse_spelling(std::string_view text) {

@@ -11,8 +11,7 @@ namespace scipd::daemon {
 namespace {
 
 std::string links_of(const protocol::DeviceProfile& profile) {
-    using protocol::Family;
-    if (profile.family == Family::b || profile.family == Family::c) return "Ethernet";
+    if (protocol::is_ethernet(profile.family)) return "Ethernet";
     return profile.bit_rates.empty() ? "USB" : "USB, RS-232";
 }
 

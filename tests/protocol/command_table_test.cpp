@@ -25,7 +25,7 @@ TEST(CommandTable, ParametersHaveTheWidthsOfTheWire) {
 // Drivers tell urg_library's and UrgBenri's "in adjust mode" from any other answer by this.
 TEST(CommandTable, OldModelsRefuseAllButTmInAdjustMode) {
     for (const Command& command : command_table()) {
-        for (const Family family : {Family::a1, Family::a2}) {
+        for (const Family family : {Family::urg, Family::utm_usb}) {
             if (!command.gate(family).known() || command.code.starts_with("TM")) continue;
             EXPECT_EQ(command.gate(family).refusal(State::adjust), status::undefined)
                 << command.code;
@@ -34,7 +34,7 @@ TEST(CommandTable, OldModelsRefuseAllButTmInAdjustMode) {
 }
 
 TEST(CommandTable, AModelMayDifferFromItsFamily) {
-    DeviceProfile profile{.family = Family::c};
+    DeviceProfile profile{.family = Family::ust};
     const Command& quit = *find_command("QT", profile);
     EXPECT_EQ(refusal(quit, State::adjust, profile), status::denied);
     profile.answers = {{"QT", State::adjust, std::nullopt}, {"QT", State::standby, Status("03")}};

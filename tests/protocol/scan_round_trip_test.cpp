@@ -125,7 +125,7 @@ class ScanRoundTrip : public testing::TestWithParam<std::size_t> {
   protected:
     [[nodiscard]] DeviceProfile profile() const {
         DeviceProfile profile = daemon::models()[GetParam()].profile;
-        profile.io_lines = profile.family == Family::c;
+        profile.io_lines = profile.family == Family::ust;
         return profile;
     }
 };

@@ -19,7 +19,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-DeviceProfile prompt(Family family = Family::c) {
+DeviceProfile prompt(Family family = Family::ust) {
     DeviceProfile profile = test_profile(family);
     profile.reply_tick = profile.scan_tick = 0ms;
     return profile;
@@ -64,7 +64,7 @@ TEST(Session, ARequestRightAfterAReplyWaitsAWholeTick) {
 }
 
 TEST(Session, InAdjustModeAnOldModelDoesNotWaitForItsMirror) {
-    DeviceProfile profile = test_profile(Family::a2);
+    DeviceProfile profile = test_profile(Family::utm_usb);
     profile.reply_tick = 25ms;
     Shell shell(profile);
     shell.receive("TM0\nTM1\nTM2\nBM\n");
@@ -196,7 +196,7 @@ TEST(Session, AnIntervalPassesOverTurnsWithoutScanningThem) {
 // acknowledgement, another 27 ms later the scan of the turn that begins then. (Here both are 25 ms:
 // the grid has no width.)
 TEST(Session, IntervalOneOfASlowModelSendsTheTurnAfterTheAcknowledgement) {
-    DeviceProfile profile = test_profile(Family::a2);
+    DeviceProfile profile = test_profile(Family::utm_usb);
     profile.turns_per_reply = 1;
     Shell shell(profile);
     shell.receive("BM\n");
@@ -212,7 +212,7 @@ TEST(Session, IntervalOneOfASlowModelSendsTheTurnAfterTheAcknowledgement) {
 }
 
 TEST(Session, ASlowerMotorSlowsScansAndRepliesFromTheNextTurnOn) {
-    DeviceProfile profile = test_profile(Family::a1);
+    DeviceProfile profile = test_profile(Family::urg);
     profile.motor_levels = true;
     profile.turns_per_reply = 1;
     Shell shell(profile);
@@ -236,7 +236,7 @@ TEST(Session, ASlowerMotorSlowsScansAndRepliesFromTheNextTurnOn) {
 }
 
 TEST(Session, ANewStreamReplacesTheOldOne) {
-    Shell shell(prompt(Family::a2));
+    Shell shell(prompt(Family::utm_usb));
     ask(shell, "MD0002000301005");
     shell.advance_to(50ms);
     shell.take_sent();
@@ -307,7 +307,7 @@ TEST(Session, AScanUnderWayIsDroppedByQuit) {
 // Clients that stop reading at the empty line behind a scan wait for ever for a reply that came
 // with it.
 TEST(Session, AReplyFollowsAScanAfterAPause) {
-    DeviceProfile profile = test_profile(Family::a1);
+    DeviceProfile profile = test_profile(Family::urg);
     profile.turns_per_reply = 1;
     Shell shell(profile);
     shell.receive("MD0002000301000\n");
@@ -368,7 +368,7 @@ TEST(Session, ASingleShotRightAfterBmWaitsForAWholeTurnWithLaser) {
 }
 
 TEST(Session, OldModelsAnswerASingleShotWithinAStream) {
-    Shell shell(prompt(Family::a2));
+    Shell shell(prompt(Family::utm_usb));
     ask(shell, "BM");
     shell.advance_to(60ms);
     ask(shell, "MD0002000301000");
@@ -379,7 +379,7 @@ TEST(Session, OldModelsAnswerASingleShotWithinAStream) {
 }
 
 TEST(Session, TheLastScanOfAStreamAnswersASingleShotToo) {
-    Shell shell(prompt(Family::a2));
+    Shell shell(prompt(Family::utm_usb));
     ask(shell, "MD0002000301001");
     EXPECT_EQ(ask(shell, "GD0002000301"), "");
     shell.advance_to(100ms);
@@ -497,7 +497,7 @@ TEST(Session, ASessionThatBeginsAfterABootHasLostNothing) {
 
 TEST(Session, TheRateOfTheLineChangesAfterTheReply) {
     DeviceState device;
-    DeviceProfile profile = prompt(Family::a1);
+    DeviceProfile profile = prompt(Family::urg);
     profile.bit_rates = {19200, 115200};
     Session session(profile, device);
     session.receive("SS115200\nRS\n", 0ms);
@@ -509,7 +509,7 @@ TEST(Session, TheRateOfTheLineChangesAfterTheReply) {
 }
 
 TEST(Session, EverySessionIsToldOnceOfAnotherRate) {
-    DeviceProfile profile = prompt(Family::a1);
+    DeviceProfile profile = prompt(Family::urg);
     profile.bit_rates = {19200, 115200};
     Shell shell(profile, 2);
     ask(shell, "SS115200", 1);
@@ -527,7 +527,7 @@ TEST(Session, EverySessionIsToldOnceOfAnotherRate) {
 
 TEST(Session, ARateThatChangesUnderARequestThatWaitsIsToldInOrder) {
     DeviceState device;
-    DeviceProfile profile = prompt(Family::a1);
+    DeviceProfile profile = prompt(Family::urg);
     profile.bit_rates = {19200, 115200};
     Session one(profile, device);
     Session other(profile, device);
@@ -540,7 +540,7 @@ TEST(Session, ARateThatChangesUnderARequestThatWaitsIsToldInOrder) {
 }
 
 TEST(Session, ABootTakesTheRateBack) {
-    DeviceProfile profile = prompt(Family::a1);
+    DeviceProfile profile = prompt(Family::urg);
     profile.bit_rates = {19200, 115200};
     Shell shell(profile, 1);
     ask(shell, "SS115200");
@@ -553,7 +553,7 @@ TEST(Session, ABootTakesTheRateBack) {
 
 TEST(Session, ARateThatWasNotFetchedOutlivesItsClient) {
     DeviceState device;
-    DeviceProfile profile = prompt(Family::a1);
+    DeviceProfile profile = prompt(Family::urg);
     profile.bit_rates = {19200, 115200};
     Session session(profile, device);
     session.receive("SS115200\nVV\n", 0ms);

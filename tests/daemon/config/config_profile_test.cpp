@@ -60,7 +60,8 @@ struct Case {
 const std::vector<Case>& cases() {
     using enum protocol::Support;
     static const std::vector<Case> all = {
-        {"family", "b", "UST-10LX", [](Profile p) { p.family = protocol::Family::b; }},
+        {"family", "b", "UST-10LX",
+         [](Profile p) { p.family = protocol::Family::ethernet_multi_echo; }},
         {"vendor", "Us", "UST-10LX", [](Profile p) { p.vendor = "Us"; }},
         {"product", "'A B: c'", "UST-10LX", [](Profile p) { p.product = "A B: c"; }},
         {"firmware", "2.30", "UST-10LX", [](Profile p) { p.firmware = "2.30"; }},
