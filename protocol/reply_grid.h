@@ -6,7 +6,7 @@
 // own clock.
 #pragma once
 
-#include "protocol/command_table.h"
+#include "protocol/command.h"
 #include "protocol/device_profile.h"
 #include "protocol/device_state.h"
 #include "protocol/uptime.h"

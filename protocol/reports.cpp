@@ -2,7 +2,6 @@
 // Copyright The scipd authors
 #include "protocol/reports.h"
 
-#include "protocol/command_table.h"
 #include "protocol/reply.h"
 #include "protocol/settings.h"
 #include "protocol/timestamp.h"

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/command_table.h"
+
 namespace scipd::protocol {
 namespace {
 

@@ -6,7 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "protocol/command_table.h"
+#include "protocol/command.h"
+#include "protocol/device_profile.h"
 #include "protocol/line_reader.h"
 #include "protocol/status.h"
 

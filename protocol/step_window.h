@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Which part of a scan a client asks for, and the values that it then gets.
+// Which part of a scan a client asks for, and which values of it.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <variant>
-#include <vector>
 
-#include "protocol/command_table.h"
 #include "protocol/device_profile.h"
-#include "protocol/scan_view.h"
 #include "protocol/status.h"
 
 namespace scipd::protocol {
@@ -45,17 +41,5 @@ struct StepWindow {
 
 /// Digits only; nothing where there is anything else.
 [[nodiscard]] std::optional<int> parse_digits(std::string_view digits);
-
-/// The step of a group that speaks for it: the one with the nearest distance, of several such the
-/// first; where there is no distance, the first of the group.
-[[nodiscard]] int nearest_step(const ScanView& scan, int first, int last, bool echoes,
-                               const DeviceProfile& profile);
-
-/// What goes into the data block: one distance for each group of `cluster` steps, the last group
-/// being shorter where the window does not divide evenly (a recorded UTM-30LX sends 271 values for
-/// 1081 steps in fours). A group's value is its nearest distance; codes count only where there is
-/// nothing else. With intensity, the one of the same step follows.
-[[nodiscard]] std::vector<std::uint32_t> values_in(const ScanView& scan, const StepWindow& window,
-                                                   DataFormat format, const DeviceProfile& profile);
 
 }  // namespace scipd::protocol

@@ -24,9 +24,9 @@ std::variant<Subscription, Status> Subscription::from(const Request& request, Up
     // the window's numbers.
     if (const Status* fault = std::get_if<Status>(&window)) return *fault;
     const auto interval = parse_digits(digits.substr(10, 1));
-    if (!interval) return Status("06");
+    if (!interval) return status::scan::interval_not_numeric;
     const auto scans = parse_digits(digits.substr(11, 2));
-    if (!scans) return Status("07");
+    if (!scans) return status::scan::count_not_numeric;
 
     Subscription subscription;
     subscription.echo_ = request.echo;

@@ -10,6 +10,7 @@
 #include "daemon/config/numbers.h"
 #include "daemon/config/values.h"
 #include "daemon/models/profile_check.h"
+#include "protocol/command_table.h"
 #include "sim/loaders/quote.h"
 
 namespace scipd::daemon {
@@ -79,8 +80,8 @@ protocol::Status parse_refusal(std::string_view text) {
         text, {{{"0C", too_short}, {"0D", too_long}, {"0E", undefined}, {"0F", unsupported}}});
 }
 
-protocol::Answer parse_cell(std::string_view text) {
-    if (const auto answer = protocol::parse_answer(text)) return *answer;
+protocol::Deviation parse_cell(std::string_view text) {
+    if (const auto deviation = protocol::parse_deviation(text)) return *deviation;
     throw std::invalid_argument(
         "must be a command, a state and a status or --, as in \"QT adjust 00\", not " +
         sim::quote(text));
@@ -211,7 +212,7 @@ constexpr Member<DeviceProfile> profile_members[] = {
     {"sensitivity", read_as<&DeviceProfile::sensitivity, parse_support>},
     {"rehearsals", read_as<&DeviceProfile::rehearsals, parse_support>},
     {"unknown_command", read_as<&DeviceProfile::unknown_command, parse_refusal>},
-    {"answers", read_list<&DeviceProfile::answers, parse_cell>},
+    {"answers", read_list<&DeviceProfile::deviations, parse_cell>},
     {"scan_period_ms", read_period<&DeviceProfile::scan_period>},
     {"turns_per_reply", read_number<&DeviceProfile::turns_per_reply>},
     {"reply_tick_ms", read_period<&DeviceProfile::reply_tick>},
@@ -222,7 +223,7 @@ constexpr Member<DeviceProfile> profile_members[] = {
     {"pause_after_scan_ms", read_period<&DeviceProfile::pause_after_scan>},
     {"boot_time_ms", read_period<&DeviceProfile::boot_time>},
     {"single_scan_is_next", read_flag<&DeviceProfile::single_scan_is_next>},
-    {"answers_while_booting", read_flag<&DeviceProfile::answers_while_booting>},
+    {"answers_while_booting", read_flag<&DeviceProfile::deviations_while_booting>},
     {"wake_time_ms", read_period<&DeviceProfile::wake_time>},
 };
 

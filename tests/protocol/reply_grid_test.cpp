@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "protocol/command_table.h"
 #include "protocol/ideal.h"
 #include "tests/protocol/test_profile.h"
 

@@ -23,10 +23,10 @@ TEST(Request, IsCodeParametersAndString) {
 }
 
 TEST(Request, TakesTheLongestCode) {
-    EXPECT_EQ(request("TM1").command->operation, Operation::report_time);
+    EXPECT_EQ(request("TM1").command->code, "TM1");
     EXPECT_EQ(request("TM10").parameters(), "0");
-    EXPECT_EQ(request("TM3").command->operation, Operation::refuse_digit);
-    EXPECT_EQ(request("TM").command->operation, Operation::refuse_digit);
+    EXPECT_EQ(request("TM3").command->code, "TM");
+    EXPECT_EQ(request("TM").command->code, "TM");
     EXPECT_EQ(request("TM").parameters(), "");
 }
 

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "protocol/command_table.h"
 #include "tests/protocol/shell.h"
 #include "tests/protocol/test_profile.h"
 
@@ -123,7 +124,7 @@ TEST(Session, TimeIsThatOfTheTickAndNotOfALateShell) {
 
 TEST(Session, AnswersAsItsModelDoesWhereThatDiffersFromItsFamily) {
     DeviceProfile profile = prompt();
-    profile.answers = {*parse_answer("QT adjust --"), *parse_answer("BM measuring 00")};
+    profile.deviations = {*parse_deviation("QT adjust --"), *parse_deviation("BM measuring 00")};
     Shell shell(profile);
     ask(shell, "TM0");
     EXPECT_EQ(ask(shell, "QT"), "QT\n00P\n\n");

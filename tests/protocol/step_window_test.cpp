@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "protocol/scan_block.h"
 #include "tests/protocol/test_profile.h"
 
 namespace scipd::protocol {
