@@ -120,8 +120,8 @@ constexpr Command table[] = {
      "                     |                      |                      | -- -- -- 10 10 0L 10"},
     {"MG", scans, begin_stream, io_both, io_lines,
      "                     |                      |                      | -- -- -- 10 10 0L 10"},
-    // What can be set. On Ethernet SS is 0F, for the rate of urg_library's dummy serial line, and CR
-    // and HS are unknown.
+    // What can be set. On Ethernet SS is 0F, for the rate of urg_library's dummy serial line, and
+    // CR and HS are unknown.
     {"SS", rate, set_bit_rate, no_data, common,
      "-- -- -- 0E -- -- -- | -- -- -- 0E -- -- -- | 0F 0F 0F 0F 0F 0F 0F | 0F 0F 0F 0F 0F 0F 0F"},
     {"CR", number, set_motor_level, no_data, common,

@@ -40,8 +40,8 @@ class DeviceState {
     /// Names a stream; never used twice.
     using StreamId = std::uint64_t;
 
-    /// Does what is due: a reboot that was asked for. To be called before anything else that happens
-    /// at `now`.
+    /// Does what is due: a reboot that was asked for. To be called before anything else that
+    /// happens at `now`.
     void advance(Uptime now);
 
     // Power. A new device is up and has booted.

@@ -15,7 +15,8 @@ namespace {
 
 // A reply that leaves at once tells the time halfway between its request and itself: urg_stamped
 // and hokuyoaist take it for that. The simulator of the former, whose author had units, waits as
-// long before it reads the clock as after. A reply that waits for a tick tells the time of the tick.
+// long before it reads the clock as after. A reply that waits for a tick tells the time of the
+// tick.
 Uptime shown(const Call& call) {
     return call.now - call.profile.reply_delay / 2;
 }

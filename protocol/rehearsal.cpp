@@ -18,7 +18,8 @@ enum : int {
     the_end = 10,
 };
 
-// The specification says that a stream must have more than 20 scans, not when what happens in it.
+// The specification says that a stream must have more than 20 scans. It does not say when in the
+// stream the trouble begins and ends.
 constexpr int shortest_stream = 21;
 constexpr int normal_scans = 10;
 constexpr int error_turns = 5;

@@ -7,7 +7,7 @@
 namespace scipd::protocol {
 namespace {
 
-// In time-adjust mode the mirror is not waited for (recorded UXM-30LX-E).
+// In time-adjust mode a scanner does not wait for its mirror (recorded UXM-30LX-E).
 constexpr Uptime adjust_tick = std::chrono::milliseconds(1);
 
 Grid replies_of(const DeviceState& device, const DeviceProfile& profile) {

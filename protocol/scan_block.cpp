@@ -28,16 +28,16 @@ std::uint32_t intensity_at(const ScanView& scan, int step) {
     return index ? scan.intensity[*index] : 0;
 }
 
-// Nearly every client asks for every distance of steps that are all measured: a plain copy, a tenth
-// of what going step by step takes.
+// Nearly every client asks for every distance of steps that are all measured. A plain copy takes a
+// tenth of the time of going step by step.
 bool is_plain_copy(const ScanView& scan, const StepWindow& window, DataFormat format) {
     return window.cluster == 1 && window.contents == Contents::distances && format.width == 3 &&
            !format.intensity && window.first >= scan.first_step &&
            window.last < scan.first_step + static_cast<int>(scan.distance.size());
 }
 
-// What two characters cannot hold is as good as not seen: the URG-04LX gives its range as 20 to
-// 4095 mm in that form (its SCIP 1.1 version text). That the UTM-30LX does so too is deduced.
+// A distance that two characters cannot hold counts as not seen: the URG-04LX gives its range as 20
+// to 4095 mm in that form (its SCIP 1.1 version text). That the UTM-30LX does so too is deduced.
 std::uint32_t fitting(std::uint32_t distance, int width, const DeviceProfile& profile) {
     return distance <= max_encoded(width) ? distance : profile.codes.nothing;
 }
@@ -90,7 +90,8 @@ int nearest_step(const ScanView& scan, int first, int last, bool echoes,
     return nearest;
 }
 
-// As a value can begin with anything from '0' on, this tells that the step goes on.
+// Says that another echo of the same step follows. No value can begin with it: values begin with
+// '0' or a later character.
 constexpr char further_echo = '&';
 
 StepEchoes echoes_at(const ScanView& scan, int step, const DeviceProfile& profile) {
@@ -101,7 +102,7 @@ StepEchoes echoes_at(const ScanView& scan, int step, const DeviceProfile& profil
     return {.echo = {Echo{scan.distance[index], scan.intensity[index]}}};
 }
 
-// One set of echoes for each group of steps: that of its nearest. How real scanners group echoes is
+// The echoes of the nearest step stand for a group of steps. How real scanners group echoes is
 // undocumented.
 std::string echoes_in(const ScanView& scan, const StepWindow& window, DataFormat format,
                       const DeviceProfile& profile) {

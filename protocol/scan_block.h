@@ -19,9 +19,9 @@ namespace scipd::protocol {
 
 /// What goes into the data block of a format with one echo: a distance for each group of `cluster`
 /// steps, or what the window's contents are. The last group is shorter where the window does not
-/// divide evenly: a recorded UTM-30LX sends 271 values for 1081 steps in fours. The value of a group
-/// is its nearest distance; a code stands for a group that has no distance. The intensity that may
-/// follow is that of the same step.
+/// divide evenly: a recorded UTM-30LX sends 271 values for 1081 steps in fours. The value of a
+/// group is its nearest distance; a code stands for a group that has no distance. The intensity
+/// that may follow is that of the same step.
 [[nodiscard]] std::vector<std::uint32_t> values_in(const ScanView& scan, const StepWindow& window,
                                                    DataFormat format, const DeviceProfile& profile);
 

@@ -35,9 +35,9 @@ class Status {
 
 /// Three statuses of the specification are never sent, as nothing here leads to them:
 ///   0A  The scanner cannot make the data: here it always can.
-///   0B  Buffers are full, or a command came again too soon: no recording shows it, and drivers that
-///       repeat a command take it for a failure. Here all requests are answered in order, and a
-///       session that is full lets its shell wait.
+///   0B  Buffers are full, or a command came again too soon: no recording shows it, and drivers
+///       that repeat a command take it for a failure. Here all requests are answered in order, and
+///       a session that is full lets its shell wait.
 ///   0I  The scanner waits for new firmware: here it takes none.
 namespace status {
 

@@ -20,8 +20,8 @@ std::variant<Subscription, Status> Subscription::from(const Request& request, Up
                                                       const DeviceProfile& profile) {
     const std::string_view digits = request.parameters();
     const auto window = parse_step_window(digits, profile);
-    // The order of the statuses is the order of the parameters but for 04 and 05, which need all of
-    // the window's numbers.
+    // Faults are looked for in the order of the parameters. Only 04 and 05 come later, as they need
+    // all numbers of the window.
     if (const Status* fault = std::get_if<Status>(&window)) return *fault;
     const auto interval = parse_digits(digits.substr(10, 1));
     if (!interval) return status::scan::interval_not_numeric;

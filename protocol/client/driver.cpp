@@ -15,7 +15,7 @@ namespace {
 
 using Kind = Error::Kind;
 
-/// Somebody who talks on and on without saying what is waited for is no scanner. More than any
+/// A peer that sends so many bytes without the awaited reply is no scanner. It is more than any
 /// system buffers of an old stream.
 constexpr std::size_t max_listened = std::size_t{1} << 20U;
 constexpr std::size_t max_quoted = 32;
@@ -32,7 +32,7 @@ Error damaged(std::string_view what, const std::string& why) {
     return {Kind::damaged, "the reply to " + std::string(what) + " is damaged: " + why};
 }
 
-/// In the place of a scan: unstable for the moment; going on again after a check.
+/// Statuses in the place of a scan that do not end the stream: unstable, and going on again.
 bool passing(std::string_view text) {
     return text == status::unstable.text() || text == status::resumed.text();
 }
