@@ -16,22 +16,22 @@
 
 #include <boost/asio/any_io_executor.hpp>
 
-#include "daemon/config/config.h"
 #include "daemon/api/api.h"
-#include "daemon/world/backend_chooser.h"
-#include "daemon/world/loader.h"
-#include "daemon/poses/lockstep.h"
-#include "daemon/world/place_watch.h"
-#include "daemon/poses/pose_feed.h"
-#include "daemon/poses/pose_intake.h"
 #include "daemon/api/scan_stream.h"
-#include "daemon/world/scene_editor.h"
-#include "daemon/world/world.h"
 #include "daemon/clock/wall_clock.h"
+#include "daemon/config/config.h"
 #include "daemon/fleet_plan.h"
 #include "daemon/link/pty_port.h"
 #include "daemon/link/tcp_port.h"
+#include "daemon/poses/lockstep.h"
+#include "daemon/poses/pose_feed.h"
+#include "daemon/poses/pose_intake.h"
 #include "daemon/station.h"
+#include "daemon/world/backend_chooser.h"
+#include "daemon/world/loader.h"
+#include "daemon/world/place_watch.h"
+#include "daemon/world/scene_editor.h"
+#include "daemon/world/world.h"
 
 namespace scipd::daemon {
 

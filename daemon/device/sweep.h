@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "daemon/config/config.h"
-#include "daemon/world/world.h"
 #include "daemon/device/measurement.h"
+#include "daemon/world/world.h"
 #include "sim/sensor/scanner.h"
 
 namespace scipd::daemon {

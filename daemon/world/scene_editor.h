@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "daemon/clock/clock.h"
 #include "daemon/world/loader.h"
 #include "daemon/world/scene_edit.h"
 #include "daemon/world/world.h"
-#include "daemon/clock/clock.h"
 #include "sim/loaders/scene_file.h"
 
 namespace scipd::daemon {
