@@ -70,10 +70,10 @@ struct AnsweredByScan {};
 /// What a handler leaves to be sent: a status alone, a whole message, or nothing yet.
 using Response = std::variant<Status, std::string, AnsweredByScan>;
 
-struct Call;
+struct RequestContext;
 /// Carries out a request that its state allows and that is as long as it should be. Where the
 /// status is another than 00, nothing has changed (but 01 of a first RB).
-using Handler = Response (*)(const Call&);
+using Handler = Response (*)(const RequestContext&);
 
 struct Command {
     std::string_view code;

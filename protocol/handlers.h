@@ -15,7 +15,7 @@
 namespace scipd::protocol {
 
 /// A request that is carried out, and all that its handler may look at and change.
-struct Call {
+struct RequestContext {
     const Request& request;
     Uptime arrived;  ///< when the request came in
     Uptime now;      ///< when its reply leaves
@@ -26,35 +26,35 @@ struct Call {
 
 namespace handlers {
 
-Response report_version(const Call& call);
-Response report_parameters(const Call& call);
-Response report_state(const Call& call);
-Response report_state_number(const Call& call);
-Response report_time(const Call& call);
+Response report_version(const RequestContext& context);
+Response report_parameters(const RequestContext& context);
+Response report_state(const RequestContext& context);
+Response report_state_number(const RequestContext& context);
+Response report_time(const RequestContext& context);
 
-Response switch_laser_on(const Call& call);
-Response quit(const Call& call);
+Response switch_laser_on(const RequestContext& context);
+Response quit(const RequestContext& context);
 /// Refused while another client streams.
-Response sleep(const Call& call);
-Response reset(const Call& call);
-Response partial_reset(const Call& call);
-Response reboot(const Call& call);
+Response sleep(const RequestContext& context);
+Response reset(const RequestContext& context);
+Response partial_reset(const RequestContext& context);
+Response reboot(const RequestContext& context);
 
-Response begin_single_scan(const Call& call);
-Response begin_stream(const Call& call);
+Response begin_single_scan(const RequestContext& context);
+Response begin_stream(const RequestContext& context);
 
-Response enter_adjust(const Call& call);
-Response leave_adjust(const Call& call);
+Response enter_adjust(const RequestContext& context);
+Response leave_adjust(const RequestContext& context);
 /// TM with anything but 0, 1 and 2.
-Response refuse_digit(const Call& call);
+Response refuse_digit(const RequestContext& context);
 
-Response set_bit_rate(const Call& call);
-Response set_motor_level(const Call& call);
-Response set_sensitivity(const Call& call);
-Response set_address(const Call& call);
-Response rehearse(const Call& call);
+Response set_bit_rate(const RequestContext& context);
+Response set_motor_level(const RequestContext& context);
+Response set_sensitivity(const RequestContext& context);
+Response set_address(const RequestContext& context);
+Response rehearse(const RequestContext& context);
 /// SCIP2.0, which is spoken already.
-Response choose_scip2(const Call& call);
+Response choose_scip2(const RequestContext& context);
 
 }  // namespace handlers
 }  // namespace scipd::protocol

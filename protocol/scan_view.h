@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// One complete scan in the words of the wire. A view: the caller keeps the arrays alive for the
-// call.
+// One complete scan in the words of the wire. A view: the caller keeps its arrays alive while it is
+// used.
 #pragma once
 
 #include <array>

@@ -223,7 +223,7 @@ constexpr Member<DeviceProfile> profile_members[] = {
     {"pause_after_scan_ms", read_period<&DeviceProfile::pause_after_scan>},
     {"boot_time_ms", read_period<&DeviceProfile::boot_time>},
     {"single_scan_is_next", read_flag<&DeviceProfile::single_scan_is_next>},
-    {"answers_while_booting", read_flag<&DeviceProfile::deviations_while_booting>},
+    {"answers_while_booting", read_flag<&DeviceProfile::answers_while_booting>},
     {"wake_time_ms", read_period<&DeviceProfile::wake_time>},
 };
 
