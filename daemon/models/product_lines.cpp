@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/models/kin.h"
+#include "daemon/models/product_lines.h"
 
 namespace scipd::daemon {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What products have in common, for their files to begin with: data that each of them changes where
-// it differs.
+// What the products of one line (URG, UTM, UXM, UST) have in common. The file of a product begins
+// with this data and changes what differs.
 #pragma once
 
 #include <string>
