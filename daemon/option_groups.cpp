@@ -47,7 +47,7 @@ sim::Expected<> put(sim::Expected<Value> value, Target& target) {
     return value.map([&](const Value& good) { target = good; });
 }
 
-void add_world(CLI::App& app, Said& said) {
+void add_world(CLI::App& app, OptionValues& said) {
     Group group{app, "World"};
     Config& config = said.options.config;
     group.add(
@@ -64,7 +64,7 @@ void add_world(CLI::App& app, Said& said) {
               [&](const auto& text) { return put(parse_seed(text), config.seed); });
 }
 
-void add_robot(CLI::App& app, Said& said) {
+void add_robot(CLI::App& app, OptionValues& said) {
     Group group{app, "Robot"};
     group.add("--name", "ROBOT/SENSOR", "what they are called; default: robot/scanner",
               [&](const std::string& text) {
@@ -90,7 +90,7 @@ void add_robot(CLI::App& app, Said& said) {
               });
 }
 
-void add_scanner(CLI::App& app, Said& said) {
+void add_scanner(CLI::App& app, OptionValues& said) {
     Group group{app, "Scanner"};
     SensorConfig& sensor = said.sensor;
     group.add("--model", "MODEL",
@@ -135,7 +135,7 @@ void add_scanner(CLI::App& app, Said& said) {
         [&](const auto& text) { return put(parse_power_up(text), sensor.power_up); });
 }
 
-void add_daemon(CLI::App& app, Said& said) {
+void add_daemon(CLI::App& app, OptionValues& said) {
     Group group{app, "Daemon"};
     Config& config = said.options.config;
     group.add("--control", "SOCKET",
@@ -151,7 +151,7 @@ void add_daemon(CLI::App& app, Said& said) {
 constexpr const char* alone_title = "Instead of the above";
 constexpr const char* general_title = "General";
 
-void add_alone(CLI::App& app, Said& said) {
+void add_alone(CLI::App& app, OptionValues& said) {
     Group group{app, alone_title};
     group.add("--config", "FILE.yaml", "run what the file says",
               [&](const auto& text) { return put<fs::path>(text, said.config); });
@@ -167,7 +167,7 @@ void add_alone(CLI::App& app, Said& said) {
 }
 
 /// Adds the options that go with all others.
-void add_general(CLI::App& app, Said& said) {
+void add_general(CLI::App& app, OptionValues& said) {
     app.add_option("--log-level", said.options.log_level, "how much scipd tells on standard error")
         ->check(CLI::IsMember(
             {"trace", "debug", "info", "warning", "warn", "error", "critical", "off"}))
@@ -185,7 +185,7 @@ void add_general(CLI::App& app, Said& said) {
 
 }  // namespace
 
-Said::Said() {
+OptionValues::OptionValues() {
     robot.name = "robot";
     sensor.name = "scanner";
     sensor.model = find_model("UST-10LX");
@@ -193,7 +193,7 @@ Said::Said() {
     sensor.pty = PtyConfig{};
 }
 
-void add_options(CLI::App& app, Said& said) {
+void add_options(CLI::App& app, OptionValues& said) {
     add_world(app, said);
     add_robot(app, said);
     add_scanner(app, said);

@@ -1,36 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The options of the command line and their texts, group by group, and what a user has said with
-// them. options.cpp acts on that. At the start, on the only thread.
+// The options of the command line, group by group: their help texts, and the values that a user
+// gave. options.cpp decides what follows from the values. At the start, on the only thread.
 #pragma once
 
 #include <filesystem>
-#include <optional>
-#include <string>
 
-#include "daemon/config/config.h"
+#include <CLI/App.hpp>
+
+#include "daemon/run_options.h"
 #include "sim/expected.h"
-
-namespace CLI {
-class App;
-}
 
 namespace scipd::daemon {
 
-/// What is to run.
-struct Options {
-    Config config;
-    /// Where the configuration came from, to be read again at SIGHUP; nothing: from options.
-    std::optional<std::filesystem::path> config_file;
-    /// trace, debug, info, warning (or warn), error, critical or off.
-    std::string log_level = "info";
-    bool strict = false;  ///< whatever the configuration says
-};
-
-/// What the options say, before it is known which of them count.
-struct Said {
-    Said();
+/// What a user gave by options, or what holds where the user gave nothing. options.cpp decides
+/// later which of it counts.
+struct OptionValues {
+    OptionValues();
 
     Options options;
     RobotConfig robot;
@@ -46,7 +33,7 @@ struct Said {
 };
 
 /// Their texts go through the parsers of daemon/config, whose refusals become CLI's.
-void add_options(CLI::App& app, Said& said);
+void add_options(CLI::App& app, OptionValues& said);
 
 /// Refuses other options beside one that stands alone.
 [[nodiscard]] sim::Expected<> check_alone(const CLI::App& app);

@@ -14,7 +14,7 @@
 #include "daemon/config/demo_world.h"
 #include "daemon/config/sensor.h"
 #include "daemon/option_groups.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 
 namespace scipd::daemon {
 namespace {
@@ -53,7 +53,7 @@ Answer wrong_options(const std::string& why) {
 }
 
 /// Gives options that were left out the values that the help names.
-sim::Expected<> complete(Said& said) {
+sim::Expected<> complete(OptionValues& said) {
     Config& config = said.options.config;
     const bool demo = config.scene.empty();
     if (demo) {
@@ -75,7 +75,7 @@ sim::Expected<> complete(Said& said) {
     return check_power_up(said.sensor.power_up, said.sensor.model.profile);
 }
 
-std::variant<Options, Answer> act(Said& said) {
+std::variant<Options, Answer> act(OptionValues& said) {
     if (said.list_models) return model_list();
     if (said.list_backends) return backend_list();
     if (said.probe) return probe();
@@ -96,7 +96,7 @@ std::variant<Options, Answer> act(Said& said) {
 std::variant<Options, Answer> parse_options(int argc, const char* const* argv) {
     CLI::App app{description, "scipd"};
     app.footer(examples);
-    Said said;
+    OptionValues said;
     add_options(app, said);
     try {
         app.parse(argc, argv);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The command line of scipd: what is to run, or an answer after which there is nothing to do. Any
+// The command line of scipd: it says what to run, or asks for an answer after which scipd ends. Any
 // thread; nothing shared.
 #pragma once
 
 #include <variant>
 
 #include "daemon/answers.h"
-#include "daemon/option_groups.h"
+#include "daemon/run_options.h"
 
 namespace scipd::daemon {
 

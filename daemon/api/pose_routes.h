@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Where robots are, and what the routes of all poses share.
+// What all requests for poses share, of robots and of models.
 #pragma once
 
 #include <string>
 
 #include "daemon/api/documents.h"
-#include "daemon/api/routes.h"
+#include "daemon/api/handlers.h"
 #include "sim/expected.h"
 #include "sim/loaders/poses/pose_line.h"
 #include "sim/loaders/poses/trajectory.h"
@@ -24,8 +24,5 @@ sim::Expected<sim::PoseLine> pose_in(const Call& call, const char* kind);
 HttpResponse bad_request(const sim::Fault& fault);
 /// 204, or 409 where the world has refused it.
 HttpResponse accepted(const sim::Expected<>& placed);
-
-void get_robot_pose(Call&& call);
-void put_robot_pose(Call&& call);
 
 }  // namespace scipd::daemon

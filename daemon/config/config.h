@@ -58,7 +58,7 @@ enum class ClockKind {
 /// How much a world may take. A model that is added later may take an eighth of the memory and a
 /// tenth of the triangles.
 struct WorldLimits {
-    std::size_t memory_bytes = std::size_t{4} << 30U;  ///< for reading it, estimated (SdfOptions)
+    std::size_t memory_bytes = std::size_t{4} << 30U;  ///< world_options.h
     std::size_t triangles = 20'000'000;
     std::chrono::seconds load_time = std::chrono::minutes{10};
 
@@ -68,7 +68,7 @@ struct WorldLimits {
 struct Config {
     std::filesystem::path scene;
     sim::SdfGeometry geometry = sim::SdfGeometry::visual;
-    bool strict = false;  ///< whatever a world would cause a warning for is a fault
+    bool strict = false;  ///< what a world or a trajectory would cause a warning for is a fault
     sim::MapOptions map;
     WorldLimits limits;
     ClockKind clock = ClockKind::wall;

@@ -20,8 +20,8 @@
 #include "daemon/config/sensor.h"
 #include "daemon/config/values.h"
 #include "daemon/config/world_options.h"
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/plain_file.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
 
 namespace scipd::daemon {
 namespace {

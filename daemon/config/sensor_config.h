@@ -11,6 +11,7 @@
 #include <string>
 
 #include "daemon/config/address.h"
+#include "daemon/config/link_config.h"
 #include "daemon/config/named_mount.h"
 #include "daemon/models/model.h"
 #include "sim/backends/depth_options.h"
@@ -45,27 +46,6 @@ struct DeviceClockConfig {
     std::uint32_t start_ms = 0;  ///< what it shows at the start
 
     bool operator==(const DeviceClockConfig&) const = default;
-};
-
-/// What lies between the device and its client.
-struct LinkConfig {
-    /// How late every message arrives, each way; and by how much that varies to either side, evenly
-    /// distributed.
-    std::chrono::nanoseconds latency{};
-    std::chrono::nanoseconds jitter{};
-    /// The tty is a serial line that starts at this rate. Nothing: it is USB, where a rate means
-    /// nothing.
-    std::optional<int> baud;
-    /// A message leaves in pieces of at most so many bytes, each in a write of its own; 0: whole.
-    int split_bytes = 0;
-    /// Messages that are sent within this time leave in one write.
-    std::chrono::nanoseconds coalesce{};
-    /// Whether the streams of a tty end when it is closed by the last program that has it open.
-    bool stop_on_close = true;
-    /// A TCP client that has acknowledged nothing for this long counts as gone; 0: never.
-    std::chrono::nanoseconds dead_after = std::chrono::seconds(30);
-
-    bool operator==(const LinkConfig&) const = default;
 };
 
 /// What people call a sensor: "rescue/front".

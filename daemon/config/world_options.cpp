@@ -15,9 +15,6 @@ constexpr std::array<std::string_view, 3> map_keys{"z", "material", "unknown"};
 constexpr std::array<std::string_view, 3> limits_keys{"world_memory_mb", "world_triangles",
                                                       "world_load_s"};
 
-/// A little more than a library takes for a triangle of a mesh (MeshLimits).
-constexpr std::size_t bytes_a_triangle = 800;
-
 sim::Expected<sim::UnknownCells> parse_unknown(std::string_view text) {
     if (text == "free") return sim::UnknownCells::free;
     if (text == "wall") return sim::UnknownCells::wall;
@@ -83,9 +80,9 @@ void apply(const WorldLimits& limits, sim::SceneOptions& options) {
     options.limits.wall_time = limits.load_time;
     if (limits.triangles > WorldLimits{}.triangles) mesh.triangles = limits.triangles;
     mesh.triangles = std::min(mesh.triangles, limits.triangles);
-    mesh.memory_bytes = std::max(mesh.memory_bytes, bytes_a_triangle * mesh.triangles);
+    mesh.memory_bytes = limits.memory_bytes;
     // The limits are estimates; the process that loads the world is held to twice as much.
-    const std::size_t held_bytes = 2 * std::max(limits.memory_bytes, mesh.memory_bytes);
+    const std::size_t held_bytes = 2 * limits.memory_bytes;
     options.limits.memory_bytes = std::max(options.limits.memory_bytes, held_bytes);
 }
 

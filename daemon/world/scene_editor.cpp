@@ -12,9 +12,9 @@
 #include <vector>
 
 #include <spdlog/spdlog.h>
-#include <tl/expected.hpp>
 
-#include "sim/loaders/load_error.h"
+#include "sim/expected.h"
+#include "sim/loaders/file/load_error.h"
 
 namespace scipd::daemon {
 
@@ -25,6 +25,7 @@ struct SceneEditor::Next {
     SensorBackends backends;
     std::set<std::string> placed_anew;  ///< models that are where the scene has them
     std::vector<std::string> warnings;
+    std::vector<std::string> notes;
 };
 
 namespace {
@@ -48,6 +49,7 @@ struct Edited {
     sim::SharedScene scene;
     sim::SharedScene added;  ///< what of it is new
     std::vector<std::string> warnings;
+    std::vector<std::string> notes;
 };
 
 /// An error is an outcome that is told as it is; what cannot be loaded is thrown as a LoadError.
@@ -56,9 +58,7 @@ using EditedOrNot = tl::expected<Edited, EditOutcome>;
 EditedOrNot edited(const LoadWorld& edit, const Present& present) {
     const auto file = (sim::folder_of_scene(present.file) / edit.file).lexically_normal();
     auto [scene, warnings, notes] = sim::load_scene(file, present.options);
-    for (const std::string& note : notes)
-        spdlog::info("{}", note);
-    return Edited{file, scene, scene, std::move(warnings)};
+    return Edited{file, scene, scene, std::move(warnings), std::move(notes)};
 }
 
 /// From a file that says itself what it is made of.
@@ -114,13 +114,13 @@ EditedOrNot edited(const AddModel& edit, const Present& present) {
     auto [added, warnings, notes] = load_model(edit, present);
     scene = sim::with_models(*scene, *added);
     check_triangles(*scene, present.options.sdf.most_triangles);
-    return Edited{present.file, std::move(scene), added, std::move(warnings)};
+    return Edited{present.file, std::move(scene), added, std::move(warnings), std::move(notes)};
 }
 
 EditedOrNot edited(const RemoveModel& edit, const Present& present) {
     sim::SharedScene rest = sim::without_model(*present.scene, edit.name);
     if (!rest) return refuse(Result::unknown, "there is no model \"" + edit.name + "\"");
-    return Edited{present.file, std::move(rest), std::make_shared<const sim::Scene>(), {}};
+    return Edited{present.file, std::move(rest), std::make_shared<const sim::Scene>(), {}, {}};
 }
 
 }  // namespace
@@ -140,18 +140,21 @@ void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn)
                 EditedOrNot now =
                     std::visit([&](const auto& wanted) { return edited(wanted, present); }, edit);
                 if (!now) return refused(std::move(now.error()));
+                for (const std::string& note : now->notes)
+                    spdlog::info("{}", note);
                 const auto next = std::make_shared<Next>();
                 *next = {now->file,
                          now->scene,
                          make_backends(wishes, now->scene),
                          {},
-                         std::move(now->warnings)};
+                         std::move(now->warnings),
+                         std::move(now->notes)};
                 for (const sim::Model& model : now->added->models)
                     next->placed_anew.insert(model.name);
                 return [this, next, done = std::move(done)] {
                     take_up(*next);
                     warn_of_lost_bodies(*next);
-                    done({Result::done, next->warnings});
+                    done({Result::done, next->warnings, next->notes});
                 };
             } catch (const sim::LoadError& error) {
                 return refused({Result::faulty, error.faults()});
