@@ -8,7 +8,7 @@
 #include <string>
 
 #include "daemon/config/config.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/scene_file.h"
 
 namespace scipd::daemon {

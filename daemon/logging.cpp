@@ -13,7 +13,7 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
 
 namespace scipd::daemon {
 namespace {

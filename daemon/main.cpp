@@ -19,7 +19,7 @@
 #include "daemon/options.h"
 #include "daemon/server.h"
 #include "sim/backends/depth.h"
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include "daemon/config/numbers.h"
 #include "daemon/config/values.h"
 #include "daemon/models/profile_check.h"
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
 
 namespace scipd::daemon {
 namespace {

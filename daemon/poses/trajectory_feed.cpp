@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "daemon/poses/pose_feed.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/poses/trajectory.h"
 
 namespace scipd::daemon {

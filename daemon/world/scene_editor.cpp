@@ -13,7 +13,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 
 namespace scipd::daemon {
 

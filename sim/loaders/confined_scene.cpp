@@ -10,9 +10,9 @@
 #include <variant>
 #include <vector>
 
-#include "sim/loaders/between_processes.h"
-#include "sim/loaders/confined.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/between_processes.h"
+#include "sim/loaders/file/confined.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/world/script.h"
 
 namespace scipd::sim {

@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <string>
 
-#include "sim/loaders/doing.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/doing.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/mesh/mesh_file.h"
 #include "sim/loaders/mesh/mesh_scene.h"
 #include "sim/loaders/mvsim/mvsim_scene.h"
-#include "sim/loaders/plain_file.h"
 #include "sim/loaders/sdf/xacro.h"
 #include "sim/loaders/stage/stage_scene.h"
 #include "sim/world/anchor.h"

@@ -17,7 +17,7 @@
 #include <unistd.h>
 
 #include "daemon/models/registry.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "tests/daemon/device/ideal_camera.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/scanner_wire.h"

@@ -9,12 +9,12 @@
 #include <string>
 #include <utility>
 
-#include "sim/loaders/between_processes.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/between_processes.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/mistaken_file.h"
+#include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/mesh/mesh_reader.h"
 #include "sim/loaders/mesh/mesh_relief.h"
-#include "sim/loaders/mistaken_file.h"
-#include "sim/loaders/plain_file.h"
 
 namespace scipd::sim {
 namespace {

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/loaders/confined.h"
+#include "sim/loaders/file/confined.h"
 #include "sim/loaders/mesh/mesh_file.h"
 #include "sim/loaders/mesh/mesh_reader.h"
 

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/mesh/confined_mesh.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/world/bounds.h"
 #include "sim/world/reach.h"
 
@@ -55,13 +54,6 @@ std::string extension_of(const fs::path& file) {
 
 bool is_mesh_file(const fs::path& file) {
     return std::ranges::find(mesh_extensions, extension_of(file)) != mesh_extensions.end();
-}
-
-std::vector<MeshPart> load_mesh_parts(const fs::path& file, const glm::dvec3& scale, MeshAxes axes,
-                                      const MeshLimits& limits) {
-    auto parts = MeshReading{file, "", axes, limits}.parts();
-    place(parts, false, scale, file);
-    return parts;
 }
 
 }  // namespace scipd::sim

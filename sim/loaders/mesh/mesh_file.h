@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Meshes from files: OBJ with MTL, STL, PLY, COLLADA, glTF and GLB. Any thread; nothing shared.
+// Files of meshes: OBJ with MTL, STL, PLY, COLLADA, glTF and GLB; what there is to be said of them
+// before they are read, and what they hold. Not their reading: that is in mesh_parts.h. Any thread;
+// nothing shared.
 #pragma once
 
 #include <array>
@@ -58,15 +60,6 @@ std::string extension_of(const std::filesystem::path& file);
 
 /// By its name.
 bool is_mesh_file(const std::filesystem::path& file);
-
-/// All triangles of the file, one part for every material, with the file's own transforms applied
-/// and, in COLLADA, its <unit>; other files are in metres. It is read in a child process, so that
-/// one that takes too much of anything, or crashes the library, is refused like any other. Throws
-/// LoadError.
-std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& file,
-                                      const glm::dvec3& scale = {1.0, 1.0, 1.0},
-                                      MeshAxes axes = MeshAxes::as_in_file,
-                                      const MeshLimits& limits = {});
 
 /// Brings parts as they lie in `file`, the middle of their bounds to the origin if they are to be
 /// centred, to this scale. Throws LoadError where a vertex is not finite then, or too far out.

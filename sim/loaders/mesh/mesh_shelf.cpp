@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "sim/loaders/doing.h"
+#include "sim/loaders/file/doing.h"
 
 namespace scipd::sim {
 namespace {

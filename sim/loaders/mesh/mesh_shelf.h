@@ -16,7 +16,7 @@
 
 #include <sdf/Mesh.hh>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/mesh/confined_mesh.h"
 #include "sim/loaders/mesh/mesh_file.h"
 #include "sim/world/shape.h"

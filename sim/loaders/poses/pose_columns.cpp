@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "sim/loaders/poses/tum_line.h"
-#include "sim/loaders/quote.h"
-#include "sim/loaders/text_number.h"
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {

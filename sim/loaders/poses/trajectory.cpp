@@ -9,14 +9,14 @@
 #include <system_error>
 #include <utility>
 
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/plain_file.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/poses/kitti_line.h"
 #include "sim/loaders/poses/pose_columns.h"
 #include "sim/loaders/poses/trajectory_draft.h"
 #include "sim/loaders/poses/tum_line.h"
-#include "sim/loaders/quote.h"
-#include "sim/loaders/text_number.h"
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
 
 namespace scipd::sim {
 namespace {

@@ -10,8 +10,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "sim/loaders/quote.h"
-#include "sim/loaders/text_number.h"
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {

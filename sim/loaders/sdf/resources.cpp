@@ -9,9 +9,9 @@
 #include <string_view>
 #include <utility>
 
-#include "sim/loaders/any_case.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/any_case.h"
 #include "sim/loaders/sdf/model_folder.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

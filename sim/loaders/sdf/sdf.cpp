@@ -7,15 +7,15 @@
 
 #include <sdf/Exception.hh>
 
-#include "sim/loaders/doing.h"
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/plain_file.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/doing.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/sdf/model_folder.h"
 #include "sim/loaders/sdf/resources.h"
 #include "sim/loaders/sdf/sdf_cost.h"
 #include "sim/loaders/sdf/sdf_file.h"
 #include "sim/loaders/sdf/sdf_scene.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

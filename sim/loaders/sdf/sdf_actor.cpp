@@ -11,10 +11,10 @@
 #include <glm/geometric.hpp>
 #include <tinyxml2.h>
 
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/xml_tree.h"
 #include "sim/loaders/sdf/actor_walk.h"
-#include "sim/loaders/text_number.h"
-#include "sim/loaders/xml_tree.h"
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {

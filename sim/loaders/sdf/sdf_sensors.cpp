@@ -15,9 +15,9 @@
 
 #include <tinyxml2.h>
 
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/xml_tree.h"
 #include "sim/loaders/sdf/sdf_document.h"
-#include "sim/loaders/xml_tree.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

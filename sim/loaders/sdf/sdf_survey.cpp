@@ -12,10 +12,10 @@
 
 #include <tinyxml2.h>
 
-#include "sim/loaders/doing.h"
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/plain_file.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/doing.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
+#include "sim/loaders/file/xml_tree.h"
 #include "sim/loaders/sdf/line_for_line.h"
 #include "sim/loaders/sdf/model_folder.h"
 #include "sim/loaders/sdf/sdf_cost.h"
@@ -25,8 +25,8 @@
 #include "sim/loaders/sdf/sdf_library.h"
 #include "sim/loaders/sdf/sdf_names.h"
 #include "sim/loaders/sdf/wanted_meshes.h"
-#include "sim/loaders/text_number.h"
-#include "sim/loaders/xml_tree.h"
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
 
 namespace scipd::sim {
 namespace {

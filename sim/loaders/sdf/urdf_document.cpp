@@ -10,12 +10,12 @@
 
 #include <tinyxml2.h>
 
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/xml_tree.h"
 #include "sim/loaders/sdf/sdf_document.h"
 #include "sim/loaders/sdf/sdf_ignored.h"
 #include "sim/loaders/sdf/urdf_tree.h"
-#include "sim/loaders/text_number.h"
-#include "sim/loaders/xml_tree.h"
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
 
 namespace scipd::sim {
 namespace {

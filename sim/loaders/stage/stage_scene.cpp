@@ -12,14 +12,14 @@
 #include <stdexcept>
 #include <utility>
 
-#include "sim/loaders/any_case.h"
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/name.h"
-#include "sim/loaders/plain_file.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/any_case.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/sdf/scene_draft.h"
 #include "sim/loaders/stage/stage_body.h"
 #include "sim/loaders/stage/stage_file.h"
+#include "sim/text/name.h"
+#include "sim/text/quote.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {

@@ -15,7 +15,7 @@
 #include <unistd.h>
 
 #include "daemon/clock/stepped_clock.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/temp_dir.h"
 #include "tests/support/udp_sender.h"

@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "sim/loaders/doing.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/doing.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/world/script.h"
 
 namespace scipd::sim {

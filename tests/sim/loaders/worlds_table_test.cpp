@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/backends/registry.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/scene_file.h"
 #include "tests/sim/loaders/plain/plain_world.h"
 

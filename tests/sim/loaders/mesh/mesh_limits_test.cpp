@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/loaders/mesh/mesh_file.h"
+#include "sim/loaders/mesh/mesh_parts.h"
 #include "tests/sim/loaders/faults_of.h"
 #include "tests/sim/loaders/mesh/whole_mesh.h"
 
