@@ -8,11 +8,11 @@
 #include <spdlog/spdlog.h>
 
 #include "daemon/device/client.h"
-#include "daemon/device/stable_number.h"
 #include "protocol/ideal.h"
 #include "protocol/reply_grid.h"
 #include "protocol/settings.h"
 #include "protocol/timestamp.h"
+#include "sim/fnv1a.h"
 
 namespace scipd::daemon {
 namespace {
@@ -37,7 +37,7 @@ protocol::DeviceProfile profile_of(const SensorConfig& config) {
 Device::Device(const std::string& robot, const SensorConfig& config, std::uint64_t seed,
                World& world, Clock& clock)
     : profile_(profile_of(config)),
-      chance_{.seed = seed, .sensor = stable_number(sensor_name(robot, config.name))},
+      chance_{.seed = seed, .sensor = sim::fnv1a<std::uint64_t>(sensor_name(robot, config.name))},
       patience_(config.wait_for_poses),
       clock_(clock),
       device_clock_(clock.now(), config.clock.ppm),
