@@ -65,9 +65,9 @@ Fleet::Fleet(const boost::asio::any_io_executor& executor, ClockKind clock)
       wall_clock_(executor),
       lockstep_(clock == ClockKind::poses ? std::make_unique<Lockstep>(executor) : nullptr),
       clock_(lockstep_ ? static_cast<Clock&>(lockstep_->clock()) : wall_clock_),
-      editor_(world_, loader_, clock_, [this] { return backend_wishes(); }),
-      chooser_(world_, loader_, [this] { return backend_wishes(); }),
-      loader_(executor) {
+      editor_(world_, worker_, clock_, [this] { return requested_backends(); }),
+      chooser_(world_, worker_, [this] { return requested_backends(); }),
+      worker_(executor) {
     world_.on_placed([this] {
         for (const auto& station : stations_)
             station->loop->poses_came();
@@ -94,7 +94,7 @@ void Fleet::take_up(FleetPlan&& plan, Ports ports, std::vector<Feed> feeds) noex
             spdlog::info("{}", note);
     }
     editor_.set_file(config.scene, scene_options(config));
-    loader_.discard(std::make_shared<SensorBackends>(
+    worker_.discard(std::make_shared<SensorBackends>(
         world_.replace_scene(std::move(loaded.scene), std::move(backends), {}, clock_.now())));
     std::map<std::string, RobotStart> robots;
     for (const RobotConfig& robot : config.robots)
@@ -106,15 +106,15 @@ void Fleet::take_up(FleetPlan&& plan, Ports ports, std::vector<Feed> feeds) noex
     replace_feeds(std::move(feeds));
 }
 
-std::vector<BackendWish> Fleet::backend_wishes() const {
+std::vector<RequestedBackend> Fleet::requested_backends() const {
     const ClockKind clock = lockstep_ ? ClockKind::poses : ClockKind::wall;
-    std::vector<BackendWish> wishes;
+    std::vector<RequestedBackend> requests;
     for (const auto& station : stations_) {
         const sim::Pose pose = world_.robot(station->robot)->at(clock_.now());
-        wishes.push_back(backend_wish(station->robot, station->config, pose, clock));
-        wishes.back().settled = world_.choice_of(wishes.back().sensor);
+        requests.push_back(requested_backend(station->robot, station->config, pose, clock));
+        requests.back().settled = world_.choice_of(requests.back().sensor);
     }
-    return wishes;
+    return requests;
 }
 
 void Fleet::choose_backends() {
@@ -129,7 +129,7 @@ SettledBackends Fleet::settled_backends() const {
 }
 
 void Fleet::stop() {
-    loader_.stop();
+    worker_.stop();
     replace_feeds({});
     replace_stations({}, {});
     ports_ = {};

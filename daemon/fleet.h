@@ -16,22 +16,22 @@
 
 #include <boost/asio/any_io_executor.hpp>
 
-#include "daemon/config/config.h"
 #include "daemon/api/api.h"
-#include "daemon/world/backend_chooser.h"
-#include "daemon/world/loader.h"
-#include "daemon/poses/lockstep.h"
-#include "daemon/world/place_watch.h"
-#include "daemon/poses/pose_feed.h"
-#include "daemon/poses/pose_intake.h"
 #include "daemon/api/scan_stream.h"
-#include "daemon/world/scene_editor.h"
-#include "daemon/world/world.h"
 #include "daemon/clock/wall_clock.h"
+#include "daemon/config/config.h"
 #include "daemon/fleet_plan.h"
 #include "daemon/link/pty_port.h"
 #include "daemon/link/tcp_port.h"
+#include "daemon/poses/lockstep.h"
+#include "daemon/poses/pose_feed.h"
+#include "daemon/poses/pose_intake.h"
 #include "daemon/station.h"
+#include "daemon/world/backend_chooser.h"
+#include "daemon/world/place_watch.h"
+#include "daemon/world/scene_editor.h"
+#include "daemon/world/worker.h"
+#include "daemon/world/world.h"
 
 namespace scipd::daemon {
 
@@ -52,7 +52,7 @@ class Fleet : public Api {
     [[nodiscard]] SettledBackends settled_backends() const;
     void stop();
     /// Where worlds are loaded, one after the other.
-    [[nodiscard]] Loader& loader() { return loader_; }
+    [[nodiscard]] Worker& worker() { return worker_; }
 
     /// Of robots whose poses come by UDP.
     [[nodiscard]] std::map<std::string, Address> pose_addresses() const;
@@ -111,7 +111,7 @@ class Fleet : public Api {
     [[nodiscard]] std::optional<sim::TimedPose> pose_now(const sim::PoseTrack* track) const;
     [[nodiscard]] SensorStatus status_of(const Station& station) const;
     /// Of all sensors, as they are now.
-    [[nodiscard]] std::vector<BackendWish> backend_wishes() const;
+    [[nodiscard]] std::vector<RequestedBackend> requested_backends() const;
 
     boost::asio::any_io_executor executor_;
     WallClock wall_clock_;
@@ -121,7 +121,7 @@ class Fleet : public Api {
     PoseIntake intake_{world_, lockstep_.get()};
     SceneEditor editor_;
     BackendChooser chooser_;
-    PlaceWatch place_watch_{world_, loader_};
+    PlaceWatch place_watch_{world_, worker_};
     ScanStream stream_;
     Ports ports_;
     Stations stations_;
@@ -129,7 +129,7 @@ class Fleet : public Api {
     std::map<std::string, SenderClock>
         api_senders_;  ///< of robots that are moved through the control API
     std::map<std::string, SenderClock> api_model_senders_;
-    Loader loader_;
+    Worker worker_;
 };
 
 }  // namespace scipd::daemon

@@ -106,9 +106,9 @@ void Server::reload() {
     }
     asked_again_ = std::exchange(loading_, true);
     if (asked_again_) return;
-    fleet_.loader().add([this] {
+    fleet_.worker().add([this] {
         return [this, settled = fleet_.settled_backends(),
-                stop = fleet_.loader().stopping()]() -> Loader::Finish {
+                stop = fleet_.worker().stopping()]() -> Worker::Finish {
             const auto task = std::make_shared<std::packaged_task<Next()>>(
                 [&] { return load_next(options_, settled, stop); });
             (*task)();

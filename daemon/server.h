@@ -3,7 +3,7 @@
 //
 // The running program: one io_context, a fleet of scanners, the control API and
 // signals. SIGINT and SIGTERM end it cleanly; SIGHUP reads the configuration again, on the
-// loader's thread so that no stream waits for it, and a faulty one changes nothing. Lives on the
+// worker's thread so that no stream waits for it, and a faulty one changes nothing. Lives on the
 // I/O thread, which is the one that runs it.
 #pragma once
 
@@ -45,7 +45,7 @@ class Server {
     void listen_for_control();
     void wait_for_signal();
     void reload();
-    /// On the loader's thread.
+    /// On the worker's thread.
     static Next load_next(const Options& options, const SettledBackends& settled,
                           const std::stop_token& stop);
     void take_up(std::future<Next> loaded);
