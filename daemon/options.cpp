@@ -21,9 +21,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* description =
-    "scipd is a Hokuyo laser scanner as far as any program can tell: it speaks SCIP over TCP and\n"
-    "a tty, and its ranges come from a 3D world. Without options: a UST-10LX in the demo world.\n"
-    "When everything listens, one line of JSON on standard output tells where.";
+    "scipd is a Hokuyo laser scanner as far as any program can tell. It speaks SCIP over TCP and "
+    "a\n"
+    "tty, and its ranges come from a 3D world. Without options it is a UST-10LX in the demo "
+    "world.\n"
+    "When everything listens, it prints one line of JSON that tells where.";
 
 constexpr const char* examples = R"(Examples:
   scipd
@@ -38,8 +40,8 @@ constexpr const char* examples = R"(Examples:
         any number of robots and scanners; scipd --check fleet.yaml tells every fault in it
 
 Lengths are metres, angles radians; x is forward, y left, z up.
-Exit codes: 0 ended as asked, 1 failed while running (or, of --probe, nothing can be drawn here),
-2 wrong options, configuration or world.)";
+Exit codes: 0 it ended as asked; 1 it failed while running, or --probe found that nothing can be
+drawn here; 2 the options, the configuration or the world are wrong.)";
 
 Answer refusal(const std::string& sentence) {
     return {2, sentence + "\n"};

@@ -10,9 +10,9 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include "daemon/config/config.h"
 #include "daemon/api/routes.h"
 #include "daemon/api/socket_routes.h"
+#include "daemon/config/config.h"
 #include "daemon/run_directory.h"
 
 namespace scipd::daemon {

@@ -16,8 +16,8 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
 
-#include "daemon/http/server.h"
 #include "daemon/fleet.h"
+#include "daemon/http/server.h"
 #include "daemon/link/path_hold.h"
 #include "daemon/options.h"
 

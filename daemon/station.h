@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "daemon/config/config.h"
 #include "daemon/api/scan_stream.h"
+#include "daemon/config/config.h"
 #include "daemon/device/device.h"
 #include "daemon/device/scan_loop.h"
 #include "daemon/device/staring_sensor.h"

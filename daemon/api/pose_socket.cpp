@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "daemon/api/documents.h"
-#include "daemon/poses/pose_intake.h"
 #include "daemon/api/pose_routes.h"
+#include "daemon/poses/pose_intake.h"
 #include "daemon/poses/some_lines.h"
 
 namespace scipd::daemon {

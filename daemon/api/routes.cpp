@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "daemon/api/pose_routes.h"
-#include "daemon/http/problem.h"
 #include "daemon/api/scene_routes.h"
 #include "daemon/api/sensor_routes.h"
 #include "daemon/api/socket_routes.h"
+#include "daemon/http/problem.h"
 #include "daemon/http/url.h"
 
 namespace scipd::daemon {

@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "daemon/http/backlog.h"
-#include "daemon/http/web_socket.h"
 #include "daemon/device/device.h"
 #include "daemon/device/staring_sensor.h"
+#include "daemon/http/backlog.h"
+#include "daemon/http/web_socket.h"
 
 namespace scipd::daemon {
 

@@ -8,8 +8,8 @@
 
 #include "daemon/api/documents.h"
 #include "daemon/api/pose_routes.h"
-#include "daemon/http/problem.h"
 #include "daemon/api/scene_request.h"
+#include "daemon/http/problem.h"
 #include "daemon/models/best_fit.h"
 
 namespace scipd::daemon {

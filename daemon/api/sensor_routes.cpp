@@ -5,14 +5,14 @@
 #include <charconv>
 #include <cstdint>
 
-#include "daemon/config/sensor_config.h"
 #include "daemon/api/documents.h"
-#include "daemon/http/problem.h"
 #include "daemon/api/reading.h"
 #include "daemon/api/truth.h"
-#include "daemon/http/url.h"
+#include "daemon/config/sensor_config.h"
 #include "daemon/device/scan_log.h"
 #include "daemon/device/staring_sensor.h"
+#include "daemon/http/problem.h"
+#include "daemon/http/url.h"
 
 namespace scipd::daemon {
 namespace {

@@ -3,8 +3,8 @@
 #include "daemon/api/socket_routes.h"
 
 #include "daemon/api/pose_socket.h"
-#include "daemon/http/problem.h"
 #include "daemon/api/scan_stream.h"
+#include "daemon/http/problem.h"
 #include "daemon/http/url.h"
 
 namespace scipd::daemon {

@@ -13,15 +13,15 @@
 #include <string>
 #include <vector>
 
-#include "daemon/config/config.h"
-#include "daemon/world/world.h"
-#include "daemon/device/bridge.h"
 #include "daemon/clock/clock.h"
+#include "daemon/config/config.h"
+#include "daemon/device/bridge.h"
 #include "daemon/device/lateness.h"
 #include "daemon/device/pace.h"
 #include "daemon/device/scan_log.h"
 #include "daemon/device/scan_source.h"
 #include "daemon/device/sweep.h"
+#include "daemon/world/world.h"
 #include "protocol/device_profile.h"
 #include "protocol/device_state.h"
 #include "sim/random.h"

@@ -14,15 +14,15 @@
 #include <utility>
 #include <vector>
 
-#include "daemon/config/config.h"
-#include "daemon/world/world.h"
 #include "daemon/clock/clock.h"
+#include "daemon/config/config.h"
 #include "daemon/device/lateness.h"
 #include "daemon/device/measurement.h"
 #include "daemon/device/pace.h"
 #include "daemon/device/record_log.h"
 #include "daemon/device/scan_source.h"
 #include "daemon/device/sweep.h"
+#include "daemon/world/world.h"
 #include "sim/sensor/staring.h"
 
 namespace scipd::daemon {

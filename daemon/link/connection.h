@@ -14,8 +14,8 @@
 
 #include <boost/asio/posix/stream_descriptor.hpp>
 
-#include "daemon/device/client.h"
 #include "daemon/clock/clock.h"
+#include "daemon/device/client.h"
 #include "daemon/link/link_model.h"
 #include "daemon/link/outbox.h"
 

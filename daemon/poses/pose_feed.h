@@ -14,10 +14,10 @@
 
 #include <boost/asio/any_io_executor.hpp>
 
+#include "daemon/clock/clock.h"
 #include "daemon/config/config.h"
 #include "daemon/poses/lockstep.h"
 #include "daemon/poses/pose_intake.h"
-#include "daemon/clock/clock.h"
 
 namespace scipd::daemon {
 

@@ -12,11 +12,11 @@
 
 #include <benchmark/benchmark.h>
 
-#include "daemon/world/world.h"
+#include "daemon/clock/stepped_clock.h"
 #include "daemon/device/client.h"
 #include "daemon/device/device.h"
-#include "daemon/clock/stepped_clock.h"
 #include "daemon/models/registry.h"
+#include "daemon/world/world.h"
 #include "sim/loaders/sdf/sdf.h"
 #include "tests/support/one_backend.h"
 

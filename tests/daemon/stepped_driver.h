@@ -10,10 +10,10 @@
 #include <memory>
 #include <string>
 
+#include "daemon/clock/stepped_clock.h"
 #include "daemon/device/client.h"
 #include "daemon/device/device.h"
 #include "daemon/device/scan_loop.h"
-#include "daemon/clock/stepped_clock.h"
 #include "tests/daemon/wall_world.h"
 
 namespace scipd::daemon {

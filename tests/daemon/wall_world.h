@@ -11,8 +11,8 @@
 #include <boost/asio/io_context.hpp>
 
 #include "daemon/config/config.h"
-#include "daemon/world/world.h"
 #include "daemon/models/registry.h"
+#include "daemon/world/world.h"
 #include "tests/support/one_backend.h"
 #include "tests/support/scene_builder.h"
 

@@ -20,9 +20,9 @@
 #include <boost/asio/io_context.hpp>
 #include <nlohmann/json.hpp>
 
+#include "daemon/api/pose_socket.h"
 #include "daemon/poses/lockstep.h"
 #include "daemon/poses/pose_intake.h"
-#include "daemon/api/pose_socket.h"
 #include "daemon/world/world.h"
 #include "sim/sensor/equal_parts.h"
 #include "tests/support/empty_api.h"

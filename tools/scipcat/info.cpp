@@ -112,7 +112,7 @@ void show(const InfoOptions& options) {
 }  // namespace
 
 void add_info_command(CLI::App& program) {
-    auto* const command = program.add_subcommand("info", "what the scanner says of itself");
+    auto* const command = program.add_subcommand("info", "show what the scanner says of itself");
     const auto options = std::make_shared<InfoOptions>();
     options->connection.add_to(*command);
     command->add_flag("--json", options->json, "as a JSON document");

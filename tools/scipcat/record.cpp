@@ -77,13 +77,14 @@ void record(const RecordOptions& options) {
 }  // namespace
 
 void add_record_command(CLI::App& program) {
-    auto* const command = program.add_subcommand("record", "scans into a CSV or JSON lines file");
+    auto* const command =
+        program.add_subcommand("record", "record scans in a CSV or JSON lines file");
     const auto options = std::make_shared<RecordOptions>();
     options->connection.add_to(*command);
-    command->add_option("-o,--output", options->file, "the recording; replaced if it is there")
+    command->add_option("-o,--output", options->file, "the recording; an old file is replaced")
         ->required()
         ->check(ends_in(".csv", ".jsonl"));
-    command->add_option("-n,--scans", options->scans, "so many scans (default: until Ctrl-C)")
+    command->add_option("-n,--scans", options->scans, "how many scans (default: until Ctrl-C)")
         ->check(CLI::Range(1, std::numeric_limits<int>::max()));
     options->scan.add_to(*command);
     command->add_flag("--echoes", options->scan.echoes,

@@ -13,10 +13,10 @@
 #include <nlohmann/json.hpp>
 
 #include "daemon/api/routes.h"
+#include "daemon/clock/stepped_clock.h"
 #include "daemon/device/scan_log.h"
 #include "daemon/device/scan_loop.h"
 #include "daemon/device/staring_sensor.h"
-#include "daemon/clock/stepped_clock.h"
 #include "tests/daemon/device/ideal_camera.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/empty_api.h"

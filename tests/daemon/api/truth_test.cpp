@@ -12,9 +12,9 @@
 #include <nlohmann/json.hpp>
 
 #include "daemon/api/routes.h"
+#include "daemon/clock/stepped_clock.h"
 #include "daemon/device/client.h"
 #include "daemon/device/device.h"
-#include "daemon/clock/stepped_clock.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/empty_api.h"
 #include "tests/support/one_backend.h"

@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "daemon/device/client.h"
 #include "daemon/clock/stepped_clock.h"
+#include "daemon/device/client.h"
 #include "protocol/char_code.h"
 #include "protocol/client/decoder.h"
 #include "protocol/client/scan_message.h"

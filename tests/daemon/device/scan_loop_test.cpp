@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "daemon/device/client.h"
 #include "daemon/clock/stepped_clock.h"
 #include "daemon/clock/wall_clock.h"
+#include "daemon/device/client.h"
 #include "tests/daemon/wall_world.h"
 
 namespace scipd::daemon {

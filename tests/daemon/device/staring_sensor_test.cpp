@@ -11,8 +11,8 @@
 
 #include <gtest/gtest.h>
 
-#include "daemon/device/scan_loop.h"
 #include "daemon/clock/stepped_clock.h"
+#include "daemon/device/scan_loop.h"
 #include "tests/daemon/device/ideal_camera.h"
 #include "tests/daemon/wall_world.h"
 

@@ -15,9 +15,9 @@
 
 #include <boost/asio/io_context.hpp>
 
-#include "daemon/http/server.h"
 #include "daemon/api/routes.h"
 #include "daemon/device/scan_log.h"
+#include "daemon/http/server.h"
 #include "tests/support/empty_api.h"
 #include "tests/support/temp_dir.h"
 
