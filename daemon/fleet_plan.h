@@ -13,7 +13,7 @@
 #include "daemon/config/config.h"
 #include "daemon/world/requested_backend.h"
 #include "daemon/world/sensor_backends.h"
-#include "sim/loaders/loaded_scene.h"
+#include "sim/loaders/file/loaded_scene.h"
 
 namespace scipd::daemon {
 

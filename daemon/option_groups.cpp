@@ -46,7 +46,7 @@ class Group {
     std::string title_;
 };
 
-void add_world(CLI::App& app, Said& said) {
+void add_world(CLI::App& app, OptionValues& said) {
     Group group{app, "World"};
     Config& config = said.options.config;
     group.add("--scene", "FILE",
@@ -62,7 +62,7 @@ void add_world(CLI::App& app, Said& said) {
               [&](const auto& text) { config.seed = parse_seed(text); });
 }
 
-void add_robot(CLI::App& app, Said& said) {
+void add_robot(CLI::App& app, OptionValues& said) {
     Group group{app, "Robot"};
     group.add("--name", "ROBOT/SENSOR", "what they are called; default: robot/scanner",
               [&](const std::string& text) {
@@ -85,7 +85,7 @@ void add_robot(CLI::App& app, Said& said) {
         [&](const auto& text) { said.robot.poses = parse_pose_source(text, fs::current_path()); });
 }
 
-void add_scanner(CLI::App& app, Said& said) {
+void add_scanner(CLI::App& app, OptionValues& said) {
     Group group{app, "Scanner"};
     SensorConfig& sensor = said.sensor;
     group.add("--model", "MODEL",
@@ -128,7 +128,7 @@ void add_scanner(CLI::App& app, Said& said) {
         [&](const auto& text) { sensor.power_up = parse_power_up(text); });
 }
 
-void add_daemon(CLI::App& app, Said& said) {
+void add_daemon(CLI::App& app, OptionValues& said) {
     Group group{app, "Daemon"};
     Config& config = said.options.config;
     group.add("--control", "SOCKET",
@@ -142,7 +142,7 @@ void add_daemon(CLI::App& app, Said& said) {
 constexpr const char* alone_title = "Instead of the above";
 constexpr const char* general_title = "General";
 
-void add_alone(CLI::App& app, Said& said) {
+void add_alone(CLI::App& app, OptionValues& said) {
     Group group{app, alone_title};
     group.add("--config", "FILE.yaml", "run what the file says",
               [&](const auto& text) { said.config = text; });
@@ -158,7 +158,7 @@ void add_alone(CLI::App& app, Said& said) {
 }
 
 /// Those that go with all others.
-void add_general(CLI::App& app, Said& said) {
+void add_general(CLI::App& app, OptionValues& said) {
     app.add_option("--log-level", said.options.log_level, "how much scipd tells on standard error")
         ->check(CLI::IsMember(
             {"trace", "debug", "info", "warning", "warn", "error", "critical", "off"}))
@@ -176,7 +176,7 @@ void add_general(CLI::App& app, Said& said) {
 
 }  // namespace
 
-Said::Said() {
+OptionValues::OptionValues() {
     robot.name = "robot";
     sensor.name = "scanner";
     sensor.model = find_model("UST-10LX");
@@ -184,7 +184,7 @@ Said::Said() {
     sensor.pty = PtyConfig{};
 }
 
-void add_options(CLI::App& app, Said& said) {
+void add_options(CLI::App& app, OptionValues& said) {
     add_world(app, said);
     add_robot(app, said);
     add_scanner(app, said);

@@ -13,7 +13,7 @@
 #include "daemon/config/demo_world.h"
 #include "daemon/config/sensor.h"
 #include "daemon/option_groups.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 
 namespace scipd::daemon {
 namespace {
@@ -48,7 +48,7 @@ Answer refusal(const std::string& sentence) {
 }
 
 /// What was left out becomes what design and help say.
-void complete(Said& said) {
+void complete(OptionValues& said) {
     Config& config = said.options.config;
     const bool demo = config.scene.empty();
     if (demo) config.scene = demo_scene();
@@ -67,7 +67,7 @@ void complete(Said& said) {
     config.robots = {said.robot};
 }
 
-std::variant<Options, Answer> act(Said& said) {
+std::variant<Options, Answer> act(OptionValues& said) {
     if (said.list_models) return model_list();
     if (said.list_backends) return backend_list();
     if (said.probe) return probe();
@@ -87,7 +87,7 @@ std::variant<Options, Answer> act(Said& said) {
 std::variant<Options, Answer> parse_options(int argc, const char* const* argv) {
     CLI::App app{description, "scipd"};
     app.footer(examples);
-    Said said;
+    OptionValues said;
     add_options(app, said);
     try {
         app.parse(argc, argv);

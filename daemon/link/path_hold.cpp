@@ -17,7 +17,7 @@ namespace {
 
 using Local = boost::asio::local::stream_protocol;
 
-/// By the folder itself, whichever of its names is used.
+/// The same for every name of the folder.
 Local::endpoint name_of(const std::filesystem::path& path) {
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
     struct stat status {};
@@ -28,7 +28,7 @@ Local::endpoint name_of(const std::filesystem::path& path) {
             std::to_string(status.st_ino) + "/" + std::to_string(number)};
 }
 
-/// 0 where it cannot be told.
+/// 0 where the kernel does not say.
 pid_t holder_of(const boost::asio::any_io_executor& executor, const Local::endpoint& name) {
     Local::socket asking(executor, Local());
     asking.native_non_blocking(true);

@@ -14,7 +14,7 @@
 #include <spdlog/spdlog.h>
 
 #include "daemon/world/backend_maker.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 
 namespace scipd::daemon {
 
@@ -25,6 +25,7 @@ struct SceneEditor::Next {
     SensorBackends backends;
     std::set<std::string> placed_anew;  ///< models that are where the scene has them
     std::vector<std::string> warnings;
+    std::vector<std::string> notes;
 };
 
 namespace {
@@ -49,14 +50,13 @@ struct Edited {
     sim::SharedScene scene;
     sim::SharedScene added;  ///< what of it is new
     std::vector<std::string> warnings;
+    std::vector<std::string> notes;
 };
 
 Edited edited(const LoadWorld& edit, const Present& present) {
     const auto file = (sim::folder_of_scene(present.file) / edit.file).lexically_normal();
     auto [scene, warnings, notes] = sim::load_scene(file, present.options);
-    for (const std::string& note : notes)
-        spdlog::info("{}", note);
-    return {file, scene, scene, std::move(warnings)};
+    return {file, scene, scene, std::move(warnings), std::move(notes)};
 }
 
 /// Loads a file that has its own materials and scale.
@@ -112,13 +112,13 @@ Edited edited(const AddModel& edit, const Present& present) {
     auto [added, warnings, notes] = load_model(edit, present);
     scene = sim::with_models(*scene, *added);
     check_triangles(*scene, present.options.sdf.most_triangles);
-    return {present.file, std::move(scene), added, std::move(warnings)};
+    return {present.file, std::move(scene), added, std::move(warnings), std::move(notes)};
 }
 
 Edited edited(const RemoveModel& edit, const Present& present) {
     sim::SharedScene rest = sim::without_model(*present.scene, edit.name);
     if (!rest) throw Refusal{Result::unknown, "there is no model \"" + edit.name + "\""};
-    return {present.file, std::move(rest), std::make_shared<const sim::Scene>(), {}};
+    return {present.file, std::move(rest), std::make_shared<const sim::Scene>(), {}, {}};
 }
 
 }  // namespace
@@ -132,25 +132,28 @@ void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn)
             // `done` belongs to the I/O thread and is moved back there. If a copy stayed here, the
             // worker's thread might be the one that destroys it.
             const auto refused = [&](Result result, std::vector<std::string> why) {
-                return [done = std::move(done), outcome = EditOutcome{result, std::move(why)}] {
+                return [done = std::move(done), outcome = EditOutcome{result, std::move(why), {}}] {
                     done(outcome);
                 };
             };
             try {
                 Edited now =
                     std::visit([&](const auto& wanted) { return edited(wanted, present); }, edit);
+                for (const std::string& note : now.notes)
+                    spdlog::info("{}", note);
                 const auto next = std::make_shared<Next>();
                 *next = {now.file,
                          now.scene,
                          make_backends(requests, now.scene),
                          {},
-                         std::move(now.warnings)};
+                         std::move(now.warnings),
+                         std::move(now.notes)};
                 for (const sim::Model& model : now.added->models)
                     next->placed_anew.insert(model.name);
                 return [this, next, done = std::move(done)] {
                     take_up(*next);
                     warn_of_lost_bodies(*next);
-                    done({Result::done, next->warnings});
+                    done({Result::done, next->warnings, next->notes});
                 };
             } catch (const Refusal& refusal) {
                 return refused(refusal.result, {refusal.why});

@@ -15,7 +15,7 @@
 
 #include "daemon/config/demo_world.h"
 #include "daemon/models/registry.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/scene_file.h"
 #include "sim/sensor/beam_pattern.h"
 #include "tools/options.h"

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipcat/info.h"
-
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -10,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/scipcat/commands.h"
 #include "tools/scipcat/scan_options.h"
 
 namespace scipd::tools {

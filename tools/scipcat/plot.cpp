@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipcat/plot.h"
-
 #include <chrono>
 #include <ctime>
 #include <filesystem>
@@ -12,7 +10,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "tools/scipcat/page.h"
+#include "tools/page.h"
+#include "tools/scipcat/commands.h"
 #include "tools/scipcat/plot_text.h"
 #include "tools/scipcat/polar_plot.h"
 #include "tools/scipcat/scan_options.h"

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipcat/record.h"
-
 #include <cstdint>
 #include <iostream>
 #include <limits>
 #include <memory>
 #include <string>
 
+#include "tools/scipcat/commands.h"
 #include "tools/scipcat/scan_options.h"
 #include "tools/scipcat/scan_writer.h"
 

@@ -78,6 +78,8 @@ void tell(const Json& loaded, bool json) {
     if (!loaded.is_object()) return;
     for (const auto& warning : loaded.value("warnings", Json::array()))
         std::cerr << "warning: " << warning.get<std::string>() << '\n';
+    for (const auto& note : loaded.value("notes", Json::array()))
+        std::cerr << "note: " << note.get<std::string>() << '\n';
 }
 
 /// "0.1 to 30 m"

@@ -12,14 +12,14 @@
 #include <stdexcept>
 #include <utility>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/mvsim/mvsim_ground.h"
 #include "sim/loaders/mvsim/mvsim_walk.h"
 #include "sim/loaders/mvsim/mvsim_walls.h"
-#include "sim/loaders/name.h"
-#include "sim/loaders/plain_file.h"
-#include "sim/loaders/quote.h"
 #include "sim/loaders/sdf/scene_draft.h"
+#include "sim/text/name.h"
+#include "sim/text/quote.h"
 #include "sim/world/extrusion.h"
 #include "sim/world/reach.h"
 
@@ -232,13 +232,13 @@ class MvsimScene {
 
 LoadedScene load_mvsim(const fs::path& given, const MapOptions& options) {
     const auto file = fs::absolute(given).lexically_normal();
-    const std::string text = read_file(file, largest_text, "name a world of MVSim");
+    const std::string text = read_text(file, largest_text, "name a world of MVSim");
     MvsimScene scene{file, options};
     const MvsimVisitor visitor{.visit = [&](const MvsimNode& node) { scene.visit(node); },
                                .leave_out = [&](const std::string& what) { scene.leave_out(what); },
                                .read = [](const fs::path& included) -> std::optional<std::string> {
                                    if (!why_no_file(included).empty()) return std::nullopt;
-                                   return read_file(included, largest_text,
+                                   return read_text(included, largest_text,
                                                     "a part of a world is wanted");
                                }};
     walk_mvsim(text, file, visitor);

@@ -9,8 +9,8 @@
 #include <glm/matrix.hpp>
 
 #include "sim/loaders/poses/pose_columns.h"
-#include "sim/loaders/quote.h"
-#include "sim/loaders/text_number.h"
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {

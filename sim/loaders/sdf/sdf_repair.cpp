@@ -10,12 +10,12 @@
 
 #include <tinyxml2.h>
 
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/xml_tree.h"
 #include "sim/loaders/sdf/line_for_line.h"
 #include "sim/loaders/sdf/sdf_document.h"
 #include "sim/loaders/sdf/sdf_names.h"
 #include "sim/loaders/sdf/sdf_suspect.h"
-#include "sim/loaders/xml_tree.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

@@ -60,7 +60,8 @@ struct Case {
 const std::vector<Case>& cases() {
     using enum protocol::Support;
     static const std::vector<Case> all = {
-        {"family", "b", "UST-10LX", [](Profile p) { p.family = protocol::Family::b; }},
+        {"family", "b", "UST-10LX",
+         [](Profile p) { p.family = protocol::Family::ethernet_multi_echo; }},
         {"vendor", "Us", "UST-10LX", [](Profile p) { p.vendor = "Us"; }},
         {"product", "'A B: c'", "UST-10LX", [](Profile p) { p.product = "A B: c"; }},
         {"firmware", "2.30", "UST-10LX", [](Profile p) { p.firmware = "2.30"; }},
@@ -113,7 +114,7 @@ const std::vector<Case>& cases() {
         {"answers", "[QT adjust 00, BM measuring --]", "UST-10LX",
          [](Profile p) {
              using enum protocol::State;
-             p.answers = {{"QT", adjust, protocol::status::ok}, {"BM", measuring, std::nullopt}};
+             p.deviations = {{"QT", adjust, protocol::status::ok}, {"BM", measuring, std::nullopt}};
          }},
         {"scan_period_ms", "24.9", "UST-10LX", [](Profile p) { p.scan_period = 24900us; }},
         {"turns_per_reply", "2", "UST-10LX", [](Profile p) { p.turns_per_reply = 2; }},
