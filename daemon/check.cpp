@@ -18,9 +18,9 @@
 namespace scipd::daemon {
 namespace {
 
-using Faults = std::vector<std::string>;
+using Sentences = std::vector<std::string>;
 
-void note_faults(Faults& faults, const std::function<void()>& load) {
+void note_faults(Sentences& faults, const std::function<void()>& load) {
     try {
         load();
     } catch (const sim::LoadError& error) {
@@ -28,7 +28,7 @@ void note_faults(Faults& faults, const std::function<void()>& load) {
     }
 }
 
-void check_trajectory(const Config& config, const RobotConfig& robot, Faults& faults,
+void check_trajectory(const Config& config, const RobotConfig& robot, Sentences& faults,
                       std::vector<std::string>& warnings) {
     if (!robot.poses || robot.poses->kind != PoseSource::Kind::file) return;
     note_faults(faults, [&] {
@@ -43,7 +43,7 @@ void check_trajectory(const Config& config, const RobotConfig& robot, Faults& fa
 }
 
 /// On a machine that cannot draw, `backend: depth` would not start.
-void check_depth(const RobotConfig& robot, Faults& faults) {
+void check_depth(const RobotConfig& robot, Sentences& faults) {
     for (const SensorConfig& sensor : robot.sensors) {
         if (sensor.backend != "depth") continue;
         try {
@@ -61,7 +61,7 @@ std::string check(const std::filesystem::path& file, bool strict) {
     Config config = load_config(file);
     config.strict |= strict;
     sim::LoadedScene world;
-    Faults faults;
+    Sentences faults;
     std::vector<std::string> notices;
     note_faults(faults, [&] {
         world = load_world(config);

@@ -148,7 +148,7 @@ bool BeamCutter::meets(const Beam& beam, TriangleId triangle) const {
 }
 
 /// Whether all that is within the bounds lies on one side of the beam, or farther than this.
-bool BeamCutter::passes(const Beam& beam, const Bounds& bounds, double range_m) const {
+bool BeamCutter::passes(const Beam& beam, const FloatBounds& bounds, double range_m) const {
     const glm::dvec3 middle_m = glm::dvec3{bounds.middle_m} - eye_m_;
     const glm::dvec3 half_m{bounds.half_m};
     const auto reach_m = [&](const glm::dvec3& normal) {

@@ -42,7 +42,7 @@ class BeamCutter {
                                    const glm::dvec3& direction);
     /// Puts what lies unseen before the first one into its place.
     void find_unseen(const Around& around, const Look& look, const Beam& beam, Hit& first);
-    [[nodiscard]] bool passes(const Beam& beam, const Bounds& bounds, double range_m) const;
+    [[nodiscard]] bool passes(const Beam& beam, const FloatBounds& bounds, double range_m) const;
     [[nodiscard]] bool passes(const Beam& beam, TriangleId triangle) const;
     /// Where the beam meets the triangle, or one of the body, before that.
     void take_nearer(const Beam& beam, TriangleId triangle, Hit& first);

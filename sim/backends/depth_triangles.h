@@ -46,14 +46,14 @@ struct VertexRange {
 };
 
 /// Along the axes of anchored W.
-struct Bounds {
+struct FloatBounds {
     glm::vec3 middle_m;
     glm::vec3 half_m;
 };
 
 /// Some triangles that lie together, with corners that no others have.
 struct Block {
-    Bounds bounds;
+    FloatBounds bounds;
     TriangleId first;
     std::uint32_t count;
     std::uint32_t first_vertex;
@@ -62,7 +62,7 @@ struct Block {
 
 /// Some blocks that lie together.
 struct Cluster {
-    Bounds bounds;
+    FloatBounds bounds;
     std::size_t first;
     std::size_t count;
 };
@@ -111,7 +111,7 @@ class DepthTriangles {
 
     void add(ObjectId id, const Object& object, bool movable, const Pose& anchored_from_object);
     [[nodiscard]] Block block_from(TriangleId first, std::uint32_t first_vertex) const;
-    [[nodiscard]] Bounds bounds_of(const Block& block) const;
+    [[nodiscard]] FloatBounds bounds_of(const Block& block) const;
     void turn_faces(const Block& block);
     void collect(const Body& body, Frustum::Place place, const Frustum& frustum,
                  std::vector<DrawnTriangle>& drawn);

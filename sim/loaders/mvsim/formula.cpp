@@ -18,7 +18,7 @@
 namespace scipd::sim {
 namespace {
 
-constexpr int deepest = 64;
+constexpr int deepest_formula = 64;
 constexpr std::size_t longest_text = 1 << 16;
 
 [[noreturn]] void refuse(const std::string& why) {
@@ -115,7 +115,7 @@ class Calculator {
         }
     }
     double power() {
-        if (++depth_ > deepest) refuse("a formula is nested too deeply");
+        if (++depth_ > deepest_formula) refuse("a formula is nested too deeply");
         double value = 0.0;
         if (take("-")) {
             value = -power();

@@ -46,7 +46,7 @@ struct Cubic {
 
 class Spline {
   public:
-    explicit Spline(const Trajectory& trajectory) : points_(trajectory.waypoints) {
+    explicit Spline(const ActorTrajectory& trajectory) : points_(trajectory.waypoints) {
         // The first one is waited for where it stands.
         if (const Waypoint first = points_.front(); first.time > Time{})
             points_.insert(points_.begin(), Waypoint{Time{}, first.pose});
@@ -112,12 +112,12 @@ void end_before(Time time, std::vector<Script::Step>& steps) {
 
 }  // namespace
 
-SharedScript walk_of(const std::vector<Trajectory>& trajectories, Time delay, bool loops) {
+SharedScript walk_of(const std::vector<ActorTrajectory>& trajectories, Time delay, bool loops) {
     const Pose& start = trajectories.front().waypoints.front().pose;
     auto walk = std::make_shared<Script>();
     if (delay > Time{}) walk->steps.push_back({{}, start});
     Time end = delay;
-    for (const Trajectory& trajectory : trajectories) {
+    for (const ActorTrajectory& trajectory : trajectories) {
         const Spline spline(trajectory);
         if (Seconds(end) + Seconds(spline.duration()) > longest) return nullptr;
         end_before(end, walk->steps);
