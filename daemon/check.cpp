@@ -35,6 +35,7 @@ void check_trajectory(const Config& config, const RobotConfig& robot, Sentences&
         try {
             auto loaded =
                 sim::load_trajectory(robot.poses->file, robot.poses->format, robot.poses->times);
+            if (config.strict && !loaded.warnings.empty()) throw sim::LoadError(loaded.warnings);
             std::ranges::move(loaded.warnings, std::back_inserter(warnings));
         } catch (const sim::LoadError& error) {
             throw named_at(config.place_of("robots." + robot.name + ".poses"), error);

@@ -1,102 +1,93 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-//
-// What the control API asks a fleet for.
+#include "daemon/fleet_api.h"
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
+#include <variant>
 
-#include "daemon/fleet.h"
-#include "daemon/mounting.h"
+#include "daemon/device/device.h"
+#include "daemon/device/staring_sensor.h"
+#include "daemon/fleet_status.h"
+#include "daemon/simulation.h"
 
 namespace scipd::daemon {
+namespace {
 
-const Station* Fleet::find(const std::string& sensor) const {
-    const auto found = std::ranges::find_if(
-        stations_, [&](const auto& station) { return station->name() == sensor; });
-    return found == stations_.end() ? nullptr : found->get();
+SharedRecord latest_of(const Device& device) {
+    return device.log().latest();
 }
 
-const ScanLog* Fleet::scans(const std::string& sensor) const {
-    const Station* const station = find(sensor);
-    return station != nullptr && station->device ? &station->device->log() : nullptr;
+SharedStaringRecord latest_of(StaringSensor& sensor) {
+    return sensor.latest();
 }
 
-StaringSensor* Fleet::staring(const std::string& sensor) {
-    const Station* const station = find(sensor);
-    return station != nullptr ? station->staring.get() : nullptr;
+}  // namespace
+
+FleetStatus FleetApi::status() const {
+    return status_of(simulation_);
 }
 
-std::map<std::string, Address> Fleet::pose_addresses() const {
-    std::map<std::string, Address> addresses;
-    for (const Feed& feed : feeds_) {
-        if (const auto address = feed.feed->address()) addresses[feed.robot] = *address;
-    }
-    return addresses;
+std::optional<SensorRecord> FleetApi::latest(const std::string& sensor) {
+    const Station* const station = find_station(simulation_.stations, sensor);
+    if (station == nullptr) return std::nullopt;
+    return std::visit([](const auto& made) -> SensorRecord { return latest_of(*made); },
+                      station->sensor);
 }
 
-std::optional<std::string> Fleet::take_pose_line(std::string_view line, SenderClock& sender) {
-    return intake_.take_line(line, {}, sender, clock_.now());
+std::optional<SensorLog> FleetApi::log(const std::string& sensor) const {
+    const Station* const station = find_station(simulation_.stations, sensor);
+    if (station == nullptr) return std::nullopt;
+    return std::visit([](const auto& made) -> SensorLog { return made->log(); }, station->sensor);
 }
 
-SceneView Fleet::scene() const {
-    return {editor_.file(), world_.scene()};
+std::unique_ptr<Conversation> FleetApi::subscribe(const std::string& sensor, WebSocket& socket) {
+    return simulation_.stream.subscribe(sensor, socket);
 }
 
-void Fleet::edit_scene(SceneEdit edit, EditDone done, std::stop_token withdrawn) {
-    auto told = [this, done = std::move(done)](EditOutcome outcome) {
+std::optional<std::string> FleetApi::take_pose_line(std::string_view line, SenderClock& sender) {
+    return simulation_.intake.take_line(line, {}, sender, simulation_.clock.now());
+}
+
+SceneView FleetApi::scene() const {
+    return {simulation_.editor.file(), simulation_.world.scene()};
+}
+
+void FleetApi::edit_scene(SceneEdit edit, EditDone done, std::stop_token withdrawn) {
+    auto told = [&simulation = simulation_, done = std::move(done)](EditOutcome outcome) {
         if (outcome.result != EditOutcome::Result::done) return done(outcome);
-        std::ranges::move(remount(), std::back_inserter(outcome.messages));
+        std::ranges::move(simulation.remount(), std::back_inserter(outcome.messages));
         done(outcome);
-        choose_backends();
+        simulation.choose_backends();
     };
-    editor_.edit(std::move(edit), std::move(told), std::move(withdrawn));
+    simulation_.editor.edit(std::move(edit), std::move(told), std::move(withdrawn));
 }
 
-std::vector<std::string> Fleet::remount() {
-    std::vector<std::string> warnings;
-    for (const auto& station : stations_) {
-        SensorConfig& sensor = station->config;
-        if (!sensor.mount) continue;
-        if (const auto pose = mounted_again(*sensor.mount, *world_.scene())) {
-            sensor.robot_from_sensor = *pose;
-            station->device ? station->device->mount(*pose) : station->staring->mount(*pose);
-        } else {
-            warnings.push_back(editor_.file().string() + ": has no \"" + sensor.mount->name +
-                               "\" in a model \"" + sensor.mount->model + "\" to mount " +
-                               station->name() + " on; it stays where it was");
-        }
-    }
-    return warnings;
-}
-
-std::optional<sim::TimedPose> Fleet::pose_now(const sim::PoseTrack* track) const {
+std::optional<sim::TimedPose> FleetApi::robot_pose(const std::string& robot) const {
+    const sim::PoseTrack* const track = simulation_.world.robot(robot);
     if (track == nullptr) return std::nullopt;
-    const sim::Time now = clock_.now();
-    return sim::TimedPose{clock_.origin() + now, track->at(now)};
+    const sim::Time now = simulation_.clock.now();
+    return sim::TimedPose{simulation_.clock.origin() + now, track->at(now)};
 }
 
-std::optional<sim::TimedPose> Fleet::robot_pose(const std::string& robot) const {
-    return pose_now(world_.robot(robot));
+std::optional<std::string> FleetApi::set_robot_pose(const std::string& robot,
+                                                    const sim::PoseLine& said) {
+    return simulation_.intake.take(said, robot, robot_senders_[robot], simulation_.clock.now());
 }
 
-std::optional<std::string> Fleet::set_robot_pose(const std::string& robot,
-                                                 const sim::PoseLine& said) {
-    return intake_.take(said, robot, api_senders_[robot], clock_.now());
-}
-
-std::optional<sim::TimedPose> Fleet::model_pose(const std::string& model) const {
-    const sim::Time now = clock_.now();
-    const auto pose = world_.model_pose(model, now);
+std::optional<sim::TimedPose> FleetApi::model_pose(const std::string& model) const {
+    const sim::Time now = simulation_.clock.now();
+    const auto pose = simulation_.world.model_pose(model, now);
     if (!pose) return std::nullopt;
-    return sim::TimedPose{clock_.origin() + now, *pose};
+    return sim::TimedPose{simulation_.clock.origin() + now, *pose};
 }
 
-std::optional<std::string> Fleet::set_model_pose(const std::string& model,
-                                                 const sim::PoseLine& said) {
+std::optional<std::string> FleetApi::set_model_pose(const std::string& model,
+                                                    const sim::PoseLine& said) {
     sim::PoseLine line = said;
     line.model = model;
-    return intake_.take(line, {}, api_model_senders_[model], clock_.now());
+    return simulation_.intake.take(line, {}, model_senders_[model], simulation_.clock.now());
 }
 
 }  // namespace scipd::daemon

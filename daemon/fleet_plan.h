@@ -12,7 +12,7 @@
 
 #include "daemon/config/config.h"
 #include "daemon/world/sensor_backends.h"
-#include "sim/loaders/loaded_scene.h"
+#include "sim/loaders/file/loaded_scene.h"
 
 namespace scipd::daemon {
 

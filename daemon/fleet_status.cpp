@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-//
-// How a fleet is doing.
-#include <string>
+#include "daemon/fleet_status.h"
 
-#include "daemon/fleet.h"
+#include <string>
+#include <variant>
+
+#include "daemon/device/device.h"
+#include "daemon/device/staring_sensor.h"
+#include "daemon/link/port.h"
+#include "daemon/simulation.h"
 
 namespace scipd::daemon {
 namespace {
@@ -38,39 +42,38 @@ void describe(const StaringSensor& sensor, SensorStatus& status) {
     status.lateness = summary_of(sensor.lateness());
 }
 
-}  // namespace
-
-Status Fleet::status() const {
-    Status status{.uptime = wall_clock_.now(),
-                  .clock = lockstep_ ? "poses" : "wall",
-                  .time = clock_.origin() + clock_.now(),
-                  .scene = editor_.file()};
-    status.poses = {intake_.accepted(), intake_.refused(), intake_.last_refusal()};
-    for (const auto& station : stations_)
-        status.sensors.push_back(status_of(*station));
-    return status;
+void add(const Port& port, std::optional<std::string>& address, SensorStatus& status) {
+    address = port.address();
+    status.clients += port.connected() ? 1 : 0;
+    status.lost += port.lost_scans();
 }
 
-SensorStatus Fleet::status_of(const Station& station) const {
-    const BackendChoice& choice = *world_.choice_of(station.name());
+SensorStatus status_of(const Station& station, const Simulation& simulation) {
+    const BackendChoice& choice = *simulation.world.choice_of(station.name());
     SensorStatus status{
         .name = station.name(),
         .backend = choice.backend,
         .backend_reason = choice.reason.empty() ? std::optional<std::string>() : choice.reason,
-        .warning = place_watch_.warning(station.name()),
+        .warning = simulation.place_watch.warning(station.name()),
         .lost = station.loop->missed(),
         .stream_lost = station.loop->missed_by_watchers() + station.tap->lost()};
-    station.staring ? describe(*station.staring, status) : describe(*station.device, status);
-    if (station.tcp) {
-        status.tcp = station.tcp->address();
-        status.clients += station.tcp->connected() ? 1 : 0;
-        status.lost += station.tcp->lost_scans();
-    }
-    if (station.pty) {
-        status.pty = station.pty->link();
-        status.clients += station.pty->open() ? 1 : 0;
-        status.lost += station.pty->lost_scans();
-    }
+    std::visit([&](const auto& sensor) { describe(*sensor, status); }, station.sensor);
+    if (station.ports.tcp) add(*station.ports.tcp, status.tcp, status);
+    if (station.ports.pty) add(*station.ports.pty, status.pty, status);
+    return status;
+}
+
+}  // namespace
+
+FleetStatus status_of(const Simulation& simulation) {
+    FleetStatus status{.uptime = simulation.wall_clock.now(),
+                       .clock = simulation.lockstep ? "poses" : "wall",
+                       .time = simulation.clock.origin() + simulation.clock.now(),
+                       .scene = simulation.editor.file()};
+    const PoseIntake& intake = simulation.intake;
+    status.poses = {intake.accepted(), intake.refused(), intake.last_refusal()};
+    for (const auto& station : simulation.stations)
+        status.sensors.push_back(status_of(*station, simulation));
     return status;
 }
 

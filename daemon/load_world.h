@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The world of a configuration, from files. Touches nothing that runs: any thread may do it.
+// Loads the world of a configuration from files. Touches nothing that runs: any thread may do it.
 #pragma once
 
 #include <stop_token>
 #include <string>
 
 #include "daemon/config/config.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/scene_file.h"
 
 namespace scipd::daemon {
@@ -17,10 +17,10 @@ namespace scipd::daemon {
 /// LoadError with every fault, or soon after `stop`.
 sim::LoadedScene load_world(const Config& config, const std::stop_token& stop = {});
 
-/// The faults of a file, each with the `place` where the configuration names it.
+/// The faults of a file, each with the `place` where the configuration names the file.
 sim::LoadError named_at(const std::string& place, const sim::LoadError& error);
 
-/// How that world is loaded, and all that takes its place or is added to it.
+/// How to load that world, and whatever takes its place or is added to it.
 sim::SceneOptions scene_options(const Config& config);
 
 }  // namespace scipd::daemon

@@ -13,7 +13,7 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
 
 namespace scipd::daemon {
 namespace {
@@ -60,7 +60,8 @@ class Sink : public spdlog::sinks::ansicolor_stderr_sink_mt {
         const std::size_t lost = thread ? thread->overrun_counter() : told_;
         const std::size_t untold = lost - std::exchange(told_, lost);
         if (untold == 0) return;
-        const std::string text = std::to_string(untold) + " lines of log were lost";
+        const std::string text = std::to_string(untold) + (untold == 1 ? " line of log was lost"
+                                                                       : " lines of log were lost");
         Base::log({"scipd", spdlog::level::warn, text});
     }
 

@@ -19,12 +19,12 @@
 #include "daemon/options.h"
 #include "daemon/server.h"
 #include "sim/backends/depth.h"
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
 
 namespace {
 
-// What is opened next takes the number of a standard descriptor that is closed, and would be read
-// and written in its place.
+// Where a standard descriptor is closed, the next file that is opened takes its number, and would
+// be read and written in its place.
 void open_standard_descriptors() {
     int descriptor = 0;
     while (descriptor >= 0 && descriptor <= STDERR_FILENO)

@@ -8,7 +8,7 @@
 
 #include "daemon/config/sensor.h"
 #include "daemon/models/best_fit.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 
 namespace scipd::daemon {
 namespace {

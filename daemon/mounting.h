@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Mounts that are named, in a world that is loaded. Touches nothing that runs: any thread may do
-// it.
+// Finds the places of named mounts in a world that is loaded. Touches nothing that runs: any thread
+// may do it.
 #pragma once
 
 #include <optional>
@@ -14,14 +14,15 @@
 
 namespace scipd::daemon {
 
-/// Gives each sensor whose mount is a name its pose on the robot. A robot with such a sensor has
-/// the model around that place as its body, if that can move and no body is named, and starts where
-/// the model stands, if no pose is given. Answers with what there is to say of it: which product
-/// comes closest to the lidar that is there. Throws LoadError with every name that is not there or
-/// is not one place.
+/// Gives each sensor whose mount is a name its pose on the robot. The model around that place
+/// becomes the robot's body, if the model can move and the configuration names no body. The robot
+/// starts where the model stands, if the configuration gives no pose. Returns notes for people:
+/// which product comes closest to the lidar that is there. Throws LoadError with every name that is
+/// not there or is not one place.
 std::vector<std::string> mount_by_name(Config& config, const sim::Scene& scene);
 
-/// The same of one that has been mounted before; nothing: this world has no such place.
+/// The pose of a mount that was found in another world before; nothing: this world has no such
+/// place.
 std::optional<sim::Pose> mounted_again(const NamedMount& mount, const sim::Scene& scene);
 
 }  // namespace scipd::daemon

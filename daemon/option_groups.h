@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The options of the command line and their texts, group by group, and what they say. What follows
-// from that is options.cpp's affair. At the start, on the only thread.
+// The options of the command line, group by group: their help texts, and the values that a user
+// gave. options.cpp decides what follows from the values. At the start, on the only thread.
 #pragma once
 
 #include <filesystem>
 
 #include <CLI/App.hpp>
 
-#include "daemon/options.h"
+#include "daemon/run_options.h"
 
 namespace scipd::daemon {
 
-/// What the options say before it is known whether they count.
-struct Said {
-    Said();
+/// What a user gave by options, or what holds where the user gave nothing. options.cpp decides
+/// later which of it counts.
+struct OptionValues {
+    OptionValues();
 
     Options options;
     RobotConfig robot;
@@ -31,7 +32,7 @@ struct Said {
 };
 
 /// Their texts go through the parsers of daemon/config, whose refusals become CLI's.
-void add_options(CLI::App& app, Said& said);
+void add_options(CLI::App& app, OptionValues& said);
 
 /// Throws std::invalid_argument where an option that stands alone has company.
 void check_alone(const CLI::App& app);

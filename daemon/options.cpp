@@ -13,7 +13,7 @@
 #include "daemon/config/demo_world.h"
 #include "daemon/config/sensor.h"
 #include "daemon/option_groups.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 
 namespace scipd::daemon {
 namespace {
@@ -21,9 +21,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* description =
-    "scipd is a Hokuyo laser scanner as far as any program can tell: it speaks SCIP over TCP and\n"
-    "a tty, and its ranges come from a 3D world. Without options: a UST-10LX in the demo world.\n"
-    "When everything listens, one line of JSON on standard output tells where.";
+    "scipd is a Hokuyo laser scanner as far as any program can tell. It speaks SCIP over TCP and "
+    "a\n"
+    "tty, and its ranges come from a 3D world. Without options it is a UST-10LX in the demo "
+    "world.\n"
+    "When everything listens, it prints one line of JSON that tells where.";
 
 constexpr const char* examples = R"(Examples:
   scipd
@@ -38,15 +40,15 @@ constexpr const char* examples = R"(Examples:
         any number of robots and scanners; scipd --check fleet.yaml tells every fault in it
 
 Lengths are metres, angles radians; x is forward, y left, z up.
-Exit codes: 0 ended as asked, 1 failed while running (or, of --probe, nothing can be drawn here),
-2 wrong options, configuration or world.)";
+Exit codes: 0 it ended as asked; 1 it failed while running, or --probe found that nothing can be
+drawn here; 2 the options, the configuration or the world are wrong.)";
 
 Answer refusal(const std::string& sentence) {
     return {2, sentence + "\n"};
 }
 
 /// What was left out becomes what design and help say.
-void complete(Said& said) {
+void complete(OptionValues& said) {
     Config& config = said.options.config;
     const bool demo = config.scene.empty();
     if (demo) config.scene = demo_scene();
@@ -65,7 +67,7 @@ void complete(Said& said) {
     config.robots = {said.robot};
 }
 
-std::variant<Options, Answer> act(Said& said) {
+std::variant<Options, Answer> act(OptionValues& said) {
     if (said.list_models) return model_list();
     if (said.list_backends) return backend_list();
     if (said.probe) return probe();
@@ -85,7 +87,7 @@ std::variant<Options, Answer> act(Said& said) {
 std::variant<Options, Answer> parse_options(int argc, const char* const* argv) {
     CLI::App app{description, "scipd"};
     app.footer(examples);
-    Said said;
+    OptionValues said;
     add_options(app, said);
     try {
         app.parse(argc, argv);

@@ -12,16 +12,16 @@ namespace scipd::daemon {
 /// $XDG_RUNTIME_DIR/scipd, else /tmp/scipd-UID. Not created.
 std::filesystem::path run_directory();
 
-/// The control socket that nobody has named.
+/// The control socket where the user names none.
 std::filesystem::path usual_control_socket();
 
 /// The same folder, created. Throws std::runtime_error.
 std::filesystem::path make_run_directory();
 
-/// Where there is none yet it is for this user alone. Throws std::runtime_error.
+/// Makes the folder, for this user alone, where it is not there yet. Throws std::runtime_error.
 void make_folder(const std::filesystem::path& folder);
 
-/// As make_folder(), and one that is there already must be for this user alone, too.
+/// As make_folder(), and a folder that is there already must be for this user alone, too.
 void make_private_folder(const std::filesystem::path& folder);
 
 }  // namespace scipd::daemon

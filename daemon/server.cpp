@@ -11,18 +11,18 @@
 #include <unistd.h>
 
 #include "daemon/api/routes.h"
-#include "daemon/api/socket_routes.h"
 #include "daemon/config/config.h"
 #include "daemon/run_directory.h"
+#include "daemon/simulation.h"
 
 namespace scipd::daemon {
 
 namespace asio = boost::asio;
 
-// The world before all else: until signals_ is made SIGINT and SIGTERM end the program, and nothing
-// is left behind.
-// What it takes is in the part of the memory that threads other than this one have, so that none
-// waits for the other while all of it is given back.
+// It loads the world before all else: until signals_ is made SIGINT and SIGTERM end the program,
+// and nothing is left behind. It loads on another thread: the memory of the world is then in the
+// part of the heap that other threads have, so that this one does not wait while the memory is
+// given back.
 Server::Server(const Options& options)
     : Server(options,
              std::async(std::launch::async, [&] { return make_plan(options.config); }).get()) {}
@@ -34,18 +34,19 @@ Server::Server(const Options& options, FleetPlan&& plan)
       control_(
           io_.get_executor(),
           [this](const HttpRequest& request, Respond respond) {
-              route(fleet_, request, std::move(respond));
+              route(api_, request, std::move(respond));
           },
-          [this](const HttpRequest& request) { return open_socket(fleet_, request); }) {
+          [this](const HttpRequest& request) { return open_socket(api_, request); }) {
     // The control socket next: if another scipd has it, its ttys are not touched either.
     listen_for_control();
     if (options_.config.http) http_ = text_of(control_.listen(*options_.config.http));
     fleet_.apply(std::move(plan));
-    fleet_.choose_backends();
+    fleet_.simulation().choose_backends();
     wait_for_signal();
 }
 
-// One that nobody has named is the first scipd's; those after it have their own.
+// The first scipd has the control socket that nobody has named; those started after it make their
+// own.
 void Server::listen_for_control() {
     const std::filesystem::path& named = options_.config.control;
     if (named.empty()) {
@@ -69,7 +70,7 @@ std::string Server::ready_line() const {
     const auto or_null = [](const std::optional<std::string>& text) {
         return text ? nlohmann::json(*text) : nullptr;
     };
-    for (const SensorStatus& sensor : fleet_.status().sensors) {
+    for (const SensorStatus& sensor : api_.status().sensors) {
         line["sensors"].push_back(nlohmann::ordered_json{{"name", sensor.name},
                                                          {"model", sensor.model},
                                                          {"tcp", or_null(sensor.tcp)},
@@ -106,9 +107,10 @@ void Server::reload() {
     }
     asked_again_ = std::exchange(loading_, true);
     if (asked_again_) return;
-    fleet_.loader().add([this] {
-        return [this, settled = fleet_.settled_backends(),
-                stop = fleet_.loader().stopping()]() -> Loader::Finish {
+    Simulation& simulation = fleet_.simulation();
+    simulation.loader.add([this, &simulation] {
+        return [this, settled = simulation.settled_backends(),
+                stop = simulation.loader.stopping()]() -> Loader::Finish {
             const auto task = std::make_shared<std::packaged_task<Next()>>(
                 [&] { return load_next(options_, settled, stop); });
             (*task)();
@@ -137,7 +139,7 @@ void Server::take_up(std::future<Next> loaded) {
             spdlog::warn(
                 "SIGHUP: control, http and clock stay as they are until scipd is started again");
         }
-        fleet_.choose_backends();
+        fleet_.simulation().choose_backends();
         spdlog::info("SIGHUP: {} is running now", options_.config_file->string());
     } catch (const std::exception& error) {
         spdlog::error("SIGHUP: nothing was changed, since\n{}", error.what());

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The running program: one io_context, a fleet of scanners, the control API and
-// signals. SIGINT and SIGTERM end it cleanly; SIGHUP reads the configuration again, on the
-// loader's thread so that no stream waits for it, and a faulty one changes nothing. Lives on the
-// I/O thread, which is the one that runs it.
+// The running program: one io_context, a fleet of scanners, the control API and signals. SIGINT and
+// SIGTERM end it cleanly. SIGHUP has it read the configuration again, on the loader's thread, so
+// that no stream waits for it; a faulty configuration changes nothing. Lives on the I/O thread,
+// which is the one that runs it.
 #pragma once
 
 #include <filesystem>
@@ -17,9 +17,11 @@
 #include <boost/asio/signal_set.hpp>
 
 #include "daemon/fleet.h"
+#include "daemon/fleet_api.h"
+#include "daemon/fleet_plan.h"
 #include "daemon/http/server.h"
 #include "daemon/link/path_hold.h"
-#include "daemon/options.h"
+#include "daemon/run_options.h"
 
 namespace scipd::daemon {
 
@@ -55,6 +57,7 @@ class Server {
     boost::asio::io_context io_{1};
     boost::asio::signal_set signals_;
     Fleet fleet_;
+    FleetApi api_{fleet_.simulation()};
     std::filesystem::path control_socket_;
     std::optional<PathHold> control_hold_;
     HttpServer control_;

@@ -21,13 +21,13 @@ struct Send {
     bool operator==(const Send&) const = default;
 };
 
-/// The device boots: the connection is lost, on a tty whatever is under way.
+/// The device boots. The connection ends; a tty, which cannot end, loses all that is under way.
 struct DropLink {
     bool operator==(const DropLink&) const = default;
 };
 
-/// The serial line runs at another rate as soon as everything earlier has been sent, whichever
-/// session the change was asked of. Told once; the first rate is the model's.
+/// The serial line changes its rate as soon as everything earlier has been sent. Every session is
+/// told once, whichever of them was asked for the change. The first rate is the model's.
 struct SetBitRate {
     int bits_per_second = 0;
 

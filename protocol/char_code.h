@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// SCIP's numbers: groups of six bits, the most significant first, each made printable by adding
-// '0'.
+// SCIP's numbers: groups of six bits, the most significant group first. Adding '0' makes a group a
+// printable character.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace scipd::protocol {
 
-/// The largest number that `width` characters hold, and 64 bits too.
+/// The largest number that fits into `width` characters and into 64 bits.
 [[nodiscard]] constexpr std::uint64_t max_encoded(int width) {
     constexpr int widest = 10;
     return width > widest ? ~std::uint64_t{0} : (std::uint64_t{1} << (6 * width)) - 1;
@@ -25,8 +25,8 @@ constexpr void append_encoded(std::string& text, std::uint64_t value, int width)
     }
 }
 
-/// The number; nothing where a character is none of '0' to 'o', the text is empty or the number
-/// does not fit.
+/// The number. Nothing: the text is empty, has a character outside '0' to 'o', or does not fit into
+/// 64 bits.
 [[nodiscard]] constexpr std::optional<std::uint64_t> decode(std::string_view text) {
     if (text.empty()) return std::nullopt;
     std::uint64_t value = 0;

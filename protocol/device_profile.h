@@ -9,19 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "protocol/answer.h"
+#include "protocol/family.h"
+#include "protocol/gate.h"
 #include "protocol/status.h"
 #include "protocol/uptime.h"
 
 namespace scipd::protocol {
-
-/// Models of a family accept the same commands in the same states.
-enum class Family {
-    a1,  ///< URG-04LX and its kin: SCIP 2.0, two- and three-character distances
-    a2,  ///< UTM-30LX and UXM-30LX-E on USB: SCIP 2.0 with intensity
-    b,   ///< UTM-30LX-EW and UXM-30LX-EW: Ethernet, multi-echo
-    c,   ///< UST: Ethernet, SCIP 2.2, no multi-echo, no two-character distances
-};
 
 /// How II spells the clock.
 enum class TimeSpelling {
@@ -34,14 +27,6 @@ enum class Support {
     never,           ///< the model has not got it
     later_firmware,  ///< this firmware is older
     yes,
-};
-
-/// What some models of a family have and others have not.
-enum class Feature {
-    common,        ///< all have it
-    multi_echo,    ///< HD HE ND NE
-    microseconds,  ///< %TM %MD %ME
-    io_lines,      ///< GF GG MF MG
 };
 
 /// What stands in the place of a distance where there is none.
@@ -66,8 +51,8 @@ struct Scip1Texts {
 
 struct DeviceProfile {
     std::string name;     ///< as a user asks for it: NAME or NAME@RELEASE
-    std::string release;  ///< the firmware that the texts and habits are of
-    Family family = Family::c;
+    std::string release;  ///< the firmware whose texts and pace these are
+    Family family = Family::ust;
 
     // VV
     std::string vendor;
@@ -102,8 +87,10 @@ struct DeviceProfile {
     TimeSpelling time_spelling = TimeSpelling::encoded;
 
     // Distances
-    int first_step = 0;  ///< the first and the last one that may be asked for; outside AMIN to AMAX
-    int last_step = 0;   ///< on models that have steps they cannot measure
+    // The first and the last step that may be asked for. They lie outside AMIN to AMAX on models
+    // that have steps which they cannot measure.
+    int first_step = 0;
+    int last_step = 0;
     int nearest_mm = 0;  ///< the smallest distance that is reported as such
     DistanceCodes codes;
 
@@ -119,18 +106,21 @@ struct DeviceProfile {
     Support sensitivity = Support::never;  ///< HS
     Support rehearsals = Support::never;   ///< DB
 
-    // Habits
+    // Statuses
     Status unknown_command = status::undefined;
-    std::vector<Answer> answers;  ///< where it differs from its family in the command table
+    std::vector<Deviation> deviations;
+
+    // Pace. A tick of 0: at once.
     Uptime scan_period{};     ///< one turn of the mirror, as measured; nominally what scan_rpm says
-    int turns_per_reply = 0;  ///< replies leave once in so many, scans once a turn; 0: on ticks
-    Uptime reply_tick{};      ///< replies leave on a grid of this spacing; 0: at once
-    Uptime time_tick{};       ///< TM1 waits for one of this spacing; 0: as other replies
-    Uptime scan_tick{};       ///< scans leave on a grid of this spacing; 0: at once
-    Uptime reply_delay{};     ///< at least so long after its request a reply leaves
-    Uptime state_report_delay{};                             ///< so long at least the reply to II
+    int turns_per_reply = 0;  ///< replies leave once in so many turns, scans once a turn; 0: both
+                              ///< leave on ticks
+    Uptime reply_tick{};      ///< replies leave on a grid of this spacing
+    Uptime time_tick{};       ///< the reply to TM1 has a grid of its own; 0: as other replies
+    Uptime scan_tick{};       ///< scans leave on a grid of this spacing
+    Uptime reply_delay{};     ///< a reply leaves at least so long after its request
+    Uptime state_report_delay{};                             ///< the same for the reply to II
     Uptime pause_after_scan = std::chrono::milliseconds(1);  ///< before a reply; deduced
-    bool single_scan_is_next = false;  ///< GD brings the next that leaves, not the latest
+    bool single_scan_is_next = false;  ///< GD brings the next scan that leaves, not the latest
     Uptime boot_time{};
     bool answers_while_booting = false;  ///< else what is asked then waits until it is up
     Uptime wake_time{};                  ///< until the motor is up to speed again

@@ -10,8 +10,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// UST protocol C-42-04076: the second RB must come within a second; another one later all
-// communication stops.
+// UST protocol C-42-04076: the second RB must come within a second of the first. One second after
+// it all communication stops.
 constexpr Uptime second_reboot_within = 1s;
 constexpr Uptime reboot_delay = 1s;
 

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What all sessions of one device share: laser, motor, clock, mode, trouble, and which sessions
-// stream. Changed by sessions on the one thread that all of them live on; power and trouble also by
-// whoever owns the device.
+// What all sessions of one device share: laser, motor, clock, mode, trouble, and which streams are
+// under way. Sessions change it on the one thread that all of them live on; whoever owns the device
+// changes its power and trouble as well.
 //
-//              BM                     M*
-//   standby ────────► measuring ────────────► streaming      QT, the last counted scan: the stream
-//   ends, and with
-//      ▲ ◄──── QT ────    │  ▲ ◄── QT while others stream ─   the last stream the laser goes off
-//      │                  │
-//      ├──── TM2 ── time adjust ◄── TM0: ends all streams, laser off           RS, RT: to standby
-//      │                                                                       from anywhere
-//      ├── QT, RS, RT, (BM: to measuring) ── asleep ◄── %SL: laser off, motor stopped
-//      └── boot_time ── booting ◄── RB twice, power
+//              BM                  M*, N*
+//   standby ────────► measuring ────────────► streaming
+//    ▲ ▲ ▲ ▲            │   ▲                     │
+//    │ │ │ └──── QT ────┘   └─ others stream on ──┤ QT, last counted scan
+//    │ │ └──────────── no other stream ───────────┘
+//    │ │
+//    │ ├── TM2 ────── time adjust ◄── TM0: all streams end, the laser goes off
+//    │ └── boot_time ── booting ◄──── RB twice, power
+//    └── QT, RS, RT ── asleep ◄────── %SL: all streams end, the laser goes off, the motor stops
+//                         └── BM ──► measuring
+//
+//   RS and RT lead from everywhere to standby.
 #pragma once
 
 #include <cstdint>
@@ -21,19 +24,12 @@
 #include <vector>
 
 #include "protocol/settings.h"
+#include "protocol/state.h"
 #include "protocol/uptime.h"
 
 namespace scipd::protocol {
 
-/// What is the matter with the device.
-enum class Trouble {
-    none,
-    unstable,  ///< for a while: streams pause
-    laser,     ///< it cannot be switched on: failed
-    abnormal,  ///< failed otherwise
-};
-
-/// The wires beside the link, as GF and its kin show them: 18 bits each.
+/// The wires beside the link, as GF, GG, MF and MG show them: 18 bits each.
 struct IoWords {
     std::uint32_t inputs = 0;
     std::uint32_t outputs = 0;
@@ -44,35 +40,36 @@ class DeviceState {
     /// Names a stream; never used twice.
     using StreamId = std::uint64_t;
 
-    /// What the passing of time brings: a reboot that was asked for. Goes before anything else that
+    /// Does what is due: a reboot that was asked for. To be called before anything else that
     /// happens at `now`.
     void advance(Uptime now);
 
     // Power. A new device is up and has booted.
 
-    /// Everything is as at power-up, the links to all clients are lost. The mirror starts anew.
+    /// Everything is as at power-up, and the links to all clients are lost. The mirror starts anew.
     void boot(Uptime now, Uptime boot_time);
     [[nodiscard]] bool booting(Uptime now) const { return now < booted_at_; }
     [[nodiscard]] Uptime booted_at() const { return booted_at_; }
-    /// How many times it has booted: a session that sees another number has lost its link.
+    /// How many times the device has booted. A session that sees another number has lost its link.
     [[nodiscard]] int boots() const { return boots_; }
-    /// SCIP 1.1 from here on and after each boot, with the laser on: clients ask for scans at once.
+    /// The device speaks SCIP 1.1 from here on and after each boot. Its laser is on, as clients of
+    /// that language ask for scans at once.
     void power_up_in_scip1(Uptime now);
-    /// RB. True: it was the second within a second, and the device will boot a second later.
+    /// RB. True: this is the second one within a second, and the device will boot a second later.
     bool ask_reboot(Uptime now, Uptime boot_time);
     [[nodiscard]] std::optional<Uptime> reboots_at() const { return reboots_at_; }
 
     // Laser and streams.
 
     [[nodiscard]] bool laser_on() const { return laser_on_; }
-    /// Scans that began earlier do not exist. Meaningless while the laser is off.
+    /// There are no scans that began earlier. Meaningless while the laser is off.
     [[nodiscard]] Uptime laser_on_since() const { return laser_on_since_; }
     [[nodiscard]] bool streams(StreamId stream) const;
     [[nodiscard]] bool streaming() const { return !open_streams_.empty(); }
     void switch_laser_on(Uptime now);
     StreamId open_stream(Uptime now);
-    /// The laser goes off with the last stream, also where BM had switched it on before. No effect
-    /// on a stream that has ended already.
+    /// The laser goes off with the last stream, even if BM had switched it on before. Does nothing
+    /// to a stream that has ended already.
     void close_stream(StreamId stream);
     /// QT of a session that does not stream: the laser goes off unless others stream.
     void stop();
@@ -88,22 +85,22 @@ class DeviceState {
     void leave_adjust();
     /// The motor stands still.
     [[nodiscard]] bool asleep() const { return asleep_; }
-    /// It is getting up to speed.
+    /// The motor is getting up to speed.
     [[nodiscard]] bool waking(Uptime now) const { return now < motor_up_at_; }
     void sleep();
-    /// No effect unless asleep.
+    /// Does nothing unless asleep.
     void wake(Uptime now, Uptime wake_time);
 
     /// RS: laser off, no streams, no adjust mode, clock 0, settings as at power-up.
     void reset(Uptime now);
-    /// RT: the same, but the speed of the motor and the rate of the line stay.
+    /// RT: as RS, but the speed of the motor and the rate of the line stay.
     void partial_reset(Uptime now);
-    /// When the wire's clock showed 0, or would have: RS and boot set it to 0, set_clock() to what
-    /// one likes, near its wrap, say.
+    /// The instant at which the clock that the wire shows is 0, which may lie before power-up. RS
+    /// and a boot set the clock to 0, set_clock() sets it to anything, near its wrap for example.
     [[nodiscard]] Uptime clock_zero() const { return clock_zero_; }
     void set_clock(Uptime now, std::chrono::milliseconds shown) { clock_zero_ = now - shown; }
-    /// A pass of step 0 from which on the mirror has turned at its present speed; it may be still
-    /// to come.
+    /// The pass of step 0 from which on the mirror turns at its present speed. It may be still to
+    /// come.
     [[nodiscard]] Uptime mirror_origin() const { return mirror_origin_; }
     void set_mirror_origin(Uptime pass) { mirror_origin_ = pass; }
     [[nodiscard]] Settings& settings() { return settings_; }
@@ -115,10 +112,10 @@ class DeviceState {
     // Trouble.
 
     [[nodiscard]] Trouble trouble() const { return trouble_; }
-    /// Nothing works but to ask and to boot.
+    /// Only questions and a reboot work.
     [[nodiscard]] bool failed() const { return trouble_ >= Trouble::laser; }
     void set_trouble(Trouble trouble) { trouble_ = trouble; }
-    /// The number of DB that is under way; 0: none.
+    /// The number of the rehearsal (DB) that is under way; 0: none.
     [[nodiscard]] int rehearsal() const { return rehearsal_; }
     void set_rehearsal(int number) { rehearsal_ = number; }
 

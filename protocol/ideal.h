@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Devices that keep nobody waiting: for tests that are not about time, and for time that stands
-// still.
+// Devices that keep nobody waiting: for tests that are not about time, and for a world whose time
+// stands still between steps.
 #pragma once
 
 #include "protocol/device_profile.h"
@@ -12,7 +12,8 @@ namespace scipd::protocol {
 /// The same device without ticks and delays: replies and scans leave as soon as they can.
 [[nodiscard]] DeviceProfile answering_at_once(DeviceProfile profile);
 
-/// As its data sheet has it: turns take their nominal time, nothing waits, boots or wakes.
+/// The device as its data sheet has it: turns take their nominal time, and nothing waits, boots
+/// or wakes.
 [[nodiscard]] DeviceProfile ideal(DeviceProfile profile);
 
 }  // namespace scipd::protocol

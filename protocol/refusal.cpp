@@ -2,12 +2,10 @@
 // Copyright The scipd authors
 #include "protocol/refusal.h"
 
+#include "protocol/command_table.h"
+
 namespace scipd::protocol {
 namespace {
-
-bool is_ethernet(const DeviceProfile& profile) {
-    return profile.family == Family::b || profile.family == Family::c;
-}
 
 std::optional<Status> refusal_by_length(const Request& request) {
     const std::size_t expected = width(request.command->parameters);
@@ -24,15 +22,13 @@ std::optional<Status> refusal_of(const Request& request, State state, Trouble tr
     if (request.fault) return request.fault;
     if (request.command == nullptr) return profile.unknown_command;
     const Command& command = *request.command;
-    const bool no_laser = trouble == Trouble::unstable || trouble == Trouble::laser;
-    if (command.operation == Operation::switch_laser_on && is_ethernet(profile) && no_laser)
-        return Status("01");
+    const bool laser_fails = trouble == Trouble::unstable || trouble == Trouble::laser;
+    if (command.code == "BM" && is_ethernet(profile.family) && laser_fails) return status::no_laser;
     const auto status = refusal(command, state, profile);
-    // Models for Ethernet have no tty; on the one that they have here SS is what it is on a tty
-    // without a bit rate to set, with which drivers for serial lines go on. Deduced.
-    if (command.operation == Operation::set_bit_rate && link == LinkKind::tty &&
-        status == status::unsupported)
-        return Status("04");
+    // Real models for Ethernet have no tty. Ours have one, and there SS gets the answer of a tty
+    // that has no rate to set, with which drivers for serial lines go on. Deduced.
+    if (command.code == "SS" && link == LinkKind::tty && status == status::unsupported)
+        return status::setting::fixed;
     return status ? status : refusal_by_length(request);
 }
 

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What a request gets instead of being carried out. Only what can be told from the request and the
-// state; each operation refuses its own parameters.
+// The status that a request gets instead of being carried out, as far as the request and the state
+// of the device tell. Each handler refuses wrong parameters of its own.
 #pragma once
 
 #include <optional>
 
-#include "protocol/command_table.h"
 #include "protocol/device_profile.h"
-#include "protocol/device_state.h"
 #include "protocol/request.h"
+#include "protocol/state.h"
 #include "protocol/status.h"
 
 namespace scipd::protocol {
@@ -21,7 +20,7 @@ enum class LinkKind {
     tty,
 };
 
-/// Nothing: it is to be carried out.
+/// Nothing: the request is to be carried out.
 [[nodiscard]] std::optional<Status> refusal_of(const Request& request, State state, Trouble trouble,
                                                LinkKind link, const DeviceProfile& profile);
 

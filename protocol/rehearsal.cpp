@@ -18,7 +18,8 @@ enum : int {
     the_end = 10,
 };
 
-// The specification says that a stream must have more than 20 scans, not when what happens in it.
+// The specification says that a stream must have more than 20 scans. It does not say when in the
+// stream the trouble begins and ends.
 constexpr int shortest_stream = 21;
 constexpr int normal_scans = 10;
 constexpr int error_turns = 5;
@@ -30,15 +31,17 @@ bool named(int number) {
 }  // namespace
 
 Status rehearse(DeviceState& device, std::string_view digits, const DeviceProfile& profile) {
-    if (profile.rehearsals == Support::never) return "04";
+    if (profile.rehearsals == Support::never) return status::rehearsal::not_on_this_model;
     if (profile.rehearsals == Support::later_firmware) return status::too_short;
     const auto number = parse_digits(digits);
-    if (!number || !named(*number)) return "01";
+    if (!number || !named(*number)) return status::rehearsal::unknown;
     const int under_way = device.rehearsal();
-    if (under_way == nothing && device.trouble() != Trouble::none) return "05";
-    if (*number == under_way) return "02";
-    if (*number == the_end && under_way == nothing) return "03";
-    if (*number == malfunction_in_scip1 && !profile.speaks_scip1()) return "04";
+    if (under_way == nothing && device.trouble() != Trouble::none)
+        return status::rehearsal::in_real_trouble;
+    if (*number == under_way) return status::rehearsal::under_way;
+    if (*number == the_end && under_way == nothing) return status::rehearsal::nothing_to_end;
+    if (*number == malfunction_in_scip1 && !profile.speaks_scip1())
+        return status::rehearsal::not_on_this_model;
     const bool at_once = *number == malfunction_in_scip1 || *number == malfunction;
     device.set_trouble(at_once ? Trouble::abnormal : Trouble::none);
     if (*number == malfunction_in_scip1) device.speak_scip1();

@@ -20,8 +20,8 @@ class Reply {
 
     /// TEXT and its sum.
     Reply& line(std::string_view text);
-    /// KEY:VALUE;SUM, as in VV, PP and II. The sum is that of KEY:VALUE; the semicolon is left out
-    /// (seen in all recordings).
+    /// KEY:VALUE;SUM, as in VV, PP and II. The sum is that of KEY:VALUE without the semicolon, as
+    /// in all recordings.
     Reply& entry(std::string_view key, std::string_view value);
     Reply& entry(std::string_view key, int value);
     Reply& data(std::span<const std::uint32_t> values, int width);

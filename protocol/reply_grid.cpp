@@ -7,7 +7,7 @@
 namespace scipd::protocol {
 namespace {
 
-// In time-adjust mode the mirror is not waited for (recorded UXM-30LX-E).
+// In time-adjust mode a scanner does not wait for its mirror (recorded UXM-30LX-E).
 constexpr Uptime adjust_tick = std::chrono::milliseconds(1);
 
 Grid replies_of(const DeviceState& device, const DeviceProfile& profile) {
@@ -18,7 +18,7 @@ Grid replies_of(const DeviceState& device, const DeviceProfile& profile) {
 }
 
 Grid grid_of(const Command* command, const DeviceState& device, const DeviceProfile& profile) {
-    const bool asks_time = command != nullptr && command->operation == Operation::report_time;
+    const bool asks_time = command != nullptr && command->code.ends_with("TM1");
     if (asks_time && profile.time_tick > Uptime::zero()) return {.tick = profile.time_tick};
     const Grid grid = replies_of(device, profile);
     return device.adjusting() && grid.tick > adjust_tick ? Grid{.tick = adjust_tick} : grid;
@@ -37,7 +37,7 @@ Grid mirror_of(const DeviceState& device, const DeviceProfile& profile) {
 
 Uptime reply_leaves(Uptime ready, const Command* command, const DeviceState& device,
                     const DeviceProfile& profile) {
-    const bool asks_state = command != nullptr && command->operation == Operation::report_state;
+    const bool asks_state = command != nullptr && command->code == "II";
     const Uptime delay = asks_state ? std::max(profile.reply_delay, profile.state_report_delay)
                                     : profile.reply_delay;
     return grid_of(command, device, profile).after(ready + delay);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// When a scanner gets round to answering, and when its scans leave: old models when the mirror
-// passes step 0, others on ticks of their own, some after a while. All of it runs on the device's
-// own clock.
+// When replies and scans leave: on old models when the mirror passes step 0, on others at ticks or
+// after a delay. All of it runs on the device's own clock.
 #pragma once
 
-#include "protocol/command_table.h"
+#include "protocol/command.h"
 #include "protocol/device_profile.h"
 #include "protocol/device_state.h"
 #include "protocol/uptime.h"
@@ -18,7 +17,7 @@ struct Grid {
     Uptime origin{};
     Uptime tick{};  ///< 0: every instant is one
 
-    /// The first one after `time`; where every instant is one, `time` itself.
+    /// The first instant after `time`. Without a tick: `time` itself.
     [[nodiscard]] constexpr Uptime after(Uptime time) const {
         if (tick <= Uptime::zero()) return time;
         return time < origin ? origin : origin + ((time - origin) / tick + 1) * tick;
@@ -34,16 +33,16 @@ struct Grid {
 /// One turn at the speed that the motor is set to (CR).
 [[nodiscard]] Uptime scan_period_of(const Settings& settings, const DeviceProfile& profile);
 
-/// The mirror passes step 0 at these instants; before their origin at those of an earlier speed.
+/// The instants at which the mirror passes step 0. Before the origin it turned at another speed.
 [[nodiscard]] Grid mirror_of(const DeviceState& device, const DeviceProfile& profile);
 
-/// When the reply to a request leaves that the device could look at from `ready` on: one tick
-/// later where that is a tick itself. Without a command: of one that it does not know.
+/// When the reply leaves to a request that the device can look at from `ready` on: at the first
+/// tick after `ready`. Null: a command that the device does not know.
 [[nodiscard]] Uptime reply_leaves(Uptime ready, const Command* command, const DeviceState& device,
                                   const DeviceProfile& profile);
 
-/// When a scan leaves that is complete by then: where the mirror is waited for with its next pass
-/// of step 0, so that every scan of a stream is of the same age.
+/// When a scan leaves that is complete at `complete`. On models that wait for the mirror it leaves
+/// with the next pass of step 0, so that all scans of a stream are of the same age.
 [[nodiscard]] Uptime scan_leaves(Uptime complete, const DeviceState& device,
                                  const DeviceProfile& profile);
 

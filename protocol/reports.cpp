@@ -2,7 +2,6 @@
 // Copyright The scipd authors
 #include "protocol/reports.h"
 
-#include "protocol/command_table.h"
 #include "protocol/reply.h"
 #include "protocol/settings.h"
 #include "protocol/timestamp.h"
@@ -23,8 +22,8 @@ const std::string& mode_of(const DeviceProfile& profile, const DeviceState& devi
     return profile.mode_measuring;
 }
 
-// "1%down(594[rpm])": hokuyoaist reads a level, '%', four characters of no meaning to it and the
-// speed in brackets. Which four real ones send is not known.
+// "1%down(594[rpm])": hokuyoaist reads a level, '%', four characters that it ignores, and the speed
+// in brackets. Which four characters real scanners send is not known.
 std::string motor_speed_of(const DeviceProfile& profile, const DeviceState& device) {
     const int level = device.settings().motor_level;
     if (level == 0) return profile.motor_speed;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Whole replies that say what the device is and how it does: VV, PP, II, %ST, TM1.
+// Whole replies in which the device tells what it is and how it is: VV, PP, II, %ST, TM1.
 #pragma once
 
 #include <string>
@@ -16,13 +16,13 @@ namespace scipd::protocol {
 
 [[nodiscard]] std::string version_report(std::string_view echo, const DeviceProfile& profile);
 [[nodiscard]] std::string parameter_report(std::string_view echo, const DeviceProfile& profile);
-/// Seven lines, at the time that is to be shown; two of a device that has failed.
+/// Seven lines, with the time `shown`. A device that has failed sends two lines only.
 [[nodiscard]] std::string state_report(std::string_view echo, const DeviceProfile& profile,
                                        const DeviceState& device, Uptime shown);
 /// The state as a number of three digits.
 [[nodiscard]] std::string state_number_report(std::string_view echo, const DeviceState& device,
                                               Uptime now);
-/// TM1, with the time that is to be shown.
+/// TM1, with the time `shown`.
 [[nodiscard]] std::string time_report(const Request& request, const DeviceState& device,
                                       Uptime shown);
 

@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/command_table.h"
+
 namespace scipd::protocol {
 namespace {
 
 constexpr std::size_t max_string_length = 16;
 
-// Letters, digits, blank and . _ + @ are allowed (SCIP 2.0 specification C-42-03320B). Of the empty
-// string it says nothing; it is let through.
+// The specification (SCIP 2.0, C-42-03320B) allows letters, digits, blank and . _ + @. It says
+// nothing of an empty string, which is allowed here.
 bool legal_in_string(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
            std::string_view(" ._+@").find(c) != std::string_view::npos;

@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
+//
+// A request as a client sends it, taken apart: CODE PARAMETERS [;STRING]. Each line is parsed once,
+// when it comes in; what waits is kept as a Request.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "protocol/command_table.h"
+#include "protocol/command.h"
+#include "protocol/device_profile.h"
 #include "protocol/line_reader.h"
 #include "protocol/status.h"
 
 namespace scipd::protocol {
 
-/// One line of a client, taken apart: CODE PARAMETERS [;STRING].
 struct Request {
     std::string echo;                  ///< the whole line, as every reply to it begins
     const Command* command = nullptr;  ///< null: this model does not know it
     std::size_t parameters_length = 0;
-    std::optional<Status>
-        fault;  ///< wrong whatever the command and the state: an overlong line, a bad string
+    /// Wrong whatever the command and the state are: an overlong line, a bad string.
+    std::optional<Status> fault;
 
     [[nodiscard]] std::string_view parameters() const {
         return std::string_view(echo).substr(command->code.size(), parameters_length);

@@ -5,7 +5,10 @@
 // of the formats.
 #pragma once
 
-#include "protocol/command_table.h"
+#include <cstdint>
+#include <vector>
+
+#include "protocol/command.h"
 #include "protocol/device_profile.h"
 #include "protocol/device_state.h"
 #include "protocol/reply.h"
@@ -13,6 +16,14 @@
 #include "protocol/step_window.h"
 
 namespace scipd::protocol {
+
+/// What goes into the data block of a format with one echo: a distance for each group of `cluster`
+/// steps, or what the window's contents are. The last group is shorter where the window does not
+/// divide evenly: a recorded UTM-30LX sends 271 values for 1081 steps in fours. The value of a
+/// group is its nearest distance; a code stands for a group that has no distance. The intensity
+/// that may follow is that of the same step.
+[[nodiscard]] std::vector<std::uint32_t> values_in(const ScanView& scan, const StepWindow& window,
+                                                   DataFormat format, const DeviceProfile& profile);
 
 void add_scan(Reply& reply, const ScanView& scan, const StepWindow& window, DataFormat format,
               const DeviceState& device, const DeviceProfile& profile);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// One complete scan in the words of the wire. A view: whoever hands it in keeps the arrays alive
-// for the call.
+// One complete scan in the words of the wire. A view: the caller keeps its arrays alive while it is
+// used.
 #pragma once
 
 #include <array>
@@ -27,8 +27,9 @@ struct Echo {
 
 /// What came back at one step.
 struct StepEchoes {
-    std::array<Echo, max_echoes> echo{};  ///< near to far
-    int count = 1;                        ///< without any, one that holds the model's code
+    std::array<Echo, max_echoes>
+        echo{};  ///< near to far; where nothing came back, one that holds the model's code
+    int count = 1;
 };
 
 struct ScanView {
@@ -36,7 +37,7 @@ struct ScanView {
     int first_step = 0;                        ///< the step of element 0
     std::span<const std::uint32_t> distance;   ///< mm, or one of the model's DistanceCodes
     std::span<const std::uint32_t> intensity;  ///< as many; 18 bits, relative, no unit
-    std::span<const StepEchoes> echoes;        ///< as many; or empty: one each, the above
+    std::span<const StepEchoes> echoes;  ///< as many; or empty: each step has the one echo above
 };
 
 }  // namespace scipd::protocol

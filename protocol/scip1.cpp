@@ -6,6 +6,7 @@
 
 #include "protocol/char_code.h"
 #include "protocol/data_block.h"
+#include "protocol/scan_block.h"
 
 namespace scipd::protocol {
 namespace {

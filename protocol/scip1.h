@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// SCIP 1.1, which old models speak from power-up until they are told SCIP2.0: one-letter commands,
-// a status of one character, no sums. Requests are taken apart and replies put together here; whose
-// laser and streams they concern is the session's business.
+// SCIP 1.1, which old models speak from power-up until a client sends SCIP2.0: one-letter commands,
+// a status of one character, no sums. This file takes requests apart and puts replies together. The
+// session decides whose laser and scans they concern.
 #pragma once
 
 #include <string>
@@ -38,7 +38,8 @@ inline constexpr char ok = '0';
 inline constexpr char unknown = 'E';
 }  // namespace scip1_status
 
-/// What the request does to the device, or whether it can scan; the status is the reply's.
+/// Does to the device what the request asks for, and returns the status of the reply. For a scan it
+/// only says whether the device can make one.
 [[nodiscard]] char operate_scip1(DeviceState& device, const Scip1Request& request, Uptime now);
 
 [[nodiscard]] std::string scip1_reply(std::string_view echo, char status);

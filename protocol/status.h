@@ -33,31 +33,76 @@ class Status {
     std::array<char, 2> code_;
 };
 
-/// The generic ones. What a number between 01 and 07 means depends on the command: see where it is
-/// returned. Three of the specification are never sent, as nothing here leads to them:
-/// 0A, it cannot make the data to be sent: it always can.
-/// 0B, buffers full or a command repeated too fast: no recording shows it, drivers repeat theirs
-/// and
-///     take it for a failure; so all requests are answered in order, and a shell that is full
-///     waits.
-/// 0I, waiting for new firmware: that takes none.
+/// Three statuses of the specification are never sent, as nothing here leads to them:
+///   0A  The scanner cannot make the data: here it always can.
+///   0B  Buffers are full, or a command came again too soon: no recording shows it, and drivers
+///       that repeat a command take it for a failure. Here all requests are answered in order, and
+///       a session that is full lets its shell wait.
+///   0I  The scanner waits for new firmware: here it takes none.
 namespace status {
+
+// These mean the same whatever the command.
 inline constexpr Status ok{"00"};
-inline constexpr Status scan_follows{"99"};
-inline constexpr Status denied{
-    "10"};  ///< not in the present state; to GD and its kin on old models: laser off
-/// In the place of 99: the stream pauses to verify an error, goes on, ends for good (old models).
-inline constexpr Status verifying{"21"};
-inline constexpr Status broken{"50"};
-inline constexpr Status resumed{"98"};
-inline constexpr Status too_short{"0C"};
+inline constexpr Status denied{"10"};     ///< not in the present state; old models: laser off
+inline constexpr Status too_short{"0C"};  ///< also: the firmware is older than the command
 inline constexpr Status too_long{"0D"};
 inline constexpr Status undefined{"0E"};
 inline constexpr Status unsupported{"0F"};
 inline constexpr Status string_too_long{"0G"};
 inline constexpr Status string_illegal{"0H"};
 inline constexpr Status abnormal{"0L"};
-inline constexpr Status unstable{"0M"};  ///< of a scan: this one is left out
-}  // namespace status
 
+// In a stream, before a scan or in its place.
+inline constexpr Status scan_follows{"99"};
+inline constexpr Status unstable{"0M"};   ///< this scan is left out
+inline constexpr Status verifying{"21"};  ///< old models: the stream pauses to verify an error
+inline constexpr Status resumed{"98"};    ///< old models: the stream goes on
+inline constexpr Status broken{"50"};     ///< old models: the stream has ended for good
+
+// The meaning of a number from 01 to 07 depends on the command.
+
+/// GD, MD and all other commands for scans, in the order of their parameters.
+namespace scan {
+inline constexpr Status start_not_numeric{"01"};
+inline constexpr Status end_not_numeric{"02"};
+inline constexpr Status cluster_not_numeric{"03"};
+inline constexpr Status no_such_step{"04"};
+inline constexpr Status end_before_start{"05"};
+inline constexpr Status interval_not_numeric{"06"};
+inline constexpr Status count_not_numeric{"07"};
+}  // namespace scan
+
+/// SS and CR.
+namespace setting {
+inline constexpr Status not_numeric{"01"};
+inline constexpr Status not_offered{"02"};  ///< the model does not have this value
+inline constexpr Status unchanged{"03"};    ///< it is the present value
+inline constexpr Status fixed{"04"};        ///< the model has one value only
+}  // namespace setting
+
+/// HS.
+namespace sensitivity {
+inline constexpr Status neither_on_nor_off{"01"};
+inline constexpr Status unchanged{"02"};
+inline constexpr Status fixed{"03"};
+}  // namespace sensitivity
+
+/// DB.
+namespace rehearsal {
+inline constexpr Status unknown{"01"};
+inline constexpr Status under_way{"02"};
+inline constexpr Status nothing_to_end{"03"};
+inline constexpr Status not_on_this_model{"04"};
+inline constexpr Status in_real_trouble{"05"};
+}  // namespace rehearsal
+
+inline constexpr Status no_laser{"01"};      ///< BM: the laser is out of order
+inline constexpr Status already_on{"02"};    ///< BM
+inline constexpr Status ask_again{"01"};     ///< RB: reboots when asked again within a second
+inline constexpr Status no_such_mode{"01"};  ///< TM with another digit than 0, 1 and 2
+inline constexpr Status already_in{"02"};    ///< TM0: in adjust mode
+inline constexpr Status not_in{"03"};        ///< TM2: in adjust mode
+inline constexpr Status no_address{"01"};    ///< $IP
+
+}  // namespace status
 }  // namespace scipd::protocol

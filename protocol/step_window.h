@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Which part of a scan a client asks for, and the values that it then gets.
+// Which part of a scan a client asks for, and which values of it.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <variant>
-#include <vector>
 
-#include "protocol/command_table.h"
 #include "protocol/device_profile.h"
-#include "protocol/scan_view.h"
 #include "protocol/status.h"
 
 namespace scipd::protocol {
 
-/// What stands in the place of distances where the cluster of a URG-04LX is one of its undocumented
-/// codes (qrk's c_urg). Two neighbouring steps show two things about the first of them.
+/// What the values of a window are. A URG-04LX knows undocumented codes in the place of the cluster
+/// (qrk's c_urg), which ask for something else than distances. Where two things are asked for, each
+/// pair of neighbouring steps shows both of the first step.
 enum class Contents {
     distances,
     distance_and_intensity,  ///< FF FE FD: the mean of two receivers, the second, the first
@@ -27,7 +24,7 @@ enum class Contents {
     gain,                    ///< DC DB: of every step
 };
 
-/// What a cluster of these two characters asks for; nothing where they are none of the codes.
+/// What a cluster of these two characters asks for. Nothing: they are none of the codes.
 [[nodiscard]] std::optional<Contents> parse_contents(std::string_view cluster);
 
 struct StepWindow {
@@ -37,25 +34,12 @@ struct StepWindow {
     Contents contents = Contents::distances;
 };
 
-/// The ten digits of a window, or the first thing that is wrong with them in the order of its
-/// status: 01 start, 02 end or 03 cluster is no number, 04 a step that the model does not have, 05
-/// the end lies before the start.
+/// The ten digits of a window, or the status (of status::scan) of the first thing that is wrong
+/// with them.
 [[nodiscard]] std::variant<StepWindow, Status> parse_step_window(std::string_view digits,
                                                                  const DeviceProfile& profile);
 
-/// Digits only; nothing where there is anything else.
+/// The number that these digits make. Nothing: there are other characters.
 [[nodiscard]] std::optional<int> parse_digits(std::string_view digits);
-
-/// The step of a group that speaks for it: the one with the nearest distance, of several such the
-/// first; where there is no distance, the first of the group.
-[[nodiscard]] int nearest_step(const ScanView& scan, int first, int last, bool echoes,
-                               const DeviceProfile& profile);
-
-/// What goes into the data block: one distance for each group of `cluster` steps, the last group
-/// being shorter where the window does not divide evenly (a recorded UTM-30LX sends 271 values for
-/// 1081 steps in fours). A group's value is its nearest distance; codes count only where there is
-/// nothing else. With intensity, the one of the same step follows.
-[[nodiscard]] std::vector<std::uint32_t> values_in(const ScanView& scan, const StepWindow& window,
-                                                   DataFormat format, const DeviceProfile& profile);
 
 }  // namespace scipd::protocol

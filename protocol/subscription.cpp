@@ -20,13 +20,13 @@ std::variant<Subscription, Status> Subscription::from(const Request& request, Up
                                                       const DeviceProfile& profile) {
     const std::string_view digits = request.parameters();
     const auto window = parse_step_window(digits, profile);
-    // The order of the statuses is the order of the parameters but for 04 and 05, which need all of
-    // the window's numbers.
+    // Faults are looked for in the order of the parameters. Only 04 and 05 come later, as they need
+    // all numbers of the window.
     if (const Status* fault = std::get_if<Status>(&window)) return *fault;
     const auto interval = parse_digits(digits.substr(10, 1));
-    if (!interval) return Status("06");
+    if (!interval) return status::scan::interval_not_numeric;
     const auto scans = parse_digits(digits.substr(11, 2));
-    if (!scans) return Status("07");
+    if (!scans) return status::scan::count_not_numeric;
 
     Subscription subscription;
     subscription.echo_ = request.echo;
@@ -62,7 +62,7 @@ std::string Subscription::message(const ScanView& scan, const DeviceState& devic
 
 std::optional<Status> Subscription::trouble(const DeviceState& device,
                                             const DeviceProfile& profile) {
-    const bool old = profile.family == Family::a1 || profile.family == Family::a2;
+    const bool old = !is_ethernet(profile.family);
     const bool interrupted = std::exchange(interrupted_, device.trouble() != Trouble::none);
     if (device.failed()) return old ? status::broken : status::abnormal;
     if (interrupted_) return old ? status::verifying : status::unstable;

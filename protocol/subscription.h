@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// One running stream of scans: which turns it takes and how its messages look. Knows nothing of
+// One running stream of scans: which turns it takes and how its messages look. It knows nothing of
 // laser and modes.
 #pragma once
 
@@ -22,29 +22,30 @@ namespace scipd::protocol {
 
 class Subscription {
   public:
-    /// From a request of Parameters::scans that came in at `arrived`, when a turn took
-    /// `scan_period`; or the first thing that is wrong with it: what parse_step_window() says, 06
-    /// interval and 07 number of scans not numeric.
+    /// The stream that a request with Parameters::scans asks for, or the status (of status::scan)
+    /// of the first thing that is wrong with it. The request came in at `arrived`, when a turn took
+    /// `scan_period`.
     static std::variant<Subscription, Status> from(const Request& request, Uptime arrived,
                                                    Uptime scan_period,
                                                    const DeviceProfile& profile);
 
-    /// To be asked once for every turn whose last step has been fired since the acknowledgement, in
-    /// order. With interval n, n turns are passed over before every one that is sent, and the first
-    /// of them is the one under way when the request came in: a recorded UTM-30LX answers at the
-    /// end of that turn and with interval 1 sends the very next one, 27 ms after its answer. A turn
-    /// that began before the laser was on has nothing to show.
+    /// Whether the stream takes this turn. To be asked once, in order, for every turn that fires
+    /// its last step after the acknowledgement. With interval n the stream passes over n turns
+    /// before each one that it takes. The first of them is the turn under way when the request came
+    /// in: a recorded UTM-30LX answers at the end of that turn, and with interval 1 it sends the
+    /// very next one, 27 ms after its answer. A turn that began before the laser was on has no
+    /// scan.
     [[nodiscard]] bool takes(const Turn& turn, Uptime laser_on_since);
 
-    /// The message with this scan; counts it.
+    /// The message with this scan, which counts as one of the scans that were asked for.
     [[nodiscard]] std::string message(const ScanView& scan, const DeviceState& device,
                                       const DeviceProfile& profile);
 
-    /// What stands in the place of the next scan while the device is in trouble; old models say too
-    /// when it is over.
+    /// The status that is sent in the place of the next scan while the device is in trouble. Old
+    /// models also send one when the trouble is over.
     [[nodiscard]] std::optional<Status> trouble(const DeviceState& device,
                                                 const DeviceProfile& profile);
-    /// A message without a scan, where there is none to send; does not count.
+    /// A message with this status and without a scan. It does not count as one of the scans.
     [[nodiscard]] std::string interruption(Status status);
 
     [[nodiscard]] int sent() const { return sent_; }

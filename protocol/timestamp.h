@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The device's clock as the wire shows it: milliseconds in 24 bits, which wrap after 4 h 39 min 37
-// s.
+// The device's clock as the wire shows it: milliseconds in 24 bits, which wrap after 4 hours 39
+// minutes 37 seconds.
 #pragma once
 
 #include <chrono>
@@ -16,8 +16,8 @@ namespace scipd::protocol {
 
 inline constexpr int timestamp_width = 4;
 
-/// `zero` is when the counter was last set to 0: at power-up or by RS. A scan that began before
-/// reads as its wrap.
+/// `zero` is the instant at which the counter is 0: power-up or RS, for example. Before that
+/// instant the counter shows the end of its range.
 [[nodiscard]] constexpr std::uint32_t timestamp_ms(Uptime now, Uptime zero) {
     const auto ms = std::chrono::floor<std::chrono::milliseconds>(now - zero).count();
     return static_cast<std::uint32_t>(static_cast<std::uint64_t>(ms) &

@@ -6,8 +6,8 @@
 
 namespace scipd::protocol {
 
-/// Time since the device was powered up, by its own crystal, which mirror, ticks and stamps run on.
-/// Nothing in protocol/ reads a clock: whoever calls hands this in.
+/// Time since power-up by the device's own crystal. Mirror, ticks and stamps run on it. Nothing in
+/// protocol/ reads a clock: the caller hands the time in.
 using Uptime = std::chrono::nanoseconds;
 
 }  // namespace scipd::protocol

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
 
 namespace scipd::tools {
 

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What the routes need of the daemon, and the values that it tells. On the I/O thread; called from
-// routes only.
+// What the control API asks of the daemon, and the values that the daemon answers with. On the I/O
+// thread; only handlers and WebSockets call it.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "daemon/poses/pose_intake.h"
+#include "daemon/device/sensor_log.h"
+#include "daemon/http/web_socket.h"
 #include "daemon/world/scene_edit.h"
 #include "sim/loaders/poses/trajectory.h"
 #include "sim/time.h"
@@ -23,9 +25,7 @@
 
 namespace scipd::daemon {
 
-class ScanLog;
-class ScanStream;
-class StaringSensor;
+class SenderClock;
 
 /// How long after their ideal instant scans left.
 struct LatenessStatus {
@@ -40,7 +40,7 @@ struct SensorStatus {
     std::string backend;                        ///< what casts, never "auto"
     std::optional<std::string> backend_reason;  ///< what "auto" was settled by
     std::string state;                          ///< "standby", "measuring", ..
-    std::optional<std::string> warning;         ///< of the place where it is
+    std::optional<std::string> warning;         ///< about the place where it is
     std::optional<std::string> tcp;  ///< "127.0.0.1:10940", the port that was really taken
     std::optional<std::string> pty;  ///< the link
     std::uint64_t clients = 0;       ///< connected now
@@ -56,7 +56,7 @@ struct PosesStatus {
     std::optional<std::string> last_refusal;
 };
 
-struct Status {
+struct FleetStatus {
     std::chrono::duration<double> uptime{};
     std::string clock;  ///< "wall" or "poses"
     sim::Time time{};
@@ -75,20 +75,26 @@ class Api {
   public:
     virtual ~Api() = default;
 
-    [[nodiscard]] virtual Status status() const = 0;
+    [[nodiscard]] virtual FleetStatus status() const = 0;
 
-    /// The latest scans of "rescue/front"; null: no such scanner.
-    [[nodiscard]] virtual const ScanLog* scans(const std::string& sensor) const = 0;
+    /// The latest measurement of "rescue/front". A scanner has none (null) before anybody asks it
+    /// for scans; a camera or ranger measures now. Nothing: there is no such sensor.
+    [[nodiscard]] virtual std::optional<SensorRecord> latest(const std::string& sensor) = 0;
 
-    /// The camera or ranger of that name; null: no such.
-    [[nodiscard]] virtual StaringSensor* staring(const std::string& sensor) = 0;
+    /// The measurements of the sensor that are kept, for about a second. Nothing: there is no such
+    /// sensor.
+    [[nodiscard]] virtual std::optional<SensorLog> log(const std::string& sensor) const = 0;
 
-    /// The pose now and the time of now; nothing: no such robot.
+    /// Begins to send all measurements of a sensor that is there; `sensor` empty: of all sensors.
+    virtual std::unique_ptr<Conversation> subscribe(const std::string& sensor,
+                                                    WebSocket& socket) = 0;
+
+    /// The pose now, and what time it is; nothing: there is no such robot.
     [[nodiscard]] virtual std::optional<sim::TimedPose> robot_pose(
         const std::string& robot) const = 0;
 
-    /// `robot` exists, and it is the one that is meant. The time is of the sender: nothing means
-    /// now. Answers why the pose is refused, or nothing once it holds.
+    /// `robot` exists, and it is the one that is meant. The time is the sender's; without one the
+    /// pose is of now. Answers why the pose is refused, or nothing once it holds.
     virtual std::optional<std::string> set_robot_pose(const std::string& robot,
                                                       const sim::PoseLine& said) = 0;
 
@@ -96,16 +102,13 @@ class Api {
     virtual std::optional<std::string> take_pose_line(std::string_view line,
                                                       SenderClock& sender) = 0;
 
-    /// Of all sensors.
-    virtual ScanStream& stream() = 0;
-
     [[nodiscard]] virtual SceneView scene() const = 0;
 
-    /// `done` is called when the change is in effect or refused, after those before it; never where
-    /// it is withdrawn before it has begun.
+    /// Calls `done` when the change is in effect or refused, after the changes before it. Does not
+    /// call it where the change is withdrawn before it has begun.
     virtual void edit_scene(SceneEdit edit, EditDone done, std::stop_token withdrawn) = 0;
 
-    /// As of robots; nothing: no such movable model.
+    /// As of robots; nothing: there is no such movable model.
     [[nodiscard]] virtual std::optional<sim::TimedPose> model_pose(
         const std::string& model) const = 0;
     virtual std::optional<std::string> set_model_pose(const std::string& model,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Where robots are, and what the routes of all poses share.
+// What all requests for poses share, of robots and of models.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 #include <variant>
 
 #include "daemon/api/documents.h"
-#include "daemon/api/routes.h"
+#include "daemon/api/handlers.h"
 #include "sim/loaders/poses/trajectory.h"
 
 namespace scipd::daemon {
@@ -24,8 +24,5 @@ std::variant<sim::PoseLine, HttpResponse> pose_in(const Call& call, const char* 
 HttpResponse pose_refused(const std::string& refusal);
 /// 204, or 409 where the world has refused it.
 HttpResponse accepted(const std::optional<std::string>& refusal);
-
-void get_robot_pose(Call&& call);
-void put_robot_pose(Call&& call);
 
 }  // namespace scipd::daemon

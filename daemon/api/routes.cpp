@@ -6,10 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "daemon/api/pose_routes.h"
-#include "daemon/api/scene_routes.h"
-#include "daemon/api/sensor_routes.h"
-#include "daemon/api/socket_routes.h"
+#include "daemon/api/pose_socket.h"
 #include "daemon/http/problem.h"
 #include "daemon/http/url.h"
 
@@ -18,6 +15,11 @@ namespace {
 
 /// The path between its slashes.
 using Segments = std::vector<std::string>;
+
+/// Answers those who ask for a WebSocket without an upgrade.
+void ask_for_upgrade(Call&& call) {
+    call.respond(problem(426, call.request.path + " is a WebSocket: ask with Upgrade: websocket"));
+}
 
 constexpr std::array<Route, 15> table{{
     {"GET", "/status", get_status},
@@ -54,7 +56,7 @@ bool matches(const Segments& pattern, const Segments& path) {
     });
 }
 
-/// What the braces stand for; nothing where they are not well written.
+/// What the braces stand for; nothing where a % is not followed by two hexadecimal digits.
 std::optional<std::vector<std::string>> names_in(const Segments& pattern, const Segments& path) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < pattern.size(); ++i) {
@@ -66,7 +68,7 @@ std::optional<std::vector<std::string>> names_in(const Segments& pattern, const 
     return names;
 }
 
-/// Of the table, each path once: "/status, /sensors, .."
+/// Names each path of the table once: "/status, /sensors, .."
 std::string all_paths() {
     std::string text;
     std::string_view last;
@@ -84,7 +86,7 @@ HttpResponse method_not_allowed(const HttpRequest& request, std::string allow) {
     return response;
 }
 
-/// What the control API is to have, and has not yet.
+/// Whether a later version is to have this path.
 bool comes_later(const Segments& path) {
     return path.size() == 4 && path[0] == "sensors" && path[3] == "faults";
 }
@@ -116,6 +118,23 @@ void route(Api& api, const HttpRequest& request, Respond respond) {
         allow += (allow.empty() ? "" : ", ") + std::string(entry.method);
     }
     respond(allow.empty() ? not_found(request, path) : method_not_allowed(request, allow));
+}
+
+std::variant<HttpResponse, Converse> open_socket(Api& api, const HttpRequest& request) {
+    if (request.path == "/poses") {
+        return [&api](WebSocket& socket) { return take_poses(api, socket); };
+    }
+    if (request.path != "/stream") {
+        return problem(404, request.path + " is no WebSocket; there are /poses and /stream");
+    }
+    const std::string sensor = query_value(request.query, "sensor").value_or("");
+    if (sensor.empty() && !request.query.empty()) {
+        return problem(400, "there is one parameter, ?sensor=ROBOT/SENSOR", "sensor");
+    }
+    if (!sensor.empty() && !api.log(sensor)) {
+        return problem(404, "there is no sensor \"" + sensor + "\"", "sensor");
+    }
+    return [&api, sensor](WebSocket& socket) { return api.subscribe(sensor, socket); };
 }
 
 }  // namespace scipd::daemon

@@ -1,27 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The control API without its sockets: a request in, a response out, over an abstract Api that the
-// daemon implements. Which methods and paths there are is one table. On the I/O thread.
+// The control API without its sockets: a request goes in, a response comes out. The daemon
+// implements the abstract Api behind it. One table has all methods and paths. On the I/O thread.
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
-#include <vector>
+#include <variant>
 
-#include "daemon/api/api.h"
-#include "daemon/http/message.h"
+#include "daemon/api/handlers.h"
+#include "daemon/http/web_socket.h"
 
 namespace scipd::daemon {
-
-/// A request on its way to its answer.
-struct Call {
-    Api& api;
-    const HttpRequest& request;      ///< until the answer's function returns
-    std::vector<std::string> names;  ///< what the braces of the path stand for, in order
-    Respond respond;
-};
 
 struct Route {
     std::string_view method;
@@ -33,5 +24,8 @@ std::span<const Route> routes();
 
 /// Responds once, now or later. Never throws on any request; what fails becomes a problem document.
 void route(Api& api, const HttpRequest& request, Respond respond);
+
+/// Answers a request for a WebSocket.
+std::variant<HttpResponse, Converse> open_socket(Api& api, const HttpRequest& request);
 
 }  // namespace scipd::daemon

@@ -7,32 +7,27 @@
 
 #include <malloc.h>
 
-#include "daemon/api/documents.h"
-#include "daemon/api/reading.h"
+#include "daemon/api/measurement_text.h"
+#include "daemon/device/device.h"
+#include "daemon/device/staring_sensor.h"
 
 namespace scipd::daemon {
 namespace {
 
-/// That less is given back to the system is not worth its while.
+/// It does not pay to give less than this back to the system.
 constexpr std::size_t much = std::size_t{8} << 20U;
 
-/// The pose is that of the beam in the middle.
-Json document_of(const std::string& sensor, const ScanRecord& record) {
-    const sim::Scan& cast = *record.cast;
-    const auto& poses = cast.world_from_sensor;
-    return {{"sensor", sensor},
-            {"scan", cast.revolution},
-            {"time_s", seconds(record.told(cast.start))},
-            {"stamp_ms", record.stamp_ms},
-            {"pose", pose_document(poses[poses.size() / 2])},
-            {"first_step", record.sent.first_step},
-            {"front_step", record.front_step},
-            {"steps_per_turn", record.steps_per_turn},
-            {"sent_mm", record.sent.distance},
-            {"intensity", record.sent.intensity}};
-}
-
 }  // namespace
+
+template <class Record, class Sensor>
+ScanStream::Tap::Watch ScanStream::Tap::watch_of(Sensor& sensor) {
+    return [this, &sensor](bool wanted) {
+        if (!wanted) return sensor.watch(nullptr);
+        sensor.watch([this](const Record& record) {
+            stream_.send(*this, reading_text(source_->name, record));
+        });
+    };
+}
 
 /// One client. Has one message at a time on its way.
 class ScanStream::Subscriber : public Conversation {
@@ -87,31 +82,19 @@ class ScanStream::Subscriber : public Conversation {
     bool on_its_way_ = false;
 };
 
-ScanStream::Tap::Tap(ScanStream& stream, std::string sensor, Device& device)
+ScanStream::Tap::Tap(ScanStream& stream, std::string name, Watch watch)
     : stream_(stream),
-      source_(std::make_shared<Backlog::Source>(Backlog::Source{.name = std::move(sensor)})),
-      watch_([this, &device](bool wanted) {
-          if (!wanted) return device.watch(nullptr);
-          device.watch([this](const ScanRecord& record) {
-              stream_.send(*this, text_of(document_of(source_->name, record)));
-          });
-      }) {
+      source_(std::make_shared<Backlog::Source>(Backlog::Source{.name = std::move(name)})),
+      watch_(std::move(watch)) {
     stream_.taps_.push_back(this);
     stream_.follow(*this);
 }
 
+ScanStream::Tap::Tap(ScanStream& stream, std::string name, Device& device)
+    : Tap(stream, std::move(name), watch_of<ScanRecord>(device)) {}
+
 ScanStream::Tap::Tap(ScanStream& stream, std::string name, StaringSensor& sensor)
-    : stream_(stream),
-      source_(std::make_shared<Backlog::Source>(Backlog::Source{.name = std::move(name)})),
-      watch_([this, &sensor](bool wanted) {
-          if (!wanted) return sensor.watch(nullptr);
-          sensor.watch([this](const StaringRecord& record) {
-              stream_.send(*this, reading_text(source_->name, record));
-          });
-      }) {
-    stream_.taps_.push_back(this);
-    stream_.follow(*this);
-}
+    : Tap(stream, std::move(name), watch_of<StaringRecord>(sensor)) {}
 
 ScanStream::Tap::~Tap() {
     std::erase(stream_.taps_, this);

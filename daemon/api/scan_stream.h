@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The WebSocket /stream: every scan of all sensors, or of one, as it is measured, to whoever
-// subscribes; while somebody does, scans are cast, whether a driver wants them or not. A message is
-// made once for all clients. One that is too slow loses whole messages, of all sensors alike, which
-// are counted. Lives on the I/O thread.
+// The WebSocket /stream: it sends every scan of all sensors, or of one, to whoever subscribes, as
+// soon as it is measured. While somebody subscribes scans are cast, whether a driver wants them or
+// not. A message is made once for all clients. A client that is too slow loses whole messages, of
+// all sensors alike; they are counted. Lives on the I/O thread.
 #pragma once
 
 #include <cstdint>
@@ -13,19 +13,20 @@
 #include <string>
 #include <vector>
 
-#include "daemon/device/device.h"
-#include "daemon/device/staring_sensor.h"
 #include "daemon/http/backlog.h"
 #include "daemon/http/web_socket.h"
 
 namespace scipd::daemon {
 
+class Device;
+class StaringSensor;
+
 class ScanStream {
   public:
-    /// A sensor's end of it. The stream and the sensor must outlive it.
+    /// A sensor's end of the stream. The stream and the sensor must outlive it.
     class Tap {
       public:
-        Tap(ScanStream& stream, std::string sensor, Device& device);
+        Tap(ScanStream& stream, std::string name, Device& device);
         Tap(ScanStream& stream, std::string name, StaringSensor& sensor);
         Tap(const Tap&) = delete;
         Tap& operator=(const Tap&) = delete;
@@ -36,23 +37,29 @@ class ScanStream {
 
       private:
         friend class ScanStream;
+        using Watch = std::function<void(bool wanted)>;
+
+        Tap(ScanStream& stream, std::string name, Watch watch);
+        /// Has the sensor tell the stream of every measurement, as long as that is wanted.
+        template <class Record, class Sensor>
+        Watch watch_of(Sensor& sensor);
 
         ScanStream& stream_;
         std::shared_ptr<Backlog::Source> source_;
-        std::function<void(bool wanted)> watch_;
+        Watch watch_;
     };
 
     ScanStream();
     ScanStream(const ScanStream&) = delete;
     ScanStream& operator=(const ScanStream&) = delete;
 
-    /// `sensor`: empty for all.
+    /// Sends what one sensor measures; `sensor` empty: what all measure.
     std::unique_ptr<Conversation> subscribe(const std::string& sensor, WebSocket& socket);
 
   private:
     class Subscriber;
 
-    /// Its sensor casts as long as somebody looks.
+    /// Its sensor casts as long as somebody subscribes.
     void follow(Tap& tap);
     void follow_all();
     void send(const Tap& tap, std::string message);

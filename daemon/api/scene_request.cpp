@@ -10,10 +10,10 @@
 #include <string_view>
 #include <utility>
 
-#include "sim/loaders/name.h"
 #include "sim/loaders/poses/small_json.h"
 #include "sim/loaders/poses/trajectory.h"
-#include "sim/loaders/quote.h"
+#include "sim/text/name.h"
+#include "sim/text/quote.h"
 
 namespace scipd::daemon {
 namespace {

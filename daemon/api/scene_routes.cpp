@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/api/scene_routes.h"
-
+//
+// What is there: the scene, other scenes in its place, and models that come, go and move.
 #include <optional>
 #include <set>
 #include <utility>
@@ -100,8 +100,10 @@ void edit(const Call& call, SceneEdit wanted, int status, std::string field) {
     auto done = [respond = call.respond, status,
                  field = std::move(field)](const EditOutcome& outcome) {
         if (outcome.result == EditOutcome::Result::done) {
-            return respond(status == 204 ? no_content()
-                                         : ok({{"warnings", outcome.messages}}, status));
+            if (status == 204) return respond(no_content());
+            Json document{{"warnings", outcome.messages}};
+            if (!outcome.notes.empty()) document["notes"] = outcome.notes;
+            return respond(ok(document, status));
         }
         const bool named = outcome.result == EditOutcome::Result::faulty;
         respond(problem(status_of(outcome.result), lines_of(outcome.messages), named ? field : ""));

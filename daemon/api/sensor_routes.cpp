@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/api/sensor_routes.h"
-
+//
+// How the daemon and its sensors are doing, what cameras and rangers measure, and what was true
+// when a sensor measured.
 #include <charconv>
 #include <cstdint>
+#include <string>
+#include <variant>
 
 #include "daemon/api/documents.h"
-#include "daemon/api/reading.h"
-#include "daemon/api/truth.h"
+#include "daemon/api/handlers.h"
+#include "daemon/api/measurement_text.h"
 #include "daemon/config/sensor_config.h"
-#include "daemon/device/scan_log.h"
-#include "daemon/device/staring_sensor.h"
 #include "daemon/http/problem.h"
 #include "daemon/http/url.h"
 
@@ -52,7 +53,7 @@ Json to_json(const std::vector<SensorStatus>& sensors) {
     return list;
 }
 
-Json to_json(const Status& status) {
+Json to_json(const FleetStatus& status) {
     return {{"uptime_s", status.uptime.count()},
             {"clock", status.clock},
             {"time_s", seconds(status.time)},
@@ -72,9 +73,16 @@ HttpResponse no_sensor(const Call& call) {
     return problem(404, "there is no sensor \"" + sensor_of(call) + "\"");
 }
 
-/// Of a log that holds something.
+HttpResponse no_scan_yet() {
+    return problem(
+        404,
+        "there is no scan yet: nothing is cast until somebody asks for scans, a driver or "
+        "a client of /stream");
+}
+
+/// The scan of this number, from a log that holds something.
 template <class Log>
-HttpResponse truth_of(const Log& log, const std::string& sensor, const std::string& number) {
+HttpResponse truth_in(const Log& log, const std::string& sensor, const std::string& number) {
     std::int64_t scan = 0;
     const char* const end = number.data() + number.size();
     const auto [stop, error] = std::from_chars(number.data(), end, scan);
@@ -88,11 +96,17 @@ HttpResponse truth_of(const Log& log, const std::string& sensor, const std::stri
                    "scan");
 }
 
-HttpResponse truth_of(StaringSensor& staring, const Call& call) {
-    const SharedStaringRecord latest = staring.latest();
-    const std::string& query = call.request.query;
-    if (query.empty()) return ok_text(truth_text(sensor_of(call), *latest));
-    return truth_of(staring.log(), sensor_of(call), query_value(query, "scan").value_or(""));
+HttpResponse truth(Api& api, const std::string& sensor, const std::string& query,
+                   const SensorRecord& latest) {
+    const auto is_there = [](const auto& record) { return record != nullptr; };
+    if (!std::visit(is_there, latest)) return no_scan_yet();
+    if (query.empty()) {
+        return ok_text(
+            std::visit([&](const auto& record) { return truth_text(sensor, *record); }, latest));
+    }
+    const std::string number = query_value(query, "scan").value_or("");
+    return std::visit([&](const auto& log) { return truth_in(log, sensor, number); },
+                      api.log(sensor).value());
 }
 
 }  // namespace
@@ -113,29 +127,20 @@ void get_sensor(Call&& call) {
 }
 
 void get_reading(Call&& call) {
-    StaringSensor* const staring = call.api.staring(sensor_of(call));
-    if (staring != nullptr)
-        return call.respond(ok_text(reading_text(sensor_of(call), *staring->latest())));
-    if (call.api.scans(sensor_of(call)) == nullptr) return call.respond(no_sensor(call));
-    call.respond(problem(404, "\"" + sensor_of(call) +
+    const std::string sensor = sensor_of(call);
+    const auto latest = call.api.latest(sensor);
+    if (!latest) return call.respond(no_sensor(call));
+    if (const auto* const record = std::get_if<SharedStaringRecord>(&*latest))
+        return call.respond(ok_text(reading_text(sensor, **record)));
+    call.respond(problem(404, "\"" + sensor +
                                   "\" is a scanner, which its driver reads over SCIP; /sensors/" +
-                                  sensor_of(call) + "/truth tells what it saw"));
+                                  sensor + "/truth tells what it saw"));
 }
 
 void get_truth(Call&& call) {
-    if (StaringSensor* const staring = call.api.staring(sensor_of(call)))
-        return call.respond(truth_of(*staring, call));
-    const ScanLog* const log = call.api.scans(sensor_of(call));
-    if (log == nullptr) return call.respond(no_sensor(call));
-    const SharedRecord latest = log->latest();
-    if (!latest) {
-        return call.respond(problem(404,
-                                    "there is no scan yet: nothing is cast until somebody asks for "
-                                    "scans, a driver or a client of /stream"));
-    }
-    const std::string& query = call.request.query;
-    if (query.empty()) return call.respond(ok_text(truth_text(sensor_of(call), *latest)));
-    call.respond(truth_of(*log, sensor_of(call), query_value(query, "scan").value_or("")));
+    const std::string sensor = sensor_of(call);
+    const auto latest = call.api.latest(sensor);
+    call.respond(latest ? truth(call.api, sensor, call.request.query, *latest) : no_sensor(call));
 }
 
 }  // namespace scipd::daemon

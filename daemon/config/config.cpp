@@ -23,8 +23,8 @@
 #include "daemon/config/sensor.h"
 #include "daemon/config/values.h"
 #include "daemon/run_directory.h"
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/plain_file.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
 
 namespace scipd::daemon {
 namespace {

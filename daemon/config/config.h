@@ -59,7 +59,7 @@ enum class ClockKind {
 /// What a world may take; one model that is added, an eighth of the memory and a tenth of the
 /// triangles.
 struct WorldLimits {
-    std::size_t memory_bytes = std::size_t{4} << 30U;  ///< to be read, by estimate (SdfOptions)
+    std::size_t memory_bytes = std::size_t{4} << 30U;  ///< limits.h
     std::size_t triangles = 20'000'000;
     std::chrono::seconds load_time = std::chrono::minutes{10};
 
@@ -69,7 +69,7 @@ struct WorldLimits {
 struct Config {
     std::filesystem::path scene;
     sim::SdfGeometry geometry = sim::SdfGeometry::visual;
-    bool strict = false;  ///< what a world would be warned of is a fault
+    bool strict = false;  ///< what is warned of in a world or a trajectory is a fault
     sim::MapOptions map;
     WorldLimits limits;
     ClockKind clock = ClockKind::wall;

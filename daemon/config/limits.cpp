@@ -13,9 +13,6 @@ namespace {
 constexpr std::array<std::string_view, 3> limits_keys{"world_memory_mb", "world_triangles",
                                                       "world_load_s"};
 
-/// What a library takes for a triangle of a mesh, and then some (MeshLimits).
-constexpr std::size_t bytes_a_triangle = 800;
-
 std::size_t parse_megabytes(std::string_view text) {
     constexpr int most = 1'000'000;
     constexpr std::size_t megabyte = 1'000'000;
@@ -50,9 +47,9 @@ void apply(const WorldLimits& limits, sim::SceneOptions& options) {
     options.limits.wall_time = limits.load_time;
     if (limits.triangles > WorldLimits{}.triangles) mesh.triangles = limits.triangles;
     mesh.triangles = std::min(mesh.triangles, limits.triangles);
-    mesh.memory_bytes = std::max(mesh.memory_bytes, bytes_a_triangle * mesh.triangles);
+    mesh.memory_bytes = limits.memory_bytes;
     // An estimate is none to hold the child to that loads the world.
-    const std::size_t held_bytes = 2 * std::max(limits.memory_bytes, mesh.memory_bytes);
+    const std::size_t held_bytes = 2 * limits.memory_bytes;
     options.limits.memory_bytes = std::max(options.limits.memory_bytes, held_bytes);
 }
 

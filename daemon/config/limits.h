@@ -14,7 +14,9 @@ namespace scipd::daemon {
 /// `field` is the value of the root's key `limits`.
 WorldLimits read_limits(const Field& field, Faults& faults);
 
-/// To whatever is loaded from now on; one mesh of a world may be as large as all of it.
+/// To whatever is loaded from now on. One mesh of a world may be as large as all of it; the memory
+/// is what libsdformat may take by estimate, and what those that read its meshes may take at a
+/// time.
 void apply(const WorldLimits& limits, sim::SceneOptions& options);
 
 }  // namespace scipd::daemon

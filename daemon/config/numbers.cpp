@@ -8,7 +8,7 @@
 #include <string>
 
 #include "daemon/models/profile_check.h"
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
 #include "sim/world/reach.h"
 
 namespace scipd::daemon {

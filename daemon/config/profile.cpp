@@ -10,7 +10,8 @@
 #include "daemon/config/numbers.h"
 #include "daemon/config/values.h"
 #include "daemon/models/profile_check.h"
-#include "sim/loaders/quote.h"
+#include "protocol/command_table.h"
+#include "sim/text/quote.h"
 
 namespace scipd::daemon {
 namespace {
@@ -57,7 +58,8 @@ Value parse_word(std::string_view text,
 
 protocol::Family parse_family(std::string_view text) {
     using enum protocol::Family;
-    return parse_word<protocol::Family, 4>(text, {{{"a1", a1}, {"a2", a2}, {"b", b}, {"c", c}}});
+    return parse_word<protocol::Family, 4>(
+        text, {{{"a1", urg}, {"a2", utm_usb}, {"b", ethernet_multi_echo}, {"c", ust}}});
 }
 
 protocol::TimeSpelling parse_spelling(std::string_view text) {
@@ -78,8 +80,8 @@ protocol::Status parse_refusal(std::string_view text) {
         text, {{{"0C", too_short}, {"0D", too_long}, {"0E", undefined}, {"0F", unsupported}}});
 }
 
-protocol::Answer parse_cell(std::string_view text) {
-    if (const auto answer = protocol::parse_answer(text)) return *answer;
+protocol::Deviation parse_cell(std::string_view text) {
+    if (const auto deviation = protocol::parse_deviation(text)) return *deviation;
     throw std::invalid_argument(
         "must be a command, a state and a status or --, as in \"QT adjust 00\", not " +
         sim::quote(text));
@@ -210,7 +212,7 @@ constexpr Member<DeviceProfile> profile_members[] = {
     {"sensitivity", read_as<&DeviceProfile::sensitivity, parse_support>},
     {"rehearsals", read_as<&DeviceProfile::rehearsals, parse_support>},
     {"unknown_command", read_as<&DeviceProfile::unknown_command, parse_refusal>},
-    {"answers", read_list<&DeviceProfile::answers, parse_cell>},
+    {"answers", read_list<&DeviceProfile::deviations, parse_cell>},
     {"scan_period_ms", read_period<&DeviceProfile::scan_period>},
     {"turns_per_reply", read_number<&DeviceProfile::turns_per_reply>},
     {"reply_tick_ms", read_period<&DeviceProfile::reply_tick>},

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "daemon/config/config.h"
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
 
 namespace scipd::daemon {
 namespace {

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "daemon/config/address.h"
+#include "daemon/config/link_config.h"
 #include "daemon/config/named_mount.h"
 #include "daemon/models/model.h"
 #include "sim/backends/depth_options.h"
@@ -45,25 +46,6 @@ struct DeviceClockConfig {
     std::uint32_t start_ms = 0;  ///< what it shows at the start
 
     bool operator==(const DeviceClockConfig&) const = default;
-};
-
-/// What lies between the device and its client.
-struct LinkConfig {
-    /// Each way, on every message; and by how much it varies, evenly, to either side.
-    std::chrono::nanoseconds latency{};
-    std::chrono::nanoseconds jitter{};
-    /// The tty is a serial line that starts at this rate; nothing: USB, whose rate means nothing.
-    std::optional<int> baud;
-    /// Messages leave in pieces of at most so many bytes, each in a write of its own; 0: whole.
-    int split_bytes = 0;
-    /// What is sent within so long leaves in one write.
-    std::chrono::nanoseconds coalesce{};
-    /// A tty's last close ends what was begun on it; else it goes on unheard.
-    bool stop_on_close = true;
-    /// A TCP client that has not acknowledged anything for so long is gone; 0: never.
-    std::chrono::nanoseconds dead_after = std::chrono::seconds(30);
-
-    bool operator==(const LinkConfig&) const = default;
 };
 
 /// What people call a sensor: "rescue/front".

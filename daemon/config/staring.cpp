@@ -9,7 +9,7 @@
 #include <string>
 
 #include "daemon/config/numbers.h"
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
 
 namespace scipd::daemon {
 namespace {

@@ -13,9 +13,9 @@
 #include "daemon/config/numbers.h"
 #include "daemon/models/registry.h"
 #include "sim/backends/registry.h"
-#include "sim/loaders/name.h"
-#include "sim/loaders/plain_file.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/plain_file.h"
+#include "sim/text/name.h"
+#include "sim/text/quote.h"
 
 namespace scipd::daemon {
 namespace {

@@ -7,12 +7,11 @@
 
 #include <spdlog/spdlog.h>
 
-#include "daemon/device/client.h"
-#include "daemon/device/stable_number.h"
 #include "protocol/ideal.h"
 #include "protocol/reply_grid.h"
 #include "protocol/settings.h"
 #include "protocol/timestamp.h"
+#include "sim/stable_number.h"
 
 namespace scipd::daemon {
 namespace {
@@ -34,10 +33,45 @@ protocol::DeviceProfile profile_of(const SensorConfig& config) {
 
 }  // namespace
 
+/// One client, known to the device for as long as it lives.
+class Device::ServedClient final : public Endpoint::Client {
+  public:
+    ServedClient(Device& device, std::function<void()> on_actions, protocol::LinkKind link)
+        : Client(device.profile_, device.state_, link),
+          on_actions_(std::move(on_actions)),
+          device_(device) {
+        device_.clients_.push_back(this);
+    }
+    ServedClient(const ServedClient&) = delete;
+    ServedClient& operator=(const ServedClient&) = delete;
+    ~ServedClient() override { std::erase(device_.clients_, this); }
+
+    void receive(std::string_view bytes) override {
+        session().receive(bytes, device_.uptime());
+        device_.serve_latest(*this);
+    }
+    [[nodiscard]] std::optional<sim::Time> wake_at() const override {
+        const auto at = session().wake_at();
+        if (!at) return std::nullopt;
+        return device_.device_clock_.world_time(*at);
+    }
+    void wake() override {
+        session().advance(device_.uptime());
+        device_.serve_latest(*this);
+    }
+
+    /// Tells it that its session may have something to send.
+    void tell() const { on_actions_(); }
+
+  private:
+    std::function<void()> on_actions_;
+    Device& device_;
+};
+
 Device::Device(const std::string& robot, const SensorConfig& config, std::uint64_t seed,
                World& world, Clock& clock)
     : profile_(profile_of(config)),
-      chance_{.seed = seed, .sensor = stable_number(sensor_name(robot, config.name))},
+      chance_{.seed = seed, .sensor = sim::stable_number(sensor_name(robot, config.name))},
       patience_(config.wait_for_poses),
       clock_(clock),
       device_clock_(clock.now(), config.clock.ppm),
@@ -54,6 +88,11 @@ Device::Device(const std::string& robot, const SensorConfig& config, std::uint64
     follow_motor();
 }
 
+std::unique_ptr<Endpoint::Client> Device::connect(std::function<void()> on_actions,
+                                                  protocol::LinkKind link) {
+    return std::make_unique<ServedClient>(*this, std::move(on_actions), link);
+}
+
 sim::ChanceKey Device::chance(sim::Purpose purpose) const {
     sim::ChanceKey key = chance_;
     key.purpose = purpose;
@@ -62,7 +101,7 @@ sim::ChanceKey Device::chance(sim::Purpose purpose) const {
 
 bool Device::driven() const {
     return std::ranges::any_of(clients_,
-                               [](const Client* client) { return client->session_.measuring(); });
+                               [](const auto* client) { return client->session().measuring(); });
 }
 
 void Device::watch(std::function<void(const ScanRecord&)> watcher) {
@@ -94,43 +133,44 @@ void Device::follow_motor() {
 }
 
 void Device::turn_complete(std::int64_t revolution) {
-    std::vector<Client*> takers;
-    for (Client* client : clients_) {
-        if (client->session_.turn_complete(turn(revolution))) takers.push_back(client);
+    std::vector<ServedClient*> takers;
+    for (ServedClient* client : clients_) {
+        if (client->session().turn_complete(turn(revolution))) takers.push_back(client);
     }
     if (!takers.empty()) {
         const protocol::ScanView scan = measure(revolution).sent.view();
-        for (Client* client : takers)
-            client->session_.take(scan, uptime());
+        for (ServedClient* client : takers)
+            client->session().take(scan, uptime());
         ++scans_sent_;
         lateness_.add(clock_.now() - leaves(revolution));
     }
     if (watcher_) watcher_(measure(revolution));
-    // Those that have not taken it may have waited in vain, since another client has switched the
-    // laser off.
+    // A client that has not taken it may wait in vain, because another one has switched the laser
+    // off.
     tell_clients();
 }
 
-void Device::serve_latest(Client& client) {
-    // Each answer may bring a request behind it to the front that wants the latest scan as well.
+void Device::serve_latest(ServedClient& client) {
+    protocol::Session& session = client.session();
+    // Once a request is answered, the one behind it may want the latest scan as well.
     for (std::int64_t revolution = next_revolution() - 1;
-         revolution >= 0 && client.session_.waits_for(turn(revolution)) &&
+         revolution >= 0 && session.waits_for(turn(revolution)) &&
          (patience_ == sim::Time::zero() || poses_known(revolution));) {
-        client.session_.take(measure(revolution).sent.view(), uptime());
+        session.take(measure(revolution).sent.view(), uptime());
     }
     follow_motor();
-    if (client.session_.measuring() && on_wanted_) on_wanted_();
+    if (session.measuring() && on_wanted_) on_wanted_();
     const int bit_rate = protocol::bit_rate_of(state_.settings(), profile_);
     const bool booted = std::exchange(boots_told_, state_.boots()) != state_.boots();
     const bool changed = std::exchange(bit_rate_told_, bit_rate) != bit_rate;
     if (booted || changed) tell_clients(&client);
 }
 
-void Device::tell_clients(const Client* knows) {
-    for (Client* client : clients_) {
+void Device::tell_clients(const ServedClient* knows) {
+    for (ServedClient* client : clients_) {
         if (client == knows) continue;
-        client->session_.advance(uptime());
-        client->on_actions_();
+        client->session().advance(uptime());
+        client->tell();
     }
     follow_motor();
 }

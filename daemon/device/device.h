@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// One emulated scanner: what its sessions share, its optics in the world, and the scans that it
-// makes for whoever asks. Nobody asks: nothing is cast. Knows no sockets and does not wait:
-// ScanLoop tells it when a turn is complete. Lives on the I/O thread; its clients do not outlive
-// it.
+// One emulated scanner: the state that its sessions share, its optics in the world, and the scans
+// that it makes for whoever asks. Where nobody asks, it casts nothing. It knows no sockets and does
+// not wait: ScanLoop tells it when a turn is complete. Lives on the I/O thread; its clients do not
+// outlive it.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,9 +19,11 @@
 #include "daemon/device/bridge.h"
 #include "daemon/device/lateness.h"
 #include "daemon/device/pace.h"
-#include "daemon/device/scan_log.h"
 #include "daemon/device/scan_source.h"
+#include "daemon/device/sensor_log.h"
+#include "daemon/device/sensor_record.h"
 #include "daemon/device/sweep.h"
+#include "daemon/link/endpoint.h"
 #include "daemon/world/world.h"
 #include "protocol/device_profile.h"
 #include "protocol/device_state.h"
@@ -30,13 +33,16 @@
 
 namespace scipd::daemon {
 
-class Client;
-
-class Device : public ScanSource {
+class Device : public ScanSource, public Endpoint {
   public:
     /// Powered up at this moment. `world` and `clock` must outlive it.
     Device(const std::string& robot, const SensorConfig& config, std::uint64_t seed, World& world,
            Clock& clock);
+
+    [[nodiscard]] std::unique_ptr<Client> connect(std::function<void()> on_actions,
+                                                  protocol::LinkKind link) override;
+    [[nodiscard]] Clock& clock() override { return clock_; }
+    [[nodiscard]] sim::ChanceKey chance(sim::Purpose purpose) const override;
 
     [[nodiscard]] const protocol::DeviceProfile& profile() const { return profile_; }
     [[nodiscard]] const protocol::DeviceState& state() const { return state_; }
@@ -44,10 +50,6 @@ class Device : public ScanSource {
     [[nodiscard]] protocol::Uptime uptime() const {
         return device_clock_.device_time(clock_.now());
     }
-    /// That of the world, which its clients wait by.
-    [[nodiscard]] Clock& clock() { return clock_; }
-    /// For what is random about it and its links, the same in every run.
-    [[nodiscard]] sim::ChanceKey chance(sim::Purpose purpose) const;
 
     /// From the next scan on it sits there on its robot.
     void mount(const sim::Pose& robot_from_sensor) { sweep_.mount(robot_from_sensor); }
@@ -73,18 +75,18 @@ class Device : public ScanSource {
     [[nodiscard]] std::size_t clients() const { return clients_.size(); }
 
   private:
-    friend class Client;
+    class ServedClient;
 
-    void add(Client& client) { clients_.push_back(&client); }
-    void remove(Client& client) { std::erase(clients_, &client); }
-    /// Answers a request for the latest scan, if one has left the mirror for its clients by now,
-    /// and sees to those that have not.
-    void serve_latest(Client& client);
-    /// Something has happened to the device that its clients may be waiting for.
-    void tell_clients(const Client* knows = nullptr);
+    /// Answers this client's requests for the latest scan where that scan has been made by now.
+    /// Where a scan is still to come it sees to it that the scan is made.
+    void serve_latest(ServedClient& client);
+    /// Something has happened to the device that its clients may be waiting for. One of them may
+    /// know already.
+    void tell_clients(const ServedClient* knows = nullptr);
 
     [[nodiscard]] protocol::Turn turn(std::int64_t revolution) const;
-    /// The mirror turns as the device's state has it. After whatever may have changed it.
+    /// Lets the mirror turn as the device's state says. To be called after whatever may have
+    /// changed that.
     void follow_motor();
     /// Of a revolution that is complete.
     const ScanRecord& measure(std::int64_t revolution);
@@ -100,9 +102,9 @@ class Device : public ScanSource {
     sim::ScanTiming timing_;  ///< in device time: the crystal drives the mirror as well
 
     protocol::DeviceState state_;
-    int boots_told_ = 0;  ///< all clients know of so many
-    int bit_rate_told_;   ///< and that the serial line runs at this rate
-    std::vector<Client*> clients_;
+    int boots_told_ = 0;                  ///< how many boots all clients know of
+    int bit_rate_told_;                   ///< which rate of the serial line all clients know of
+    std::vector<ServedClient*> clients_;  ///< each adds and removes itself
     std::function<void()> on_wanted_;
     std::function<void(const ScanRecord&)> watcher_;
     SharedRecord record_;  ///< of the latest that was cast

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// How late things happened, as a histogram: eight buckets an octave from 1 us on, so a quantile is
-// told at most 9 % too high, in constant space for any length of run. One thread.
+// How late things happened, as a histogram. It has eight buckets an octave from 1 us on: so a
+// quantile is at most 9 % too high, and the space is constant for any length of run. One thread.
 #pragma once
 
 #include <array>

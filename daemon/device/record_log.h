@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The latest measurements of a sensor: a second of them, or fewer, for those who compare. What was
-// kept stays as it was, in the scene of its time. Lives on the I/O thread.
+// The latest measurements of a sensor: those of a second, or fewer, for people who compare. A
+// record stays as it was made, in the scene of its time. A value; one thread.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ class RecordLog {
 
     void add(Shared record) {
         const sim::Scan& scan = *record->cast;
-        // One that is cast again replaces what was said of it.
+        // A revolution that is cast again replaces its record.
         while (!records_.empty() && last() >= scan.revolution)
             records_.pop_back();
         while (!records_.empty() &&
@@ -46,7 +46,7 @@ class RecordLog {
             records_, revolution, [](const Shared& record) { return record->cast->revolution; });
         return found == records_.end() ? nullptr : *found;
     }
-    /// Of a log that holds something: the first and the last of the revolutions.
+    /// The first and the last of the revolutions. The log must hold something.
     [[nodiscard]] std::int64_t first() const { return records_.front()->cast->revolution; }
     [[nodiscard]] std::int64_t last() const { return records_.back()->cast->revolution; }
 

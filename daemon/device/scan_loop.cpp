@@ -5,8 +5,8 @@
 namespace scipd::daemon {
 namespace {
 
-// Turns that are late by less are all served, one right after the other: the kernel's buffers would
-// have held them too.
+// All turns that are late by less are served, one right after the other: with a real scanner the
+// kernel's buffers would have held them.
 constexpr sim::Time too_late = std::chrono::seconds(1);
 
 }  // namespace

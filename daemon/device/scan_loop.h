@@ -25,10 +25,10 @@ class ScanLoop {
     /// To be called when poses have come: scans may wait for them.
     void poses_came();
 
-    /// Revolutions that could not be served because the machine was too slow or asleep, and that a
-    /// driver waited for, ..
+    /// Counts revolutions that a driver waited for, and that were lost because the machine was too
+    /// slow or asleep.
     [[nodiscard]] std::uint64_t missed() const { return missed_; }
-    /// .. or somebody who watches.
+    /// Counts those that somebody who watches waited for.
     [[nodiscard]] std::uint64_t missed_by_watchers() const { return missed_by_watchers_; }
 
   private:

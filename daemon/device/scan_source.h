@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What makes scans at instants of its own as long as somebody wants them, seen by who waits for
-// these instants: a device, or a sensor that stares. Lives on the I/O thread.
+// A sensor as ScanLoop sees it, which waits for the sensor's instants: it makes scans at instants
+// of its own as long as somebody wants them. Device and StaringSensor implement it. Lives on the
+// I/O thread.
 #pragma once
 
 #include <cstdint>
@@ -19,21 +20,22 @@ class ScanSource {
     ScanSource& operator=(const ScanSource&) = delete;
     virtual ~ScanSource() = default;
 
-    /// Somebody waits for scans, ..
+    /// Whether somebody waits for scans.
     [[nodiscard]] bool wanted() const { return driven() || watched(); }
-    /// .. a driver, ..
+    /// Whether a driver waits for scans.
     [[nodiscard]] virtual bool driven() const = 0;
-    /// .. or somebody who sees every scan, whatever drivers want.
+    /// Whether somebody sees every scan, whatever drivers want.
     [[nodiscard]] virtual bool watched() const = 0;
-    /// Called when wanted() may have become true.
+    /// The sensor calls this when wanted() may have become true.
     virtual void on_wanted(std::function<void()> callback) = 0;
 
     /// The first revolution whose scan has not left yet.
     [[nodiscard]] virtual std::int64_t next_revolution() const = 0;
     /// When its scan leaves.
     [[nodiscard]] virtual sim::Time leaves(std::int64_t revolution) const = 0;
-    /// How long a scan may wait for poses, and whether it need not.
+    /// How long a scan may wait for poses.
     [[nodiscard]] virtual sim::Time patience() const = 0;
+    /// Whether the scan need not wait for poses any more.
     [[nodiscard]] virtual bool poses_known(std::int64_t revolution) const = 0;
     /// To be called once for each revolution, in order, at or after leaves(): serves everyone who
     /// takes it.

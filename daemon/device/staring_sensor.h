@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A camera or a ranger: it speaks no SCIP and is read through the control API. Measures at instants
-// a period apart, the first when it was made, but only if somebody wants that: a subscriber each of
-// them, a question the last one. Knows no sockets and does not wait: ScanLoop tells it when an
-// instant has come. Lives on the I/O thread.
+// A camera or a ranger: it speaks no SCIP and is read through the control API. Its instants are a
+// period apart; the first is when it was made. It measures only where somebody wants that: a
+// subscriber wants every instant, a question the last one. It knows no sockets and does not wait:
+// ScanLoop tells it when an instant has come. Lives on the I/O thread.
 #pragma once
 
 #include <cstdint>
@@ -17,24 +17,15 @@
 #include "daemon/clock/clock.h"
 #include "daemon/config/config.h"
 #include "daemon/device/lateness.h"
-#include "daemon/device/measurement.h"
 #include "daemon/device/pace.h"
-#include "daemon/device/record_log.h"
 #include "daemon/device/scan_source.h"
+#include "daemon/device/sensor_log.h"
+#include "daemon/device/sensor_record.h"
 #include "daemon/device/sweep.h"
 #include "daemon/world/world.h"
 #include "sim/sensor/staring.h"
 
 namespace scipd::daemon {
-
-/// One measurement. A revolution is its number here, and the scan's start its instant.
-struct StaringRecord : Measurement {
-    std::vector<float> range_m;  ///< what the sensor says; infinity: nothing
-    sim::StaringSpec spec;       ///< of the sensor
-};
-
-using SharedStaringRecord = std::shared_ptr<const StaringRecord>;
-using StaringLog = RecordLog<StaringRecord>;
 
 class StaringSensor : public ScanSource {
   public:
@@ -61,8 +52,8 @@ class StaringSensor : public ScanSource {
     [[nodiscard]] bool poses_known(std::int64_t number) const override;
     void turn_complete(std::int64_t number) override;
 
-    /// Of the last instant that need not wait for poses any more; measured now where nobody has
-    /// asked before. Never null.
+    /// The measurement of the last instant that need not wait for poses any more. Measures now
+    /// where nobody has asked before. Never null.
     SharedStaringRecord latest();
     [[nodiscard]] const StaringLog& log() const { return log_; }
 

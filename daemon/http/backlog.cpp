@@ -7,11 +7,11 @@
 namespace scipd::daemon {
 namespace {
 
-/// Of one source: a third of a second of a UST-10LX.
+/// The messages of one source that are kept: a third of a second of a UST-10LX.
 constexpr std::size_t most_of_a_source = 16;
 
-/// Of all sources together; beyond, only the newest of each is kept, however many and large they
-/// are, so that none is heard at the cost of another.
+/// The bytes of all sources together. Beyond them only the newest message of each source is kept,
+/// however many and large these are, so that no source is heard at the cost of another.
 constexpr std::size_t most_bytes = std::size_t{64} << 20U;
 
 }  // namespace
@@ -48,7 +48,7 @@ void Backlog::lose(Messages::iterator message) {
     erase(message);
 }
 
-/// It is always the oldest of its source.
+/// The message is always the oldest of its source.
 void Backlog::erase(Messages::iterator message) {
     bytes_ -= message->second.text->size();
     message->second.source->kept.pop_front();

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Messages that several readers are still to get: each is kept once, however many wait for it, and
-// each reader has a place of its own in the order of them all. Of what does not fit the oldest go,
-// at the cost of those who are farthest behind. Lives on the I/O thread.
+// Messages that several readers are still to get. Each message is kept once, however many readers
+// wait for it. All messages have one order, and each reader has its own place in it. Where there is
+// no room the oldest messages go, and the readers that are farthest behind lose them. Lives on the
+// I/O thread.
 #pragma once
 
 #include <cstddef>
@@ -22,11 +23,11 @@ class Backlog {
     /// Grows by one with each message.
     using Number = std::uint64_t;
 
-    /// Whose messages they are.
+    /// Who the messages come from.
     struct Source {
         std::string name;
-        std::uint64_t lost = 0;        ///< for whoever keeps this number
-        std::deque<Number> kept = {};  ///< of its messages
+        std::uint64_t lost = 0;        ///< the backlog's user counts here
+        std::deque<Number> kept = {};  ///< numbers of its messages
     };
     struct Message {
         std::shared_ptr<Source> source;
@@ -34,16 +35,17 @@ class Backlog {
     };
     using Lose = std::function<void(Number, const Message&)>;
 
-    /// `lose` is called before a message goes for lack of room.
+    /// The backlog calls `lose` before a message goes for lack of room.
     explicit Backlog(Lose lose) : lose_(std::move(lose)) {}
 
     void add(const std::shared_ptr<Source>& source, std::string text);
-    /// The first one from there on; null: there is none yet.
+    /// Finds the first message from `number` on, and sets `number` to its own; null: there is none
+    /// yet.
     [[nodiscard]] const Message* from(Number& number) const;
     [[nodiscard]] std::size_t bytes() const { return bytes_; }
-    /// Of the next message that is added.
+    /// The number of the next message that is added.
     [[nodiscard]] Number end() const { return end_; }
-    /// All readers have come to this one.
+    /// Drops the messages before this one: all readers have come to it.
     void forget_before(Number number);
 
   private:

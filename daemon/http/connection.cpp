@@ -21,13 +21,13 @@ namespace http = boost::beast::http;
 
 using boost::system::error_code;
 
-/// How long a client may take to read what it was refused with.
+/// How long a client may take to read a refusal.
 constexpr std::chrono::seconds linger{2};
 
-/// How soon it is noticed that a client who waits has hung up.
+/// How often to look whether a client that waits has hung up.
 constexpr std::chrono::milliseconds glance_period{100};
 
-/// Whether nothing comes from there any more.
+/// Whether nothing more comes from this socket.
 bool has_ended(int socket) {
     pollfd state{socket, POLLRDHUP, 0};
     return ::poll(&state, 1, 0) == 1;
@@ -150,7 +150,7 @@ void HttpConnection<Protocol>::answer() {
     if (!answered_) watch();
 }
 
-/// Not by reading: what a client has sent meanwhile would hide that it has ended.
+/// It does not read to find out: what a client has sent meanwhile would hide that it has hung up.
 template <class Protocol>
 void HttpConnection<Protocol>::watch() {
     glance_.expires_after(glance_period);
@@ -193,7 +193,8 @@ void HttpConnection<Protocol>::write(HttpResponse plain, bool keep_alive, bool w
         });
 }
 
-/// A client that still sends would lose our answer to a reset connection: read until it ends.
+/// Reads until the client ends: a client that still sends would lose our answer to a reset
+/// connection.
 template <class Protocol>
 void HttpConnection<Protocol>::close_gently() {
     Error error;

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// One client of the HTTP server, over any stream: reads a request, writes its response, and again,
-// until either side has enough. Keeps itself alive. Lives on the I/O thread.
+// One client of the HTTP server, over any stream. It reads a request and writes its response, again
+// and again, until either side ends the connection. Keeps itself alive. Lives on the I/O thread.
 //
 // Not a coroutine: Asio 1.74 has none with clang, which fuzzes and checks these sources.
 #pragma once
 
 #include <memory>
 #include <optional>
-#include <set>
 #include <stop_token>
 #include <string>
 
@@ -18,26 +17,9 @@
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http.hpp>
 
-#include "daemon/http/server.h"
-#include "daemon/http/web_socket.h"
+#include "daemon/http/service.h"
 
 namespace scipd::daemon {
-
-/// What a server can do with a connection, whatever it runs over.
-class HttpClient {
-  public:
-    virtual ~HttpClient() = default;
-    virtual void close() = 0;
-};
-
-/// Shared by a server and its connections.
-struct HttpService {
-    HttpServer::Handler handler;
-    OpenWebSocket open_web_socket;
-    HttpLimits limits;
-    bool closed = false;
-    std::set<HttpClient*> clients;  ///< each adds and removes itself
-};
 
 template <class Protocol>
 class HttpConnection : public HttpClient,
@@ -68,7 +50,7 @@ class HttpConnection : public HttpClient,
     std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
     bool answered_ = false;
     std::stop_source hung_up_;
-    boost::asio::steady_timer glance_;  ///< at whether it has
+    boost::asio::steady_timer glance_;  ///< when to look whether it has
     boost::beast::http::response<boost::beast::http::empty_body> go_on_;
     boost::beast::http::response<boost::beast::http::string_body> response_;
 };

@@ -12,10 +12,10 @@ namespace scipd::daemon {
 
 struct HttpRequest {
     std::string method;  ///< "GET"
-    std::string path;    ///< as it was sent, without the query: "/robots/rescue/pose"
-    std::string query;   ///< what followed the question mark, as it was sent
+    std::string path;    ///< as the client sent it, without the query: "/robots/rescue/pose"
+    std::string query;   ///< what followed the question mark, as the client sent it
     std::string body;
-    /// The client has hung up and waits for no answer any more. Requested on the I/O thread.
+    /// Stop is requested, on the I/O thread, when the client hangs up before it has its answer.
     std::stop_token withdrawn = {};
 };
 
@@ -26,7 +26,8 @@ struct HttpResponse {
     std::string allow = {};  ///< of a 405: the methods that the path has
 };
 
-/// To be called once, at any time, on the I/O thread. By value: bodies can be large.
+/// To be called once, at any time, on the I/O thread. It takes the response by value, since bodies
+/// can be large.
 using Respond = std::function<void(HttpResponse)>;
 
 }  // namespace scipd::daemon

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What the control API answers when it refuses: a problem document (RFC 9457).
+// The problem document (RFC 9457) that the control API answers with when it refuses a request.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace scipd::daemon {
 
-/// The reason phrase of a status, "Error" where there is none here.
+/// The reason phrase of a status; "Error" for a status that is not listed here.
 std::string_view http_title(int status);
 
 /// {"type":"about:blank","title","status","detail"} and, unless it is empty, "field": the part of

@@ -101,7 +101,7 @@ void name_failures(const std::string& where, Listen listen) {
 
 }  // namespace
 
-HttpServer::HttpServer(asio::any_io_executor executor, Handler handler,
+HttpServer::HttpServer(asio::any_io_executor executor, HttpHandler handler,
                        OpenWebSocket open_web_socket, const HttpLimits& limits)
     : executor_(std::move(executor)), service_(std::make_shared<HttpService>()) {
     service_->handler = std::move(handler);

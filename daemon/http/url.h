@@ -10,10 +10,12 @@
 
 namespace scipd::daemon {
 
-/// "rescue%20robot" as "rescue robot"; nothing where a % is not followed by two hexadecimal digits.
+/// Makes "rescue robot" of "rescue%20robot". Nothing where a % is not followed by two hexadecimal
+/// digits.
 std::optional<std::string> percent_decoded(std::string_view text);
 
-/// The decoded value of `key` in "scan=12&x=1"; nothing where it is not there or not well written.
+/// The decoded value of `key` in "scan=12&x=1". Nothing where the key is missing or its value
+/// cannot be decoded.
 std::optional<std::string> query_value(std::string_view query, std::string_view key);
 
 }  // namespace scipd::daemon

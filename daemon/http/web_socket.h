@@ -20,26 +20,26 @@ namespace scipd::daemon {
 class WebSocket {
   public:
     virtual ~WebSocket() = default;
-    /// After what is queued already. One text can be sent to many.
+    /// Sends a message after those that are queued already. One text can be sent to many clients.
     virtual void send(std::shared_ptr<const std::string> message) = 0;
 };
 
-/// One talk over one connection; ends, with its destruction, before the connection does.
+/// What the daemon says and hears over one connection. It is destroyed before the connection ends.
 class Conversation {
   public:
     virtual ~Conversation() = default;
-    /// What is left of a message: answers with how many bytes of it, 1 or more where there are any,
-    /// it has taken within a short time, and is called with the others in another turn of the event
-    /// loop. Not called while much is queued that the client does not read.
+    /// Takes some of what is left of a message, within a short time, and answers how many bytes it
+    /// has taken: at least 1, where there are any. It gets the others in another turn of the event
+    /// loop. It gets nothing while much is queued that the client does not read.
     virtual std::size_t take(std::string_view rest) = 0;
-    /// The oldest message that was sent has left.
+    /// The oldest message in the queue has left.
     virtual void left() {}
 };
 
-/// Begins one over a socket that outlives it.
+/// Begins a conversation over a socket that outlives it.
 using Converse = std::function<std::unique_ptr<Conversation>(WebSocket&)>;
 
-/// What a request for a WebSocket is answered with: a talk, or why there is none.
+/// Answers a request for a WebSocket: with a conversation, or with a refusal.
 using OpenWebSocket = std::function<std::variant<HttpResponse, Converse>(const HttpRequest&)>;
 
 }  // namespace scipd::daemon

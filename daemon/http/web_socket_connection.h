@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// One WebSocket over any stream that an HTTP request came by: reads messages for a conversation,
-// writes what it says. Keeps itself alive. Lives on the I/O thread.
+// One WebSocket over any stream that an HTTP request came by. It reads messages for a conversation
+// and writes what the conversation sends. Keeps itself alive. Lives on the I/O thread.
 #pragma once
 
 #include <deque>
@@ -14,8 +14,7 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 
-#include "daemon/http/connection.h"
-#include "daemon/http/web_socket.h"
+#include "daemon/http/service.h"
 
 namespace scipd::daemon {
 
@@ -30,7 +29,7 @@ class WebSocketConnection : public HttpClient,
     WebSocketConnection(Stream stream, std::shared_ptr<HttpService> service);
     ~WebSocketConnection() override;
 
-    /// Accepts the request; then the conversation begins.
+    /// Accepts the request and begins the conversation.
     void open(const Request& request, Converse converse);
 
     void send(std::shared_ptr<const std::string> message) override;
@@ -49,7 +48,7 @@ class WebSocketConnection : public HttpClient,
     boost::beast::websocket::stream<Stream> socket_;
     boost::beast::flat_buffer buffer_;
     std::deque<std::shared_ptr<const std::string>> queue_;
-    bool waits_for_room_ = false;  ///< before it reads on
+    bool waits_for_room_ = false;  ///< whether it reads on once the queue is shorter
     std::unique_ptr<Conversation> conversation_;
 };
 

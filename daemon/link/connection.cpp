@@ -21,7 +21,7 @@ namespace {
 // Requests are short: more under way than a tty's buffer holds is not read yet.
 constexpr std::size_t input_under_way_bytes = 4096;
 
-// Of what reaches a scanner at a wrong rate it passes over what no request can have. Deduced:
+// A scanner passes over bytes that no request can have, where they come at a wrong rate. Deduced:
 // MRPT's driver, made for a URG-04LX on RS-232, sends QT at a wrong rate and then, without a line
 // break between, its next request at the right one.
 std::string heard_by_device(const LinkModel::Piece& piece, int device_rate) {
@@ -33,15 +33,15 @@ std::string heard_by_device(const LinkModel::Piece& piece, int device_rate) {
     return bytes;
 }
 
-LinkModel line_to_device(const Device& device, LinkConfig link) {
+LinkModel line_to_device(const Endpoint& scanner, LinkConfig link) {
     // The client cuts and joins its requests itself.
     link.split_bytes = 0;
     link.coalesce = sim::Time::zero();
-    return {link, device.chance(sim::Purpose::latency_to_device)};
+    return {link, scanner.chance(sim::Purpose::latency_to_device)};
 }
 
-Outbox outbox_of(const Device& device, const LinkConfig& link) {
-    LinkModel line(link, device.chance(sim::Purpose::latency_to_client));
+Outbox outbox_of(const Endpoint& scanner, const LinkConfig& link) {
+    LinkModel line(link, scanner.chance(sim::Purpose::latency_to_client));
     if (!link.baud) return Outbox(std::move(line));
     line.set_rate(*link.baud);
     return Outbox(std::move(line), Outbox::serial_capacity_bytes);
@@ -49,15 +49,15 @@ Outbox outbox_of(const Device& device, const LinkConfig& link) {
 
 }  // namespace
 
-Connection::Connection(Descriptor descriptor, Device& device, const LinkConfig& link, Hooks hooks)
+Connection::Connection(Descriptor descriptor, Endpoint& scanner, const LinkConfig& link,
+                       Hooks hooks)
     : descriptor_(std::move(descriptor)),
       hooks_(std::move(hooks)),
-      client_(std::make_unique<Client>(
-          device, [this] { flush(); }, hooks_.kind)),
-      clock_(device.clock()),
+      client_(scanner.connect([this] { flush(); }, hooks_.kind)),
+      clock_(scanner.clock()),
       alarm_(clock_.make_alarm()),
-      inbox_(line_to_device(device, link)),
-      outbox_(outbox_of(device, link)),
+      inbox_(line_to_device(scanner, link)),
+      outbox_(outbox_of(scanner, link)),
       device_rate_(link.baud.value_or(0)) {}
 
 void Connection::start() {
@@ -74,12 +74,12 @@ void Connection::close() {
 
 void Connection::forget() {
     drop_under_way();
-    client_->forget();
+    client_->session().forget();
 }
 
 void Connection::hang_up() {
     drop_under_way();
-    client_->hang_up();
+    client_->session().close();
 }
 
 void Connection::drop_under_way() {
@@ -99,7 +99,7 @@ void Connection::drop_under_way() {
 // flush().
 void Connection::read() {
     const bool enough =
-        client_->full() || outbox_.full() || inbox_.bytes() >= input_under_way_bytes;
+        client_->session().full() || outbox_.full() || inbox_.bytes() >= input_under_way_bytes;
     if (reading_ || input_ended_ || enough) return;
     reading_ = true;
     descriptor_.async_read_some(asio::buffer(input_),
@@ -134,7 +134,7 @@ void Connection::take_input(std::size_t count) {
 void Connection::flush() {
     const bool somebody_there = hooks_.somebody_there();
     deliver();
-    while (auto action = client_->next_action()) {
+    while (auto action = client_->session().next_action()) {
         if (std::holds_alternative<protocol::DropLink>(*action)) return drop();
         perform(std::move(*action), somebody_there);
     }
@@ -147,7 +147,7 @@ void Connection::flush() {
 }
 
 void Connection::deliver() {
-    while (!client_->full()) {
+    while (!client_->session().full()) {
         const auto piece = inbox_.take(clock_.now());
         if (!piece) return;
         if (device_rate_ == 0) {
@@ -195,7 +195,7 @@ void Connection::wait() {
     const auto or_at = [&](std::optional<sim::Time> at) {
         if (at) next = std::min(next.value_or(*at), *at);
     };
-    if (!client_->full()) or_at(inbox_.next_at());
+    if (!client_->session().full()) or_at(inbox_.next_at());
     if (!writing_) or_at(outbox_.line().next_at());
     if (!next) return alarm_->cancel();
     alarm_->set(*next, [weak = weak_from_this()] {
@@ -221,9 +221,11 @@ void Connection::drop() {
 // A client that has closed its side still gets the answers that it asked for, but no stream.
 void Connection::end_if_done() {
     if (!input_ended_ || !inbox_.empty()) return;
-    const bool answers = client_->busy() || !outbox_.line().empty() || writing_;
-    if (answers && !client_->streaming()) return;
-    // Not at once: this may be called from within a call of the client's, which end() takes away.
+    const protocol::Session& session = client_->session();
+    const bool asked = session.measuring() || session.wake_at().has_value();
+    const bool answers = asked || !outbox_.line().empty() || writing_;
+    if (answers && !session.streaming()) return;
+    // Not at once: the client itself may be calling, and end() destroys it.
     asio::post(descriptor_.get_executor(), [self = shared_from_this()] {
         if (self->client_) self->end();
     });

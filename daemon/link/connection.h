@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Bytes in and out between a file descriptor (a connected socket or the master side of a tty) and
-// one client of a device, over the link that lies between. Reads, writes and waits; decides
-// nothing. Lives on the I/O thread.
+// Moves bytes between a file descriptor (a connected socket or the master side of a tty) and one
+// session of a scanner, over the link that lies between. Reads, writes and waits; decides nothing.
+// Lives on the I/O thread.
 #pragma once
 
 #include <array>
@@ -15,7 +15,8 @@
 #include <boost/asio/posix/stream_descriptor.hpp>
 
 #include "daemon/clock/clock.h"
-#include "daemon/device/client.h"
+#include "daemon/config/link_config.h"
+#include "daemon/link/endpoint.h"
 #include "daemon/link/link_model.h"
 #include "daemon/link/outbox.h"
 
@@ -26,31 +27,31 @@ class Connection : public std::enable_shared_from_this<Connection> {
     using Descriptor = boost::asio::posix::stream_descriptor;
 
     struct Hooks {
-        /// Whether anybody is at the other end: asked before anything is read or queued. Without
-        /// anybody, what is to be sent is dropped.
+        /// Whether anybody is at the other end. The connection asks before it reads or queues
+        /// anything. Where nobody is, it drops what is to be sent.
         std::function<bool()> somebody_there = [] { return true; };
-        /// The rate that the client's side of a serial line is set to. Asked whenever something
-        /// goes either way, if the link has a rate at all.
+        /// The rate that the client's side of a serial line is set to. The connection asks whenever
+        /// something goes either way, if the link has a rate at all.
         std::function<int()> client_rate = [] { return 0; };
-        /// A tty stays where the device boots.
+        /// A tty stays when the device boots.
         protocol::LinkKind kind = protocol::LinkKind::network;
-        /// Called once, when nothing more will come or go. Not after close().
+        /// Called once, when nothing more will come or go; never after close().
         std::function<void()> ended = [] {};
     };
 
-    /// `device` must live until close() or ended.
-    Connection(Descriptor descriptor, Device& device, const LinkConfig& link, Hooks hooks);
+    /// `scanner` must live until close() or ended.
+    Connection(Descriptor descriptor, Endpoint& scanner, const LinkConfig& link, Hooks hooks);
 
     void start();
     void close();
-    /// The client is gone, and whoever comes next is a new one, who gets nothing of what the first
-    /// one asked, of a half request or of what was to be sent, also half sent. What it began goes
-    /// on, ..
+    /// The client is gone, and whoever comes next is a new one. The new one gets nothing of what
+    /// the old one asked, not even a half request, and nothing of what was to be sent to the old
+    /// one, not even the rest of a half-sent message. What the old one began goes on.
     void forget();
-    /// .. or ends, as by close().
+    /// The same, and what the old one began ends, as by close().
     void hang_up();
-    /// To be called from within somebody_there(): what has been read and is not on its way to the
-    /// device is not for it.
+    /// To be called from within somebody_there(). Drops what has been read and is not yet on its
+    /// way to the device.
     void drop_input();
 
     /// Scans that the client read too slowly for.
@@ -72,7 +73,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
     Descriptor descriptor_;
     Hooks hooks_;
-    std::unique_ptr<Client> client_;  ///< null once closed or ended
+    std::unique_ptr<Endpoint::Client> client_;  ///< null once closed or ended
     Clock& clock_;
     std::unique_ptr<Clock::Alarm> alarm_;
     LinkModel inbox_;  ///< requests on their way to the device
@@ -80,8 +81,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
     int device_rate_;      ///< of the device's side of a serial line; 0: there is none
     std::string sending_;  ///< what is being written
     std::array<char, 4096> input_;
-    std::size_t received_ = 0;    ///< of it, and not yet on its way to the device
-    bool drops_reading_ = false;  ///< what is being read, or has been and is still to be reported
+    std::size_t received_ = 0;    ///< bytes of input_ that are not yet on their way to the device
+    bool drops_reading_ = false;  ///< the read under way is to be dropped when it is reported
     bool reading_ = false;
     bool writing_ = false;
     bool input_ended_ = false;

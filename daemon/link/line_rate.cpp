@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// In a file of its own since <asm/termbits.h>, which knows rates without a name, cannot be included
-// beside <termios.h>.
+// This is a file of its own because <asm/termbits.h>, which knows rates without a name, cannot be
+// included beside <termios.h>.
 #include "daemon/link/line_rate.h"
 
 #include <asm/termbits.h>
@@ -11,7 +11,7 @@
 namespace scipd::daemon {
 namespace {
 
-// What Linux runs a serial port at that is set to 0, "hang up" (uart_get_baud_rate).
+// Linux runs a serial port at this rate where it is set to 0, "hang up" (uart_get_baud_rate).
 constexpr int rate_of_none = 9600;
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// One direction of what lies between a device and its client: when what is sent at one end is at
-// the other, and in which pieces. Two of them share nothing. Neither waits nor moves bytes, and the
-// time is handed in.
+// One direction of the link between a device and its client. Tells when something that is sent at
+// one end arrives at the other, and in which pieces. The two directions share nothing. A link model
+// neither waits nor moves bytes, and the time is handed in.
 //
 //   send() ─► coalesced ─► cut into pieces ─► one after the other on the line ─► latency ─► take()
 #pragma once
@@ -14,7 +14,7 @@
 #include <optional>
 #include <string>
 
-#include "daemon/config/config.h"
+#include "daemon/config/link_config.h"
 #include "sim/random.h"
 #include "sim/time.h"
 
@@ -22,20 +22,20 @@ namespace scipd::daemon {
 
 class LinkModel {
   public:
-    /// To be handed over at the other end in one go.
+    /// Bytes that the other end gets in one go.
     struct Piece {
         sim::Time at{};  ///< when all of it is there
         std::string bytes;
         int bits_per_second = 0;  ///< of the line that brought it; 0: no serial line
     };
 
-    /// Of chance, the key of the link; the messages are told apart here.
+    /// `chance` is the key of the link; the model itself gives each message a number of its own.
     LinkModel(const LinkConfig& config, const sim::ChanceKey& chance);
 
-    /// Sent at `now`, which never goes back. Nothing overtakes what was sent earlier.
+    /// Sends a message at `now`, which never goes back. No message overtakes an earlier one.
     void send(std::string message, sim::Time now);
-    /// The rate of the line from here on. Where it changes a piece without bytes comes out, after
-    /// everything earlier.
+    /// Sets the rate of the line from here on. Where that changes the rate, take() gives a piece
+    /// without bytes after everything earlier.
     void set_rate(int bits_per_second);
     [[nodiscard]] int rate() const { return rate_; }
 

@@ -5,7 +5,7 @@
 namespace scipd::daemon {
 
 bool Outbox::push(protocol::Send message, sim::Time now) {
-    // What is alone has room, however long it is.
+    // A message that is alone has room, however long it is.
     const std::size_t waiting = line_.bytes();
     const bool fits = waiting == 0 || waiting + message.bytes.size() <= capacity_bytes_;
     if (message.kind == protocol::Send::Kind::scan && !fits) return false;

@@ -10,25 +10,25 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "daemon/device/stable_number.h"
+#include "sim/stable_number.h"
 
 namespace scipd::daemon {
 namespace {
 
 using Local = boost::asio::local::stream_protocol;
 
-/// By the folder itself, whichever of its names is used.
+/// The same for every name of the folder.
 Local::endpoint name_of(const std::filesystem::path& path) {
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
     struct stat status {};
     if (::stat(folder.c_str(), &status) != 0)
         throw std::system_error(errno, std::generic_category(), folder.string());
-    const auto number = stable_number(path.filename().string());
+    const auto number = sim::stable_number(path.filename().string());
     return {std::string(1, '\0') + "scipd/" + std::to_string(status.st_dev) + "/" +
             std::to_string(status.st_ino) + "/" + std::to_string(number)};
 }
 
-/// 0 where it cannot be told.
+/// 0 where the kernel does not say.
 pid_t holder_of(const boost::asio::any_io_executor& executor, const Local::endpoint& name) {
     Local::socket asking(executor, Local());
     asking.native_non_blocking(true);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A path that belongs to one scipd, as long as that one lives: another is refused it, and what it
-// finds there was left behind by one that was killed. The kernel keeps who has it, as a socket that
-// is no file (unix(7): abstract), so nothing is left behind and spellings of the path do not
-// matter. Other programs know nothing of this. Lives on the I/O thread.
+// Holds a path for one scipd, as long as that one lives. Another scipd is refused the path;
+// whatever the holder finds there was left behind by a scipd that was killed. The kernel knows who
+// holds the path, by a socket that is no file (unix(7): abstract): so nothing is left behind, and
+// spellings of the path do not matter. Other programs know nothing of this. Lives on the I/O
+// thread.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +16,7 @@
 
 namespace scipd::daemon {
 
-/// Somebody else uses it; says who, where that can be told, and what to do.
+/// Somebody else uses the path. The message says who, where that can be told, and what to do.
 class PathHeld : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -23,8 +24,8 @@ class PathHeld : public std::runtime_error {
 
 class PathHold {
   public:
-    /// The folder must be there, the file need not. Throws PathHeld, or std::system_error where
-    /// nothing can be told.
+    /// The folder must exist, the file need not. Throws PathHeld, or std::system_error where the
+    /// kernel does not say who holds it.
     PathHold(const boost::asio::any_io_executor& executor, const std::filesystem::path& path);
 
   private:

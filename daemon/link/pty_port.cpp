@@ -137,35 +137,27 @@ void PtyPort::prepare() {
          "cannot use " + device_path_.string());
 }
 
-void PtyPort::serve(Device& device, const LinkConfig& link) {
+void PtyPort::serve(Endpoint& scanner, const LinkConfig& link) {
     prepare();
-    if (connection_) {
-        lost_before_ += connection_->lost();
-        connection_->close();
-    }
+    const bool watched = connection() != nullptr;
+    end_connection();
     stop_on_close_ = link.stop_on_close;
-    const bool watched = connection_ != nullptr;
-    connection_ = std::make_shared<Connection>(
-        std::move(next_), device, link,
+    begin(std::make_shared<Connection>(
+        std::move(next_), scanner, link,
         Connection::Hooks{.somebody_there = [this] { return somebody_there(); },
                           .client_rate = [this] { return line_rate(master_.native_handle()); },
-                          .kind = protocol::LinkKind::tty});
-    connection_->start();
+                          .kind = protocol::LinkKind::tty}));
     if (watched) return;
     watch();
     watch_for_hang_up();
 }
 
 void PtyPort::stop() {
-    if (connection_) connection_->close();
+    end_connection();
     error_code ignored;
     events_.close(ignored);
     slave_.close(ignored);
     remove_link();
-}
-
-std::uint64_t PtyPort::lost_scans() const {
-    return lost_before_ + (connection_ ? connection_->lost() : 0);
 }
 
 void PtyPort::watch() {
@@ -207,12 +199,10 @@ bool PtyPort::somebody_there() {
 // tell whose bytes are whose, and neither is heard: drivers ask again, and none of them gets over
 // an answer to another one's request.
 void PtyPort::last_one_closed(bool next_was_heard) {
-    if (connection_ && stop_on_close_) {
-        connection_->hang_up();
-    } else if (connection_) {
-        connection_->forget();
+    if (Connection* const client = connection()) {
+        stop_on_close_ ? client->hang_up() : client->forget();
+        if (!next_was_heard) client->drop_input();
     }
-    if (connection_ && !next_was_heard) connection_->drop_input();
     if (!next_was_heard) ::tcflush(master_.native_handle(), TCIFLUSH);
     clean_tty();
 }

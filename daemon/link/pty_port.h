@@ -2,14 +2,13 @@
 // Copyright The scipd authors
 //
 // A scanner's tty: a pseudo-terminal behind a symlink that stays the same. To a driver it looks
-// like the USB scanner's CDC-ACM device: raw from the start, nothing echoed, any line speed
-// accepted; and like that one it goes on existing while nobody has it open, and what is sent then
-// is lost. Its last close ends what was begun on it, unless its link has that go on, and leaves
-// nothing to the next client. Where its link has a rate it is a serial line instead, on which only
-// those understand each other that run at the same one. Lives on the I/O thread.
+// like the USB scanner's CDC-ACM device: it is raw from the start, echoes nothing and accepts any
+// line speed. Like that one it goes on existing while nobody has it open, and what is sent then is
+// lost. Its last close ends what was begun on it, unless the link is configured to let that go on,
+// and leaves nothing to the next client. Where the link has a rate the tty is a serial line
+// instead: two ends understand each other only at the same rate. Lives on the I/O thread.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -18,13 +17,12 @@
 #include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
 
-#include "daemon/device/device.h"
-#include "daemon/link/connection.h"
 #include "daemon/link/path_hold.h"
+#include "daemon/link/port.h"
 
 namespace scipd::daemon {
 
-class PtyPort : public std::enable_shared_from_this<PtyPort> {
+class PtyPort : public Port, public std::enable_shared_from_this<PtyPort> {
   public:
     /// Creates the tty and its link, in place of one that a scipd left behind that was killed, but
     /// of nothing else. Throws PathHeld where somebody uses the link, else std::runtime_error.
@@ -32,22 +30,21 @@ class PtyPort : public std::enable_shared_from_this<PtyPort> {
     PtyPort(const PtyPort&) = delete;
     PtyPort& operator=(const PtyPort&) = delete;
     /// As stop().
-    ~PtyPort();
+    ~PtyPort() override;
 
-    /// Gets all that the next serve() needs, which does not fail then. Throws std::system_error;
-    /// then all is as before.
-    void prepare();
-    /// As TcpPort::serve() and stop(); the latter takes the link away.
-    void serve(Device& device, const LinkConfig& link = {});
-    void stop();
+    void prepare() override;
+    void serve(Endpoint& scanner, const LinkConfig& link = {}) override;
+    /// Takes the link away as well.
+    void stop() override;
 
-    [[nodiscard]] const std::filesystem::path& link() const { return link_; }
-    [[nodiscard]] bool open() const { return opens_ > 0; }
-    [[nodiscard]] std::uint64_t lost_scans() const;
+    [[nodiscard]] std::string address() const override { return link_; }
+    /// Whether a driver has the tty open.
+    [[nodiscard]] bool connected() const override { return opens_ > 0; }
 
   private:
     void watch();
-    /// Reads what has happened to the tty since last time; whether somebody has it open now.
+    /// Reads what has happened to the tty since last time. Answers whether somebody has it open
+    /// now.
     bool somebody_there();
     void last_one_closed(bool next_was_heard);
     void clean_tty();
@@ -67,10 +64,8 @@ class PtyPort : public std::enable_shared_from_this<PtyPort> {
     boost::asio::posix::stream_descriptor events_;
     int tty_watch_ = -1;           ///< what its own events are marked with
     Connection::Descriptor next_;  ///< of the connection to come; closed: not prepared
-    std::shared_ptr<Connection> connection_;
     bool stop_on_close_ = true;
     int opens_ = 0;
-    std::uint64_t lost_before_ = 0;
 };
 
 }  // namespace scipd::daemon

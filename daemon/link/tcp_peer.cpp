@@ -25,7 +25,7 @@ bool something_waits(int socket) {
     return ::ioctl(socket, SIOCOUTQ, &unacknowledged) == 0 && unacknowledged > 0;
 }
 
-// In whole seconds, so that of short bounds it is the next one.
+// The kernel counts whole seconds: a short bound is rounded up.
 void keep_alive(int socket, std::chrono::nanoseconds bound) {
     const auto seconds = static_cast<int>(std::chrono::ceil<std::chrono::seconds>(bound).count());
     const int interval = std::max(seconds / 4, 1);

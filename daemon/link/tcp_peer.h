@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Whether the other end of a TCP connection is still there: a machine that has lost its power or
-// its cable does not say so. Where nothing is sent, the kernel asks now and then (keepalive), and
-// ends the connection where nobody answers. Where something is sent, stalled() tells. Not
-// TCP_USER_TIMEOUT: Linux counts its time from when the window was first shut until all of the
-// segment that waits fits in, which may be never for one that reads slowly, but does read. Waits
-// for nothing; one thread.
+// Tells whether the other end of a TCP connection is still there: a machine that has lost its power
+// or its cable does not say so. While nothing is sent the kernel asks now and then (keepalive), and
+// ends the connection where nobody answers. While something is sent stalled() tells. This does not
+// use TCP_USER_TIMEOUT: Linux counts that from when the window was first shut until all of the
+// segment that waits fits in. For a client that reads, but slowly, this may be never. Waits for
+// nothing; one thread.
 #pragma once
 
 #include <chrono>
@@ -16,11 +16,11 @@ namespace scipd::daemon {
 
 class TcpPeer {
   public:
-    /// `socket` must stay open. Above 0, `bound` is how long a peer may be silent.
+    /// `socket` must stay open. `bound` is how long a peer may be silent, and is above 0.
     TcpPeer(int socket, std::chrono::nanoseconds bound);
 
-    /// For so long it has acknowledged nothing of what is there for it. To be asked several times
-    /// within the bound.
+    /// Whether the peer has acknowledged nothing for that long, although something is there for it.
+    /// To be asked several times within the bound.
     [[nodiscard]] bool stalled();
 
   private:
@@ -29,7 +29,7 @@ class TcpPeer {
     int socket_;
     std::chrono::nanoseconds bound_;
     std::uint64_t acknowledged_ = 0;
-    Steady::time_point since_ = Steady::now();  ///< nothing has been
+    Steady::time_point since_ = Steady::now();  ///< nothing was acknowledged
 };
 
 }  // namespace scipd::daemon

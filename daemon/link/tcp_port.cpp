@@ -41,9 +41,9 @@ TcpPort::TcpPort(const asio::any_io_executor& executor, const Address& address)
     }
 }
 
-void TcpPort::serve(Device& device, const LinkConfig& link) {
+void TcpPort::serve(Endpoint& scanner, const LinkConfig& link) {
     disconnect();
-    device_ = &device;
+    scanner_ = &scanner;
     link_ = link;
     link_.baud.reset();  // a tty's
     accept();
@@ -54,7 +54,7 @@ void TcpPort::stop() {
     acceptor_.close(ignored);
     pause_.cancel();
     disconnect();
-    device_ = nullptr;
+    scanner_ = nullptr;
 }
 
 std::string TcpPort::address() const {
@@ -62,16 +62,12 @@ std::string TcpPort::address() const {
     return text_of(Address{endpoint.address().to_string(), endpoint.port()});
 }
 
-std::uint64_t TcpPort::lost_scans() const {
-    return lost_before_ + (connection_ ? connection_->lost() : 0);
-}
-
 void TcpPort::accept() {
-    if (accepting_ || connection_) return;
+    if (accepting_ || connected()) return;
     accepting_ = true;
     acceptor_.async_accept([self = shared_from_this()](error_code error, tcp::socket socket) {
         self->accepting_ = false;
-        if (error == asio::error::operation_aborted || !self->device_) return;
+        if (error == asio::error::operation_aborted || !self->scanner_) return;
         if (error) return self->accept_later();
         self->connect(std::move(socket));
     });
@@ -80,7 +76,7 @@ void TcpPort::accept() {
 void TcpPort::accept_later() {
     pause_.expires_after(accept_pause);
     pause_.async_wait([self = shared_from_this()](error_code error) {
-        if (!error && self->device_) self->accept();
+        if (!error && self->scanner_) self->accept();
     });
 }
 
@@ -91,16 +87,15 @@ void TcpPort::connect(tcp::socket socket) {
     const auto executor = socket.get_executor();
     const int descriptor = socket.release(error);
     if (error) return accept();
-    connection_ = std::make_shared<Connection>(Connection::Descriptor(executor, descriptor),
-                                               *device_, link_, Connection::Hooks{.ended = [this] {
-                                                   disconnect();
-                                                   accept();
-                                               }});
-    connection_->start();
+    begin(std::make_shared<Connection>(Connection::Descriptor(executor, descriptor), *scanner_,
+                                       link_, Connection::Hooks{.ended = [this] {
+                                           disconnect();
+                                           accept();
+                                       }}));
     watch(descriptor);
 }
 
-// Looked at so often that it is at most an eighth too late.
+// It looks so often that it notices at most an eighth too late.
 void TcpPort::watch(int socket) {
     if (link_.dead_after == link_.dead_after.zero()) return;
     peer_.emplace(socket, link_.dead_after);
@@ -118,10 +113,7 @@ void TcpPort::watch_on() {
 }
 
 void TcpPort::disconnect() {
-    if (!connection_) return;
-    lost_before_ += connection_->lost();
-    connection_->close();
-    connection_.reset();
+    end_connection();
     peer_.reset();
     peer_timer_.cancel();
 }

@@ -52,7 +52,7 @@ std::string heard(std::string_view sent, int sent_at, int read_at) {
             return static_cast<double>(*edge) + (bit + 0.5) * bit_time;
         };
         int last = 0;
-        // One that is over by then is no start bit but a disturbance.
+        // An edge whose low level is over by then is no start bit but a disturbance.
         if (!line.high(middle_of(0))) {
             unsigned byte = 0;
             for (int bit = 0; bit < data_bits; ++bit)

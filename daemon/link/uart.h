@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What a serial line's receiver makes of bytes, where it does not run at the rate of the sender. A
-// byte is 8N1, on a line that is high while nothing is sent; the receiver looks for the falling
-// edge of a start bit and samples each bit in what it takes for its middle:
+// What a serial line's receiver makes of bytes when it does not run at the rate of the sender. A
+// byte is 8N1, on a line that is high while nothing is sent. The receiver looks for the falling
+// edge of a start bit, and samples each bit in what it takes for the bit's middle:
 //
 //   ‾‾‾‾\___/ 0 \ 1 \ 2 \ 3 \ 4 \ 5 \ 6 \ 7 /‾‾‾    sent, least significant bit first
 //         ^       ^       ^       ^       ^         sampled at half the rate
@@ -14,8 +14,9 @@
 
 namespace scipd::daemon {
 
-/// Sent one right after the other; before the first and after the last the line rests. Rates in
-/// bits per second, above 0. Those that differ by less than about 5 % understand each other.
+/// The bytes are sent one right after the other; the line rests before the first and after the
+/// last. Rates are in bits per second, above 0. Two ends whose rates differ by less than about 5 %
+/// understand each other.
 [[nodiscard]] std::string heard(std::string_view sent, int sent_at, int read_at);
 
 }  // namespace scipd::daemon

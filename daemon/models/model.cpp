@@ -11,31 +11,19 @@ namespace scipd::daemon {
 namespace {
 
 std::string links_of(const protocol::DeviceProfile& profile) {
-    using protocol::Family;
-    if (profile.family == Family::b || profile.family == Family::c) return "Ethernet";
+    if (protocol::is_ethernet(profile.family)) return "Ethernet";
     return profile.bit_rates.empty() ? "USB" : "USB, RS-232";
 }
 
 /// Not those that it has only a refusal for.
 bool carries_out(const protocol::DeviceProfile& profile, const protocol::Command& command) {
-    using enum protocol::Operation;
     if (!command.gate(profile.family).known() || !profile.has(command.needs)) return false;
-    switch (command.operation) {
-        case refuse_digit:
-            return false;
-        case set_bit_rate:
-            return !profile.bit_rates.empty();
-        case set_motor_level:
-            return profile.motor_levels;
-        case set_sensitivity:
-            return profile.sensitivity == protocol::Support::yes;
-        case rehearse:
-            return profile.rehearsals == protocol::Support::yes;
-        case choose_scip2:
-            return profile.speaks_scip1();
-        default:
-            return true;
-    }
+    if (command.code == "SS") return !profile.bit_rates.empty();
+    if (command.code == "CR") return profile.motor_levels;
+    if (command.code == "HS") return profile.sensitivity == protocol::Support::yes;
+    if (command.code == "DB") return profile.rehearsals == protocol::Support::yes;
+    if (command.code == "SCIP2.0") return profile.speaks_scip1();
+    return !command.code.ends_with("TM");
 }
 
 std::string commands_of(const protocol::DeviceProfile& profile) {

@@ -3,7 +3,7 @@
 //
 // UBG-04LX-F01, the "Rapid-URG". MODL and limits from a public source, 28 ms a turn from its
 // specification; the other texts are those of a URG-04LX of its time, the serial number is made up.
-#include "daemon/models/kin.h"
+#include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
 namespace scipd::daemon {

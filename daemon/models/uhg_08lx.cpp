@@ -3,7 +3,7 @@
 //
 // UHG-08LX. Steps: SCIP 2.0 specification C-42-03320B; range and speed: as UrgBenri has them; the
 // other texts are those of a URG-04LX of its time, the serial number is made up.
-#include "daemon/models/kin.h"
+#include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
 namespace scipd::daemon {

@@ -4,7 +4,7 @@
 // URG-04LX, in SCIP 2.0 from the start. Texts, steps and limits of firmware 3.1.04: recording of a
 // real unit. 3.3.00: version, serial number, steps and speed from a SCIP 1.1 recording of
 // another; its range is that of 3.1.04.
-#include "daemon/models/kin.h"
+#include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
 namespace scipd::daemon {
@@ -25,7 +25,7 @@ protocol::DeviceProfile urg_profile() {
     return {
         .name = "URG-04LX",
         .release = "3.1.04",
-        .family = protocol::Family::a1,
+        .family = protocol::Family::urg,
 
         .vendor = "Hokuyo Automatic Co.,Ltd.",
         .product = "SOKUIKI Sensor URG-04LX",

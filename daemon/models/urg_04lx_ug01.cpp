@@ -3,7 +3,7 @@
 //
 // URG-04LX-UG01, the "Simple-URG": USB only. VV: notes of a session with a real unit,
 // firmware 3.4.03; PP and MODL are the URG-04LX's, as seen on one with 3.3.01, MESM too.
-#include "daemon/models/kin.h"
+#include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
 namespace scipd::daemon {

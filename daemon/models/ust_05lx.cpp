@@ -3,7 +3,7 @@
 //
 // UST-05LX: half the steps. Limits: 0.5 degrees and 270, 25 ms; 15 m at most from a public source;
 // the texts are those of a UST-10LX, the serial number is made up.
-#include "daemon/models/kin.h"
+#include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
 namespace scipd::daemon {

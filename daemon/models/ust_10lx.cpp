@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // UST-10LX, and what all UST have of it. Texts with firmware 2.23: canned replies of a real unit.
-#include "daemon/models/kin.h"
+#include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
 namespace scipd::daemon {
@@ -12,7 +12,7 @@ protocol::DeviceProfile ust_profile(const std::string& name, const std::string& 
     return {
         .name = name,
         .release = "2.23.0000",
-        .family = protocol::Family::c,
+        .family = protocol::Family::ust,
 
         .vendor = "Hokuyo Automatic Co., Ltd.",
         .product = name,

@@ -3,7 +3,7 @@
 //
 // UST-10LX-H01: specification C-42-04213 for steps and range; the texts are those of a
 // UST-10LX, the serial number is made up.
-#include "daemon/models/kin.h"
+#include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
 namespace scipd::daemon {

@@ -3,7 +3,7 @@
 //
 // UST-10LX-H02, with another wavelength and a small spot: specification C-42-04416 for steps and
 // range; the texts are those of a UST-10LX, the serial number is made up.
-#include "daemon/models/kin.h"
+#include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
 namespace scipd::daemon {

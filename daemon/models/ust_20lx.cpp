@@ -3,7 +3,7 @@
 //
 // UST-20LX. PP: notes of a session with a real unit; the other texts are those of a UST-10LX, the
 // serial number is made up.
-#include "daemon/models/kin.h"
+#include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
 namespace scipd::daemon {

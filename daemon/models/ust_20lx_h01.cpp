@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // UST-20LX-H01: to the UST-20LX as the UST-10LX-H01 is to the UST-10LX.
-#include "daemon/models/kin.h"
+#include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
 namespace scipd::daemon {

@@ -3,7 +3,7 @@
 //
 // UST-30LC. Limits and firmware as urg_stamped and its simulator have them, whose author had units;
 // 4.0.3 is known as the one that mended the 5 ms tick of 4.0.0 to 4.0.2.
-#include "daemon/models/kin.h"
+#include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
 namespace scipd::daemon {

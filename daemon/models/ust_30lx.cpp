@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // UST-30LX. hokuyolx names it; all else is that of the UST-20LX, the serial number is made up.
-#include "daemon/models/kin.h"
+#include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
 namespace scipd::daemon {

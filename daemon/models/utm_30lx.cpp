@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // UTM-30LX on USB. Texts, steps and limits: recording of a real unit.
-#include "daemon/models/kin.h"
+#include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
 namespace scipd::daemon {
@@ -12,7 +12,7 @@ Model utm_30lx() {
     const protocol::DeviceProfile profile{
         .name = "UTM-30LX",
         .release = "P.1.05",
-        .family = protocol::Family::a2,
+        .family = protocol::Family::utm_usb,
 
         .vendor = "Hokuyo Automatic Co.,Ltd.",
         .product = "SOKUIKI Sensor TOP-URG UTM-30LX",

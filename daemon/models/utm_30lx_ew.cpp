@@ -3,7 +3,7 @@
 //
 // UTM-30LX-EW, firmware 1.1.0. Texts and limits as urg_stamped's simulator and urg_library have
 // them, whose authors had units; no recording was seen.
-#include "daemon/models/kin.h"
+#include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
 namespace scipd::daemon {
@@ -13,7 +13,7 @@ protocol::DeviceProfile ew_profile(const std::string& name, const std::string& s
     return {
         .name = name,
         .release = "1.1.0",
-        .family = protocol::Family::b,
+        .family = protocol::Family::ethernet_multi_echo,
 
         .vendor = "Hokuyo Automatic Co., Ltd.",
         .product = name,

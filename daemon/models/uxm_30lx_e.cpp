@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // UXM-30LX-E on USB. Texts, steps and limits: recording of a real unit.
-#include "daemon/models/kin.h"
+#include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
 namespace scipd::daemon {
@@ -12,7 +12,7 @@ Model uxm_30lx_e() {
     const protocol::DeviceProfile profile{
         .name = "UXM-30LX-E",
         .release = "0.3.01",
-        .family = protocol::Family::a2,
+        .family = protocol::Family::utm_usb,
 
         .vendor = "Hokuyo Automatic Co.,Ltd.",
         .product = "SOKUIKI Sensor Tough-URG UXM-30LX-E",

@@ -3,7 +3,7 @@
 //
 // UXM-30LX-EW. Nothing of a real unit was seen: 190 degrees in steps of 0.25 and 50 ms a turn give
 // its limits, the rest is the UTM-30LX-EW. The serial number is made up.
-#include "daemon/models/kin.h"
+#include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
 namespace scipd::daemon {

@@ -4,7 +4,7 @@
 // UXM-30LXH-EWA. Nothing of a real unit was seen: 190 degrees in steps of 0.125 and 50 ms a turn
 // give its limits, 80 m is from memory of the data sheet, the rest is the UXM-30LX-EW. The serial
 // number is made up.
-#include "daemon/models/kin.h"
+#include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
 namespace scipd::daemon {

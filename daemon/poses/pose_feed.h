@@ -50,6 +50,7 @@ struct FeedContext {
     PoseIntake& intake;
     Clock& clock;
     Lockstep* lockstep = nullptr;  ///< null: on the wall clock
+    bool strict = false;           ///< warnings of a trajectory are faults
     /// Tells a person that something was refused or is over.
     std::function<void(const std::string&)> report;
 };

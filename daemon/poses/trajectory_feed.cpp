@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "daemon/poses/pose_feed.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/poses/trajectory.h"
 
 namespace scipd::daemon {
@@ -37,6 +37,7 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
   private:
     static std::vector<sim::TimedPose> load(const FeedContext& context, const PoseSource& source) {
         auto loaded = sim::load_trajectory(source.file, source.format, source.times);
+        if (context.strict && !loaded.warnings.empty()) throw sim::LoadError(loaded.warnings);
         for (const std::string& warning : loaded.warnings)
             context.report(warning);
         return std::move(loaded.poses);

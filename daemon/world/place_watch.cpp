@@ -47,7 +47,10 @@ std::string warning_of(const std::string& robot, const sim::OddPlace& odd,
     if (odd.kind == sim::OddPlace::Kind::below) {
         return "lies below the ground, " + what + advice(robot, nullptr);
     }
-    return "is inside " + what + ", and its beams meet nothing outside" + advice(robot, &model);
+    return "is inside " + what +
+           ", which is solid, so that its beams meet nothing outside; if it is meant as a room, "
+           "the inside of its walls is measured and this may stay" +
+           advice(robot, &model);
 }
 
 std::string warning_of(const std::string& robot, sim::ObjectId all_around,

@@ -47,6 +47,8 @@ struct EditOutcome {
     Result result = Result::done;
     /// Warnings where it is done; else why not.
     std::vector<std::string> messages;
+    /// What is worth knowing where it is done, and no warning.
+    std::vector<std::string> notes = {};
 };
 
 using EditDone = std::function<void(const EditOutcome&)>;

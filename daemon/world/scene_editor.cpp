@@ -13,7 +13,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 
 namespace scipd::daemon {
 
@@ -24,6 +24,7 @@ struct SceneEditor::Next {
     SensorBackends backends;
     std::set<std::string> placed_anew;  ///< models that are where the scene has them
     std::vector<std::string> warnings;
+    std::vector<std::string> notes;
 };
 
 namespace {
@@ -48,14 +49,13 @@ struct Edited {
     sim::SharedScene scene;
     sim::SharedScene added;  ///< what of it is new
     std::vector<std::string> warnings;
+    std::vector<std::string> notes;
 };
 
 Edited edited(const LoadWorld& edit, const Present& present) {
     const auto file = (sim::folder_of_scene(present.file) / edit.file).lexically_normal();
     auto [scene, warnings, notes] = sim::load_scene(file, present.options);
-    for (const std::string& note : notes)
-        spdlog::info("{}", note);
-    return {file, scene, scene, std::move(warnings)};
+    return {file, scene, scene, std::move(warnings), std::move(notes)};
 }
 
 /// From a file that says itself what it is made of.
@@ -111,13 +111,13 @@ Edited edited(const AddModel& edit, const Present& present) {
     auto [added, warnings, notes] = load_model(edit, present);
     scene = sim::with_models(*scene, *added);
     check_triangles(*scene, present.options.sdf.most_triangles);
-    return {present.file, std::move(scene), added, std::move(warnings)};
+    return {present.file, std::move(scene), added, std::move(warnings), std::move(notes)};
 }
 
 Edited edited(const RemoveModel& edit, const Present& present) {
     sim::SharedScene rest = sim::without_model(*present.scene, edit.name);
     if (!rest) throw Refusal{Result::unknown, "there is no model \"" + edit.name + "\""};
-    return {present.file, std::move(rest), std::make_shared<const sim::Scene>(), {}};
+    return {present.file, std::move(rest), std::make_shared<const sim::Scene>(), {}, {}};
 }
 
 }  // namespace
@@ -131,25 +131,28 @@ void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn)
             // Whoever waits lives on the I/O thread and goes back there whole: of a copy that stays
             // here, nobody knows which thread lets go last.
             const auto refused = [&](Result result, std::vector<std::string> why) {
-                return [done = std::move(done), outcome = EditOutcome{result, std::move(why)}] {
+                return [done = std::move(done), outcome = EditOutcome{result, std::move(why), {}}] {
                     done(outcome);
                 };
             };
             try {
                 Edited now =
                     std::visit([&](const auto& wanted) { return edited(wanted, present); }, edit);
+                for (const std::string& note : now.notes)
+                    spdlog::info("{}", note);
                 const auto next = std::make_shared<Next>();
                 *next = {now.file,
                          now.scene,
                          make_backends(wishes, now.scene),
                          {},
-                         std::move(now.warnings)};
+                         std::move(now.warnings),
+                         std::move(now.notes)};
                 for (const sim::Model& model : now.added->models)
                     next->placed_anew.insert(model.name);
                 return [this, next, done = std::move(done)] {
                     take_up(*next);
                     warn_of_lost_bodies(*next);
-                    done({Result::done, next->warnings});
+                    done({Result::done, next->warnings, next->notes});
                 };
             } catch (const Refusal& refusal) {
                 return refused(refusal.result, {refusal.why});

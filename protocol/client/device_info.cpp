@@ -37,10 +37,10 @@ class Entries {
         }
     }
 
-    template <typename Answer>
-    std::variant<Answer, std::string> finish(Answer answer) const {
+    template <typename Parsed>
+    std::variant<Parsed, std::string> finish(Parsed value) const {
         if (!fault_.empty()) return fault_;
-        return answer;
+        return value;
     }
     void fault(std::string_view key, const std::string& what) {
         if (fault_.empty()) fault_ = std::string(key) + what;

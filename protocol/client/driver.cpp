@@ -7,6 +7,7 @@
 
 #include "protocol/char_code.h"
 #include "protocol/client/status_text.h"
+#include "protocol/status.h"
 #include "protocol/timestamp.h"
 
 namespace scipd::protocol::client {
@@ -14,7 +15,7 @@ namespace {
 
 using Kind = Error::Kind;
 
-/// Somebody who talks on and on without saying what is waited for is no scanner. More than any
+/// A peer that sends so many bytes without the awaited reply is no scanner. It is more than any
 /// system buffers of an old stream.
 constexpr std::size_t max_listened = std::size_t{1} << 20U;
 constexpr std::size_t max_quoted = 32;
@@ -31,16 +32,16 @@ Error damaged(std::string_view what, const std::string& why) {
     return {Kind::damaged, "the reply to " + std::string(what) + " is damaged: " + why};
 }
 
-/// In the place of a scan: unstable for the moment; going on again after a check.
-bool passing(std::string_view status) {
-    return status == "0M" || status == "98";
+/// Statuses in the place of a scan that do not end the stream: unstable, and going on again.
+bool passing(std::string_view text) {
+    return text == status::unstable.text() || text == status::resumed.text();
 }
 
 /// What a parser made of a reply, or its sentence as an Error.
-template <typename Answer>
-Answer expect(std::variant<Answer, std::string> parsed, std::string_view request) {
+template <typename Parsed>
+Parsed expect(std::variant<Parsed, std::string> parsed, std::string_view request) {
     if (const auto* const why = std::get_if<std::string>(&parsed)) throw damaged(request, *why);
-    return std::get<Answer>(std::move(parsed));
+    return std::get<Parsed>(std::move(parsed));
 }
 
 }  // namespace
@@ -55,7 +56,7 @@ void Driver::connect() {
         (void)exchange("SCIP2.0");
         reply = hello();
     }
-    if (reply.status == "0E" || reply.status == "10") {
+    if (reply.status == status::undefined.text() || reply.status == status::denied.text()) {
         (void)exchange("TM2");
         reply = hello();
     }
@@ -93,8 +94,7 @@ SensorState Driver::state() {
 }
 
 void Driver::switch_laser_on() {
-    constexpr std::string_view already_on = "02";
-    (void)ask("BM", already_on);
+    (void)ask("BM", status::already_on);
 }
 
 void Driver::reset() {
@@ -119,7 +119,7 @@ ScanMessage Driver::next_scan() {
         if (!message) break;
         auto scan = parse_scan(*message);
         if (auto* const good = std::get_if<ScanMessage>(&scan)) return std::move(*good);
-        if (message->damage || message->status == "99") {
+        if (message->damage || message->status == status::scan_follows.text()) {
             ++damaged_scans_;
         } else if (message->echo.starts_with(stream_) && !passing(message->status)) {
             throw Error(Kind::refused, "the stream has ended with " + describe_status(*message));
@@ -134,8 +134,7 @@ void Driver::stop() {
 }
 
 void Driver::enter_adjust() {
-    constexpr std::string_view already_in = "02";
-    (void)ask("TM0", already_in);
+    (void)ask("TM0", status::already_in);
 }
 
 std::uint32_t Driver::time_ms() {
@@ -156,16 +155,15 @@ std::uint64_t Driver::time(std::string_view request, std::size_t width) {
 }
 
 void Driver::leave_adjust() {
-    constexpr std::string_view not_in = "03";
-    (void)ask("TM2", not_in);
+    (void)ask("TM2", status::not_in);
 }
 
-Message Driver::ask(std::string_view request, std::string_view also_fine) {
+Message Driver::ask(std::string_view request, Status also_fine) {
     begin_listening();
     auto reply = exchange(request);
     if (!reply) give_up(request);
     if (reply->damage) throw damaged(request, describe(*reply->damage));
-    if (reply->status != "00" && reply->status != also_fine) {
+    if (reply->status != status::ok.text() && reply->status != also_fine.text()) {
         throw Error(Kind::refused, "the scanner refused " + std::string(request) + " with " +
                                        describe_status(*reply));
     }

@@ -22,6 +22,7 @@
 #include "protocol/client/scan_message.h"
 #include "protocol/client/scan_request.h"
 #include "protocol/client/transport.h"
+#include "protocol/status.h"
 
 namespace scipd::protocol::client {
 
@@ -68,7 +69,7 @@ class Driver {
   private:
     [[nodiscard]] Message hello();
     [[nodiscard]] std::uint64_t time(std::string_view request, std::size_t width);
-    [[nodiscard]] Message ask(std::string_view request, std::string_view also_fine = "00");
+    [[nodiscard]] Message ask(std::string_view request, Status also_fine = status::ok);
     [[nodiscard]] std::optional<Message> exchange(std::string_view request);
     [[nodiscard]] std::optional<Message> receive(std::chrono::milliseconds timeout);
     [[nodiscard]] bool exhausted() const;

@@ -9,6 +9,7 @@
 #include "protocol/char_code.h"
 #include "protocol/client/status_text.h"
 #include "protocol/data_block.h"
+#include "protocol/status.h"
 #include "protocol/timestamp.h"
 
 namespace scipd::protocol::client {
@@ -117,7 +118,8 @@ std::variant<ScanMessage, std::string> parse_scan(const Message& message) {
     if (message.damage) return describe(*message.damage);
     const auto request = parse_scan_echo(message.echo);
     if (!request) return "\"" + message.echo + "\" is no scan";
-    if (message.status != "00" && message.status != "99") return describe_status(message);
+    if (message.status != status::ok.text() && message.status != status::scan_follows.text())
+        return describe_status(message);
 
     ScanMessage scan{.request = *request, .status = message.status};
     Lines lines = message.lines;

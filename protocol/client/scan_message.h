@@ -31,8 +31,9 @@ struct ScanMessage {
     std::uint32_t inputs = 0;
     std::uint32_t outputs = 0;
     // One element for each group of `cluster` steps.
-    std::vector<std::uint32_t> distances_mm;        ///< of the first echo; may be a model's code;
-                                                    ///< else what `contents` says, as it comes
+    // distances_mm holds the first echo of a group, or a model's code. Where the request's
+    // `contents` are not distances, it holds all values as they come.
+    std::vector<std::uint32_t> distances_mm;
     std::vector<std::uint32_t> intensities;         ///< of the first echo; empty: not asked for
     std::vector<std::vector<Echo>> further_echoes;  ///< near to far; empty: not asked for
 };

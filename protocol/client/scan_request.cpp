@@ -2,13 +2,14 @@
 // Copyright The scipd authors
 #include "protocol/client/scan_request.h"
 
+#include <algorithm>
 #include <cassert>
+#include <stdexcept>
+
+#include "protocol/command_table.h"
 
 namespace scipd::protocol::client {
 namespace {
-
-constexpr std::size_t single_scan_length = 12;
-constexpr std::size_t stream_length = 15;
 
 void append_digits(std::string& text, int value, std::size_t width) {
     const std::string digits = std::to_string(value);
@@ -16,29 +17,38 @@ void append_digits(std::string& text, int value, std::size_t width) {
     text.append(width - digits.size(), '0').append(digits);
 }
 
-char kind_of_data(const ScanRequest& request) {
-    assert(request.width == 3 || !(request.intensity || request.echoes || request.io_lines));
-    if (request.width == 2) return 'S';
-    if (request.io_lines) return request.intensity ? 'G' : 'F';
-    return request.intensity ? 'E' : 'D';
+DataFormat format_of(const ScanRequest& request) {
+    return {.width = request.width,
+            .intensity = request.intensity,
+            .echoes = request.echoes,
+            .io_lines = request.io_lines,
+            .stamp = request.microseconds ? Stamp::microseconds : Stamp::milliseconds};
 }
 
-std::string window_line(char family, const ScanRequest& request) {
-    std::string line{family, kind_of_data(request)};
+/// The code of the command that brings this kind of data, and the window.
+std::string window_line(Parameters parameters, const ScanRequest& request) {
+    const auto commands = command_table();
+    const auto command = std::ranges::find_if(commands, [&](const Command& candidate) {
+        return candidate.parameters == parameters && candidate.format == format_of(request);
+    });
+    if (command == commands.end())
+        throw std::invalid_argument("no command of SCIP asks for this kind of scan");
+    std::string line(command->code);
     append_digits(line, request.first_step, 4);
     append_digits(line, request.last_step, 4);
     append_digits(line, request.cluster, 2);
     return line;
 }
 
-bool known(std::string_view code, bool stream, bool microseconds) {
-    const std::string_view with_echoes = "DE";
-    const std::string_view with_one_echo = microseconds ? "DE" : "DESFG";
-    if (code[0] == (stream ? 'M' : 'G') && (stream || !microseconds))
-        return with_one_echo.find(code[1]) != std::string_view::npos;
-    if (code[0] == (stream ? 'N' : 'H') && !microseconds)
-        return with_echoes.find(code[1]) != std::string_view::npos;
-    return false;
+/// The command for scans that this line is made of; null: it is no such line.
+const Command* command_of(std::string_view line) {
+    for (const Command& command : command_table()) {
+        if ((command.brings_one_scan() || command.brings_scans()) &&
+            line.starts_with(command.code) &&
+            line.size() == command.code.size() + width(command.parameters))
+            return &command;
+    }
+    return nullptr;
 }
 
 }  // namespace
@@ -49,41 +59,40 @@ std::size_t ScanRequest::groups() const {
 }
 
 std::string single_scan_line(const ScanRequest& request) {
-    return window_line(request.echoes ? 'H' : 'G', request);
+    return window_line(Parameters::window, request);
 }
 
 std::string stream_line(const ScanRequest& request) {
-    std::string line = request.microseconds ? "%" : "";
-    line += window_line(request.echoes ? 'N' : 'M', request);
+    std::string line = window_line(Parameters::scans, request);
     append_digits(line, request.interval, 1);
     append_digits(line, request.scans, 2);
     return line;
 }
 
 std::optional<ScanRequest> parse_scan_echo(std::string_view echo) {
-    std::string_view line = echo.substr(0, echo.find(';'));
-    const bool microseconds = line.starts_with('%');
-    if (microseconds) line.remove_prefix(1);
-    const bool stream = line.size() == stream_length;
-    if (!stream && line.size() != single_scan_length) return std::nullopt;
-    if (!known(line.substr(0, 2), stream, microseconds)) return std::nullopt;
+    const std::string_view line = echo.substr(0, echo.find(';'));
+    const Command* const command = command_of(line);
+    if (command == nullptr) return std::nullopt;
 
-    const auto first = parse_digits(line.substr(2, 4));
-    const auto last = parse_digits(line.substr(6, 4));
-    const auto contents = parse_contents(line.substr(10, 2));
-    const auto cluster = contents ? 1 : parse_digits(line.substr(10, 2));
-    const auto interval = stream ? parse_digits(line.substr(12, 1)) : 0;
-    const auto scans = stream ? parse_digits(line.substr(13, 2)) : 0;
+    const std::string_view digits = line.substr(command->code.size());
+    const bool stream = command->brings_scans();
+    const auto first = parse_digits(digits.substr(0, 4));
+    const auto last = parse_digits(digits.substr(4, 4));
+    const auto contents = parse_contents(digits.substr(8, 2));
+    const auto cluster = contents ? 1 : parse_digits(digits.substr(8, 2));
+    const auto interval = stream ? parse_digits(digits.substr(10, 1)) : 0;
+    const auto scans = stream ? parse_digits(digits.substr(11, 2)) : 0;
     if (!first || !last || !cluster || !interval || !scans || *last < *first) return std::nullopt;
+    const DataFormat& format = command->format;
     return ScanRequest{
         .first_step = *first,
         .last_step = *last,
-        .cluster = *cluster == 0 ? 1 : *cluster,
-        .width = line[1] == 'S' ? 2 : 3,
-        .intensity = line[1] == 'E' || line[1] == 'G',
-        .echoes = line[0] == 'H' || line[0] == 'N',
-        .io_lines = line[1] == 'F' || line[1] == 'G',
-        .microseconds = microseconds,
+        .cluster = std::max(*cluster, 1),
+        .width = format.width,
+        .intensity = format.intensity,
+        .echoes = format.echoes,
+        .io_lines = format.io_lines,
+        .microseconds = format.stamp == Stamp::microseconds,
         .interval = *interval,
         .scans = *scans,
         .contents = contents.value_or(Contents::distances),

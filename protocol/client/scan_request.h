@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The requests for scans, as text and back: the echo of a scan message says all that is needed to
-// read it. Values; no thread rule.
+// The requests for scans, as text and back. The echo of a scan message says all that is needed to
+// read it. Which command brings what is read from the scanner's own command table. Values; no
+// thread rule.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +26,7 @@ struct ScanRequest {
     bool microseconds = false;  ///< the stamp is in these; streams without echoes only
     int interval = 0;           ///< scans passed over between two; streams only
     int scans = 0;              ///< 0: until told to stop; streams only
-    /// In an echo only: what the values are where the cluster is one of a URG-04LX's codes.
+    /// In an echo only: what the values are. The cluster may be one of a URG-04LX's codes.
     Contents contents = Contents::distances;
 
     /// The last group is shorter where the window does not divide evenly.
@@ -34,7 +35,8 @@ struct ScanRequest {
     bool operator==(const ScanRequest&) const = default;
 };
 
-/// GD, GS, GE, HD, HE, GF, GG: the latest complete scan.
+/// GD, GS, GE, HD, HE, GF, GG: the latest complete scan. Like stream_line(), throws
+/// std::invalid_argument where no command brings such scans.
 [[nodiscard]] std::string single_scan_line(const ScanRequest& request);
 /// MD, MS, ME, ND, NE, MF, MG, %MD, %ME: scan after scan.
 [[nodiscard]] std::string stream_line(const ScanRequest& request);

@@ -10,7 +10,7 @@
 #include <stop_token>
 #include <string>
 
-#include "sim/loaders/loaded_scene.h"
+#include "sim/loaders/file/loaded_scene.h"
 
 namespace scipd::sim {
 

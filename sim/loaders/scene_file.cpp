@@ -6,11 +6,12 @@
 #include <cstdio>
 #include <string>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/doing.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/mesh/mesh_file.h"
 #include "sim/loaders/mesh/mesh_scene.h"
 #include "sim/loaders/mvsim/mvsim_scene.h"
-#include "sim/loaders/plain_file.h"
 #include "sim/loaders/sdf/xacro.h"
 #include "sim/loaders/stage/stage_scene.h"
 #include "sim/world/anchor.h"
@@ -25,6 +26,7 @@ bool is_folder(const std::filesystem::path& file) {
 }
 
 LoadedScene load_here(const std::filesystem::path& file, const SceneOptions& options) {
+    now_doing("reading " + file.string());
     if (is_folder(file)) return load_sdf(file, options.sdf);
     const std::string extension = extension_of(file);
     if (extension == ".world" && is_stage(beginning_of(file))) return load_stage(file);
@@ -76,7 +78,9 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& op
 
 LoadedScene load_model_file(const std::filesystem::path& file, const Placement& placement,
                             const SceneOptions& options) {
-    return as_model(load_here(file, options), placement, file.string());
+    LoadedScene loaded = load_here(file, options);
+    if (options.sdf.strict && !loaded.warnings.empty()) throw LoadError(loaded.warnings);
+    return as_model(std::move(loaded), placement, file.string());
 }
 
 std::filesystem::path folder_of_scene(const std::filesystem::path& file) {

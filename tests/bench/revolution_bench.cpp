@@ -6,6 +6,7 @@
 //
 //   build/release/bin/revolution_bench
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -13,7 +14,6 @@
 #include <benchmark/benchmark.h>
 
 #include "daemon/clock/stepped_clock.h"
-#include "daemon/device/client.h"
 #include "daemon/device/device.h"
 #include "daemon/models/registry.h"
 #include "daemon/world/world.h"
@@ -47,13 +47,13 @@ class Revolutions {
         world_.replace_scene(scene, daemon::one_backend(scene));
         world_.set_robots({{"robot", {turning_at(0s)}}});
         device_.emplace("robot", scanner(accuracy), 1, world_, clock_);
-        client_.emplace(*device_, [] {});
+        client_ = device_->connect([] {}, protocol::LinkKind::network);
         client_->receive("MD0000108000000\n");
-        while (!client_->streaming()) {
+        while (!client_->session().streaming()) {
             clock_.advance_to(client_->wake_at().value());
             client_->wake();
         }
-        while (client_->next_action()) {
+        while (client_->session().next_action()) {
         }
         revolution_ = device_->next_revolution();
         // The stream begins with the first whole turn.
@@ -71,7 +71,7 @@ class Revolutions {
         clock_.advance_to(leaves());
         device_->turn_complete(revolution_++);
         std::size_t bytes = 0;
-        while (const auto action = client_->next_action())
+        while (const auto action = client_->session().next_action())
             bytes += std::get<protocol::Send>(*action).bytes.size();
         return bytes;
     }
@@ -80,7 +80,7 @@ class Revolutions {
     daemon::SteppedClock clock_;
     daemon::World world_;
     std::optional<daemon::Device> device_;
-    std::optional<daemon::Client> client_;
+    std::unique_ptr<daemon::Endpoint::Client> client_;
     std::int64_t revolution_ = 0;
 };
 

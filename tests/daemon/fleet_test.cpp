@@ -16,8 +16,11 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "daemon/fleet_api.h"
+#include "daemon/fleet_plan.h"
 #include "daemon/models/registry.h"
-#include "sim/loaders/load_error.h"
+#include "daemon/simulation.h"
+#include "sim/loaders/file/load_error.h"
 #include "tests/daemon/device/ideal_camera.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/scanner_wire.h"
@@ -61,7 +64,7 @@ class FleetTest : public testing::Test {
     }
 
     [[nodiscard]] SensorStatus sensor(std::size_t index = 0) const {
-        return fleet_.status().sensors.at(index);
+        return api_.status().sensors.at(index);
     }
 
     [[nodiscard]] ScannerWire connect(std::size_t index = 0) const {
@@ -90,19 +93,20 @@ class FleetTest : public testing::Test {
 
     EditOutcome after(SceneEdit edit) {
         std::optional<EditOutcome> outcome;
-        fleet_.edit_scene(std::move(edit), [&](const EditOutcome& now) { outcome = now; }, {});
+        api_.edit_scene(std::move(edit), [&](const EditOutcome& now) { outcome = now; }, {});
         EXPECT_TRUE(run_until(io_, [&] { return outcome.has_value(); }));
         return outcome.value_or(EditOutcome{});
     }
 
     boost::asio::io_context io_;
     tests::TempDir directory_;
-    Fleet fleet_{io_.get_executor()};
+    Fleet fleet_{io_.get_executor(), ClockKind::wall};
+    FleetApi api_{fleet_.simulation()};
 };
 
 TEST_F(FleetTest, TellsWhatThereIs) {
     fleet_.apply(of({on_tcp("front"), on_tty("rear")}));
-    const Status status = fleet_.status();
+    const FleetStatus status = api_.status();
     ASSERT_EQ(status.sensors.size(), 2U);
     EXPECT_EQ(status.clock, "wall");
     EXPECT_EQ(status.sensors[0].name, "rescue/front");
@@ -133,12 +137,12 @@ TEST_F(FleetTest, MeasuresBackendsBehindWhatIsAskedForMeanwhile) {
         cameras.push_back(camera);
     }
     fleet_.apply(of(cameras));
-    fleet_.choose_backends();
+    fleet_.simulation().choose_backends();
     const EditOutcome outcome = after(LoadWorld{SCIPD_SCENES "/corridor.sdf"});
     EXPECT_EQ(outcome.result, EditOutcome::Result::done);
     EXPECT_EQ(sensor().backend_reason, "not measured yet");
     const auto measured = [&] {
-        return std::ranges::none_of(fleet_.status().sensors, [](const SensorStatus& sensor) {
+        return std::ranges::none_of(api_.status().sensors, [](const SensorStatus& sensor) {
             return sensor.backend_reason == "not measured yet";
         });
     };
@@ -146,7 +150,7 @@ TEST_F(FleetTest, MeasuresBackendsBehindWhatIsAskedForMeanwhile) {
     // And not again without a reason: what is settled goes with the sensors.
     Config same = of(cameras);
     same.scene = SCIPD_SCENES "/corridor.sdf";
-    fleet_.apply(make_plan(same, fleet_.settled_backends()));
+    fleet_.apply(make_plan(same, fleet_.simulation().settled_backends()));
     EXPECT_TRUE(measured());
 }
 
@@ -166,7 +170,7 @@ TEST_F(FleetTest, LoadsOtherWorldsAndModelsInTheWayOfItsConfiguration) {
     const fs::path world = directory_.write(
         "other.sdf", "<sdf version='1.9'><world name='other'>" + model + "</world></sdf>");
     Config config = of({on_tcp("front")});
-    const auto last_object = [&] { return fleet_.scene().scene->objects.back().name; };
+    const auto last_object = [&] { return api_.scene().scene->objects.back().name; };
     fleet_.apply(config);
     EXPECT_EQ(after(LoadWorld{world}).result, EditOutcome::Result::done);
     EXPECT_EQ(last_object(), "m::l::seen");
@@ -182,7 +186,7 @@ TEST_F(FleetTest, LoadsOtherWorldsAndModelsInTheWayOfItsConfiguration) {
     EXPECT_EQ(after(AddModel{.placement = {"n"}, .sdf = model}).result, EditOutcome::Result::done);
     EXPECT_EQ(last_object(), "n::l::hit");
     EXPECT_EQ(after(LoadWorld{SCIPD_SCENES "/office_map.yaml"}).result, EditOutcome::Result::done);
-    EXPECT_EQ(fleet_.scene().scene->materials.back().name, "brick");
+    EXPECT_EQ(api_.scene().scene->materials.back().name, "brick");
 }
 
 TEST_F(FleetTest, SaysWhichBodiesAnotherWorldLacks) {
@@ -237,7 +241,7 @@ TEST_F(FleetTest, ChangesNothingWhereSomethingFails) {
     EXPECT_THROW(fleet_.apply(of({on_tty("rear"), taken})), std::runtime_error);
 
     EXPECT_FALSE(fs::is_symlink(directory_.path() / "rear"));
-    EXPECT_EQ(fleet_.status().sensors.size(), 1U);
+    EXPECT_EQ(api_.status().sensors.size(), 1U);
     EXPECT_TRUE(run_until(io_, [&] { return sensor().scans > scans + 3; }));
 }
 
@@ -271,7 +275,7 @@ TEST_F(FleetTest, ChangesNothingWhereDescriptorsRunOutOnTheWay) {
     Config next = of({kept, changed, on_tty("new"), on_tcp("more")});
     next.robots[0].poses = PoseSource{.address = {"127.0.0.1", 0}, .file = {}};
     const auto try_with = [&](rlim_t more) {
-        FleetPlan plan = make_plan(next, fleet_.settled_backends());
+        FleetPlan plan = make_plan(next, fleet_.simulation().settled_backends());
         const FewDescriptors few(more);
         try {
             fleet_.apply(std::move(plan));
@@ -287,7 +291,7 @@ TEST_F(FleetTest, ChangesNothingWhereDescriptorsRunOutOnTheWay) {
     rlim_t more = 0;
     for (; !try_with(more); ++more) {
         ASSERT_LT(more, 64U);
-        EXPECT_EQ(fleet_.status().sensors.size(), 3U);
+        EXPECT_EQ(api_.status().sensors.size(), 3U);
         EXPECT_TRUE(goes_on());
         EXPECT_TRUE(answers(tty, "UST-10LX"));
         EXPECT_TRUE(fs::is_symlink(directory_.path() / "gone"));
@@ -295,7 +299,7 @@ TEST_F(FleetTest, ChangesNothingWhereDescriptorsRunOutOnTheWay) {
     }
     // A listener, a socket for poses, and a tty each with a few.
     EXPECT_GE(more, 5U);
-    EXPECT_EQ(fleet_.status().sensors.size(), 4U);
+    EXPECT_EQ(api_.status().sensors.size(), 4U);
     EXPECT_TRUE(goes_on());
     EXPECT_TRUE(answers(tty, "UTM-30LX"));
     EXPECT_FALSE(fs::is_symlink(directory_.path() / "gone"));
@@ -318,17 +322,17 @@ TEST_F(FleetTest, HandsAPortToAnotherScanner) {
 
 TEST_F(FleetTest, MovesRobotsForTheControlApi) {
     fleet_.apply(of({on_tcp("front")}));
-    EXPECT_FALSE(fleet_.robot_pose("nobody"));
-    EXPECT_EQ(fleet_.robot_pose("rescue")->pose, sim::Pose{});
+    EXPECT_FALSE(api_.robot_pose("nobody"));
+    EXPECT_EQ(api_.robot_pose("rescue")->pose, sim::Pose{});
     const sim::Pose there = sim::pose_from_rpy({1, 2, 0}, {0, 0, 0});
-    EXPECT_FALSE(fleet_.set_robot_pose("rescue", {.pose = there}));
-    EXPECT_EQ(fleet_.robot_pose("rescue")->pose, there);
-    EXPECT_EQ(fleet_.status().poses.accepted, 1U);
+    EXPECT_FALSE(api_.set_robot_pose("rescue", {.pose = there}));
+    EXPECT_EQ(api_.robot_pose("rescue")->pose, there);
+    EXPECT_EQ(api_.status().poses.accepted, 1U);
     // Stamps of the sender begin anywhere but must grow.
     const sim::PoseLine stamped{.time = 500s, .pose = there};
-    EXPECT_FALSE(fleet_.set_robot_pose("rescue", stamped));
-    EXPECT_EQ(fleet_.set_robot_pose("rescue", stamped), "t: not later than the pose before it");
-    EXPECT_EQ(fleet_.status().poses.refused, 1U);
+    EXPECT_FALSE(api_.set_robot_pose("rescue", stamped));
+    EXPECT_EQ(api_.set_robot_pose("rescue", stamped), "t: not later than the pose before it");
+    EXPECT_EQ(api_.status().poses.refused, 1U);
 }
 
 TEST_F(FleetTest, KeepsThePoseFeedsThatStay) {
@@ -339,19 +343,19 @@ TEST_F(FleetTest, KeepsThePoseFeedsThatStay) {
     config.robots[0].poses = source;
     fleet_.apply(config);
     sender.send(R"({"xyz":[1,0,0]})");
-    EXPECT_TRUE(run_until(io_, [&] { return fleet_.status().poses.accepted == 1; }));
+    EXPECT_TRUE(run_until(io_, [&] { return api_.status().poses.accepted == 1; }));
     config.seed = 5;
     fleet_.apply(config);
     sender.send(R"({"xyz":[2,0,0]})");
-    EXPECT_TRUE(run_until(io_, [&] { return fleet_.status().poses.accepted == 2; }));
-    EXPECT_EQ(fleet_.robot_pose("rescue")->pose.translation_m.x, 2.0);
+    EXPECT_TRUE(run_until(io_, [&] { return api_.status().poses.accepted == 2; }));
+    EXPECT_EQ(api_.robot_pose("rescue")->pose.translation_m.x, 2.0);
 
     config.robots[0].poses.reset();
     fleet_.apply(config);
     sender.send(R"({"xyz":[3,0,0]})");
     io_.restart();
     io_.run_for(50ms);
-    EXPECT_EQ(fleet_.status().poses.accepted, 2U);
+    EXPECT_EQ(api_.status().poses.accepted, 2U);
 }
 
 // To each robot its own.
@@ -381,15 +385,15 @@ TEST_F(FleetTest, HandsAPoseAddressOnToARenamedRobot) {
     config.robots[0].name = "transport";
     fleet_.apply(config);
     sender.send(R"({"xyz":[1,0,0]})");
-    EXPECT_TRUE(run_until(io_, [&] { return fleet_.status().poses.accepted == 1; }));
-    EXPECT_EQ(fleet_.robot_pose("transport")->pose.translation_m.x, 1.0);
-    EXPECT_FALSE(fleet_.robot_pose("rescue"));
+    EXPECT_TRUE(run_until(io_, [&] { return api_.status().poses.accepted == 1; }));
+    EXPECT_EQ(api_.robot_pose("transport")->pose.translation_m.x, 1.0);
+    EXPECT_FALSE(api_.robot_pose("rescue"));
 }
 
 TEST_F(FleetTest, LeavesNothingBehind) {
     fleet_.apply(of({on_tcp("front"), on_tty("rear")}));
     fleet_.stop();
-    EXPECT_TRUE(fleet_.status().sensors.empty());
+    EXPECT_TRUE(api_.status().sensors.empty());
     EXPECT_FALSE(fs::is_symlink(directory_.path() / "rear"));
     // Nothing is waited for any more.
     EXPECT_TRUE(run_until(io_, [&] { return io_.stopped(); }));

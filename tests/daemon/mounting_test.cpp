@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "daemon/models/registry.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 
 namespace scipd::daemon {
 namespace {

@@ -243,8 +243,22 @@ TEST_F(OptionsTest, CheckTellsWhatIsLeftOutOfTrajectories) {
     const auto drive = dir_.write("drive.txt", "t,x,y,yaw,v\n0,0,0,0,1\n0,0,0,0,1\n");
     EXPECT_EQ(answer("--check " + file.string()).exit_code, 0);
     EXPECT_THAT(answer("--check " + file.string()).text,
-                testing::StartsWith(drive.string() + ": the columns 'v' are not read\n" +
+                testing::StartsWith(drive.string() + ": the column 'v' is not read\n" +
                                     drive.string() + ":3: has the stamp of the pose before it"));
+}
+
+TEST_F(OptionsTest, CheckMakesFaultsOfWarningsOfTrajectoriesWhereItIsStrict) {
+    const auto file = dir_.write("fleet.yaml",
+                                 "scene: room.sdf\nstrict: true\n"
+                                 "robots: {r: {poses: {from: drive.txt, format: csv}, sensors: {s: "
+                                 "{model: UST-20LX, pty: auto}}}}\n");
+    const auto drive = dir_.write("drive.txt", "t,x,y,yaw,v\n0,0,0,0,1\n1,0,0,0,1\n");
+    EXPECT_EQ(answer("--check " + file.string()).exit_code, 2);
+    EXPECT_EQ(
+        answer("--check " + file.string()).text,
+        file.string() + ":3: robots.r.poses: " + drive.string() + ": the column 'v' is not read\n");
+    dir_.write("drive.txt", "t,x,y,yaw\n0,0,0,0\n1,0,0,0\n");
+    EXPECT_EQ(answer("--check " + file.string()).exit_code, 0);
 }
 
 TEST_F(OptionsTest, CheckTellsWhereABodyIsMissing) {

@@ -11,7 +11,6 @@
 #include <string>
 
 #include "daemon/clock/stepped_clock.h"
-#include "daemon/device/client.h"
 #include "daemon/device/device.h"
 #include "daemon/device/scan_loop.h"
 #include "tests/daemon/wall_world.h"
@@ -38,7 +37,7 @@ class SteppedDriver {
     void wait_until(sim::Time time) { clock_.advance_to(time); }
 
     void send(const std::string& line) {
-        client_.receive(line + "\n");
+        client_->receive(line + "\n");
         collect();
     }
 
@@ -60,13 +59,13 @@ class SteppedDriver {
 
   private:
     void collect() {
-        while (const auto action = client_.next_action()) {
+        while (const auto action = client_->session().next_action()) {
             if (const auto* message = std::get_if<protocol::Send>(&*action))
                 received_.push_back({clock_.now(), message->bytes, device_.latest_scan()});
         }
-        if (const auto at = client_.wake_at()) {
+        if (const auto at = client_->wake_at()) {
             alarm_->set(*at, [this] {
-                client_.wake();
+                client_->wake();
                 collect();
             });
         }
@@ -77,7 +76,8 @@ class SteppedDriver {
     Device device_;
     ScanLoop loop_{device_, clock_};
     std::unique_ptr<Clock::Alarm> alarm_ = clock_.make_alarm();
-    Client client_{device_, [this] { collect(); }};
+    std::unique_ptr<Endpoint::Client> client_ =
+        device_.connect([this] { collect(); }, protocol::LinkKind::network);
     std::deque<Received> received_;
 };
 

@@ -75,7 +75,8 @@ TEST_F(Place, IsToldOnceInTheLogAndInTheStatus) {
     EXPECT_EQ(warning(daemon), "") << "nobody has asked for a scan";
     scan(daemon);
     EXPECT_TRUE(eventually([&] { return !warning(daemon).empty(); }));
-    EXPECT_THAT(warning(daemon), HasSubstr("is inside model crate (crate::l::v)"));
+    EXPECT_THAT(warning(daemon), HasSubstr("is inside model crate (crate::l::v), which is solid"));
+    EXPECT_THAT(warning(daemon), HasSubstr("if it is meant as a room"));
     EXPECT_THAT(run({SCIPCTL, "--control", daemon.control(), "status"}).out,
                 HasSubstr("warning: r/s: is inside model crate"));
     put(daemon, 8);

@@ -124,7 +124,8 @@ TEST_P(SensorFromByBackend, SeesTheWorldFromWhereTheFileHasIt) {
     expect_said(daemon, "UST-10LX fits bot::base::lds best\n");
 }
 
-INSTANTIATE_TEST_SUITE_P(By, SensorFromByBackend, testing::Values("embree", "depth", "reference"));
+INSTANTIATE_TEST_SUITE_P(By, SensorFromByBackend, testing::Values("embree", "depth", "reference"),
+                         [](const auto& backend) { return std::string{backend.param}; });
 
 TEST_F(SensorFrom, IsTheProductThatFitsBestUnlessOneIsNamed) {
     DaemonProcess best(directory_, in_world({"--sensor-from", "fine"}));

@@ -18,8 +18,7 @@
 #include <nlohmann/json.hpp>
 
 #include "daemon/api/routes.h"
-#include "daemon/api/socket_routes.h"
-#include "daemon/device/scan_log.h"
+#include "daemon/device/sensor_record.h"
 #include "tests/support/empty_api.h"
 
 namespace {
@@ -55,7 +54,9 @@ class AnyName : public tests::EmptyApi {
         log_.add(record);
     }
 
-    [[nodiscard]] const daemon::ScanLog* scans(const std::string&) const override { return &log_; }
+    [[nodiscard]] std::optional<daemon::SensorLog> log(const std::string&) const override {
+        return log_;
+    }
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string&) const override {
         return sim::TimedPose{};
     }

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/map/map_file.h"
 
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "sim/loaders/map/map_image.h"
+#include "sim/loaders/map/map_picture.h"
 #include "sim/loaders/map/map_walls.h"
 #include "sim/loaders/map/occupancy.h"
 

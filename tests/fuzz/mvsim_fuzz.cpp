@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/mvsim/mvsim_ground.h"
 #include "sim/loaders/mvsim/mvsim_walk.h"
 #include "sim/loaders/mvsim/mvsim_walls.h"

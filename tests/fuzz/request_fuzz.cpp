@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Any bytes at any instants to a scanner of any family. The first byte chooses the model, its
-// family B, its reply grid and its size; the rest is instructions: a byte says how many bytes of
-// the client follow, or from 0x80 on how long to wait. Every message must be whole and framed, and
-// the same bytes sent one at a time must be answered with the same ones.
+// Any bytes at any instants to a scanner of any family. The first byte chooses the model, whether
+// it is taken for a multi-echo one on Ethernet, its reply grid and its size. The rest is
+// instructions: a byte says how many bytes of the client follow, or from 0x80 on how long to wait.
+// Every message must be whole and framed, and the same bytes sent one at a time must be answered
+// with the same ones.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -72,10 +73,10 @@ protocol::DeviceProfile profile_of(std::uint8_t choice) {
             *steps /= 12;
     }
     if ((choice & 0x40U) != 0) {
-        profile.family = protocol::Family::b;
+        profile.family = protocol::Family::ethernet_multi_echo;
         profile.multi_echo = true;
     }
-    profile.microseconds = profile.io_lines = profile.family == protocol::Family::c;
+    profile.microseconds = profile.io_lines = profile.family == protocol::Family::ust;
     if ((choice & 0x80U) != 0) profile = protocol::ideal(profile);
     return profile;
 }

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/stage/stage_body.h"
 #include "sim/loaders/stage/stage_file.h"
 

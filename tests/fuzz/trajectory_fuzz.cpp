@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/poses/trajectory.h"
 
 namespace {

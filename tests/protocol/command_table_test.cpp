@@ -25,7 +25,7 @@ TEST(CommandTable, ParametersHaveTheWidthsOfTheWire) {
 // Drivers tell urg_library's and UrgBenri's "in adjust mode" from any other answer by this.
 TEST(CommandTable, OldModelsRefuseAllButTmInAdjustMode) {
     for (const Command& command : command_table()) {
-        for (const Family family : {Family::a1, Family::a2}) {
+        for (const Family family : {Family::urg, Family::utm_usb}) {
             if (!command.gate(family).known() || command.code.starts_with("TM")) continue;
             EXPECT_EQ(command.gate(family).refusal(State::adjust), status::undefined)
                 << command.code;
@@ -34,27 +34,28 @@ TEST(CommandTable, OldModelsRefuseAllButTmInAdjustMode) {
 }
 
 TEST(CommandTable, AModelMayDifferFromItsFamily) {
-    DeviceProfile profile{.family = Family::c};
+    DeviceProfile profile{.family = Family::ust};
     const Command& quit = *find_command("QT", profile);
     EXPECT_EQ(refusal(quit, State::adjust, profile), status::denied);
-    profile.answers = {{"QT", State::adjust, std::nullopt}, {"QT", State::standby, Status("03")}};
+    profile.deviations = {{"QT", State::adjust, std::nullopt},
+                          {"QT", State::standby, Status("03")}};
     EXPECT_EQ(refusal(quit, State::adjust, profile), std::nullopt);
     EXPECT_EQ(refusal(quit, State::standby, profile), Status("03"));
     EXPECT_EQ(refusal(quit, State::error, profile), status::abnormal);
     EXPECT_EQ(refusal(*find_command("PP", profile), State::adjust, profile), status::denied);
 }
 
-TEST(CommandTable, AnAnswerIsCodeStateAndStatus) {
-    EXPECT_EQ(parse_answer("QT adjust 00"), (Answer{"QT", State::adjust, status::ok}));
-    EXPECT_EQ(parse_answer("%SL asleep --"), (Answer{"%SL", State::asleep, std::nullopt}));
+TEST(CommandTable, ADeviationIsCodeStateAndStatus) {
+    EXPECT_EQ(parse_deviation("QT adjust 00"), (Deviation{"QT", State::adjust, status::ok}));
+    EXPECT_EQ(parse_deviation("%SL asleep --"), (Deviation{"%SL", State::asleep, std::nullopt}));
     for (const auto none : {"", "QT", "QT adjust", "QT  00", "XX adjust 00", "QT nowhere 00",
                             "QT adjust 0", "QT adjust -", "QT adjust 00 ", " QT adjust 00"})
-        EXPECT_EQ(parse_answer(none), std::nullopt) << none;
+        EXPECT_EQ(parse_deviation(none), std::nullopt) << none;
 }
 
 TEST(CommandTable, NoModelMeasuresWithoutLaserOnARequestForOneScan) {
     for (const Command& command : command_table()) {
-        if (command.operation != Operation::single_shot) continue;
+        if (!command.brings_one_scan()) continue;
         for (const Gate& gate : command.gates) {
             if (!gate.known()) continue;
             EXPECT_EQ(gate.refusal(State::standby), status::denied) << command.code;

@@ -77,7 +77,7 @@ struct Dialogue {
     std::string source;  ///< where its bytes are known from
     std::string model;
     bool ideal = false;     ///< no reply grid
-    bool io_lines = false;  ///< the model has GF and its kin, which none of the real ones has
+    bool io_lines = false;  ///< the model has GF GG MF MG, which none of the real ones has
     bool boot = false;      ///< power comes at 0; else the device is up
     bool scip1 = false;     ///< it is up and speaks SCIP 1.1
     std::chrono::milliseconds clock{};  ///< what its clock shows at 0

@@ -38,8 +38,8 @@ std::size_t data_length(const ScanRequest& request) {
     return request.groups() * (each + further);
 }
 
-template <typename Answer>
-std::string fault_of(const std::variant<Answer, std::string>& parsed) {
+template <typename Parsed>
+std::string fault_of(const std::variant<Parsed, std::string>& parsed) {
     const auto* const fault = std::get_if<std::string>(&parsed);
     return fault == nullptr ? "" : *fault;
 }

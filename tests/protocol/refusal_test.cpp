@@ -15,7 +15,7 @@ std::optional<Status> refusal_of(const std::string& line, State state, LinkKind 
 }
 
 TEST(Refusal, OfTheLinesRateIsThatOfATtyOnATty) {
-    for (const Family family : {Family::b, Family::c}) {
+    for (const Family family : {Family::ethernet_multi_echo, Family::ust}) {
         const DeviceProfile profile = test_profile(family);
         for (const State state : {State::standby, State::measuring, State::streaming}) {
             EXPECT_EQ(refusal_of("SS115200", state, LinkKind::network, profile), Status("0F"));
@@ -23,7 +23,7 @@ TEST(Refusal, OfTheLinesRateIsThatOfATtyOnATty) {
         }
     }
     // A model with a serial line decides for itself.
-    const DeviceProfile serial = test_profile(Family::a1);
+    const DeviceProfile serial = test_profile(Family::urg);
     EXPECT_EQ(refusal_of("SS115200", State::standby, LinkKind::tty, serial), std::nullopt);
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "protocol/command_table.h"
 #include "protocol/ideal.h"
 #include "tests/protocol/test_profile.h"
 
@@ -52,7 +53,7 @@ TEST(ReplyGrid, AScanLeavesAtTheTickItJustReaches) {
 }
 
 TEST(ReplyGrid, OnePerTurnFollowsTheMirror) {
-    DeviceProfile profile = test_profile(Family::a1);
+    DeviceProfile profile = test_profile(Family::urg);
     profile.turns_per_reply = 2;
     DeviceState device;
     EXPECT_EQ(reply_leaves(1ms, command("VV"), device, profile), 50ms);
@@ -64,7 +65,7 @@ TEST(ReplyGrid, OnePerTurnFollowsTheMirror) {
 }
 
 TEST(ReplyGrid, InAdjustModeTheMirrorIsNotWaitedFor) {
-    DeviceProfile profile = test_profile(Family::a2);
+    DeviceProfile profile = test_profile(Family::utm_usb);
     profile.turns_per_reply = 1;
     DeviceState device;
     device.enter_adjust();

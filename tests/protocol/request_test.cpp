@@ -9,7 +9,7 @@
 namespace scipd::protocol {
 namespace {
 
-Request request(const std::string& text, Family family = Family::c, bool overlong = false) {
+Request request(const std::string& text, Family family = Family::ust, bool overlong = false) {
     return parse_request({text, overlong}, test_profile(family));
 }
 
@@ -23,19 +23,19 @@ TEST(Request, IsCodeParametersAndString) {
 }
 
 TEST(Request, TakesTheLongestCode) {
-    EXPECT_EQ(request("TM1").command->operation, Operation::report_time);
+    EXPECT_EQ(request("TM1").command->code, "TM1");
     EXPECT_EQ(request("TM10").parameters(), "0");
-    EXPECT_EQ(request("TM3").command->operation, Operation::refuse_digit);
-    EXPECT_EQ(request("TM").command->operation, Operation::refuse_digit);
+    EXPECT_EQ(request("TM3").command->code, "TM");
+    EXPECT_EQ(request("TM").command->code, "TM");
     EXPECT_EQ(request("TM").parameters(), "");
 }
 
 TEST(Request, KnowsOnlyTheFamilysCommands) {
-    EXPECT_EQ(request("GS0044072501", Family::c).command, nullptr);
-    EXPECT_NE(request("GS0044072501", Family::a1).command, nullptr);
-    EXPECT_EQ(request("GE0044072501", Family::a1).command, nullptr);
-    EXPECT_NE(request("GE0000108001", Family::a2).command, nullptr);
-    EXPECT_EQ(request("RT", Family::a2).command, nullptr);
+    EXPECT_EQ(request("GS0044072501", Family::ust).command, nullptr);
+    EXPECT_NE(request("GS0044072501", Family::urg).command, nullptr);
+    EXPECT_EQ(request("GE0044072501", Family::urg).command, nullptr);
+    EXPECT_NE(request("GE0000108001", Family::utm_usb).command, nullptr);
+    EXPECT_EQ(request("RT", Family::utm_usb).command, nullptr);
 }
 
 TEST(Request, OfNoKnownCodeHasNoCommand) {
@@ -54,7 +54,7 @@ TEST(Request, MayCarrySixteenCharactersOfString) {
 }
 
 TEST(Request, ThatWasCutIsTooLongWhateverItSays) {
-    EXPECT_EQ(request("VV;" + std::string(125, '-'), Family::c, true).fault, status::too_long);
+    EXPECT_EQ(request("VV;" + std::string(125, '-'), Family::ust, true).fault, status::too_long);
 }
 
 }  // namespace

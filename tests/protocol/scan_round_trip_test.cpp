@@ -117,7 +117,7 @@ std::string some_request(Choices& choices, const Command& command, const DeviceP
     const int last = choices.between(first, profile.last_step);
     char digits[16];
     std::snprintf(digits, sizeof digits, "%04d%04d%02d%s", first, last, choices.between(0, 20),
-                  command.operation == Operation::stream ? "001" : "");
+                  command.brings_scans() ? "001" : "");
     return std::string(command.code) + digits;
 }
 
@@ -125,7 +125,7 @@ class ScanRoundTrip : public testing::TestWithParam<std::size_t> {
   protected:
     [[nodiscard]] DeviceProfile profile() const {
         DeviceProfile profile = daemon::models()[GetParam()].profile;
-        profile.io_lines = profile.family == Family::c;
+        profile.io_lines = profile.family == Family::ust;
         return profile;
     }
 };
@@ -134,8 +134,7 @@ TEST_P(ScanRoundTrip, BringsBackWhatWasMeasured) {
     const DeviceProfile device = profile();
     Choices choices(GetParam());
     for (const Command& command : command_table()) {
-        const bool scan =
-            command.operation == Operation::single_shot || command.operation == Operation::stream;
+        const bool scan = command.brings_one_scan() || command.brings_scans();
         if (!scan || find_command(command.code, device) != &command) continue;
         for (int i = 0; i < 20; ++i) {
             const std::string line = some_request(choices, command, device);

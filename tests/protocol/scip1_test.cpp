@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 using Kind = Scip1Request::Kind;
 
 DeviceProfile old_profile() {
-    DeviceProfile profile = test_profile(Family::a1);
+    DeviceProfile profile = test_profile(Family::urg);
     profile.bit_rates = {19200, 57600};
     return profile;
 }

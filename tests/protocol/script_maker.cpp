@@ -212,7 +212,7 @@ std::string make_saying(Choices& choices, const DeviceProfile& profile) {
 Script make_script(Choices& choices, const DeviceProfile& profile, int clients) {
     constexpr int most_events = 60;
     Script script{.profile = choices.one_in(8) ? ideal(profile) : profile, .clients = clients};
-    script.profile.io_lines = profile.family == Family::c && choices.one_in(2);
+    script.profile.io_lines = profile.family == Family::ust && choices.one_in(2);
     if (choices.one_in(4)) script.power_up = Script::PowerUp::cold;
     if (profile.speaks_scip1() && choices.one_in(3)) script.power_up = Script::PowerUp::scip1;
     script.clock_wraps = choices.one_in(8);

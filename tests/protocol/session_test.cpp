@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "protocol/command_table.h"
 #include "tests/protocol/shell.h"
 #include "tests/protocol/test_profile.h"
 
@@ -19,7 +20,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-DeviceProfile prompt(Family family = Family::c) {
+DeviceProfile prompt(Family family = Family::ust) {
     DeviceProfile profile = test_profile(family);
     profile.reply_tick = profile.scan_tick = 0ms;
     return profile;
@@ -64,7 +65,7 @@ TEST(Session, ARequestRightAfterAReplyWaitsAWholeTick) {
 }
 
 TEST(Session, InAdjustModeAnOldModelDoesNotWaitForItsMirror) {
-    DeviceProfile profile = test_profile(Family::a2);
+    DeviceProfile profile = test_profile(Family::utm_usb);
     profile.reply_tick = 25ms;
     Shell shell(profile);
     shell.receive("TM0\nTM1\nTM2\nBM\n");
@@ -123,7 +124,7 @@ TEST(Session, TimeIsThatOfTheTickAndNotOfALateShell) {
 
 TEST(Session, AnswersAsItsModelDoesWhereThatDiffersFromItsFamily) {
     DeviceProfile profile = prompt();
-    profile.answers = {*parse_answer("QT adjust --"), *parse_answer("BM measuring 00")};
+    profile.deviations = {*parse_deviation("QT adjust --"), *parse_deviation("BM measuring 00")};
     Shell shell(profile);
     ask(shell, "TM0");
     EXPECT_EQ(ask(shell, "QT"), "QT\n00P\n\n");
@@ -196,7 +197,7 @@ TEST(Session, AnIntervalPassesOverTurnsWithoutScanningThem) {
 // acknowledgement, another 27 ms later the scan of the turn that begins then. (Here both are 25 ms:
 // the grid has no width.)
 TEST(Session, IntervalOneOfASlowModelSendsTheTurnAfterTheAcknowledgement) {
-    DeviceProfile profile = test_profile(Family::a2);
+    DeviceProfile profile = test_profile(Family::utm_usb);
     profile.turns_per_reply = 1;
     Shell shell(profile);
     shell.receive("BM\n");
@@ -212,7 +213,7 @@ TEST(Session, IntervalOneOfASlowModelSendsTheTurnAfterTheAcknowledgement) {
 }
 
 TEST(Session, ASlowerMotorSlowsScansAndRepliesFromTheNextTurnOn) {
-    DeviceProfile profile = test_profile(Family::a1);
+    DeviceProfile profile = test_profile(Family::urg);
     profile.motor_levels = true;
     profile.turns_per_reply = 1;
     Shell shell(profile);
@@ -236,7 +237,7 @@ TEST(Session, ASlowerMotorSlowsScansAndRepliesFromTheNextTurnOn) {
 }
 
 TEST(Session, ANewStreamReplacesTheOldOne) {
-    Shell shell(prompt(Family::a2));
+    Shell shell(prompt(Family::utm_usb));
     ask(shell, "MD0002000301005");
     shell.advance_to(50ms);
     shell.take_sent();
@@ -307,7 +308,7 @@ TEST(Session, AScanUnderWayIsDroppedByQuit) {
 // Clients that stop reading at the empty line behind a scan wait for ever for a reply that came
 // with it.
 TEST(Session, AReplyFollowsAScanAfterAPause) {
-    DeviceProfile profile = test_profile(Family::a1);
+    DeviceProfile profile = test_profile(Family::urg);
     profile.turns_per_reply = 1;
     Shell shell(profile);
     shell.receive("MD0002000301000\n");
@@ -368,7 +369,7 @@ TEST(Session, ASingleShotRightAfterBmWaitsForAWholeTurnWithLaser) {
 }
 
 TEST(Session, OldModelsAnswerASingleShotWithinAStream) {
-    Shell shell(prompt(Family::a2));
+    Shell shell(prompt(Family::utm_usb));
     ask(shell, "BM");
     shell.advance_to(60ms);
     ask(shell, "MD0002000301000");
@@ -379,7 +380,7 @@ TEST(Session, OldModelsAnswerASingleShotWithinAStream) {
 }
 
 TEST(Session, TheLastScanOfAStreamAnswersASingleShotToo) {
-    Shell shell(prompt(Family::a2));
+    Shell shell(prompt(Family::utm_usb));
     ask(shell, "MD0002000301001");
     EXPECT_EQ(ask(shell, "GD0002000301"), "");
     shell.advance_to(100ms);
@@ -497,7 +498,7 @@ TEST(Session, ASessionThatBeginsAfterABootHasLostNothing) {
 
 TEST(Session, TheRateOfTheLineChangesAfterTheReply) {
     DeviceState device;
-    DeviceProfile profile = prompt(Family::a1);
+    DeviceProfile profile = prompt(Family::urg);
     profile.bit_rates = {19200, 115200};
     Session session(profile, device);
     session.receive("SS115200\nRS\n", 0ms);
@@ -509,7 +510,7 @@ TEST(Session, TheRateOfTheLineChangesAfterTheReply) {
 }
 
 TEST(Session, EverySessionIsToldOnceOfAnotherRate) {
-    DeviceProfile profile = prompt(Family::a1);
+    DeviceProfile profile = prompt(Family::urg);
     profile.bit_rates = {19200, 115200};
     Shell shell(profile, 2);
     ask(shell, "SS115200", 1);
@@ -527,7 +528,7 @@ TEST(Session, EverySessionIsToldOnceOfAnotherRate) {
 
 TEST(Session, ARateThatChangesUnderARequestThatWaitsIsToldInOrder) {
     DeviceState device;
-    DeviceProfile profile = prompt(Family::a1);
+    DeviceProfile profile = prompt(Family::urg);
     profile.bit_rates = {19200, 115200};
     Session one(profile, device);
     Session other(profile, device);
@@ -540,7 +541,7 @@ TEST(Session, ARateThatChangesUnderARequestThatWaitsIsToldInOrder) {
 }
 
 TEST(Session, ABootTakesTheRateBack) {
-    DeviceProfile profile = prompt(Family::a1);
+    DeviceProfile profile = prompt(Family::urg);
     profile.bit_rates = {19200, 115200};
     Shell shell(profile, 1);
     ask(shell, "SS115200");
@@ -553,7 +554,7 @@ TEST(Session, ABootTakesTheRateBack) {
 
 TEST(Session, ARateThatWasNotFetchedOutlivesItsClient) {
     DeviceState device;
-    DeviceProfile profile = prompt(Family::a1);
+    DeviceProfile profile = prompt(Family::urg);
     profile.bit_rates = {19200, 115200};
     Session session(profile, device);
     session.receive("SS115200\nVV\n", 0ms);

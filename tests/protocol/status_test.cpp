@@ -19,6 +19,16 @@ TEST(Status, IsItsTwoCharacters) {
     EXPECT_EQ(status::string_illegal.text(), "0H");
 }
 
+// One number means different things to different commands.
+TEST(Status, OfANumberHasANameForEachMeaning) {
+    EXPECT_EQ(status::scan::start_not_numeric.text(), "01");
+    EXPECT_EQ(status::scan::count_not_numeric.text(), "07");
+    EXPECT_EQ(status::setting::unchanged.text(), "03");
+    EXPECT_EQ(status::sensitivity::unchanged.text(), "02");
+    EXPECT_EQ(status::rehearsal::in_real_trouble.text(), "05");
+    EXPECT_EQ(status::ask_again.text(), "01");
+}
+
 TEST(Status, ReadsWhatItWrites) {
     EXPECT_EQ(Status::parse("0L"), status::abnormal);
     for (const auto none : {"", "0", "000", "0l", "--", "0 "})

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "protocol/scan_block.h"
 #include "tests/protocol/test_profile.h"
 
 namespace scipd::protocol {
@@ -113,7 +114,7 @@ TEST(ValuesIn, EqualDistancesKeepTheFirstOfTheGroup) {
 }
 
 TEST(ValuesIn, WhatTwoCharactersCannotHoldIsNotSeen) {
-    DeviceProfile urg = test_profile(Family::a1);
+    DeviceProfile urg = test_profile(Family::urg);
     urg.codes.nothing = 0;
     const std::vector<std::uint32_t> far = {4095, 4096, 5600};
     const std::vector<std::uint32_t> dark(3);

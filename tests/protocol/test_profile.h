@@ -9,7 +9,7 @@
 
 namespace scipd::protocol {
 
-inline DeviceProfile test_profile(Family family = Family::c) {
+inline DeviceProfile test_profile(Family family = Family::ust) {
     DeviceProfile profile;
     profile.family = family;
     profile.vendor = "Nobody";
@@ -36,9 +36,9 @@ inline DeviceProfile test_profile(Family family = Family::c) {
     profile.unknown_command = status::undefined;
     profile.scan_period = std::chrono::milliseconds(25);
     profile.reply_tick = profile.scan_tick = std::chrono::milliseconds(1);
-    profile.multi_echo = family == Family::b;
+    profile.multi_echo = family == Family::ethernet_multi_echo;
     profile.boot_time = std::chrono::seconds(5);
-    profile.answers_while_booting = family == Family::b;
+    profile.answers_while_booting = family == Family::ethernet_multi_echo;
     profile.wake_time = std::chrono::seconds(3);
     return profile;
 }

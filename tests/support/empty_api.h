@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "daemon/api/api.h"
 #include "daemon/api/scan_stream.h"
@@ -16,11 +17,20 @@ namespace scipd::tests {
 
 class EmptyApi : public daemon::Api {
   public:
-    [[nodiscard]] daemon::Status status() const override { return {}; }
-    [[nodiscard]] const daemon::ScanLog* scans(const std::string&) const override {
-        return nullptr;
+    [[nodiscard]] daemon::FleetStatus status() const override { return {}; }
+    [[nodiscard]] std::optional<daemon::SensorRecord> latest(const std::string& sensor) override {
+        const auto kept = log(sensor);
+        if (!kept) return {};
+        return std::visit([](const auto& of) -> daemon::SensorRecord { return of.latest(); },
+                          *kept);
     }
-    [[nodiscard]] daemon::StaringSensor* staring(const std::string&) override { return nullptr; }
+    [[nodiscard]] std::optional<daemon::SensorLog> log(const std::string&) const override {
+        return {};
+    }
+    std::unique_ptr<daemon::Conversation> subscribe(const std::string& sensor,
+                                                    daemon::WebSocket& socket) override {
+        return stream_.subscribe(sensor, socket);
+    }
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string&) const override {
         return {};
     }
@@ -30,7 +40,7 @@ class EmptyApi : public daemon::Api {
     std::optional<std::string> take_pose_line(std::string_view, daemon::SenderClock&) override {
         return {};
     }
-    daemon::ScanStream& stream() override { return stream_; }
+    daemon::ScanStream& stream() { return stream_; }
     [[nodiscard]] daemon::SceneView scene() const override { return {"empty.sdf", scene_}; }
     void edit_scene(daemon::SceneEdit, daemon::EditDone done, std::stop_token) override {
         done({});

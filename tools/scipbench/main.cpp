@@ -15,7 +15,7 @@
 
 #include "daemon/config/demo_world.h"
 #include "daemon/models/registry.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/scene_file.h"
 #include "sim/sensor/beam_pattern.h"
 #include "tools/options.h"
@@ -139,7 +139,7 @@ CLI::App* add(CLI::App& program, const char* name, const char* what, Said& said,
         ->required()
         ->check(CLI::ExistingFile)
         ->option_text("FILE");
-    command->add_option("--height", said.height_m, "of the scanner, in metres")
+    command->add_option("--height", said.height_m, "height of the scanner in the world, in metres")
         ->check(number_within(-1e6, 1e6))
         ->option_text("METRES [0.3]");
     command->callback([&said, run] { run(said); });
@@ -160,7 +160,7 @@ void add_table_options(CLI::App& command, Said& said) {
     command.add_option("--csv", said.csv, "table to write")
         ->check(can_be_written)
         ->option_text("FILE.csv");
-    command.add_option("-n,--repetitions", said.repetitions, "of each measurement")
+    command.add_option("-n,--repetitions", said.repetitions, "how often each measurement is made")
         ->check(CLI::Range(2, 100'000))
         ->capture_default_str();
 }
@@ -175,23 +175,25 @@ int main(int argc, char** argv) {
     program.footer("scipbench COMMAND --help tells more.");
     Said said;
     CLI::App* table3 = add(program, "table3",
-                           "what a scan costs at each resolution, by rays and "
-                           "by depth buffer, as in the paper's Table 3",
+                           "measure what a scan costs at each resolution, by rays "
+                           "and by depth buffer, as in the paper's Table 3",
                            said, run_table3);
     add_table_options(*table3, said);
     add_plot(*table3, said);
-    CLI::App* table4 = add(program, "table4", "what reading back costs, as in the paper's Table 4",
-                           said, run_table4);
+    CLI::App* table4 =
+        add(program, "table4", "measure what reading back costs, as in the paper's Table 4", said,
+            run_table4);
     add_table_options(*table4, said);
     CLI::App* compare =
-        add(program, "compare", "the same scans by every backend", said, run_compare);
-    compare->add_option("--model", said.model, "scanner, as `scipd --list-models` prints them")
+        add(program, "compare", "make the same scans by every backend, and compare them", said,
+            run_compare);
+    compare->add_option("--model", said.model, "a scanner of `scipd --list-models`")
         ->check(is_model)
         ->option_text("MODEL");
-    compare->add_option("--poses", said.poses, "how many scans, from as many places")
+    compare->add_option("--poses", said.poses, "how many scans to make, each from another place")
         ->check(CLI::Range(2, 100'000))
         ->capture_default_str();
-    compare->add_flag("--json", said.json, "for programs");
+    compare->add_flag("--json", said.json, "as a JSON document");
     add_plot(*compare, said);
     return run(program, argc, argv);
 }

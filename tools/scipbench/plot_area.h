@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/scipcat/colours.h"
-#include "tools/scipcat/page.h"
+#include "tools/colours.h"
+#include "tools/page.h"
 
 namespace scipd::tools {
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipcat/info.h"
-
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -10,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/scipcat/commands.h"
 #include "tools/scipcat/scan_options.h"
 
 namespace scipd::tools {
@@ -112,7 +111,7 @@ void show(const InfoOptions& options) {
 }  // namespace
 
 void add_info_command(CLI::App& program) {
-    auto* const command = program.add_subcommand("info", "what the scanner says of itself");
+    auto* const command = program.add_subcommand("info", "show what the scanner says of itself");
     const auto options = std::make_shared<InfoOptions>();
     options->connection.add_to(*command);
     command->add_flag("--json", options->json, "as a JSON document");

@@ -5,9 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "tools/options.h"
-#include "tools/scipcat/info.h"
-#include "tools/scipcat/plot.h"
-#include "tools/scipcat/record.h"
+#include "tools/scipcat/commands.h"
 
 int main(int argc, char** argv) {
     CLI::App program("Talks to any SCIP scanner, real or emulated, over TCP or a tty.", "scipcat");

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipcat/plot.h"
-
 #include <chrono>
 #include <ctime>
 #include <filesystem>
@@ -12,7 +10,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "tools/scipcat/page.h"
+#include "tools/page.h"
+#include "tools/scipcat/commands.h"
 #include "tools/scipcat/plot_text.h"
 #include "tools/scipcat/polar_plot.h"
 #include "tools/scipcat/scan_options.h"
@@ -82,16 +81,16 @@ void plot(const PlotOptions& options) {
 
 void add_plot_command(CLI::App& program) {
     auto* const command =
-        program.add_subcommand("plot", "one scan from above, to the terminal or into a picture");
+        program.add_subcommand("plot", "draw one scan from above, in the terminal or as a picture");
     const auto options = std::make_shared<PlotOptions>();
     options->connection.add_to(*command);
-    command->add_option("-o,--output", options->file, "the picture (default: to the terminal)")
+    command->add_option("-o,--output", options->file, "the picture (default: in the terminal)")
         ->check(ends_in(".png", ".svg"));
     command->add_option("--title", options->title, "title (default: the model)");
     options->scan.add_to(*command);
     command->callback([options] { plot(*options); });
     command->footer(
-        "Forward is up, left is left; what is out of range is not drawn.\n"
+        "Forward is up, and left is left. What is out of range is not drawn.\n"
         "Examples:\n"
         "  scipcat plot tcp://127.0.0.1:10940\n"
         "  scipcat plot /dev/ttyACM0 -o maze.png --title 'Rescue maze' --intensity");

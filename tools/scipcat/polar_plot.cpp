@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/scipcat/colours.h"
+#include "tools/colours.h"
 #include "tools/scipcat/ring_labels.h"
 #include "tools/scipcat/sheet.h"
 

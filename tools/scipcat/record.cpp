@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipcat/record.h"
-
 #include <cstdint>
 #include <iostream>
 #include <limits>
 #include <memory>
 #include <string>
 
+#include "tools/scipcat/commands.h"
 #include "tools/scipcat/scan_options.h"
 #include "tools/scipcat/scan_writer.h"
 
@@ -77,13 +76,14 @@ void record(const RecordOptions& options) {
 }  // namespace
 
 void add_record_command(CLI::App& program) {
-    auto* const command = program.add_subcommand("record", "scans into a CSV or JSON lines file");
+    auto* const command =
+        program.add_subcommand("record", "record scans in a CSV or JSON lines file");
     const auto options = std::make_shared<RecordOptions>();
     options->connection.add_to(*command);
-    command->add_option("-o,--output", options->file, "the recording; replaced if it is there")
+    command->add_option("-o,--output", options->file, "the recording; an old file is replaced")
         ->required()
         ->check(ends_in(".csv", ".jsonl"));
-    command->add_option("-n,--scans", options->scans, "so many scans (default: until Ctrl-C)")
+    command->add_option("-n,--scans", options->scans, "how many scans (default: until Ctrl-C)")
         ->check(CLI::Range(1, std::numeric_limits<int>::max()));
     options->scan.add_to(*command);
     command->add_flag("--echoes", options->scan.echoes,

@@ -31,7 +31,7 @@ void ConnectionOptions::add_to(CLI::App& command) {
         .add_option("TARGET", target, "the scanner: tcp://HOST:PORT, or a tty such as /dev/ttyACM0")
         ->required()
         ->check(CLI::Validator(why_no_target, "", "target"));
-    command.add_option("--baud", baud, "rate of a tty; USB scanners do not care")
+    command.add_option("--baud", baud, "rate of a tty; means nothing to a USB scanner")
         ->check(CLI::Range(1200, 4'000'000))
         ->capture_default_str();
     command.add_option("--timeout", timeout_s, "seconds to wait for each answer")
@@ -55,7 +55,7 @@ void ScanOptions::add_to(CLI::App& command) {
         ->check(steps);
     command.add_option("--end", end, "last step (default: the last that the scanner measures)")
         ->check(steps);
-    command.add_option("--cluster", cluster, "so many neighbouring steps give one value")
+    command.add_option("--cluster", cluster, "how many neighbouring steps give one value")
         ->check(CLI::Range(1, max_cluster))
         ->capture_default_str();
     command.add_flag("--intensity", intensity, "ask for intensities as well");

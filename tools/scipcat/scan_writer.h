@@ -5,42 +5,15 @@
 // so that a file that ends early ends after a whole scan. One thread.
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
 
-#include "protocol/client/device_info.h"
 #include "protocol/client/scan_message.h"
+#include "tools/scipcat/scan_format.h"
 
 namespace scipd::tools {
-
-/// What a recording must say so that its numbers can be read without the scanner.
-struct RecordedScanner {
-    std::string model;
-    std::string serial;
-    std::string firmware;
-    protocol::client::Parameters parameters;
-    protocol::client::ScanRequest request;
-};
-
-using HostTime = std::chrono::system_clock::time_point;
-
-/// Seconds since 1970 to the microsecond.
-[[nodiscard]] std::string unix_seconds(HostTime time);
-
-class ScanFormat {
-  public:
-    virtual ~ScanFormat() = default;
-
-    /// Whole lines before the first scan; may be empty.
-    [[nodiscard]] virtual std::string head(const RecordedScanner& scanner) const = 0;
-    /// One whole line.
-    [[nodiscard]] virtual std::string line(const RecordedScanner& scanner,
-                                           const protocol::client::ScanMessage& scan,
-                                           HostTime received) const = 0;
-};
 
 class ScanWriter {
   public:

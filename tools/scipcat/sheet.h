@@ -15,7 +15,7 @@
 
 #include <cairo.h>
 
-#include "tools/scipcat/colours.h"
+#include "tools/colours.h"
 #include "tools/scipcat/top_view.h"
 
 namespace scipd::tools {

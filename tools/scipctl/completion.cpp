@@ -73,7 +73,7 @@ void print_zsh(const Words& words) {
 }  // namespace
 
 void add_completion_command(CLI::App& program) {
-    auto* const command = program.add_subcommand("completion", "completions for a shell");
+    auto* const command = program.add_subcommand("completion", "print completions for a shell");
     const auto shell = std::make_shared<std::string>();
     command->add_option("SHELL", *shell, "bash or zsh")
         ->required()

@@ -48,9 +48,9 @@ void set_pose(const ControlOptions& control, const SetOptions& options) {
 }
 
 void add_get_command(CLI::App& pose, const ControlOptions& control) {
-    auto* const command = pose.add_subcommand("get", "where a robot is, as X,Y,Z,R,P,Y");
+    auto* const command = pose.add_subcommand("get", "tell where a robot is, as X,Y,Z,R,P,Y");
     const auto options = std::make_shared<GetOptions>();
-    command->add_option("ROBOT", options->robot, "may be left out where there is one only");
+    command->add_option("ROBOT", options->robot, "the robot; not needed if there is only one");
     command->add_flag("--json", options->json, "as a pose line");
     command->callback([&control, options] { get_pose(control, *options); });
 }
@@ -79,7 +79,7 @@ void add_set_command(CLI::App& pose, const ControlOptions& control) {
 }  // namespace
 
 void add_pose_commands(CLI::App& program, const ControlOptions& control) {
-    auto* const pose = program.add_subcommand("pose", "where robots are");
+    auto* const pose = program.add_subcommand("pose", "ask where robots are, or move them");
     pose->require_subcommand(1);
     add_get_command(*pose, control);
     add_set_command(*pose, control);

@@ -64,15 +64,15 @@ void add_pose_play_command(CLI::App& pose, const ControlOptions& control) {
     const auto options = std::make_shared<PlayOptions>();
     command
         ->add_option("FILE", options->file,
-                     "TUM (t x y z qx qy qz qw, a pose a line), EuRoC or KITTI ground truth, or "
-                     "CSV with a header")
+                     "a trajectory: TUM (a line t x y z qx qy qz qw for each pose), EuRoC or KITTI "
+                     "ground truth, or CSV with a header")
         ->required()
         ->check(CLI::ExistingFile);
-    command->add_option("--robot", options->robot, "may be left out where there is one only");
+    command->add_option("--robot", options->robot, "the robot; not needed if there is only one");
     command->add_option("--speed", options->speed, "2 plays twice as fast")
         ->check(number_within(1e-3, 1e3))
         ->capture_default_str();
-    command->add_flag("--loop", options->loop, "again and again, until Ctrl-C");
+    command->add_flag("--loop", options->loop, "play it again and again, until Ctrl-C");
     command->callback([&control, options] { play(control, *options); });
     command->footer("Example:\n  scipctl pose play scenes/rescue_maze.tum --robot rescue --loop");
 }

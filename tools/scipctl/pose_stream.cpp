@@ -73,13 +73,13 @@ void stream(const ControlOptions& control, const StreamOptions& options) {
 }  // namespace
 
 void add_pose_stream_command(CLI::App& pose, const ControlOptions& control) {
-    auto* const command = pose.add_subcommand("stream", "pose lines from standard input");
+    auto* const command = pose.add_subcommand("stream", "send pose lines from standard input");
     const auto options = std::make_shared<StreamOptions>();
-    command->add_option("--robot", options->robot, "whom lines without a name mean");
+    command->add_option("--robot", options->robot, "the robot of lines that name none");
     command->callback([&control, options] { stream(control, *options); });
     command->footer(
-        "A line is {\"robot\":\"rescue\",\"t\":12.345,\"xyz\":[1,2,0],\"q\":[0,0,0,1]} (rpy may "
-        "stand for q; robot and t may be left out) or t x y z qx qy qz qw.\n"
+        "A line is {\"robot\":\"rescue\",\"t\":12.345,\"xyz\":[1,2,0],\"q\":[0,0,0,1]},\n"
+        "or t x y z qx qy qz qw. robot and t may be left out, and rpy may stand for q.\n"
         "Example:\n"
         "  my_simulator | scipctl pose stream");
 }

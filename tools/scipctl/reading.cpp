@@ -59,9 +59,10 @@ void show(const ControlOptions& control, const ReadingOptions& options) {
 
 void add_reading_command(CLI::App& program, const ControlOptions& control) {
     auto* const command =
-        program.add_subcommand("reading", "what a camera or a ranger says, which speak no SCIP");
+        program.add_subcommand("reading", "show what a camera or a ranger measures");
     const auto options = std::make_shared<ReadingOptions>();
-    command->add_option("SENSOR", options->sensor, "ROBOT/SENSOR")->required();
+    command->add_option("SENSOR", options->sensor, "the camera or ranger, as ROBOT/SENSOR")
+        ->required();
     command->add_flag("--json", options->json, "as a JSON document, with every pixel");
     command->callback([&control, options] { show(control, *options); });
 }

@@ -78,6 +78,8 @@ void tell(const Json& loaded, bool json) {
     if (!loaded.is_object()) return;
     for (const auto& warning : loaded.value("warnings", Json::array()))
         std::cerr << "warning: " << warning.get<std::string>() << '\n';
+    for (const auto& note : loaded.value("notes", Json::array()))
+        std::cerr << "note: " << note.get<std::string>() << '\n';
 }
 
 /// "0.1 to 30 m"
@@ -188,39 +190,39 @@ void remove(const ControlOptions& control, const std::string& name) {
 }
 
 void add_list_command(CLI::App& scene, const ControlOptions& control) {
-    auto* const command = scene.add_subcommand("list", "the models of the world");
+    auto* const command = scene.add_subcommand("list", "list the models of the world");
     const auto options = std::make_shared<ListOptions>();
     command->add_flag("--sensors", options->sensors,
-                      "the lidars that its files describe, for scipd --sensor-from, and the model "
-                      "that comes closest to each");
+                      "the lidars that the files of the world describe (see scipd --sensor-from), "
+                      "and the model that comes closest to each");
     command->add_flag("--json", options->json, "as a JSON document");
     command->callback([&control, options] { list(control, *options); });
 }
 
 void add_add_command(CLI::App& scene, const ControlOptions& control) {
-    auto* const command = scene.add_subcommand("add", "one more model, from SDF, URDF or a mesh");
+    auto* const command = scene.add_subcommand("add", "add a model from SDF, URDF or a mesh");
     const auto options = std::make_shared<AddOptions>();
-    command->add_option("NAME", options->name, "what it is called from now on")->required();
+    command->add_option("NAME", options->name, "the name of the new model")->required();
     command
         ->add_option("FILE", options->file,
                      "an SDF, a URDF, a mesh or the folder of a model; - reads SDF")
         ->required()
         ->check(CLI::ExistingPath | CLI::IsMember({"-"}));
-    command->add_option("--pose", options->pose, "X,Y,YAW or X,Y,Z,R,P,Y; else its own");
-    command->add_option("--scale", options->scale, "of a mesh: 0.001 for millimetres")
+    command->add_option("--pose", options->pose,
+                        "X,Y,YAW or X,Y,Z,R,P,Y; default: the pose in its file");
+    command->add_option("--scale", options->scale, "the scale of a mesh: 0.001 for millimetres")
         ->check(number_within(-1e6, 1e6));
-    command->add_option("--material", options->material, "of a whole mesh");
+    command->add_option("--material", options->material, "the material of a whole mesh");
     auto* const movable = command->add_flag("--movable", options->movable,
-                                            "all of it moves as one, whatever it says");
-    command->add_flag("--static", options->is_static, "nothing of it moves, whatever it says")
+                                            "all of it moves as one body, whatever its file says");
+    command->add_flag("--static", options->is_static, "nothing of it moves, whatever its file says")
         ->excludes(movable);
-    command->add_flag("--replace", options->replace, "in place of the model of this name");
+    command->add_flag("--replace", options->replace, "replace the model of this name");
     command->add_flag("--json", options->json, warnings_as_json);
     command->callback([&control, options] { add(control, *options); });
     command->footer(
-        "scipd reads the file: relative URIs in it start at its folder, as with --scene, and "
-        "those\n"
-        "in an SDF from - at the folder of the world.\n"
+        "scipd reads the file. Relative URIs in it start at its folder, as with --scene.\n"
+        "With - they start at the folder of the world.\n"
         "Examples:\n"
         "  scipctl scene add crate crate.stl --scale 0.001 --material wood --pose 1,2,0\n"
         "  scipctl scene add shelf models/shelf --static");
@@ -229,7 +231,7 @@ void add_add_command(CLI::App& scene, const ControlOptions& control) {
 void add_move_command(CLI::App& scene, const ControlOptions& control) {
     auto* const command = scene.add_subcommand("move", "put a movable model somewhere");
     const auto options = std::make_shared<MoveOptions>();
-    command->add_option("MODEL", options->name)->required();
+    command->add_option("MODEL", options->name, "the name of the model")->required();
     command->add_option("POSE", options->pose, "X,Y,YAW or X,Y,Z,R,P,Y in metres and radians")
         ->required();
     command->callback([&control, options] { move(control, *options); });
@@ -238,14 +240,17 @@ void add_move_command(CLI::App& scene, const ControlOptions& control) {
 }  // namespace
 
 void add_scene_commands(CLI::App& program, const ControlOptions& control) {
-    auto* const scene = program.add_subcommand("scene", "what there is for scanners to see");
+    auto* const scene = program.add_subcommand("scene", "look at the world, or change it");
     scene->require_subcommand(1);
 
     add_list_command(*scene, control);
 
-    auto* const load_command = scene->add_subcommand("load", "another world in place of this one");
+    auto* const load_command =
+        scene->add_subcommand("load", "load another world in the place of this one");
     const auto options = std::make_shared<LoadOptions>();
-    load_command->add_option("FILE", options->file)->required()->check(CLI::ExistingPath);
+    load_command->add_option("FILE", options->file, "a world, or the folder of a model")
+        ->required()
+        ->check(CLI::ExistingPath);
     load_command->add_flag("--json", options->json, warnings_as_json);
     load_command->callback([&control, options] { load(control, *options); });
 
@@ -254,7 +259,7 @@ void add_scene_commands(CLI::App& program, const ControlOptions& control) {
 
     auto* const remove_command = scene->add_subcommand("remove", "take a model away");
     const auto model = std::make_shared<std::string>();
-    remove_command->add_option("MODEL", *model)->required();
+    remove_command->add_option("MODEL", *model, "the name of the model")->required();
     remove_command->callback([&control, model] { remove(control, *model); });
 }
 

@@ -79,8 +79,9 @@ void add_command(CLI::App& program, const ControlOptions& control, const std::st
 }  // namespace
 
 void add_status_commands(CLI::App& program, const ControlOptions& control) {
-    add_command(program, control, "status", "how scipd is doing", print_status);
-    add_command(program, control, "sensors", "which sensors there are", print_sensors);
+    add_command(program, control, "status", "tell how scipd and its sensors are doing",
+                print_status);
+    add_command(program, control, "sensors", "list the sensors", print_sensors);
 }
 
 }  // namespace scipd::tools

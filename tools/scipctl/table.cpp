@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
 
 namespace scipd::tools {
 namespace {

@@ -78,11 +78,12 @@ void show(const ControlOptions& control, const TruthOptions& options) {
 }  // namespace
 
 void add_truth_command(CLI::App& program, const ControlOptions& control) {
-    auto* const command =
-        program.add_subcommand("truth", "what was true of a scan, beside what was sent");
+    auto* const command = program.add_subcommand(
+        "truth", "show the true ranges of a scan, beside what the scanner sent");
     const auto options = std::make_shared<TruthOptions>();
-    command->add_option("SENSOR", options->sensor, "ROBOT/SENSOR")->required();
-    command->add_option("--scan", options->scan, "of the last second; else the latest");
+    command->add_option("SENSOR", options->sensor, "the sensor, as ROBOT/SENSOR")->required();
+    command->add_option("--scan", options->scan,
+                        "the number of a scan of the last second; default: the latest");
     command->add_flag("--json", options->json, "as a JSON document");
     command->callback([&control, options] { show(control, *options); });
 }

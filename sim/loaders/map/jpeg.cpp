@@ -3,15 +3,14 @@
 //
 // The only file that knows libjpeg-turbo. stb_image, which reads the other pictures, writes past
 // its tables on a faulty JPEG.
-#include "sim/loaders/map/jpeg.h"
-
 #include <memory>
 #include <stdexcept>
 #include <string>
 
 #include <turbojpeg.h>
 
-#include "sim/loaders/quote.h"
+#include "sim/loaders/map/map_picture.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

@@ -15,8 +15,8 @@
 #include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/yaml.h>
 
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/text/quote.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {

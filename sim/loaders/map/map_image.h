@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The picture of a ROS map: PGM (plain and raw), PNG, BMP or JPEG, as samples. Not what they mean:
-// that is in occupancy.h. What an image would take is known from its header and refused before
-// anything is allocated for it. Any thread; nothing shared.
+// The picture of a ROS map as samples. Not what they mean: that is in occupancy.h. Not the files
+// that pictures come in: those are read in map_picture.h. A value.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -25,9 +23,6 @@ struct MapImage {
     unsigned white = 255;  ///< the sample of full light, and of no transparency
     std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>> samples;
 };
-
-/// Throws std::invalid_argument, saying what is wrong.
-MapImage read_map_image(std::string_view bytes);
 
 /// Throws std::invalid_argument where no map can have this size.
 void check_map_size(std::uint64_t width, std::uint64_t height);

@@ -3,11 +3,11 @@
 //
 // By hand, since stb_image reads neither plain PGM, as people write it into tests, nor a maxval
 // below 255.
-#include "sim/loaders/map/pgm.h"
-
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+
+#include "sim/loaders/map/map_picture.h"
 
 namespace scipd::sim {
 namespace {

@@ -12,13 +12,13 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "sim/loaders/any_case.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/any_case.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/map/map_file.h"
-#include "sim/loaders/map/map_image.h"
+#include "sim/loaders/map/map_picture.h"
 #include "sim/loaders/map/map_walls.h"
 #include "sim/loaders/map/occupancy.h"
-#include "sim/loaders/plain_file.h"
 #include "sim/world/anchor.h"
 #include "sim/world/reach.h"
 

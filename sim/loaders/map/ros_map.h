@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-#include "sim/loaders/loaded_scene.h"
+#include "sim/loaders/file/loaded_scene.h"
 
 namespace scipd::sim {
 

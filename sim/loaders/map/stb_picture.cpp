@@ -4,15 +4,14 @@
 // The only file that knows stb_image. The library inflates whatever a file holds, however small the
 // picture that its header promises; its memory therefore comes out of a purse that is filled by the
 // header. It takes what a file lacks for zeros; so files that end early are refused here.
-#include "sim/loaders/map/stb_picture.h"
-
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>
 #include <string>
 
-#include "sim/loaders/quote.h"
+#include "sim/loaders/map/map_picture.h"
+#include "sim/text/quote.h"
 
 namespace {
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/mesh/collada_relief.h"
-
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -10,8 +8,9 @@
 
 #include <tinyxml2.h>
 
+#include "sim/loaders/file/xml_tree.h"
 #include "sim/loaders/mesh/collada_primitive.h"
-#include "sim/loaders/xml_tree.h"
+#include "sim/loaders/mesh/mesh_relief.h"
 
 namespace scipd::sim {
 namespace {

@@ -9,12 +9,12 @@
 #include <string>
 #include <utility>
 
-#include "sim/loaders/between_processes.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/between_processes.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/mistaken_file.h"
+#include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/mesh/mesh_reader.h"
 #include "sim/loaders/mesh/mesh_relief.h"
-#include "sim/loaders/mistaken_file.h"
-#include "sim/loaders/plain_file.h"
 
 namespace scipd::sim {
 namespace {
@@ -22,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largest_mesh_file = 1ULL << 30;
+constexpr auto more_memory = "world_memory_mb under limits in the configuration allows more";
 
 void put_part(const MeshPart& part, std::FILE* out) {
     put_all(part.material, out);
@@ -52,13 +53,17 @@ Confines confines_of(const fs::path& file, std::uintmax_t size, const MeshLimits
     constexpr std::uintmax_t little_memory = 1ULL << 30;
     Confines confines{.processor_time = most_time,
                       .memory_bytes = limits.memory_bytes,
-                      .wall_time = limits.wall_time};
+                      .wall_time = limits.wall_time,
+                      .more_memory = more_memory};
     // What it consists of may lie beside it.
     if (extension_of(file) == ".gltf") return confines;
     const std::chrono::seconds time{5 + size / 4'000'000};
     const auto memory_bytes = static_cast<std::size_t>(little_memory + 100 * size);
     confines.processor_time = std::min(most_time, time);
-    confines.memory_bytes = std::min(limits.memory_bytes, memory_bytes);
+    if (memory_bytes < limits.memory_bytes) {
+        confines.memory_bytes = memory_bytes;
+        confines.more_memory.clear();  // nothing does
+    }
     return confines;
 }
 
@@ -115,6 +120,14 @@ std::vector<std::vector<MeshSource>> batches_of(const std::vector<MeshSource>& s
         bytes += error ? most_bytes : size;
     }
     return batches;
+}
+
+std::size_t memory_for(const std::vector<MeshSource>& sources, const MeshLimits& limits) {
+    try {
+        return confines_of(sources, limits).memory_bytes;
+    } catch (const std::runtime_error&) {
+        return 0;  // nothing is begun
+    }
 }
 
 MeshBatch::MeshBatch(std::vector<MeshSource> sources, const MeshLimits& of_each)

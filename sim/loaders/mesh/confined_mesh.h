@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/loaders/confined.h"
+#include "sim/loaders/file/confined.h"
 #include "sim/loaders/mesh/mesh_file.h"
 #include "sim/loaders/mesh/mesh_reader.h"
 
@@ -37,6 +37,9 @@ class MeshBatch {
 
 /// What one child reads in one go. All sources in their order; files that are not there go alone.
 std::vector<std::vector<MeshSource>> batches_of(const std::vector<MeshSource>& sources);
+
+/// What the child may take that reads them.
+std::size_t memory_for(const std::vector<MeshSource>& sources, const MeshLimits& limits);
 
 /// A file that is being read: all of it or, where that fails, what matters of it.
 class MeshReading {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/mesh/gltf_relief.h"
-
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
+
+#include "sim/loaders/mesh/mesh_relief.h"
 
 namespace scipd::sim {
 namespace {

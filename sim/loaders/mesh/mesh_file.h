@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Meshes from files: OBJ with MTL, STL, PLY, COLLADA, glTF and GLB. Any thread; nothing shared.
+// Files of meshes: OBJ with MTL, STL, PLY, COLLADA, glTF and GLB; what there is to be said of them
+// before they are read, and what they hold. Not their reading: that is in mesh_parts.h. Any thread;
+// nothing shared.
 #pragma once
 
 #include <array>
@@ -25,21 +27,14 @@ struct MeshPart {
     Mesh mesh;
 };
 
-/// What reading one file may take. The library takes up to 600 bytes a triangle (load_bench): the
-/// largest mesh fits into the memory.
+/// What reading one file may take. The library takes up to 600 bytes a triangle (load_bench).
 struct MeshLimits {
-    std::size_t memory_bytes = std::size_t{8} << 30U;
+    std::size_t memory_bytes = std::size_t{4} << 30U;
     std::size_t triangles = 10'000'000;
     std::chrono::milliseconds wall_time = std::chrono::minutes{2};
 };
 
-/// One named thing of a mesh file.
-struct Submesh {
-    std::string name;      ///< of its node (OBJ: the object or group) or of its mesh
-    bool centred = false;  ///< moved so that the middle of its bounds is the origin
-};
-
-/// All of a file, or its submesh of this name.
+/// All of a file, or its submesh of this name: that of a node (OBJ: the object or group) or mesh.
 struct MeshSource {
     std::filesystem::path file;
     std::string submesh;
@@ -66,27 +61,9 @@ std::string extension_of(const std::filesystem::path& file);
 /// By its name.
 bool is_mesh_file(const std::filesystem::path& file);
 
-/// All triangles of the file, one part for every material, with the file's own transforms applied
-/// and, in COLLADA, its <unit>; other files are in metres. It is read in a child process, so that
-/// one that takes too much of anything, or crashes the library, is refused like any other. Throws
-/// LoadError.
-std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& file,
-                                      const glm::dvec3& scale = {1.0, 1.0, 1.0},
-                                      MeshAxes axes = MeshAxes::as_in_file,
-                                      const MeshLimits& limits = {});
-
-/// Its part of the file, one for each of its materials: where it lies in the file is kept unless it
-/// is centred. Throws LoadError, which tells the names that there are.
-std::vector<MeshPart> load_submesh(const std::filesystem::path& file, const Submesh& submesh,
-                                   const glm::dvec3& scale = {1.0, 1.0, 1.0},
-                                   const MeshLimits& limits = {});
-
 /// Brings parts as they lie in `file`, the middle of their bounds to the origin if they are to be
 /// centred, to this scale. Throws LoadError where a vertex is not finite then, or too far out.
 void place(std::vector<MeshPart>& parts, bool centred, const glm::dvec3& scale,
            const std::filesystem::path& file);
-
-/// All of the file as one mesh.
-Mesh load_mesh(const std::filesystem::path& file, const glm::dvec3& scale = {1.0, 1.0, 1.0});
 
 }  // namespace scipd::sim

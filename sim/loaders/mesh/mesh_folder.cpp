@@ -9,8 +9,8 @@
 
 #include <assimp/DefaultIOStream.h>
 
-#include "sim/loaders/plain_file.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/plain_file.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

@@ -20,10 +20,10 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/mesh/mesh_folder.h"
 #include "sim/loaders/mesh/mesh_relief.h"
-#include "sim/loaders/plain_file.h"
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

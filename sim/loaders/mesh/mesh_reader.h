@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // The one place that knows Assimp. What it is given comes from anywhere and the library is large:
-// mesh_file.h calls this where it can do no harm. Any thread; nothing shared.
+// confined_mesh.h calls this where it can do no harm. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>

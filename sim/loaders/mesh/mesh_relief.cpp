@@ -2,8 +2,6 @@
 // Copyright The scipd authors
 #include "sim/loaders/mesh/mesh_relief.h"
 
-#include "sim/loaders/mesh/collada_relief.h"
-#include "sim/loaders/mesh/gltf_relief.h"
 #include "sim/loaders/mesh/mesh_file.h"
 
 namespace scipd::sim {

@@ -19,4 +19,18 @@ bool can_be_relieved(const std::filesystem::path& file);
 /// beside itself is what can be wrong. Throws std::runtime_error where the file is no such thing.
 std::string relieved(const std::filesystem::path& file, std::string_view bytes);
 
+// Each format has a source of its own.
+
+/// A COLLADA without animations, skins, cameras, lights, pictures, and all of its vertices but
+/// where they are; what a skin covers stands in its first pose. Polygons with holes are triangles,
+/// and counts are right. Throws std::runtime_error where it is none.
+std::string relieved_collada(std::string_view text);
+
+/// A glTF without animations, skins, cameras, pictures and all of its vertices but where they are;
+/// materials keep their names. Throws std::runtime_error where it is none.
+std::string relieved_gltf(std::string_view text);
+
+/// The same with its buffer behind it.
+std::string relieved_glb(std::string_view bytes);
+
 }  // namespace scipd::sim

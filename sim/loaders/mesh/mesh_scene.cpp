@@ -9,7 +9,7 @@
 
 #include <glm/common.hpp>
 
-#include "sim/loaders/mesh/mesh_file.h"
+#include "sim/loaders/mesh/mesh_parts.h"
 #include "sim/world/anchor.h"
 #include "sim/world/bounds.h"
 

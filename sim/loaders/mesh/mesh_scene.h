@@ -4,7 +4,8 @@
 
 #include <filesystem>
 
-#include "sim/loaders/sdf/sdf.h"
+#include "sim/loaders/file/loaded_scene.h"
+#include "sim/loaders/mesh/mesh_file.h"
 
 namespace scipd::sim {
 

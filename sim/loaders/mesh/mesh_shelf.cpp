@@ -8,6 +8,8 @@
 #include <thread>
 #include <utility>
 
+#include "sim/loaders/file/doing.h"
+
 namespace scipd::sim {
 namespace {
 
@@ -15,9 +17,19 @@ MeshReading begin_reading(const MeshSource& source, const MeshLimits& limits) {
     return {source.file, source.submesh, MeshAxes::as_in_file, limits};
 }
 
-/// At a time; each may take as much memory as one may.
+/// At a time.
 std::size_t most_readings() {
     return std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
+}
+
+/// Small files hardly need more; where they do, each is read alone.
+MeshLimits share_of(MeshLimits limits) {
+    limits.memory_bytes /= most_readings();
+    return limits;
+}
+
+void tell_reading(const std::filesystem::path& file) {
+    now_doing("reading " + file.string());
 }
 
 using InFile = std::variant<std::vector<MeshPart>, LoadError>;
@@ -45,17 +57,27 @@ void MeshShelf::read_ahead(const std::vector<MeshSource>& sources) {
     const std::set<MeshSource> once{sources.begin(), sources.end()};
     std::deque<Running> running;
     std::size_t triangles = 0;
+    std::size_t memory_bytes = 0;
     const auto take_up_first = [&] {
-        triangles += std::visit([this](auto& first) { return take_up(first); }, running.front());
+        Running& first = running.front();
+        triangles += std::visit([this](auto& reading) { return take_up(reading); }, first.reading);
+        memory_bytes -= first.memory_bytes;
         running.pop_front();
     };
     for (auto& batch : batches_of({once.begin(), once.end()})) {
-        if (running.size() == most_readings()) take_up_first();
+        const MeshLimits limits = batch.size() > 1 ? share_of(limits_) : limits_;
+        const std::size_t wanted_bytes = memory_for(batch, limits);
+        while (!running.empty() && (running.size() == most_readings() ||
+                                    memory_bytes + wanted_bytes > limits_.memory_bytes)) {
+            take_up_first();
+        }
         if (triangles > most_triangles_) break;  // which is told where they are shown
+        memory_bytes += wanted_bytes;
         if (batch.size() > 1) {
-            running.emplace_back(std::in_place_type<MeshBatch>, std::move(batch), of_each_);
+            running.push_back({MeshBatch{std::move(batch), limits}, wanted_bytes});
         } else {
-            running.emplace_back(Alone{batch.front(), begin_reading(batch.front(), of_each_)});
+            running.push_back(
+                {Alone{batch.front(), begin_reading(batch.front(), limits)}, wanted_bytes});
         }
     }
     while (!running.empty())
@@ -63,28 +85,25 @@ void MeshShelf::read_ahead(const std::vector<MeshSource>& sources) {
 }
 
 std::size_t MeshShelf::take_up(MeshBatch& batch) {
+    tell_reading(batch.sources().front().file);
     auto outcome = batch.outcome();
+    if (!outcome) return 0;
     std::size_t triangles = 0;
-    for (std::size_t i = 0; i < batch.sources().size(); ++i) {
-        const MeshSource& source = batch.sources()[i];
-        if (outcome) {
-            triangles += triangles_of(in_file_[source] = std::move((*outcome)[i]));
-        } else {
-            Alone alone{source, begin_reading(source, of_each_)};
-            triangles += take_up(alone);
-        }
-    }
+    for (std::size_t i = 0; i < batch.sources().size(); ++i)
+        triangles += triangles_of(in_file_[batch.sources()[i]] = std::move((*outcome)[i]));
     return triangles;
 }
 
 std::size_t MeshShelf::take_up(Alone& alone) {
+    tell_reading(alone.source.file);
     return triangles_of(in_file_[alone.source] = outcome_of(alone.reading));
 }
 
 const std::vector<MeshPart>& MeshShelf::in_file(const MeshSource& source) {
     auto known = in_file_.find(source);
     if (known == in_file_.end()) {
-        MeshReading reading = begin_reading(source, of_each_);
+        tell_reading(source.file);
+        MeshReading reading = begin_reading(source, limits_);
         known = in_file_.emplace(source, outcome_of(reading)).first;
     }
     if (const auto* error = std::get_if<LoadError>(&known->second)) throw *error;

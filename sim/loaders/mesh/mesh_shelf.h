@@ -16,7 +16,7 @@
 
 #include <sdf/Mesh.hh>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/mesh/confined_mesh.h"
 #include "sim/loaders/mesh/mesh_file.h"
 #include "sim/world/shape.h"
@@ -31,11 +31,13 @@ struct SharedPart {
 
 class MeshShelf {
   public:
-    MeshShelf(std::size_t most_triangles, const MeshLimits& of_each)
-        : most_triangles_(most_triangles), of_each_(of_each) {}
+    /// `limits` are those of each file; its memory is that of all which are read at a time.
+    MeshShelf(std::size_t most_triangles, const MeshLimits& limits)
+        : most_triangles_(most_triangles), limits_(limits) {}
 
     /// What will be asked for, several at a time. What is wrong with one is said when it is asked
-    /// for. Best while this process is small, since a child begins as a copy of it.
+    /// for, and files that cannot be read together are read alone then. Best while this process is
+    /// small, since a child begins as a copy of it.
     void read_ahead(const std::vector<MeshSource>& sources);
 
     /// Of this file at the scale and with the submesh that `mesh` asks for. Throws LoadError.
@@ -52,7 +54,10 @@ class MeshShelf {
         MeshSource source;
         MeshReading reading;
     };
-    using Running = std::variant<MeshBatch, Alone>;
+    struct Running {
+        std::variant<MeshBatch, Alone> reading;
+        std::size_t memory_bytes;  ///< that it may take
+    };
 
     /// Each answers with the number of its triangles.
     std::size_t take_up(MeshBatch& batch);
@@ -60,7 +65,7 @@ class MeshShelf {
     const std::vector<MeshPart>& in_file(const MeshSource& source);
 
     std::size_t most_triangles_;
-    MeshLimits of_each_;
+    MeshLimits limits_;
     std::size_t triangles_ = 0;
     std::map<MeshSource, InFile> in_file_;
     std::map<Key, std::vector<SharedPart>> parts_;

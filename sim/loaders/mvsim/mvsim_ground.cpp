@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "sim/loaders/map/map_picture.h"
 #include "sim/loaders/map/map_walls.h"
 #include "sim/loaders/map/occupancy.h"
 #include "sim/world/reach.h"

@@ -3,15 +3,14 @@
 #include "sim/loaders/mvsim/mvsim_node.h"
 
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 
 #include <glm/geometric.hpp>
 #include <tinyxml2.h>
 
-#include "sim/loaders/quote.h"
-#include "sim/loaders/text_number.h"
-#include "sim/loaders/xml_tree.h"
+#include "sim/loaders/file/xml_tree.h"
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {
@@ -27,15 +26,7 @@ double number_in(const std::string& text, const char* what) {
 }  // namespace
 
 std::vector<double> numbers_in(const std::string& text, std::size_t count, const char* what) {
-    std::vector<double> all;
-    bool fits = true;
-    std::istringstream words{text};
-    for (std::string word; words >> word;) {
-        const auto number = parse_number(word.starts_with('+') ? word.substr(1) : word);
-        fits = fits && number.has_value();
-        all.push_back(number.value_or(0.0));
-    }
-    if (fits && all.size() == count) return all;
+    if (const auto all = parse_numbers(text, count)) return *all;
     throw std::invalid_argument("<" + std::string(what) + "> wants " + std::to_string(count) +
                                 (count == 1 ? " number, not " : " numbers, not ") + quote(text));
 }

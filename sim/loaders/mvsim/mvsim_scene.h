@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-#include "sim/loaders/loaded_scene.h"
+#include "sim/loaders/file/loaded_scene.h"
 #include "sim/loaders/map/ros_map.h"
 
 namespace scipd::sim {

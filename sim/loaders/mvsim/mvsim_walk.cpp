@@ -12,8 +12,8 @@
 
 #include <tinyxml2.h>
 
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

@@ -113,6 +113,7 @@ std::vector<PlacedBox> wall_boxes(const MvsimNode& walls) {
     const double height_m = walls.number("wallHeight", 2.0);
     const auto matrix = transformation(walls);
     std::vector<glm::dvec2> points = walls.points();
+    if (points.empty()) throw std::invalid_argument("has no <pt> in a <shape>, and so no wall");
     if (points.size() % 2 != 0) throw std::invalid_argument("wants pairs of <pt>");
     for (glm::dvec2& p : points) {
         p = {matrix[0] * p.x + matrix[1] * p.y + matrix[3],

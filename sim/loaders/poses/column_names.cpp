@@ -9,7 +9,8 @@
 
 #include "sim/loaders/poses/pose_columns.h"
 #include "sim/loaders/poses/tum_line.h"
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
 
 namespace scipd::sim {
 namespace {

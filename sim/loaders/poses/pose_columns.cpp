@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "sim/loaders/poses/tum_line.h"
-#include "sim/loaders/quote.h"
-#include "sim/loaders/text_number.h"
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {
@@ -64,12 +64,12 @@ class RowReader {
         std::array<double, 4> q{};
         std::ranges::transform(*columns_.quaternion, q.begin(),
                                [this](const Column& column) { return number(column); });
-        const auto rotation = normalised_quaternion(q[0], q[1], q[2], q[3]);
-        if (!rotation) {
-            refuse((*columns_.quaternion)[0].name + " to " + (*columns_.quaternion)[3].name +
-                   " must be a quaternion of length 1");
-        }
-        return rotation.value_or(glm::dquat{1.0, 0.0, 0.0, 0.0});
+        const auto& names = *columns_.quaternion;
+        const auto rotation =
+            quaternion_in_file({q[0], q[1], q[2], q[3]}, names[0].name + " to " + names[3].name);
+        if (const auto* why = std::get_if<std::string>(&rotation)) refuse(*why);
+        const auto* turned = std::get_if<glm::dquat>(&rotation);
+        return turned == nullptr ? glm::dquat{1.0, 0.0, 0.0, 0.0} : *turned;
     }
 
     void refuse(const std::string& why) {

@@ -10,8 +10,8 @@
 #include "sim/loaders/poses/small_json.h"
 #include "sim/loaders/poses/trajectory.h"
 #include "sim/loaders/poses/tum_line.h"
-#include "sim/loaders/quote.h"
-#include "sim/loaders/text_number.h"
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "sim/loaders/quote.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

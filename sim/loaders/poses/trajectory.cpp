@@ -9,14 +9,14 @@
 #include <system_error>
 #include <utility>
 
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/plain_file.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/poses/kitti_line.h"
 #include "sim/loaders/poses/pose_columns.h"
 #include "sim/loaders/poses/trajectory_draft.h"
 #include "sim/loaders/poses/tum_line.h"
-#include "sim/loaders/quote.h"
-#include "sim/loaders/text_number.h"
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
 
 namespace scipd::sim {
 namespace {
@@ -68,8 +68,10 @@ Trajectory read_euroc(std::string_view text, TrajectoryDraft draft) {
 
 void compare_counts(std::size_t poses, const Stamps& stamps, TrajectoryDraft& draft) {
     const std::size_t count = stamps.times.size();
-    const std::string both = "has " + std::to_string(poses) + " poses, but there are " +
-                             std::to_string(count) + " stamps in " + stamps.file.string();
+    const std::string both = "has " + std::to_string(poses) + (poses == 1 ? " pose" : " poses") +
+                             ", but there " + (count == 1 ? "is " : "are ") +
+                             std::to_string(count) + (count == 1 ? " stamp" : " stamps") + " in " +
+                             stamps.file.string();
     if (poses > count) draft.refuse(both + "; name the file of its stamps as `times`");
     if (poses < count) draft.warn(both + "; the rest is left out");
 }
@@ -128,7 +130,11 @@ class CsvReader {
     }
 
     Trajectory finish() && {
-        if (!not_read_.empty()) draft_.warn("the columns " + not_read_ + " are not read");
+        const bool one = not_read_count_ == 1;
+        if (not_read_count_ > 0) {
+            draft_.warn((one ? "the column " : "the columns ") + not_read_ +
+                        (one ? " is not read" : " are not read"));
+        }
         return std::move(draft_).finish("a row under a header such as t,x,y,z,roll,pitch,yaw");
     }
 
@@ -148,6 +154,7 @@ class CsvReader {
         for (const std::string& name : not_read)
             not_read_ += (not_read_.empty() ? "" : ", ") + name;
         not_read_ = printable(not_read_);
+        not_read_count_ = not_read.size();
         return true;
     }
 
@@ -161,6 +168,7 @@ class CsvReader {
     TrajectoryDraft draft_;
     std::optional<PoseColumns> columns_;
     std::string not_read_;
+    std::size_t not_read_count_ = 0;
     char delimiter_ = ',';
 };
 
@@ -225,7 +233,7 @@ Stamps parse_stamps(std::string_view text, const fs::path& file) {
 }
 
 Trajectory load_trajectory(const fs::path& file, TrajectoryFormat format, const fs::path& times) {
-    const std::string text = read_file(file, largest_trajectory, "name a trajectory");
+    const std::string text = read_text(file, largest_trajectory, "name a trajectory");
     if (format == TrajectoryFormat::guess) format = guessed_format(text);
     const fs::path beside = file.parent_path() / "times.txt";
     // Whatever it is: one that cannot be read is told below.
@@ -236,7 +244,7 @@ Trajectory load_trajectory(const fs::path& file, TrajectoryFormat format, const 
         return parse_trajectory(text, file, format);
     }
     const std::string lines =
-        read_file(stamps, largest_trajectory, "the stamps of a trajectory are wanted");
+        read_text(stamps, largest_trajectory, "the stamps of a trajectory are wanted");
     return parse_trajectory(text, file, format, parse_stamps(lines, stamps));
 }
 

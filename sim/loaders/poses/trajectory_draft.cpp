@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 
 namespace scipd::sim {
 namespace {

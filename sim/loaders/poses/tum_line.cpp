@@ -5,21 +5,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
-#include "sim/loaders/quote.h"
-#include "sim/loaders/text_number.h"
+#include <glm/geometric.hpp>
+
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {
 namespace {
 
-constexpr std::array column_names{"t", "tx", "ty", "tz", "qx", "qy", "qz", "qw"};
+constexpr std::array tum_columns{"t", "tx", "ty", "tz", "qx", "qy", "qz", "qw"};
 constexpr std::string_view blanks = " \t\r\n\v\f";
 
 /// Cut at blanks; what follows the eighth column is counted, not kept.
 struct Columns {
-    std::array<std::string_view, column_names.size()> text;
+    std::array<std::string_view, tum_columns.size()> text;
     std::size_t count = 0;
 
     explicit Columns(std::string_view line) {
@@ -34,12 +37,6 @@ struct Columns {
 
 }  // namespace
 
-std::string_view trimmed(std::string_view text) {
-    const auto begin = text.find_first_not_of(blanks);
-    if (begin == text.npos) return {};
-    return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-}
-
 bool says_nothing(std::string_view line) {
     const auto text = trimmed(line);
     return text.empty() || text.front() == '#';
@@ -51,9 +48,21 @@ std::optional<glm::dquat> normalised_quaternion(double x, double y, double z, do
     return glm::dquat{w / length, x / length, y / length, z / length};
 }
 
+std::variant<glm::dquat, std::string> quaternion_in_file(const glm::dvec4& xyzw,
+                                                         const std::string& columns) {
+    constexpr double tolerance = 0.02;
+    const double length = glm::length(xyzw);
+    if (std::abs(length - 1.0) <= tolerance)
+        return glm::dquat{xyzw.w, xyzw.x, xyzw.y, xyzw.z} / length;
+    std::array<char, 32> figure{};
+    std::snprintf(figure.data(), figure.size(), "%.4g", length);
+    return columns + " must be a quaternion of length 1, not " + figure.data() +
+           "; divide each by that, or see whether the columns are these";
+}
+
 std::variant<TimedPose, std::string> parse_tum_line(std::string_view line) {
     const Columns columns{line};
-    if (columns.count != column_names.size()) {
+    if (columns.count != tum_columns.size()) {
         return "a pose has 8 columns (t tx ty tz qx qy qz qw), this line has " +
                std::to_string(columns.count);
     }
@@ -61,20 +70,21 @@ std::variant<TimedPose, std::string> parse_tum_line(std::string_view line) {
     if (!time) {
         return "t must be seconds as decimals below 9e9, not " + quote(columns.text[0]);
     }
-    std::array<double, column_names.size()> value{};
+    std::array<double, tum_columns.size()> value{};
     for (std::size_t i = 1; i < value.size(); ++i) {
         const auto number = parse_number(columns.text[i]);
         if (!number) {
-            return std::string{column_names[i]} + " must be a finite number, not " +
+            return std::string{tum_columns[i]} + " must be a finite number, not " +
                    quote(columns.text[i]);
         }
         value[i] = *number;
     }
     const glm::dvec3 xyz_m{value[1], value[2], value[3]};
     if (!plausible_position(xyz_m)) return "tx ty tz must lie within 1e7 m of the origin";
-    const auto rotation = normalised_quaternion(value[4], value[5], value[6], value[7]);
-    if (!rotation) return "qx qy qz qw must be a quaternion of length 1";
-    return TimedPose{*time, {xyz_m, *rotation}};
+    const auto rotation =
+        quaternion_in_file({value[4], value[5], value[6], value[7]}, "qx qy qz qw");
+    if (const auto* why = std::get_if<std::string>(&rotation)) return *why;
+    return TimedPose{*time, {xyz_m, std::get<glm::dquat>(rotation)}};
 }
 
 }  // namespace scipd::sim

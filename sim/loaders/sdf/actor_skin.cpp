@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/sdf/sdf_actor.h"
 
 namespace scipd::sim {

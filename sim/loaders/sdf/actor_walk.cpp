@@ -20,7 +20,7 @@ constexpr Time instant{1};
 /// For all that is reckoned with it to fit into a Time.
 constexpr Seconds longest{4e9};
 /// Of one trajectory: 7 MB.
-constexpr std::size_t most_steps = 100'000;
+constexpr std::size_t most_walk_steps = 100'000;
 
 /// From one waypoint to the next, where s = 0 and s = 1.
 struct Cubic {
@@ -56,7 +56,7 @@ class Spline {
     [[nodiscard]] Time duration() const { return points_.back().time; }
 
     void append_to(std::vector<Script::Step>& steps, Time begin) const {
-        const std::size_t most = std::max(most_steps / points_.size(), std::size_t{1});
+        const std::size_t most = std::max(most_walk_steps / points_.size(), std::size_t{1});
         for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
             const Time span = points_[i + 1].time - points_[i].time;
             const Cubic cubic = from(i);

@@ -4,8 +4,6 @@
 // The only file that knows GDAL. The library is large and is given files from anywhere: it reads
 // them in a child process, and only by drivers that open the file alone and what lies beside it.
 // What becomes of them is what gz-common 5 makes of them (Dem.cc).
-#include "sim/loaders/sdf/dem.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -22,12 +20,13 @@
 #include <glm/vec2.hpp>
 #include <ogr_srs_api.h>
 
-#include "sim/loaders/between_processes.h"
-#include "sim/loaders/confined.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/between_processes.h"
+#include "sim/loaders/file/confined.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/map/map_image.h"
-#include "sim/loaders/plain_file.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/sdf/height_file.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The heights of a terrain from a file: a picture, or a digital elevation model. Not yet where they
-// lie: that is in sdf_heightmap.h. Any thread; nothing shared.
+// The heights of a terrain. Not yet where they lie: that is in sdf_heightmap.h. Not the file that
+// they come from: that is read in height_file.h. A value.
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -27,9 +26,5 @@ struct HeightGrid {
     glm::dvec3 size_m{1.0, 1.0, 1.0};  ///< where a world gives none
     std::vector<std::string> remarks;  ///< what a user should know of it
 };
-
-/// A picture by the end of its name, else an elevation model. Throws LoadError, which names the
-/// file.
-HeightGrid read_heights(const std::filesystem::path& file);
 
 }  // namespace scipd::sim

@@ -9,10 +9,10 @@
 
 #include <tinyxml2.h>
 
-#include "sim/loaders/any_case.h"
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/plain_file.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/any_case.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

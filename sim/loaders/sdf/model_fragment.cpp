@@ -7,9 +7,10 @@
 #include <memory>
 #include <utility>
 
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/mesh/mesh_file.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/mesh/mesh_parts.h"
+#include "sim/loaders/sdf/sdf.h"
+#include "sim/text/quote.h"
 #include "sim/world/anchor.h"
 #include "sim/world/script.h"
 

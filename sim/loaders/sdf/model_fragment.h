@@ -9,7 +9,8 @@
 #include <optional>
 #include <string>
 
-#include "sim/loaders/sdf/sdf.h"
+#include "sim/loaders/file/loaded_scene.h"
+#include "sim/loaders/sdf/sdf_options.h"
 
 namespace scipd::sim {
 

@@ -2,9 +2,9 @@
 // Copyright The scipd authors
 //
 // Stands in for dem.cpp in a build without GDAL.
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/plain_file.h"
-#include "sim/loaders/sdf/dem.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
+#include "sim/loaders/sdf/height_file.h"
 
 namespace scipd::sim {
 

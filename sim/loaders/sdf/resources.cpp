@@ -9,9 +9,9 @@
 #include <string_view>
 #include <utility>
 
-#include "sim/loaders/any_case.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/any_case.h"
 #include "sim/loaders/sdf/model_folder.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {
@@ -39,12 +39,39 @@ struct Uri {
     [[nodiscard]] bool named() const { return scheme == "model" || scheme == "package"; }
 };
 
+std::string with_each(std::string_view text, std::string_view wanted, std::string_view put) {
+    std::string result;
+    for (auto at = text.find(wanted); at != text.npos; at = text.find(wanted)) {
+        result.append(text.substr(0, at)).append(put);
+        text.remove_prefix(at + wanted.size());
+    }
+    return result.append(text);
+}
+
 bool is_there(const fs::path& path) {
     return !exactly({}, path).empty();
 }
 
-/// What there is of a name in a folder: exactly() or in_any_case().
+/// What there is of a name in a folder: exactly(), or by another spelling.
 using Look = fs::path (*)(const fs::path& folder, const fs::path& name);
+
+/// A URI has %20 where a file has a blank; some who have downloaded files kept it in their names.
+fs::path with_blanks(const fs::path& folder, const fs::path& name) {
+    const std::string spelled = with_each(name.native(), "%20", " ");
+    return spelled == name.native() ? fs::path{} : in_any_case(folder, spelled);
+}
+fs::path without_blanks(const fs::path& folder, const fs::path& name) {
+    const std::string spelled = with_each(name.native(), " ", "%20");
+    return spelled == name.native() ? fs::path{} : in_any_case(folder, spelled);
+}
+
+/// What a name of Fuel's is called there; as it stands where there is none.
+fs::path as_spelled_in(const fs::path& folder, const std::string& name) {
+    for (const Look look : {exactly, with_blanks, without_blanks}) {
+        if (auto found = look(folder, name); !found.empty()) return found;
+    }
+    return folder / name;
+}
 
 std::vector<fs::path> folders_of(std::string_view variable) {
     std::vector<fs::path> folders;
@@ -113,11 +140,7 @@ fs::path newest_version(const fs::path& model) {
 /// The two that most worlds of Gazebo name on the web: "Ground Plane" there, ground_plane in a
 /// folder. Nothing for all others.
 std::string name_in_folders(const Uri& uri) {
-    std::string name = lower(uri.name);
-    for (const std::string_view blank : {"%20", " "}) {
-        for (auto at = name.find(blank); at != name.npos; at = name.find(blank))
-            name.replace(at, blank.size(), 1, '_');
-    }
+    const std::string name = with_each(with_each(lower(uri.name), "%20", "_"), " ", "_");
     constexpr std::string_view owner = "/openrobotics/models/";
     for (const std::string_view model : {"sun", "ground_plane"}) {
         if (name.ends_with(model) && name.substr(0, name.size() - model.size()).ends_with(owner)) {
@@ -134,11 +157,13 @@ fs::path downloaded_to(const fs::path& cache, const Uri& uri) {
     for (const auto& piece : fs::path{uri.name})
         part.push_back(piece.string());
     if (part.size() < 5) return {};
-    const fs::path model = cache / part[0] / lower(part[2]) / lower(part[3]) / lower(part[4]);
+    fs::path model = cache / part[0];
+    for (const std::size_t i : {2U, 3U, 4U})
+        model = as_spelled_in(model, lower(part[i]));
     const bool latest = part.size() < 6 || part[5] == "tip";
     fs::path found = latest ? newest_version(model) : model / part[5];
     for (std::size_t i = 7; i < part.size(); ++i)
-        found /= part[i];
+        found = as_spelled_in(found, part[i]);
     return is_there(found) ? found : fs::path{};
 }
 
@@ -175,7 +200,7 @@ fs::path Resources::find(const std::string& text, const fs::path& beside) const 
         return ours.empty() ? found : find(std::string{"model://"}.append(ours), beside);
     }
     // First everywhere as it stands.
-    for (const Look look : {exactly, in_any_case}) {
+    for (const Look look : {exactly, in_any_case, with_blanks, without_blanks}) {
         if (auto found = near(beside, uri, look); !found.empty()) return found;
         if (auto found = near(folder_, uri, look); !found.empty()) return found;
         for (const auto& folder : search_path_) {

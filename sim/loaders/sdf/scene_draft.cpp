@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/sdf/sdf_document.h"
 #include "sim/world/anchor.h"
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/loaders/loaded_scene.h"
+#include "sim/loaders/file/loaded_scene.h"
 #include "sim/world/scene.h"
 
 namespace scipd::sim {

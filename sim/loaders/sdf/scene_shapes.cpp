@@ -7,7 +7,7 @@
 #include <sdf/Heightmap.hh>
 #include <sdf/Mesh.hh>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/sdf/actor_skin.h"
 #include "sim/loaders/sdf/sdf_document.h"
 #include "sim/loaders/sdf/sdf_heightmap.h"

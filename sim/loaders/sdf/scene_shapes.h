@@ -16,8 +16,8 @@
 #include "sim/loaders/mesh/mesh_shelf.h"
 #include "sim/loaders/sdf/resources.h"
 #include "sim/loaders/sdf/scene_draft.h"
-#include "sim/loaders/sdf/sdf.h"
 #include "sim/loaders/sdf/sdf_file.h"
+#include "sim/loaders/sdf/sdf_options.h"
 #include "sim/loaders/sdf/sdf_shape.h"
 #include "sim/loaders/sdf/sdf_surface.h"
 

@@ -7,14 +7,15 @@
 
 #include <sdf/Exception.hh>
 
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/plain_file.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/doing.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/sdf/model_folder.h"
 #include "sim/loaders/sdf/resources.h"
 #include "sim/loaders/sdf/sdf_cost.h"
 #include "sim/loaders/sdf/sdf_file.h"
 #include "sim/loaders/sdf/sdf_scene.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {
@@ -43,8 +44,10 @@ LoadedScene load(const SdfSource& source, const fs::path& folder, const SdfOptio
         MeshShelf shelf{options.most_triangles, options.mesh};
         if (survey.faults.empty()) shelf.read_ahead(survey.meshes);
         auto notes = notes_of(source, survey.bytes, options.most_memory_bytes);
+        now_doing("letting libsdformat read " + source.file.string());
         SdfFile read = read_sdf(std::move(survey), options);
         if (!read.faults.empty()) throw LoadError(std::move(read.faults));
+        now_doing("putting together what " + source.file.string() + " shows");
         LoadedScene loaded = scene_of(std::move(read), source.file, resources, options, shelf);
         loaded.notes = std::move(notes);
         if (options.strict && !loaded.warnings.empty()) throw LoadError(loaded.warnings);

@@ -12,31 +12,13 @@
 // or model that has it. The <state> of a world that Gazebo Classic saved says where its things lie.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <string>
-#include <vector>
 
-#include "sim/loaders/loaded_scene.h"
-#include "sim/loaders/mesh/mesh_file.h"
+#include "sim/loaders/file/loaded_scene.h"
+#include "sim/loaders/sdf/sdf_options.h"
 
 namespace scipd::sim {
-
-enum class SdfGeometry { visual, collision };
-
-struct SdfOptions {
-    SdfGeometry geometry = SdfGeometry::visual;
-    /// Where models are looked for that are nowhere else (resources.h).
-    std::vector<std::filesystem::path> model_folders = {};
-    /// libsdformat takes about 170 kB for a visual and 2 MB for a model, so that a small file can
-    /// be a large world. What would take more than this is refused before it is read.
-    std::size_t most_memory_bytes = std::size_t{4} << 30U;
-    std::size_t most_triangles = 20'000'000;
-    MeshLimits mesh = {};  ///< of each file
-    /// Every warning is a fault, and so is what libsdformat has against the parts that are nothing
-    /// to a scanner.
-    bool strict = false;
-};
 
 /// A world, a model or a robot; or the folder of a model. Throws LoadError where the file cannot be
 /// used; nothing half-loaded ever leaves.

@@ -4,18 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <locale>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include <glm/geometric.hpp>
 #include <tinyxml2.h>
 
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/xml_tree.h"
 #include "sim/loaders/sdf/actor_walk.h"
-#include "sim/loaders/xml_tree.h"
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {
@@ -29,20 +28,8 @@ constexpr double latest_s = 1e9;
 /// Where a pose is "there" for somebody who has typed it twice.
 constexpr double same_place_m = 1e-3;
 
-/// Nothing where the text is anything but finite numbers, or too few.
-std::optional<std::vector<double>> numbers_in(const std::string& text, std::size_t count) {
-    std::istringstream words(text);
-    words.imbue(std::locale::classic());
-    std::vector<double> numbers;
-    for (double number = 0.0; words >> number;)
-        numbers.push_back(number);
-    const bool good = words.eof() && numbers.size() == count &&
-                      std::ranges::all_of(numbers, [](double n) { return std::isfinite(n); });
-    return good ? std::optional(numbers) : std::nullopt;
-}
-
 std::optional<double> number_in(const XMLElement* element) {
-    const auto numbers = numbers_in(text_of(element), 1);
+    const auto numbers = parse_numbers(text_of(element), 1);
     return numbers ? std::optional(numbers->front()) : std::nullopt;
 }
 
@@ -51,7 +38,7 @@ std::optional<Pose> pose_in(const XMLElement* element) {
     if (element == nullptr) return Pose{};
     const char* format = element->Attribute("rotation_format");
     const bool as_quaternion = format != nullptr && format == std::string_view{"quat_xyzw"};
-    const auto n = numbers_in(text_of(element), as_quaternion ? 7 : 6);
+    const auto n = parse_numbers(text_of(element), as_quaternion ? 7 : 6);
     if (!n) return std::nullopt;
     const glm::dvec3 at_m{(*n)[0], (*n)[1], (*n)[2]};
     if (!plausible_position(at_m)) return std::nullopt;
@@ -161,7 +148,7 @@ class ActorReader {
     double tension_of(const XMLElement& element) {
         const char* text = element.Attribute("tension");
         if (text == nullptr) return 0.0;
-        const auto number = numbers_in(text, 1);
+        const auto number = parse_numbers(text, 1);
         const double tension = number ? std::clamp(number->front(), 0.0, 1.0) : 0.0;
         if (!number || tension != number->front()) {
             warn(element, "has a tension of " + quote(text) + ", which is none from 0 to 1; " +

@@ -11,8 +11,8 @@
 
 #include <tinyxml2.h>
 
+#include "sim/loaders/file/xml_tree.h"
 #include "sim/loaders/sdf/sdf_road.h"
-#include "sim/loaders/xml_tree.h"
 
 namespace scipd::sim {
 namespace {

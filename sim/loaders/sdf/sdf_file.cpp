@@ -9,7 +9,7 @@
 
 #include <sdf/Element.hh>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/sdf/sdf_console.h"
 #include "sim/loaders/sdf/sdf_library.h"
 #include "sim/loaders/sdf/sdf_printed.h"

@@ -14,16 +14,9 @@
 
 #include "sim/loaders/sdf/resources.h"
 #include "sim/loaders/sdf/sdf_survey.h"
+#include "sim/loaders/sdf/stand_in.h"
 
 namespace scipd::sim {
-
-struct StandIn {
-    std::filesystem::path file;  ///< as the user knows it
-    bool same_lines;
-    /// Of a robot, which is not read as it is written.
-    std::string robot = {};
-    std::map<std::string, int> lines = {};  ///< of its links, by name
-};
 
 struct SdfFile {
     sdf::Root root;  ///< complete where there are no faults

@@ -13,8 +13,8 @@
 #include <glm/common.hpp>
 #include <sdf/Element.hh>
 
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/sdf/height_grid.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/sdf/height_file.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {

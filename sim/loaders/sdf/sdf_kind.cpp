@@ -7,8 +7,8 @@
 
 #include <tinyxml2.h>
 
-#include "sim/loaders/mistaken_file.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/mistaken_file.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

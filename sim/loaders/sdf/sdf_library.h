@@ -13,7 +13,7 @@
 #include <sdf/Root.hh>
 #include <sdf/Types.hh>
 
-#include "sim/loaders/plain_file.h"
+#include "sim/loaders/file/plain_file.h"
 
 namespace scipd::sim {
 

@@ -10,7 +10,7 @@
 
 #include <tinyxml2.h>
 
-#include "sim/loaders/xml_tree.h"
+#include "sim/loaders/file/xml_tree.h"
 
 namespace scipd::sim {
 namespace {

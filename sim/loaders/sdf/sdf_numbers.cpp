@@ -6,8 +6,8 @@
 #include <locale>
 #include <sstream>
 
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

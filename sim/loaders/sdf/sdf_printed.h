@@ -5,10 +5,11 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
-#include "sim/loaders/sdf/sdf_file.h"
+#include "sim/loaders/sdf/stand_in.h"
 
 namespace scipd::sim {
 

@@ -15,7 +15,7 @@
 #include <glm/geometric.hpp>
 #include <tinyxml2.h>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/sdf/sdf_numbers.h"
 #include "sim/world/reach.h"
 

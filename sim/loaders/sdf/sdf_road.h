@@ -7,7 +7,7 @@
 
 #include <sdf/Element.hh>
 
-#include "sim/loaders/sdf/sdf_shape.h"
+#include "sim/loaders/sdf/placed_shape.h"
 
 namespace tinyxml2 {
 class XMLElement;

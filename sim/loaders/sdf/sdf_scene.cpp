@@ -12,7 +12,6 @@
 #include <sdf/Model.hh>
 #include <sdf/World.hh>
 
-#include "sim/loaders/name.h"
 #include "sim/loaders/sdf/actor_model.h"
 #include "sim/loaders/sdf/actor_skin.h"
 #include "sim/loaders/sdf/scene_draft.h"
@@ -22,6 +21,7 @@
 #include "sim/loaders/sdf/sdf_place.h"
 #include "sim/loaders/sdf/sdf_shape.h"
 #include "sim/loaders/sdf/sdf_surface.h"
+#include "sim/text/name.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {

@@ -4,10 +4,11 @@
 // What libsdformat has read, as a scene. Any thread; nothing shared.
 #pragma once
 
+#include "sim/loaders/file/loaded_scene.h"
 #include "sim/loaders/mesh/mesh_shelf.h"
 #include "sim/loaders/sdf/resources.h"
-#include "sim/loaders/sdf/sdf.h"
 #include "sim/loaders/sdf/sdf_file.h"
+#include "sim/loaders/sdf/sdf_options.h"
 
 namespace scipd::sim {
 

@@ -15,9 +15,9 @@
 
 #include <tinyxml2.h>
 
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/xml_tree.h"
 #include "sim/loaders/sdf/sdf_document.h"
-#include "sim/loaders/xml_tree.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {
@@ -33,6 +33,18 @@ struct Fault : std::runtime_error {
 
 bool is_named(const XMLElement& element, std::string_view name) {
     return attribute(element, "name") == name;
+}
+
+/// That the link lies in, with those that it lies in itself.
+std::string whole_name_of_model(const XMLElement& link) {
+    std::string name;
+    const auto* at = link.Parent();
+    for (; at != nullptr && at->ToElement() != nullptr; at = at->Parent()) {
+        const XMLElement& parent = *at->ToElement();
+        if (parent.Name() != std::string_view{"model"}) break;
+        name = attribute(parent, "name") + (name.empty() ? "" : "::" + name);
+    }
+    return name;
 }
 
 std::vector<double> numbers_in(const XMLElement& element) {
@@ -217,7 +229,8 @@ class Offer {
     void warn(int line, const XMLElement& link, const XMLElement& sensor, const Fault& fault) {
         warnings_.push_back(file_.string() + ':' + std::to_string(line) + ": sensor " +
                             quote(attribute(sensor, "name")) + " of link " +
-                            quote(attribute(link, "name")) + ": " + fault.what() +
+                            quote(attribute(link, "name")) + " of model " +
+                            quote(whole_name_of_model(link)) + ": " + fault.what() +
                             "; no scanner can be mounted there, ranges are as they are without it");
     }
 

@@ -16,7 +16,7 @@
 #include <sdf/Plane.hh>
 #include <sdf/Sphere.hh>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/sdf/sdf_numbers.h"
 #include "sim/loaders/sdf/sdf_road.h"
 #include "sim/world/extrusion.h"

@@ -10,17 +10,10 @@
 
 #include <sdf/Geometry.hh>
 
-#include "sim/world/pose.h"
+#include "sim/loaders/sdf/placed_shape.h"
 #include "sim/world/shape.h"
 
 namespace scipd::sim {
-
-/// A shape, and how it lies in the frame that SDF gives to the geometry: our planes are normal to
-/// z, theirs to anything.
-struct PlacedShape {
-    Shape shape;
-    Pose geometry_from_shape;
-};
 
 /// Nothing for meshes and for what we do not have. Throws LoadError where it cannot be: sizes that
 /// are not above 0 or beyond 1e7 m, outlines of fewer than three points.

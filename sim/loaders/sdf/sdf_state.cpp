@@ -2,47 +2,37 @@
 // Copyright The scipd authors
 #include "sim/loaders/sdf/sdf_state.h"
 
-#include <array>
-#include <cmath>
+#include <algorithm>
 #include <optional>
-#include <span>
-#include <sstream>
 
 #include <tinyxml2.h>
 
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/xml_tree.h"
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
 
 namespace scipd::sim {
 namespace {
 
 using tinyxml2::XMLElement;
 
-/// That many finite numbers and nothing else.
-bool read_numbers(const char* text, std::span<double> numbers) {
-    std::istringstream in{text == nullptr ? "" : text};
-    for (double& number : numbers) {
-        if (!(in >> number) || !std::isfinite(number)) return false;
-    }
-    return (in >> std::ws).eof();
-}
-
 std::optional<Pose> pose_of(const XMLElement& element) {
-    std::array<double, 6> n{};
     const auto* pose = element.FirstChildElement("pose");
     // Gazebo Classic takes none for that of the origin.
-    if (pose != nullptr && pose->GetText() != nullptr && !read_numbers(pose->GetText(), n)) {
-        return std::nullopt;
-    }
-    return pose_from_rpy({n[0], n[1], n[2]}, {n[3], n[4], n[5]});
+    if (pose == nullptr || pose->GetText() == nullptr) return Pose{};
+    const auto n = parse_numbers(pose->GetText(), 6);
+    if (!n) return std::nullopt;
+    return pose_from_rpy({(*n)[0], (*n)[1], (*n)[2]}, {(*n)[3], (*n)[4], (*n)[5]});
 }
 
 /// Gazebo Classic keeps the scale that it has in place of one below 0.
 std::optional<glm::dvec3> scale_of(const XMLElement& element) {
-    std::array<double, 3> n{1.0, 1.0, 1.0};
     const auto* scale = element.FirstChildElement("scale");
-    if (scale != nullptr && !read_numbers(scale->GetText(), n)) return std::nullopt;
-    if (n[0] < 0.0 || n[1] < 0.0 || n[2] < 0.0) return glm::dvec3{1.0};
-    return glm::dvec3{n[0], n[1], n[2]};
+    if (scale == nullptr) return glm::dvec3{1.0};
+    const auto n = parse_numbers(text_of(scale), 3);
+    if (!n) return std::nullopt;
+    if (std::ranges::min(*n) < 0.0) return glm::dvec3{1.0};
+    return glm::dvec3{(*n)[0], (*n)[1], (*n)[2]};
 }
 
 class StateReader {

@@ -13,7 +13,7 @@
 #include <sdf/Geometry.hh>
 #include <sdf/Link.hh>
 
-#include "sim/loaders/sdf/sdf.h"
+#include "sim/loaders/sdf/sdf_options.h"
 
 namespace scipd::sim {
 

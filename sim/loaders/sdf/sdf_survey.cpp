@@ -12,9 +12,10 @@
 
 #include <tinyxml2.h>
 
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/plain_file.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/doing.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
+#include "sim/loaders/file/xml_tree.h"
 #include "sim/loaders/sdf/line_for_line.h"
 #include "sim/loaders/sdf/model_folder.h"
 #include "sim/loaders/sdf/sdf_cost.h"
@@ -24,6 +25,8 @@
 #include "sim/loaders/sdf/sdf_library.h"
 #include "sim/loaders/sdf/sdf_names.h"
 #include "sim/loaders/sdf/wanted_meshes.h"
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
 
 namespace scipd::sim {
 namespace {
@@ -34,13 +37,6 @@ namespace fs = std::filesystem;
 /// times that.
 constexpr double largest_part = 1.0 / 64;
 constexpr std::size_t deepest_include = 32;
-
-std::string trimmed(const char* text) {
-    std::string_view all = text == nullptr ? "" : text;
-    constexpr std::string_view blank = " \t\r\n";
-    all.remove_prefix(std::min(all.find_first_not_of(blank), all.size()));
-    return std::string{all.substr(0, all.find_last_not_of(blank) + 1)};
-}
 
 class Surveyor {
   public:
@@ -89,7 +85,8 @@ class Surveyor {
     [[nodiscard]] double largest_file_bytes() const { return most_bytes_ * largest_part; }
 
     [[nodiscard]] std::string read(const fs::path& file) const {
-        return read_file(file, static_cast<std::uintmax_t>(largest_file_bytes()),
+        now_doing("looking into " + file.string());
+        return read_text(file, static_cast<std::uintmax_t>(largest_file_bytes()),
                          "an SDF or URDF file is wanted here");
     }
 
@@ -160,7 +157,7 @@ class Surveyor {
     /// What it brings, of the documents that were looked at.
     [[nodiscard]] std::string model_in(const tinyxml2::XMLElement& include) const {
         const auto* uri = include.FirstChildElement("uri");
-        const std::string text = uri == nullptr ? "" : trimmed(uri->GetText());
+        const std::string text{trimmed(text_of(uri))};
         for (std::size_t i = 0; i < survey_.documents.size(); ++i) {
             if (text == uri_of(i)) return survey_.documents[i].model;
         }
@@ -195,7 +192,7 @@ class Surveyor {
     bool add_include(tinyxml2::XMLElement& include, const fs::path& file) {
         auto* element = include.FirstChildElement("uri");
         if (element == nullptr) return true;  // the library has words for it
-        const std::string uri = trimmed(element->GetText());
+        const std::string uri{trimmed(text_of(element))};
         const std::string place = file.string() + ':' + std::to_string(include.GetLineNum()) + ": ";
         const auto folder = open_.size() > 1 ? file.parent_path() : resources_.folder();
         const fs::path found = resources_.find(uri, folder).lexically_normal();

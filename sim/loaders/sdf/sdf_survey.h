@@ -14,8 +14,8 @@
 
 #include "sim/loaders/mesh/mesh_shelf.h"
 #include "sim/loaders/sdf/resources.h"
-#include "sim/loaders/sdf/sdf.h"
 #include "sim/loaders/sdf/sdf_actor.h"
+#include "sim/loaders/sdf/sdf_options.h"
 #include "sim/loaders/sdf/sdf_sensors.h"
 #include "sim/loaders/sdf/sdf_state.h"
 

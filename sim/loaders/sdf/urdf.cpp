@@ -10,8 +10,8 @@
 #include <sdf/parser.hh>
 #include <tinyxml2.h>
 
+#include "sim/loaders/file/xml_tree.h"
 #include "sim/loaders/sdf/urdf_document.h"
-#include "sim/loaders/xml_tree.h"
 
 namespace scipd::sim {
 namespace {

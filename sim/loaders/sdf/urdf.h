@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/loaders/sdf/sdf.h"
+#include "sim/loaders/sdf/sdf_options.h"
 #include "sim/loaders/sdf/sdf_sensors.h"
 
 namespace scipd::sim {

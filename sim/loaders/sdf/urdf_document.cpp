@@ -3,19 +3,19 @@
 #include "sim/loaders/sdf/urdf_document.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <initializer_list>
 #include <iterator>
-#include <sstream>
 #include <string_view>
 
 #include <tinyxml2.h>
 
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/xml_tree.h"
 #include "sim/loaders/sdf/sdf_document.h"
 #include "sim/loaders/sdf/sdf_ignored.h"
-#include "sim/loaders/xml_tree.h"
+#include "sim/loaders/sdf/urdf_tree.h"
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
 
 namespace scipd::sim {
 namespace {
@@ -27,13 +27,6 @@ constexpr std::size_t longest_text = 200;
 
 void keep_children(XMLElement& element, Names names) {
     delete_children(element, [&](XMLElement& child) { return !is_one_of(child, names); });
-}
-
-bool holds_numbers(const std::string& text, std::size_t count) {
-    std::istringstream in{text};
-    const std::vector<double> numbers{std::istream_iterator<double>{in}, {}};
-    return in.eof() && numbers.size() == count &&
-           std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
 }
 
 struct Numbers {
@@ -56,7 +49,7 @@ std::string fault_of_numbers(const XMLElement& part) {
         if (text == nullptr && !numbers.is_required) continue;
         const std::string what = std::string{"its <"} + part.Name();
         if (text == nullptr) return what + "> has no " + numbers.attribute;
-        if (holds_numbers(text, numbers.count)) continue;
+        if (parse_numbers(text, numbers.count)) continue;
         return what + ' ' + numbers.attribute + "='" + printable(text, longest_text) +
                "'> is none that can be read";
     }
@@ -103,6 +96,7 @@ class Relief {
             if (is_one_of(*part, {"joint"})) relieve_joint(*part);
             if (is_one_of(*part, {"gazebo"})) relieve_extension(*part);
         }
+        std::ranges::move(mend_tree(robot, file_), std::back_inserter(warnings_));
         return std::move(warnings_);
     }
 
@@ -167,7 +161,7 @@ class Relief {
 
     static bool is_retro(const XMLElement& part) {
         return is_one_of(part, {"laserRetro", "laser_retro"}) && part.GetText() != nullptr &&
-               holds_numbers(part.GetText(), 1);
+               parse_numbers(part.GetText(), 1);
     }
 
     const std::filesystem::path& file_;

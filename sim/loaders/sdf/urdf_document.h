@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/loaders/sdf/sdf.h"
+#include "sim/loaders/sdf/sdf_options.h"
 
 namespace tinyxml2 {
 class XMLElement;

@@ -10,7 +10,7 @@
 
 #include "sim/loaders/mesh/mesh_shelf.h"
 #include "sim/loaders/sdf/resources.h"
-#include "sim/loaders/sdf/sdf.h"
+#include "sim/loaders/sdf/sdf_options.h"
 
 namespace tinyxml2 {
 class XMLElement;

@@ -5,10 +5,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "sim/loaders/confined.h"
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/plain_file.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/confined.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
+#include "sim/loaders/sdf/sdf.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

@@ -8,7 +8,8 @@
 
 #include <filesystem>
 
-#include "sim/loaders/sdf/sdf.h"
+#include "sim/loaders/file/loaded_scene.h"
+#include "sim/loaders/sdf/sdf_options.h"
 
 namespace scipd::sim {
 

@@ -10,7 +10,7 @@
 
 #include <glm/common.hpp>
 
-#include "sim/loaders/map/map_image.h"
+#include "sim/loaders/map/map_picture.h"
 #include "sim/loaders/map/map_walls.h"
 #include "sim/loaders/map/occupancy.h"
 #include "sim/world/bounds.h"

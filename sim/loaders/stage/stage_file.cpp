@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/quote.h"
-#include "sim/loaders/text_number.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
 
 namespace scipd::sim {
 namespace {

@@ -12,14 +12,14 @@
 #include <stdexcept>
 #include <utility>
 
-#include "sim/loaders/any_case.h"
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/name.h"
-#include "sim/loaders/plain_file.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/any_case.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/sdf/scene_draft.h"
 #include "sim/loaders/stage/stage_body.h"
 #include "sim/loaders/stage/stage_file.h"
+#include "sim/text/name.h"
+#include "sim/text/quote.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {
@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largest_text = 16U << 20U;
-constexpr std::uintmax_t largest_picture = 512U << 20U;
+constexpr std::uintmax_t largest_stage_picture = 512U << 20U;
 constexpr std::size_t most_triangles = 20'000'000;
 constexpr double boundary_m = 0.01;
 
@@ -45,6 +45,12 @@ bool is_sensor(const std::string& type) {
 
 bool has_default_body(const std::string& type) {
     return type == "model" || type == "position";
+}
+
+bool has_shape(const StageEntity& entity) {
+    return entity.find("bitmap") != nullptr || entity.number("noblocks", 0.0) != 0.0 ||
+           std::ranges::any_of(entity.children,
+                               [](const StageEntity& child) { return child.type == "block"; });
 }
 
 /// Stage looks beside the world; beside the file that includes is where people look.
@@ -102,11 +108,21 @@ class StageScene {
         const bool is_seen =
             entity.number("ranger_return", 1.0) >= 0.0 && entity.number("laser_return", 1.0) != 0.0;
         if (is_seen) add_body(stand, entity, size_m);
+        if (!is_seen || has_shape(entity)) tell_of_unknown(entity);
         // Children stand on top.
         const double top_m = entity.number("stack_children", 1.0) != 0.0 ? size_m.z : 0.0;
         for (const StageEntity& child : entity.children) {
             if (child.type != "block") add_child(stand, child, top_m);
         }
+    }
+
+    /// Who has no shape is left out with a warning. Stage itself would end there.
+    void tell_of_unknown(const StageEntity& entity) {
+        const bool is_known = has_default_body(entity.type) || is_sensor(entity.type);
+        if (is_known || !unknown_.insert(entity.type).second) return;
+        draft_.warn(entity.place + ": " + quote(entity.type) +
+                    " is neither defined nor a model of Stage; what it says counts, here and "
+                    "elsewhere");
     }
 
     void add_child(const Stand& parent, const StageEntity& child, double top_m) {
@@ -150,7 +166,7 @@ class StageScene {
             draft_.warn(entity.place + ": " + warning);
         try {
             const std::string bytes =
-                read_file(picture, largest_picture, "a bitmap is wanted here");
+                read_file(picture, largest_stage_picture, "a bitmap is wanted here");
             add_mesh(body, bitmap_mesh(bytes, size_m, most_triangles - triangles_));
         } catch (const LoadError& wrong) {
             draft_.leave_out(entity.place + ": " + wrong.what());
@@ -215,6 +231,7 @@ class StageScene {
     StageUnits units_;
     SceneDraft draft_;
     std::set<std::string, std::less<>> names_;
+    std::set<std::string> unknown_;  ///< types that were told of
     std::size_t triangles_ = 0;
     bool told_of_stage_2_ = false;
 };
@@ -233,9 +250,9 @@ LoadedScene load_stage(const fs::path& given) {
     const auto find = [&](const std::string& name, const fs::path& by) -> std::optional<StageText> {
         const fs::path included = path_of(name, file, by);
         if (!why_no_file(included).empty()) return std::nullopt;
-        return StageText{included, read_file(included, largest_text, "a file of Stage is wanted")};
+        return StageText{included, read_text(included, largest_text, "a file of Stage is wanted")};
     };
-    const std::string text = read_file(file, largest_text, "name a world of Stage");
+    const std::string text = read_text(file, largest_text, "name a world of Stage");
     return StageScene{file, parse_stage({file, text}, find)}.finish();
 }
 

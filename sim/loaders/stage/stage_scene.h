@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "sim/loaders/loaded_scene.h"
+#include "sim/loaders/file/loaded_scene.h"
 
 namespace scipd::sim {
 

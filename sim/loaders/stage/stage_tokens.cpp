@@ -7,8 +7,8 @@
 #include <cctype>
 #include <utility>
 
-#include "sim/loaders/load_error.h"
-#include "sim/loaders/quote.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {

@@ -14,8 +14,8 @@
 
 #include "daemon/api/routes.h"
 #include "daemon/clock/stepped_clock.h"
-#include "daemon/device/scan_log.h"
 #include "daemon/device/scan_loop.h"
+#include "daemon/device/sensor_record.h"
 #include "daemon/device/staring_sensor.h"
 #include "tests/daemon/device/ideal_camera.h"
 #include "tests/daemon/wall_world.h"
@@ -56,12 +56,15 @@ class Socket : public WebSocket {
 
 class ReadingTest : public testing::Test, protected tests::EmptyApi {
   protected:
-    [[nodiscard]] StaringSensor* staring(const std::string& sensor) override {
-        if (sensor == "robot/tof") return &camera_;
-        return sensor == "robot/sonar" ? &ranger_ : nullptr;
+    [[nodiscard]] std::optional<SensorRecord> latest(const std::string& sensor) override {
+        if (sensor == "robot/tof") return camera_.latest();
+        if (sensor == "robot/sonar") return ranger_.latest();
+        return EmptyApi::latest(sensor);
     }
-    [[nodiscard]] const ScanLog* scans(const std::string& sensor) const override {
-        return sensor == "robot/scanner" ? &log_ : nullptr;
+    [[nodiscard]] std::optional<SensorLog> log(const std::string& sensor) const override {
+        if (sensor == "robot/tof") return camera_.log();
+        if (sensor == "robot/sonar") return ranger_.log();
+        return sensor == "robot/scanner" ? std::optional<SensorLog>(log_) : std::nullopt;
     }
 
     HttpResponse ask(const std::string& path, const std::string& query = {}) {

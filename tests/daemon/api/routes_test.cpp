@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "daemon/device/scan_log.h"
+#include "daemon/device/sensor_record.h"
 #include "tests/support/empty_api.h"
 #include "tests/support/scene_builder.h"
 
@@ -26,10 +26,10 @@ using namespace std::chrono_literals;
 
 class FakeApi : public tests::EmptyApi {
   public:
-    [[nodiscard]] Status status() const override { return status_; }
+    [[nodiscard]] FleetStatus status() const override { return status_; }
 
-    [[nodiscard]] const ScanLog* scans(const std::string& sensor) const override {
-        return sensor == "rescue/front" ? &log_ : nullptr;
+    [[nodiscard]] std::optional<SensorLog> log(const std::string& sensor) const override {
+        return sensor == "rescue/front" ? std::optional<SensorLog>(log_) : std::nullopt;
     }
 
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(
@@ -69,7 +69,7 @@ class FakeApi : public tests::EmptyApi {
         return {};
     }
 
-    Status status_;
+    FleetStatus status_;
     ScanLog log_;
     sim::SharedScene scene_ = sim::SceneBuilder()
                                   .add(sim::Box{{1, 1, 1}}, {}, 1)
@@ -117,7 +117,7 @@ int problem_status(const HttpResponse& response) {
     return response.status;
 }
 
-Status busy_status() {
+FleetStatus busy_status() {
     SensorStatus front;
     front.name = "rescue/front";
     front.model = "UST-10LX";
@@ -138,7 +138,7 @@ Status busy_status() {
     rear.warning = "is inside model hull";
     rear.pty = "/run/scipd/rear";
 
-    Status status;
+    FleetStatus status;
     status.uptime = 100.5s;
     status.clock = "wall";
     status.time = 100250ms;

@@ -19,6 +19,7 @@
 
 #include "daemon/clock/stepped_clock.h"
 #include "daemon/device/scan_loop.h"
+#include "daemon/device/staring_sensor.h"
 #include "tests/daemon/device/ideal_camera.h"
 #include "tests/daemon/wall_world.h"
 

@@ -3,6 +3,7 @@
 //
 // GET /sensors/R/S/truth over a real device before a wall whose ranges are closed form.
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -13,7 +14,6 @@
 
 #include "daemon/api/routes.h"
 #include "daemon/clock/stepped_clock.h"
-#include "daemon/device/client.h"
 #include "daemon/device/device.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/empty_api.h"
@@ -28,8 +28,8 @@ using testing::HasSubstr;
 
 class TruthTest : public testing::Test, tests::EmptyApi {
   protected:
-    [[nodiscard]] const ScanLog* scans(const std::string& sensor) const override {
-        return sensor == "robot/scanner" ? &device_.log() : nullptr;
+    [[nodiscard]] std::optional<SensorLog> log(const std::string& sensor) const override {
+        return sensor == "robot/scanner" ? std::optional<SensorLog>(device_.log()) : std::nullopt;
     }
 
     HttpResponse ask(const std::string& query = {}) {
@@ -65,13 +65,13 @@ class TruthTest : public testing::Test, tests::EmptyApi {
     SteppedClock clock_;
     World world_ = wall_world();
     Device device_{"robot", in_three_fans(), 1, world_, clock_};
-    Client client_{device_, [] {}};
+    std::unique_ptr<Endpoint::Client> client_ = device_.connect([] {}, protocol::LinkKind::network);
     std::int64_t revolution_ = device_.next_revolution();
 };
 
 // A UST-10LX: 1081 steps of a quarter of a degree from 0, the front at 540.
 TEST_F(TruthTest, IsWhatTheWorldHasAndWhatWasSent) {
-    client_.receive("MD0000108000000\n");
+    client_->receive("MD0000108000000\n");
     turn();
     const json said = truth();
     EXPECT_EQ(said["sensor"], "robot/scanner");
@@ -106,7 +106,7 @@ TEST_F(TruthTest, IsWhatTheWorldHasAndWhatWasSent) {
 TEST_F(TruthTest, HasAPoseForEachFan) {
     (void)world_.place_robot("robot", {.time = 0s, .pose = {}});
     (void)world_.place_robot("robot", {.time = 500ms, .pose = {{0, 0.5, 0}, {1, 0, 0, 0}}});
-    client_.receive("MD0540054000000\n");
+    client_->receive("MD0540054000000\n");
     turn(2);
     const json poses = truth()["poses"];
     ASSERT_EQ(poses.size(), 3U);
@@ -119,7 +119,7 @@ TEST_F(TruthTest, HasAPoseForEachFan) {
 
 // In lockstep people have the stamps of their poses for times.
 TEST_F(TruthTest, TellsTimesFromTheOriginOfItsClock) {
-    client_.receive("MD0540054000000\n");
+    client_->receive("MD0540054000000\n");
     turn();
     const json before = truth();
     clock_.set_origin(1'000'000s);
@@ -134,7 +134,7 @@ TEST_F(TruthTest, TellsTimesFromTheOriginOfItsClock) {
 }
 
 TEST_F(TruthTest, KeepsASecondOfScans) {
-    client_.receive("MD0540054000000\n");
+    client_->receive("MD0540054000000\n");
     turn(100);
     const std::int64_t last = revolution_ - 1;
     // 25 ms each: 40 turns before the last one is a second ago.
@@ -146,7 +146,7 @@ TEST_F(TruthTest, KeepsASecondOfScans) {
 }
 
 TEST_F(TruthTest, KeepsTheNamesOfTheirWorld) {
-    client_.receive("MD0540054000000\n");
+    client_->receive("MD0540054000000\n");
     turn();
     const sim::SharedScene other = sim::SceneBuilder()
                                        .add(sim::Box{{1, 1, 1}}, {{-9, 0, 0}, {1, 0, 0, 0}})
@@ -164,7 +164,7 @@ TEST_F(TruthTest, KeepsTheNamesOfTheirWorld) {
 
 TEST_F(TruthTest, SaysWhatToDoWhereThereIsNone) {
     EXPECT_THAT(refusal(404), HasSubstr("until somebody asks for scans"));
-    client_.receive("MD0540054000000\n");
+    client_->receive("MD0540054000000\n");
     turn();
     for (const char* query : {"scan=", "scan=x", "scan=1x", "scan=99999999999999999999", "n=1"})
         EXPECT_THAT(refusal(400, query), HasSubstr("scan must be the number")) << query;

@@ -60,7 +60,8 @@ struct Case {
 /// What it says of itself.
 std::vector<Case> words() {
     return {
-        {"family", "b", "UST-10LX", [](Profile p) { p.family = protocol::Family::b; }},
+        {"family", "b", "UST-10LX",
+         [](Profile p) { p.family = protocol::Family::ethernet_multi_echo; }},
         {"vendor", "Us", "UST-10LX", [](Profile p) { p.vendor = "Us"; }},
         {"product", "'A B: c'", "UST-10LX", [](Profile p) { p.product = "A B: c"; }},
         {"firmware", "2.30", "UST-10LX", [](Profile p) { p.firmware = "2.30"; }},
@@ -120,7 +121,7 @@ std::vector<Case> abilities() {
         {"answers", "[QT adjust 00, BM measuring --]", "UST-10LX",
          [](Profile p) {
              using enum protocol::State;
-             p.answers = {{"QT", adjust, protocol::status::ok}, {"BM", measuring, std::nullopt}};
+             p.deviations = {{"QT", adjust, protocol::status::ok}, {"BM", measuring, std::nullopt}};
          }},
     };
 }

@@ -163,8 +163,8 @@ TEST_P(ClockEstimate, FindsTheRateAfterTwoSyncs) {
 std::vector<Model> ethernet_models() {
     std::vector<Model> all = models();
     std::erase_if(all, [](const Model& model) {
-        return model.profile.family != protocol::Family::b &&
-               model.profile.family != protocol::Family::c;
+        return model.profile.family != protocol::Family::ethernet_multi_echo &&
+               model.profile.family != protocol::Family::ust;
     });
     return all;
 }

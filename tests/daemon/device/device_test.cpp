@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "daemon/clock/stepped_clock.h"
-#include "daemon/device/client.h"
+#include "daemon/device/device.h"
 #include "protocol/char_code.h"
 #include "protocol/client/decoder.h"
 #include "protocol/client/scan_message.h"
@@ -24,9 +24,9 @@ namespace {
 using namespace std::chrono_literals;
 using protocol::client::ScanMessage;
 
-std::string all_messages(Client& client) {
+std::string all_messages(Endpoint::Client& client) {
     std::string bytes;
-    while (const auto action = client.next_action())
+    while (const auto action = client.session().next_action())
         bytes += std::get<protocol::Send>(*action).bytes;
     return bytes;
 }
@@ -43,7 +43,7 @@ ScanMessage scan_in(std::string_view bytes) {
 class DeviceTest : public testing::Test {
   protected:
     /// Turns until this client has a message.
-    std::string next_of(Client& client) {
+    std::string next_of(Endpoint::Client& client) {
         for (;;) {
             clock_.advance_to(device_.leaves(revolution_));
             device_.turn_complete(revolution_++);
@@ -58,9 +58,9 @@ class DeviceTest : public testing::Test {
 };
 
 TEST_F(DeviceTest, AnswersWithoutScanning) {
-    Client client(device_, [] {});
-    client.receive("VV\nBM\n");
-    EXPECT_NE(all_messages(client).find("PROD:UST-10LX"), std::string::npos);
+    const auto client = device_.connect([] {}, protocol::LinkKind::network);
+    client->receive("VV\nBM\n");
+    EXPECT_NE(all_messages(*client).find("PROD:UST-10LX"), std::string::npos);
     EXPECT_TRUE(device_.state().laser_on());
     EXPECT_FALSE(device_.wanted());
     device_.turn_complete(revolution_);
@@ -70,15 +70,15 @@ TEST_F(DeviceTest, AnswersWithoutScanning) {
 
 TEST_F(DeviceTest, ShowsTheSameScanToEveryone) {
     int told = 0;
-    Client first(device_, [&] { ++told; });
-    Client second(device_, [] {});
-    first.receive("MD0000108000000\n");
-    second.receive("MD0540054001003\n");
-    EXPECT_EQ(all_messages(first), "MD0000108000000\n00P\n\n");
-    EXPECT_EQ(all_messages(second), "MD0540054001003\n00P\n\n");
+    const auto first = device_.connect([&] { ++told; }, protocol::LinkKind::network);
+    const auto second = device_.connect([] {}, protocol::LinkKind::network);
+    first->receive("MD0000108000000\n");
+    second->receive("MD0540054001003\n");
+    EXPECT_EQ(all_messages(*first), "MD0000108000000\n00P\n\n");
+    EXPECT_EQ(all_messages(*second), "MD0540054001003\n00P\n\n");
     EXPECT_TRUE(device_.wanted());
 
-    const ScanMessage whole = scan_in(next_of(first));
+    const ScanMessage whole = scan_in(next_of(*first));
     EXPECT_GT(told, 0);
     EXPECT_EQ(whole.distances_mm.size(), 1081U);
     EXPECT_EQ(whole.distances_mm[540], 4000U);
@@ -90,29 +90,29 @@ TEST_F(DeviceTest, ShowsTheSameScanToEveryone) {
 
 TEST_F(DeviceTest, IsWantedAsLongAsSomeStreamRuns) {
     {
-        Client gone(device_, [] {});
-        gone.receive("MD0540054000000\n");
+        const auto gone = device_.connect([] {}, protocol::LinkKind::network);
+        gone->receive("MD0540054000000\n");
         EXPECT_TRUE(device_.wanted());
         EXPECT_EQ(device_.clients(), 1U);
     }
     EXPECT_FALSE(device_.wanted());
     EXPECT_EQ(device_.clients(), 0U);
 
-    Client client(device_, [] {});
-    client.receive("MD0540054000001\n");
+    const auto client = device_.connect([] {}, protocol::LinkKind::network);
+    client->receive("MD0540054000001\n");
     EXPECT_TRUE(device_.wanted());
-    (void)all_messages(client);
-    EXPECT_EQ(scan_in(next_of(client)).request.scans, 0);
+    (void)all_messages(*client);
+    EXPECT_EQ(scan_in(next_of(*client)).request.scans, 0);
     EXPECT_FALSE(device_.wanted());
 }
 
 TEST_F(DeviceTest, TellsWhoeverWaitsThatItIsWanted) {
     int woken = 0;
     device_.on_wanted([&] { ++woken; });
-    Client client(device_, [] {});
-    client.receive("VV\n");
+    const auto client = device_.connect([] {}, protocol::LinkKind::network);
+    client->receive("VV\n");
     EXPECT_EQ(woken, 0);
-    client.receive("MD0540054000000\n");
+    client->receive("MD0540054000000\n");
     EXPECT_EQ(woken, 1);
 }
 
@@ -133,41 +133,41 @@ TEST_F(DeviceTest, IsFoundAsItWasPoweredUp) {
     cold.timing = Timing::real;
     cold.power_up = PowerUp::boot;
     Device booting("robot", cold, 1, world_, clock_);
-    Client early(booting, [] {});
-    early.receive("VV\n");
+    const auto early = booting.connect([] {}, protocol::LinkKind::network);
+    early->receive("VV\n");
     EXPECT_TRUE(booting.state().booting(booting.uptime()));
-    EXPECT_EQ(all_messages(early), "");
+    EXPECT_EQ(all_messages(*early), "");
     // UST-10LX: up to ten seconds, in which it takes connections but does not answer.
-    ASSERT_TRUE(early.wake_at());
-    EXPECT_EQ(*early.wake_at(), 10s);
-    clock_.advance_to(*early.wake_at());
-    early.wake();
-    EXPECT_NE(all_messages(early).find("PROD:UST-10LX"), std::string::npos);
+    ASSERT_TRUE(early->wake_at());
+    EXPECT_EQ(*early->wake_at(), 10s);
+    clock_.advance_to(*early->wake_at());
+    early->wake();
+    EXPECT_NE(all_messages(*early).find("PROD:UST-10LX"), std::string::npos);
 
     SensorConfig old = ideal_sensor("URG-04LX");
     old.power_up = PowerUp::scip1;
     Device ancient("robot", old, 1, world_, clock_);
-    Client client(ancient, [] {});
-    client.receive("QT\n");
-    EXPECT_EQ(all_messages(client), "QT\nE\n\n");
-    client.receive("SCIP2.0\n");
-    EXPECT_EQ(all_messages(client), "SCIP2.0\n0\n\n");
-    client.receive("QT\n");
-    EXPECT_EQ(all_messages(client), "QT\n00P\n\n");
+    const auto client = ancient.connect([] {}, protocol::LinkKind::network);
+    client->receive("QT\n");
+    EXPECT_EQ(all_messages(*client), "QT\nE\n\n");
+    client->receive("SCIP2.0\n");
+    EXPECT_EQ(all_messages(*client), "SCIP2.0\n0\n\n");
+    client->receive("QT\n");
+    EXPECT_EQ(all_messages(*client), "QT\n00P\n\n");
 }
 
 TEST_F(DeviceTest, ShowsTheTimeThatItWasSetTo) {
     SensorConfig old = ideal_sensor();
     old.clock.start_ms = 16'777'215;
     Device device("robot", old, 1, world_, clock_);
-    Client client(device, [] {});
-    client.receive("TM1\n");
-    EXPECT_EQ(all_messages(client).substr(8, 4), "oooo");
+    const auto client = device.connect([] {}, protocol::LinkKind::network);
+    client->receive("TM1\n");
+    EXPECT_EQ(all_messages(*client).substr(8, 4), "oooo");
     clock_.advance_to(1ms);
-    client.receive("TM1\n");
-    EXPECT_EQ(all_messages(client).substr(8, 4), "0000");
-    client.receive("RS\nTM1\n");
-    EXPECT_EQ(all_messages(client), "RS\n00P\n\nTM1\n00P\n00000\n\n");
+    client->receive("TM1\n");
+    EXPECT_EQ(all_messages(*client).substr(8, 4), "0000");
+    client->receive("RS\nTM1\n");
+    EXPECT_EQ(all_messages(*client), "RS\n00P\n\nTM1\n00P\n00000\n\n");
 }
 
 TEST_F(DeviceTest, LivesByItsOwnClock) {
@@ -175,16 +175,16 @@ TEST_F(DeviceTest, LivesByItsOwnClock) {
     fast.timing = Timing::real;
     fast.clock.ppm = 200.0;
     Device device("robot", fast, 1, world_, clock_);
-    Client client(device, [] {});
+    const auto client = device.connect([] {}, protocol::LinkKind::network);
     clock_.advance_to(1000s);
-    client.receive("TM1\n");
-    ASSERT_TRUE(client.wake_at());
-    clock_.advance_to(*client.wake_at());
-    client.wake();
+    client->receive("TM1\n");
+    ASSERT_TRUE(client->wake_at());
+    clock_.advance_to(*client->wake_at());
+    client->wake();
     // 1000.2 s on its clock, and half of what a reply takes.
     std::string stamp;
     protocol::append_encoded(stamp, 1'000'200, protocol::timestamp_width);
-    EXPECT_EQ(all_messages(client).substr(8, 4), stamp);
+    EXPECT_EQ(all_messages(*client).substr(8, 4), stamp);
     // The mirror hangs on the same crystal.
     const std::chrono::duration<double> turns = device.leaves(40'000) - device.leaves(0);
     const std::chrono::duration<double> periods = 40'000 * device.profile().scan_period;
@@ -192,16 +192,16 @@ TEST_F(DeviceTest, LivesByItsOwnClock) {
 }
 
 TEST_F(DeviceTest, SweepsFromPosesAtTheTimeOfEachBeam) {
-    Client client(device_, [] {});
-    client.receive("MD0000108000000\n");
-    (void)all_messages(client);
+    const auto client = device_.connect([] {}, protocol::LinkKind::network);
+    client->receive("MD0000108000000\n");
+    (void)all_messages(*client);
     // 2 m/s towards the wall: the beam ahead is fired 9.375 ms after step 0.
     const sim::Time start = device_.leaves(revolution_) - 1s;
     for (int i = 0; i <= 40; ++i) {
         (void)world_.place_robot(
             "robot", {start + i * 50ms, sim::pose_from_rpy({i * 0.1, 0, 0}, {0, 0, 0})});
     }
-    (void)next_of(client);
+    (void)next_of(*client);
     const auto& scan = *device_.latest_scan();
     ASSERT_EQ(scan.world_from_sensor.size(), 1081U);
     const auto seconds = [](sim::Time time) { return std::chrono::duration<double>(time).count(); };
@@ -218,8 +218,8 @@ TEST_F(DeviceTest, SharesPosesAmongBeamsWhereFewAreAskedFor) {
     SensorConfig coarse = ideal_sensor();
     coarse.motion = 3;
     Device device("robot", coarse, 1, world_, clock_);
-    Client client(device, [] {});
-    client.receive("MD0000108000000\n");
+    const auto client = device.connect([] {}, protocol::LinkKind::network);
+    client->receive("MD0000108000000\n");
     std::int64_t revolution = device.next_revolution() + 2;
     const sim::Time start = device.leaves(revolution) - 500ms;
     (void)world_.place_robot("robot", {start, sim::Pose{}});

@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/device/scan_loop.h"
 
+#include <memory>
 #include <optional>
 #include <thread>
 #include <vector>
@@ -10,7 +11,7 @@
 
 #include "daemon/clock/stepped_clock.h"
 #include "daemon/clock/wall_clock.h"
-#include "daemon/device/client.h"
+#include "daemon/device/device.h"
 #include "tests/daemon/wall_world.h"
 
 namespace scipd::daemon {
@@ -28,19 +29,21 @@ class ScanLoopTest : public testing::Test {
 };
 
 TEST_F(ScanLoopTest, WaitsForNothingWhereNobodyWantsScans) {
-    Client client(device_, [] {});
-    client.receive("VV\n");
+    const auto client = device_.connect([] {}, protocol::LinkKind::network);
+    client->receive("VV\n");
     EXPECT_EQ(io_.run_for(100ms), 0U);
 }
 
 TEST_F(ScanLoopTest, ServesEveryTurnOnceAndNoneTooEarly) {
     std::vector<std::int64_t> revolutions;
-    Client client(device_, [&] {
-        if (device_.scans_sent() == revolutions.size()) return;  // a turn that nobody took
-        EXPECT_GE(clock_.now(), device_.leaves(device_.latest_scan()->revolution));
-        revolutions.push_back(device_.latest_scan()->revolution);
-    });
-    client.receive("MD0540054000008\n");
+    const auto client = device_.connect(
+        [&] {
+            if (device_.scans_sent() == revolutions.size()) return;  // a turn that nobody took
+            EXPECT_GE(clock_.now(), device_.leaves(device_.latest_scan()->revolution));
+            revolutions.push_back(device_.latest_scan()->revolution);
+        },
+        protocol::LinkKind::network);
+    client->receive("MD0540054000008\n");
     ASSERT_TRUE(run_until(io_, [&] { return !device_.wanted(); }));
     // Nobody wants more: there is nothing to wait for.
     EXPECT_EQ(device_.scans_sent(), 8U);
@@ -53,8 +56,8 @@ TEST_F(ScanLoopTest, ServesEveryTurnOnceAndNoneTooEarly) {
 }
 
 TEST_F(ScanLoopTest, ServesTurnsThatAreALittleLate) {
-    Client client(device_, [] {});
-    client.receive("MD0540054000000\n");
+    const auto client = device_.connect([] {}, protocol::LinkKind::network);
+    client->receive("MD0540054000000\n");
     ASSERT_TRUE(run_until(io_, [&] { return device_.scans_sent() >= 1; }));
     const std::int64_t first = device_.latest_scan()->revolution;
     const auto sent = static_cast<std::int64_t>(device_.scans_sent());
@@ -66,8 +69,8 @@ TEST_F(ScanLoopTest, ServesTurnsThatAreALittleLate) {
 }
 
 TEST_F(ScanLoopTest, CountsTurnsThatItSleptThrough) {
-    Client client(device_, [] {});
-    client.receive("MD0540054000000\n");
+    const auto client = device_.connect([] {}, protocol::LinkKind::network);
+    client->receive("MD0540054000000\n");
     ASSERT_TRUE(run_until(io_, [&] { return device_.scans_sent() >= 1; }));
     const std::int64_t first = device_.latest_scan()->revolution;
     const auto sent = static_cast<std::int64_t>(device_.scans_sent());
@@ -97,20 +100,20 @@ TEST_F(ScanLoopTest, CountsForThoseWhoWaited) {
     EXPECT_GT(unwatched, 40U);
 
     device_.watch(nullptr);
-    Client client(device_, [] {});
-    client.receive("MD0540054000000\n");
+    const auto client = device_.connect([] {}, protocol::LinkKind::network);
+    client->receive("MD0540054000000\n");
     sleep_through();
     EXPECT_GT(loop_->missed(), 40U);
     EXPECT_EQ(loop_->missed_by_watchers(), unwatched);
 }
 
 TEST_F(ScanLoopTest, ServesNobodyOnceItIsGone) {
-    Client client(device_, [] {});
-    client.receive("MD0540054000000\n");
+    const auto client = device_.connect([] {}, protocol::LinkKind::network);
+    client->receive("MD0540054000000\n");
     loop_.reset();
     io_.run_for(100ms);
     EXPECT_EQ(device_.scans_sent(), 0U);
-    client.receive("MD0540054000000\n");
+    client->receive("MD0540054000000\n");
     io_.restart();
     EXPECT_EQ(io_.run_for(100ms), 0U);
 }
@@ -132,12 +135,12 @@ class LatePoses : public testing::Test {
     World world_ = wall_world();
     Device device_{"robot", patient(), 1, world_, clock_};
     ScanLoop loop_{device_, clock_};
-    Client client_{device_, [] {}};
+    std::unique_ptr<Endpoint::Client> client_ = device_.connect([] {}, protocol::LinkKind::network);
 };
 
 TEST_F(LatePoses, AreWaitedForUpToABound) {
     place(0ms);
-    client_.receive("MD0540054000000\n");
+    client_->receive("MD0540054000000\n");
     // The first turn fires its last step after 18.75 ms.
     place(19ms);
     clock_.advance_to(20ms);
@@ -161,7 +164,7 @@ TEST_F(LatePoses, AreWaitedForUpToABound) {
 TEST_F(LatePoses, AreNotExpectedOfAStreamThatHasEnded) {
     place(0ms);
     clock_.advance_to(2s);
-    client_.receive("MD0540054000000\n");
+    client_->receive("MD0540054000000\n");
     const sim::Time due = device_.leaves(device_.next_revolution() + 1);
     clock_.advance_to(due);
     EXPECT_GE(device_.scans_sent(), 1U);

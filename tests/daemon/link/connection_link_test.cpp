@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "daemon/clock/stepped_clock.h"
+#include "daemon/device/device.h"
 #include "daemon/link/connection.h"
 #include "tests/daemon/wall_world.h"
 

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "daemon/clock/wall_clock.h"
+#include "daemon/device/device.h"
 #include "tests/daemon/wall_world.h"
 
 namespace scipd::daemon {

@@ -13,6 +13,7 @@
 #include <termios.h>
 
 #include "daemon/clock/wall_clock.h"
+#include "daemon/device/device.h"
 #include "daemon/link/pty_port.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/scanner_wire.h"
@@ -33,7 +34,7 @@ class PtyClients : public testing::Test {
 
     void serve(const LinkConfig& link) { port_->serve(device_, link); }
 
-    [[nodiscard]] ScannerWire open() const { return ScannerWire::tty(port_->link()); }
+    [[nodiscard]] ScannerWire open() const { return ScannerWire::tty(port_->address()); }
 
     void run_for(std::chrono::milliseconds time) {
         io_.restart();
@@ -57,7 +58,7 @@ class PtyClients : public testing::Test {
     }
 
     void wait_until_closed() {
-        ASSERT_TRUE(run_until(io_, [&] { return !port_->open(); }));
+        ASSERT_TRUE(run_until(io_, [&] { return !port_->connected(); }));
     }
 
     /// It is answered that, and nothing else comes before.
@@ -88,7 +89,7 @@ TEST_P(NextClient, DoesNotEndTheRequestOfTheOneBefore) {
     {
         ScannerWire wire = open();
         wire.write("MD0540");
-        ASSERT_TRUE(run_until(io_, [&] { return port_->open(); }));
+        ASSERT_TRUE(run_until(io_, [&] { return port_->connected(); }));
         run_for(20ms);
     }
     wait_until_closed();
@@ -119,7 +120,7 @@ TEST_P(NextClient, GetsNoScanThatTheOneBeforeAskedFor) {
     wait_until_closed();
     EXPECT_FALSE(device_.wanted());
     ScannerWire wire = open();
-    ASSERT_TRUE(run_until(io_, [&] { return port_->open(); }));
+    ASSERT_TRUE(run_until(io_, [&] { return port_->connected(); }));
     device_.turn_complete(device_.next_revolution());
     expect_a_clean_start(std::move(wire));
 }
@@ -129,7 +130,7 @@ TEST_P(NextClient, IsNotTakenForTheOneBeforeWhoWasNotHeardInTime) {
     for (const char* left : {"MD0540054000000\n", "MD05400"}) {
         {
             ScannerWire wire = open();
-            ASSERT_TRUE(run_until(io_, [&] { return port_->open(); }));
+            ASSERT_TRUE(run_until(io_, [&] { return port_->connected(); }));
             wire.write(left);
         }
         expect_a_clean_start(open());
@@ -185,7 +186,7 @@ TEST_F(PtyClients, FindNoModeOfOneThatWasHungUp) {
         wait_until_closed();
         EXPECT_FALSE(device_.wanted());
         ScannerWire wire = open();
-        ASSERT_TRUE(run_until(io_, [&] { return port_->open(); }));
+        ASSERT_TRUE(run_until(io_, [&] { return port_->connected(); }));
         expect_no_modes(wire);
         expect_a_clean_start(std::move(wire));
         wait_until_closed();

@@ -12,6 +12,7 @@
 #include <termios.h>
 
 #include "daemon/clock/wall_clock.h"
+#include "daemon/device/device.h"
 #include "daemon/link/line_rate.h"
 #include "daemon/link/pty_port.h"
 #include "tests/daemon/wall_world.h"
@@ -152,7 +153,7 @@ TEST_F(PtyLineTest, KeepsItsRateWhenADriverHasGone) {
         wire.write("SS115200\n");
         EXPECT_TRUE(comes(wire, "SS115200\n00P\n\n"));
     }
-    EXPECT_TRUE(run_until(io_, [&] { return !port_->open(); }));
+    EXPECT_TRUE(run_until(io_, [&] { return !port_->connected(); }));
     ScannerWire wire = open_at(115200);
     wire.write("QT\n");
     EXPECT_TRUE(comes(wire, "QT\n00P\n\n"));
@@ -177,7 +178,7 @@ TEST_F(PtyLineTest, GoesOnUnheardWhenItIsClosedIfSo) {
         wire.write("MD0384038400000\n");
         EXPECT_TRUE(comes(wire, "MD0384038400000\n00P\n\n"));
     }
-    EXPECT_TRUE(run_until(io_, [&] { return !port_->open(); }));
+    EXPECT_TRUE(run_until(io_, [&] { return !port_->connected(); }));
     EXPECT_TRUE(device_->wanted());
 }
 
@@ -189,7 +190,7 @@ TEST_F(PtyLineTest, EndsWhatWasBegunOnItWhenItIsClosed) {
         EXPECT_TRUE(comes(wire, "MD0384038400000\n00P\n\n"));
         EXPECT_TRUE(device_->wanted());
     }
-    EXPECT_TRUE(run_until(io_, [&] { return !port_->open(); }));
+    EXPECT_TRUE(run_until(io_, [&] { return !port_->connected(); }));
     EXPECT_FALSE(device_->wanted());
     EXPECT_FALSE(device_->state().laser_on());
     ScannerWire wire = open_at(19200);

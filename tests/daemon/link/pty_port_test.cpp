@@ -19,6 +19,7 @@
 #include <unistd.h>
 
 #include "daemon/clock/wall_clock.h"
+#include "daemon/device/device.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/scanner_wire.h"
 #include "tests/support/temp_dir.h"
@@ -94,7 +95,7 @@ class PtyPortTest : public testing::Test {
 
 TEST_F(PtyPortTest, MakesItsLinkAndTakesItAway) {
     const auto port = make(link_);
-    EXPECT_EQ(port->link(), link_);
+    EXPECT_EQ(port->address(), link_);
     EXPECT_EQ(fs::read_symlink(link_).parent_path(), "/dev/pts");
     EXPECT_TRUE(fs::is_character_file(link_));
     port->serve(device_);
@@ -179,17 +180,17 @@ TEST_F(PtyPortTest, HasNoRateToSetOnAModelForEthernet) {
 TEST_F(PtyPortTest, KnowsWhetherSomebodyHasItOpen) {
     const auto port = make(link_);
     port->serve(device_);
-    EXPECT_FALSE(port->open());
+    EXPECT_FALSE(port->connected());
     {
         ScannerWire first = ScannerWire::tty(link_);
         ScannerWire second = ScannerWire::tty(link_);
-        EXPECT_TRUE(run_until(io_, [&] { return port->open(); }));
+        EXPECT_TRUE(run_until(io_, [&] { return port->connected(); }));
         first.close();
         second.write("QT\n");
         EXPECT_TRUE(comes(second, "QT\n00P\n\n"));
-        EXPECT_TRUE(port->open());
+        EXPECT_TRUE(port->connected());
     }
-    EXPECT_TRUE(run_until(io_, [&] { return !port->open(); }));
+    EXPECT_TRUE(run_until(io_, [&] { return !port->connected(); }));
     port->stop();
     let_things_end();
 }
@@ -233,7 +234,7 @@ TEST_F(PtyPortTest, DropsWhatIsSentWhileNobodyHasItOpen) {
             io_.poll();
         }
     }
-    ASSERT_TRUE(run_until(io_, [&] { return !port->open(); }));
+    ASSERT_TRUE(run_until(io_, [&] { return !port->connected(); }));
     const std::uint64_t before = device_.scans_sent();
     device_.turn_complete(revolution++);
     // The stream belongs to the session, which goes on.

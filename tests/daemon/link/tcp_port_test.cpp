@@ -11,6 +11,7 @@
 #include <sys/resource.h>
 
 #include "daemon/clock/wall_clock.h"
+#include "daemon/device/device.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/scanner_wire.h"
 

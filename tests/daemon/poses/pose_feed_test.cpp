@@ -15,7 +15,7 @@
 #include <unistd.h>
 
 #include "daemon/clock/stepped_clock.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/temp_dir.h"
 #include "tests/support/udp_sender.h"
@@ -211,6 +211,20 @@ TEST_F(PoseFeedTest, SaysThatAPortIsInUse) {
     const auto first = feed(udp());
     EXPECT_THROW(feed(udp()), std::runtime_error);
     first->stop();
+}
+
+TEST_F(PoseFeedTest, RefusesATrajectoryWithAWarningWhereItIsStrict) {
+    const tests::TempDir directory;
+    const auto source = trajectory(
+        directory.write("drive.tum", "1 1 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n2 1 0 0 0 0 0 1\n"));
+    feed(source)->stop();
+    EXPECT_THAT(reports_, testing::ElementsAre(testing::HasSubstr("drive.tum:2: has the stamp")));
+    const FeedContext strict{.executor = io_.get_executor(),
+                             .intake = intake_,
+                             .clock = clock_,
+                             .strict = true,
+                             .report = [](const std::string&) {}};
+    EXPECT_THROW(make_feed(strict, source), sim::LoadError);
 }
 
 TEST_F(PoseFeedTest, PlaysATrajectoryFromTheMomentOfItsStart) {

@@ -4,15 +4,18 @@
 
 #include <future>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "daemon/clock/stepped_clock.h"
 #include "tests/daemon/wall_world.h"
+#include "tests/support/temp_dir.h"
 
 namespace scipd::daemon {
 namespace {
@@ -77,6 +80,56 @@ TEST(SceneEditor, ForgetsWhatIsWithdrawnBeforeItHasBegun) {
     EXPECT_TRUE(run_until(io, [&] { return answered.ends_with("third"); }));
     EXPECT_EQ(answered, "first third");
     EXPECT_NE(world.model("model 1"), nullptr);
+}
+
+class AddedFromFiles : public testing::Test {
+  protected:
+    EditOutcome add(const std::filesystem::path& file, bool strict) {
+        sim::SceneOptions options;
+        options.sdf.strict = strict;
+        options.sdf.most_memory_bytes = 8 * 20'000'000;  // of which a model may take an eighth
+        editor_.set_file(folder_.path() / "world.sdf", options);
+        std::optional<EditOutcome> outcome;
+        AddModel edit;
+        edit.placement.name = "added";
+        edit.file = file;
+        edit.replace = true;
+        editor_.edit(edit, [&outcome](const EditOutcome& answer) { outcome = answer; });
+        EXPECT_TRUE(run_until(io_, [&] { return outcome.has_value(); }));
+        return outcome.value_or(EditOutcome{});
+    }
+
+    tests::TempDir folder_;
+    boost::asio::io_context io_;
+    World world_ = wall_world();
+    SteppedClock clock_;
+    Loader loader_{io_.get_executor()};
+    SceneEditor editor_{world_, loader_, clock_, [] { return std::vector<BackendWish>{}; }};
+};
+
+TEST_F(AddedFromFiles, ObeyStrictOfAnyKind) {
+    folder_.write("a.world", "model ( size [1 1 1] pose [1 0 90] )\n");
+    EXPECT_EQ(add("a.world", true).result, EditOutcome::Result::faulty);
+    const EditOutcome lenient = add("a.world", false);
+    EXPECT_EQ(lenient.result, EditOutcome::Result::done);
+    const auto warned =
+        testing::ElementsAre(testing::HasSubstr("a.world:1: pose has three numbers"));
+    EXPECT_THAT(lenient.messages, warned);
+    EXPECT_THAT(add("a.world", true).messages, warned);
+}
+
+TEST_F(AddedFromFiles, TellWhatTheyTakeWhereItIsMuch) {
+    std::string visuals;
+    for (int i = 0; i < 60; ++i) {
+        visuals += "<visual name='v" + std::to_string(i) +
+                   "'><geometry><box><size>1 1 1</size></box></geometry></visual>";
+    }
+    folder_.write("a.sdf", "<sdf version='1.9'><model name='m'><link name='l'>" + visuals +
+                               "</link></model></sdf>");
+    const EditOutcome large = add("a.sdf", false);
+    EXPECT_EQ(large.result, EditOutcome::Result::done);
+    EXPECT_THAT(large.messages, testing::IsEmpty());
+    EXPECT_THAT(large.notes, testing::ElementsAre(testing::HasSubstr(" to read, of 20 MB")));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 
 #include "daemon/world/backend_workshop.h"
-#include "sim/loaders/confined.h"
+#include "sim/loaders/file/confined.h"
 #include "tests/support/scene_builder.h"
 
 namespace scipd::daemon {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "protocol/command_table.h"
+
 namespace scipd::protocol::client {
 namespace {
 
@@ -61,6 +63,25 @@ TEST(ScanRequest, IsReadBackFromItsEcho) {
         const ScanRequest precise{.last_step = 9, .intensity = intensity, .microseconds = true};
         EXPECT_EQ(parse_scan_echo(stream_line(precise)), precise);
     }
+}
+
+TEST(ScanRequest, KnowsEveryCommandForScansThatTheScannerKnows) {
+    for (const Command& command : command_table()) {
+        const std::string line =
+            std::string(command.code) + "000100230" + (command.brings_scans() ? "2345" : "2");
+        const auto request = parse_scan_echo(line);
+        ASSERT_EQ(request.has_value(), command.brings_one_scan() || command.brings_scans()) << line;
+        if (!request) continue;
+        EXPECT_EQ(command.brings_scans() ? stream_line(*request) : single_scan_line(*request),
+                  line);
+    }
+}
+
+TEST(ScanRequest, OfAKindThatNoCommandBringsIsNone) {
+    EXPECT_THROW((void)single_scan_line({.last_step = 9, .microseconds = true}),
+                 std::invalid_argument);
+    EXPECT_THROW((void)stream_line({.last_step = 9, .width = 2, .intensity = true}),
+                 std::invalid_argument);
 }
 
 TEST(ScanRequest, TakesClusterZeroAsOneAndPassesOverAString) {

@@ -10,7 +10,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/doing.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/world/script.h"
 
 namespace scipd::sim {
@@ -110,6 +111,24 @@ TEST(ConfinedScene, FaultsArriveEach) {
                 }),
                 ElementsAre("a.sdf:1: one", "a.sdf:2: two\nlines"));
     EXPECT_THAT(faults_of_child([] { throw std::logic_error("slip"); }), ElementsAre("x: slip"));
+}
+
+// The whole of a world may take so long, and the file that took it is one of many.
+TEST(ConfinedScene, WhatTakesTooLongTellsWhatItWasAtAndTheLimit) {
+    const auto wait_at = [](const std::string& what) {
+        return faults_of_child(
+            [&what] {
+                now_doing("reading other.dae");
+                now_doing(what);
+                while (true)
+                    pause();
+            },
+            {.wall_time = std::chrono::seconds{1}});
+    };
+    EXPECT_THAT(wait_at("reading a.dae"),
+                ElementsAre("x: was not read within 1 s; at last it was reading a.dae; "
+                            "world_load_s under limits in the configuration allows more"));
+    EXPECT_THAT(wait_at(std::string(10'000, 'a')), ElementsAre(HasSubstr("it was aaa")));
 }
 
 TEST(ConfinedScene, WhatCrashesOrNeverEndsIsAFault) {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "tests/support/temp_dir.h"
 
 namespace scipd::sim {

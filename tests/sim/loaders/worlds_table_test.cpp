@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/backends/registry.h"
-#include "sim/loaders/load_error.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/scene_file.h"
 #include "tests/sim/loaders/plain/plain_world.h"
 
@@ -149,11 +149,14 @@ std::vector<Row> rows_that_load() {
     return all;
 }
 
-std::string test_name(const ::testing::TestParamInfo<Row>& test) {
-    std::string name = test.param.file;
+std::string test_name_of(std::string file) {
     std::ranges::replace_if(
-        name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
-    return name;
+        file, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+    return file;
+}
+
+std::string test_name(const ::testing::TestParamInfo<Row>& test) {
+    return test_name_of(test.param.file);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, WorldsTable, ::testing::ValuesIn(rows()), test_name);
@@ -268,7 +271,8 @@ INSTANTIATE_TEST_SUITE_P(
         Alike{"map_pgm.yaml", "map_png.yaml", "map_bmp.yaml", "map_jpg.yaml", "map_mode.yaml",
               "mvsim_grid.xml"},
         Alike{"stage_missing_bitmap.world", "stage_missing_include.world", "stage_unknown.world"},
-        Alike{"mvsim_gui.xml", "mvsim_vehicle.xml", "mvsim_shown_block.xml"}));
+        Alike{"mvsim_gui.xml", "mvsim_vehicle.xml", "mvsim_shown_block.xml"}),
+    [](const auto& test) { return test_name_of(test.param.front()); });
 
 TEST_P(WorldsAlike, lookTheSame) {
     const auto truth =
@@ -287,7 +291,8 @@ TEST_P(WorldsAlike, lookTheSame) {
 class WorldsWithLidars : public ::testing::TestWithParam<const char*> {};
 
 INSTANTIATE_TEST_SUITE_P(All, WorldsWithLidars,
-                         ::testing::Values("lidar.sdf", "robot_with_lidar.urdf"));
+                         ::testing::Values("lidar.sdf", "robot_with_lidar.urdf"),
+                         [](const auto& test) { return test_name_of(test.param); });
 
 TEST_P(WorldsWithLidars, havePlacesForThem) {
     const auto scene = load_scene(world_file(GetParam()), options(false)).scene;

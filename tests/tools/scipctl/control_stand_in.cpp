@@ -65,8 +65,8 @@ std::vector<Put> ControlStandIn::puts() const {
     return puts_;
 }
 
-daemon::Status ControlStandIn::status() const {
-    daemon::Status status;
+daemon::FleetStatus ControlStandIn::status() const {
+    daemon::FleetStatus status;
     status.uptime = std::chrono::seconds(90);
     status.clock = clock_;
     status.time = std::chrono::milliseconds(12345);
@@ -104,8 +104,8 @@ std::optional<std::string> ControlStandIn::set_robot_pose(const std::string& rob
     return std::nullopt;
 }
 
-const daemon::ScanLog* ControlStandIn::scans(const std::string& sensor) const {
-    return sensor.ends_with("/front") ? &log_ : nullptr;
+std::optional<daemon::SensorLog> ControlStandIn::log(const std::string& sensor) const {
+    return sensor.ends_with("/front") ? std::optional<daemon::SensorLog>(log_) : std::nullopt;
 }
 
 std::vector<daemon::SceneEdit> ControlStandIn::edits() const {

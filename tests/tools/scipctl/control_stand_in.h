@@ -16,7 +16,7 @@
 #include <boost/asio/io_context.hpp>
 
 #include "daemon/api/routes.h"
-#include "daemon/device/scan_log.h"
+#include "daemon/device/sensor_record.h"
 #include "daemon/http/server.h"
 #include "tests/support/empty_api.h"
 #include "tests/support/temp_dir.h"
@@ -44,11 +44,11 @@ class ControlStandIn : EmptyApi {
     [[nodiscard]] std::vector<daemon::SceneEdit> edits() const;
 
   private:
-    [[nodiscard]] daemon::Status status() const override;
+    [[nodiscard]] daemon::FleetStatus status() const override;
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string& robot) const override;
     std::optional<std::string> set_robot_pose(const std::string& robot,
                                               const sim::PoseLine& said) override;
-    [[nodiscard]] const daemon::ScanLog* scans(const std::string& sensor) const override;
+    [[nodiscard]] std::optional<daemon::SensorLog> log(const std::string& sensor) const override;
     [[nodiscard]] daemon::SceneView scene() const override { return {"maze.sdf", scene_}; }
     void edit_scene(daemon::SceneEdit edit, daemon::EditDone done, std::stop_token) override;
     [[nodiscard]] std::optional<sim::TimedPose> model_pose(const std::string& model) const override;

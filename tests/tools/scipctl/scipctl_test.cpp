@@ -182,7 +182,7 @@ TEST(Scipctl, PlaysATrajectoryOfAnyFormAndTellsWhatItLeavesOut) {
                                       "101,2,0,0,5\n");
     const Outcome outcome = run_scipctl(daemon, {"pose", "play", file});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_THAT(outcome.err, HasSubstr("the columns 'v' are not read\n"));
+    EXPECT_THAT(outcome.err, HasSubstr("the column 'v' is not read\n"));
     EXPECT_THAT(outcome.err, HasSubstr("lap.csv:3: has the stamp of the pose before it"));
     const auto puts = daemon.puts();
     ASSERT_EQ(puts.size(), 2U);

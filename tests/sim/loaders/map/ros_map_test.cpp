@@ -37,6 +37,15 @@ TEST(RosMap, thePictureIsFoundInAnyCase) {
     EXPECT_THAT(loaded.warnings, ElementsAre(HasSubstr("Hall.PGM here; it is used")));
 }
 
+// Which yaml-cpp tells by the byte order mark.
+TEST(RosMap, theYamlMayBeUtf16) {
+    std::string wide = "\xFF\xFE";
+    for (const char c : yaml("a.pgm"))
+        wide += {c, '\0'};
+    MapFolder files;
+    EXPECT_EQ(files.load("a.pgm", pgm(1, {black}), wide).scene->objects.size(), 1U);
+}
+
 TEST(RosMap, rowsAreFromTheTopAndTheOriginIsTheLowerLeftCorner) {
     MapFolder files;
     const auto loaded = files.load("a.pgm", pgm(3, {white, white, black, white, white, white}),

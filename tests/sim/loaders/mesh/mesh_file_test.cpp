@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/mesh/mesh_file.h"
-
 #include <array>
 #include <cstring>
 #include <limits>
@@ -10,7 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sim/loaders/mesh/mesh_parts.h"
 #include "tests/sim/loaders/faults_of.h"
+#include "tests/sim/loaders/mesh/whole_mesh.h"
 
 namespace scipd::sim {
 namespace {

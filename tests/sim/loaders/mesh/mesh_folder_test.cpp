@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "sim/loaders/mesh/mesh_file.h"
+#include "sim/loaders/mesh/mesh_parts.h"
 #include "tests/sim/loaders/faults_of.h"
 
 namespace scipd::sim {

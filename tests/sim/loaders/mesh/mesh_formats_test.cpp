@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/loaders/mesh/mesh_file.h"
+#include "sim/loaders/mesh/mesh_parts.h"
 #include "sim/loaders/scene_file.h"
 #include "sim/loaders/sdf/model_fragment.h"
 #include "tests/sim/loaders/faults_of.h"

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/loaders/mesh/mesh_file.h"
+#include "sim/loaders/mesh/mesh_parts.h"
 #include "sim/loaders/sdf/sdf.h"
 #include "tests/sim/loaders/faults_of.h"
 #include "tests/sim/loaders/map/map_folder.h"

@@ -5,8 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/loaders/mesh/mesh_file.h"
+#include "sim/loaders/mesh/mesh_parts.h"
 #include "tests/sim/loaders/faults_of.h"
+#include "tests/sim/loaders/mesh/whole_mesh.h"
 
 namespace scipd::sim {
 namespace {
@@ -48,7 +49,7 @@ class SubmeshTest : public ::testing::Test {
     /// Where along x the triangles lie that a name means.
     std::vector<int> places(const std::string& name) {
         std::vector<int> places;
-        for (const auto& part : load_submesh(file_, {name})) {
+        for (const auto& part : load_submesh(file_, name)) {
             for (const auto& triangle : part.mesh.triangles) {
                 const auto& corners = part.mesh.vertices_m;
                 places.push_back(static_cast<int>(std::min(

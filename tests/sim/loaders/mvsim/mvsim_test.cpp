@@ -177,6 +177,7 @@ TEST_F(Mvsim, whatIsLeftOutIsTold) {
                  "<element class='pointcloud'/>\n"
                  "<walls><model_uri>walls.dae</model_uri></walls>\n"
                  "<actor><x/></actor>\n"
+                 "<walls><wallHeight>2</wallHeight></walls>"
                  "<block><shape><pt>0 0</pt><pt>1 0</pt><pt>0 1</pt></shape>"
                  "<visual><model_uri>a.dae</model_uri></visual></block>\n"),
         ElementsAre(
@@ -190,7 +191,14 @@ TEST_F(Mvsim, whatIsLeftOutIsTold) {
             "a.world.xml:8: <element> class 'pointcloud' is not known here; left out",
             "a.world.xml:9: <walls> of a 3D model are not read; give them a <shape>; left out",
             "a.world.xml:10: <actor> is not known here; left out",
+            "a.world.xml:11: <walls> has no <pt> in a <shape>, and so no wall; left out",
             "a.world.xml:11: 'a.dae' is not read; the shape counts"));
+}
+
+TEST_F(Mvsim, aWorldInUtf16IsCalledSo) {
+    const auto file = folder_.write("a.world.xml", std::string("\xFF\xFE<\0m\0v\0", 8));
+    EXPECT_THAT(faults_of([&] { load_scene(file); }, folder_),
+                ElementsAre("a.world.xml: is in UTF-16; save it as UTF-8"));
 }
 
 TEST_F(Mvsim, whatIsNoWorldOfMvsim) {

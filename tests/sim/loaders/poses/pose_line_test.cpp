@@ -97,6 +97,10 @@ struct Refused {
 
 class RefusedPoseLine : public ::testing::TestWithParam<Refused> {};
 
+std::string by_number(const ::testing::TestParamInfo<Refused>& line) {
+    return "line_" + std::to_string(line.index);
+}
+
 TEST_P(RefusedPoseLine, saysWhy) {
     EXPECT_EQ(refusal(GetParam().line), GetParam().why);
 }
@@ -131,7 +135,7 @@ constexpr Refused fields[] = {
     {"{\"xyz\":[1,2,3],\"\u00e9\\n\":1}",
      "the key '??\?' is unknown; known are robot, model, t, xyz, q, rpy, v, w"},
 };
-INSTANTIATE_TEST_SUITE_P(Fields, RefusedPoseLine, ::testing::ValuesIn(fields));
+INSTANTIATE_TEST_SUITE_P(Fields, RefusedPoseLine, ::testing::ValuesIn(fields), by_number);
 
 constexpr Refused syntax[] = {
     {"", "the line holds no pose"},
@@ -150,9 +154,11 @@ constexpr Refused syntax[] = {
     {"[1,2,3]", "a pose has 8 columns (t tx ty tz qx qy qz qw), this line has 1"},
     {"1 2 3 inf 0 0 0 1", "tz must be a finite number, not 'inf'"},
     {"1 2 3 4 0 0 0 0x1", "qw must be a finite number, not '0x1'"},
-    {"1 2 3 4 0 0 0 0", "qx qy qz qw must be a quaternion of length 1"},
+    {"1 2 3 4 0 0 0 2",
+     "qx qy qz qw must be a quaternion of length 1, not 2; divide each by that, or see whether the "
+     "columns are these"},
 };
-INSTANTIATE_TEST_SUITE_P(Syntax, RefusedPoseLine, ::testing::ValuesIn(syntax));
+INSTANTIATE_TEST_SUITE_P(Syntax, RefusedPoseLine, ::testing::ValuesIn(syntax), by_number);
 
 TEST(PoseLine, refusalsArePrintableWhateverCame) {
     std::string line = R"({"xyz":[1,2,3],")";

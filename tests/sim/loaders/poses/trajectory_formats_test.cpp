@@ -55,7 +55,7 @@ TEST_F(Trajectories, areGuessedByTheirFirstLines) {
 
 TEST_F(Trajectories, haveOneRotationAndTellWhatElseIsThere) {
     const auto both = load("t,x,y,qx,qy,qz,qw,yaw\n1,2,3,0,0,0,1,0.5\n");
-    EXPECT_THAT(both.warnings, ElementsAre(HasSubstr("the columns 'yaw' are not read")));
+    EXPECT_THAT(both.warnings, ElementsAre(HasSubstr("the column 'yaw' is not read")));
     expect_pose(both.poses[0].pose, {2, 3, 0}, {0, 0, 0});
     const auto part = load("t,x,y,qx,qy,qz,yaw\n1,2,3,0.5,0.5,0.5,0.5\n");
     EXPECT_THAT(part.warnings, ElementsAre(HasSubstr("the columns 'qx', 'qy', 'qz' are not read")));
@@ -78,17 +78,19 @@ TEST_F(Trajectories, euroc) {
 }
 
 TEST_F(Trajectories, faultsOfEurocNameLineAndColumn) {
-    EXPECT_THAT(faults("12.5,0,0,0,1,0,0,0\n"
-                       "1403636580838555648,0,0\n"
-                       "1403636580838555648,0,up,0,1,0,0,0\n"
-                       "1403636580838555648,0,0,2e7,1,0,0,0\n"
-                       "1403636580838555648,0,0,0,0,0,0,0\n",
-                       Format::euroc),
-                ElementsAre("a.txt:1: timestamp must be whole nanoseconds, not '12.5'",
-                            "a.txt:2: a pose has 8 columns or more, this line has 3",
-                            "a.txt:3: p_y must be a finite number, not 'up'",
-                            "a.txt:4: p_x, p_y and p_z must lie within 1e7 m of the origin",
-                            "a.txt:5: q_x to q_w must be a quaternion of length 1"));
+    EXPECT_THAT(
+        faults("12.5,0,0,0,1,0,0,0\n"
+               "1403636580838555648,0,0\n"
+               "1403636580838555648,0,up,0,1,0,0,0\n"
+               "1403636580838555648,0,0,2e7,1,0,0,0\n"
+               "1403636580838555648,0,0,0,0,0,0,0\n",
+               Format::euroc),
+        ElementsAre("a.txt:1: timestamp must be whole nanoseconds, not '12.5'",
+                    "a.txt:2: a pose has 8 columns or more, this line has 3",
+                    "a.txt:3: p_y must be a finite number, not 'up'",
+                    "a.txt:4: p_x, p_y and p_z must lie within 1e7 m of the origin",
+                    "a.txt:5: q_x to q_w must be a quaternion of length 1, not 0; divide each "
+                    "by that, or see whether the columns are these"));
 }
 
 // A camera looks along z, its x is right and its y is down. It goes ahead by 5 m, up by 1 m and
@@ -131,10 +133,9 @@ TEST_F(Trajectories, stampsThatAreNoneOfAKittiFileAreToldOnce) {
         folder_.write("times.txt", text);
         return faults(four);
     };
-    EXPECT_THAT(
-        with_stamps("0\n"),
-        ElementsAre("a.txt: has 4 poses, but there are 1 stamps in times.txt; name the file "
-                    "of its stamps as `times`"));
+    EXPECT_THAT(with_stamps("0\n"),
+                ElementsAre("a.txt: has 4 poses, but there is 1 stamp in times.txt; name the file "
+                            "of its stamps as `times`"));
     EXPECT_THAT(with_stamps(""), ElementsAre(HasSubstr("there are 0 stamps in times.txt")));
     EXPECT_THAT(with_stamps("9\n\n3\n2\n1\n"),
                 ElementsAre("times.txt:3: is earlier than the stamp before it"));
@@ -175,7 +176,7 @@ TEST_F(Trajectories, csvByTheNamesOfItsColumns) {
     EXPECT_EQ(loaded.poses[0].time, 250ms);
     expect_pose(loaded.poses[0].pose, {1, 2, 0}, {0, 0, quarter_rad});
     expect_pose(loaded.poses[1].pose, {3, 4, 0}, {0, 0, 0});
-    EXPECT_THAT(loaded.warnings, ElementsAre(HasSubstr("a.txt: the columns 'speed' are not read")));
+    EXPECT_THAT(loaded.warnings, ElementsAre(HasSubstr("a.txt: the column 'speed' is not read")));
 }
 
 TEST_F(Trajectories, csvWithEveryDelimiterAndOrder) {

@@ -81,10 +81,20 @@ TEST_F(Tum, columnsAreTxTyTzQxQyQzQw) {
 }
 
 TEST_F(Tum, quaternionsBecomeUnitLength) {
-    const auto poses = load("0 0 0 0 0.02 0 0 -0.02\n");
-    ASSERT_EQ(poses.size(), 1U);
+    const auto poses = load("0 0 0 0 0.71 0 0 -0.71\n1 0 0 0 0 0 0.7 0.7\n");
+    ASSERT_EQ(poses.size(), 2U);
     EXPECT_DOUBLE_EQ(poses[0].pose.rotation.x, std::sqrt(0.5));
     EXPECT_DOUBLE_EQ(poses[0].pose.rotation.w, -std::sqrt(0.5));
+    EXPECT_DOUBLE_EQ(poses[1].pose.rotation.w, std::sqrt(0.5));
+}
+
+// A column read as another, mostly.
+TEST_F(Tum, quaternionsOfAnotherLengthAreFaults) {
+    const std::string advice = "; divide each by that, or see whether the columns are these";
+    const std::string fault = " qx qy qz qw must be a quaternion of length 1, not ";
+    EXPECT_THAT(
+        faults("0 0 0 0 0 0 0 2\n1 0 0 0 0 0 0 1\n2 0 0 0 0.5 0 0.5 0.65\n"),
+        ElementsAre("a.tum:1:" + fault + "2" + advice, "a.tum:3:" + fault + "0.9605" + advice));
 }
 
 TEST_F(Tum, marksCommentsBlankLinesAndLineEndsDoNotMatter) {
@@ -118,15 +128,17 @@ TEST_F(Tum, everyFaultIsToldWithItsLine) {
         "99999999999 0 0 0 0 0 0 1\n";
     const std::string stamp = "t must be seconds as decimals below 9e9, not ";
     const std::string columns = "a pose has 8 columns (t tx ty tz qx qy qz qw), this line has ";
-    EXPECT_THAT(faults(text),
-                ElementsAre("a.tum:3: " + stamp + "'1e'", "a.tum:4: " + stamp + "'0x10'",
-                            "a.tum:5: " + columns + "7", "a.tum:6: " + columns + "9",
-                            "a.tum:7: ty must be a finite number, not 'nan'",
-                            "a.tum:8: tz must be a finite number, not '2.5.1'",
-                            "a.tum:9: tx ty tz must lie within 1e7 m of the origin",
-                            "a.tum:10: qx qy qz qw must be a quaternion of length 1",
-                            "a.tum:13: t must be later than the pose before it",
-                            "a.tum:14: " + stamp + "'99999999999'"));
+    EXPECT_THAT(
+        faults(text),
+        ElementsAre("a.tum:3: " + stamp + "'1e'", "a.tum:4: " + stamp + "'0x10'",
+                    "a.tum:5: " + columns + "7", "a.tum:6: " + columns + "9",
+                    "a.tum:7: ty must be a finite number, not 'nan'",
+                    "a.tum:8: tz must be a finite number, not '2.5.1'",
+                    "a.tum:9: tx ty tz must lie within 1e7 m of the origin",
+                    "a.tum:10: qx qy qz qw must be a quaternion of length 1, not 0; divide each "
+                    "by that, or see whether the columns are these",
+                    "a.tum:13: t must be later than the pose before it",
+                    "a.tum:14: " + stamp + "'99999999999'"));
 }
 
 TEST_F(Tum, posesWithTheStampOfTheOneBeforeAreLeftOutAndTold) {

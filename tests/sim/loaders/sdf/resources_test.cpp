@@ -161,6 +161,26 @@ TEST_F(ResourcesTest, TheSunAndTheGroundOfTheWebAreOurs) {
     EXPECT_EQ(found("OpenRobotics/models/Sun"), at(downloaded));
 }
 
+TEST_F(ResourcesTest, BlanksMayBeSpelledInEitherWay) {
+    const Variable cache{"GZ_FUEL_CACHE_PATH", at("cache").string()};
+    const std::string host = "cache/fuel.gazebosim.org/openrobotics/models/";
+    folder_.write(host + "big box/1/meshes/a part.dae", "");
+    folder_.write(host + "small%20box/1/meshes/a%20part.dae", "");
+    const std::string uri = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/";
+    for (const std::string blank : {" ", "%20"}) {
+        const std::string file = "Box/1/files/meshes/a" + blank + "part.dae";
+        EXPECT_EQ(find(uri + "Big" + blank + file), host + "big box/1/meshes/a part.dae");
+        EXPECT_EQ(find(uri + "Small" + blank + file), host + "small%20box/1/meshes/a%20part.dae");
+    }
+    const std::string with_blank = own_ + " b/meshes/a wall.dae";
+    const std::string without = own_ + "%20c/meshes/a%20wall.dae";
+    folder_.write("models/" + with_blank, "");
+    folder_.write("models/" + without, "");
+    EXPECT_EQ(find("model://" + own_ + "%20b/meshes/a%20wall.dae"), "models/" + with_blank);
+    EXPECT_EQ(find("model://" + own_ + " c/meshes/a wall.dae"), "models/" + without);
+    EXPECT_EQ(find("model://" + own_ + " d/meshes/a wall.dae"), "");
+}
+
 TEST_F(ResourcesTest, NothingIsNowhere) {
     for (const char* uri : {"", "model://", "https://", "https://a/b", "://"})
         EXPECT_EQ(find(uri), "") << uri;

@@ -357,7 +357,8 @@ INSTANTIATE_TEST_SUITE_P(
               ":6: actor 'walker' has a tension of '2', which is none from 0 to 1; 1 is taken"},
         Fault{"<delay_start>-3</delay_start>" + trajectory(good),
               ":6: actor 'walker' has a <delay_start> of '-3', which is none from 0 to 1e9 s; it "
-              "does not wait"}));
+              "does not wait"}),
+    [](const auto& fault) { return "fault_" + std::to_string(fault.index); });
 
 TEST_F(SdfActors, HaveALimitToTheirWaypoints) {
     std::string many;

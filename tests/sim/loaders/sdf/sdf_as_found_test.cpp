@@ -246,10 +246,11 @@ TEST_F(SdfAsFound, linesAreThoseOfTheFile) {
               visual("v", unit_box) + "<sensor\nname='s' type='ray'/>\n" +
               visual("far", unit_box, "\n<pose>3e8 0\n 0 0 0 0</pose>") + "</link></model>\n" +
               "<include><uri>\ngone\n</uri></include>\n<population name='p'/>"));
-    EXPECT_THAT(warnings_, ElementsAre("a.sdf:22: <population> is not supported and left out",
-                                       HasSubstr("a.sdf:13: sensor 's' of link 'l': has neither"),
-                                       HasSubstr("a.sdf:19: there is no 'gone' near"),
-                                       HasSubstr("a.sdf:15: m::l::far: lies at")));
+    EXPECT_THAT(warnings_,
+                ElementsAre("a.sdf:22: <population> is not supported and left out",
+                            HasSubstr("a.sdf:13: sensor 's' of link 'l' of model 'm': has neither"),
+                            HasSubstr("a.sdf:19: there is no 'gone' near"),
+                            HasSubstr("a.sdf:15: m::l::far: lies at")));
 }
 
 TEST_F(SdfAsFound, anEmptyWorldIsOne) {

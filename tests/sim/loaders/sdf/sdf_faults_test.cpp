@@ -66,6 +66,14 @@ TEST_F(SdfFaults, brokenXmlNamesItsLine) {
     EXPECT_EQ(all[0], "a.sdf:3: is no XML that can be read: PARSING_ELEMENT");
 }
 
+TEST_F(SdfFaults, textInUtf16IsCalledSo) {
+    const std::string text("\xFF\xFE<\0s\0d\0f\0/\0>\0", 14);
+    EXPECT_THAT(faults(text), ElementsAre("a.sdf: is in UTF-16; save it as UTF-8"));
+    folder_.write("b.sdf", text);
+    EXPECT_THAT(faults(world("<include><uri>b.sdf</uri></include>")),
+                ::testing::Contains(HasSubstr("b.sdf: is in UTF-16; save it as UTF-8")));
+}
+
 TEST_F(SdfFaults, everyFaultOfOurOwnAtOnce) {
     folder_.write("bad.obj", "v 0 0 0\n");
     const auto all = faults(world(

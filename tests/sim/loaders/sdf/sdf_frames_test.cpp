@@ -163,8 +163,10 @@ TEST_F(SdfFrames, ofARobotWithFixedJoints) {
     expect_at("tb::scan", pose_from_rpy({-0.064, 0, 0.122}, {0, 0, left}));
     expect_at("tb::scan::lds", pose_from_rpy({-0.064, 0.1, 0.122}, {0, 0, left}));
     EXPECT_EQ(frame("tb::scan::lds").lidar->samples, 360);
-    EXPECT_THAT(warnings_, ElementsAre(AllOf(HasSubstr("tb.urdf:7: sensor 'broken' of link 'scan': "
-                                                       "has neither <lidar> nor <ray>"))));
+    EXPECT_THAT(
+        warnings_,
+        ElementsAre(AllOf(HasSubstr("tb.urdf:7: sensor 'broken' of link 'scan' of model 'tb': "
+                                    "has neither <lidar> nor <ray>"))));
 }
 
 TEST_F(SdfFrames, aFaultyLidarIsLeftOutWithOneWarning) {
@@ -179,8 +181,9 @@ TEST_F(SdfFrames, aFaultyLidarIsLeftOutWithOneWarning) {
         load(text);
         EXPECT_THAT(names(), ElementsAre("m::l"));
         EXPECT_EQ(scene_->objects.size(), 1U);
-        EXPECT_THAT(warnings_, ElementsAre(AllOf(HasSubstr("a.sdf:5: sensor 's' of link 'l': "),
-                                                 HasSubstr(why), HasSubstr("no scanner"))));
+        EXPECT_THAT(warnings_,
+                    ElementsAre(AllOf(HasSubstr("a.sdf:5: sensor 's' of link 'l' of model 'm': "),
+                                      HasSubstr(why), HasSubstr("no scanner"))));
         // In these words or, where it reads the sensor as well, in those of the library.
         EXPECT_THAT(faults(text), Not(IsEmpty()));
     };

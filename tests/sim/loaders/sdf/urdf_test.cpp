@@ -170,23 +170,67 @@ TEST_F(Urdf, TellsEveryFaultAndItsLine) {
                             "a.urdf: Unknown geometry type 'torus'",
                             "a.urdf:4: Could not parse visual element for Link [b]"));
     EXPECT_THAT(
-        faults(robot("<link name='a'/>\n<link name='b'/>")),
+        faults(robot("<link name='a'/>\n<link name='b'/>"), {.strict = true}),
         ElementsAre("a.urdf:3: Failed to find root link: Two root links found: [a] and [b]"));
     EXPECT_THAT(
         faults(robot("<link name='a'/>\n<joint name='j' type='fixed'><parent link='a'/>"
-                     "<child link='c'/></joint>")),
+                     "<child link='c'/></joint>"),
+               {.strict = true}),
         ElementsAre("a.urdf:4: Failed to build tree: child link [c] of joint [j] not found"));
     EXPECT_THAT(faults("<robot><link name='a'/></robot>"),
                 ElementsAre("a.urdf: No name given for the robot."));
 }
 
 TEST_F(Urdf, TellsFaultsOfARobotInAWorldUnderItsOwnName) {
-    folder_.write("bad.urdf", robot("<link name='a'/>\n<link name='b'/>"));
+    folder_.write("bad.urdf", "<robot><link name='a'/></robot>");
     const auto file = folder_.write("w.sdf", world("<include><uri>bad.urdf</uri></include>"));
     EXPECT_THAT(faults_of([&] { load_sdf(file); }, folder_),
-                ElementsAre("bad.urdf:3: Failed to find root link: Two root links found: [a] and "
-                            "[b]; left out, no scanner sees it",
+                ElementsAre("bad.urdf: No name given for the robot.; left out, no scanner sees it",
                             HasSubstr("w.sdf: holds nothing that a scanner could see")));
+}
+
+// Whatever is wrong with a joint, every link with a name is seen.
+TEST_F(Urdf, LosesOnlyTheJointsThatHangOnNothing) {
+    const std::string links = "<link name='a'>" + box_visual("1 1 1") + "</link><link name='b'>" +
+                              box_visual("2 2 2") + "</link>\n";
+    const auto joint = [](const std::string& inside, const std::string& name = "name='j'") {
+        return "<joint " + name + " type='fixed'>" + inside + "</joint>\n";
+    };
+    const std::string ends = "<parent link='a'/><child link='b'/>";
+    const std::string up = "<origin xyz='0 0 3'/>";
+    const std::string alone = "link b: hangs on no joint; it stands at the origin of the robot";
+    const auto expect = [&](const std::string& joints, double z_m,
+                            const std::vector<std::string>& told) {
+        SCOPED_TRACE(joints);
+        const auto loaded = load(robot(links + joints));
+        ASSERT_EQ(loaded.scene->objects.size(), 2U);
+        EXPECT_EQ(loaded.scene->objects[0].name.substr(0, 4), "r::a");
+        EXPECT_EQ(loaded.scene->objects[1].name.substr(0, 4), "r::b");
+        expect_near(origin_of(*loaded.scene, 0), {0, 0, 0});
+        expect_near(origin_of(*loaded.scene, 1), {0, 0, z_m});
+        std::vector<std::string> warnings = without_folder(loaded.warnings, folder_);
+        for (std::string& warning : warnings)
+            warning = warning.substr(warning.find(": ") + 2);
+        EXPECT_EQ(warnings, told);
+    };
+    expect(joint(ends + up), 3, {});
+    expect(joint(ends + up, ""), 3, {});
+    expect("", 0, {alone});
+    expect(joint("<child link='b'/>" + up), 0,
+           {"joint j: has no <parent link='..'>; left out", alone});
+    expect(joint("<parent link='a'/>" + up), 0,
+           {"joint j: has no <child link='..'>; left out", alone});
+    expect(joint("<parent link='a'/><child link='c'/>"), 0,
+           {"joint j: its <child> c is no link; left out", alone});
+    expect(joint(ends + "<origin xyz='0 up 3'/>"), 0,
+           {"joint j: its <origin xyz='0 up 3'> is none that can be read; 0 0 0 is taken"});
+    expect(joint(ends + "<origin xyz='0 0 3' rpy='0'/>"), 3,
+           {"joint j: its <origin rpy='0'> is none that can be read; 0 0 0 is taken"});
+    expect(joint(ends + up) + joint(ends), 3, {"joint j: link b hangs on another joint; left out"});
+    expect(joint(ends + up) + joint("<parent link='b'/><child link='a'/>", "name='k'"), 3,
+           {"joint k: its parent hangs on its child; left out"});
+    expect(joint(ends + up) + "<link/><link name='a'/>", 3,
+           {"link: has no name; left out", "link a: there is another of this name; left out"});
 }
 
 TEST_F(Urdf, StandsOnTheWorldIfItSaysSo) {

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/loaders/confined.h"
+#include "sim/loaders/file/confined.h"
 #include "sim/loaders/scene_file.h"
 #include "tests/sim/loaders/faults_of.h"
 

@@ -197,6 +197,34 @@ TEST_F(Stage, whatIsMissingOrFaultyIsLeftOutAndTold) {
                 ElementsAre("a.world:1: white.pgm has no dark pixel; left out"));
 }
 
+// A definition that lies in a file nobody has.
+TEST_F(Stage, whatIsNeitherDefinedNorKnownCountsByWhatItSays) {
+    folder_.write("room.pgm", frame(8, 0));
+    const std::string text =
+        "\nfloorplan ( name \"room\" size [8 8 2] bitmap \"room.pgm\" )\n"
+        "floorplan ( name \"other\" size [8 8 2] pose [20 0 0 0] bitmap \"room.pgm\" )\n"
+        "ghost ( ranger_return -1 )\n"
+        "crate ( size [1 1 1] pose [1 0 0 0] )\n";
+    EXPECT_THAT(warnings(text),
+                ElementsAre("a.world:2: 'floorplan' is neither defined nor a model of Stage; what "
+                            "it says counts, here and elsewhere",
+                            "a.world:4: 'ghost' is neither defined nor a model of Stage; what it "
+                            "says counts, here and elsewhere",
+                            "a.world:5: 'crate' is no model that is known; left out"));
+    expect_range(load(text).scene, {0, 0, 1}, {1, 0, 0}, 3.0);
+}
+
+TEST_F(Stage, aWorldInUtf16IsCalledSo) {
+    const std::string little = std::string("\xFF\xFEm\0o\0d\0e\0l\0", 12);
+    const std::string big = std::string("\xFE\xFF\0m\0o\0d\0e\0l", 12);
+    for (const std::string& text : {little, big}) {
+        EXPECT_THAT(faults(text), ElementsAre("a.world: is in UTF-16; save it as UTF-8"));
+        folder_.write("b.inc", text);
+        EXPECT_THAT(faults("include \"b.inc\"\n"),
+                    ElementsAre("b.inc: is in UTF-16; save it as UTF-8"));
+    }
+}
+
 TEST_F(Stage, whatIsNoWorldOfStage) {
     EXPECT_THAT(faults("size = 3\n"),
                 ElementsAre("a.world:1: '=' means nothing to Stage; is it a world of it?"));

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The functions that answer the requests of the control API, one for each method and path.
+// routes.cpp has the table that calls them. On the I/O thread.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "daemon/api/api.h"
+#include "daemon/http/message.h"
+
+namespace scipd::daemon {
+
+/// A request on its way to its answer.
+struct Call {
+    Api& api;
+    const HttpRequest& request;      ///< valid until the handler returns
+    std::vector<std::string> names;  ///< what the braces of the path stand for, in order
+    Respond respond;
+};
+
+// sensor_routes.cpp
+void get_status(Call&& call);
+void get_sensors(Call&& call);
+void get_sensor(Call&& call);
+void get_reading(Call&& call);
+void get_truth(Call&& call);
+
+// pose_routes.cpp
+void get_robot_pose(Call&& call);
+void put_robot_pose(Call&& call);
+
+// scene_routes.cpp
+void get_scene(Call&& call);
+void put_scene(Call&& call);
+void post_model(Call&& call);
+void delete_model(Call&& call);
+void get_model_pose(Call&& call);
+void put_model_pose(Call&& call);
+
+}  // namespace scipd::daemon

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/api/measurement_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "daemon/api/object_text.h"
+
+namespace scipd::daemon {
+namespace {
+
+void add_poses(ObjectText& text, const Measurement& record) {
+    const sim::Scan& scan = *record.cast;
+    std::vector<std::size_t> fans;
+    for (std::size_t i = 0; i < scan.world_from_sensor.size(); ++i) {
+        if (i == 0 || scan.posed_at[i] != scan.posed_at[i - 1]) fans.push_back(i);
+    }
+    text.add_list("poses", fans, [&](std::string& list, std::size_t i) {
+        append_timed_pose(list, seconds(record.told(scan.posed_at[i])), scan.world_from_sensor[i]);
+    });
+}
+
+Json steps_of(const WireScan& sent) {
+    Json steps = Json::array();
+    for (std::size_t i = 0; i < sent.distance.size(); ++i)
+        steps.push_back(sent.first_step + static_cast<int>(i));
+    return steps;
+}
+
+Json reason_of(const BackendChoice& backend) {
+    return backend.reason.empty() ? Json(nullptr) : Json(backend.reason);
+}
+
+/// The names of objects or materials as JSON, each made when it is first asked for.
+template <class Thing>
+class Names {
+  public:
+    explicit Names(const std::vector<Thing>& things) : things_(things), texts_(things.size()) {}
+
+    const std::string& of(std::size_t id) {
+        if (texts_[id].empty()) texts_[id] = text_of(things_[id].name);
+        return texts_[id];
+    }
+
+  private:
+    const std::vector<Thing>& things_;
+    std::vector<std::string> texts_;
+};
+
+/// Adds a list with one element for each hit.
+template <class Append>
+void add_hits(ObjectText& text, std::string_view name, const sim::Scan& scan, Append append) {
+    text.add_list(name, scan.hits, [&](std::string& list, const sim::Hit& hit) {
+        hit.met() ? append(list, hit) : void(list += "null");
+    });
+}
+
+/// Adds the lists that every sensor's hits have.
+void add_all_hits(ObjectText& text, const sim::Scan& cast, const sim::Scene& scene) {
+    Names objects(scene.objects);
+    Names materials(scene.materials);
+    add_hits(text, "true_m", cast,
+             [](std::string& list, const sim::Hit& hit) { append_rounded(list, hit.range_m); });
+    add_hits(text, "object", cast,
+             [&](std::string& list, const sim::Hit& hit) { list += objects.of(hit.object); });
+    add_hits(text, "material", cast,
+             [&](std::string& list, const sim::Hit& hit) { list += materials.of(hit.material); });
+    add_hits(text, "incidence_rad", cast, [](std::string& list, const sim::Hit& hit) {
+        append_rounded(list, std::acos(std::min(1.0F, hit.cos_incidence)));
+    });
+}
+
+/// Adds what depends on the kind of sensor.
+void add_ranges(ObjectText& text, const StaringRecord& record) {
+    const auto* const grid = std::get_if<sim::PinholeGrid>(&record.spec.optics);
+    if (grid == nullptr) {
+        const float range_m = record.range_m.front();
+        return text.add("range_m", std::isfinite(range_m) ? Json(rounded(range_m)) : Json());
+    }
+    text.add("columns", grid->columns);
+    text.add("rows", grid->rows);
+    text.add_list("range_m", record.range_m, append_rounded);
+}
+
+Json middle_pose(const sim::Scan& scan) {
+    const auto& poses = scan.world_from_sensor;
+    return pose_document(poses[poses.size() / 2]);
+}
+
+}  // namespace
+
+std::string reading_text(const std::string& sensor, const ScanRecord& record) {
+    const sim::Scan& cast = *record.cast;
+    return text_of(Json{{"sensor", sensor},
+                        {"scan", cast.revolution},
+                        {"time_s", seconds(record.told(cast.start))},
+                        {"stamp_ms", record.stamp_ms},
+                        {"pose", middle_pose(cast)},
+                        {"first_step", record.sent.first_step},
+                        {"front_step", record.front_step},
+                        {"steps_per_turn", record.steps_per_turn},
+                        {"sent_mm", record.sent.distance},
+                        {"intensity", record.sent.intensity}});
+}
+
+std::string reading_text(const std::string& sensor, const StaringRecord& record) {
+    ObjectText text({{"sensor", sensor},
+                     {"scan", record.cast->revolution},
+                     {"time_s", seconds(record.told(record.cast->start))},
+                     {"pose", middle_pose(*record.cast)}});
+    add_ranges(text, record);
+    return std::move(text).finish();
+}
+
+std::string truth_text(const std::string& sensor, const ScanRecord& record) {
+    const sim::Scan& cast = *record.cast;
+    ObjectText text({{"sensor", sensor},
+                     {"scan", cast.revolution},
+                     {"time_s", seconds(record.told(cast.start))},
+                     {"stamp_ms", record.stamp_ms},
+                     {"backend", record.backend->backend},
+                     {"backend_reason", reason_of(*record.backend)}});
+    add_poses(text, record);
+    text.add("steps", steps_of(record.sent));
+    add_all_hits(text, cast, *record.scene);
+    text.add("sent_mm", record.sent.distance);
+    text.add("intensity", record.sent.intensity);
+    return std::move(text).finish();
+}
+
+std::string truth_text(const std::string& sensor, const StaringRecord& record) {
+    ObjectText text({{"sensor", sensor},
+                     {"scan", record.cast->revolution},
+                     {"time_s", seconds(record.told(record.cast->start))},
+                     {"backend", record.backend->backend},
+                     {"backend_reason", reason_of(*record.backend)}});
+    add_poses(text, record);
+    add_all_hits(text, *record.cast, *record.scene);
+    add_ranges(text, record);
+    return std::move(text).finish();
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// One measurement of a sensor with what the sensor made of it: a scanner the words of the wire, a
+// camera or ranger its ranges. Values; any thread.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "daemon/device/bridge.h"
+#include "daemon/device/measurement.h"
+#include "sim/sensor/staring.h"
+
+namespace scipd::daemon {
+
+struct ScanRecord : Measurement {
+    WireScan sent;
+    std::uint32_t stamp_ms = 0;  ///< the time that the wire gave it
+    int front_step = 0;
+    int steps_per_turn = 0;
+};
+
+/// Of a camera or ranger. Its revolution is the number of the measurement, its start the instant
+/// that it was made for.
+struct StaringRecord : Measurement {
+    std::vector<float> range_m;  ///< what the sensor says; infinity: nothing
+    sim::StaringSpec spec;       ///< of the sensor
+};
+
+}  // namespace scipd::daemon

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What the control API asks of a running fleet: it reads and changes the simulation. Lives on the
+// I/O thread.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+
+#include "daemon/api/api.h"
+#include "daemon/poses/pose_intake.h"
+
+namespace scipd::daemon {
+
+struct Simulation;
+
+class FleetApi : public Api {
+  public:
+    /// `simulation` must outlive it.
+    explicit FleetApi(Simulation& simulation) : simulation_(simulation) {}
+
+    [[nodiscard]] FleetStatus status() const override;
+    [[nodiscard]] std::optional<SensorRecord> latest(const std::string& sensor) override;
+    [[nodiscard]] std::optional<SensorLog> log(const std::string& sensor) const override;
+    std::unique_ptr<Conversation> subscribe(const std::string& sensor, WebSocket& socket) override;
+    [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string& robot) const override;
+    std::optional<std::string> set_robot_pose(const std::string& robot,
+                                              const sim::PoseLine& said) override;
+    std::optional<std::string> take_pose_line(std::string_view line, SenderClock& sender) override;
+    [[nodiscard]] SceneView scene() const override;
+    void edit_scene(SceneEdit edit, EditDone done, std::stop_token withdrawn) override;
+    [[nodiscard]] std::optional<sim::TimedPose> model_pose(const std::string& model) const override;
+    std::optional<std::string> set_model_pose(const std::string& model,
+                                              const sim::PoseLine& said) override;
+
+  private:
+    Simulation& simulation_;
+    std::map<std::string, SenderClock> robot_senders_;  ///< of robots that the API moves
+    std::map<std::string, SenderClock> model_senders_;
+};
+
+}  // namespace scipd::daemon

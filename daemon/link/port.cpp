@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/link/port.h"
+
+#include <utility>
+
+namespace scipd::daemon {
+
+std::uint64_t Port::lost_scans() const {
+    return lost_before_ + (connection_ ? connection_->lost() : 0);
+}
+
+void Port::begin(std::shared_ptr<Connection> connection) {
+    connection_ = std::move(connection);
+    connection_->start();
+}
+
+void Port::end_connection() {
+    if (!connection_) return;
+    lost_before_ += connection_->lost();
+    connection_->close();
+    connection_.reset();
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The ports of a fleet, by what the configuration asks for, so that a port outlives a change of the
+// scanner behind it. On the I/O thread.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include <boost/asio/any_io_executor.hpp>
+
+namespace scipd::daemon {
+
+class Port;
+struct Config;
+struct SensorConfig;
+
+using Ports = std::map<std::string, std::shared_ptr<Port>>;
+
+/// The ports of one sensor; null where it has none of a kind.
+struct SensorPorts {
+    std::shared_ptr<Port> tcp;
+    std::shared_ptr<Port> pty;
+};
+
+/// All ports that the configuration asks for: those that are open already, and new ones for the
+/// others. Throws std::runtime_error.
+[[nodiscard]] Ports open_ports(const boost::asio::any_io_executor& executor, const Config& config,
+                               const Ports& open);
+
+/// Of the ports that open_ports() has opened for the sensor.
+[[nodiscard]] SensorPorts ports_of(const Ports& ports, const std::string& robot,
+                                   const SensorConfig& sensor);
+
+/// Stops the open ports that nobody needs any more.
+void stop_unneeded(const Ports& open, const Ports& needed);
+
+}  // namespace scipd::daemon

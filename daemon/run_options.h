@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What the command line asks scipd to run. A value; any thread.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "daemon/config/config.h"
+
+namespace scipd::daemon {
+
+struct Options {
+    Config config;
+    /// The file of the configuration, which SIGHUP has read again; nothing: it came from options.
+    std::optional<std::filesystem::path> config_file;
+    /// trace, debug, info, warning (or warn), error, critical or off.
+    std::string log_level = "info";
+    bool strict = false;  ///< whatever the configuration says
+};
+
+}  // namespace scipd::daemon

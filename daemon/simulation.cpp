@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/simulation.h"
+
+#include "daemon/mounting.h"
+
+namespace scipd::daemon {
+
+Simulation::Simulation(const boost::asio::any_io_executor& executor, ClockKind kind)
+    : wall_clock(executor),
+      lockstep(kind == ClockKind::poses ? std::make_unique<Lockstep>(executor) : nullptr),
+      clock(lockstep ? static_cast<Clock&>(lockstep->clock()) : wall_clock),
+      editor(world, loader, clock, [this] { return backend_wishes(); }),
+      chooser(world, loader, [this] { return backend_wishes(); }),
+      loader(executor) {
+    world.on_placed([this] {
+        for (const auto& station : stations)
+            station->loop->poses_came();
+    });
+}
+
+std::vector<BackendWish> Simulation::backend_wishes() const {
+    const ClockKind kind = lockstep ? ClockKind::poses : ClockKind::wall;
+    std::vector<BackendWish> wishes;
+    for (const auto& station : stations) {
+        const sim::Pose pose = world.robot(station->robot)->at(clock.now());
+        wishes.push_back(backend_wish(station->robot, station->config, pose, kind));
+        wishes.back().settled = world.choice_of(wishes.back().sensor);
+    }
+    return wishes;
+}
+
+void Simulation::choose_backends() {
+    if (!lockstep) chooser.choose();
+}
+
+SettledBackends Simulation::settled_backends() const {
+    SettledBackends settled;
+    for (const auto& station : stations)
+        settled[station->name()] = {station->config, world.choice_of(station->name())};
+    return settled;
+}
+
+std::vector<std::string> Simulation::remount() {
+    std::vector<std::string> warnings;
+    for (const auto& station : stations) {
+        SensorConfig& sensor = station->config;
+        if (!sensor.mount) continue;
+        if (const auto pose = mounted_again(*sensor.mount, *world.scene())) {
+            sensor.robot_from_sensor = *pose;
+            station->mount(*pose);
+        } else {
+            warnings.push_back(editor.file().string() + ": has no \"" + sensor.mount->name +
+                               "\" in a model \"" + sensor.mount->model + "\" to mount " +
+                               station->name() + " on; it stays where it was");
+        }
+    }
+    return warnings;
+}
+
+}  // namespace scipd::daemon

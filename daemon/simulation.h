@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// One world in time: the scene with its robots, the sensors in it, and whatever changes it. Fleet
+// configures it, FleetApi reads and changes it for the control API. Lives on the I/O thread.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <boost/asio/any_io_executor.hpp>
+
+#include "daemon/api/scan_stream.h"
+#include "daemon/clock/wall_clock.h"
+#include "daemon/fleet_plan.h"
+#include "daemon/poses/lockstep.h"
+#include "daemon/poses/pose_intake.h"
+#include "daemon/stations.h"
+#include "daemon/world/backend_chooser.h"
+#include "daemon/world/loader.h"
+#include "daemon/world/place_watch.h"
+#include "daemon/world/scene_editor.h"
+#include "daemon/world/world.h"
+
+namespace scipd::daemon {
+
+struct Simulation {
+    Simulation(const boost::asio::any_io_executor& executor, ClockKind clock);
+
+    /// What all sensors ask of the backends, as they are now.
+    [[nodiscard]] std::vector<BackendWish> backend_wishes() const;
+    /// Measures, in a while, which backends are to cast for the sensors that leave it open, and
+    /// again for those whose scene has changed much since.
+    void choose_backends();
+    /// What a configuration that comes need not measure again.
+    [[nodiscard]] SettledBackends settled_backends() const;
+    /// Mounts each sensor where the scene has the place it is mounted on. Returns a warning for
+    /// each place that the scene does not have.
+    [[nodiscard]] std::vector<std::string> remount();
+
+    WallClock wall_clock;
+    std::unique_ptr<Lockstep> lockstep;  ///< null: on the wall clock
+    Clock& clock;
+    World world;
+    PoseIntake intake{world, lockstep.get()};
+    SceneEditor editor;
+    BackendChooser chooser;
+    PlaceWatch place_watch{world, loader};
+    ScanStream stream;
+    Stations stations;
+    Loader loader;  ///< loads worlds, one after the other
+};
+
+}  // namespace scipd::daemon

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/stations.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "daemon/device/device.h"
+#include "daemon/device/staring_sensor.h"
+#include "daemon/link/port.h"
+#include "protocol/ideal.h"
+
+namespace scipd::daemon {
+namespace {
+
+/// Another world may have a named mount elsewhere; a sensor that has moved with it is the same.
+bool is_same(const SensorConfig& a, const SensorConfig& b) {
+    if (!a.mount || a.robot_from_sensor == b.robot_from_sensor) return a == b;
+    SensorConfig moved = a;
+    moved.robot_from_sensor = b.robot_from_sensor;
+    return moved == b;
+}
+
+template <class Sensor>
+Sensor& put_in(Station& station, const StationContext& context, const SensorConfig& config) {
+    auto sensor =
+        std::make_unique<Sensor>(station.robot, config, station.seed, context.world, context.clock);
+    station.loop = std::make_unique<ScanLoop>(*sensor, context.clock);
+    station.tap = std::make_unique<ScanStream::Tap>(context.stream, station.name(), *sensor);
+    Sensor& there = *sensor;
+    station.sensor = std::move(sensor);
+    return there;
+}
+
+}  // namespace
+
+Station::Station() = default;
+Station::~Station() = default;
+
+void Station::mount(const sim::Pose& robot_from_sensor) {
+    std::visit([&](const auto& there) { there->mount(robot_from_sensor); }, sensor);
+}
+
+std::unique_ptr<Station> make_station(const StationContext& context, const std::string& robot,
+                                      const SensorConfig& sensor, std::uint64_t seed,
+                                      SensorPorts ports) {
+    auto station = std::make_unique<Station>();
+    station->robot = robot;
+    station->config = sensor;
+    station->seed = seed;
+    station->ports = std::move(ports);
+    if (sensor.staring) {
+        put_in<StaringSensor>(*station, context, sensor);
+        return station;
+    }
+    SensorConfig of_device = sensor;
+    // Time that stands still would never come to the tick of a reply.
+    if (context.lockstep)
+        of_device.model.profile = protocol::answering_at_once(of_device.model.profile);
+    auto& device = put_in<Device>(*station, context, of_device);
+    for (const auto& port : {station->ports.tcp, station->ports.pty}) {
+        if (port) port->serve(device, sensor.link);
+    }
+    return station;
+}
+
+Station* find_station(const Stations& stations, const std::string& sensor) {
+    const auto found = std::ranges::find_if(
+        stations, [&](const auto& station) { return station->name() == sensor; });
+    return found == stations.end() ? nullptr : found->get();
+}
+
+Stations::const_iterator find_unchanged(const Stations& stations, const std::string& robot,
+                                        const SensorConfig& sensor, std::uint64_t seed) {
+    return std::ranges::find_if(stations, [&](const auto& station) {
+        return station->robot == robot && station->seed == seed && is_same(station->config, sensor);
+    });
+}
+
+std::unique_ptr<Station> take_unchanged(Stations& stations, const std::string& robot,
+                                        const SensorConfig& sensor, std::uint64_t seed) {
+    const auto found = find_unchanged(stations, robot, sensor, seed);
+    if (found == stations.end()) return nullptr;
+    auto station = std::move(stations[static_cast<std::size_t>(found - stations.begin())]);
+    stations.erase(found);
+    return station;
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The sensors of a fleet, each with what drives it and with the ports that reach it. Lives on the
+// I/O thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "daemon/api/scan_stream.h"
+#include "daemon/config/sensor_config.h"
+#include "daemon/device/scan_loop.h"
+#include "daemon/ports.h"
+
+namespace scipd::daemon {
+
+class Clock;
+class Device;
+class StaringSensor;
+class World;
+
+/// One sensor and the ports that reach it.
+struct Station {
+    Station();
+    Station(const Station&) = delete;
+    Station& operator=(const Station&) = delete;
+    ~Station();
+
+    std::string robot;
+    SensorConfig config;
+    std::uint64_t seed = 0;
+    /// A scanner, or a camera or ranger.
+    std::variant<std::unique_ptr<Device>, std::unique_ptr<StaringSensor>> sensor;
+    std::unique_ptr<ScanLoop> loop;
+    SensorPorts ports;
+    std::unique_ptr<ScanStream::Tap> tap;
+
+    [[nodiscard]] std::string name() const { return sensor_name(robot, config.name); }
+    /// From the next measurement on it sits there on its robot.
+    void mount(const sim::Pose& robot_from_sensor);
+};
+
+using Stations = std::vector<std::unique_ptr<Station>>;
+
+/// What a station needs of its surroundings; all must outlive it.
+struct StationContext {
+    World& world;
+    Clock& clock;
+    ScanStream& stream;
+    bool lockstep = false;
+};
+
+/// Switches a sensor on, behind its ports. These have been prepared, and so it does not fail.
+[[nodiscard]] std::unique_ptr<Station> make_station(const StationContext& context,
+                                                    const std::string& robot,
+                                                    const SensorConfig& sensor, std::uint64_t seed,
+                                                    SensorPorts ports);
+
+/// By the sensor's full name; null: there is none.
+[[nodiscard]] Station* find_station(const Stations& stations, const std::string& sensor);
+
+/// The station of the same robot and seed whose sensor is configured like this; end(): there is
+/// none.
+[[nodiscard]] Stations::const_iterator find_unchanged(const Stations& stations,
+                                                      const std::string& robot,
+                                                      const SensorConfig& sensor,
+                                                      std::uint64_t seed);
+/// Takes that one out; null: there is none.
+[[nodiscard]] std::unique_ptr<Station> take_unchanged(Stations& stations, const std::string& robot,
+                                                      const SensorConfig& sensor,
+                                                      std::uint64_t seed);
+
+}  // namespace scipd::daemon

@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+# Copyright The scipd authors
+#
+# Writes docs/models.md from what scipd says of its models: docs/make_models.py SCIPD [--check]. With --check it only
+# tells whether they agree.
+import pathlib
+import re
+import subprocess
+import sys
+
+import page
+
+HEAD = """# Models
+
+<!-- docs/make_models.py writes this page from `scipd --list-models`: change the models, and run it again. -->
+
+These are the products that scipd can be. `--model` and `model:` take `MODEL`, or `MODEL@FIRMWARE`. Without a firmware
+you get the first one of the model.
+
+```sh
+scipd --list-models
+scipd --model URG-04LX@3.3.00 --tcp 127.0.0.1:0
+```
+
+For each figure scipd says how sure it is:
+
+| word | meaning |
+|---|---|
+| seen | somebody saw it on the wire of a real unit |
+| documented | the maker documents it, or a driver whose author had a unit |
+| deduced | it follows from the figures of a similar model |
+
+You can change any field of a model, or define one of your own:
+[configuration.md](configuration.md#a-model-of-your-own).
+
+## Optics
+
+| model | range, mm | | steps | | scans | |
+|---|---|---|---|---|---|---|
+"""
+LINE = re.compile(r"(\S+)  (\S+) mm \((\w+)\), steps (.+) \((\w+)\), (\S+ Hz) \((\w+)\); (.+) \((\w+)\); "
+                  r"(.+) \((\w+)\); texts (\w+), noise (\w+)")
+
+
+def models_page(scipd):
+    said = subprocess.run([scipd, "--list-models"], capture_output=True, text=True, check=True).stdout
+    models = []
+    for line in said.splitlines():
+        match = LINE.fullmatch(line)
+        if not match:
+            sys.exit(f"docs/make_models.py does not understand: {line}")
+        models.append(match.groups())
+    text = HEAD
+    for name, range_mm, range_sure, steps, steps_sure, rate, rate_sure, *_ in models:
+        text += f"| {name} | {range_mm} | {range_sure} | {steps} | {steps_sure} | {rate} | {rate_sure} |\n"
+    text += "\n## Wire\n\n| model | links | | commands | | texts | noise |\n|---|---|---|---|---|---|---|\n"
+    for model in models:
+        links, links_sure, commands, commands_sure, texts, noise = model[7:]
+        text += f"| {model[0]} | {links} | {links_sure} | {commands} | {commands_sure} | {texts} | {noise} |\n"
+    return text + "\n[protocol.md](protocol.md) says what the commands do.\n"
+
+
+page.write_or_check(pathlib.Path(__file__).parent / "models.md", models_page(sys.argv[1]),
+                    "docs/make_models.py SCIPD", check="--check" in sys.argv)

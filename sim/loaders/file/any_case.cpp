@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/file/any_case.h"
+
+#include <algorithm>
+#include <system_error>
+#include <vector>
+
+#include "sim/text/quote.h"
+
+namespace scipd::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder is listed in no order; of several, always the same.
+fs::path alike(const fs::path& folder, const fs::path& name) {
+    std::vector<fs::path> found;
+    std::error_code error;
+    for (fs::directory_iterator at{folder, error}, end; !error && at != end; at.increment(error)) {
+        if (lower(at->path().filename().native()) == lower(name.native())) {
+            found.push_back(at->path());
+        }
+    }
+    return found.empty() ? fs::path{} : *std::ranges::min_element(found);
+}
+
+}  // namespace
+
+std::string lower(std::string_view text) {
+    std::string result{text};
+    std::ranges::transform(result, result.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return result;
+}
+
+fs::path exactly(const fs::path& folder, const fs::path& name) {
+    std::error_code error;
+    fs::path whole = folder / name;
+    return !whole.empty() && fs::exists(whole, error) ? whole : fs::path{};
+}
+
+fs::path in_any_case(const fs::path& folder, const fs::path& name) {
+    fs::path at = name.is_absolute() ? name.root_path() : folder;
+    for (const auto& part : name.relative_path()) {
+        if (part.empty()) continue;  // behind a last slash
+        fs::path next = exactly(at, part);
+        if (next.empty()) next = alike(at, part);
+        if (next.empty()) return {};
+        at = std::move(next);
+    }
+    return at;
+}
+
+fs::path as_it_is_called(const fs::path& file, std::vector<std::string>& warnings) {
+    const fs::path wanted = fs::absolute(file).lexically_normal();
+    fs::path found = in_any_case(wanted.root_path(), wanted.relative_path());
+    if (found.empty() || !differs_in_case(found, wanted.relative_path())) return file;
+    warnings.push_back(file.string() + ": is called " + shown(found.string()) +
+                       " here; it is used, though the names differ in case");
+    return found;
+}
+
+bool differs_in_case(const fs::path& found, const fs::path& name) {
+    const std::string has = found.lexically_normal().native();
+    const std::string wants = name.lexically_normal().native();
+    return !has.ends_with(wants) && lower(has).ends_with(lower(wants));
+}
+
+}  // namespace scipd::sim

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/file/plain_file.h"
+
+#include <cerrno>
+#include <stdexcept>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "sim/loaders/file/load_error.h"
+
+namespace scipd::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason(int error) {
+    return std::generic_category().message(error);
+}
+
+std::string why_not_plain(mode_t mode) {
+    if (S_ISREG(mode)) return {};
+    if (S_ISDIR(mode)) return "is a directory";
+    if (S_ISFIFO(mode)) return "is a FIFO";
+    if (S_ISSOCK(mode)) return "is a socket";
+    return "is a device";
+}
+
+File stream_of(int descriptor, const char* mode) {
+    File file{fdopen(descriptor, mode)};
+    if (file) return file;
+    close(descriptor);
+    throw std::runtime_error("cannot be read: " + reason(errno));
+}
+
+}  // namespace
+
+std::string why_no_file(const fs::path& path) {
+    struct stat status {};
+    if (stat(path.c_str(), &status) == 0) return why_not_plain(status.st_mode);
+    return errno == ENOENT || errno == ENOTDIR ? "no such file" : "cannot be had: " + reason(errno);
+}
+
+File open_file(const fs::path& path) {
+    if (const auto why = why_no_file(path); !why.empty()) throw std::runtime_error(why);
+    const int descriptor = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    if (descriptor < 0) throw std::runtime_error("cannot be read: " + reason(errno));
+    File file = stream_of(descriptor, "rb");
+    // Somebody may have put something else there meanwhile.
+    struct stat status {};
+    fstat(descriptor, &status);
+    if (const auto why = why_not_plain(status.st_mode); !why.empty()) throw std::runtime_error(why);
+    return file;
+}
+
+std::string beginning_of(const fs::path& path) {
+    constexpr std::size_t enough = 4096;
+    if (!why_no_file(path).empty()) return {};
+    std::string text(enough, ' ');
+    text.resize(std::fread(text.data(), 1, text.size(), open_file(path).get()));
+    return text;
+}
+
+File memory_file() {
+    const int descriptor = memfd_create("scipd", MFD_CLOEXEC);
+    if (descriptor < 0) throw std::runtime_error("no file in memory can be had: " + reason(errno));
+    return stream_of(descriptor, "w+");
+}
+
+std::string read_file(const fs::path& path, std::uintmax_t most_bytes, const std::string& wanted) {
+    const auto refuse = [&](const std::string& why) {
+        throw LoadError({path.string() + ": " + why + "; " + wanted});
+    };
+    std::string bytes;
+    try {
+        const File file = open_file(path);
+        // What a file of /proc says of its size is 0.
+        struct stat status {};
+        fstat(fileno(file.get()), &status);
+        const auto size = static_cast<std::uintmax_t>(status.st_size);
+        if (size > most_bytes)
+            refuse("is larger than " + std::to_string(most_bytes >> 20U) + " MiB");
+        bytes.resize(size);
+        bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file.get()));
+        if (std::ferror(file.get()) != 0) refuse("cannot be read");
+    } catch (const LoadError&) {
+        throw;
+    } catch (const std::runtime_error& why) {
+        refuse(why.what());
+    }
+    return bytes;
+}
+
+std::string read_text(const fs::path& path, std::uintmax_t most_bytes, const std::string& wanted) {
+    std::string text = read_file(path, most_bytes, wanted);
+    // By its byte order mark, which is none of UTF-8.
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+        throw LoadError({path.string() + ": is in UTF-16; save it as UTF-8"});
+    return text;
+}
+
+}  // namespace scipd::sim

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright The scipd authors
+#
+# All pages hang together: links.py SOURCES. Each relative link of a page leads to a file, and to a heading of it where
+# the link names one. Each page of docs/ is in its table of contents. README.md stays short.
+import pathlib
+import re
+import sys
+
+MOST_WORDS = 1200
+MOST_COLUMNS = 120
+SKIPPED_FOLDERS = {"build", ".git"}
+
+
+def pages_of(sources):
+    return [page for page in sorted(sources.rglob("*.md")) if page.relative_to(sources).parts[0] not in SKIPPED_FOLDERS]
+
+
+def text_of(page):
+    """Without what stands in fences."""
+    return re.sub(r"^```.*?^```", "", page.read_text(), flags=re.MULTILINE | re.DOTALL)
+
+
+def anchors_of(page):
+    titles = re.findall(r"^#+ (.*)$", text_of(page), re.MULTILINE)
+    return {re.sub(r"[^\w -]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
+def links_of(page):
+    """Relative ones, as (file, heading)."""
+    for target in re.findall(r"\]\(([^)\s]+)\)", text_of(page)):
+        if not re.match(r"\w+:", target):
+            name, _, heading = target.partition("#")
+            yield target, (page.parent / name).resolve() if name else page, heading
+
+
+def link_faults(sources):
+    for page in pages_of(sources):
+        for target, file, heading in links_of(page):
+            if not file.exists():
+                yield f"{page.relative_to(sources)}: {target} leads nowhere"
+            elif heading and heading not in anchors_of(file):
+                yield f"{page.relative_to(sources)}: {target}: no such heading"
+
+
+def content_faults(sources):
+    listed = {file for _, file, _ in links_of(sources / "docs/README.md")}
+    for page in sorted((sources / "docs").glob("*.md")):
+        if page.name != "README.md" and page not in listed:
+            yield f"docs/README.md does not list {page.name}"
+
+
+def readme_faults(sources):
+    text = (sources / "README.md").read_text()
+    if len(text.split()) > MOST_WORDS:
+        yield f"README.md has {len(text.split())} words, more than {MOST_WORDS}: move something to docs/"
+    for number, line in enumerate(text.splitlines(), 1):
+        if len(line) > MOST_COLUMNS:
+            yield f"README.md:{number}: has {len(line)} columns, more than {MOST_COLUMNS}"
+
+
+def main():
+    sources = pathlib.Path(sys.argv[1]).resolve()
+    faults = [*link_faults(sources), *content_faults(sources), *readme_faults(sources)]
+    print("\n".join(faults))
+    print(f"{len(pages_of(sources))} pages, {len(faults)} faults")
+    sys.exit(bool(faults))
+
+
+main()

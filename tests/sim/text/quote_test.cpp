@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/text/quote.h"
+
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "sim/text/name.h"
+
+namespace scipd::sim {
+namespace {
+
+using namespace std::string_literals;
+
+TEST(Shown, KeepsWhatPeopleWrite) {
+    for (const std::string text :
+         {"", "rescue/front", "a\tb\nc", "Prüfstand", "日本語", "😀", "\xEF\xBF\xBD"})
+        EXPECT_EQ(shown(text), text);
+}
+
+TEST(Shown, EscapesWhatWouldDoHarm) {
+    const std::pair<std::string, std::string> table[] = {
+        {"\x1b[31mred", "\\x1b[31mred"},
+        {"\0\r\x7f"s, "\\x00\\x0d\\x7f"},
+        {"\xc2\x9b"
+         "2J",
+         "\\xc2\\x9b2J"},  // U+009B, a control of one character
+        {"a\xe2\x80\xae"
+         "b",
+         "a\\xe2\\x80\\xae"
+         "b"},                                // U+202E turns what follows
+        {"\xe2\x80\xa8", "\\xe2\\x80\\xa8"},  // U+2028 ends a line
+        {"\x9b", "\\x9b"},                    // no UTF-8
+        {"\xff\xfe", "\\xff\\xfe"},
+        {"\xc3", "\\xc3"},  // cut short
+        {"\xc3(", "\\xc3("},
+        {"\xc0\xaf", "\\xc0\\xaf"},  // longer than it needs to be
+        {"\xe0\x80\xaf", "\\xe0\\x80\\xaf"},
+        {"\xed\xa0\x80", "\\xed\\xa0\\x80"},           // half of a pair
+        {"\xf4\x90\x80\x80", "\\xf4\\x90\\x80\\x80"},  // past the last
+    };
+    for (const auto& [text, expected] : table)
+        EXPECT_EQ(shown(text), expected);
+}
+
+TEST(NameFault, BoundsWhatThingsAreCalled) {
+    for (const std::string name : {"crate", "model 1", "Kiste ä", "a::b"})
+        EXPECT_EQ(name_fault(name), "");
+    EXPECT_EQ(name_fault(std::string(64, 'n')), "");
+    EXPECT_EQ(name_fault(std::string(65, 'n')), "must be at most 64 bytes long, not 65");
+    EXPECT_NE(name_fault(""), "");
+    for (const std::string name : {"a\nb", "a\tb", "\x1b[2J", "\xff", "\xc2\x85"})
+        EXPECT_EQ(name_fault(name), "must be UTF-8 without control characters");
+}
+
+TEST(ShortName, IsShortAndTheNamesOwn) {
+    EXPECT_EQ(short_name("crate"), "crate");
+    EXPECT_EQ(short_name(std::string(64, 'n')), std::string(64, 'n'));
+    const std::string one = short_name(std::string(16'000, 'n') + "1");
+    EXPECT_EQ(one.size(), 64U);
+    EXPECT_EQ(one.substr(0, 56), std::string(55, 'n') + "~");
+    EXPECT_EQ(short_name(std::string(16'000, 'n') + "1"), one);
+    EXPECT_NE(short_name(std::string(16'000, 'n') + "2"), one);
+    std::string umlauts;
+    for (int i = 0; i < 100; ++i)
+        umlauts += "ä";
+    EXPECT_EQ(name_fault(short_name(umlauts)), "");
+}
+
+}  // namespace
+}  // namespace scipd::sim
