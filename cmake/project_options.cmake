@@ -6,8 +6,12 @@
 
 add_library(scipd_options INTERFACE)
 target_include_directories(scipd_options INTERFACE ${CMAKE_SOURCE_DIR})
-target_compile_options(scipd_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+target_compile_options(scipd_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion
                                                -Wno-sign-conversion -Wno-missing-field-initializers)
+if(NOT CMAKE_UNITY_BUILD)
+  # In a batch a local name may well be one that a neighbour has for itself.
+  target_compile_options(scipd_options INTERFACE -Wshadow)
+endif()
 if(SCIPD_WARNINGS_AS_ERRORS)
   target_compile_options(scipd_options INTERFACE -Werror)
 endif()
@@ -28,6 +32,12 @@ endif()
 function(scipd_library name)
   add_library(${name} STATIC ${ARGN})
   target_link_libraries(${name} PUBLIC scipd_options)
+endfunction()
+
+# scipd_alone(sources...): stay out of the batches of a unity build (presets release and ci). For sources of the same
+# target that have a name of their own in common, or that include system headers which do not bear each other.
+function(scipd_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
 function(scipd_program name)

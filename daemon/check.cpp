@@ -19,9 +19,9 @@
 namespace scipd::daemon {
 namespace {
 
-using Faults = std::vector<std::string>;
+using Sentences = std::vector<std::string>;
 
-void note_faults(Faults& faults, const std::function<void()>& load) {
+void note_faults(Sentences& faults, const std::function<void()>& load) {
     try {
         load();
     } catch (const sim::LoadError& error) {
@@ -29,7 +29,7 @@ void note_faults(Faults& faults, const std::function<void()>& load) {
     }
 }
 
-void check_trajectory(const Config& config, const RobotConfig& robot, Faults& faults,
+void check_trajectory(const Config& config, const RobotConfig& robot, Sentences& faults,
                       std::vector<std::string>& warnings) {
     if (!robot.poses || robot.poses->kind != PoseSource::Kind::file) return;
     note_faults(faults, [&] {
@@ -45,7 +45,7 @@ void check_trajectory(const Config& config, const RobotConfig& robot, Faults& fa
 }
 
 /// A backend that this machine has not what it takes for would keep scipd from starting.
-void check_backends(const RobotConfig& robot, Faults& faults) {
+void check_backends(const RobotConfig& robot, Sentences& faults) {
     for (const SensorConfig& sensor : robot.sensors) {
         const sim::BackendRow* backend = sim::find_backend(sensor.backend);
         if (backend == nullptr || backend->probe == nullptr) continue;
@@ -64,7 +64,7 @@ std::string check(const std::filesystem::path& file, bool strict) {
     Config config = load_config(file);
     config.strict |= strict;
     sim::LoadedScene world;
-    Faults faults;
+    Sentences faults;
     std::vector<std::string> notices;
     note_faults(faults, [&] {
         world = load_world(config);

@@ -62,7 +62,8 @@ TEST(BackendChoice, ADepthBufferSeesAModelThatIsAdded) {
     (void)wire.next_scan();
     for (const std::string name : {"first", "second", "third"}) {
         const std::string box =
-            R"(<model name='x'><link name='l'><visual name='v'><geometry><box><size>0.2 0.2 2</size></box></geometry></visual></link></model>)";
+            "<model name='x'><link name='l'><visual name='v'><geometry>"
+            "<box><size>0.2 0.2 2</size></box></geometry></visual></link></model>";
         const nlohmann::json body{
             {"name", name}, {"sdf", box}, {"pose", {{"xyz", {1.0, 0.0, 0.0}}}}};
         const auto answer = control_request(daemon.control(), "POST", "/scene/models", body.dump());

@@ -14,7 +14,7 @@
 namespace scipd::tests {
 namespace {
 
-constexpr std::size_t front = 540;
+constexpr std::size_t ahead = 540;
 
 class EmptyWorld : public testing::TestWithParam<const char*> {
   protected:
@@ -23,7 +23,7 @@ class EmptyWorld : public testing::TestWithParam<const char*> {
                          const std::optional<double>& range_m) {
         return eventually([&] {
             (void)wire.next_scan();
-            const auto range = daemon.get("/sensors/robot/scanner/truth").at("true_m").at(front);
+            const auto range = daemon.get("/sensors/robot/scanner/truth").at("true_m").at(ahead);
             if (!range_m) return range.is_null();
             return range.is_number() && std::abs(range.get<double>() - *range_m) < 0.001;
         });

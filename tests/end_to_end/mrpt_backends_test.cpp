@@ -21,8 +21,10 @@ robots:
   rescue:
     pose: {xyz: [1, 1, 0]}
     sensors:
-      rays: {model: UST-10LX, mount: {xyz: [0, 0, 0.25]}, accuracy: ideal, tcp: "127.0.0.1:0", backend: embree}
-      drawn: {model: UST-10LX, mount: {xyz: [0, 0, 0.25]}, accuracy: ideal, tcp: "127.0.0.1:0", backend: depth}
+      rays: {model: UST-10LX, mount: {xyz: [0, 0, 0.25]}, accuracy: ideal,
+             tcp: "127.0.0.1:0", backend: embree}
+      drawn: {model: UST-10LX, mount: {xyz: [0, 0, 0.25]}, accuracy: ideal,
+              tcp: "127.0.0.1:0", backend: depth}
 )";
 }
 

@@ -35,7 +35,8 @@ robots:
     sensors:
       scanner: {model: UST-10LX, pty: auto}
       tof:
-        camera: {columns: 16, rows: 5, fov_deg: [30, 6], rate_hz: 25, range_m: [0.1, 7.5], noise: {sigma_m: 0.01}}
+        camera: {columns: 16, rows: 5, fov_deg: [30, 6], rate_hz: 25, range_m: [0.1, 7.5],
+                 noise: {sigma_m: 0.01}}
         mount: {xyz: [0, 0, 0.3]}
         accuracy: ideal
         backend: )" +

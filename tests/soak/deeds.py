@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# What hostile and careless clients do. A deed is a generator that goes on for ever: it yields the bytes of each thing that it
-# did, or None where it only waits, and may be ended at any yield. Whatever scipd does to a connection is fine: OSError begins
-# the deed anew. `scipd` is the one of scipd.py, `rng` all chance. Nothing here waits for longer than PATIENCE_S.
+# What hostile and careless clients do. A deed is a generator that goes on for ever: it yields the bytes of each thing
+# that it did, or None where it only waits, and may be ended at any yield. Whatever scipd does to a connection is fine:
+# OSError begins the deed anew. `scipd` is the one of scipd.py, `rng` all chance. Nothing here waits for longer than
+# PATIENCE_S.
 import contextlib
 import json
 import os
@@ -16,12 +17,15 @@ import wire
 from variants import reload, stderr  # they are deeds as well
 
 PATIENCE_S = 2.0
-REQUESTS = [b"VV", b"PP", b"II", b"BM", b"QT", b"RS", b"TM0", b"TM1", b"TM2", b"GD0000108001", b"MD0000108000000", b"ME0000108000000",
-            b"GS0044072501", b"MD0044072501000", b"%ST", b"SS115200", b"CR00", b"HS1", b"SCIP2.0", b"RB", b"DB10"]
+REQUESTS = [b"VV", b"PP", b"II", b"BM", b"QT", b"RS", b"TM0", b"TM1", b"TM2", b"GD0000108001", b"MD0000108000000",
+            b"ME0000108000000", b"GS0044072501", b"MD0044072501000", b"%ST", b"SS115200", b"CR00", b"HS1", b"SCIP2.0",
+            b"RB", b"DB10"]
 LONG_ANSWERS = ["/status", "/sensors", "/scene", "/sensors/good/ust/truth", "/sensors/driven/ust/truth"]
-PATHS = LONG_ANSWERS + ["/sensors/%zz/x", "/robots/victim/pose", "/stream", "/poses", "/" + "x" * 2000, "/scene/models/%00/pose"]
-POSES = [b"x", b"{", b"{}", b"[" * 200, b'{"robot":"nobody","xyz":[0,0,0]}', b'{"robot":"victim","xyz":[0,0]}', b"\0\xff\xfe",
-         b'{"robot":"victim","xyz":[1e999,0,0]}', b'{"robot":"victim","t":-1e300,"xyz":[0,0,0]}', b'{"robot":' + b'"' * 500]
+PATHS = LONG_ANSWERS + ["/sensors/%zz/x", "/robots/victim/pose", "/stream", "/poses", "/" + "x" * 2000,
+                         "/scene/models/%00/pose"]
+POSES = [b"x", b"{", b"{}", b"[" * 200, b'{"robot":"nobody","xyz":[0,0,0]}', b'{"robot":"victim","xyz":[0,0]}',
+         b"\0\xff\xfe", b'{"robot":"victim","xyz":[1e999,0,0]}', b'{"robot":"victim","t":-1e300,"xyz":[0,0,0]}',
+         b'{"robot":' + b'"' * 500]
 
 
 @contextlib.contextmanager
@@ -153,9 +157,11 @@ def http(scipd, rng):
         with connected(scipd.http) as client:
             data = rng.choice([
                 lambda: rng.randbytes(rng.randrange(1, 4096)),
-                lambda: f"{rng.choice(['GET', 'PATCH', 'BREW', 'PUT'])} {rng.choice(PATHS)} HTTP/{rng.choice(['1.1', '1.0', '9'])}\r\n\r\n".encode(),
+                lambda: (f"{rng.choice(['GET', 'PATCH', 'BREW', 'PUT'])} {rng.choice(PATHS)} "
+                         f"HTTP/{rng.choice(['1.1', '1.0', '9'])}\r\n\r\n").encode(),
                 lambda: wire.http_request("PUT", "/robots/victim/pose", rng.randbytes(200)),
-                lambda: wire.http_request("POST", "/scene/models", b"ffff\r\nxx", fields="Transfer-Encoding: chunked\r\n"),
+                lambda: wire.http_request("POST", "/scene/models", b"ffff\r\nxx",
+                                          fields="Transfer-Encoding: chunked\r\n"),
                 lambda: wire.http_request("GET", "/poses", fields=wire.UPGRADE) + rng.randbytes(2000),
                 lambda: wire.http_request("GET", "/stream", fields=wire.UPGRADE)[:-rng.randrange(1, 100)],
             ])()
@@ -187,7 +193,8 @@ def headers(scipd, rng):
 def bodies(scipd, rng):
     """Bodies that are too large, or do not come."""
     while True:
-        path, length = rng.choice(["/scene", "/scene/models", "/robots/victim/pose"]), rng.choice([1 << 20, 100 << 20, 1 << 63])
+        path = rng.choice(["/scene", "/scene/models", "/robots/victim/pose"])
+        length = rng.choice([1 << 20, 100 << 20, 1 << 63])
         with connected(scipd.http) as client, contextlib.suppress(OSError):
             client.sendall(f"PUT {path} HTTP/1.1\r\nHost: scipd\r\nContent-Length: {length}\r\n\r\n".encode())
             for _ in range(rng.randrange(32)):
@@ -200,7 +207,8 @@ def deep(scipd, rng):
     """JSON that is nested as deep as a body may be long."""
     while True:
         depth = rng.choice([1000, 100_000, 250_000])
-        text = rng.choice([b"[" * depth + b"]" * depth, b"[" * 2 * depth, b'{"xyz":' + b"[" * 2 * depth, b'{"a":' * (depth // 3)])
+        text = rng.choice([b"[" * depth + b"]" * depth, b"[" * 2 * depth, b'{"xyz":' + b"[" * 2 * depth,
+                           b'{"a":' * (depth // 3)])
         method, path = rng.choice([("PUT", "/scene"), ("POST", "/scene/models"), ("PUT", "/robots/victim/pose")])
         with connected(scipd.http) as client:
             client.sendall(wire.http_request(method, path, text))
@@ -252,13 +260,16 @@ def abandon(scipd, rng):
 
 def scenes(scipd, rng):
     """Worlds loaded, models added, moved and taken away, each with its answer."""
-    sdf = "<model name='m'><link name='l'><visual name='v'><geometry><sphere><radius>0.1</radius></sphere></geometry></visual></link></model>"
+    sdf = ("<model name='m'><link name='l'><visual name='v'><geometry><sphere><radius>0.1</radius></sphere></geometry>"
+           "</visual></link></model>")
     with connected(scipd.http) as client:
         while True:
-            requests = [("PUT", "/scene", {"file": f"{scipd.scenes}/{rng.choice(['square_room', 'corridor', 'rescue_maze'])}.sdf"})]
+            world = rng.choice(["square_room", "corridor", "rescue_maze"])
+            requests = [("PUT", "/scene", {"file": f"{scipd.scenes}/{world}.sdf"})]
             for i in range(rng.randrange(10)):
                 requests.append(("POST", "/scene/models", {"name": f"m{i}", "sdf": sdf, "replace": rng.random() < 0.5}))
-                requests += [("PUT", f"/scene/models/m{i}/pose", {"xyz": [rng.random(), rng.random(), 0.3]}) for _ in range(5)]
+                requests += [("PUT", f"/scene/models/m{i}/pose", {"xyz": [rng.random(), rng.random(), 0.3]})
+                             for _ in range(5)]
                 requests.append(("DELETE", f"/scene/models/m{rng.randrange(10)}", None))
             for method, path, body in requests:
                 request = wire.http_request(method, path, body)
@@ -275,5 +286,6 @@ def rest(seconds):
         yield None
 
 
-DEEDS = {deed.__name__: deed for deed in (garbage, ttys, flood, deaf, resets, streams, answers, http, headers, bodies, deep, junk_poses, udp,
-                                          abandon, scenes, reload, stderr)}
+DEEDS = {deed.__name__: deed for deed in (
+    garbage, ttys, flood, deaf, resets, streams, answers, http, headers, bodies, deep, junk_poses, udp, abandon, scenes,
+    reload, stderr)}

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# The good clients, which must miss nothing whatever the hostile ones do. All of them share one loop in one thread; its own
-# delays and what scipd waits for a core are measured beside, so that a busy machine is not taken for a scipd that stands still.
+# The good clients, which must miss nothing whatever the hostile ones do. All of them share one loop in one thread; its
+# own delays and what scipd waits for a core are measured beside, so that a busy machine is not taken for a scipd that
+# stands still.
 import asyncio
 import collections
 import dataclasses
@@ -14,8 +15,8 @@ import time
 import wire
 
 CLOCK_MASK = 0xFFFFFF  # 24 bits
-MODEL = ("<model name='m'><static>true</static><link name='l'><visual name='v'><geometry><box><size>0.1 0.1 0.1</size></box>"
-         "</geometry></visual></link></model>")
+MODEL = ("<model name='m'><static>true</static><link name='l'><visual name='v'><geometry><box>"
+         "<size>0.1 0.1 0.1</size></box></geometry></visual></link></model>")
 CROOKED_MS = 2.0  # a stamp that lies so far beside its period, which a mirror and whole ms explain
 
 
@@ -52,8 +53,8 @@ class Machine:
 
 @dataclasses.dataclass
 class Answer:
-    """To a request, in s: since when it is late, how long it took, how long scipd ran and waited for a core meanwhile, and how late it
-    was heard here."""
+    """To a request, in s: since when it is late, how long it took, how long scipd ran and waited for a core meanwhile,
+    and how late it was heard here."""
     since_s: float
     took_s: float
     ran_s: float
@@ -96,7 +97,8 @@ class Stream(asyncio.Protocol):
             self.last_s = time.monotonic()
             return
         data = b"".join(line[:-1] for line in lines[3:])
-        if lines[:2] != [self.request, b"99b"] or len(data) != 3 * self.points or not all(map(wire.sum_is_right, lines[2:])):
+        whole = lines[:2] == [self.request, b"99b"] and len(data) == 3 * self.points
+        if not whole or not all(map(wire.sum_is_right, lines[2:])):
             self.damaged += 1
             self.fault = self.fault or f"damaged: {lines[:3]}, {len(data)} characters of data"
             return
@@ -154,8 +156,8 @@ class Http:
 
 
 class StatusClient:
-    """Asks ten times a second. An answer that keeps the next requests waiting is late for them as well. `answered` hears
-    of each."""
+    """Asks ten times a second. An answer that keeps the next requests waiting is late for them as well. `answered`
+    hears of each."""
     PERIOD_S = 0.1
 
     def __init__(self, scipd, machine, answered):
@@ -181,7 +183,8 @@ class StatusClient:
         """Of an answer, or of one that has not come so far."""
         if self.unanswered:
             begin, self.unanswered = self.unanswered, None
-            self.answered(Answer(begin, time.monotonic() - begin, *self.machine.times_since_s(begin), self.machine.late_s()))
+            took_s = time.monotonic() - begin
+            self.answered(Answer(begin, took_s, *self.machine.times_since_s(begin), self.machine.late_s()))
 
 
 def place_at(now_s):
@@ -190,8 +193,8 @@ def place_at(now_s):
 
 
 class PoseSenders:
-    """A hundred poses a second for each of two robots: by WebSocket, which answers a refusal, and by UDP, whose robot must be
-    where it was told to be."""
+    """A hundred poses a second for each of two robots: by WebSocket, which answers a refusal, and by UDP, whose robot
+    must be where it was told to be."""
     PERIOD_S = 0.01
     STRAYED_M = 0.15  # two and a half seconds of its way
 
@@ -234,7 +237,8 @@ class PoseSenders:
 
 
 class Editor:
-    """Adds a model and takes it away; another world may have taken it away before. `answered(since, s)` hears of each change."""
+    """Adds a model and takes it away; another world may have taken it away before. `answered(since, s)` hears of each
+    change."""
     PERIOD_S = 2.0
 
     def __init__(self, scipd, answered):

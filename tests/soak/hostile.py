@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# The process in which hostile deeds are done, one after the other and several at once, beside a reader of scipd's standard error.
-# It gives way to all others: what it takes from a small machine would be measured too.
+# The process in which hostile deeds are done, one after the other and several at once, beside a reader of scipd's
+# standard error. It gives way to all others: what it takes from a small machine would be measured too.
 import os
 import random
 import signal
@@ -93,8 +93,8 @@ def do_together(scipd, names, seconds, seed, over):
 
 def run(scipd, names, seconds, seed, tell, over):
     """Until `over` is set, or so long. Tells of each slice as it begins, ("begin", names), and has ended,
-    ("end", {name: (times, bytes)}, faults); then ("over",) and, once scipd has ended, ("said", bytes on standard error, reloads,
-    its end)."""
+    ("end", {name: (times, bytes)}, faults); then ("over",) and, once scipd has ended, ("said", bytes on standard error,
+    reloads, its end)."""
     os.nice(10)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     scipd.listens = threading.Event()

@@ -67,8 +67,8 @@ class Scipd:
         self.standard_error = open(reading, "rb", buffering=0)
         try:
             fcntl.fcntl(writing, fcntl.F_SETPIPE_SZ, STDERR_PIPE_BYTES)
-            self.process = subprocess.Popen([program, "--config", str(self.file)], stdout=subprocess.PIPE, stderr=writing,
-                                            stdin=subprocess.DEVNULL)
+            self.process = subprocess.Popen([program, "--config", str(self.file)], stdout=subprocess.PIPE,
+                                            stderr=writing, stdin=subprocess.DEVNULL)
         finally:
             os.close(writing)
         self.pid = self.process.pid
@@ -118,8 +118,8 @@ class Scipd:
         return int(fields["VmRSS"].split()[0]) / 1024, len(os.listdir(f"/proc/{self.pid}/fd")), int(fields["Threads"])
 
     def times_s(self):
-        """Of its first thread, which serves all clients: how long it ran, and how long it was ready to run and had no core; 0 where the
-        kernel does not tell."""
+        """Of its first thread, which serves all clients: how long it ran, and how long it was ready to run and had no
+        core; 0 where the kernel does not tell."""
         try:
             with open(f"/proc/{self.pid}/task/{self.pid}/schedstat") as schedule:
                 ran, waited = schedule.read().split()[:2]

@@ -93,15 +93,17 @@ class Soak:
     async def connect_streams(self):
         for stream in self.streams:
             if self.scipd.sensors[stream.name]["tcp"]:
-                await asyncio.get_running_loop().create_connection(lambda stream=stream: stream, *self.scipd.tcp(stream.name))
+                address = self.scipd.tcp(stream.name)
+                await asyncio.get_running_loop().create_connection(lambda stream=stream: stream, *address)
             else:
                 good.stream_from_tty(self.scipd.tty(stream.name), stream)
 
     async def run(self, told):
         """Until the hostile process says that it is over, or a good client fails."""
         await self.connect_streams()
-        clients = [asyncio.ensure_future(work) for work in (self.machine.run(), self.status.run(), self.poses.send(), self.poses.look(),
-                                                            self.editor.run(), self.measure())]
+        clients = [asyncio.ensure_future(work) for work in (
+            self.machine.run(), self.status.run(), self.poses.send(), self.poses.look(), self.editor.run(),
+            self.measure())]
         over = asyncio.get_running_loop().create_future()
 
         def hear():
@@ -162,12 +164,14 @@ def ask_tty(path):
 
 
 def options():
-    parser = argparse.ArgumentParser(prog="tools/soak", description="Mixed hostile load on scipd; good clients must miss nothing.")
+    parser = argparse.ArgumentParser(prog="tools/soak",
+                                     description="Mixed hostile load on scipd; good clients must miss nothing.")
     parser.add_argument("minutes", nargs="?", type=float, default=60.0, help="how long; default: 60")
     parser.add_argument("--only", default="", metavar="DEED,...", help="of " + ", ".join(DEEDS) + "; or none")
     parser.add_argument("--except", default="", metavar="DEED,...", help="all others", dest="without")
     parser.add_argument("--seed", type=int, default=1, help="of all chance in what the hostile clients do; default: 1")
-    parser.add_argument("--status-ms", type=float, default=50.0, help="the longest that an answer to /status may take; default: 50")
+    parser.add_argument("--status-ms", type=float, default=50.0,
+                        help="the longest that an answer to /status may take; default: 50")
     parser.add_argument("--edit-s", type=float, default=15.0, help="and one to a change of the scene; default: 15")
     parser.add_argument("--rss-mb", type=float, default=400.0, help="the most memory at any time; default: 400")
     parser.add_argument("--scipd", default=str(ROOT / "build/release/bin/scipd"), help="which one")
@@ -200,7 +204,8 @@ def main():
     over = fork.Event()
     try:
         scipd.wait_until_ready()
-        fork.Process(target=hostile.run, args=(scipd, said.deeds, said.minutes * 60.0, said.seed, tell, over), daemon=True).start()
+        work = (scipd, said.deeds, said.minutes * 60.0, said.seed, tell, over)
+        fork.Process(target=hostile.run, args=work, daemon=True).start()
         tell.close()
         soak = Soak(scipd)
         asyncio.run(soak.run(told))

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# Deeds of careless administrators, as those of deeds.py: configurations, right and wrong, and a standard error that nobody reads.
+# Deeds of careless administrators, as those of deeds.py: configurations, right and wrong, and a standard error that
+# nobody reads.
 import time
 
 MORE = """  more:

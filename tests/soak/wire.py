@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# What the good clients and the hostile ones say to scipd: SCIP messages and their sums, HTTP requests, WebSocket frames, ttys.
+# What the good clients and the hostile ones say to scipd: SCIP messages and their sums, HTTP requests, WebSocket
+# frames, ttys.
 import base64
 import json
 import os

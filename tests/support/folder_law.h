@@ -4,7 +4,7 @@
 // The law of a folder, which stands in the first lines of its README.md:
 //
 //   - May include: `sim/time.h`, `sim/world/`, `glm/`.
-//   - `confined.cpp` alone may also include `poll.h`, `sys/`: child processes live behind this file.
+//   - `confined.cpp` alone may also include `poll.h`, `sys/`: child processes live behind it.
 //   - Never reaches: `protocol/`.
 //
 // Its own files and the standard library are free to every folder. A name that ends in `/` stands

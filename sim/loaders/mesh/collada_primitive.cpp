@@ -21,7 +21,7 @@ using tinyxml2::XMLElement;
 
 /// Of a polygon with holes, which takes the cube of them at worst.
 constexpr std::size_t most_corners = 1000;
-constexpr std::string_view blanks = " \t\r\n";
+constexpr std::string_view xml_blanks = " \t\r\n";
 
 bool is(const XMLElement& element, std::string_view name) {
     return name == element.Name();
@@ -32,7 +32,7 @@ std::vector<Number> numbers_in(const XMLElement& element) {
     std::vector<Number> numbers;
     std::string_view rest = element.GetText() == nullptr ? "" : element.GetText();
     for (;;) {
-        rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
+        rest.remove_prefix(std::min(rest.find_first_not_of(xml_blanks), rest.size()));
         if (rest.empty()) return numbers;
         Number number{};
         const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);

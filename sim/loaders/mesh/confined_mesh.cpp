@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t largest_file = 1ULL << 30;
+constexpr std::uintmax_t largest_mesh_file = 1ULL << 30;
 constexpr auto more_memory = "world_memory_mb under limits in the configuration allows more";
 
 void put_part(const MeshPart& part, std::FILE* out) {
@@ -77,7 +77,7 @@ std::uintmax_t check_file(const fs::path& file) {
     }
     std::error_code error;
     const auto size = fs::file_size(file, error);
-    if (error || size > largest_file) throw std::runtime_error("is larger than 1 GiB");
+    if (error || size > largest_mesh_file) throw std::runtime_error("is larger than 1 GiB");
     if (const auto why = why_mistaken(beginning_of(file), "mesh"); !why.empty()) {
         throw std::runtime_error(why);
     }

@@ -30,17 +30,17 @@ namespace {
 
 /// Positions and faces are all that a range needs; without the rest more vertices are identical and
 /// can be shared.
-constexpr int unwanted = aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
-                         aiComponent_COLORS | aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS |
-                         aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
-                         aiComponent_CAMERAS;
+constexpr int unwanted_components = aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
+                                    aiComponent_COLORS | aiComponent_TEXCOORDS |
+                                    aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
+                                    aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS;
 
 constexpr unsigned int plain = aiProcess_Triangulate | aiProcess_RemoveComponent;
 /// Takes the nodes away, and with them their names.
 constexpr unsigned int flat = aiProcess_PreTransformVertices | aiProcess_SortByPType;
 
 constexpr std::size_t most_names_told = 10;
-constexpr std::uintmax_t largest_file = 1ULL << 30;
+constexpr std::uintmax_t largest_mesh_read = 1ULL << 30;
 
 std::span<aiMesh* const> meshes_of(const aiScene& scene) {
     return {scene.mMeshes, scene.mNumMeshes};
@@ -111,7 +111,7 @@ MeshFolder* folder_of(const Wish& wish) {
     auto folder = std::make_unique<MeshFolder>(wish.file);
     if (wish.contents == MeshContents::relieved) {
         folder->relieve(
-            relieved(wish.file, read_file(wish.file, largest_file, "a mesh is wanted here")));
+            relieved(wish.file, read_file(wish.file, largest_mesh_read, "a mesh is wanted here")));
     }
     return folder.release();
 }
@@ -119,7 +119,7 @@ MeshFolder* folder_of(const Wish& wish) {
 /// All that is asked of a file before and after the steps that make what is wanted of it.
 const aiScene& read(Assimp::Importer& importer, const Wish& wish) {
     importer.SetIOHandler(folder_of(wish));
-    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, unwanted);
+    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, unwanted_components);
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION,

@@ -18,8 +18,8 @@
 namespace scipd::sim {
 namespace {
 
-constexpr int deepest = 64;
-constexpr std::size_t longest_text = 1 << 16;
+constexpr int deepest_formula = 64;
+constexpr std::size_t longest_substituted = 1 << 16;
 
 [[noreturn]] void refuse(const std::string& why) {
     throw std::invalid_argument(why);
@@ -115,7 +115,7 @@ class Calculator {
         }
     }
     double power() {
-        if (++depth_ > deepest) refuse("a formula is nested too deeply");
+        if (++depth_ > deepest_formula) refuse("a formula is nested too deeply");
         double value = 0.0;
         if (take("-")) {
             value = -power();
@@ -215,7 +215,7 @@ bool replace_last(std::string& text, std::string_view begins, const auto& value)
     if (end == text.npos) refuse(quote(begins) + " is not closed");
     const auto first = begin + begins.size();
     text.replace(begin, end + 1 - begin, value(std::string_view(text).substr(first, end - first)));
-    if (text.size() > longest_text) refuse("a text grows too long");
+    if (text.size() > longest_substituted) refuse("a text grows too long");
     return true;
 }
 
@@ -235,7 +235,7 @@ double formula(std::string_view text, const Variables& variables) {
 
 std::string substituted(std::string_view given, const Variables& variables) {
     constexpr int most_replaced = 1000;
-    if (given.size() > longest_text) refuse("a text is too long");
+    if (given.size() > longest_substituted) refuse("a text is too long");
     std::string text(given);
     const auto variable = [&](std::string_view asked) { return value_of(asked, variables); };
     const auto result = [&](std::string_view asked) {

@@ -28,9 +28,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t largest_text = 16U << 20U;
-constexpr std::uintmax_t largest_picture = 512U << 20U;
-constexpr std::size_t most_triangles = 20'000'000;
+constexpr std::uintmax_t largest_mvsim_text = 16U << 20U;
+constexpr std::uintmax_t largest_mvsim_picture = 512U << 20U;
+constexpr std::size_t most_mvsim_triangles = 20'000'000;
 
 bool is_one_of(const std::string& name, std::initializer_list<std::string_view> names) {
     return std::ranges::find(names, name) != names.end();
@@ -187,7 +187,7 @@ class MvsimScene {
     }
 
     SharedMesh counted(Mesh mesh) {
-        if (mesh.triangles.size() > most_triangles - triangles_)
+        if (mesh.triangles.size() > most_mvsim_triangles - triangles_)
             throw std::invalid_argument("makes more than 20 million triangles of the world");
         triangles_ += mesh.triangles.size();
         return std::make_shared<const Mesh>(std::move(mesh));
@@ -202,7 +202,7 @@ class MvsimScene {
 
     static std::string picture(const fs::path& file) {
         try {
-            return read_file(file, largest_picture, "a picture is wanted here");
+            return read_file(file, largest_mvsim_picture, "a picture is wanted here");
         } catch (const LoadError& wrong) {
             throw std::invalid_argument(wrong.what());
         }
@@ -232,13 +232,13 @@ class MvsimScene {
 
 LoadedScene load_mvsim(const fs::path& given, const MapOptions& options) {
     const auto file = fs::absolute(given).lexically_normal();
-    const std::string text = read_text(file, largest_text, "name a world of MVSim");
+    const std::string text = read_text(file, largest_mvsim_text, "name a world of MVSim");
     MvsimScene scene{file, options};
     const MvsimVisitor visitor{.visit = [&](const MvsimNode& node) { scene.visit(node); },
                                .leave_out = [&](const std::string& what) { scene.leave_out(what); },
                                .read = [](const fs::path& included) -> std::optional<std::string> {
                                    if (!why_no_file(included).empty()) return std::nullopt;
-                                   return read_text(included, largest_text,
+                                   return read_text(included, largest_mvsim_text,
                                                     "a part of a world is wanted");
                                }};
     walk_mvsim(text, file, visitor);

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int deepest = 8;
+constexpr int deepest_json = 8;
 constexpr int most_values = 256;
 
 /// The library's own words, without its name and number in brackets.
@@ -27,8 +27,9 @@ std::string words_of(const Json::exception& error) {
 Json parse_small_json(std::string_view text) {
     int values = 0;
     const auto count = [&values](int depth, Json::parse_event_t, const Json&) {
-        if (depth > deepest) {
-            throw std::runtime_error("nests deeper than " + std::to_string(deepest) + " levels");
+        if (depth > deepest_json) {
+            throw std::runtime_error("nests deeper than " + std::to_string(deepest_json) +
+                                     " levels");
         }
         if (++values > most_values) {
             throw std::runtime_error("has more than " + std::to_string(most_values) +

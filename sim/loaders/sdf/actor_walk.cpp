@@ -20,7 +20,7 @@ constexpr Time instant{1};
 /// For all that is reckoned with it to fit into a Time.
 constexpr Seconds longest{4e9};
 /// Of one trajectory: 7 MB.
-constexpr std::size_t most_steps = 100'000;
+constexpr std::size_t most_walk_steps = 100'000;
 
 /// From one waypoint to the next, where s = 0 and s = 1.
 struct Cubic {
@@ -46,7 +46,7 @@ struct Cubic {
 
 class Spline {
   public:
-    explicit Spline(const Trajectory& trajectory) : points_(trajectory.waypoints) {
+    explicit Spline(const ActorTrajectory& trajectory) : points_(trajectory.waypoints) {
         // The first one is waited for where it stands.
         if (const Waypoint first = points_.front(); first.time > Time{})
             points_.insert(points_.begin(), Waypoint{Time{}, first.pose});
@@ -56,7 +56,7 @@ class Spline {
     [[nodiscard]] Time duration() const { return points_.back().time; }
 
     void append_to(std::vector<Script::Step>& steps, Time begin) const {
-        const std::size_t most = std::max(most_steps / points_.size(), std::size_t{1});
+        const std::size_t most = std::max(most_walk_steps / points_.size(), std::size_t{1});
         for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
             const Time span = points_[i + 1].time - points_[i].time;
             const Cubic cubic = from(i);
@@ -112,12 +112,12 @@ void end_before(Time time, std::vector<Script::Step>& steps) {
 
 }  // namespace
 
-SharedScript walk_of(const std::vector<Trajectory>& trajectories, Time delay, bool loops) {
+SharedScript walk_of(const std::vector<ActorTrajectory>& trajectories, Time delay, bool loops) {
     const Pose& start = trajectories.front().waypoints.front().pose;
     auto walk = std::make_shared<Script>();
     if (delay > Time{}) walk->steps.push_back({{}, start});
     Time end = delay;
-    for (const Trajectory& trajectory : trajectories) {
+    for (const ActorTrajectory& trajectory : trajectories) {
         const Spline spline(trajectory);
         if (Seconds(end) + Seconds(spline.duration()) > longest) return nullptr;
         end_before(end, walk->steps);

@@ -15,7 +15,7 @@ struct Waypoint {
     Pose pose;
 };
 
-struct Trajectory {
+struct ActorTrajectory {
     int id = 0;
     double tension = 0.0;             ///< 0: a Catmull-Rom spline, 1: straight from one to the next
     std::vector<Waypoint> waypoints;  ///< one at least, by time, a millisecond or more apart
@@ -31,6 +31,6 @@ struct Trajectory {
 /// over the share of time between two waypoints, as both have it (common/Animation.cc), within
 /// 0.1 mm. Turns are even, by the shorter way: so has it gz-math's RotationSpline where one axis
 /// hardly turns, as of people. Older versions overshoot, and whirl where a yaw passes 180 degrees.
-SharedScript walk_of(const std::vector<Trajectory>& trajectories, Time delay, bool loops);
+SharedScript walk_of(const std::vector<ActorTrajectory>& trajectories, Time delay, bool loops);
 
 }  // namespace scipd::sim

@@ -15,7 +15,7 @@
 namespace scipd::sim {
 namespace {
 
-constexpr std::uintmax_t largest_file = 1ULL << 29;
+constexpr std::uintmax_t largest_picture_bytes = 1ULL << 29;
 constexpr std::array<std::string_view, 5> picture_extensions{".png", ".jpg", ".jpeg", ".pgm",
                                                              ".bmp"};
 
@@ -50,7 +50,7 @@ HeightGrid grid_of(const MapImage& image, const std::vector<Sample>& samples) {
 }
 
 HeightGrid read_picture(const std::filesystem::path& file) {
-    const auto bytes = read_file(file, largest_file, "a picture is wanted here");
+    const auto bytes = read_file(file, largest_picture_bytes, "a picture is wanted here");
     try {
         const MapImage image = read_map_image(bytes);
         return std::visit([&](const auto& samples) { return grid_of(image, samples); },

@@ -59,13 +59,13 @@ void SceneDraft::pass_over(std::string why) {
 
 void SceneDraft::show_names() {
     for (Model& model : scene_.models)
-        model.name = shown(model.name);
+        model.name = as_in_file(model.name);
     for (Object& object : scene_.objects)
-        object.name = shown(object.name);
+        object.name = as_in_file(object.name);
     for (Frame& frame : scene_.frames)
-        frame.name = shown(frame.name);
-    std::ranges::transform(warnings_, warnings_.begin(), shown);
-    std::ranges::transform(faults_, faults_.begin(), shown);
+        frame.name = as_in_file(frame.name);
+    std::ranges::transform(warnings_, warnings_.begin(), as_in_file);
+    std::ranges::transform(faults_, faults_.begin(), as_in_file);
 }
 
 LoadedScene SceneDraft::finish(const std::string& what_is_seen) && {

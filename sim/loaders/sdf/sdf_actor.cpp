@@ -95,13 +95,13 @@ class ActorReader {
     SharedScript read_script(const Pose& pose) {
         const auto* script = actor_.FirstChildElement("script");
         if (script == nullptr || !is_true(script->FirstChildElement("auto_start"), true)) return {};
-        std::vector<Trajectory> trajectories;
+        std::vector<ActorTrajectory> trajectories;
         for (const auto* trajectory = script->FirstChildElement("trajectory");
              trajectory != nullptr; trajectory = trajectory->NextSiblingElement("trajectory")) {
             if (auto read = read_trajectory(*trajectory)) trajectories.push_back(std::move(*read));
         }
         if (trajectories.empty()) return {};
-        std::ranges::stable_sort(trajectories, {}, &Trajectory::id);
+        std::ranges::stable_sort(trajectories, {}, &ActorTrajectory::id);
         warn_of_origin(*script, pose, trajectories.front().waypoints.front().pose);
         auto walk = walk_of(trajectories, delay_of(*script),
                             is_true(script->FirstChildElement("loop"), true));
@@ -129,8 +129,8 @@ class ActorReader {
         return {};
     }
 
-    std::optional<Trajectory> read_trajectory(const XMLElement& element) {
-        Trajectory trajectory{element.IntAttribute("id"), tension_of(element), {}};
+    std::optional<ActorTrajectory> read_trajectory(const XMLElement& element) {
+        ActorTrajectory trajectory{element.IntAttribute("id"), tension_of(element), {}};
         for (const auto* waypoint = element.FirstChildElement("waypoint"); waypoint != nullptr;
              waypoint = waypoint->NextSiblingElement("waypoint")) {
             if (++waypoints_ > most_waypoints) {

@@ -242,7 +242,7 @@ void drop_empty_models(XMLElement& root) {
     delete_children(root, is_empty_model);
 }
 
-std::string shown(const std::string& name) {
+std::string as_in_file(const std::string& name) {
     std::string text = name;
     replace_all(text, stands_for_colons, colons);
     return text;

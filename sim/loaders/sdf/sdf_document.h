@@ -44,6 +44,6 @@ void drop_empty_models(tinyxml2::XMLElement& root);
 
 /// A name as its file has it: a document that went through relieve() has no "::" in names, which
 /// the library takes for its own.
-std::string shown(const std::string& name);
+std::string as_in_file(const std::string& name);
 
 }  // namespace scipd::sim

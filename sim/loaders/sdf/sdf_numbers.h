@@ -12,7 +12,7 @@
 namespace scipd::sim {
 
 /// Throws LoadError where it is no number.
-double number_in(sdf::Element& parent, const std::string& name, double otherwise);
+double number_of_child(sdf::Element& parent, const std::string& name, double otherwise);
 
 /// Of an element that holds three. Throws LoadError.
 glm::dvec3 vector_of(sdf::Element& element);

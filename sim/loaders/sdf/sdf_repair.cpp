@@ -23,7 +23,7 @@ namespace {
 using tinyxml2::XMLDocument;
 using tinyxml2::XMLElement;
 
-constexpr std::size_t longest_text = 200;
+constexpr std::size_t longest_told = 200;
 
 bool is_holder(const XMLElement& element) {
     return is_one_of(element,
@@ -54,7 +54,7 @@ std::string what_is_wrong(const XMLElement& element, const sdf::Error& error) {
     if (!is_value(element, error)) return error.Message();
     const char* text = element.GetText();
     return std::string{"its <"} + element.Name() + "> " +
-           (text == nullptr ? "" : '\'' + printable(text, longest_text) + "' ") +
+           (text == nullptr ? "" : '\'' + printable(text, longest_told) + "' ") +
            "is none that can be read";
 }
 

@@ -123,7 +123,7 @@ void put_roads_as_models(XMLElement& world) {
 }
 
 PlacedShape placed_road(sdf::Element& road) {
-    const double width_m = number_in(road, "width", 1.0);
+    const double width_m = number_of_child(road, "width", 1.0);
     if (!(width_m > 0.0 && width_m <= position_limit_m)) {
         throw LoadError({"the <width> of a <road> must be above 0 and at most 1e7 m"});
     }

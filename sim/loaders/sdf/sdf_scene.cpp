@@ -119,7 +119,7 @@ void SceneWalk::add_root() {
 
 void SceneWalk::add_model(const sdf::Model& model) {
     const std::string name = name_of(model);
-    if (read_.state.deleted.contains(shown(name))) return;
+    if (read_.state.deleted.contains(as_in_file(name))) return;
     const auto place = place_of({}, model.SemanticPose(), model.Element(), name);
     if (!place) return;
     actor_ = actor_of(model, read_.actors);
@@ -139,7 +139,7 @@ std::string SceneWalk::name_of(const sdf::Model& model) {
 }
 
 void SceneWalk::add_parts(const sdf::Model& model, const Place& place, const std::string& name) {
-    const auto* saved = read_.state.use(shown(name));
+    const auto* saved = read_.state.use(as_in_file(name));
     scale_ = saved == nullptr ? glm::dvec3{1.0} : saved->scale;
     ModelPlaces places{place, {}};
     for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
@@ -219,7 +219,7 @@ std::optional<Place> SceneWalk::place_of(const Place& outer, const sdf::Semantic
         return {};
     }
     Place here = outer * to_pose(resolved);
-    if (const auto* saved = read_.state.use(shown(name))) here = moved_to(outer, *saved);
+    if (const auto* saved = read_.state.use(as_in_file(name))) here = moved_to(outer, *saved);
     const auto& [at_m, rotation] = here.world_from_here;
     if (plausible_position(at_m) && std::isfinite(glm::length(rotation))) return here;
     draft_.leave_out(where + "lies at " + text_of(at_m) +

@@ -70,8 +70,8 @@ PlacedShape placed_capsule(const sdf::Capsule& capsule) {
 }
 
 PlacedShape placed_cone(sdf::Element& cone) {
-    const double radius_m = number_in(cone, "radius", 1.0);
-    const double length_m = number_in(cone, "length", 1.0);
+    const double radius_m = number_of_child(cone, "radius", 1.0);
+    const double length_m = number_of_child(cone, "length", 1.0);
     check_sizes({radius_m, length_m});
     return placed(cone_mesh(radius_m, length_m));
 }

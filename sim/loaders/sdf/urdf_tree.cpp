@@ -17,7 +17,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-constexpr std::size_t longest_text = 200;
+constexpr std::size_t longest_urdf_text = 200;
 
 std::string link_of(const XMLElement& joint, const char* end) {
     const auto* named = joint.FirstChildElement(end);
@@ -56,7 +56,7 @@ class Tree {
         return !fault.empty();
     }
 
-    static std::string shown(const std::string& name) { return printable(name, longest_text); }
+    static std::string shown(const std::string& name) { return printable(name, longest_urdf_text); }
 
     std::string fault_of_link(const XMLElement& link) {
         const std::string name = attribute(link, "name");

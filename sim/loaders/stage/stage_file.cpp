@@ -14,7 +14,7 @@ namespace {
 
 using Kind = StageToken::Kind;
 
-constexpr int deepest = 64;
+constexpr int deepest_entity = 64;
 constexpr std::size_t most_entities = 100'000;
 /// Macros of macros of macros make much of little.
 constexpr std::size_t most_steps = 5'000'000;
@@ -61,7 +61,7 @@ class Parser {
 
     StageEntity take_entity() {
         const StageToken& type = next("a type");
-        if (++entities_ > most_entities || ++depth_ > deepest) {
+        if (++entities_ > most_entities || ++depth_ > deepest_entity) {
             refuse(type, "makes too many models, or too deep ones; does a definition use itself?");
         }
         StageEntity entity;

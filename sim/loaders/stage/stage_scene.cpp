@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largest_text = 16U << 20U;
-constexpr std::uintmax_t largest_picture = 512U << 20U;
+constexpr std::uintmax_t largest_stage_picture = 512U << 20U;
 constexpr std::size_t most_triangles = 20'000'000;
 constexpr double boundary_m = 0.01;
 
@@ -166,7 +166,7 @@ class StageScene {
             draft_.warn(entity.place + ": " + warning);
         try {
             const std::string bytes =
-                read_file(picture, largest_picture, "a bitmap is wanted here");
+                read_file(picture, largest_stage_picture, "a bitmap is wanted here");
             add_mesh(body, bitmap_mesh(bytes, size_m, most_triangles - triangles_));
         } catch (const LoadError& wrong) {
             draft_.leave_out(entity.place + ": " + wrong.what());

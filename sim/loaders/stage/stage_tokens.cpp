@@ -15,7 +15,7 @@ namespace {
 
 using Kind = StageToken::Kind;
 
-constexpr std::size_t deepest = 16;
+constexpr std::size_t deepest_stage_include = 16;
 /// A world of a hundred thousand blocks.
 constexpr std::size_t most_tokens = 4'000'000;
 
@@ -106,8 +106,8 @@ class Scanner {
         take_text(at);
         const std::string name = std::move(tokens_.all.back().text);
         tokens_.all.pop_back();
-        if (at.depth == deepest) {
-            refuse(at, "includes nest deeper than " + std::to_string(deepest) +
+        if (at.depth == deepest_stage_include) {
+            refuse(at, "includes nest deeper than " + std::to_string(deepest_stage_include) +
                            "; do they go in circles?");
         }
         const auto included = find_(name, tokens_.files[at.file]);

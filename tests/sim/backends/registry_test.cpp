@@ -68,19 +68,5 @@ TEST(Registry, HandsTheSceneOn) {
     }
 }
 
-#ifndef NDEBUG
-TEST(RangeBackendDeathTest, RefusesWhatDoesNotFit) {
-    const auto backend = make_backend(
-        "reference", SceneBuilder().add(Sphere{1.0}, {}).movable({}).with(Sphere{1.0}, {}).build());
-    const std::vector<glm::vec3> directions(3, glm::vec3{1, 0, 0});
-    const std::vector<Pose> poses(2);
-    std::vector<Hit> hits(3);
-    EXPECT_DEATH(backend->cast({directions, poses}, hits), "world_from_sensor");
-    EXPECT_DEATH(backend->cast({directions, {poses.data(), 1}}, {hits.data(), 2}), "hits.size");
-    EXPECT_DEATH(backend->move(0, {}), "movable");
-    EXPECT_DEATH(backend->move(2, {}), "models.size");
-}
-#endif
-
 }  // namespace
 }  // namespace scipd::sim
