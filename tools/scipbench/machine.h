@@ -6,7 +6,7 @@
 
 namespace scipd::tools {
 
-/// The processor, the libraries and what draws, in one line.
+/// The processor, the libraries and the renderer, in one line.
 std::string describe_machine();
 
 /// Why no depth buffer can be drawn on this machine; empty where one can.
