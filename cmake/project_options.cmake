@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# scipd_library(NAME sources...): one static library per folder, with the project's warnings and its root as the only
-# include path, so that every #include names the folder that it reaches into.
+# scipd_library(NAME sources...): one static library per folder, with the project's warnings. Its only include path is
+# the project's root, so that every #include names the folder of the header.
 
 add_library(scipd_options INTERFACE)
 target_include_directories(scipd_options INTERFACE ${CMAKE_SOURCE_DIR})
@@ -21,11 +21,11 @@ if(SCIPD_SANITIZE)
   target_link_options(scipd_options INTERFACE -fsanitize=${SCIPD_SANITIZE})
 endif()
 if(SCIPD_SANITIZE MATCHES thread AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-  # Asio has fences, which gcc's ThreadSanitizer does not see; it has mutexes beside them, which it sees.
+  # gcc warns that ThreadSanitizer does not see fences. Asio uses fences, but also mutexes, which ThreadSanitizer sees.
   target_compile_options(scipd_options INTERFACE -Wno-tsan)
 endif()
 if(SCIPD_FUZZ)
-  # Coverage for everything that a fuzzer drives; only the targets themselves link the engine.
+  # Coverage for all code that a fuzzer drives. Only the fuzz targets link the fuzzer's engine.
   target_compile_options(scipd_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
