@@ -9,7 +9,7 @@ target_include_directories(scipd_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_options(scipd_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion
                                                -Wno-sign-conversion -Wno-missing-field-initializers)
 if(NOT CMAKE_UNITY_BUILD)
-  # In a batch a local name may well be one that a neighbour has for itself.
+  # In a unity build a local name may equal a name of another source in the same batch.
   target_compile_options(scipd_options INTERFACE -Wshadow)
 endif()
 if(SCIPD_WARNINGS_AS_ERRORS)
@@ -34,8 +34,8 @@ function(scipd_library name)
   target_link_libraries(${name} PUBLIC scipd_options)
 endfunction()
 
-# scipd_alone(sources...): stay out of the batches of a unity build (presets release and ci). For sources of the same
-# target that have a name of their own in common, or that include system headers which do not bear each other.
+# scipd_alone(sources...): keeps these sources out of the batches of a unity build (presets release and ci). It is for
+# sources of one target that define the same name, or that include system headers which conflict.
 function(scipd_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
