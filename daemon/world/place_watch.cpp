@@ -19,7 +19,8 @@ constexpr double jump_m = 1.0;
 /// Only a robot's own parts are as close as this all around a sensor.
 constexpr float close_m = 0.3F;
 
-/// The object that all beams meet close by. Nothing is known where the beams point to one side only.
+/// The object that all beams meet close by. Nothing is known where the beams point to one side
+/// only.
 std::optional<sim::ObjectId> all_around(const Cast& cast, const sim::Scene& scene) {
     const auto& hits = cast.scan.hits;
     if (!cast.looks_around || hits.empty() || !hits.front().met()) return {};

@@ -19,8 +19,8 @@ struct LoadWorld {
     std::filesystem::path file;  ///< relative to the folder of the present one
 };
 
-/// One more model, from a text, a file or a mesh: one of these is given. Paths, and URIs in the text,
-/// are relative to the folder of the world.
+/// One more model, from a text, a file or a mesh: one of these is given. Paths, and URIs in the
+/// text, are relative to the folder of the world.
 struct AddModel {
     sim::Placement placement;
     std::string sdf;             ///< a <model>

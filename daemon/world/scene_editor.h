@@ -36,8 +36,8 @@ class SceneEditor {
     }
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
-    /// Takes effect after all edits that were asked for before. `done` is called when the edit is in
-    /// effect or refused; it is not called where the edit is withdrawn before it has begun.
+    /// Takes effect after all edits that were asked for before. `done` is called when the edit is
+    /// in effect or refused; it is not called where the edit is withdrawn before it has begun.
     void edit(SceneEdit edit, EditDone done, std::stop_token withdrawn = {});
 
   private:

@@ -81,8 +81,8 @@ class Race {
         }
     }
 
-    /// Casts more and more of a sweep, until it is the whole or takes long enough to measure by. This
-    /// also warms up caches, plans and shaders.
+    /// Casts more and more of a sweep, until it is the whole or takes long enough to measure by.
+    /// This also warms up caches, plans and shaders.
     void settle_share() {
         for (poses_ = std::min(first_poses, all_poses_);;
              poses_ = std::min(growth * poses_, all_poses_)) {

@@ -3,8 +3,8 @@
 //
 // Finds out which backend casts a sensor's fans fastest on this machine and in this scene. All
 // contenders cast the fans for a short time, and the fastest one that agrees with the first one is
-// chosen. Where a sweep has so many poses that it would take long, only some of them are cast. Reads
-// no clock: the time is handed in. Lives on the thread of the backends.
+// chosen. Where a sweep has so many poses that it would take long, only some of them are cast.
+// Reads no clock: the time is handed in. Lives on the thread of the backends.
 #pragma once
 
 #include <chrono>

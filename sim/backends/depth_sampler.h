@@ -2,8 +2,8 @@
 // Copyright The scipd authors
 //
 // Samples a picture for beams: it finds what a beam meets from the pixels around it. A pixel shows
-// which triangle is in front at its centre, while the beam may pass beside the centre. A range never
-// lies between two objects. Pure; in double precision.
+// which triangle is in front at its centre, while the beam may pass beside the centre. A range
+// never lies between two objects. Pure; in double precision.
 #pragma once
 
 #include <cstddef>

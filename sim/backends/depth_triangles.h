@@ -95,8 +95,8 @@ class DepthTriangles {
     VertexRange move(ModelId model, const Pose& anchored_from_model);
 
     /// Adds the triangles that can be seen in the frustum, and a few that cannot, but none of the
-    /// model `unseen`. Objects are ordered by their distance from the eye, since drawing costs least
-    /// where something nearer has been drawn before.
+    /// model `unseen`. Objects are ordered by their distance from the eye, since drawing costs
+    /// least where something nearer has been drawn before.
     void collect(const Frustum& frustum, ModelId unseen, std::vector<DrawnTriangle>& drawn);
 
   private:

@@ -2,8 +2,8 @@
 // Copyright The scipd authors
 //
 // Rays through Embree, in packets of 16. The static models are one scene, which is built once. Each
-// movable model is an instance in a second scene. That one is traced after the first, and only up to
-// the hits of the first.
+// movable model is an instance in a second scene. That one is traced after the first, and only up
+// to the hits of the first.
 #pragma once
 
 #include <memory>

@@ -2,8 +2,8 @@
 // Copyright The scipd authors
 //
 // What is cast in one go: many directions, and one pose for all of them or one pose each. A planar
-// sweep, a camera's grid and a sonar's cone are all fans. A fan only views its arrays: whoever builds
-// it keeps them alive until the cast returns.
+// sweep, a camera's grid and a sonar's cone are all fans. A fan only views its arrays: whoever
+// builds it keeps them alive until the cast returns.
 #pragma once
 
 #include <limits>
@@ -19,8 +19,8 @@
 namespace scipd::sim {
 
 struct Fan {
-    /// Unit vectors in S. Neighbours in the array should be neighbours in space, since backends cast
-    /// packets of them.
+    /// Unit vectors in S. Neighbours in the array should be neighbours in space, since backends
+    /// cast packets of them.
     std::span<const glm::vec3> directions;
     /// One for all directions, or exactly one for each.
     std::span<const Pose> world_from_sensor;

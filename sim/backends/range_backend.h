@@ -23,8 +23,8 @@ class RangeBackend {
 
     [[nodiscard]] const Scene& scene() const { return *scene_; }
 
-    /// Places a movable model elsewhere, from the next cast on. Asserts that the model exists and is
-    /// movable. Costs nothing where it is there already.
+    /// Places a movable model elsewhere, from the next cast on. Asserts that the model exists and
+    /// is movable. Costs nothing where it is there already.
     void move(ModelId model, const Pose& world_from_model);
 
     /// Fills hits[i] for fan.directions[i]. Asserts that the sizes agree, that there is one pose or

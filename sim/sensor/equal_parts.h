@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A sweep in parts with equally many beams. Each part is cast as if all its beams were fired at once,
-// when its middle one is. This is for sensors whose beams share a few poses, and for those whose
-// beams lie in no plane, so that it is not known which of them can meet what moves. Casts nothing
-// itself. Pure.
+// A sweep in parts with equally many beams. Each part is cast as if all its beams were fired at
+// once, when its middle one is. This is for sensors whose beams share a few poses, and for those
+// whose beams lie in no plane, so that it is not known which of them can meet what moves. Casts
+// nothing itself. Pure.
 #pragma once
 
 #include <cstddef>

@@ -39,8 +39,8 @@ class Scanner {
     [[nodiscard]] SharedScan measure(RangeBackend& backend, std::int64_t revolution, Time start,
                                      std::vector<Pose> world_from_sensor) const;
 
-    /// The same in pieces, for a world that moves meanwhile: call begin(), then cast() for some beams
-    /// after the other, then read(). Beams that are not cast meet nothing.
+    /// The same in pieces, for a world that moves meanwhile: call begin(), then cast() for some
+    /// beams after the other, then read(). Beams that are not cast meet nothing.
     [[nodiscard]] Scan begin(std::int64_t revolution, Time start,
                              std::vector<Pose> world_from_sensor) const;
     /// `beams` are counted from the first one. For `unseen` and `can_meet` see Fan.

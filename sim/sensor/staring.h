@@ -2,8 +2,8 @@
 // Copyright The scipd authors
 //
 // Sensors that do not turn: a camera that measures ranges, which is a grid of pixels, and a ranger,
-// which makes one range of a whole cone of beams. All their beams are cast at one instant. They have
-// no wire. Lives on the thread of its backend.
+// which makes one range of a whole cone of beams. All their beams are cast at one instant. They
+// have no wire. Lives on the thread of its backend.
 #pragma once
 
 #include <optional>
@@ -57,8 +57,8 @@ class Staring {
     [[nodiscard]] Scanner make_scanner() const;
 
     /// Reads a measurement of that scanner: a range for each pixel of a camera, one range for a
-    /// ranger, and infinity where nothing is met. A ranger's range gets noise once, after it has been
-    /// chosen: the least of many noisy ranges would always be too short.
+    /// ranger, and infinity where nothing is met. A ranger's range gets noise once, after it has
+    /// been chosen: the least of many noisy ranges would always be too short.
     [[nodiscard]] std::vector<float> read(const Scan& scan) const;
 
   private:
