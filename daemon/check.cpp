@@ -13,15 +13,16 @@
 #include "daemon/config/config_file.h"
 #include "daemon/load_world.h"
 #include "daemon/mounting.h"
-#include "sim/backends/depth.h"
+#include "daemon/world/backend_choice.h"
+#include "sim/backends/registry.h"
 #include "sim/loaders/poses/trajectory_file.h"
 
 namespace scipd::daemon {
 namespace {
 
-using Faults = std::vector<std::string>;
+using Sentences = std::vector<std::string>;
 
-void note_faults(Faults& faults, const std::function<void()>& load) {
+void note_faults(Sentences& faults, const std::function<void()>& load) {
     try {
         load();
     } catch (const sim::LoadError& error) {
@@ -29,7 +30,7 @@ void note_faults(Faults& faults, const std::function<void()>& load) {
     }
 }
 
-void check_trajectory(const Config& config, const RobotConfig& robot, Faults& faults,
+void check_trajectory(const Config& config, const RobotConfig& robot, Sentences& faults,
                       std::vector<std::string>& warnings) {
     if (!robot.poses || robot.poses->kind != PoseSource::Kind::file) return;
     note_faults(faults, [&] {
@@ -44,15 +45,16 @@ void check_trajectory(const Config& config, const RobotConfig& robot, Faults& fa
     });
 }
 
-/// On a machine that cannot draw, `backend: depth` would not start.
-void check_depth(const RobotConfig& robot, Faults& faults) {
+/// A backend that this machine has not what it takes for would keep scipd from starting.
+void check_backends(const RobotConfig& robot, Sentences& faults) {
     for (const SensorConfig& sensor : robot.sensors) {
-        if (sensor.backend != "depth") continue;
+        const sim::BackendRow* backend = sim::find_backend(sensor.backend);
+        if (backend == nullptr || backend->probe == nullptr) continue;
         try {
-            (void)sim::make_depth_backend(std::make_shared<const sim::Scene>(), sensor.depth);
+            (void)backend->make(std::make_shared<const sim::Scene>(), sensor.depth);
         } catch (const std::runtime_error& error) {
             faults.push_back("robots." + robot.name + ".sensors." + sensor.name +
-                             ".backend: " + error.what() + "; use auto or embree");
+                             ".backend: " + error.what() + advice_instead_of(*backend));
         }
     }
 }
@@ -63,7 +65,7 @@ std::string check(const std::filesystem::path& file, bool strict) {
     Config config = load_config(file);
     config.strict |= strict;
     sim::LoadedScene world;
-    Faults faults;
+    Sentences faults;
     std::vector<std::string> notices;
     note_faults(faults, [&] {
         world = load_world(config);
@@ -72,7 +74,7 @@ std::string check(const std::filesystem::path& file, bool strict) {
     std::size_t sensors = 0;
     for (const RobotConfig& robot : config.robots) {
         check_trajectory(config, robot, faults, world.warnings);
-        check_depth(robot, faults);
+        check_backends(robot, faults);
         sensors += robot.sensors.size();
     }
     if (!faults.empty()) throw sim::LoadError(std::move(faults));

@@ -26,7 +26,8 @@ curl --unix-socket "$XDG_RUNTIME_DIR/scipd/control.sock" http://scipd/sensors/ro
 curl --unix-socket "$XDG_RUNTIME_DIR/scipd/control.sock" -X PUT -d '{{"xyz":[1,0.5,0]}}' http://scipd/robots/robot/pose
 ```
 
-[scipctl](tools.md#scipctl) does the same in fewer words. [openapi.yaml](openapi.yaml) has all of this page for programs.
+[scipctl](tools.md#scipctl) does the same in fewer words. [openapi.yaml](openapi.yaml) has all of this page
+for programs.
 
 ## Requests
 
@@ -78,7 +79,8 @@ def type_of(schema, linked=True):
     if "array" in kinds:
         least, most = schema.get("minItems"), schema.get("maxItems")
         return (f"{least} of " if least == most and least else "list of ") + type_of(schema["items"])
-    return " or ".join(kinds) + "".join(f", {word} {str(schema[key]).lower()}" for key, word in BOUNDS.items() if key in schema)
+    return " or ".join(kinds) + "".join(f", {word} {str(schema[key]).lower()}" for key, word in BOUNDS.items()
+                                       if key in schema)
 
 
 def text_of(schema):

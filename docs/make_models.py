@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# Writes docs/models.md from what scipd says of its models: docs/make_models.py SCIPD [--check]. With --check it only tells
-# whether they agree.
+# Writes docs/models.md from what scipd says of its models: docs/make_models.py SCIPD [--check]. With --check it only
+# tells whether they agree.
 import pathlib
 import re
 import subprocess
@@ -15,8 +15,8 @@ HEAD = """# Models
 
 <!-- docs/make_models.py writes this page from `scipd --list-models`: change the models, and run it again. -->
 
-These are the products that scipd can be. `--model` and `model:` take `MODEL`, or `MODEL@FIRMWARE`. Without a firmware you get the
-first one of the model.
+These are the products that scipd can be. `--model` and `model:` take `MODEL`, or `MODEL@FIRMWARE`. Without a firmware
+you get the first one of the model.
 
 ```sh
 scipd --list-models
@@ -31,15 +31,16 @@ For each figure scipd says how sure it is:
 | documented | the maker documents it, or a driver whose author had a unit |
 | deduced | it follows from the figures of a similar model |
 
-You can change any field of a model, or define one of your own: [configuration.md](configuration.md#a-model-of-your-own).
+You can change any field of a model, or define one of your own:
+[configuration.md](configuration.md#a-model-of-your-own).
 
 ## Optics
 
 | model | range, mm | | steps | | scans | |
 |---|---|---|---|---|---|---|
 """
-LINE = re.compile(r"(\S+)  (\S+) mm \((\w+)\), steps (.+) \((\w+)\), (\S+ Hz) \((\w+)\); (.+) \((\w+)\); (.+) \((\w+)\); "
-                  r"texts (\w+), noise (\w+)")
+LINE = re.compile(r"(\S+)  (\S+) mm \((\w+)\), steps (.+) \((\w+)\), (\S+ Hz) \((\w+)\); (.+) \((\w+)\); "
+                  r"(.+) \((\w+)\); texts (\w+), noise (\w+)")
 
 
 def models_page(scipd):

@@ -5,8 +5,8 @@
 
     make_office_map.py [FOLDER]         the folder of this script by default
 
-The same bytes every time. Metres; the origin is the inner south-west corner, x is east, y is north. A corridor runs from
-west to east between three rooms on either side.
+The same bytes every time. Metres; the origin is the inner south-west corner, x is east, y is north. A corridor runs
+from west to east between three rooms on either side.
 """
 import pathlib
 import sys
@@ -22,8 +22,9 @@ OCCUPIED, UNKNOWN, FREE = 0, 205, 254
 WALLS = [(0, 3.6, EAST, 3.8), (0, 5.2, EAST, 5.4)] + [
     (x, low, x + WALL, high) for x in (5.0, 10.0) for low, high in ((0, 3.6), (5.4, NORTH))]
 DOORS = [(x, 3.6, x + 0.9, 3.8) for x in (2.0, 7.0, 12.0)] + [(x, 5.2, x + 0.9, 5.4) for x in (1.5, 7.5, 11.0)]
-FURNITURE = [(0.0, 6.5, 0.8, 8.1), (3.4, 8.2, 5.0, 9.0), (6.6, 8.0, 8.6, 8.8), (13.0, 6.0, 13.8, 7.6), (1.2, 0.4, 2.8, 1.2),
-             (4.4, 1.0, 5.0, 3.0), (6.5, 1.3, 8.5, 2.1), (12.0, 0.0, 14.0, 0.6), (14.4, 3.8, 15.0, 4.1)]
+FURNITURE = [(0.0, 6.5, 0.8, 8.1), (3.4, 8.2, 5.0, 9.0), (6.6, 8.0, 8.6, 8.8), (13.0, 6.0, 13.8, 7.6),
+             (1.2, 0.4, 2.8, 1.2), (4.4, 1.0, 5.0, 3.0), (6.5, 1.3, 8.5, 2.1), (12.0, 0.0, 14.0, 0.6),
+             (14.4, 3.8, 15.0, 4.1)]
 PILLARS = [(8.8, 6.4, 0.25), (11.5, 1.8, 0.25)]  # x, y, radius
 
 YAML = f"""\

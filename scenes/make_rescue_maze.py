@@ -252,7 +252,8 @@ def model(name, comment, pose, static, visuals):
 
 COMMENT = """  <!--
     A search-and-rescue arena in the manner of NIST's test arenas: a maze of 1.2 m cells (12 by 12) between panels of
-    1.2 m, crossing ramps of 15 degrees, stairs, three step fields, barrels, crates and a person. Metres and radians; the origin is the south-west inner corner, x is east, y is north, z is up.
+    1.2 m, crossing ramps of 15 degrees, stairs, three step fields, barrels, crates and a person. Metres and radians; \
+the origin is the south-west inner corner, x is east, y is north, z is up.
 
     Start: x 1, y 1, looking along +x, a scanner at a height of 0.25 to 0.30: nothing is nearer than 0.99 m.
     Models that move: barrel, door, person. Made by make_rescue_maze.py; change that instead.
@@ -286,7 +287,8 @@ def build():
                    [floor, *outer_walls(), *inner_walls(opened), terrain, *barrels, *crates])
     lines += model("barrel", "Can be rolled away.", (*centre_of((11, 0)), 0, 0, 0, 0), False,
                    [cylinder("barrel", (0, 0, height / 2), radius, height, "plastic")])
-    lines += model("door", "A door ajar; its hinge is the origin of the model.", (11 * CELL + 0.15, 7 * CELL + 0.2, 0, 0, 0, 0.6), False,
+    lines += model("door", "A door ajar; its hinge is the origin of the model.",
+                   (11 * CELL + 0.15, 7 * CELL + 0.2, 0, 0, 0, 0.6), False,
                    [box("leaf", (0.4, 0, 0.6), (0.8, 0.04, 1.2), "wood")])
     lines += model("person", "Somebody to be found.", (*centre_of((11, 11)), 0, 0, 0, 0), False, person)
     lines += ["  </world>", "</sdf>"]

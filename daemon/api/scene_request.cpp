@@ -145,7 +145,7 @@ Expected<AddModel> model_in(const Json& object) {
 }  // namespace
 
 Expected<LoadWorld> parse_load_world(const std::string& body) {
-    return object_in(body, world_keys).and_then([](const Json& object) {
+    return object_in(body, world_keys).and_then([](const nlohmann::json& object) {
         LoadWorld edit;
         return require(object, "file")
             .and_then([&] { return read_path(object, "file", edit.file); })

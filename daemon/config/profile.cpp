@@ -34,9 +34,8 @@ struct Member {
 
 Expected<std::string> parse_text(std::string_view text) {
     const bool printable = std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~'; });
-    if (!printable || text.size() > longest_text) {
+    if (!printable || text.size() > longest_text)
         return refuse("must be at most 64 characters of printable ASCII, not " + sim::quote(text));
-    }
     return std::string{text};
 }
 
@@ -258,12 +257,9 @@ std::vector<sim::NoiseStep> read_noise(const Field& field, Faults& faults) {
 
 void check(const Section& section, const Field& map, const DeviceProfile& profile, Faults& faults) {
     for (const ProfileFault& fault : faults_of(profile)) {
-        const Field* given = section.find(fault.member);
-        if (given) {
-            faults.add(*given, fault.sentence);
-        } else {
-            faults.add(map.line, map.path + "." + std::string{fault.member}, fault.sentence);
-        }
+        const Field* const given = section.find(fault.member);
+        const std::string path = map.path + "." + std::string{fault.member};
+        faults.add(given ? given->line : map.line, given ? given->path : path, fault.sentence);
     }
 }
 

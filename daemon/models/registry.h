@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// All products that scipd can be, by name. The only place that knows them all.
+// All products that scipd can emulate, by name. No other file lists them all.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace scipd::daemon {
 
-/// Every model, each with the firmware that its texts were seen on.
+/// All models, each with the firmware from which its texts were recorded.
 const std::vector<Model>& models();
 
 /// The model that a user has named, as MODEL or MODEL@FIRMWARE, which is how `scipd --list-models`

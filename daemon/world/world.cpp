@@ -28,7 +28,7 @@ std::string names_of(const Map& map) {
     return text.empty() ? "none" : text;
 }
 
-/// By ModelId; of movable models only.
+/// The radius of each movable model around its origin, by ModelId.
 std::vector<double> radii_m(const sim::Scene& scene) {
     std::vector<double> radii(scene.models.size(), 0.0);
     for (const sim::Object& object : scene.objects) {
@@ -46,7 +46,7 @@ bool same(const sim::SharedScript& a, const sim::SharedScript& b) {
     return a == b || (a && b && *a == *b);
 }
 
-/// Sweeps that are measured late ask for no more.
+/// Sweeps that are measured late ask for poses as old as this, not older.
 constexpr sim::Time recent = std::chrono::seconds(2);
 
 tl::unexpected<NotPlaced> refuse(NotPlaced::Reason reason, std::string field, std::string why) {
@@ -176,7 +176,7 @@ Placed World::place_model(std::string_view name, const Placement& placement) {
     return place(found->second.track, placement);
 }
 
-// What it did until then stays, for sweeps that are measured later.
+// Keeps its recent motion, for sweeps that are measured later.
 void World::end_script(MovableModel& model, const Placement& placement) {
     model.track = model.script->between(model.begun, placement.time - recent, placement.time);
     model.track.jump(placement.time, placement.pose);

@@ -22,7 +22,7 @@ using Rays = std::vector<std::uint32_t>;
 
 /// Finer where directions are dense; vertices are rounded to a fraction of a pixel, which has to
 /// stay small.
-constexpr double coarsest_pitch = 6e-2;
+constexpr double coarsest_solid_pitch = 6e-2;
 
 /// Along the longer side of a picture whose pixels are not where the directions are: what lies
 /// between pixels is not known to it, so that a few beams of a wide cone would miss a pole that
@@ -85,14 +85,15 @@ void lay_pixels(Strip& strip, std::array<std::vector<double>, 2> tangents,
     for (std::vector<double>& axis : tangents)
         axis = distinct(std::move(axis));
     std::array<std::optional<PixelAxis>, 2> axes{
-        even_axis(tangents[0], oversample, coarsest_pitch),
-        even_axis(tangents[1], oversample, coarsest_pitch)};
+        even_axis(tangents[0], oversample, coarsest_solid_pitch),
+        even_axis(tangents[1], oversample, coarsest_solid_pitch)};
     const double enough = 64.0 + 4.0 * oversample * oversample * double(rays.size());
     if (!axes[0] || !axes[1] || double(axes[0]->count) * axes[1]->count > enough) {
         const auto& [left, up] = tangents;
         const double width = left.back() - left.front();
         const double height = up.back() - up.front();
-        const double coarsest = std::min(coarsest_pitch, std::max(width, height) / least_pixels);
+        const double coarsest =
+            std::min(coarsest_solid_pitch, std::max(width, height) / least_pixels);
         const double pitch =
             std::max(same_direction,
                      std::min(pitch_for(directions, rays, width, height), coarsest) / oversample);

@@ -22,16 +22,16 @@ constexpr double margin_m = 0.001;
 constexpr double least_below_m = 0.005;
 
 /// Some object where it is, and a box around it.
-struct Placed {
+struct PlacedObject {
     const Object* object;
     Pose world_from_object;
     Bounds bounds;  ///< in the frame of the object
 };
 
 /// Those that are anything, less the body.
-std::vector<Placed> all_placed(const Scene& scene, std::span<const Pose> world_from_model,
-                               ModelId body) {
-    std::vector<Placed> all;
+std::vector<PlacedObject> all_placed(const Scene& scene, std::span<const Pose> world_from_model,
+                                     ModelId body) {
+    std::vector<PlacedObject> all;
     for (const Object& object : scene.objects) {
         if (object.model == body) continue;
         const Bounds bounds = bounds_of(object.shape);
@@ -41,13 +41,13 @@ std::vector<Placed> all_placed(const Scene& scene, std::span<const Pose> world_f
     return all;
 }
 
-Ray ray_in(const Placed& placed, const Ray& ray) {
+Ray ray_in(const PlacedObject& placed, const Ray& ray) {
     const Pose object_from_world = inverse(placed.world_from_object);
     return {object_from_world * ray.origin_m, object_from_world.rotation * ray.direction};
 }
 
 /// `range_m` is infinite where it is not met.
-Crossing meet(const Placed& placed, const Ray& ray) {
+Crossing meet(const PlacedObject& placed, const Ray& ray) {
     const Ray local = ray_in(placed, ray);
     const Box around{placed.bounds.high_m - placed.bounds.low_m + 2 * margin_m};
     const Ray from_middle{local.origin_m - placed.bounds.middle_m(), local.direction};
@@ -55,9 +55,9 @@ Crossing meet(const Placed& placed, const Ray& ray) {
     return intersect(local, placed.object->shape);
 }
 
-bool meets_any(const std::vector<Placed>& all, const Ray& ray) {
+bool meets_any(const std::vector<PlacedObject>& all, const Ray& ray) {
     return std::ranges::any_of(
-        all, [&](const Placed& placed) { return !std::isinf(meet(placed, ray).range_m); });
+        all, [&](const PlacedObject& placed) { return !std::isinf(meet(placed, ray).range_m); });
 }
 
 // Within something solid.
@@ -108,14 +108,14 @@ constexpr std::array<glm::dvec3, 10> outwards{{{0.0123, 0.0271, -0.9996},
                                                {0.5869, -0.5731, -0.5719},
                                                {-0.5761, -0.5783, 0.5776}}};
 
-using Parts = std::span<const Placed>;
+using Parts = std::span<const PlacedObject>;
 
 /// Meshes that follow each other at the same place are the materials of one.
 bool in_meshes(Parts parts, const glm::dvec3& at_m) {
     return std::ranges::all_of(outwards, [&](const glm::dvec3& direction) {
         Passage passage;
         const Ray ray{at_m, glm::normalize(direction)};
-        for (const Placed& part : parts) {
+        for (const PlacedObject& part : parts) {
             const Mesh& mesh = *std::get<SharedMesh>(part.object->shape);
             for (const glm::uvec3& triangle : mesh.triangles) {
                 passage.add(pierce(ray, mesh.vertices_m[triangle.x], mesh.vertices_m[triangle.y],
@@ -126,14 +126,14 @@ bool in_meshes(Parts parts, const glm::dvec3& at_m) {
     });
 }
 
-bool is_mesh(const Placed& placed) {
+bool is_mesh(const PlacedObject& placed) {
     return std::holds_alternative<SharedMesh>(placed.object->shape);
 }
 
 /// The first, and those that are one thing with it.
 Parts first_thing(Parts all) {
-    const Placed& first = all.front();
-    const auto end = std::ranges::find_if(all, [&](const Placed& next) {
+    const PlacedObject& first = all.front();
+    const auto end = std::ranges::find_if(all, [&](const PlacedObject& next) {
         return &next != &first &&
                (!is_mesh(first) || !is_mesh(next) || next.object->model != first.object->model ||
                 next.object->model_from_object != first.object->model_from_object);
@@ -144,7 +144,7 @@ Parts first_thing(Parts all) {
 bool is_inside(Parts thing, const glm::dvec3& world_at_m) {
     const glm::dvec3 at_m = inverse(thing.front().world_from_object) * world_at_m;
     Bounds around;
-    for (const Placed& part : thing)
+    for (const PlacedObject& part : thing)
         around.include(part.bounds, {});
     const bool near =
         glm::all(glm::lessThan(around.low_m, at_m)) && glm::all(glm::lessThan(at_m, around.high_m));
@@ -156,7 +156,7 @@ bool is_inside(Parts thing, const glm::dvec3& world_at_m) {
 // Below the ground.
 
 /// A floor is so large, and a shelf is not.
-bool is_like_ground(const Placed& placed) {
+bool is_like_ground(const PlacedObject& placed) {
     if (const auto* plane = std::get_if<Plane>(&placed.object->shape)) {
         constexpr double least_m = 5.0;
         const glm::dvec3 normal = placed.world_from_object.rotation * glm::dvec3{0, 0, 1};
@@ -170,7 +170,7 @@ bool is_like_ground(const Placed& placed) {
 }
 
 /// A ceiling has walls below it.
-bool sees_anything_below(const std::vector<Placed>& all, const glm::dvec3& at_m) {
+bool sees_anything_below(const std::vector<PlacedObject>& all, const glm::dvec3& at_m) {
     constexpr int headings = 8;
     for (int i = 0; i < headings; ++i) {
         const double heading_rad = 2 * std::numbers::pi * (i + 0.13) / headings;
@@ -182,11 +182,11 @@ bool sees_anything_below(const std::vector<Placed>& all, const glm::dvec3& at_m)
     return false;
 }
 
-std::optional<OddPlace> below_ground(const Scene& scene, const std::vector<Placed>& all,
+std::optional<OddPlace> below_ground(const Scene& scene, const std::vector<PlacedObject>& all,
                                      const glm::dvec3& at_m) {
-    const Placed* above = nullptr;
+    const PlacedObject* above = nullptr;
     double above_m = std::numeric_limits<double>::infinity();
-    for (const Placed& placed : all) {
+    for (const PlacedObject& placed : all) {
         const double range_m = meet(placed, {at_m, {0, 0, 1}}).range_m;
         if (range_m >= above_m) continue;
         above = &placed;
@@ -204,7 +204,7 @@ std::optional<OddPlace> below_ground(const Scene& scene, const std::vector<Place
 
 std::optional<OddPlace> odd_place(const Scene& scene, std::span<const Pose> world_from_model,
                                   const glm::dvec3& at_m, ModelId body) {
-    const std::vector<Placed> all = all_placed(scene, world_from_model, body);
+    const std::vector<PlacedObject> all = all_placed(scene, world_from_model, body);
     for (Parts rest = all; !rest.empty();) {
         const Parts thing = first_thing(rest);
         if (is_inside(thing, at_m)) {

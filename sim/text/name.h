@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What names may be, whoever gives them. Any thread; nothing shared.
+// The rules for names, no matter who gives them. Any thread; nothing shared.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +12,15 @@
 
 namespace scipd::sim {
 
-/// In bytes, for each of the names between `::` where one thing lies in another. A name of this
+/// In bytes. For a thing inside others, this limits each of the names between `::`. A name of this
 /// length fits into a path of the control API.
 inline constexpr std::size_t longest_name = 64;
 
-/// Refuses what a thing cannot be called.
+/// Refuses what a thing cannot have as its name.
 [[nodiscard]] Expected<> check_name(std::string_view name);
 
-/// The name that is used for a thing whose world gives it a longer one: the beginning of that, `~`
-/// and eight digits that are a hash of the whole. A name that is short enough stays as it is.
+/// Shortens a name from a world that is longer than `longest_name`, to its beginning, `~` and eight
+/// hexadecimal digits, which are a hash of the whole name. A shorter name stays.
 std::string short_name(std::string_view name);
 
 }  // namespace scipd::sim

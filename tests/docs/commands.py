@@ -3,15 +3,15 @@
 #
 # Runs every command of README.md and docs/ as a reader would: commands.py BIN SOURCES [PAGE...]
 #
-# The commands stand in fenced `sh` and `console` blocks. A line of `sh` is a command. In a `console` block `$ ` begins a
-# command, and its output must be what follows. A scipd that serves runs until the page starts another one. A comment right
-# above a block says what is special about it:
+# The commands stand in fenced `sh` and `console` blocks. A line of `sh` is a command. In a `console` block `$ ` begins
+# a command, and its output must be what follows. A scipd that serves runs until the page starts another one. A comment
+# right above a block says what is special about it:
 #   <!-- not run: WHY -->        the commands cannot be run here
 #   <!-- beside: scipd ... -->   this scipd runs meanwhile
 #   <!-- ends with 2 -->         the exit code of each command
 #   <!-- file: NAME -->          the block is no commands, but this file
-# Each page has a network namespace and an empty folder of its own, so that ports and names are free. What a command calls
-# /tmp is in that folder.
+# Each page has a network namespace and an empty folder of its own, so that ports and names are free. What a command
+# calls /tmp is in that folder.
 import concurrent.futures
 import contextlib
 import dataclasses
@@ -166,8 +166,10 @@ def follow(page, programs, sources):
 
 
 def pages_of(sources):
-    folders = ["", "daemon", "docs", "protocol", "scenes", "sim", "tests/bench/results", "tests/protocol/dialogues", "tests/soak"]
-    return [page for folder in folders for page in sorted((sources / folder).glob("*.md")) if page.name != "CHANGELOG.md"]
+    folders = ["", "daemon", "docs", "protocol", "scenes", "sim", "tests/bench/results",
+               "tests/protocol/dialogues", "tests/soak"]
+    pages = [page for folder in folders for page in sorted((sources / folder).glob("*.md"))]
+    return [page for page in pages if page.name != "CHANGELOG.md"]
 
 
 def alone(command):
@@ -202,7 +204,8 @@ def main():
     programs, sources, *pages = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
     if INSIDE in os.environ:
         return inside(pages[0], programs, sources)
-    if shutil.which("unshare") is None or subprocess.run(alone(["ip", "link", "set", "lo", "up"]), check=False).returncode != 0:
+    lo_up = alone(["ip", "link", "set", "lo", "up"])
+    if shutil.which("unshare") is None or subprocess.run(lo_up, check=False).returncode != 0:
         print("skipped: this machine lets nobody have a network namespace (unshare --map-root-user --net)")
         sys.exit(SKIPPED)
     # Readers mostly wait.
@@ -211,7 +214,8 @@ def main():
     print("\n".join(said for said, _ in results if said))
     counts = [count for _, count in results if count]
     failed = len(results) - len(counts)
-    print(f"{sum(run for run, _ in counts)} commands were run, {sum(skipped for _, skipped in counts)} were not; {failed} pages failed")
+    print(f"{sum(run for run, _ in counts)} commands were run, {sum(skipped for _, skipped in counts)} were not; "
+          f"{failed} pages failed")
     sys.exit(failed > 0)
 
 

@@ -3,8 +3,8 @@
 #
 # Holds docs/configuration.md against `scipd --check`: configuration.py SCIPD SOURCES
 #
-# Each section has a row for every key that scipd knows there. In each row the example has no fault, and the wrong value gets
-# the message. scipd itself says which keys it knows: that is what it answers to one that it does not.
+# Each section has a row for every key that scipd knows there. In each row the example has no fault, and the wrong value
+# gets the message. scipd itself says which keys it knows: that is what it answers to one that it does not.
 import concurrent.futures
 import pathlib
 import re
@@ -37,7 +37,8 @@ SECTIONS = {
     "map": (with_root("map: {@}"), {}),
     "limits": (with_root("limits: {@}"), {}),
     "robots.NAME": (f"{{{ROOM}, robots: {{rescue: {{@}}}}}}", {"sensors": "{front: {model: UST-10LX, pty: auto}}"}),
-    "robots.NAME.poses": (f"{{{ROOM}, robots: {{rescue: {{poses: {{@}}, sensors: {{front: {{model: UST-10LX, pty: auto}}}}}}}}}}", {}),
+    "robots.NAME.poses": (f"{{{ROOM}, robots: {{rescue: {{poses: {{@}}, "
+                          f"sensors: {{front: {{model: UST-10LX, pty: auto}}}}}}}}}}", {}),
     "robots.NAME.sensors.NAME": (with_sensor("@"), SCANNER),
     "robots.NAME.sensors.NAME.mount": (with_sensor("model: UST-10LX, pty: auto, mount: {@}", LIDAR), {}),
     "robots.NAME.sensors.NAME.depth": (with_sensor("model: UST-10LX, pty: auto, depth: {@}"), {}),
@@ -104,10 +105,13 @@ class Checker:
         """What `scipd --check` says of a document with this row."""
         document, base = SECTIONS[section]
         given = keys_of(row)
-        besides = "" if given & STARING else "".join(f", {key}: {text}" for key, text in base.items() if key not in given)
+        besides = "".join(f", {key}: {text}" for key, text in base.items() if key not in given)
+        if given & STARING:
+            besides = ""
         file = self.folder / f"{name}.yaml"
         file.write_text(document.replace("@", row + besides) + "\n")
-        done = subprocess.run([self.scipd, "--check", file.name], cwd=self.folder, capture_output=True, text=True, timeout=60, check=False)
+        done = subprocess.run([self.scipd, "--check", file.name], cwd=self.folder, capture_output=True, text=True,
+                              timeout=60, check=False)
         return done.returncode, done.stdout + done.stderr
 
     def examples_fail(self, pack):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# All pages hang together: links.py SOURCES. Each relative link of a page leads to a file, and to a heading of it where the
-# link names one. Each page of docs/ is in its table of contents. README.md stays short.
+# All pages hang together: links.py SOURCES. Each relative link of a page leads to a file, and to a heading of it where
+# the link names one. Each page of docs/ is in its table of contents. README.md stays short.
 import pathlib
 import re
 import sys

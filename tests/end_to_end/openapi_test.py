@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# Holds docs/openapi.yaml against a running scipd: the same paths, the same methods, every documented answer comes about, and
-# each is as its schema says. openapi_test.py SCIPD DOCUMENT SCENE
+# Compares docs/openapi.yaml with a running scipd. Both have the same paths and methods, every documented answer occurs,
+# and each fits its schema. openapi_test.py SCIPD DOCUMENT SCENE
 import http.client
 import json
 import pathlib
@@ -15,11 +15,12 @@ import tempfile
 import jsonschema
 import yaml
 
-SDF = ("<model name='m'><link name='l'><visual name='v'><geometry><box><size>0.1 0.1 0.1</size></box></geometry></visual>"
-       "</link></model>")
-LIDAR = ("<model name='l'><link name='l'><sensor name='s' type='gpu_lidar'><lidar><scan><horizontal><samples>9</samples>"
-         "<min_angle>-1</min_angle><max_angle>1</max_angle></horizontal></scan><range><min>0.1</min><max>inf</max></range></lidar>"
-         "</sensor><visual name='v'><geometry><box><size>0.1 0.1 0.1</size></box></geometry></visual></link></model>")
+SDF = ("<model name='m'><link name='l'><visual name='v'><geometry><box><size>0.1 0.1 0.1</size></box></geometry>"
+       "</visual></link></model>")
+LIDAR = ("<model name='l'><link name='l'><sensor name='s' type='gpu_lidar'><lidar><scan><horizontal>"
+         "<samples>9</samples><min_angle>-1</min_angle><max_angle>1</max_angle></horizontal></scan>"
+         "<range><min>0.1</min><max>inf</max></range></lidar></sensor>"
+         "<visual name='v'><geometry><box><size>0.1 0.1 0.1</size></box></geometry></visual></link></model>")
 FLEET = """
 scene: SCENE
 control: control.sock
@@ -27,13 +28,15 @@ robots:
   robot:
     sensors:
       scanner: {model: UST-10LX, pty: tty}
-      tof: {camera: {columns: 8, rows: 6, fov_deg: [40, 30], rate_hz: 25, range_m: [0.1, 7.5]}, mount: {xyz: [0, 0, 0.3]}}
+      tof:
+        camera: {columns: 8, rows: 6, fov_deg: [40, 30], rate_hz: 25, range_m: [0.1, 7.5]}
+        mount: {xyz: [0, 0, 0.3]}
       sonar: {ranger: {cone_deg: 30, beams: 61, rate_hz: 20, range_m: [0.02, 4.0]}, mount: {xyz: [0, 0, 0.5]}}
 """
 TRUTH = "/sensors/{robot}/{sensor}/truth"
 READING = "/sensors/{robot}/{sensor}/reading"
 POSE = "/scene/models/{model}/pose"
-# Method, path of the document, path as it is asked, body, status; in this order.
+# In this order: method, path in the document, path of the request, body, status.
 EXCHANGES = [
     ("GET", "/status", "/status", None, 200),
     ("GET", "/sensors", "/sensors", None, 200),
@@ -54,7 +57,8 @@ EXCHANGES = [
     ("PUT", "/robots/{robot}/pose", "/robots/robot/pose", {"xyz": 1}, 400),
     ("PUT", "/robots/{robot}/pose", "/robots/other/pose", {"xyz": [0, 0, 0]}, 404),
     ("GET", "/scene", "/scene", None, 200),
-    ("POST", "/scene/models", "/scene/models", {"name": "m", "sdf": SDF, "pose": {"xyz": [1, 0, 0], "q": [0, 0, 0, 1]}}, 201),
+    ("POST", "/scene/models", "/scene/models",
+     {"name": "m", "sdf": SDF, "pose": {"xyz": [1, 0, 0], "q": [0, 0, 0, 1]}}, 201),
     ("POST", "/scene/models", "/scene/models", {"name": "m", "sdf": SDF}, 409),
     ("POST", "/scene/models", "/scene/models", {"name": "m", "sdf": SDF, "replace": True}, 201),
     ("POST", "/scene/models", "/scene/models", {"name": "m", "sdf": SDF, "replace": True, "static": False}, 201),
@@ -124,7 +128,7 @@ class Document:
 
 
 def message(connection):
-    """The text of one message, whose frames a server does not mask."""
+    """The text of one message. A server does not mask its frames."""
     def read(count):
         data = b""
         while len(data) < count:
@@ -144,7 +148,8 @@ def check_stream(document, path, sensor, schema):
     connection = socket.socket(socket.AF_UNIX)
     connection.settimeout(60)
     connection.connect(path)
-    lines = [f"GET /stream?sensor=robot/{sensor} HTTP/1.1", "Host: localhost"] + [f"{key}: {value}" for key, value in UPGRADE.items()]
+    lines = [f"GET /stream?sensor=robot/{sensor} HTTP/1.1", "Host: localhost"]
+    lines += [f"{key}: {value}" for key, value in UPGRADE.items()]
     connection.sendall("\r\n".join(lines + ["", ""]).encode())
     head = b""
     while not head.endswith(b"\r\n\r\n"):

@@ -193,7 +193,8 @@ TEST(Dialogues, MissNoStateOfAnyCommand) {
     for (const auto& [family, letters] : families) {
         for (const std::string_view state : state_names) {
             const bool old = !is_ethernet(family);
-            // Only the multi-echo models on Ethernet answer while they boot, and old models cannot sleep.
+            // Only the multi-echo models on Ethernet answer while they boot, and old models cannot
+            // sleep.
             if ((state == "booting" && family != Family::ethernet_multi_echo) ||
                 (state == "asleep" && old))
                 continue;

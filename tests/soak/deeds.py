@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# What hostile and careless clients do. A deed is a generator that goes on for ever: it yields the bytes of each thing that it
-# did, or None where it only waits, and may be ended at any yield. Whatever scipd does to a connection is fine: OSError begins
-# the deed anew. `scipd` is the one of scipd.py, `rng` all chance. Nothing here waits for longer than PATIENCE_S.
+# What hostile and careless clients do. A deed is an endless generator: it yields the number of bytes of each thing that
+# it did, or None when it only waits, and may be ended at any yield. scipd may do anything to a connection: after an
+# OSError the deed begins anew. `scipd` is the one of scipd.py, and `rng` makes all random choices. Nothing here waits
+# longer than PATIENCE_S.
 import contextlib
 import json
 import os
@@ -16,12 +17,15 @@ import wire
 from variants import reload, stderr  # they are deeds as well
 
 PATIENCE_S = 2.0
-REQUESTS = [b"VV", b"PP", b"II", b"BM", b"QT", b"RS", b"TM0", b"TM1", b"TM2", b"GD0000108001", b"MD0000108000000", b"ME0000108000000",
-            b"GS0044072501", b"MD0044072501000", b"%ST", b"SS115200", b"CR00", b"HS1", b"SCIP2.0", b"RB", b"DB10"]
+REQUESTS = [b"VV", b"PP", b"II", b"BM", b"QT", b"RS", b"TM0", b"TM1", b"TM2", b"GD0000108001", b"MD0000108000000",
+            b"ME0000108000000", b"GS0044072501", b"MD0044072501000", b"%ST", b"SS115200", b"CR00", b"HS1", b"SCIP2.0",
+            b"RB", b"DB10"]
 LONG_ANSWERS = ["/status", "/sensors", "/scene", "/sensors/good/ust/truth", "/sensors/driven/ust/truth"]
-PATHS = LONG_ANSWERS + ["/sensors/%zz/x", "/robots/victim/pose", "/stream", "/poses", "/" + "x" * 2000, "/scene/models/%00/pose"]
-POSES = [b"x", b"{", b"{}", b"[" * 200, b'{"robot":"nobody","xyz":[0,0,0]}', b'{"robot":"victim","xyz":[0,0]}', b"\0\xff\xfe",
-         b'{"robot":"victim","xyz":[1e999,0,0]}', b'{"robot":"victim","t":-1e300,"xyz":[0,0,0]}', b'{"robot":' + b'"' * 500]
+PATHS = LONG_ANSWERS + ["/sensors/%zz/x", "/robots/victim/pose", "/stream", "/poses", "/" + "x" * 2000,
+                         "/scene/models/%00/pose"]
+POSES = [b"x", b"{", b"{}", b"[" * 200, b'{"robot":"nobody","xyz":[0,0,0]}', b'{"robot":"victim","xyz":[0,0]}',
+         b"\0\xff\xfe", b'{"robot":"victim","xyz":[1e999,0,0]}', b'{"robot":"victim","t":-1e300,"xyz":[0,0,0]}',
+         b'{"robot":' + b'"' * 500]
 
 
 @contextlib.contextmanager
@@ -57,7 +61,7 @@ def victim(scipd, rng):
 
 
 def garbage(scipd, rng):
-    """Bytes of any kind and half lines to the scanners' ports, closed politely or not."""
+    """Random bytes and half lines to the scanners' ports, closed cleanly or with a reset."""
     while True:
         with connected(victim(scipd, rng)) as client:
             for _ in range(rng.randrange(1, 20)):
@@ -70,7 +74,7 @@ def garbage(scipd, rng):
 
 
 def ttys(scipd, rng):
-    """The same to their ttys."""
+    """The same to the scanners' ttys."""
     while True:
         descriptor = wire.open_tty(scipd.tty(rng.choice(["victim/urg", "victim/utm"])))
         try:
@@ -83,7 +87,7 @@ def ttys(scipd, rng):
 
 
 def flood(scipd, rng):
-    """Requests as fast as they are taken, of which no answer is read."""
+    """Requests as fast as scipd takes them, without reading the answers."""
     while True:
         with connected(victim(scipd, rng), receive_buffer=4096) as client:
             requests = b"\n".join(rng.choice(REQUESTS) for _ in range(2000)) + b"\n"
@@ -96,7 +100,7 @@ def flood(scipd, rng):
 
 
 def deaf(scipd, rng):
-    """Clients of streams that never read, on TCP and on a tty."""
+    """Clients that ask for streams and never read, on TCP and on a tty."""
     while True:
         with connected(victim(scipd, rng), receive_buffer=4096) as client:
             client.sendall(b"MD0000108000000\n")
@@ -113,7 +117,7 @@ def resets(scipd, rng):
     places = [scipd.tcp(name) for name in ("victim/ust", "victim/utm", "good/ust", "driven/ust")] + [scipd.http]
     while True:
         data = rng.choice([b"", b"V", b"GET /stat"])
-        # Those who wait behind a good client fill its queue: then there is no answer.
+        # Connections that wait behind a good client fill its queue. Then nothing answers.
         with contextlib.suppress(TimeoutError), connected(rng.choice(places), patience_s=0.02) as client:
             client.sendall(data)
             reset(client)
@@ -122,7 +126,7 @@ def resets(scipd, rng):
 
 
 def streams(scipd, rng):
-    """25 clients of /stream that never read, come at different times and so leave different messages unread."""
+    """25 clients of /stream that never read. They come at different times, so they leave different messages unread."""
     with contextlib.ExitStack() as clients:
         for _ in range(25):
             client = clients.enter_context(connected(scipd.http, receive_buffer=4096))
@@ -135,7 +139,7 @@ def streams(scipd, rng):
 
 
 def answers(scipd, rng):
-    """Many requests at once of which no answer is read; one picture a second, since each takes its time."""
+    """Many requests at once without reading the answers. Only one picture a second, because each takes long."""
     while True:
         with contextlib.ExitStack() as clients:
             for i in range(20):
@@ -148,14 +152,16 @@ def answers(scipd, rng):
 
 
 def http(scipd, rng):
-    """What is no HTTP, or only nearly."""
+    """Requests that are not HTTP, or only nearly."""
     while True:
         with connected(scipd.http) as client:
             data = rng.choice([
                 lambda: rng.randbytes(rng.randrange(1, 4096)),
-                lambda: f"{rng.choice(['GET', 'PATCH', 'BREW', 'PUT'])} {rng.choice(PATHS)} HTTP/{rng.choice(['1.1', '1.0', '9'])}\r\n\r\n".encode(),
+                lambda: (f"{rng.choice(['GET', 'PATCH', 'BREW', 'PUT'])} {rng.choice(PATHS)} "
+                         f"HTTP/{rng.choice(['1.1', '1.0', '9'])}\r\n\r\n").encode(),
                 lambda: wire.http_request("PUT", "/robots/victim/pose", rng.randbytes(200)),
-                lambda: wire.http_request("POST", "/scene/models", b"ffff\r\nxx", fields="Transfer-Encoding: chunked\r\n"),
+                lambda: wire.http_request("POST", "/scene/models", b"ffff\r\nxx",
+                                          fields="Transfer-Encoding: chunked\r\n"),
                 lambda: wire.http_request("GET", "/poses", fields=wire.UPGRADE) + rng.randbytes(2000),
                 lambda: wire.http_request("GET", "/stream", fields=wire.UPGRADE)[:-rng.randrange(1, 100)],
             ])()
@@ -169,7 +175,7 @@ def http(scipd, rng):
 
 
 def headers(scipd, rng):
-    """Headers byte by byte, and without an end."""
+    """Headers that come byte by byte and never end."""
     while True:
         with contextlib.ExitStack() as clients:
             slow = [clients.enter_context(connected(scipd.http)) for _ in range(20)]
@@ -187,7 +193,8 @@ def headers(scipd, rng):
 def bodies(scipd, rng):
     """Bodies that are too large, or do not come."""
     while True:
-        path, length = rng.choice(["/scene", "/scene/models", "/robots/victim/pose"]), rng.choice([1 << 20, 100 << 20, 1 << 63])
+        path = rng.choice(["/scene", "/scene/models", "/robots/victim/pose"])
+        length = rng.choice([1 << 20, 100 << 20, 1 << 63])
         with connected(scipd.http) as client, contextlib.suppress(OSError):
             client.sendall(f"PUT {path} HTTP/1.1\r\nHost: scipd\r\nContent-Length: {length}\r\n\r\n".encode())
             for _ in range(rng.randrange(32)):
@@ -197,10 +204,11 @@ def bodies(scipd, rng):
 
 
 def deep(scipd, rng):
-    """JSON that is nested as deep as a body may be long."""
+    """JSON that is nested as deep as the size of a body allows."""
     while True:
         depth = rng.choice([1000, 100_000, 250_000])
-        text = rng.choice([b"[" * depth + b"]" * depth, b"[" * 2 * depth, b'{"xyz":' + b"[" * 2 * depth, b'{"a":' * (depth // 3)])
+        text = rng.choice([b"[" * depth + b"]" * depth, b"[" * 2 * depth, b'{"xyz":' + b"[" * 2 * depth,
+                           b'{"a":' * (depth // 3)])
         method, path = rng.choice([("PUT", "/scene"), ("POST", "/scene/models"), ("PUT", "/robots/victim/pose")])
         with connected(scipd.http) as client:
             client.sendall(wire.http_request(method, path, text))
@@ -210,7 +218,7 @@ def deep(scipd, rng):
 
 
 def junk_poses(scipd, rng):
-    """Messages of a megabyte of lines that are no poses to the WebSocket /poses, whose answers are read or not."""
+    """Messages with a megabyte of lines that are no poses, to the WebSocket /poses. Some clients read the answers."""
     while True:
         with connected(scipd.http) as client:
             client.sendall(wire.http_request("GET", "/poses", fields=wire.UPGRADE))
@@ -239,7 +247,7 @@ def udp(scipd, rng):
 
 
 def abandon(scipd, rng):
-    """Worlds that are to be loaded for clients that are gone at once."""
+    """Requests to load worlds, from clients that leave at once."""
     while True:
         with connected(scipd.http) as client:
             request = wire.http_request("PUT", "/scene", {"file": f"{scipd.scenes}/rescue_maze.sdf"})
@@ -251,14 +259,17 @@ def abandon(scipd, rng):
 
 
 def scenes(scipd, rng):
-    """Worlds loaded, models added, moved and taken away, each with its answer."""
-    sdf = "<model name='m'><link name='l'><visual name='v'><geometry><sphere><radius>0.1</radius></sphere></geometry></visual></link></model>"
+    """Loads worlds, and adds, moves and removes models, and waits for each answer."""
+    sdf = ("<model name='m'><link name='l'><visual name='v'><geometry><sphere><radius>0.1</radius></sphere></geometry>"
+           "</visual></link></model>")
     with connected(scipd.http) as client:
         while True:
-            requests = [("PUT", "/scene", {"file": f"{scipd.scenes}/{rng.choice(['square_room', 'corridor', 'rescue_maze'])}.sdf"})]
+            world = rng.choice(["square_room", "corridor", "rescue_maze"])
+            requests = [("PUT", "/scene", {"file": f"{scipd.scenes}/{world}.sdf"})]
             for i in range(rng.randrange(10)):
                 requests.append(("POST", "/scene/models", {"name": f"m{i}", "sdf": sdf, "replace": rng.random() < 0.5}))
-                requests += [("PUT", f"/scene/models/m{i}/pose", {"xyz": [rng.random(), rng.random(), 0.3]}) for _ in range(5)]
+                requests += [("PUT", f"/scene/models/m{i}/pose", {"xyz": [rng.random(), rng.random(), 0.3]})
+                             for _ in range(5)]
                 requests.append(("DELETE", f"/scene/models/m{rng.randrange(10)}", None))
             for method, path, body in requests:
                 request = wire.http_request(method, path, body)
@@ -275,5 +286,6 @@ def rest(seconds):
         yield None
 
 
-DEEDS = {deed.__name__: deed for deed in (garbage, ttys, flood, deaf, resets, streams, answers, http, headers, bodies, deep, junk_poses, udp,
-                                          abandon, scenes, reload, stderr)}
+DEEDS = {deed.__name__: deed for deed in (
+    garbage, ttys, flood, deaf, resets, streams, answers, http, headers, bodies, deep, junk_poses, udp, abandon, scenes,
+    reload, stderr)}

@@ -1,27 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# What a soak says at its end, and what of it must hold.
+# What a soak prints at its end, and what must hold.
 import dataclasses
 import statistics
 
-# Memory and descriptors are flat where the median of the last quarter is at most this much of the second one's and a little; in
-# less time than that a quarter does not hold every deed.
+# Memory and descriptors count as flat if the median of the last quarter is at most this factor times that of the second
+# quarter, plus a little. In a shorter soak a quarter does not contain every deed.
 GROWTH = 1.1
 GROWTH_MB = 8.0
 GROWTH_DESCRIPTORS = 8
 JUDGED_FROM_S = 600.0
-# Descriptors in use after all deeds, beyond those before them: connections that linger.
+# How many more descriptors may be in use after all deeds than before: connections that linger.
 LEFT_DESCRIPTORS = 8
-CALM_SIZES = 2  # of the end, in seconds
+CALM_SIZES = 2  # the last seconds, which count as the end
 
 
 @dataclasses.dataclass
 class Deed:
     times: int = 0
     bytes: int = 0
-    missed: int = 0  # of good clients, while this was done alone
-    slowest_s: float = 0.0  # answer to /status, less the delay of the machine, while this was done alone
+    missed: int = 0  # scans of good clients, while only this deed was done
+    slowest_s: float = 0.0  # answer to /status, less the machine's delay, while only this deed was done
     slowest_edit_s: float = 0.0
     most_mb: float = 0.0
 
@@ -31,7 +31,7 @@ class Judge:
         self.failed = []
 
     def that(self, holds, text):
-        """The text, and that it must hold."""
+        """Prints the text and whether it holds; notes it if not."""
         if not holds:
             self.failed.append(text)
         print(f"  {'ok  ' if holds else 'FAIL'}  {text}")
@@ -69,10 +69,11 @@ def tell_streams(judge, soak, seconds):
         sensor = sensors.get(stream.name, {"lost": -1, "lateness_ms": {"p50": None, "p99": None, "max": None}})
         late = ", ".join(f"{sensor['lateness_ms'][key] or 0:.1f}" for key in ("p50", "p99", "max"))
         still_s = soak.end_s - (stream.last_s or soak.begin_s)
-        print(f"  {stream.name:12} {stream.scans:6} {stream.missed:7} {stream.damaged:8} {stream.crooked:8} {sensor['lost']:5} "
-              f"{max(stream.silence_s, still_s):14.3f} s    {late}")
+        print(f"  {stream.name:12} {stream.scans:6} {stream.missed:7} {stream.damaged:8} {stream.crooked:8} "
+              f"{sensor['lost']:5} {max(stream.silence_s, still_s):14.3f} s    {late}")
         enough = stream.scans + stream.missed >= 0.9 * seconds * 1000 / stream.period_ms - 20
-        judge.that(stream.missed == stream.damaged == stream.crooked == sensor["lost"] == 0 and enough and not stream.fault,
+        nothing_amiss = stream.missed == stream.damaged == stream.crooked == sensor["lost"] == 0
+        judge.that(nothing_amiss and enough and not stream.fault,
                    f"{stream.name} has every scan, undamaged{': ' + stream.fault if stream.fault else ''}")
 
 
@@ -81,24 +82,28 @@ def tell_status(judge, soak, said):
     own = [1000 * answer.by_scipd_s() for answer in soak.answers]
     machine = [1000 * answer.machine_s() for answer in soak.answers]
     print("\n/status, ms                           p50     p99      max")
-    for name, values in (("answered in", took), ("less what the machine delayed", own), ("what the machine delayed", machine)):
+    for name, values in (("answered in", took), ("less what the machine delayed", own),
+                         ("what the machine delayed", machine)):
         print(f"  {name:30} {quantile(values, 0.5):8.1f} {quantile(values, 0.99):7.1f} {max(values, default=0):8.1f}")
     for answer in sorted(soak.answers, key=lambda answer: -answer.by_scipd_s())[:3]:
-        print(f"  {1000 * answer.took_s:.0f} ms at {answer.since_s - soak.begin_s:.1f} s ({soak.done_at(answer.since_s)}): scipd ran for "
-              f"{1000 * answer.ran_s:.0f}, had no core for {1000 * answer.waited_s:.0f}, heard {1000 * answer.late_s:.0f} too late")
+        print(f"  {1000 * answer.took_s:.0f} ms at {answer.since_s - soak.begin_s:.1f} s "
+              f"({soak.done_at(answer.since_s)}): scipd ran for {1000 * answer.ran_s:.0f}, "
+              f"had no core for {1000 * answer.waited_s:.0f}, heard {1000 * answer.late_s:.0f} too late")
     slow, by_scipd = (sum(value > said.status_ms for value in values) for values in (took, own))
-    judge.that(bool(own) and by_scipd == 0, f"no answer to /status takes longer than {said.status_ms:g} ms: {slow} of {len(took)} do, "
-               f"{by_scipd} by scipd itself")
+    judge.that(bool(own) and by_scipd == 0, f"no answer to /status takes longer than {said.status_ms:g} ms: "
+               f"{slow} of {len(took)} do, {by_scipd} by scipd itself")
 
 
 def tell_clients(judge, soak, said):
     tell_status(judge, soak, said)
-    print(f"changes of the scene: {len(soak.edits_s)}, p50 {quantile(soak.edits_s, 0.5):.3f}, max {max(soak.edits_s, default=0):.3f} s")
+    print(f"changes of the scene: {len(soak.edits_s)}, p50 {quantile(soak.edits_s, 0.5):.3f}, "
+          f"max {max(soak.edits_s, default=0):.3f} s")
     judge.that(bool(soak.edits_s) and max(soak.edits_s) <= said.edit_s, f"none takes longer than {said.edit_s:g} s")
     poses = soak.poses
     print(f"poses: {poses.sent} by UDP and as many by WebSocket; {poses.asked} times asked where their robot is")
     judge.that(poses.sent > 0 and poses.refused == 0, f"none is refused: {poses.refused}")
-    judge.that(poses.asked > 0 and poses.strayed == 0, f"they are heeded: {poses.strayed} times the robot was elsewhere. {poses.fault or ''}")
+    judge.that(poses.asked > 0 and poses.strayed == 0, f"they are heeded: {poses.strayed} times the robot was "
+               f"elsewhere. {poses.fault or ''}")
 
 
 def tell_sizes(judge, soak, said, seconds):
@@ -111,15 +116,18 @@ def tell_sizes(judge, soak, said, seconds):
         end = statistics.median(values[-CALM_SIZES:] or [0])
         print(f"  {name:18} {values[0]:7.0f} {second:12.0f} {last:13.0f} {end:5.0f} {max(values):5.0f}")
         if seconds >= JUDGED_FROM_S:
-            judge.that(last <= GROWTH * second + slack, f"{name}: flat, the last quarter's at most {GROWTH} x the second's + {slack:g}")
+            judge.that(last <= GROWTH * second + slack, f"{name}: flat, the last quarter's at most {GROWTH} x the "
+                       f"second's + {slack:g}")
         if name == "descriptors":
-            judge.that(end <= values[0] + LEFT_DESCRIPTORS, f"descriptors: those of hostile clients are closed, {values[0]} before and {end:.0f} after")
+            judge.that(end <= values[0] + LEFT_DESCRIPTORS, f"descriptors: those of hostile clients are closed, "
+                       f"{values[0]} before and {end:.0f} after")
         if name == "RSS, MB":
             judge.that(max(values) <= said.rss_mb, f"RSS never exceeds {said.rss_mb:g} MB")
 
 
 def tell_deeds(judge, soak, said):
-    print("\ndeed            times        MB   alone: scans missed  /status by scipd, ms  change of the scene, s  RSS, MB")
+    print("\ndeed            times        MB   alone: scans missed  /status by scipd, ms  change of the scene, s  "
+          "RSS, MB")
     for name in [*said.deeds, "several", "none"]:
         deed = soak.deed(name)
         print(f"  {name:12} {deed.times:7} {deed.bytes / 1e6:9.1f} {deed.missed:21} {1000 * deed.slowest_s:21.1f} "

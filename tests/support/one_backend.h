@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A world's backends where nobody asks which: rays for all.
+// Backends for tests that do not care which: every sensor casts rays.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "daemon/world/sensor_backends.h"
+#include "daemon/world/backend_maker.h"
 
 namespace scipd::daemon {
 
 inline SensorBackends one_backend(const sim::SharedScene& scene,
                                   const std::vector<std::string>& sensors = {"robot/scanner"}) {
-    std::vector<BackendWish> wishes;
+    std::vector<RequestedBackend> requests;
     for (const std::string& sensor : sensors)
-        wishes.push_back({.sensor = sensor, .backend = "embree"});
-    return make_backends(wishes, scene);
+        requests.push_back({.sensor = sensor, .backend = "embree"});
+    return make_backends(requests, scene);
 }
 
 }  // namespace scipd::daemon

@@ -33,7 +33,7 @@ Scans cast_all(sim::RangeBackend& backend, const std::vector<glm::vec3>& directi
             backend.cast({directions, {&pose, 1}, max_range_m}, hits);
         }));
     }
-    ms.erase(ms.begin());  // warms up
+    ms.erase(ms.begin());  // the first scan only warms up
     return scans;
 }
 
@@ -43,9 +43,9 @@ std::vector<sim::Pose> turned(std::vector<sim::Pose> poses, double yaw_rad) {
     return poses;
 }
 
-/// Whether a ray that passes beside another one meets something else: another object, or one
-/// surface of it in front of another. How far the surface goes away between them follows from how
-/// it lies.
+/// Whether a ray beside another one hits something else: another object, or a surface in front of
+/// or behind the first. It allows for how much the range changes along a slanted surface between
+/// the two rays.
 bool is_edge(const sim::Hit& hit, const sim::Hit& beside) {
     if (hit.object != beside.object) return true;
     if (!hit.met()) return false;
@@ -56,7 +56,7 @@ bool is_edge(const sim::Hit& hit, const sim::Hit& beside) {
     return std::abs(double{hit.range_m} - double{beside.range_m}) > other_surface_m + along_m;
 }
 
-/// For each beam of each scan, whether something else is within half a pixel of it.
+/// For each beam of each scan, whether it has an edge within half a pixel.
 std::vector<std::vector<bool>> find_edges(sim::RangeBackend& rays, const Scans& truth,
                                           const std::vector<glm::vec3>& directions,
                                           const std::vector<sim::Pose>& poses, float max_range_m) {
@@ -104,7 +104,7 @@ Comparison compare(std::string backend, const Scans& scans, const Scans& truth,
     return it;
 }
 
-/// For the picture: what was hit, and where it is something else by these scans, which may be none.
+/// For the picture: notes what was hit, and where `scans` differ from it. `scans` may be empty.
 void note_places(ComparedScans& compared, const Scans& scans, const Scans& truth,
                  const std::vector<glm::vec3>& directions, const std::vector<sim::Pose>& poses) {
     constexpr double worth_showing_m = 1e-3;
@@ -127,24 +127,24 @@ ComparedScans compare_backends(const sim::SharedScene& scene,
                                const std::vector<glm::vec3>& directions, double max_range_m,
                                std::size_t count, double height_m) {
     const auto range_m = static_cast<float>(max_range_m);
-    const auto rays = sim::make_backend("embree", scene);
+    const auto rays = sim::preferred_backend().make(scene, {});
     const auto poses = free_poses(*rays, count, height_m);
     std::vector<double> ms;
     const Scans truth = cast_all(*rays, directions, poses, range_m, ms);
     const auto edges = find_edges(*rays, truth, directions, poses, range_m);
     ComparedScans compared;
     Scans drawn;
-    for (const sim::BackendInfo& info : sim::backends()) {
+    for (const sim::BackendRow& row : sim::backends()) {
         try {
-            const auto backend = sim::make_backend(info.name, scene);
+            const auto backend = row.make(scene, {});
             ms.clear();
             Scans scans = cast_all(*backend, directions, poses, range_m, ms);
-            compared.backends.push_back(compare(std::string(info.name), scans, truth, edges));
+            compared.backends.push_back(compare(std::string(row.name), scans, truth, edges));
             compared.backends.back().cost_ms = spread_of(ms);
-            if (info.name == "depth") drawn = std::move(scans);
+            if (row.draws) drawn = std::move(scans);
         } catch (const std::runtime_error& error) {
             compared.backends.push_back(
-                {.backend = std::string(info.name), .missing = error.what()});
+                {.backend = std::string(row.name), .missing = error.what()});
         }
     }
     note_places(compared, drawn, truth, directions, poses);
@@ -152,7 +152,8 @@ ComparedScans compare_backends(const sim::SharedScene& scene,
 }
 
 void print_comparison(const ComparedScans& scans, std::ostream& out) {
-    out << "against embree, away from edges, in mm                                beams in %\n"
+    out << "against " << sim::preferred_backend().name
+        << ", away from edges, in mm                                beams in %\n"
         << "backend      ms/scan      p50      p99    p99.9        max     at edges   off > 1 cm"
            "   other object\n"
         << std::fixed;

@@ -18,8 +18,8 @@
 namespace scipd::sim {
 namespace {
 
-constexpr int deepest = 64;
-constexpr std::size_t longest_text = 1 << 16;
+constexpr int deepest_formula = 64;
+constexpr std::size_t longest_substituted = 1 << 16;
 
 [[noreturn]] void refuse(const std::string& why) {
     throw std::invalid_argument(why);
@@ -47,7 +47,7 @@ double call(const std::string& name, const Arguments& x) {
     refuse("the function " + quote(name) + " is not known here");
 }
 
-/// By descent: or, and, comparison, sum, product, power, sign, atom.
+/// Calculates by recursive descent: or, and, comparison, sum, product, power, sign, atom.
 class Calculator {
   public:
     Calculator(std::string_view text, const Variables& variables)
@@ -56,7 +56,7 @@ class Calculator {
     double all() {
         const double value = either();
         skip_blanks();
-        if (!rest_.empty()) refuse(quote(rest_) + " is too much in a formula");
+        if (!rest_.empty()) refuse("a formula cannot go on with " + quote(rest_));
         return value;
     }
 
@@ -115,7 +115,7 @@ class Calculator {
         }
     }
     double power() {
-        if (++depth_ > deepest) refuse("a formula is nested too deeply");
+        if (++depth_ > deepest_formula) refuse("a formula is nested too deeply");
         double value = 0.0;
         if (take("-")) {
             value = -power();
@@ -207,7 +207,8 @@ std::string value_of(std::string_view asked, const Variables& variables) {
     return std::string(asked.substr(bar + 1));
 }
 
-/// Replaces the innermost of what begins so; false where there is none.
+/// Replaces the last expression that begins so, which has no other one inside; false if there is
+/// none.
 bool replace_last(std::string& text, std::string_view begins, const auto& value) {
     const auto begin = text.rfind(begins);
     if (begin == text.npos) return false;
@@ -215,7 +216,7 @@ bool replace_last(std::string& text, std::string_view begins, const auto& value)
     if (end == text.npos) refuse(quote(begins) + " is not closed");
     const auto first = begin + begins.size();
     text.replace(begin, end + 1 - begin, value(std::string_view(text).substr(first, end - first)));
-    if (text.size() > longest_text) refuse("a text grows too long");
+    if (text.size() > longest_substituted) refuse("a text grows too long");
     return true;
 }
 
@@ -235,7 +236,7 @@ double formula(std::string_view text, const Variables& variables) {
 
 std::string substituted(std::string_view given, const Variables& variables) {
     constexpr int most_replaced = 1000;
-    if (given.size() > longest_text) refuse("a text is too long");
+    if (given.size() > longest_substituted) refuse("a text is too long");
     std::string text(given);
     const auto variable = [&](std::string_view asked) { return value_of(asked, variables); };
     const auto result = [&](std::string_view asked) {
@@ -246,7 +247,7 @@ std::string substituted(std::string_view given, const Variables& variables) {
         if (++replaced > most_replaced) refuse("a text has too many variables");
     }
     if (text.find("$(") != text.npos || text.find("$env{") != text.npos) {
-        refuse("neither commands nor the environment are asked: " + quote(text));
+        refuse("uses a command or the environment, which scipd does not read: " + quote(text));
     }
     return text;
 }

@@ -28,9 +28,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t largest_text = 16U << 20U;
-constexpr std::uintmax_t largest_picture = 512U << 20U;
-constexpr std::size_t most_triangles = 20'000'000;
+constexpr std::uintmax_t largest_mvsim_text = 16U << 20U;
+constexpr std::uintmax_t largest_mvsim_picture = 512U << 20U;
+constexpr std::size_t most_mvsim_triangles = 20'000'000;
 
 bool is_one_of(const std::string& name, std::initializer_list<std::string_view> names) {
     return std::ranges::find(names, name) != names.end();
@@ -60,10 +60,10 @@ class MvsimScene {
         if (kind == "element") return add_element(node);
         if (kind == "block") return add_block(node);
         if (kind == "walls") return add_walls(node);
-        if (kind == "vehicle") throw std::invalid_argument("is a robot; configure it here");
+        if (kind == "vehicle") throw std::invalid_argument("is a robot; configure it in scipd");
         const bool says_nothing =
             is_one_of(kind, {"gui", "lights", "sensor", "vehicle:class", "joint"});
-        // What has but a text is a parameter.
+        // An element with nothing but text is a parameter.
         if (!says_nothing && node.has_children()) throw std::invalid_argument("is not known here");
     }
 
@@ -158,7 +158,7 @@ class MvsimScene {
             throw std::invalid_argument("zmin must be below zmax");
         const Shape shape = block_shape(node, geometry, top_m - bottom_m);
         const ModelId model = add_model(node, "block", node.pose(), !node.is_on("static"));
-        // Primitives are centred, prisms stand on their foot.
+        // The origin of a primitive is its centre, that of a prism lies in its foot.
         const bool is_prism = std::holds_alternative<SharedMesh>(shape);
         const double z_m = is_prism ? bottom_m : 0.5 * (bottom_m + top_m);
         add_object(model, {{0.0, 0.0, z_m}, {1.0, 0.0, 0.0, 0.0}}, shape, "");
@@ -187,8 +187,8 @@ class MvsimScene {
     }
 
     SharedMesh counted(Mesh mesh) {
-        if (mesh.triangles.size() > most_triangles - triangles_)
-            throw std::invalid_argument("makes more than 20 million triangles of the world");
+        if (mesh.triangles.size() > most_mvsim_triangles - triangles_)
+            throw std::invalid_argument("brings the world to more than 20 million triangles");
         triangles_ += mesh.triangles.size();
         return std::make_shared<const Mesh>(std::move(mesh));
     }
@@ -202,7 +202,7 @@ class MvsimScene {
 
     static std::string picture(const fs::path& file) {
         try {
-            return read_file(file, largest_picture, "a picture is wanted here");
+            return read_file(file, largest_mvsim_picture, "a picture is wanted here");
         } catch (const LoadError& wrong) {
             throw std::invalid_argument(wrong.what());
         }
@@ -232,13 +232,13 @@ class MvsimScene {
 
 LoadedScene load_mvsim(const fs::path& given, const MapOptions& options) {
     const auto file = fs::absolute(given).lexically_normal();
-    const std::string text = read_text(file, largest_text, "name a world of MVSim");
+    const std::string text = read_text(file, largest_mvsim_text, "name a world of MVSim");
     MvsimScene scene{file, options};
     const MvsimVisitor visitor{.visit = [&](const MvsimNode& node) { scene.visit(node); },
                                .leave_out = [&](const std::string& what) { scene.leave_out(what); },
                                .read = [](const fs::path& included) -> std::optional<std::string> {
                                    if (!why_no_file(included).empty()) return std::nullopt;
-                                   return read_text(included, largest_text,
+                                   return read_text(included, largest_mvsim_text,
                                                     "a part of a world is wanted");
                                }};
     walk_mvsim(text, file, visitor);

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using tinyxml2::XMLDocument;
 using tinyxml2::XMLElement;
 
-constexpr int deepest = 64;
+constexpr int deepest_block = 64;
 constexpr int most_elements = 200'000;
 constexpr std::size_t most_files = 1000;
 
@@ -40,10 +40,10 @@ class Walk {
     }
 
     void children(const XMLElement& parent, const fs::path& file) {
-        if (++depth_ > deepest) {
+        if (++depth_ > deepest_block) {
             throw LoadError({file.string() + ':' + std::to_string(parent.GetLineNum()) +
-                             ": includes and loops nest deeper than " + std::to_string(deepest) +
-                             "; do they go in circles?"});
+                             ": includes and loops nest deeper than " +
+                             std::to_string(deepest_block) + "; do they go in circles?"});
         }
         for (const auto* at = parent.FirstChildElement(); at != nullptr;
              at = at->NextSiblingElement()) {
@@ -104,7 +104,7 @@ class Walk {
         }
     }
 
-    /// Its other attributes are variables within.
+    /// The other attributes of the element are variables inside the included file.
     void include(const XMLElement& at, const MvsimNode& node) {
         const fs::path& file =
             files_.emplace_back(node.beside(node.attribute("file")).lexically_normal());
@@ -121,7 +121,7 @@ class Walk {
                 within[given->Name()] = node.attribute(given->Name());
         }
         std::swap(variables_, within);
-        if (++depth_ > deepest) throw LoadError({file.string() + ": includes itself"});
+        if (++depth_ > deepest_block) throw LoadError({file.string() + ": includes itself"});
         element(root, file);
         --depth_;
         variables_ = std::move(within);

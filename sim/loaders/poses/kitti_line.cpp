@@ -16,8 +16,8 @@
 namespace scipd::sim {
 namespace {
 
-constexpr std::array column_names{"r11", "r12", "r13", "x",   "r21", "r22",
-                                  "r23", "y",   "r31", "r32", "r33", "z"};
+constexpr std::array kitti_columns{"r11", "r12", "r13", "x",   "r21", "r22",
+                                   "r23", "y",   "r31", "r32", "r33", "z"};
 
 /// Each column is an axis of the camera in our frame: right is -y, down is -z, ahead is x.
 const glm::dmat3 ours_from_camera{glm::dvec3{0.0, -1.0, 0.0}, glm::dvec3{0.0, 0.0, -1.0},
@@ -39,15 +39,15 @@ bool is_rotation(const glm::dmat3& matrix) {
 
 Expected<Pose> parse_kitti_line(std::string_view line) {
     const auto cells = cells_of(line, ' ');
-    if (cells.size() != column_names.size()) {
+    if (cells.size() != kitti_columns.size()) {
         return refuse("a pose has 12 columns, the rows of [R t], this line has " +
                       std::to_string(cells.size()));
     }
-    std::array<double, column_names.size()> value{};
+    std::array<double, kitti_columns.size()> value{};
     for (std::size_t i = 0; i < value.size(); ++i) {
         const auto number = parse_number(cells[i]);
         if (!number) {
-            return refuse(std::string{column_names[i]} + " must be a finite number, not " +
+            return refuse(std::string{kitti_columns[i]} + " must be a finite number, not " +
                           quote(cells[i]));
         }
         value[i] = *number;

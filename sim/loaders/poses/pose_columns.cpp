@@ -15,7 +15,7 @@
 namespace scipd::sim {
 namespace {
 
-constexpr double angle_limit_rad = 1e6;
+constexpr double largest_angle_rad = 1e6;
 
 std::string_view bare(std::string_view cell) {
     cell = trimmed(cell);
@@ -50,7 +50,7 @@ class RowReader {
 
     double angle_rad(const std::optional<Column>& column) {
         const double value_rad = number(column) * columns_.radians_per_unit;
-        if (std::abs(value_rad) <= angle_limit_rad) return value_rad;
+        if (std::abs(value_rad) <= largest_angle_rad) return value_rad;
         note(*column, "must lie within 1e6 rad", cells_[column->index]);
         return 0.0;
     }

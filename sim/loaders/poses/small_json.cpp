@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int deepest = 8;
+constexpr int deepest_json = 8;
 constexpr int most_values = 256;
 
 /// Thrown through the library's parser, which cannot be stopped otherwise.
@@ -32,8 +32,8 @@ std::string words_of(const Json::exception& error) {
 Expected<Json> parse_small_json(std::string_view text) {
     int values = 0;
     const auto count = [&values](int depth, Json::parse_event_t, const Json&) {
-        if (depth > deepest) {
-            throw TooLarge("nests deeper than " + std::to_string(deepest) + " levels");
+        if (depth > deepest_json) {
+            throw TooLarge("nests deeper than " + std::to_string(deepest_json) + " levels");
         }
         if (++values > most_values) {
             throw TooLarge("has more than " + std::to_string(most_values) + " keys and values");

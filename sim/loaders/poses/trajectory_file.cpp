@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 /// A week of a hundred poses a second is half of this.
-constexpr std::uintmax_t largest_file = 1U << 30U;
+constexpr std::uintmax_t largest_trajectory = 1U << 30U;
 
 /// Hands each line to `use`, until that answers false.
 template <typename Use>
@@ -236,7 +236,7 @@ Stamps parse_stamps(std::string_view text, const fs::path& file) {
 }
 
 Trajectory load_trajectory(const fs::path& file, TrajectoryFormat format, const fs::path& times) {
-    const std::string text = read_text(file, largest_file, "name a trajectory");
+    const std::string text = read_text(file, largest_trajectory, "name a trajectory");
     if (format == TrajectoryFormat::guess) format = guessed_format(text);
     const fs::path beside = file.parent_path() / "times.txt";
     // Whatever it is: one that cannot be read is told below.
@@ -247,7 +247,7 @@ Trajectory load_trajectory(const fs::path& file, TrajectoryFormat format, const 
         return parse_trajectory(text, file, format);
     }
     const std::string lines =
-        read_text(stamps, largest_file, "the stamps of a trajectory are wanted");
+        read_text(stamps, largest_trajectory, "the stamps of a trajectory are wanted");
     return parse_trajectory(text, file, format, parse_stamps(lines, stamps));
 }
 

@@ -17,12 +17,12 @@
 namespace scipd::sim {
 namespace {
 
-constexpr std::array column_names{"t", "tx", "ty", "tz", "qx", "qy", "qz", "qw"};
+constexpr std::array tum_columns{"t", "tx", "ty", "tz", "qx", "qy", "qz", "qw"};
 constexpr std::string_view blanks = " \t\r\n\v\f";
 
 /// The columns of a line, cut at blanks. Those after the eighth are counted, but not kept.
 struct Columns {
-    std::array<std::string_view, column_names.size()> text;
+    std::array<std::string_view, tum_columns.size()> text;
     std::size_t count = 0;
 
     explicit Columns(std::string_view line) {
@@ -56,7 +56,7 @@ Expected<glm::dquat> quaternion_in_file(const glm::dvec4& xyzw, const std::strin
 
 Expected<TimedPose> parse_tum_line(std::string_view line) {
     const Columns columns{line};
-    if (columns.count != column_names.size()) {
+    if (columns.count != tum_columns.size()) {
         return refuse("a pose has 8 columns (t tx ty tz qx qy qz qw), this line has " +
                       std::to_string(columns.count));
     }
@@ -65,11 +65,11 @@ Expected<TimedPose> parse_tum_line(std::string_view line) {
         return refuse("t",
                       "t must be seconds as decimals below 9e9, not " + quote(columns.text[0]));
     }
-    std::array<double, column_names.size()> value{};
+    std::array<double, tum_columns.size()> value{};
     for (std::size_t i = 1; i < value.size(); ++i) {
         const auto number = parse_number(columns.text[i]);
         if (!number) {
-            return refuse(std::string{column_names[i]} + " must be a finite number, not " +
+            return refuse(std::string{tum_columns[i]} + " must be a finite number, not " +
                           quote(columns.text[i]));
         }
         value[i] = *number;

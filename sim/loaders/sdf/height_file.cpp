@@ -15,7 +15,7 @@
 namespace scipd::sim {
 namespace {
 
-constexpr std::uintmax_t largest_file = 1ULL << 29;
+constexpr std::uintmax_t largest_picture_bytes = 1ULL << 29;
 constexpr std::array<std::string_view, 5> picture_extensions{".png", ".jpg", ".jpeg", ".pgm",
                                                              ".bmp"};
 
@@ -23,8 +23,8 @@ bool is_picture(const std::filesystem::path& file) {
     return std::ranges::find(picture_extensions, extension_of(file)) != picture_extensions.end();
 }
 
-/// As gz-common 5 has it (ImageHeightmap.hh, Image::MaxColor()): of colours, red counts, and that
-/// of the brightest pixel becomes as high as <size> says.
+/// As in gz-common 5 (ImageHeightmap.hh, Image::MaxColor()): the red channel gives the heights, and
+/// the red of the brightest pixel is as high as <size> says.
 template <typename Sample>
 HeightGrid grid_of(const MapImage& image, const std::vector<Sample>& samples) {
     HeightGrid grid{.width = image.width, .height = image.height};
@@ -45,12 +45,12 @@ HeightGrid grid_of(const MapImage& image, const std::vector<Sample>& samples) {
         grid.values.push_back(static_cast<float>(red) / static_cast<float>(image.white));
     }
     grid.high = static_cast<double>(highest) / image.white;
-    if (is_coloured) grid.remarks.emplace_back("is coloured; its red is taken for heights");
+    if (is_coloured) grid.remarks.emplace_back("is coloured; its red channel gives the heights");
     return grid;
 }
 
 HeightGrid read_picture(const std::filesystem::path& file) {
-    const auto bytes = read_file(file, largest_file, "a picture is wanted here");
+    const auto bytes = read_file(file, largest_picture_bytes, "a picture is wanted here");
     try {
         const MapImage image = read_map_image(bytes);
         return std::visit([&](const auto& samples) { return grid_of(image, samples); },

@@ -25,7 +25,7 @@ void read(sdf::Element& element, std::initializer_list<double*> numbers) {
 
 }  // namespace
 
-double number_in(sdf::Element& parent, const std::string& name, double otherwise) {
+double number_of_child(sdf::Element& parent, const std::string& name, double otherwise) {
     const auto element = parent.FindElement(name);
     if (element) read(*element, {&otherwise});
     return otherwise;

@@ -57,9 +57,9 @@ struct Case {
     std::function<void(Profile)> change;
 };
 
-const std::vector<Case>& cases() {
-    using enum protocol::Support;
-    static const std::vector<Case> all = {
+/// What it says of itself.
+std::vector<Case> words() {
+    return {
         {"family", "b", "UST-10LX",
          [](Profile p) { p.family = protocol::Family::ethernet_multi_echo; }},
         {"vendor", "Us", "UST-10LX", [](Profile p) { p.vendor = "Us"; }},
@@ -91,6 +91,13 @@ const std::vector<Case>& cases() {
         {"health_failed", "gone", "UST-10LX", [](Profile p) { p.health_failed = "gone"; }},
         {"time_spelling", "hexadecimal", "UST-10LX",
          [](Profile p) { p.time_spelling = protocol::TimeSpelling::hexadecimal; }},
+    };
+}
+
+/// What it measures and which commands it has.
+std::vector<Case> abilities() {
+    using enum protocol::Support;
+    return {
         {"first_step", "44", "URG-04LX", [](Profile p) { p.first_step = 44; }},
         {"last_step", "1100", "UST-10LX", [](Profile p) { p.last_step = 1100; }},
         {"nearest_mm", "50", "UST-10LX", [](Profile p) { p.nearest_mm = 50; }},
@@ -116,6 +123,11 @@ const std::vector<Case>& cases() {
              using enum protocol::State;
              p.deviations = {{"QT", adjust, protocol::status::ok}, {"BM", measuring, std::nullopt}};
          }},
+    };
+}
+
+std::vector<Case> times() {
+    return {
         {"scan_period_ms", "24.9", "UST-10LX", [](Profile p) { p.scan_period = 24900us; }},
         {"turns_per_reply", "2", "UST-10LX", [](Profile p) { p.turns_per_reply = 2; }},
         {"reply_tick_ms", "5", "UST-10LX", [](Profile p) { p.reply_tick = 5ms; }},
@@ -131,14 +143,16 @@ const std::vector<Case>& cases() {
          [](Profile p) { p.answers_while_booting = true; }},
         {"wake_time_ms", "600000", "UST-10LX", [](Profile p) { p.wake_time = 600s; }},
     };
-    return all;
 }
 
 using ConfigProfileTest = ConfigFixture;
 
 TEST_F(ConfigProfileTest, ChangesEachFieldAndNoOther) {
     std::map<std::string_view, int> tried;
-    for (const auto& [key, text, model, change] : cases()) {
+    std::vector<Case> cases;
+    for (const auto& some : {words(), abilities(), times()})
+        cases.insert(cases.end(), some.begin(), some.end());
+    for (const auto& [key, text, model, change] : cases) {
         Model expected = find_model(model);
         change(expected.profile);
         expected = make_model(expected.profile, expected.optics.noise, expected.sureness);

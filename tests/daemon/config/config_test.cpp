@@ -89,9 +89,7 @@ TEST_F(ConfigTest, HoldsWhatTheFileSays) {
     EXPECT_EQ(other.sensors[0].tcp, (Address{"::1", 0}));
 }
 
-TEST_F(ConfigTest, TellsEveryFaultAtOnceInTheOrderOfLines) {
-    EXPECT_THAT(
-        faults(R"(scene: nowhere.sdf
+constexpr const char* every_fault = R"(scene: nowhere.sdf
 seed: -1
 materials: wood.yaml
 sceen: room.sdf
@@ -115,7 +113,11 @@ robots:
   empty: {sensors: {}}
 clock: pose
 http: 8080
-)"),
+)";
+
+TEST_F(ConfigTest, TellsEveryFaultAtOnceInTheOrderOfLines) {
+    EXPECT_THAT(
+        faults(every_fault),
         ElementsAre("fleet.yaml:1: scene: there is no file 'nowhere.sdf'",
                     "fleet.yaml:2: seed: must be a whole number from 0 to 18446744073709551615, "
                     "not '-1'",
@@ -169,7 +171,8 @@ TEST_F(ConfigTest, ReadsWhatHoldsWhereThereAreNoPoses) {
 robots:
   tank:
     body: hull
-    poses: {from: udp:127.0.0.1:1, before: none, after: extrapolate, stale_s: 0.25, jump_mps: 5, wait_ms: 30}
+    poses: {from: udp:127.0.0.1:1, before: none, after: extrapolate, stale_s: 0.25, jump_mps: 5,
+            wait_ms: 30}
     sensors:
       a: {model: UST-10LX, pty: auto}
       b: {model: UST-10LX, pty: auto, sees_body: true}

@@ -113,13 +113,14 @@ TEST(MeshFile, colladaKeepsItsAxesAndAppliesItsTransforms) {
  <asset><unit name="meter" meter="1"/><up_axis>Z_UP</up_axis></asset>
  <library_geometries><geometry id="g"><mesh>
   <source id="p"><float_array id="a" count="9">0 0 0 1 0 0 0 1 0</float_array><technique_common>
-   <accessor source="#a" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
-   <param name="Z" type="float"/></accessor></technique_common></source>
+   <accessor source="#a" count="3" stride="3"><param name="X" type="float"/>
+   <param name="Y" type="float"/><param name="Z" type="float"/></accessor>
+  </technique_common></source>
   <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
   <triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles>
  </mesh></geometry></library_geometries>
- <library_visual_scenes><visual_scene id="s"><node><translate>0 0 10</translate><instance_geometry url="#g"/>
- </node></visual_scene></library_visual_scenes>
+ <library_visual_scenes><visual_scene id="s"><node><translate>0 0 10</translate>
+ <instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
  <scene><instance_visual_scene url="#s"/></scene></COLLADA>)"));
     EXPECT_THAT(mesh.vertices_m,
                 ::testing::UnorderedElementsAre(glm::vec3(0, 0, 10), glm::vec3(1, 0, 10),

@@ -36,8 +36,9 @@ std::string node_bomb(int levels, int triangles) {
  <asset><up_axis>Z_UP</up_axis></asset>
  <library_geometries><geometry id="g"><mesh>
   <source id="p"><float_array id="a" count="9">0 0 0 1 0 0 0 1 0</float_array><technique_common>
-   <accessor source="#a" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
-   <param name="Z" type="float"/></accessor></technique_common></source>
+   <accessor source="#a" count="3" stride="3"><param name="X" type="float"/>
+   <param name="Y" type="float"/><param name="Z" type="float"/></accessor>
+  </technique_common></source>
   <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
   <triangles count=")" +
            std::to_string(triangles) + R"("><input semantic="VERTEX" source="#v" offset="0"/><p>)" +

@@ -28,8 +28,8 @@ double x_m(const Script& walk, Time time) {
 }
 
 /// 1 m/s along x, a waypoint each metre.
-Trajectory metres(int count) {
-    Trajectory trajectory;
+ActorTrajectory metres(int count) {
+    ActorTrajectory trajectory;
     for (int i = 0; i <= count; ++i)
         trajectory.waypoints.push_back({std::chrono::seconds(i), at_x(i)});
     return trajectory;
@@ -38,7 +38,8 @@ Trajectory metres(int count) {
 /// Where Gazebo has it, of a trajectory whose first waypoint is at 0.
 class GazebosAnimation {
   public:
-    explicit GazebosAnimation(const Trajectory& trajectory) : waypoints_(trajectory.waypoints) {
+    explicit GazebosAnimation(const ActorTrajectory& trajectory)
+        : waypoints_(trajectory.waypoints) {
         positions_.AutoCalculate(false);
         positions_.Tension(trajectory.tension);
         for (const Waypoint& waypoint : waypoints_) {
@@ -63,11 +64,11 @@ class GazebosAnimation {
     ignition::math::Spline positions_;
 };
 
-Trajectory random_trajectory(std::mt19937& random, double tension, bool closed) {
+ActorTrajectory random_trajectory(std::mt19937& random, double tension, bool closed) {
     std::uniform_real_distribution<double> far_m(-8.0, 8.0);
     std::uniform_real_distribution<double> yaw_rad(-3.0, 3.0);
     std::uniform_int_distribution<int> milliseconds(200, 9000);
-    Trajectory trajectory{0, tension, {}};
+    ActorTrajectory trajectory{0, tension, {}};
     Time time{};
     for (int i = 0; i < 9; ++i) {
         trajectory.waypoints.push_back(
@@ -81,7 +82,7 @@ Trajectory random_trajectory(std::mt19937& random, double tension, bool closed) 
 TEST(ActorWalk, GoesWhereGazebosSplinesGo) {
     std::mt19937 random(1);
     for (int i = 0; i < 40; ++i) {
-        const Trajectory trajectory = random_trajectory(random, 0.25 * (i % 5), i % 2 == 0);
+        const ActorTrajectory trajectory = random_trajectory(random, 0.25 * (i % 5), i % 2 == 0);
         const GazebosAnimation gazebo(trajectory);
         const SharedScript walk = walk_of({trajectory}, {}, false);
         for (Time time{}; time <= trajectory.waypoints.back().time; time += 17ms) {
@@ -92,7 +93,7 @@ TEST(ActorWalk, GoesWhereGazebosSplinesGo) {
 }
 
 TEST(ActorWalk, TurnsEvenlyByTheShorterWay) {
-    const Trajectory trajectory{0, 0.0, {{0s, at_x(0, 3.0)}, {2s, at_x(5, -3.0)}}};
+    const ActorTrajectory trajectory{0, 0.0, {{0s, at_x(0, 3.0)}, {2s, at_x(5, -3.0)}}};
     const SharedScript walk = walk_of({trajectory}, {}, false);
     for (Time time{}; time <= 2s; time += 10ms) {
         const double yaw_rad = 3.0 + (2.0 * std::numbers::pi - 6.0) * Seconds(time).count() / 2.0;
@@ -129,7 +130,7 @@ TEST(ActorWalk, BeginsWithItsScriptAndStandsBefore) {
 }
 
 TEST(ActorWalk, TakesOneTrajectoryAfterTheOtherEachFromItsOwnBeginning) {
-    Trajectory back = metres(6);
+    ActorTrajectory back = metres(6);
     for (Waypoint& waypoint : back.waypoints) {
         waypoint.pose = at_x(10 - Seconds(waypoint.time).count());
         waypoint.time += 1s;  // it waits
@@ -145,7 +146,7 @@ TEST(ActorWalk, TakesOneTrajectoryAfterTheOtherEachFromItsOwnBeginning) {
 }
 
 TEST(ActorWalk, MayStandAllTheTime) {
-    const Trajectory here{0, 0.0, {{0s, at_x(3)}}};
+    const ActorTrajectory here{0, 0.0, {{0s, at_x(3)}}};
     for (const auto& trajectories : {std::vector{here}, std::vector{here, here}}) {
         const SharedScript walk = walk_of(trajectories, 1s, true);
         EXPECT_EQ(walk->lap, 0s);
@@ -155,8 +156,8 @@ TEST(ActorWalk, MayStandAllTheTime) {
 
 // Steps that fall together would be refused, and what is between them forgotten.
 TEST(ActorWalk, HasStepsWhoseTimesGrow) {
-    const Trajectory here{0, 0.0, {{0s, at_x(3)}}};
-    const Trajectory hurried{0, 0.0, {{0s, at_x(0)}, {1ms, at_x(9)}, {2ms, at_x(-9)}}};
+    const ActorTrajectory here{0, 0.0, {{0s, at_x(3)}}};
+    const ActorTrajectory hurried{0, 0.0, {{0s, at_x(0)}, {1ms, at_x(9)}, {2ms, at_x(-9)}}};
     for (const Time delay : {0s, 1s}) {
         const SharedScript walk = walk_of({here, metres(2), here, hurried, here}, delay, true);
         ASSERT_EQ(walk->steps.front().time, 0s);
@@ -167,14 +168,14 @@ TEST(ActorWalk, HasStepsWhoseTimesGrow) {
 }
 
 TEST(ActorWalk, IsNoneWhereNoTimeCouldTellIt) {
-    const Trajectory longest{0, 0.0, {{0s, at_x(0)}, {1'000'000'000s, at_x(1)}}};
+    const ActorTrajectory longest{0, 0.0, {{0s, at_x(0)}, {1'000'000'000s, at_x(1)}}};
     EXPECT_NE(walk_of({longest}, {}, true), nullptr);
     EXPECT_EQ(walk_of(std::vector(5, longest), {}, true), nullptr);
 }
 
 TEST(ActorWalk, ShowsAnyWindowAsItIs) {
     std::mt19937 random(2);
-    const Trajectory trajectory = random_trajectory(random, 0.0, false);
+    const ActorTrajectory trajectory = random_trajectory(random, 0.0, false);
     const SharedScript walk = walk_of({trajectory}, 300ms, true);
     for (Time from = -1s; from < 3 * walk->lap; from += 997ms) {
         const PoseTrack window = walk->between(0s, from, from + 50ms);
