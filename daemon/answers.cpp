@@ -3,7 +3,6 @@
 #include "daemon/answers.h"
 
 #include "daemon/models/registry.h"
-#include "sim/backends/depth.h"
 #include "sim/backends/registry.h"
 
 namespace scipd::daemon {
@@ -23,8 +22,14 @@ Answer backend_list() {
 }
 
 Answer probe() {
-    const sim::DepthProbe found = sim::probe_depth();
-    return {found.can_draw ? 0 : 1, found.text};
+    Answer answer;
+    for (const sim::BackendRow& backend : sim::backends()) {
+        if (backend.probe == nullptr) continue;
+        const sim::BackendProbe found = backend.probe();
+        answer.text += found.text;
+        if (!found.usable) answer.exit_code = 1;
+    }
+    return answer;
 }
 
 }  // namespace scipd::daemon

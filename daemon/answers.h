@@ -18,7 +18,8 @@ struct Answer {
 /// A line for each product and firmware, and for each way to cast.
 Answer model_list();
 Answer backend_list();
-/// What can be drawn here. Told either way; the exit code is for scripts.
+/// Whether this machine has what the backends need. The text tells it either way; the exit code is
+/// for scripts.
 Answer probe();
 
 }  // namespace scipd::daemon

@@ -12,7 +12,8 @@
 
 #include "daemon/load_world.h"
 #include "daemon/mounting.h"
-#include "sim/backends/depth.h"
+#include "daemon/world/backend_choice.h"
+#include "sim/backends/registry.h"
 #include "sim/loaders/poses/trajectory.h"
 
 namespace scipd::daemon {
@@ -43,15 +44,16 @@ void check_trajectory(const Config& config, const RobotConfig& robot, Sentences&
     });
 }
 
-/// On a machine that cannot draw, `backend: depth` would not start.
-void check_depth(const RobotConfig& robot, Sentences& faults) {
+/// A backend that this machine has not what it takes for would keep scipd from starting.
+void check_backends(const RobotConfig& robot, Sentences& faults) {
     for (const SensorConfig& sensor : robot.sensors) {
-        if (sensor.backend != "depth") continue;
+        const sim::BackendRow* backend = sim::find_backend(sensor.backend);
+        if (backend == nullptr || backend->probe == nullptr) continue;
         try {
-            (void)sim::make_depth_backend(std::make_shared<const sim::Scene>(), sensor.depth);
+            (void)backend->make(std::make_shared<const sim::Scene>(), sensor.depth);
         } catch (const std::runtime_error& error) {
             faults.push_back("robots." + robot.name + ".sensors." + sensor.name +
-                             ".backend: " + error.what() + "; use auto or embree");
+                             ".backend: " + error.what() + advice_instead_of(*backend));
         }
     }
 }
@@ -71,7 +73,7 @@ std::string check(const std::filesystem::path& file, bool strict) {
     std::size_t sensors = 0;
     for (const RobotConfig& robot : config.robots) {
         check_trajectory(config, robot, faults, world.warnings);
-        check_depth(robot, faults);
+        check_backends(robot, faults);
         sensors += robot.sensors.size();
     }
     if (!faults.empty()) throw sim::LoadError(std::move(faults));

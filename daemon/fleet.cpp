@@ -66,7 +66,7 @@ void Fleet::take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept {
     Simulation& simulation = *simulation_;
     const Config& config = plan.config;
     simulation.editor.set_file(config.scene, scene_options(config));
-    simulation.loader.discard(std::make_shared<SensorBackends>(simulation.world.replace_scene(
+    simulation.worker.discard(std::make_shared<SensorBackends>(simulation.world.replace_scene(
         std::move(plan.loaded.scene), std::move(plan.backends), {}, simulation.clock.now())));
     std::map<std::string, RobotStart> robots;
     for (const RobotConfig& robot : config.robots)
@@ -79,7 +79,7 @@ void Fleet::take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept {
 }
 
 void Fleet::stop() {
-    simulation_->loader.stop();
+    simulation_->worker.stop();
     replace_feeds({});
     replace_stations({}, {});
     ports_ = {};

@@ -2,10 +2,12 @@
 // Copyright The scipd authors
 #include "daemon/fleet_plan.h"
 
+#include <optional>
 #include <utility>
 
 #include "daemon/load_world.h"
 #include "daemon/mounting.h"
+#include "daemon/world/backend_maker.h"
 #include "sim/sensor/beam_pattern.h"
 
 namespace scipd::daemon {
@@ -17,41 +19,45 @@ std::vector<glm::vec3> directions_of(const SensorConfig& sensor) {
     return {pattern.directions().begin(), pattern.directions().end()};
 }
 
+std::optional<std::string> named_backend(const SensorConfig& sensor) {
+    return sensor.backend == auto_backend ? std::nullopt : std::optional(sensor.backend);
+}
+
 }  // namespace
 
-BackendWish backend_wish(const std::string& robot, const SensorConfig& sensor,
-                         const sim::Pose& world_from_robot, ClockKind clock) {
+RequestedBackend requested_backend(const std::string& robot, const SensorConfig& sensor,
+                                   const sim::Pose& world_from_robot, ClockKind clock) {
     const double max_range_m =
         sensor.staring ? sensor.staring->max_range_m : sensor.model.optics.max_range_m;
     std::vector<glm::vec3> directions = directions_of(sensor);
     const auto beams = static_cast<int>(directions.size());
-    BackendWish wish{.sensor = sensor_name(robot, sensor.name),
-                     .backend = sensor.backend,
-                     .depth = sensor.depth,
-                     .directions = std::move(directions),
-                     .poses = sensor.motion.value_or(beams),
-                     .world_from_sensor = world_from_robot * sensor.robot_from_sensor,
-                     .max_range_m = static_cast<float>(max_range_m)};
+    RequestedBackend request{.sensor = sensor_name(robot, sensor.name),
+                             .backend = named_backend(sensor),
+                             .depth = sensor.depth,
+                             .directions = std::move(directions),
+                             .poses = sensor.motion.value_or(beams),
+                             .world_from_sensor = world_from_robot * sensor.robot_from_sensor,
+                             .max_range_m = static_cast<float>(max_range_m)};
     if (clock == ClockKind::poses)
-        wish.settled = rays_unmeasured("in lockstep two runs have to be the same");
-    return wish;
+        request.settled = unmeasured_choice("in lockstep two runs have to be the same");
+    return request;
 }
 
 FleetPlan make_plan(Config config, const SettledBackends& settled, const std::stop_token& stop) {
     sim::LoadedScene loaded = load_world(config, stop);
     std::vector<std::string> notices = mount_by_name(config, *loaded.scene);
-    std::vector<BackendWish> wishes;
+    std::vector<RequestedBackend> requests;
     for (const RobotConfig& robot : config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {
-            BackendWish wish =
-                backend_wish(robot.name, sensor, robot.world_from_robot, config.clock);
-            const auto known = settled.find(wish.sensor);
-            if (!wish.settled && known != settled.end() && known->second.config == sensor)
-                wish.settled = known->second.choice;
-            wishes.push_back(std::move(wish));
+            RequestedBackend request =
+                requested_backend(robot.name, sensor, robot.world_from_robot, config.clock);
+            const auto known = settled.find(request.sensor);
+            if (!request.settled && known != settled.end() && known->second.config == sensor)
+                request.settled = known->second.choice;
+            requests.push_back(std::move(request));
         }
     }
-    SensorBackends backends = make_backends(wishes, loaded.scene);
+    SensorBackends backends = make_backends(requests, loaded.scene);
     return {std::move(config), std::move(loaded), std::move(backends), std::move(notices)};
 }
 

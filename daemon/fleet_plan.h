@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "daemon/config/config.h"
+#include "daemon/world/requested_backend.h"
 #include "daemon/world/sensor_backends.h"
 #include "sim/loaders/file/loaded_scene.h"
 
@@ -23,21 +24,22 @@ struct FleetPlan {
     std::vector<std::string> notices;  ///< no faults
 };
 
-/// What "auto" has been settled as, by sensor: good for one that is still the same.
+/// What `auto` has been settled as, by sensor. It holds while the configuration of the sensor stays
+/// the same.
 struct SettledBackend {
     SensorConfig config;
     SharedChoice choice;
 };
 using SettledBackends = std::map<std::string, SettledBackend>;
 
-/// "auto" is rays where nothing is settled, for now. Throws LoadError, also soon after `stop`, and
-/// std::runtime_error where this machine has not a backend that is wanted.
+/// Where nothing is settled yet, `auto` takes the preferred backend for now. Throws LoadError, also
+/// soon after `stop`, and std::runtime_error where this machine lacks a backend that is wanted.
 FleetPlan make_plan(Config config, const SettledBackends& settled = {},
                     const std::stop_token& stop = {});
 
-/// What a sensor of a robot that is there asks of the backends. In lockstep, where two runs have to
-/// be the same, "auto" is settled from the first.
-BackendWish backend_wish(const std::string& robot, const SensorConfig& sensor,
-                         const sim::Pose& world_from_robot, ClockKind clock);
+/// What a sensor asks of the backends while its robot is at this pose. In lockstep two runs have to
+/// be the same, so there `auto` is settled from the first.
+RequestedBackend requested_backend(const std::string& robot, const SensorConfig& sensor,
+                                   const sim::Pose& world_from_robot, ClockKind clock);
 
 }  // namespace scipd::daemon

@@ -108,9 +108,9 @@ void Server::reload() {
     asked_again_ = std::exchange(loading_, true);
     if (asked_again_) return;
     Simulation& simulation = fleet_.simulation();
-    simulation.loader.add([this, &simulation] {
+    simulation.worker.add([this, &simulation] {
         return [this, settled = simulation.settled_backends(),
-                stop = simulation.loader.stopping()]() -> Loader::Finish {
+                stop = simulation.worker.stopping()]() -> Worker::Finish {
             const auto task = std::make_shared<std::packaged_task<Next()>>(
                 [&] { return load_next(options_, settled, stop); });
             (*task)();

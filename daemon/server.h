@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // The running program: one io_context, a fleet of scanners, the control API and signals. SIGINT and
-// SIGTERM end it cleanly. SIGHUP has it read the configuration again, on the loader's thread, so
+// SIGTERM end it cleanly. SIGHUP has it read the configuration again, on the worker's thread, so
 // that no stream waits for it; a faulty configuration changes nothing. Lives on the I/O thread,
 // which is the one that runs it.
 #pragma once
@@ -47,7 +47,7 @@ class Server {
     void listen_for_control();
     void wait_for_signal();
     void reload();
-    /// On the loader's thread.
+    /// On the worker's thread.
     static Next load_next(const Options& options, const SettledBackends& settled,
                           const std::stop_token& stop);
     void take_up(std::future<Next> loaded);

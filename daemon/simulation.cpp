@@ -10,24 +10,24 @@ Simulation::Simulation(const boost::asio::any_io_executor& executor, ClockKind k
     : wall_clock(executor),
       lockstep(kind == ClockKind::poses ? std::make_unique<Lockstep>(executor) : nullptr),
       clock(lockstep ? static_cast<Clock&>(lockstep->clock()) : wall_clock),
-      editor(world, loader, clock, [this] { return backend_wishes(); }),
-      chooser(world, loader, [this] { return backend_wishes(); }),
-      loader(executor) {
+      editor(world, worker, clock, [this] { return requested_backends(); }),
+      chooser(world, worker, [this] { return requested_backends(); }),
+      worker(executor) {
     world.on_placed([this] {
         for (const auto& station : stations)
             station->loop->poses_came();
     });
 }
 
-std::vector<BackendWish> Simulation::backend_wishes() const {
+std::vector<RequestedBackend> Simulation::requested_backends() const {
     const ClockKind kind = lockstep ? ClockKind::poses : ClockKind::wall;
-    std::vector<BackendWish> wishes;
+    std::vector<RequestedBackend> requests;
     for (const auto& station : stations) {
         const sim::Pose pose = world.robot(station->robot)->at(clock.now());
-        wishes.push_back(backend_wish(station->robot, station->config, pose, kind));
-        wishes.back().settled = world.choice_of(wishes.back().sensor);
+        requests.push_back(requested_backend(station->robot, station->config, pose, kind));
+        requests.back().settled = world.choice_of(requests.back().sensor);
     }
-    return wishes;
+    return requests;
 }
 
 void Simulation::choose_backends() {

@@ -18,9 +18,9 @@
 #include "daemon/poses/pose_intake.h"
 #include "daemon/stations.h"
 #include "daemon/world/backend_chooser.h"
-#include "daemon/world/loader.h"
 #include "daemon/world/place_watch.h"
 #include "daemon/world/scene_editor.h"
+#include "daemon/world/worker.h"
 #include "daemon/world/world.h"
 
 namespace scipd::daemon {
@@ -29,7 +29,7 @@ struct Simulation {
     Simulation(const boost::asio::any_io_executor& executor, ClockKind clock);
 
     /// What all sensors ask of the backends, as they are now.
-    [[nodiscard]] std::vector<BackendWish> backend_wishes() const;
+    [[nodiscard]] std::vector<RequestedBackend> requested_backends() const;
     /// Measures, in a while, which backends are to cast for the sensors that leave it open, and
     /// again for those whose scene has changed much since.
     void choose_backends();
@@ -46,10 +46,10 @@ struct Simulation {
     PoseIntake intake{world, lockstep.get()};
     SceneEditor editor;
     BackendChooser chooser;
-    PlaceWatch place_watch{world, loader};
+    PlaceWatch place_watch{world, worker};
     ScanStream stream;
     Stations stations;
-    Loader loader;  ///< loads worlds, one after the other
+    Worker worker;  ///< loads worlds and measures backends, one after the other
 };
 
 }  // namespace scipd::daemon

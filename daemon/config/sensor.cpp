@@ -13,6 +13,7 @@
 #include "daemon/config/staring.h"
 #include "daemon/config/values.h"
 #include "daemon/run_directory.h"
+#include "sim/backends/registry.h"
 
 namespace scipd::daemon {
 namespace {
@@ -56,9 +57,10 @@ sim::DepthOptions read_depth(const Field& field, const std::string& backend, Fau
     section.read("between_pixels", depth.between_pixels, parse_between_pixels);
     section.read("oversample", depth.oversample, parse_oversample);
     section.read("widest_pass_deg", depth.widest_pass_rad, parse_pass);
-    if (backend != "depth" && backend != "auto") {
+    if (const sim::BackendRow* named = sim::find_backend(backend); named && !named->draws) {
         faults.add(field, "is of a depth buffer, which backend " + backend +
-                              " has not; use backend depth or auto, or leave it out");
+                              " has not; use backend " + std::string(sim::drawing_backend().name) +
+                              " or auto, or leave it out");
     }
     return depth;
 }

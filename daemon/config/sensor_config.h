@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "daemon/config/address.h"
 #include "daemon/config/link_config.h"
@@ -32,6 +33,9 @@ enum class Timing {
     real,   ///< replies and scans leave on the grid of the firmware
     ideal,  ///< at once
 };
+
+/// As a backend: the fastest one that is right, which the daemon finds out by measuring.
+inline constexpr std::string_view auto_backend = "auto";
 
 /// How the daemon finds the device.
 enum class PowerUp {
@@ -68,7 +72,7 @@ struct SensorConfig {
     std::optional<NamedMount> mount;  ///< what that is said by; nothing: numbers
     std::optional<Address> tcp;
     std::optional<PtyConfig> pty;
-    std::string backend = "auto";
+    std::string backend{auto_backend};
     sim::DepthOptions depth;  ///< where the backend is a depth buffer, or auto takes one
     sim::Accuracy accuracy = sim::Accuracy::sensor;
     /// Poses per sweep, or per measurement of a camera or ranger; nothing: one for each beam.

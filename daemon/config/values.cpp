@@ -79,13 +79,11 @@ Model parse_model(std::string_view text) {
 }
 
 std::string parse_backend(std::string_view text) {
-    std::string choices = "auto";
-    for (const auto& backend : sim::backends()) {
-        if (text == backend.name) return std::string{text};
+    if (text == auto_backend || sim::find_backend(text) != nullptr) return std::string{text};
+    std::string choices{auto_backend};
+    for (const sim::BackendRow& backend : sim::backends())
         choices += ", " + std::string{backend.name};
-    }
-    if (text != "auto") refuse("this build has no backend " + quote(text) + "; use " + choices);
-    return "auto";
+    refuse("this build has no backend " + quote(text) + "; use " + choices);
 }
 
 sim::BetweenPixels parse_between_pixels(std::string_view text) {

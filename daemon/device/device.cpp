@@ -11,7 +11,7 @@
 #include "protocol/reply_grid.h"
 #include "protocol/settings.h"
 #include "protocol/timestamp.h"
-#include "sim/stable_number.h"
+#include "sim/fnv1a.h"
 
 namespace scipd::daemon {
 namespace {
@@ -71,7 +71,7 @@ class Device::ServedClient final : public Endpoint::Client {
 Device::Device(const std::string& robot, const SensorConfig& config, std::uint64_t seed,
                World& world, Clock& clock)
     : profile_(profile_of(config)),
-      chance_{.seed = seed, .sensor = sim::stable_number(sensor_name(robot, config.name))},
+      chance_{.seed = seed, .sensor = sim::fnv1a<std::uint64_t>(sensor_name(robot, config.name))},
       patience_(config.wait_for_poses),
       clock_(clock),
       device_clock_(clock.now(), config.clock.ppm),

@@ -5,7 +5,7 @@
 // said of it is added by them. A value; any thread.
 #pragma once
 
-#include "daemon/world/sensor_backends.h"
+#include "daemon/world/backend_choice.h"
 #include "sim/sensor/scan.h"
 #include "sim/time.h"
 #include "sim/world/scene.h"

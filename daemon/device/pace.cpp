@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "sim/backends/registry.h"
+
 namespace scipd::daemon {
 namespace {
 
@@ -21,10 +23,11 @@ double milliseconds(sim::Time time) {
 }
 
 std::string remedy(const CastSweep& sweep) {
-    const bool rays = sweep.backend == "embree";
+    const std::string preferred(sim::preferred_backend().name);
     std::string text;
     if (sweep.many_poses) text = "fewer poses a sweep (motion: N)";
-    if (!rays) text += (text.empty() ? "" : " or ") + std::string("rays (backend: auto or embree)");
+    if (sweep.backend != preferred)
+        text += (text.empty() ? "" : " or ") + ("rays (backend: auto or " + preferred + ")");
     return text.empty() ? "fewer beams or a lower rate" : text;
 }
 

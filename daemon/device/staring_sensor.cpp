@@ -6,7 +6,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "sim/stable_number.h"
+#include "sim/fnv1a.h"
 
 namespace scipd::daemon {
 namespace {
@@ -21,7 +21,7 @@ sim::ErrorModel errors_of(const std::string& robot, const SensorConfig& config,
                           std::uint64_t seed) {
     return {.accuracy = config.accuracy,
             .seed = seed,
-            .sensor = sim::stable_number(sensor_name(robot, config.name))};
+            .sensor = sim::fnv1a<std::uint64_t>(sensor_name(robot, config.name))};
 }
 
 // As many poses as beams, said as a number: its beams are no plane that turns.

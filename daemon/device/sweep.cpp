@@ -30,7 +30,7 @@ std::size_t Sweep::most_poses() const {
 }
 
 Measurement Sweep::measure(std::int64_t revolution, sim::Time start, const Fired& fired,
-                           sim::Time origin) const {
+                           sim::Time origin) {
     const auto beam_fired = [&](std::size_t beam) {
         return fired(optics().first_step + static_cast<int>(beam));
     };
@@ -69,7 +69,7 @@ std::vector<sim::Pose> Sweep::poses_at(const std::vector<sim::Time>& times) cons
     return poses;
 }
 
-void Sweep::cast(sim::Scan& scan, const BeamFired& fired) const {
+void Sweep::cast(sim::Scan& scan, const BeamFired& fired) {
     const sim::PoseTrack& track = *world_.robot(robot_);
     const bool absent = track.absent(fired(0));
     const bool comes_or_goes = absent != track.absent(fired(beams() - 1));
@@ -84,19 +84,18 @@ void Sweep::cast(sim::Scan& scan, const BeamFired& fired) const {
     world_.tell_cast({robot_, name_, scan, looks_around_});
 }
 
-void Sweep::cast_as_met(sim::Scan& scan, const BeamFired& fired, sim::ModelId unseen) const {
+void Sweep::cast_as_met(sim::Scan& scan, const BeamFired& fired, sim::ModelId unseen) {
     const std::vector<sim::Mover> movers = world_.movers(fired(0), fired(beams() - 1), unseen);
     sim::RangeBackend& backend = world_.backend(name_);
     for (const sim::Part& part :
          sim::parts_of_sweep(optics(), scan.world_from_sensor, fired, movers)) {
-        for (const sim::Put& put : part.puts)
-            backend.move(movers[put.mover].id, movers[put.mover].path->at(put.time));
+        for (const auto& [mover, time] : part.updates)
+            backend.move(movers[mover].id, movers[mover].path->at(time));
         scanner_.cast(backend, scan, part.beams, unseen, part.can_meet);
     }
 }
 
-void Sweep::cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired,
-                                sim::ModelId unseen) const {
+void Sweep::cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired, sim::ModelId unseen) {
     const std::vector<sim::Mover> movers = world_.movers(fired(0), fired(beams() - 1), unseen);
     sim::RangeBackend& backend = world_.backend(name_);
     for (const auto& [part, time] : sim::equal_parts(beams(), most_poses(), fired, movers)) {

@@ -36,7 +36,7 @@ class Sweep {
     [[nodiscard]] bool poses_known(sim::Time until) const { return world_.poses_known(until); }
     /// `origin`: what people call world time 0.
     [[nodiscard]] Measurement measure(std::int64_t revolution, sim::Time start, const Fired& fired,
-                                      sim::Time origin) const;
+                                      sim::Time origin);
 
   private:
     /// When a beam is fired, counted from the first.
@@ -47,9 +47,9 @@ class Sweep {
     [[nodiscard]] std::size_t most_poses() const;
     [[nodiscard]] std::vector<sim::Time> pose_times(const BeamFired& fired) const;
     [[nodiscard]] std::vector<sim::Pose> poses_at(const std::vector<sim::Time>& times) const;
-    void cast(sim::Scan& scan, const BeamFired& fired) const;
-    void cast_as_met(sim::Scan& scan, const BeamFired& fired, sim::ModelId unseen) const;
-    void cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired, sim::ModelId unseen) const;
+    void cast(sim::Scan& scan, const BeamFired& fired);
+    void cast_as_met(sim::Scan& scan, const BeamFired& fired, sim::ModelId unseen);
+    void cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired, sim::ModelId unseen);
     void forget_absent(sim::Scan& scan, const BeamFired& fired) const;
 
     World& world_;

@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "sim/stable_number.h"
+#include "sim/fnv1a.h"
 
 namespace scipd::daemon {
 namespace {
@@ -23,7 +23,7 @@ Local::endpoint name_of(const std::filesystem::path& path) {
     struct stat status {};
     if (::stat(folder.c_str(), &status) != 0)
         throw std::system_error(errno, std::generic_category(), folder.string());
-    const auto number = sim::stable_number(path.filename().string());
+    const auto number = sim::fnv1a<std::uint64_t>(path.filename().string());
     return {std::string(1, '\0') + "scipd/" + std::to_string(status.st_dev) + "/" +
             std::to_string(status.st_ino) + "/" + std::to_string(number)};
 }

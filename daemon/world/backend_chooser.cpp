@@ -13,45 +13,46 @@ void BackendChooser::choose() {
     if (!std::exchange(busy_, true)) step();
 }
 
-// Behind whatever has been asked of the loader meanwhile.
+// Queues behind all that the worker has been asked for meanwhile.
 void BackendChooser::step() {
-    loader_.add([this] { return next(); });
+    worker_.add([this] { return next(); });
 }
 
-Loader::Work BackendChooser::next() {
-    if (!measured_.workshop || measured_.workshop->scene() != world_.scene()) {
+Worker::Work BackendChooser::next() {
+    if (!measured_.maker || measured_.maker->scene() != world_.scene()) {
         end();
         busy_ = true;
-        measured_.workshop = std::make_shared<BackendWorkshop>(world_.scene());
+        measured_.maker = std::make_shared<BackendMaker>(world_.scene());
     }
-    std::vector<BackendWish> wishes = wishes_();
-    for (BackendWish& wish : wishes) {
-        const auto known = measured_.choices.find(wish.sensor);
-        if (known != measured_.choices.end()) wish.settled = known->second;
+    std::vector<RequestedBackend> requests = requests_();
+    for (RequestedBackend& request : requests) {
+        const auto known = measured_.choices.find(request.sensor);
+        if (known != measured_.choices.end()) request.settled = known->second;
     }
-    const auto open = std::ranges::find_if(
-        wishes, [&](const BackendWish& wish) { return measured_.workshop->is_open(wish); });
-    return open != wishes.end() ? measure(std::move(*open)) : take_up(std::move(wishes));
+    const auto open = std::ranges::find_if(requests, [&](const RequestedBackend& request) {
+        return measured_.maker->is_open(request);
+    });
+    return open != requests.end() ? measure(std::move(*open)) : take_up(std::move(requests));
 }
 
-Loader::Work BackendChooser::measure(BackendWish wish) {
-    return [this, workshop = measured_.workshop, wish = std::move(wish),
-            stopping = loader_.stopping()]() -> Loader::Finish {
+Worker::Work BackendChooser::measure(RequestedBackend request) {
+    return [this, maker = measured_.maker, request = std::move(request),
+            stopping = worker_.stopping()]() -> Worker::Finish {
         const auto ended = [&] { return stopping.stop_requested(); };
-        const SharedChoice choice = workshop->measure(wish, ended);
-        return [this, workshop, sensor = wish.sensor, choice] {
+        const SharedChoice choice = maker->measure(request, ended);
+        return [this, maker, sensor = request.sensor, choice] {
             measured_.choices[sensor] = choice;
             step();
         };
     };
 }
 
-Loader::Work BackendChooser::take_up(std::vector<BackendWish> wishes) {
+Worker::Work BackendChooser::take_up(std::vector<RequestedBackend> requests) {
     if (measured_.choices.empty()) return [this] { return [this] { end(); }; };
-    return [this, workshop = measured_.workshop, wishes = std::move(wishes)]() -> Loader::Finish {
+    return [this, maker = measured_.maker, requests = std::move(requests)]() -> Worker::Finish {
         const auto chosen = std::make_shared<SensorBackends>();
         try {
-            *chosen = workshop->make(wishes);
+            *chosen = maker->make(requests);
         } catch (const std::runtime_error& error) {
             return [this, why = std::string(error.what())] {
                 spdlog::warn("backends stay as they are: {}", why);
@@ -60,7 +61,7 @@ Loader::Work BackendChooser::take_up(std::vector<BackendWish> wishes) {
         }
         return [this, chosen] {
             *chosen = world_.replace_backends(std::move(*chosen));
-            loader_.discard(chosen);
+            worker_.discard(chosen);
             end();
         };
     };
@@ -69,7 +70,7 @@ Loader::Work BackendChooser::take_up(std::vector<BackendWish> wishes) {
 void BackendChooser::end() {
     busy_ = false;
     measured_.choices.clear();
-    loader_.discard(std::exchange(measured_.workshop, nullptr));
+    worker_.discard(std::exchange(measured_.maker, nullptr));
 }
 
 }  // namespace scipd::daemon

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Settles "auto" by measuring, on the loader's thread: one sensor after the other, so that whoever
-// wants the loader meanwhile waits for one sensor and not for all. What was measured in a scene
-// that is no longer there does not count. Lives on the I/O thread.
+// Finds out which backend `auto` takes for each sensor, by measuring on the worker's thread. It
+// measures one sensor at a time, so that other work waits for one sensor and not for all. What was
+// measured in a scene that has been replaced meanwhile does not count. Lives on the I/O thread.
 #pragma once
 
 #include <functional>
@@ -13,41 +13,40 @@
 #include <utility>
 #include <vector>
 
-#include "daemon/world/backend_workshop.h"
-#include "daemon/world/loader.h"
+#include "daemon/world/backend_maker.h"
+#include "daemon/world/worker.h"
 #include "daemon/world/world.h"
 
 namespace scipd::daemon {
 
 class BackendChooser {
   public:
-    /// What the sensors ask for at present, and what is settled.
-    using Wishes = std::function<std::vector<BackendWish>()>;
+    /// Tells what the sensors ask for at present, and what is settled already.
+    using Requests = std::function<std::vector<RequestedBackend>()>;
 
-    /// `world` and `loader` must outlive it.
-    BackendChooser(World& world, Loader& loader, Wishes wishes)
-        : world_(world), loader_(loader), wishes_(std::move(wishes)) {}
+    /// `world` and `worker` must outlive it.
+    BackendChooser(World& world, Worker& worker, Requests requests)
+        : world_(world), worker_(worker), requests_(std::move(requests)) {}
 
-    /// To be called when anything may be open: other sensors, another scene.
+    /// To be called when a sensor may need measuring: after other sensors or another scene came.
     void choose();
 
   private:
-    /// Null workshop: of no scene.
     struct Measured {
-        std::shared_ptr<BackendWorkshop> workshop;
+        std::shared_ptr<BackendMaker> maker;          ///< for the scene; null: nothing is measured
         std::map<std::string, SharedChoice> choices;  ///< by sensor
     };
 
     void step();
-    /// Of one sensor that is open; when none is any more, backends for all.
-    Loader::Work next();
-    Loader::Work measure(BackendWish wish);
-    Loader::Work take_up(std::vector<BackendWish> wishes);
+    /// Measures one sensor that is open. Where none is, makes backends for all.
+    Worker::Work next();
+    Worker::Work measure(RequestedBackend request);
+    Worker::Work take_up(std::vector<RequestedBackend> requests);
     void end();
 
     World& world_;
-    Loader& loader_;
-    Wishes wishes_;
+    Worker& worker_;
+    Requests requests_;
     bool busy_ = false;
     Measured measured_;
 };

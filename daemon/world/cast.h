@@ -10,12 +10,12 @@ struct Scan;
 
 namespace scipd::daemon {
 
-/// What a sensor has met, before anything is made of it. A view, for as long as the call.
+/// What the beams of a sensor have met, before noise is added. A view that is good for one call.
 struct Cast {
     const std::string& robot;
     const std::string& sensor;
     const sim::Scan& scan;
-    bool looks_around;  ///< half a turn and more
+    bool looks_around;  ///< over half a turn or more
 };
 
 }  // namespace scipd::daemon

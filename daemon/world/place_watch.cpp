@@ -14,12 +14,13 @@
 namespace scipd::daemon {
 namespace {
 
-/// From one scan to the next.
+/// A sensor that moves farther than this from one scan to the next has jumped.
 constexpr double jump_m = 1.0;
-/// A robot's own parts are as close as that all around, and nothing that it drives among.
+/// Only a robot's own parts are as close as this all around a sensor.
 constexpr float close_m = 0.3F;
 
-/// The object that all beams meet close by. Few beams, or beams to one side, say nothing.
+/// The object that all beams meet close by. Nothing is known where the beams point to one side
+/// only.
 std::optional<sim::ObjectId> all_around(const Cast& cast, const sim::Scene& scene) {
     const auto& hits = cast.scan.hits;
     if (!cast.looks_around || hits.empty() || !hits.front().met()) return {};
@@ -30,7 +31,7 @@ std::optional<sim::ObjectId> all_around(const Cast& cast, const sim::Scene& scen
     return same ? std::optional{hits.front().object} : std::nullopt;
 }
 
-/// What is to be done about it.
+/// What the user can do about it.
 std::string advice(const std::string& robot, const sim::Model* around) {
     const std::string elsewhere =
         "put robot \"" + robot + "\" elsewhere (pose), or the sensor on it (mount)";
@@ -63,7 +64,7 @@ std::string warning_of(const std::string& robot, sim::ObjectId all_around,
 
 }  // namespace
 
-PlaceWatch::PlaceWatch(World& world, Loader& loader) : world_(world), loader_(loader) {
+PlaceWatch::PlaceWatch(World& world, Worker& worker) : world_(world), worker_(worker) {
     world_.on_cast([this](const Cast& cast) { see(cast); });
 }
 
@@ -83,15 +84,15 @@ void PlaceWatch::see(const Cast& cast) {
     latest_ = cast.scan.posed_at.front();
     waiting_.push_back({cast.robot, cast.sensor, scene, at_m, all_around(cast, *scene),
                         world_.body_of(cast.robot)});
-    if (waiting_.size() == 1) loader_.add([this] { return answer(); });
+    if (waiting_.size() == 1) worker_.add([this] { return answer(); });
 }
 
-Loader::Work PlaceWatch::answer() {
+Worker::Work PlaceWatch::answer() {
     return [this, scene = world_.scene(), poses = world_.poses_at(latest_),
-            questions = std::exchange(waiting_, {})]() -> Loader::Finish {
+            questions = std::exchange(waiting_, {})]() -> Worker::Finish {
         std::map<std::string, std::string> warnings;
         for (const Question& asked : questions) {
-            // Of a scene that has gone meanwhile: another look is on its way.
+            // The scene was replaced meanwhile; the sensor will be looked at in the new one.
             if (asked.scene.lock() != scene) continue;
             std::string& warning = warnings[asked.sensor];
             const auto odd = sim::odd_place(*scene, poses, asked.at_m, asked.body);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Says of a sensor that it is where nobody can want it: inside something solid, or below the
-// ground. Looks when a sensor first casts into a scene, and when it has jumped; on the loader's
-// thread, for it takes a while. Lives on the I/O thread.
+// Warns of sensors that stand inside something solid or below the ground, where nobody can want
+// them. It looks when a sensor first casts into a scene and whenever the sensor has jumped. Looking
+// takes a while, so it is done on the worker's thread. Lives on the I/O thread.
 #pragma once
 
 #include <functional>
@@ -15,17 +15,17 @@
 
 #include <glm/vec3.hpp>
 
-#include "daemon/world/loader.h"
+#include "daemon/world/worker.h"
 #include "daemon/world/world.h"
 
 namespace scipd::daemon {
 
 class PlaceWatch {
   public:
-    /// What `world` is told that sensors see, it is told. Both must outlive it.
-    PlaceWatch(World& world, Loader& loader);
+    /// Listens to the casts of `world`. Both must outlive it.
+    PlaceWatch(World& world, Worker& worker);
 
-    /// What is wrong with the place of this sensor; nothing, as far as anybody has looked.
+    /// What is wrong with the place of this sensor; nothing where no fault has been found.
     [[nodiscard]] std::optional<std::string> warning(const std::string& sensor) const;
 
   private:
@@ -34,24 +34,24 @@ class PlaceWatch {
         std::weak_ptr<const sim::Scene> scene;
         glm::dvec3 at_m{0.0};
         std::string warning;  ///< empty: nothing is wrong
-        std::string told;     ///< in the log
+        std::string told;     ///< the last warning that was logged
     };
     struct Question {
         std::string robot;
         std::string sensor;
         std::weak_ptr<const sim::Scene> scene;
         glm::dvec3 at_m;
-        /// The only object that its beams meet, and close; nothing: there are others.
+        /// The object that all beams meet close by; nothing where they meet several or none.
         std::optional<sim::ObjectId> all_around;
         sim::ModelId body;
     };
 
     void see(const Cast& cast);
-    Loader::Work answer();
+    Worker::Work answer();
     void take(const std::string& sensor, const std::string& warning);
 
     World& world_;
-    Loader& loader_;
+    Worker& worker_;
     std::map<std::string, Look> looks_;
     std::vector<Question> waiting_;
     sim::Time latest_{};

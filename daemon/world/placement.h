@@ -9,12 +9,12 @@
 
 namespace scipd::daemon {
 
-/// Where something is said to be.
+/// A sender says that a robot or a model is at this pose.
 struct Placement {
     sim::Time time{};
     sim::Pose pose;
     std::optional<sim::Velocity> velocity;
-    /// Said without a time, so that it holds from now on, whatever was said for later.
+    /// The sender gave no time. The pose holds from now on and replaces poses of later times.
     bool from_now_on = false;
 };
 

@@ -19,8 +19,8 @@ struct LoadWorld {
     std::filesystem::path file;  ///< relative to the folder of the present one
 };
 
-/// One more model, from one of the first three; paths and the URIs of a text are relative to the
-/// folder of the world.
+/// One more model, from a text, a file or a mesh: one of these is given. Paths, and URIs in the
+/// text, are relative to the folder of the world.
 struct AddModel {
     sim::Placement placement;
     std::string sdf;             ///< a <model>
@@ -28,7 +28,7 @@ struct AddModel {
     std::filesystem::path mesh;
     double scale = 1.0;    ///< of a mesh
     std::string material;  ///< of a whole mesh; empty: those of its file
-    bool replace = false;  ///< one of the same name goes, if there is one
+    bool replace = false;  ///< it takes the place of a model of the same name
 };
 
 struct RemoveModel {

@@ -13,11 +13,12 @@
 
 #include <spdlog/spdlog.h>
 
+#include "daemon/world/backend_maker.h"
 #include "sim/loaders/file/load_error.h"
 
 namespace scipd::daemon {
 
-/// The scene as it is to be, ready to be cast into.
+/// The new scene, ready to be cast into.
 struct SceneEditor::Next {
     std::filesystem::path file;
     sim::SharedScene scene;
@@ -36,14 +37,14 @@ struct Refusal {
     std::string why;
 };
 
-/// What an edit begins with.
+/// The state that an edit changes.
 struct Present {
     std::filesystem::path file;
     sim::SharedScene scene;
     sim::SceneOptions options;
 };
 
-/// A scene without its backends yet.
+/// The new scene, before its backends are made.
 struct Edited {
     std::filesystem::path file;
     sim::SharedScene scene;
@@ -58,7 +59,7 @@ Edited edited(const LoadWorld& edit, const Present& present) {
     return {file, scene, scene, std::move(warnings), std::move(notes)};
 }
 
-/// From a file that says itself what it is made of.
+/// Loads a file that has its own materials and scale.
 sim::LoadedScene load_whole(const std::filesystem::path& file, const AddModel& edit,
                             const sim::SceneOptions& options) {
     if (edit.scale != 1.0 || !edit.material.empty()) {
@@ -82,7 +83,7 @@ sim::LoadedScene load_model(const AddModel& edit, const Present& present) {
     });
 }
 
-/// Models that are each small may be many.
+/// Many small models may together be too large.
 void check_triangles(const sim::Scene& scene, std::size_t most) {
     std::set<sim::SharedMesh> meshes;  // each of which many objects may show
     for (const sim::Object& object : scene.objects) {
@@ -123,13 +124,13 @@ Edited edited(const RemoveModel& edit, const Present& present) {
 }  // namespace
 
 void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn) {
-    auto begin = [this, edit = std::move(edit), done = std::move(done)]() -> Loader::Work {
+    auto begin = [this, edit = std::move(edit), done = std::move(done)]() -> Worker::Work {
         Present present{file_, world_.scene(), options_};
-        present.options.limits.stop = loader_.stopping();
+        present.options.limits.stop = worker_.stopping();
         return [this, edit, done, present = std::move(present),
-                wishes = wishes_()]() mutable -> Loader::Finish {
-            // Whoever waits lives on the I/O thread and goes back there whole: of a copy that stays
-            // here, nobody knows which thread lets go last.
+                requests = requests_()]() mutable -> Worker::Finish {
+            // `done` belongs to the I/O thread and is moved back there. If a copy stayed here, the
+            // worker's thread might be the one that destroys it.
             const auto refused = [&](Result result, std::vector<std::string> why) {
                 return [done = std::move(done), outcome = EditOutcome{result, std::move(why), {}}] {
                     done(outcome);
@@ -143,7 +144,7 @@ void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn)
                 const auto next = std::make_shared<Next>();
                 *next = {now.file,
                          now.scene,
-                         make_backends(wishes, now.scene),
+                         make_backends(requests, now.scene),
                          {},
                          std::move(now.warnings),
                          std::move(now.notes)};
@@ -163,12 +164,12 @@ void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn)
             }
         };
     };
-    loader_.add(std::move(begin), std::move(withdrawn));
+    worker_.add(std::move(begin), std::move(withdrawn));
 }
 
 void SceneEditor::take_up(Next& next) {
     file_ = next.file;
-    loader_.discard(std::make_shared<SensorBackends>(world_.replace_scene(
+    worker_.discard(std::make_shared<SensorBackends>(world_.replace_scene(
         std::move(next.scene), std::move(next.backends), next.placed_anew, clock_.now())));
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Changes the scene while scanners run: another one is made on the loader's thread and swapped in
-// whole, between two scans. What fails changes nothing. Lives on the I/O thread.
+// Changes the scene while scanners run. The new scene is made on the worker's thread and swapped in
+// whole, between two scans. An edit that fails changes nothing. Lives on the I/O thread.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,9 @@
 #include <vector>
 
 #include "daemon/clock/clock.h"
-#include "daemon/world/loader.h"
+#include "daemon/world/requested_backend.h"
 #include "daemon/world/scene_edit.h"
+#include "daemon/world/worker.h"
 #include "daemon/world/world.h"
 #include "sim/loaders/scene_file.h"
 
@@ -21,23 +22,22 @@ namespace scipd::daemon {
 
 class SceneEditor {
   public:
-    /// What the sensors ask for at present.
-    using Wishes = std::function<std::vector<BackendWish>()>;
+    /// Tells what the sensors ask for at present.
+    using Requests = std::function<std::vector<RequestedBackend>()>;
 
-    /// All but the wishes must outlive it.
-    SceneEditor(World& world, Loader& loader, const Clock& clock, Wishes wishes)
-        : world_(world), loader_(loader), clock_(clock), wishes_(std::move(wishes)) {}
+    /// `world`, `worker` and `clock` must outlive it.
+    SceneEditor(World& world, Worker& worker, const Clock& clock, Requests requests)
+        : world_(world), worker_(worker), clock_(clock), requests_(std::move(requests)) {}
 
-    /// The world has been loaded from there by somebody else, and all that comes is to be loaded in
-    /// the same way.
+    /// Somebody else has loaded the world from this file. Later edits load with the same options.
     void set_file(std::filesystem::path file, sim::SceneOptions options) {
         file_ = std::move(file);
         options_ = std::move(options);
     }
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
-    /// After all that was asked for before; `done` is called when it is in effect or refused, and
-    /// never where it is withdrawn before it has begun.
+    /// Takes effect after all edits that were asked for before. `done` is called when the edit is
+    /// in effect or refused; it is not called where the edit is withdrawn before it has begun.
     void edit(SceneEdit edit, EditDone done, std::stop_token withdrawn = {});
 
   private:
@@ -47,9 +47,9 @@ class SceneEditor {
     void warn_of_lost_bodies(Next& next) const;
 
     World& world_;
-    Loader& loader_;
+    Worker& worker_;
     const Clock& clock_;
-    Wishes wishes_;
+    Requests requests_;
     std::filesystem::path file_;
     sim::SceneOptions options_;
 };

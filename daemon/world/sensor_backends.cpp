@@ -7,8 +7,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include "daemon/world/backend_workshop.h"
-
 namespace scipd::daemon {
 
 void SensorBackends::assign(const std::string& sensor, std::shared_ptr<sim::RangeBackend> backend,
@@ -32,14 +30,6 @@ void SensorBackends::log_changes_since(const SensorBackends& before) const {
 void SensorBackends::leave_thread() {
     for (sim::RangeBackend* backend : backends_)
         backend->leave_thread();
-}
-
-SensorBackends make_backends(std::span<const BackendWish> wishes, const sim::SharedScene& scene) {
-    return BackendWorkshop(scene).make(wishes);
-}
-
-SharedChoice rays_unmeasured(std::string why) {
-    return std::make_shared<const BackendChoice>(BackendChoice{"embree", std::move(why), {}});
 }
 
 }  // namespace scipd::daemon

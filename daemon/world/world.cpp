@@ -26,7 +26,7 @@ std::string names_of(const Map& map) {
     return text.empty() ? "none" : text;
 }
 
-/// By ModelId; of movable models only.
+/// The radius of each movable model around its origin, by ModelId.
 std::vector<double> radii_m(const sim::Scene& scene) {
     std::vector<double> radii(scene.models.size(), 0.0);
     for (const sim::Object& object : scene.objects) {
@@ -44,7 +44,7 @@ bool same(const sim::SharedScript& a, const sim::SharedScript& b) {
     return a == b || (a && b && *a == *b);
 }
 
-/// Sweeps that are measured late ask for no more.
+/// Sweeps that are measured late ask for poses as old as this, not older.
 constexpr sim::Time recent = std::chrono::seconds(2);
 
 }  // namespace
@@ -162,7 +162,7 @@ std::optional<std::string> World::place_model(std::string_view name, const Place
     return place(found->second.track, placement);
 }
 
-// What it did until then stays, for sweeps that are measured later.
+// Keeps its recent motion, for sweeps that are measured later.
 void World::end_script(MovableModel& model, const Placement& placement) {
     model.track = model.script->between(model.begun, placement.time - recent, placement.time);
     model.track.jump(placement.time, placement.pose);

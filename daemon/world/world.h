@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The world as it is now: the loaded scene, where its robots and movable models are, and the
-// backends that cast into it. Changes hands whole: a scene is loaded elsewhere and swapped in.
-// Lives on the I/O thread.
+// The world as it is now: the loaded scene, the places of its robots and movable models, and the
+// backends that cast into it. A scene is never changed: another one is made elsewhere and swapped
+// in whole. Lives on the I/O thread.
 #pragma once
 
 #include <functional>
@@ -39,62 +39,62 @@ struct RobotStart {
 
 class World {
   public:
-    /// Why a pose is refused whose time lies before what is known already.
+    /// Why a pose is refused that is not later than the last known one.
     static constexpr std::string_view not_later = "t: not later than the pose before it";
 
-    /// Another scene in place of this one, with the backends made for it. Robots stay where they
-    /// are; movable models start where the new scene has them, and begin their scripts now, unless
-    /// they were there before, started at the same place and are not placed anew. Answers with the
-    /// backends of before, which are bound to no thread.
+    /// Puts another scene in place of this one, with the backends made for it. Robots stay where
+    /// they are. A movable model stays, and goes on with its script, if the old scene had it with
+    /// the same start and script and it is not in `placed_anew`; any other starts where the new
+    /// scene has it and begins its script now. Returns the old backends, bound to no thread.
     SensorBackends replace_scene(sim::SharedScene scene, SensorBackends backends,
                                  const std::set<std::string>& placed_anew = {}, sim::Time now = {});
-    /// Others for the same scene.
+    /// Puts other backends for the same scene in place of these, which it returns.
     SensorBackends replace_backends(SensorBackends backends);
     [[nodiscard]] const sim::SharedScene& scene() const { return scene_; }
-    /// For those who keep what was seen of it, and not the memory that it takes.
+    /// The scene without its shapes, which take much memory: for those who keep records of scans.
     [[nodiscard]] const sim::SharedScene& names() const { return names_; }
 
-    /// The robots are these from now on; one that was there before stays where it is unless it is
-    /// configured otherwise now.
+    /// The robots are these from now on. One that was there before stays where it is, unless its
+    /// configuration has changed.
     void set_robots(const std::map<std::string, RobotStart>& robots);
     /// Null where there is no robot of that name.
     [[nodiscard]] const sim::PoseTrack* robot(std::string_view name) const;
-    /// Null where there is no movable model of that name. A body is where its robot is; of one that
-    /// follows its script nothing has been said.
+    /// Null where there is no movable model of that name. A body has the track of its robot. For a
+    /// model that follows its script, ask model_pose().
     [[nodiscard]] const sim::PoseTrack* model(std::string_view name) const;
-    /// Wherever it is by whatever moves it.
+    /// Where the model is, whatever moves it: poses, its script or its robot.
     [[nodiscard]] std::optional<sim::Pose> model_pose(std::string_view name, sim::Time time) const;
-    /// What moves with the robot; no_model where nothing does.
+    /// The model that moves with the robot; no_model where none does.
     [[nodiscard]] sim::ModelId body_of(std::string_view robot) const;
-    /// Bodies that the scene has no movable model for, by robot.
+    /// The bodies, by robot, that the scene has no movable model for.
     [[nodiscard]] std::map<std::string, std::string> lost_bodies() const;
 
-    /// The thing is there; between two poses that follow each other closely it moves evenly.
-    /// Returns why not, where it cannot be: no such robot, no such movable model, a time that is
-    /// not later than the pose before.
+    /// Says where the robot is. Between two poses that follow each other closely it moves evenly.
+    /// Returns why the pose is refused, if it is: there is no such robot, or the time is not later
+    /// than that of the pose before.
     std::optional<std::string> place_robot(std::string_view name, const Placement& placement);
-    /// For senders that name none: fails where there is more than one.
+    /// For senders that name no robot: refused where there is more than one.
     std::optional<std::string> place_only_robot(const Placement& placement);
-    /// It follows its script no more.
+    /// Says where the movable model is, which follows its script no more. Else as place_robot().
     std::optional<std::string> place_model(std::string_view name, const Placement& placement);
-    /// A pose leaves nothing open that may be elsewhere at the same time.
+    /// Whether one robot is all that can move, so that one pose tells all about its time.
     [[nodiscard]] bool has_one_mover() const;
-    /// Called after everything that was placed.
+    /// `callback` is called after every pose that is taken.
     void on_placed(std::function<void()> callback) { on_placed_ = std::move(callback); }
 
-    /// Nothing that streams of poses have to say of the time until then is still to come; of stale
-    /// ones nothing is expected.
+    /// Whether all poses of times up to `until` have come. Nobody waits for a stale stream.
     [[nodiscard]] bool poses_known(sim::Time until) const;
 
-    /// What casts for a sensor, "robot/sensor".
+    /// What casts for a sensor, "robot/sensor", and why.
     [[nodiscard]] const SharedChoice& choice_of(std::string_view sensor) const {
         return backends_.choice_of(sensor);
     }
-    /// The same, with its models where they were put last.
-    [[nodiscard]] sim::RangeBackend& backend(std::string_view sensor) const {
+    /// What casts for it, with the models where they were put last. Not const: a backend moves
+    /// models.
+    [[nodiscard]] sim::RangeBackend& backend(std::string_view sensor) {
         return backends_.of(sensor);
     }
-    /// Whoever has cast says so.
+    /// To be called after a cast; passes it to the callback of on_cast().
     void tell_cast(const Cast& cast) const {
         if (on_cast_) on_cast_(cast);
     }
@@ -102,8 +102,8 @@ class World {
 
     /// Where all models are, by ModelId.
     [[nodiscard]] std::vector<sim::Pose> poses_at(sim::Time time) const;
-    /// The movable models but one, between these times; good until they are asked for again or
-    /// something is replaced.
+    /// How all movable models but `except` move between these times. Good until the next call, and
+    /// until the scene or the robots are replaced.
     [[nodiscard]] std::vector<sim::Mover> movers(sim::Time from, sim::Time to,
                                                  sim::ModelId except = sim::no_model);
 
@@ -117,10 +117,10 @@ class World {
         sim::ModelId id;
         sim::Pose start;
         double radius_m;       ///< of all its points around its origin
-        sim::PoseTrack track;  ///< of its own; a body follows its robot's
+        sim::PoseTrack track;  ///< its own; a body moves along that of its robot
         sim::SharedScript script;
-        sim::Time begun{};    ///< the script
-        bool placed = false;  ///< somebody has moved it
+        sim::Time begun{};    ///< when its script began
+        bool placed = false;  ///< a pose has moved it
         const Robot* carrier = nullptr;
 
         [[nodiscard]] const sim::PoseTrack& path() const {

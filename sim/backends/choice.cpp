@@ -14,20 +14,21 @@ namespace scipd::sim {
 namespace {
 
 constexpr int rounds = 5;
-/// Who has taken so much longer than the yardstick is not waited for any longer.
+/// A contender that takes so many times as long as the yardstick casts no more.
 constexpr double hopeless = 4.0;
 
-/// What is cast first of a sweep, and by how much the share grows where that was quick.
+/// How many poses of a sweep are cast first, and by how much their number grows where that was
+/// quick.
 constexpr std::size_t first_poses = 16;
 constexpr std::size_t growth = 4;
-/// A cast that takes more of the budget is long enough to tell by.
+/// A cast that takes more than this part of the budget is long enough to measure by.
 constexpr int casts_in_budget = 32;
 
-// The error bound: as published for 30 m, and beams at edges may take either side.
+// The error bound: as published for 30 m. Beams at edges may meet either side, so a few may differ.
 constexpr float bound_m = 5e-3F;
 constexpr double beams_beyond = 0.01;
 
-/// Where another pose begins.
+/// The beams with which another pose begins.
 std::vector<std::size_t> pose_begins(const Fan& fan) {
     std::vector<std::size_t> begins{0};
     for (std::size_t i = 1; i < fan.world_from_sensor.size(); ++i) {
@@ -36,7 +37,7 @@ std::vector<std::size_t> pose_begins(const Fan& fan) {
     return begins;
 }
 
-/// The beams of so many poses in the middle of the sweep.
+/// The part of the sweep that has this many poses and lies in its middle.
 Fan middle_of(const Fan& fan, std::size_t poses) {
     const std::vector<std::size_t> begins = pose_begins(fan);
     if (poses >= begins.size()) return fan;
@@ -49,13 +50,13 @@ Fan middle_of(const Fan& fan, std::size_t poses) {
     return part;
 }
 
-/// Somebody who is still in.
+/// A contender and what it has cast so far.
 struct Runner {
-    RangeBackend* backend;
+    Contender contender;
     std::vector<std::optional<Time>> best;  ///< for each fan
     std::vector<std::vector<Hit>> hits;     ///< of each fan, the last
 
-    /// For the first fans, which have all been timed.
+    /// The best times for the first `fans` fans, which have all been timed, together.
     [[nodiscard]] Time total(std::size_t fans) const {
         Time sum{};
         for (std::size_t i = 0; i < fans; ++i)
@@ -66,7 +67,7 @@ struct Runner {
 
 class Race {
   public:
-    Race(std::span<RangeBackend* const> contenders, std::span<const Fan> fans,
+    Race(std::span<const Contender> contenders, std::span<const Fan> fans,
          const std::function<Time()>& now, const ChoiceLimits& limits)
         : whole_(fans),
           parts_(fans.begin(), fans.end()),
@@ -74,14 +75,14 @@ class Race {
           now_(now),
           limits_(limits),
           begin_(now()) {
-        for (RangeBackend* contender : contenders) {
+        for (const Contender& contender : contenders) {
             runners_.push_back({contender, std::vector<std::optional<Time>>(fans.size()),
                                 std::vector<std::vector<Hit>>(fans.size())});
         }
     }
 
-    /// Casts more and more of a sweep, until it is the whole or takes long enough to tell by. Warms
-    /// up as well: caches, plans, shaders.
+    /// Casts more and more of a sweep, until it is the whole or takes long enough to measure by.
+    /// This also warms up caches, plans and shaders.
     void settle_share() {
         for (poses_ = std::min(first_poses, all_poses_);;
              poses_ = std::min(growth * poses_, all_poses_)) {
@@ -90,7 +91,7 @@ class Race {
             bool long_enough = poses_ == all_poses_;
             for (Runner& runner : runners_) {
                 if (ended()) return;
-                // Not because of what is done once, or of something else on this machine.
+                // Twice, since the first cast may be slow because of what is done only once.
                 const bool slow = is_slow(cast(runner, 0)) && !long_enough;
                 if (ended()) return;
                 long_enough = long_enough || (slow && is_slow(cast(runner, 0)));
@@ -99,8 +100,8 @@ class Race {
         }
     }
 
-    /// Several rounds, in turn, so that whatever else the machine does meets all. The first fan
-    /// counts in any case.
+    /// Lets all cast in turn, for several rounds, so that whatever else the machine does slows all
+    /// of them down. Everybody casts the first fan, whatever the budget says.
     void run() {
         for (int round = 0; round < rounds; ++round) {
             for (std::size_t fan = 0; fan < parts_.size(); ++fan) {
@@ -119,7 +120,7 @@ class Race {
     [[nodiscard]] bool ended() const { return limits_.ended && limits_.ended(); }
     [[nodiscard]] std::span<const Runner> runners() const { return runners_; }
     [[nodiscard]] std::size_t timed_fans() const { return timed_fans_; }
-    /// What of a sweep was cast, for people; empty: all.
+    /// Says for people which part of a sweep was cast; empty where it was all of it.
     [[nodiscard]] std::string share() const {
         if (poses_ == all_poses_) return {};
         return ", each for " + std::to_string(poses_) + " of the " + std::to_string(all_poses_) +
@@ -130,7 +131,7 @@ class Race {
     Time cast(Runner& runner, std::size_t fan) {
         runner.hits[fan].resize(parts_[fan].directions.size());
         const Time begin = now_();
-        runner.backend->cast(parts_[fan], runner.hits[fan]);
+        runner.contender.backend->cast(parts_[fan], runner.hits[fan]);
         return now_() - begin;
     }
     [[nodiscard]] bool is_slow(Time took) const { return took > limits_.budget / casts_in_budget; }
@@ -185,8 +186,8 @@ Choice judge(const Race& race) {
     Choice choice;
     for (std::size_t i = 0; i < runners.size(); ++i) {
         const Time took = runners[i].total(fans);
-        choice.reason += (i == 0 ? "" : ", ") + std::string(runners[i].backend->name()) +
-                         " takes " + milliseconds(took, fans);
+        choice.reason += (i == 0 ? "" : ", ") + std::string(runners[i].contender.name) + " takes " +
+                         milliseconds(took, fans);
         const double beyond = share_beyond(runners[i], runners.front(), fans);
         if (beyond > beams_beyond) {
             choice.reason += in_text(" but differs in %.1f %% of the beams", 100.0 * beyond);
@@ -200,7 +201,7 @@ Choice judge(const Race& race) {
 
 }  // namespace
 
-Choice choose(std::span<RangeBackend* const> contenders, std::span<const Fan> fans,
+Choice choose(std::span<const Contender> contenders, std::span<const Fan> fans,
               const std::function<Time()>& now, const ChoiceLimits& limits) {
     assert(!contenders.empty() && !fans.empty());
     Race race(contenders, fans, now, limits);

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "sim/backends/beam_cutter.h"
 #include "sim/backends/depth_device.h"
 #include "sim/backends/depth_plan.h"
 #include "sim/backends/depth_raster.h"
+#include "sim/backends/depth_sampler.h"
 #include "sim/backends/depth_triangles.h"
 
 namespace scipd::sim {
@@ -27,7 +27,6 @@ class DepthBackend final : public RangeBackend {
         draw_anything();
     }
 
-    [[nodiscard]] std::string_view name() const override { return "depth"; }
     void leave_thread() override { raster_.context().release(); }
 
   private:
@@ -103,9 +102,9 @@ void DepthBackend::draw(const Fan& fan, std::span<const PlannedView> views, glm:
 void DepthBackend::look_up(const Fan& fan, const DepthPlan& plan,
                            std::span<const PlannedView> views, std::span<Hit> hits) const {
     for (const PlannedView& view : views) {
-        BeamCutter cutter(scene(), triangles_, picture_, options_.between_pixels,
-                          anchored(fan.world_from_sensor[view.pose]));
-        cutter.cut(plan.looks_of(view), fan, hits);
+        DepthSampler sampler(scene(), triangles_, picture_, options_.between_pixels,
+                             anchored(fan.world_from_sensor[view.pose]));
+        sampler.sample(plan.looks_of(view), fan, hits);
     }
 }
 
@@ -117,10 +116,6 @@ std::string_view depth_description() {
 
 std::unique_ptr<RangeBackend> make_depth_backend(SharedScene scene, const DepthOptions& options) {
     return std::make_unique<DepthBackend>(std::move(scene), options);
-}
-
-DepthProbe probe_depth() {
-    return probe_depth_devices();
 }
 
 }  // namespace scipd::sim

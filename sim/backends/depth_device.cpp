@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "sim/backends/depth_probe.h"
 #include "sim/backends/depth_raster.h"
 
 namespace scipd::sim {
@@ -172,13 +173,13 @@ std::shared_ptr<EglContext> depth_context() {
     return context;
 }
 
-DepthProbe probe_depth_devices() {
-    DepthProbe probe;
+BackendProbe probe_depth() {
+    BackendProbe probe;
     try {
         for (const EglPlace& place : egl_places())
             probe.text += describe(place);
         probe.text += "used: " + depth_context()->place().name + "\n";
-        probe.can_draw = true;
+        probe.usable = true;
     } catch (const std::runtime_error& error) {
         probe.text += std::string(error.what()) + "\n";
     }

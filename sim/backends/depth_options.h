@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What to do about the error of ray directions: pixels look where the projection says and beams
-// where the scanner says. The depth-buffer method knows four answers, and they can be combined:
-// ignore it, interpolate, draw more pixels, draw more passes.
+// What to do about the error of ray directions: a pixel looks in a direction that the projection
+// gives, a beam in one that the scanner gives. The depth-buffer method has four answers, which can
+// be combined: ignore the error, interpolate, draw more pixels, draw more passes.
 #pragma once
 
 #include <numbers>
@@ -11,16 +11,17 @@
 namespace scipd::sim {
 
 enum class BetweenPixels {
-    nearest,      ///< the depth of the nearest pixel as if the beam went there
-    interpolate,  ///< 1/z between pixels that show the same triangle; else as exact
-    exact,        ///< the beam is cut with the triangles that the pixels around it show
+    nearest,      ///< the depth of the nearest pixel, as if the beam passed its centre
+    interpolate,  ///< between pixels that show the same triangle, linear in 1/z; else as exact
+    exact,        ///< where the beam meets the triangles that the pixels around it show
 };
 
 struct DepthOptions {
     BetweenPixels between_pixels = BetweenPixels::exact;
-    /// Pixels from one beam to the next, at least. Grids that match the pixels need one.
+    /// At least so many pixels from one beam to the next. One is enough for a grid of beams that
+    /// matches the pixels.
     double oversample = 1.0;
-    /// Directions farther apart are drawn in several passes.
+    /// Directions that are farther apart than this are drawn in several passes.
     double widest_pass_rad = 0.5 * std::numbers::pi;
 
     bool operator==(const DepthOptions&) const = default;

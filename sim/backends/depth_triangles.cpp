@@ -32,7 +32,7 @@ void turn_outward(Mesh& mesh) {
     }
 }
 
-FloatBounds between(const glm::vec3& low, const glm::vec3& high) {
+CentredBox between(const glm::vec3& low, const glm::vec3& high) {
     return {0.5F * (low + high), 0.5F * (high - low)};
 }
 
@@ -118,7 +118,7 @@ Block DepthTriangles::block_from(TriangleId first, std::uint32_t first_vertex) c
     return block;
 }
 
-FloatBounds DepthTriangles::bounds_of(const Block& block) const {
+CentredBox DepthTriangles::bounds_of(const Block& block) const {
     glm::vec3 low{std::numeric_limits<float>::max()};
     glm::vec3 high = -low;
     for (const DrawnVertex& vertex :
@@ -184,10 +184,10 @@ void DepthTriangles::collect(const Frustum& frustum, ModelId unseen,
 void DepthTriangles::collect(const Body& body, Frustum::Place place, const Frustum& frustum,
                              std::vector<DrawnTriangle>& drawn) {
     const glm::vec3 eye_m = frustum.eye_m();
-    const auto place_of = [&](const FloatBounds& bounds) {
+    const auto place_of = [&](const CentredBox& bounds) {
         return frustum.place_of(bounds.middle_m - eye_m, bounds.half_m);
     };
-    const FloatBounds& bounds = body.all.bounds;
+    const CentredBox& bounds = body.all.bounds;
     const glm::vec3 off_m = glm::abs(bounds.middle_m - eye_m) - bounds.half_m;
     const bool hides_back = body.solid && std::max({off_m.x, off_m.y, off_m.z}) > 0.0F;
     if (body.blocks.size() == 1)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The triangles of a scene as the depth backend draws them: all in one frame, W relative to the
-// scene's anchor, and numbered throughout, so that a pixel that holds a number tells everything.
-// What moves is placed again in that frame; there is one list to draw from and to cut beams with.
-// Knows no OpenGL.
+// The triangles of a scene as the depth backend draws them. All are in one frame, W relative to the
+// scene's anchor, and are numbered in one list: the number that a pixel holds tells which triangle
+// it shows. A model that moves is placed anew in that frame, so drawing and sampling use the same
+// list. Knows no OpenGL.
 #pragma once
 
 #include <cstddef>
@@ -22,19 +22,19 @@ namespace scipd::sim {
 
 using TriangleId = std::uint32_t;
 
-/// A corner. Where a triangle's first corner is drawn, `triangle` is that triangle: corners are
-/// shared, but none is the first one of two.
+/// A corner. Triangles share corners, but no two have the same first corner: `triangle` is the one
+/// whose first corner this is.
 struct DrawnVertex {
     glm::vec3 position_m;
     TriangleId triangle;
 };
 
-/// As OpenGL takes it from an index buffer.
+/// In the layout of an index buffer of OpenGL.
 struct DrawnTriangle {
     glm::uvec3 corners;  ///< indices of vertices
 };
 
-/// What a triangle says of itself to a beam.
+/// What a hit on a triangle needs beside the range.
 struct Face {
     glm::vec3 normal{0.0F};  ///< of unit length; outward, where there is an outside
     ObjectId object = 0;
@@ -45,15 +45,15 @@ struct VertexRange {
     std::size_t count = 0;
 };
 
-/// Along the axes of anchored W.
-struct FloatBounds {
+/// A box along the axes of anchored W.
+struct CentredBox {
     glm::vec3 middle_m;
     glm::vec3 half_m;
 };
 
-/// Some triangles that lie together, with corners that no others have.
+/// Some triangles that lie together. They share no corner with triangles of other blocks.
 struct Block {
-    FloatBounds bounds;
+    CentredBox bounds;
     TriangleId first;
     std::uint32_t count;
     std::uint32_t first_vertex;
@@ -62,7 +62,7 @@ struct Block {
 
 /// Some blocks that lie together.
 struct Cluster {
-    FloatBounds bounds;
+    CentredBox bounds;
     std::size_t first;
     std::size_t count;
 };
@@ -73,7 +73,7 @@ struct Body {
     Block all;
     std::vector<Block> blocks;      ///< one, where they are few
     std::vector<Cluster> clusters;  ///< of blocks
-    bool solid;                     ///< convex and closed: seen from outside, it hides its back
+    bool solid;  ///< convex and closed: seen from outside, its front hides its back
 
     [[nodiscard]] std::span<const Block> of(const Cluster& cluster) const {
         return std::span{blocks}.subspan(cluster.first, cluster.count);
@@ -88,19 +88,19 @@ class DepthTriangles {
     [[nodiscard]] std::span<const DrawnTriangle> triangles() const { return triangles_; }
     [[nodiscard]] std::span<const Face> faces() const { return faces_; }
 
-    /// What this triangle is of.
+    /// The body that this triangle belongs to.
     [[nodiscard]] const Body& body_of(TriangleId triangle) const;
 
-    /// Puts a movable model somewhere else. Returns which vertices that touched.
+    /// Places a movable model elsewhere. Returns which vertices have changed.
     VertexRange move(ModelId model, const Pose& anchored_from_model);
 
     /// Adds the triangles that can be seen in the frustum, and a few that cannot, but none of the
-    /// model that is looked through. Objects come by their distance from the eye: what is drawn
-    /// behind something else costs least.
+    /// model `unseen`. Objects are ordered by their distance from the eye, since drawing costs
+    /// least where something nearer has been drawn before.
     void collect(const Frustum& frustum, ModelId unseen, std::vector<DrawnTriangle>& drawn);
 
   private:
-    /// What it takes to place a body of a movable model again.
+    /// What is needed to place a body of a movable model anew.
     struct Movable {
         ModelId model;
         Pose model_from_object;
@@ -111,7 +111,7 @@ class DepthTriangles {
 
     void add(ObjectId id, const Object& object, bool movable, const Pose& anchored_from_object);
     [[nodiscard]] Block block_from(TriangleId first, std::uint32_t first_vertex) const;
-    [[nodiscard]] FloatBounds bounds_of(const Block& block) const;
+    [[nodiscard]] CentredBox bounds_of(const Block& block) const;
     void turn_faces(const Block& block);
     void collect(const Body& body, Frustum::Place place, const Frustum& frustum,
                  std::vector<DrawnTriangle>& drawn);
@@ -122,8 +122,8 @@ class DepthTriangles {
     std::vector<DrawnTriangle> triangles_;
     std::vector<Face> faces_;  ///< by TriangleId, as triangles_
     std::vector<Body> bodies_;
-    // Of the boxes around them, once more: most bodies are left out by these alone. The fourth
-    // number is nothing; with three, compilers take one box after the other.
+    // A copy of the bodies' boxes, side by side, which alone rule most bodies out. The fourth
+    // number is not used: with vectors of three, compilers do not vectorise the loop.
     std::vector<glm::vec4> middles_m_;
     std::vector<glm::vec4> halves_m_;
     std::vector<Movable> movables_;  ///< in the order of their models

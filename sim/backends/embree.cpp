@@ -72,7 +72,6 @@ struct View {
 class EmbreeBackend final : public RangeBackend {
   public:
     explicit EmbreeBackend(SharedScene shared_scene);
-    [[nodiscard]] std::string_view name() const override { return "embree"; }
 
   private:
     struct Movable {

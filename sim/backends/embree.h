@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Rays through Embree, in packets of 16. The static models are one scene that is built once; each
-// movable model is an instance in a second scene, which is traced after the first and as far as the
-// first one's hits only.
+// Rays through Embree, in packets of 16. The static models are one scene, which is built once. Each
+// movable model is an instance in a second scene. That one is traced after the first, and only up
+// to the hits of the first.
 #pragma once
 
 #include <memory>

@@ -2,8 +2,8 @@
 // Copyright The scipd authors
 //
 // What is cast in one go: many directions, and one pose for all of them or one pose each. A planar
-// sweep, a camera's grid and a sonar's cone are all fans. Views only: whoever builds a fan keeps
-// its arrays alive until the cast returns.
+// sweep, a camera's grid and a sonar's cone are all fans. A fan only views its arrays: whoever
+// builds it keeps them alive until the cast returns.
 #pragma once
 
 #include <limits>
@@ -19,17 +19,17 @@
 namespace scipd::sim {
 
 struct Fan {
-    /// Unit vectors in S. Neighbours in the array should be neighbours in space: packets are cut
-    /// from it in order.
+    /// Unit vectors in S. Neighbours in the array should be neighbours in space, since backends
+    /// cast packets of them.
     std::span<const glm::vec3> directions;
     /// One for all directions, or exactly one for each.
     std::span<const Pose> world_from_sensor;
-    /// Nothing beyond is reported.
+    /// Backends report nothing beyond.
     float max_range_m = std::numeric_limits<float>::infinity();
-    /// A movable model that is looked through: the body that carries the sensor.
+    /// A movable model that rays pass through: the body that carries the sensor.
     ModelId unseen = no_model;
-    /// The only movable models that any of the directions can meet, where somebody knows: backends
-    /// need not look at the others. Nothing: any of them.
+    /// The only movable models that any of the directions can meet. Backends need not look at the
+    /// others. Nothing where nobody knows: they look at all.
     std::optional<std::span<const ModelId>> can_meet = std::nullopt;
 };
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Stands in for depth.cpp in a build that found no headers to draw with.
+// Stands in for depth.cpp and depth_device.cpp in a build that found no headers to draw with.
 #include <stdexcept>
 #include <string>
 
 #include "sim/backends/depth.h"
+#include "sim/backends/depth_probe.h"
 
 namespace scipd::sim {
 namespace {
@@ -27,7 +28,7 @@ std::unique_ptr<RangeBackend> make_depth_backend(SharedScene, const DepthOptions
 
 void prepare_drivers() {}
 
-DepthProbe probe_depth() {
+BackendProbe probe_depth() {
     return {"the depth backend is " + std::string(what_is_missing) + "\n", false};
 }
 

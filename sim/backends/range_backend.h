@@ -6,9 +6,7 @@
 // backend can forget a check.
 #pragma once
 
-#include <memory>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "sim/backends/fan.h"
@@ -23,18 +21,17 @@ class RangeBackend {
     RangeBackend& operator=(const RangeBackend&) = delete;
     virtual ~RangeBackend() = default;
 
-    [[nodiscard]] virtual std::string_view name() const = 0;
     [[nodiscard]] const Scene& scene() const { return *scene_; }
 
-    /// Puts a movable model somewhere else, from the next cast on. Asserts that the model exists
-    /// and is movable. Costs nothing where it is there already.
+    /// Places a movable model elsewhere, from the next cast on. Asserts that the model exists and
+    /// is movable. Costs nothing where it is there already.
     void move(ModelId model, const Pose& world_from_model);
 
-    /// Fills hits[i] for fan.directions[i]. Asserts that the sizes agree and that there is one pose
-    /// or one per ray, and that what is unseen is movable.
+    /// Fills hits[i] for fan.directions[i]. Asserts that the sizes agree, that there is one pose or
+    /// one per ray, and that the unseen model is movable.
     void cast(const Fan& fan, std::span<Hit> hits);
 
-    /// Lets go of the calling thread, so that another one may use or destroy it next.
+    /// Releases the calling thread: another one may use or destroy the backend next.
     virtual void leave_thread() {}
 
   private:

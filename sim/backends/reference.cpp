@@ -48,8 +48,6 @@ class ReferenceBackend final : public RangeBackend {
             objects_.push_back(placed(scene(), object));
     }
 
-    [[nodiscard]] std::string_view name() const override { return "reference"; }
-
   private:
     void do_move(ModelId model, const Pose& world_from_model) override {
         for (Placed& placed : objects_) {

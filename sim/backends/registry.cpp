@@ -2,49 +2,71 @@
 // Copyright The scipd authors
 #include "sim/backends/registry.h"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "sim/backends/depth.h"
+#include "sim/backends/depth_probe.h"
 #include "sim/backends/embree.h"
 #include "sim/backends/reference.h"
 
 namespace scipd::sim {
 namespace {
 
-using Make = std::unique_ptr<RangeBackend> (*)(SharedScene);
-
-/// In the order of backends().
-constexpr std::array<Make, 3> makers{
-    make_embree_backend, [](SharedScene scene) { return make_depth_backend(std::move(scene)); },
-    make_reference_backend};
+/// For a backend that does not draw.
+template <std::unique_ptr<RangeBackend> (*Make)(SharedScene)>
+std::unique_ptr<RangeBackend> without_options(SharedScene scene, const DepthOptions&) {
+    return Make(std::move(scene));
+}
 
 std::string unknown(std::string_view name) {
-    std::string text = "no backend '" + std::string(name) + "': choose auto";
-    for (const BackendInfo& backend : backends())
-        text += ", " + std::string(backend.name);
+    std::string text = "no backend '" + std::string(name) + "': choose ";
+    for (const BackendRow& row : backends())
+        text += (&row == &backends().front() ? "" : ", ") + std::string(row.name);
     return text;
 }
 
 }  // namespace
 
-std::span<const BackendInfo> backends() {
-    static const std::array<BackendInfo, makers.size()> all{{
-        {"embree", embree_description()},
-        {"depth", depth_description()},
-        {"reference", reference_description()},
-    }};
-    return all;
+std::span<const BackendRow> backends() {
+    static const std::array rows{
+        BackendRow{.name = "embree",
+                   .description = embree_description(),
+                   .make = without_options<make_embree_backend>},
+        BackendRow{.name = "depth",
+                   .description = depth_description(),
+                   .draws = true,
+                   .probe = probe_depth,
+                   .make = make_depth_backend},
+        BackendRow{.name = "reference",
+                   .description = reference_description(),
+                   .slow = true,
+                   .make = without_options<make_reference_backend>},
+    };
+    return rows;
 }
 
-std::unique_ptr<RangeBackend> make_backend(std::string_view name, SharedScene scene) {
-    if (name == "auto") name = backends().front().name;
-    for (std::size_t i = 0; i < makers.size(); ++i) {
-        if (backends()[i].name == name) return makers[i](std::move(scene));
-    }
-    throw std::invalid_argument(unknown(name));
+const BackendRow* find_backend(std::string_view name) {
+    const auto found = std::ranges::find(backends(), name, &BackendRow::name);
+    return found == backends().end() ? nullptr : &*found;
+}
+
+const BackendRow& preferred_backend() {
+    return backends().front();
+}
+
+const BackendRow& drawing_backend() {
+    return *std::ranges::find_if(backends(), &BackendRow::draws);
+}
+
+std::unique_ptr<RangeBackend> make_backend(std::string_view name, SharedScene scene,
+                                           const DepthOptions& options) {
+    const BackendRow* row = find_backend(name);
+    if (row == nullptr) throw std::invalid_argument(unknown(name));
+    return row->make(std::move(scene), options);
 }
 
 }  // namespace scipd::sim

@@ -34,7 +34,7 @@ Aggregation::Aggregation(Aggregate kind, std::span<const glm::vec3> directions)
                                            : std::vector<double>(directions.size(), 1.0)),
       share_(kind == Aggregate::weighted ? heard_share : 0.0) {}
 
-// The nearest is the one by which any share at all is there.
+// `nearest` needs a share of 0, which the first hit reaches.
 std::optional<std::size_t> Aggregation::choose(std::span<const Hit> hits) const {
     assert(hits.size() == weights_.size());
     std::vector<std::size_t> met;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The aggregation of rays: which of many hits a sensor that tells one range speaks of. It always is
-// one of them, so the range is that of a thing and never lies between two. Chance comes later.
-// Values; any thread.
+// The aggregation of rays: a sensor that tells one range casts many rays, and this chooses the hit
+// whose range it tells. The range is that of one thing and never lies between two. Noise is added
+// later. Values; any thread.
 #pragma once
 
 #include <cstddef>
@@ -20,28 +20,28 @@ namespace scipd::sim {
 enum class Aggregate {
     /// The least range: the paper's easiest way.
     nearest,
-    /// What the directions say counts as well: the nearest range by which a twentieth of all that
-    /// came back is there. Each hit weighs exp(-4 a^2 / b^2), a off the axis, b at the rim: 1 on
-    /// the axis, 0.018 at the rim. A twentieth is what an echo needs to be heard beside those
-    /// behind it; so the axis outweighs the rim, and what is thin and aside is missed. Nothing is
-    /// too weak where it is alone.
+    /// The nearest range at which a twentieth of the whole weight of all hits is reached. A hit at
+    /// the angle a off the axis weighs exp(-4 a^2 / b^2), where b is the angle of the rim: 1 on the
+    /// axis, 0.018 at the rim. An echo needs that twentieth to be heard beside those behind it, so
+    /// something thin near the rim is missed. An echo that is alone is never too weak.
     ///
-    /// An assumption: a Gaussian lobe, which is how the main lobe of a transducer is commonly
-    /// approximated, there and back; share and width are not those of any product.
+    /// This is an assumption: the main lobe of a transducer is commonly approximated by a Gaussian
+    /// lobe, here for the way there and back. Share and width are not those of any product.
     weighted,
 };
 
 class Aggregation {
   public:
-    /// `directions`: of a cone around +x; the widest is its rim.
+    /// `directions` fill a cone around +x; the widest of them is its rim.
     Aggregation(Aggregate kind, std::span<const glm::vec3> directions);
 
-    /// Which of the hits, one a direction; nothing where none met anything.
+    /// Chooses one of the hits, of which there is one for each direction. Nothing where no ray met
+    /// anything.
     [[nodiscard]] std::optional<std::size_t> choose(std::span<const Hit> hits) const;
 
   private:
     std::vector<double> weights_;
-    double share_;  ///< of the weight that came back: so much is heard
+    double share_;  ///< of the weight of all hits, from which on an echo is heard
 };
 
 }  // namespace scipd::sim

@@ -15,28 +15,28 @@
 namespace scipd::sim {
 namespace {
 
-/// For what backends round.
+/// Backends round by less than this.
 constexpr double margin_m = 5e-3;
 
-/// How far the sensor strays from its pose in the middle of the sweep.
-struct Sway {
+/// How the sensor moves during the sweep: at most so far from its pose in the middle.
+struct SensorMotion {
     Pose middle;
     double moved_m = 0.0;
     double turned_rad = 0.0;
 };
 
-/// What the points of a model have gone by when, at most. Times are told in beams and parts of
-/// them.
-class Way {
+/// The path length of a model: how far its points have gone at most, from the first leg on. Time is
+/// counted in beams and fractions of them.
+class PathLength {
   public:
-    /// After all that it has gone.
-    void go(double from_beam, double to_beam, double way_m) {
+    /// One more leg, after those that were added before.
+    void add(double from_beam, double to_beam, double length_m) {
         const double gone_m = marks_.empty() ? 0.0 : marks_.back().gone_m;
         marks_.push_back({from_beam, gone_m});
-        marks_.push_back({to_beam, gone_m + way_m});
+        marks_.push_back({to_beam, gone_m + length_m});
     }
     [[nodiscard]] double gone_m(double beam) const;
-    /// The last moment that it has gone no farther.
+    /// The last moment at which it has gone no farther than this.
     [[nodiscard]] double beam_at(double gone_m) const;
 
   private:
@@ -44,10 +44,10 @@ class Way {
         double beam = 0.0;
         double gone_m = 0.0;
     };
-    std::vector<Mark> marks_;  ///< neither ever sinks; between two it moves evenly
+    std::vector<Mark> marks_;  ///< both grow or stay; between two marks the model moves evenly
 };
 
-double Way::gone_m(double beam) const {
+double PathLength::gone_m(double beam) const {
     const auto after = std::ranges::upper_bound(marks_, beam, {}, &Mark::beam);
     if (after == marks_.begin()) return 0.0;
     const Mark& before = *std::prev(after);
@@ -56,10 +56,10 @@ double Way::gone_m(double beam) const {
     return std::lerp(before.gone_m, after->gone_m, share);
 }
 
-double Way::beam_at(double gone_m) const {
+double PathLength::beam_at(double gone_m) const {
     const auto after = std::ranges::upper_bound(marks_, gone_m, {}, &Mark::gone_m);
     if (after == marks_.end()) return std::numeric_limits<double>::infinity();
-    const Mark& before = *std::prev(after);  // the first has gone nowhere
+    const Mark& before = *std::prev(after);  // exists: the first mark is 0 m
     const double share = (gone_m - before.gone_m) / (after->gone_m - before.gone_m);
     return std::lerp(before.beam, after->beam, share);
 }
@@ -68,33 +68,34 @@ double Way::beam_at(double gone_m) const {
 struct Encounter {
     std::size_t first = 0;
     std::size_t end = 0;  ///< behind the last; first == end: none
-    Way way;              ///< while these are fired
+    PathLength path;      ///< while these are fired
 
-    /// From this beam to before that one it moves no more than it may: what is put holds.
+    /// One placement holds from `beam` to before the returned beam: meanwhile the model moves no
+    /// farther than moves_within_part_m.
     [[nodiscard]] std::size_t good_until(std::size_t beam) const {
         const auto from = static_cast<double>(beam);
-        const double last = way.beam_at(way.gone_m(from) + moves_within_part_m);
+        const double last = path.beam_at(path.gone_m(from) + moves_within_part_m);
         return last < static_cast<double>(end) ? static_cast<std::size_t>(std::max(last, from)) + 1
                                                : end;
     }
 };
 
-Sway sway_of(std::span<const Pose> poses) {
-    Sway sway{poses[poses.size() / 2]};
+SensorMotion motion_of(std::span<const Pose> poses) {
+    SensorMotion motion{poses[poses.size() / 2]};
     double farthest_m2 = 0.0;
-    const Pose* most_turned = &sway.middle;
+    const Pose* most_turned = &motion.middle;
     double least_cosine = 1.0;
     for (const Pose& pose : poses) {
-        const glm::dvec3 moved_m = pose.translation_m - sway.middle.translation_m;
+        const glm::dvec3 moved_m = pose.translation_m - motion.middle.translation_m;
         farthest_m2 = std::max(farthest_m2, glm::dot(moved_m, moved_m));
-        const double cosine = std::abs(glm::dot(pose.rotation, sway.middle.rotation));
+        const double cosine = std::abs(glm::dot(pose.rotation, motion.middle.rotation));
         if (cosine >= least_cosine) continue;
         least_cosine = cosine;
         most_turned = &pose;
     }
-    sway.moved_m = std::sqrt(farthest_m2);
-    sway.turned_rad = angle_between_rad(most_turned->rotation, sway.middle.rotation);
-    return sway;
+    motion.moved_m = std::sqrt(farthest_m2);
+    motion.turned_rad = angle_between_rad(most_turned->rotation, motion.middle.rotation);
+    return motion;
 }
 
 class Sweeping {
@@ -104,8 +105,8 @@ class Sweeping {
         : optics_(optics),
           beams_(static_cast<std::size_t>(optics.beams())),
           fired_(fired),
-          sway_(sway_of(poses)),
-          sensor_from_world_(inverse(sway_.middle)),
+          sensor_(motion_of(poses)),
+          sensor_from_world_(inverse(sensor_.middle)),
           begin_(fired(0)),
           middle_(fired(beams_ / 2)),
           end_(fired(beams_ - 1)) {}
@@ -115,22 +116,22 @@ class Sweeping {
                                           std::span<const Encounter> met) const;
 
   private:
-    /// Beams that may meet a ball around the model's origin which holds it all the time, as the
-    /// turning sensor sees it.
+    /// The beams that may meet a ball around the model's origin. The ball is large enough to hold
+    /// the model during the whole sweep, as the moving sensor sees it.
     [[nodiscard]] Encounter met_within(const Pose& middle, double strays_m, double radius_m) const;
     [[nodiscard]] Encounter between(double low_rad, double high_rad) const;
     [[nodiscard]] double beam_at(Time time) const;
     [[nodiscard]] Time time_at(double beam) const;
     [[nodiscard]] std::size_t first_fired_at(Time time) const;
-    /// The next part begins here at the latest.
+    /// The latest beam with which the next part may begin.
     [[nodiscard]] std::size_t reach(std::span<const Encounter> met, std::size_t from) const;
-    /// At which it is put for the beams from there on: halfway through what it moves meanwhile.
+    /// When the mover is placed for the beams from there on: halfway along its path meanwhile.
     [[nodiscard]] Time time_of(const Encounter& met, std::size_t from) const;
 
     const SensorSpec& optics_;
     std::size_t beams_;
     const std::function<Time(std::size_t)>& fired_;
-    Sway sway_;
+    SensorMotion sensor_;
     Pose sensor_from_world_;
     Time begin_;
     Time middle_;
@@ -151,7 +152,7 @@ Encounter Sweeping::encounter(const Mover& mover) const {
     const Time last = fired_(met.end - 1);
     for (const PoseTrack::Leg& leg : legs) {
         if (leg.end <= first || leg.begin >= last) continue;
-        met.way.go(beam_at(leg.begin), beam_at(leg.end), way_m(leg, mover.radius_m));
+        met.path.add(beam_at(leg.begin), beam_at(leg.end), path_length_m(leg, mover.radius_m));
     }
     return met;
 }
@@ -179,8 +180,8 @@ Time Sweeping::time_of(const Encounter& met, std::size_t from) const {
     const std::size_t last = met.good_until(first) - 1;
     const auto low = static_cast<double>(first);
     const auto high = static_cast<double>(last);
-    const double halfway_m = std::midpoint(met.way.gone_m(low), met.way.gone_m(high));
-    return time_at(std::clamp(met.way.beam_at(halfway_m), low, high));
+    const double halfway_m = std::midpoint(met.path.gone_m(low), met.path.gone_m(high));
+    return time_at(std::clamp(met.path.beam_at(halfway_m), low, high));
 }
 
 std::size_t Sweeping::first_fired_at(Time time) const {
@@ -201,7 +202,7 @@ Encounter Sweeping::met_within(const Pose& middle, double strays_m, double radiu
     const glm::dvec3 centre_m = sensor_from_world_ * middle.translation_m;
     const double distance_m = glm::length(centre_m);
     const double ball_m =
-        radius_m + strays_m + sway_.moved_m + sway_.turned_rad * distance_m + margin_m;
+        radius_m + strays_m + sensor_.moved_m + sensor_.turned_rad * distance_m + margin_m;
     if (distance_m <= ball_m) return all;
     if (distance_m - ball_m > optics_.max_range_m) return none;
     // The beams lie in the plane z = 0, which cuts a circle out of the ball.
@@ -214,7 +215,8 @@ Encounter Sweeping::met_within(const Pose& middle, double strays_m, double radiu
     return between(bearing_rad - half_rad, bearing_rad + half_rad);
 }
 
-/// The least stretch of beams that holds all with such a bearing, in whatever turn it is counted.
+/// The shortest run of beams that holds all beams between these bearings. A bearing may be counted
+/// in the turn before or after this one.
 Encounter Sweeping::between(double low_rad, double high_rad) const {
     const double beams_per_rad = optics_.steps_per_turn / (2.0 * std::numbers::pi);
     const double front = optics_.front_step - optics_.first_step;
@@ -249,8 +251,8 @@ std::vector<Part> Sweeping::parts(std::span<const Mover> movers,
         for (std::size_t i = 0; i < met.size(); ++i) {
             const bool during = met[i].first < end && met[i].end > from;
             if (during) part.can_meet.push_back(movers[i].id);
-            // Before the first part all are put, so that none is met where it has been earlier.
-            if (during || from == 0) part.puts.push_back({i, time_of(met[i], from)});
+            // The first part places all, so that no beam meets one where it was in the last sweep.
+            if (during || from == 0) part.updates.push_back({i, time_of(met[i], from)});
         }
         from = end;
     }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What moves meets only a few beams of a sweep, those that are fired towards it. So the models are
-// put where they are at that moment, each by itself, before a sweep is cast in one go; only where
-// one moves more than a millimetre while beams may meet it, the sweep is cast in parts. Among many
-// models each part can meet few. Casts nothing itself. Pure.
+// In which parts a sweep is cast while models move. A moving model meets only the few beams that
+// are fired towards it. So before a whole sweep is cast, each model is placed where it is while
+// those beams are fired. Only where a model moves more than a millimetre meanwhile, the sweep is
+// cast in parts, and the model is placed anew for each. Each part lists the models that its beams
+// can meet, which are few among many. Casts nothing itself. Pure.
 //
 //      beams   0 ......................................... 1080
-//      crate          |--|                                        one put
-//      person                        |-----------|                a long step: three
+//      crate          |--|                                        placed once
+//      person                        |-----------|                a long step: placed three times
 //      parts   |--------------------------|----|---------------|
 #pragma once
 
@@ -25,24 +26,25 @@
 
 namespace scipd::sim {
 
-/// What a model may move within a part: half of it before it is where it has been put.
+/// How far a model may move within a part. It moves half of that before and half after the instant
+/// at which it is placed.
 inline constexpr double moves_within_part_m = 1e-3;
 
-/// A model is put where it is at that time.
-struct Put {
+/// A model is placed where it is at this time.
+struct MoverUpdate {
     std::size_t mover = 0;  ///< index
     Time time{};
 };
 
-/// Beams that are cast in one go, once these have been put.
+/// Beams that are cast in one go, once these models have been placed.
 struct Part {
     Beams beams;
-    std::vector<Put> puts;
-    std::vector<ModelId> can_meet;  ///< nothing else that moves
+    std::vector<MoverUpdate> updates;
+    std::vector<ModelId> can_meet;  ///< its beams meet no other movable model
 };
 
 /// The parts of one sweep, in order. `world_from_sensor` is one pose or one for each beam; `fired`
-/// tells when a beam is, counted from the first. All movers are put before the first part.
+/// tells when a beam is fired, counted from the first. The first part places all movers.
 [[nodiscard]] std::vector<Part> parts_of_sweep(const SensorSpec& optics,
                                                std::span<const Pose> world_from_sensor,
                                                const std::function<Time(std::size_t beam)>& fired,

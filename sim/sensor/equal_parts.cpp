@@ -10,13 +10,13 @@
 namespace scipd::sim {
 namespace {
 
-/// All the way, to and fro.
+/// The longest path of any mover, there and back.
 double farthest_gone_m(std::span<const Mover> movers, Time from, Time to) {
     double farthest_m = 0.0;
     for (const Mover& mover : movers) {
         double gone_m = 0.0;
         for (const PoseTrack::Leg& leg : mover.path->legs(from, to))
-            gone_m += way_m(leg, mover.radius_m);
+            gone_m += path_length_m(leg, mover.radius_m);
         farthest_m = std::max(farthest_m, gone_m);
     }
     return farthest_m;

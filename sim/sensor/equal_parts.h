@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A sweep in parts of as many beams each, every one as if its beams were fired at once, when the
-// middle one is: for sensors that share few poses among their beams, and for those whose beams lie
-// in no plane, so that nobody knows which of them meet what moves. Casts nothing itself. Pure.
+// A sweep in parts with equally many beams. Each part is cast as if all its beams were fired at
+// once, when its middle one is. This is for sensors whose beams share a few poses, and for those
+// whose beams lie in no plane, so that it is not known which of them can meet what moves. Casts
+// nothing itself. Pure.
 #pragma once
 
 #include <cstddef>
@@ -24,14 +25,14 @@ namespace scipd::sim {
     return beams.first + beams.count / 2;
 }
 
-/// Beams that are cast with everything where it is at that time.
+/// Beams, and the time at which the world is as they see it.
 struct TimedBeams {
     Beams beams;
     Time time{};
 };
 
-/// All parts, in order: `most` where much moves, else as few as it takes so that nothing which
-/// moves evenly moves more than a millimetre within one.
+/// All parts, in order. There are as few as it takes so that nothing which moves evenly moves more
+/// than a millimetre within a part, but at most `most`.
 [[nodiscard]] std::vector<TimedBeams> equal_parts(
     std::size_t beams, std::size_t most, const std::function<Time(std::size_t beam)>& fired,
     std::span<const Mover> movers);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// From what is true to what is read. Pure: chance comes from the key, so a scan does not depend on
-// threads, on the backend or on which client asked.
+// Turns true ranges into the ranges that a sensor reads. Pure: noise follows from the seed, the
+// sensor and the revolution, so a scan does not depend on threads or on the client that asked.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// One revolution as the sensor saw it: what was true and what was read. Immutable once measured,
-// shared by everyone who sends or inspects it.
+// One revolution as the sensor saw it: the true ranges and those that were read. It never changes
+// once it is measured, and is shared by everyone who sends or inspects it. Any thread.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct Scan {
     std::int64_t revolution = 0;
     Time start{};                         ///< the instant of step 0
     std::vector<Pose> world_from_sensor;  ///< one, or one per beam
-    std::vector<Time> posed_at;           ///< as many, their instants; empty: nobody said
+    std::vector<Time> posed_at;           ///< when it was at these poses; empty: unknown
     std::vector<Hit> hits;                ///< the truth, one per beam from first_step on
     std::vector<float> range_m;           ///< what the sensor read; infinity: nothing came back
 };

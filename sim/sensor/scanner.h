@@ -20,7 +20,7 @@
 
 namespace scipd::sim {
 
-/// Some that follow each other.
+/// Some beams that follow each other.
 struct Beams {
     std::size_t first = 0;
     std::size_t count = 0;
@@ -39,11 +39,11 @@ class Scanner {
     [[nodiscard]] SharedScan measure(RangeBackend& backend, std::int64_t revolution, Time start,
                                      std::vector<Pose> world_from_sensor) const;
 
-    /// The same in pieces, for a world that moves meanwhile: begin, cast some beams after others,
-    /// read. Beams that are not cast meet nothing.
+    /// The same in pieces, for a world that moves meanwhile: call begin(), then cast() for some
+    /// beams after the other, then read(). Beams that are not cast meet nothing.
     [[nodiscard]] Scan begin(std::int64_t revolution, Time start,
                              std::vector<Pose> world_from_sensor) const;
-    /// `beams`: counted from the first; `unseen` and `can_meet`: see Fan.
+    /// `beams` are counted from the first one. For `unseen` and `can_meet` see Fan.
     void cast(RangeBackend& backend, Scan& scan, Beams beams, ModelId unseen,
               std::optional<std::span<const ModelId>> can_meet = std::nullopt) const;
     void read(Scan& scan) const;

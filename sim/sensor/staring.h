@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Sensors that stare instead of turning: a camera that measures ranges (a grid of pixels) and a
-// ranger that makes one range of a whole cone. All their beams are of one instant. No wire. Lives
-// on the thread of its backend.
+// Sensors that do not turn: a camera that measures ranges, which is a grid of pixels, and a ranger,
+// which makes one range of a whole cone of beams. All their beams are cast at one instant. They
+// have no wire. Lives on the thread of its backend.
 #pragma once
 
 #include <optional>
@@ -33,7 +33,7 @@ struct RangerOptics {
 struct StaringSpec {
     std::variant<PinholeGrid, RangerOptics> optics;
     Time period{};
-    /// What it reads below or above is nothing.
+    /// A range below or above these is read as nothing.
     double min_range_m = 0.0;
     double max_range_m = 0.0;
     std::vector<NoiseStep> noise;  ///< as of scanners
@@ -43,7 +43,7 @@ struct StaringSpec {
     /// "camera" or "ranger".
     [[nodiscard]] std::string_view kind() const;
     [[nodiscard]] int beams() const;
-    /// Of all beams, in S.
+    /// The directions of all beams, in S.
     [[nodiscard]] std::vector<glm::vec3> directions() const;
 };
 
@@ -52,12 +52,13 @@ class Staring {
     Staring(const StaringSpec& spec, const ErrorModel& errors);
 
     [[nodiscard]] const StaringSpec& spec() const { return spec_; }
-    /// What casts its beams: they are what a scanner's steps are, from 0, and a turn is its period.
+    /// Makes the scanner that casts its beams: each beam is a step, from 0 on, and a turn takes one
+    /// period.
     [[nodiscard]] Scanner make_scanner() const;
 
-    /// What it says of a measurement of that scanner: a range for each pixel, or one; infinity
-    /// where that is nothing. A ranger's noise is that of the range that it tells, drawn once: as
-    /// the least of many noisy ranges it would always be too short.
+    /// Reads a measurement of that scanner: a range for each pixel of a camera, one range for a
+    /// ranger, and infinity where nothing is met. A ranger's range gets noise once, after it has
+    /// been chosen: the least of many noisy ranges would always be too short.
     [[nodiscard]] std::vector<float> read(const Scan& scan) const;
 
   private:

@@ -6,20 +6,10 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "sim/fnv1a.h"
 #include "sim/text/quote.h"
 
 namespace scipd::sim {
-namespace {
-
-/// FNV-1a.
-std::uint32_t hash_of(std::string_view text) {
-    std::uint32_t hash = 2166136261U;
-    for (const char c : text)
-        hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
-    return hash;
-}
-
-}  // namespace
 
 std::string name_fault(std::string_view name) {
     if (name.empty()) return "must be a text that says something";
@@ -34,7 +24,7 @@ std::string name_fault(std::string_view name) {
 std::string short_name(std::string_view name) {
     if (name.size() <= longest_name) return std::string(name);
     std::array<char, 10> digits;
-    std::snprintf(digits.data(), digits.size(), "~%08x", hash_of(name));
+    std::snprintf(digits.data(), digits.size(), "~%08x", fnv1a<std::uint32_t>(name));
     const std::size_t room = longest_name - (digits.size() - 1);
     return std::string(name.substr(0, whole_characters(name, room))) + digits.data();
 }

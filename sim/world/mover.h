@@ -16,8 +16,8 @@ struct Mover {
     const PoseTrack* path = nullptr;
 };
 
-/// What any of its points goes on this leg, at most.
-[[nodiscard]] inline double way_m(const PoseTrack::Leg& leg, double radius_m) {
+/// The longest path that any point of the model takes on this leg.
+[[nodiscard]] inline double path_length_m(const PoseTrack::Leg& leg, double radius_m) {
     return glm::distance(leg.from_m, leg.to_m) + leg.turned_rad * radius_m;
 }
 

@@ -28,8 +28,6 @@ const std::vector<std::string> known_pairs = {
     "daemon/config/config <-> daemon/config/sensor",
     "daemon/config/config <-> daemon/config/values",
     "daemon/config/mount <-> daemon/config/sensor",
-    "daemon/world/backend_workshop <-> daemon/world/sensor_backends",
-    "sim/backends/depth <-> sim/backends/depth_device",
     "sim/loaders/poses/pose_columns <-> sim/loaders/poses/trajectory",
     "sim/loaders/poses/trajectory <-> sim/loaders/poses/trajectory_draft",
     "sim/loaders/poses/trajectory <-> sim/loaders/poses/tum_line",

@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "daemon/world/sensor_backends.h"
+#include "daemon/world/backend_maker.h"
 
 namespace scipd::daemon {
 
 inline SensorBackends one_backend(const sim::SharedScene& scene,
                                   const std::vector<std::string>& sensors = {"robot/scanner"}) {
-    std::vector<BackendWish> wishes;
+    std::vector<RequestedBackend> requests;
     for (const std::string& sensor : sensors)
-        wishes.push_back({.sensor = sensor, .backend = "embree"});
-    return make_backends(wishes, scene);
+        requests.push_back({.sensor = sensor, .backend = "embree"});
+    return make_backends(requests, scene);
 }
 
 }  // namespace scipd::daemon

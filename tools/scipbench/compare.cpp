@@ -127,24 +127,24 @@ ComparedScans compare_backends(const sim::SharedScene& scene,
                                const std::vector<glm::vec3>& directions, double max_range_m,
                                std::size_t count, double height_m) {
     const auto range_m = static_cast<float>(max_range_m);
-    const auto rays = sim::make_backend("embree", scene);
+    const auto rays = sim::preferred_backend().make(scene, {});
     const auto poses = free_poses(*rays, count, height_m);
     std::vector<double> ms;
     const Scans truth = cast_all(*rays, directions, poses, range_m, ms);
     const auto edges = find_edges(*rays, truth, directions, poses, range_m);
     ComparedScans compared;
     Scans drawn;
-    for (const sim::BackendInfo& info : sim::backends()) {
+    for (const sim::BackendRow& row : sim::backends()) {
         try {
-            const auto backend = sim::make_backend(info.name, scene);
+            const auto backend = row.make(scene, {});
             ms.clear();
             Scans scans = cast_all(*backend, directions, poses, range_m, ms);
-            compared.backends.push_back(compare(std::string(info.name), scans, truth, edges));
+            compared.backends.push_back(compare(std::string(row.name), scans, truth, edges));
             compared.backends.back().cost_ms = spread_of(ms);
-            if (info.name == "depth") drawn = std::move(scans);
+            if (row.draws) drawn = std::move(scans);
         } catch (const std::runtime_error& error) {
             compared.backends.push_back(
-                {.backend = std::string(info.name), .missing = error.what()});
+                {.backend = std::string(row.name), .missing = error.what()});
         }
     }
     note_places(compared, drawn, truth, directions, poses);
@@ -152,7 +152,8 @@ ComparedScans compare_backends(const sim::SharedScene& scene,
 }
 
 void print_comparison(const ComparedScans& scans, std::ostream& out) {
-    out << "against embree, away from edges, in mm                                beams in %\n"
+    out << "against " << sim::preferred_backend().name
+        << ", away from edges, in mm                                beams in %\n"
         << "backend      ms/scan      p50      p99    p99.9        max     at edges   off > 1 cm"
            "   other object\n"
         << std::fixed;

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "sim/backends/depth_device.h"
-#include "sim/backends/embree.h"
+#include "sim/backends/registry.h"
 
 namespace scipd::tools {
 namespace {
@@ -43,7 +43,7 @@ std::string why_nothing_is_drawn() {
 
 std::string describe_machine() {
     return processor() + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores; " +
-           std::string(sim::embree_description()) + "; " + what_draws();
+           std::string(sim::preferred_backend().description) + "; " + what_draws();
 }
 
 }  // namespace scipd::tools

@@ -71,8 +71,8 @@ void print_break_even(const std::vector<Table3Row>& rows, std::ostream& out) {
 
 std::vector<Table3Row> measure_table3(const sim::SharedScene& scene, int repetitions,
                                       double height_m, bool draws) {
-    const auto rays = sim::make_backend("embree", scene);
-    const auto depth = draws ? sim::make_backend("depth", scene) : nullptr;
+    const auto rays = sim::preferred_backend().make(scene, {});
+    const auto depth = draws ? sim::drawing_backend().make(scene, {}) : nullptr;
     const auto poses = free_poses(*rays, static_cast<std::size_t>(repetitions), height_m);
     std::vector<Table3Row> rows;
     for (const Resolution& resolution : paper_resolutions()) {

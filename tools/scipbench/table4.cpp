@@ -13,7 +13,7 @@
 namespace scipd::tools {
 std::vector<Table4Row> measure_table4(const sim::SharedScene& scene, int repetitions,
                                       double height_m) {
-    const auto rays = sim::make_backend("embree", scene);
+    const auto rays = sim::preferred_backend().make(scene, {});
     const auto poses = free_poses(*rays, static_cast<std::size_t>(repetitions), height_m);
     std::vector<Table4Row> rows;
     for (const Resolution& resolution : paper_resolutions()) {

@@ -24,7 +24,7 @@ enum class MeshContents {
 std::vector<MeshPart> read_mesh(const std::filesystem::path& file, MeshAxes axes,
                                 const MeshLimits& limits, MeshContents contents);
 
-/// As load_submesh() without a scale, where it lies in the file. Throws the same.
+/// The submesh of this name, where it lies in the file. Throws the same.
 std::vector<MeshPart> read_submesh(const std::filesystem::path& file, const std::string& name,
                                    const MeshLimits& limits, MeshContents contents);
 

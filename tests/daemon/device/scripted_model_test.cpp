@@ -48,12 +48,12 @@ sim::SharedScene scene_with(const sim::Script& script) {
 
 SensorBackends backends_for(const sim::SharedScene& scene, const std::string& backend) {
     const sim::BeamPattern pattern(ideal_sensor("UST-20LX").model.optics);
-    const std::vector<BackendWish> wishes{
+    const std::vector<RequestedBackend> requests{
         {.sensor = "robot/scanner",
          .backend = backend,
          .directions = {pattern.directions().begin(), pattern.directions().end()},
          .max_range_m = 30}};
-    return make_backends(wishes, scene);
+    return make_backends(requests, scene);
 }
 
 /// Of the model "model 1" at that time.

@@ -20,16 +20,16 @@
 namespace scipd::daemon {
 namespace {
 
-/// A wish that whoever lets go of it last is held up by, until the gate opens.
-BackendWish wish_behind(const std::shared_future<void>& gate) {
-    BackendWish wish;
-    wish.sensor = "robot/scanner";
-    wish.backend = "reference";  // which looks at nothing that is settled, nor keeps it
-    wish.settled = {new BackendChoice, [gate](const BackendChoice* choice) {
-                        gate.wait();
-                        delete choice;
-                    }};
-    return wish;
+/// A request that whoever lets go of it last is held up by, until the gate opens.
+RequestedBackend request_behind(const std::shared_future<void>& gate) {
+    RequestedBackend request;
+    request.sensor = "robot/scanner";
+    request.backend = "reference";  // which looks at nothing that is settled, nor keeps it
+    request.settled = {new BackendChoice, [gate](const BackendChoice* choice) {
+                           gate.wait();
+                           delete choice;
+                       }};
+    return request;
 }
 
 // They are connections, which must not end on another thread than they live on.
@@ -40,8 +40,8 @@ TEST(SceneEditor, LeavesNothingOfThoseWhoAreAnsweredToTheLoader) {
         SteppedClock clock;
         std::promise<void> opens;
         const std::shared_future<void> gate = opens.get_future().share();
-        Loader loader(io.get_executor());
-        SceneEditor editor(world, loader, clock, [&] { return std::vector{wish_behind(gate)}; });
+        Worker worker(io.get_executor());
+        SceneEditor editor(world, worker, clock, [&] { return std::vector{request_behind(gate)}; });
 
         auto somebody = std::make_shared<int>();
         const std::weak_ptr<int> still_there = somebody;
@@ -58,8 +58,8 @@ TEST(SceneEditor, ForgetsWhatIsWithdrawnBeforeItHasBegun) {
     boost::asio::io_context io;
     World world = wall_world();
     SteppedClock clock;
-    Loader loader(io.get_executor());
-    SceneEditor editor(world, loader, clock, [] { return std::vector<BackendWish>{}; });
+    Worker worker(io.get_executor());
+    SceneEditor editor(world, worker, clock, [] { return std::vector<RequestedBackend>{}; });
     std::string answered;
     const auto says = [&](const std::string& word) {
         return [&answered, word](const EditOutcome&) { answered += word; };
@@ -103,8 +103,8 @@ class AddedFromFiles : public testing::Test {
     boost::asio::io_context io_;
     World world_ = wall_world();
     SteppedClock clock_;
-    Loader loader_{io_.get_executor()};
-    SceneEditor editor_{world_, loader_, clock_, [] { return std::vector<BackendWish>{}; }};
+    Worker worker_{io_.get_executor()};
+    SceneEditor editor_{world_, worker_, clock_, [] { return std::vector<RequestedBackend>{}; }};
 };
 
 TEST_F(AddedFromFiles, ObeyStrictOfAnyKind) {

@@ -8,8 +8,9 @@
 
 #include <gmock/gmock.h>
 
-#include "daemon/world/backend_workshop.h"
+#include "daemon/world/backend_maker.h"
 #include "sim/loaders/file/confined.h"
+#include "tests/support/name_of_backend.h"
 #include "tests/support/scene_builder.h"
 
 namespace scipd::daemon {
@@ -24,19 +25,20 @@ sim::SharedScene scene_of(int boxes) {
     return scene.build();
 }
 
-BackendWish wish(const std::string& sensor, const std::string& backend, int beams = 9) {
-    BackendWish wish;
-    wish.sensor = sensor;
-    wish.backend = backend;
-    wish.max_range_m = 30.0F;
+RequestedBackend requested(const std::string& sensor, const std::optional<std::string>& backend,
+                           int beams = 9) {
+    RequestedBackend request;
+    request.sensor = sensor;
+    request.backend = backend;
+    request.max_range_m = 30.0F;
     for (int i = 0; i < beams; ++i) {
         const double angle_rad = 0.05 * (i - beams / 2);
-        wish.directions.emplace_back(std::cos(angle_rad), std::sin(angle_rad), 0.0);
+        request.directions.emplace_back(std::cos(angle_rad), std::sin(angle_rad), 0.0);
     }
-    return wish;
+    return request;
 }
 
-float range_ahead_m(const SensorBackends& backends, const std::string& sensor) {
+float range_ahead_m(SensorBackends& backends, const std::string& sensor) {
     const std::vector<glm::vec3> forward{{1, 0, 0}};
     const std::vector<sim::Pose> pose(1);
     std::vector<sim::Hit> hits(1);
@@ -45,11 +47,11 @@ float range_ahead_m(const SensorBackends& backends, const std::string& sensor) {
 }
 
 TEST(SensorBackends, AreWhatWasAskedForByName) {
-    const std::vector<BackendWish> wishes{wish("a/1", "embree"), wish("a/2", "reference"),
-                                          wish("b/1", "embree")};
-    const SensorBackends backends = make_backends(wishes, scene_of(1));
-    EXPECT_EQ(backends.of("a/1").name(), "embree");
-    EXPECT_EQ(backends.of("a/2").name(), "reference");
+    const std::vector<RequestedBackend> requests{
+        requested("a/1", "embree"), requested("a/2", "reference"), requested("b/1", "embree")};
+    SensorBackends backends = make_backends(requests, scene_of(1));
+    EXPECT_EQ(name_of(backends.of("a/1")), "embree");
+    EXPECT_EQ(name_of(backends.of("a/2")), "reference");
     EXPECT_EQ(backends.choice_of("a/2")->backend, "reference");
     EXPECT_EQ(backends.choice_of("a/2")->reason, "");
     EXPECT_FLOAT_EQ(range_ahead_m(backends, "a/2"), 4.0F);
@@ -64,7 +66,7 @@ TEST(SensorBackends, ThatCannotBeHadSayWhatElseThereIs) {
                                .memory_bytes = 10'000'000};
     const auto made_with_little = [&] {
         sim::run_confined(little, [](std::FILE*) {
-            (void)make_backends(std::vector{wish("a/1", "auto")}, scene_of(1));
+            (void)make_backends(std::vector{requested("a/1", std::nullopt)}, scene_of(1));
         });
     };
     EXPECT_THAT(made_with_little,
@@ -74,45 +76,45 @@ TEST(SensorBackends, ThatCannotBeHadSayWhatElseThereIs) {
 }
 
 TEST(SensorBackends, AreSharedByThoseThatWantTheSame) {
-    const std::vector<BackendWish> wishes{wish("a/1", "embree"), wish("a/2", "reference"),
-                                          wish("b/1", "embree")};
-    const SensorBackends backends = make_backends(wishes, scene_of(1));
+    const std::vector<RequestedBackend> requests{
+        requested("a/1", "embree"), requested("a/2", "reference"), requested("b/1", "embree")};
+    SensorBackends backends = make_backends(requests, scene_of(1));
     EXPECT_EQ(&backends.of("a/1"), &backends.of("b/1"));
     EXPECT_NE(&backends.of("a/1"), &backends.of("a/2"));
 }
 
 TEST(SensorBackends, AreRaysForAutoThatIsNotMeasuredYet) {
-    const BackendWish open = wish("a/1", "auto");
-    const SensorBackends backends = make_backends({&open, 1}, scene_of(1));
-    EXPECT_EQ(backends.of("a/1").name(), "embree");
+    const RequestedBackend open = requested("a/1", std::nullopt);
+    SensorBackends backends = make_backends({&open, 1}, scene_of(1));
+    EXPECT_EQ(name_of(backends.of("a/1")), "embree");
     EXPECT_EQ(backends.choice_of("a/1")->reason, "not measured yet");
     EXPECT_FALSE(backends.choice_of("a/1")->faces);
 }
 
-TEST(BackendWorkshop, SettlesAutoByMeasuring) {
-    BackendWorkshop workshop(scene_of(1));
-    BackendWish open = wish("a/1", "auto");
-    EXPECT_TRUE(workshop.is_open(open));
-    open.settled = workshop.measure(open, {});
-    EXPECT_FALSE(workshop.is_open(open));
+TEST(BackendMaker, SettlesAutoByMeasuring) {
+    BackendMaker maker(scene_of(1));
+    RequestedBackend open = requested("a/1", std::nullopt);
+    EXPECT_TRUE(maker.is_open(open));
+    open.settled = maker.measure(open, {});
+    EXPECT_FALSE(maker.is_open(open));
     // On a machine that cannot draw it says why.
     EXPECT_THAT(open.settled->reason,
                 testing::AnyOf(testing::MatchesRegex("embree takes .* ms, depth .*"),
                                HasSubstr("no depth: ")));
     EXPECT_EQ(open.settled->faces, 1U);
-    const SensorBackends backends = workshop.make({&open, 1});
-    EXPECT_EQ(backends.of("a/1").name(), open.settled->backend);
+    SensorBackends backends = maker.make({&open, 1});
+    EXPECT_EQ(name_of(backends.of("a/1")), open.settled->backend);
     EXPECT_EQ(backends.choice_of("a/1"), open.settled);
     EXPECT_FLOAT_EQ(range_ahead_m(backends, "a/1"), 4.0F);
 }
 
-TEST(BackendWorkshop, MeasuresAgainWhenTheSceneHasChangedMuch) {
-    BackendWish settled = wish("a/1", "auto");
+TEST(BackendMaker, MeasuresAgainWhenTheSceneHasChangedMuch) {
+    RequestedBackend settled = requested("a/1", std::nullopt);
     settled.settled =
         std::make_shared<const BackendChoice>(BackendChoice{"embree", "as before", 10});
     const auto open_in = [&](int boxes) {
-        const BackendWorkshop workshop(scene_of(boxes));
-        return workshop.is_open(settled);
+        const BackendMaker maker(scene_of(boxes));
+        return maker.is_open(settled);
     };
     EXPECT_FALSE(open_in(7));
     EXPECT_FALSE(open_in(15));
@@ -124,9 +126,9 @@ TEST(BackendWorkshop, MeasuresAgainWhenTheSceneHasChangedMuch) {
     EXPECT_FALSE(open_in(16));
 }
 
-TEST(BackendWorkshop, EndsMeasuringWhenNobodyWaitsForIt) {
-    BackendWorkshop workshop(scene_of(1));
-    const SharedChoice choice = workshop.measure(wish("a/1", "auto"), [] { return true; });
+TEST(BackendMaker, EndsMeasuringWhenNobodyWaitsForIt) {
+    BackendMaker maker(scene_of(1));
+    const SharedChoice choice = maker.measure(requested("a/1", std::nullopt), [] { return true; });
     EXPECT_EQ(choice->backend, "embree");
     EXPECT_THAT(choice->reason, testing::AnyOf(HasSubstr("ended"), HasSubstr("no depth: ")));
 }

@@ -30,7 +30,7 @@ class Paced final : public RangeBackend {
           later_(later),
           range_m_(range_m) {}
 
-    [[nodiscard]] std::string_view name() const override { return name_; }
+    [[nodiscard]] std::string_view name() const { return name_; }
     [[nodiscard]] int most_poses() const { return most_poses_; }
     [[nodiscard]] int casts() const { return casts_; }
 
@@ -60,9 +60,9 @@ class Choosing : public testing::Test {
         paced_.push_back(std::make_unique<Paced>(name, clock_, first, later, range_m));
     }
     Choice chosen() {
-        std::vector<RangeBackend*> contenders;
+        std::vector<Contender> contenders;
         for (const auto& paced : paced_)
-            contenders.push_back(paced.get());
+            contenders.push_back({paced->name(), paced.get()});
         return choose(
             contenders, fans_, [this] { return clock_; }, limits_);
     }

@@ -29,7 +29,7 @@ inline constexpr float nothing = std::numeric_limits<float>::infinity();
 
 inline std::vector<std::string> backend_names() {
     std::vector<std::string> names;
-    for (const BackendInfo& backend : backends())
+    for (const BackendRow& backend : backends())
         names.emplace_back(backend.name);
     return names;
 }

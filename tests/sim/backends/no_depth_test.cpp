@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "sim/backends/depth.h"
+#include "sim/backends/depth_probe.h"
 
 namespace scipd::sim {
 namespace {
@@ -15,7 +16,7 @@ TEST(NoDepth, SaysWhatTheBuildLacked) {
     EXPECT_THAT(std::string(depth_description()), HasSubstr("not in this build"));
     EXPECT_THAT(std::string(depth_description()), HasSubstr("libepoxy-dev"));
     EXPECT_THAT(probe_depth().text, HasSubstr("libegl-dev"));
-    EXPECT_FALSE(probe_depth().can_draw);
+    EXPECT_FALSE(probe_depth().usable);
 }
 
 TEST(NoDepth, RefusesToBeMade) {

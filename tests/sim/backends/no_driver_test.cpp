@@ -7,7 +7,7 @@
 
 #include <gmock/gmock.h>
 
-#include "sim/backends/depth.h"
+#include "sim/backends/depth_probe.h"
 #include "sim/backends/registry.h"
 #include "tests/support/scene_builder.h"
 
@@ -27,7 +27,7 @@ TEST_F(NoDriver, IsToldWhereADepthBufferIsAskedFor) {
     EXPECT_THAT([&] { make_backend("depth", scene_); },
                 testing::ThrowsMessage<std::runtime_error>(HasSubstr("libgl1-mesa-dri")));
     EXPECT_THAT(probe_depth().text, HasSubstr("libgl1-mesa-dri"));
-    EXPECT_FALSE(probe_depth().can_draw);
+    EXPECT_FALSE(probe_depth().usable);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ inline const std::map<std::string, std::unique_ptr<RangeBackend>>& backends_for(
     if (scene == last) return all;
     last = scene;
     all.clear();
-    for (const BackendInfo& backend : backends()) {
+    for (const BackendRow& backend : backends()) {
         try {
             all.emplace(backend.name, make_backend(backend.name, scene));
         } catch (const std::runtime_error&) {

@@ -75,8 +75,8 @@ TEST(Encounters, PutAModelWhereItIsWhenTheBeamsPass) {
     const Mover mover{0, 0.3, &crossing};
     const std::vector<Part> parts = parts_at_origin({&mover, 1});
     ASSERT_EQ(parts.size(), 1U);
-    ASSERT_EQ(parts[0].puts.size(), 1U);
-    EXPECT_NEAR(seconds(parts[0].puts[0].time), seconds(fired(540)), 1e-4);
+    ASSERT_EQ(parts[0].updates.size(), 1U);
+    EXPECT_NEAR(seconds(parts[0].updates[0].time), seconds(fired(540)), 1e-4);
 }
 
 TEST(Encounters, TakeMorePartsWhereSomethingNearIsFast) {
@@ -104,8 +104,8 @@ TEST(Encounters, BreakASweepOnceForAJump) {
     const std::vector<Part> parts = parts_at_origin({&mover, 1});
     std::vector<double> met_at_m;
     for (const Part& part : parts) {
-        ASSERT_EQ(part.puts.size(), 1U);
-        const double x_m = jumping.at(part.puts[0].time).translation_m.x;
+        ASSERT_EQ(part.updates.size(), 1U);
+        const double x_m = jumping.at(part.updates[0].time).translation_m.x;
         met_at_m.insert(met_at_m.end(), part.beams.count, x_m);
     }
     EXPECT_LE(parts.size(), 3U);
@@ -156,7 +156,7 @@ int met_where_they_are(const Sweep& sweep, const std::vector<Part>& parts) {
     int met = 0;
     for (const Part& part : parts) {
         EXPECT_EQ(part.beams.first, beam);
-        for (const Put& one : part.puts)
+        for (const MoverUpdate& one : part.updates)
             put[one.mover] = sweep.movers[one.mover].path->at(one.time);
         for (; beam < part.beams.first + part.beams.count; ++beam) {
             for (std::size_t i = 0; i < sweep.movers.size(); ++i) {

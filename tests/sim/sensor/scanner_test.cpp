@@ -15,7 +15,6 @@ using namespace std::chrono_literals;
 class WallAhead final : public RangeBackend {
   public:
     WallAhead() : RangeBackend(std::make_shared<const Scene>()) {}
-    [[nodiscard]] std::string_view name() const override { return "wall ahead"; }
 
     std::vector<Pose> asked_poses;
     float asked_max_range_m = 0.0F;

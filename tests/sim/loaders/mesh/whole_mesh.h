@@ -11,6 +11,7 @@
 
 #include "sim/loaders/mesh/confined_mesh.h"
 #include "sim/loaders/mesh/mesh_file.h"
+#include "sim/loaders/mesh/mesh_parts.h"
 
 namespace scipd::sim {
 

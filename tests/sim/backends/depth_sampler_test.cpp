@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // Pictures made by hand, so that what a beam makes of them can be told apart from what was drawn.
-#include "sim/backends/beam_cutter.h"
+#include "sim/backends/depth_sampler.h"
 
 #include <numbers>
 #include <vector>
@@ -36,8 +36,8 @@ class BeamCutting : public testing::Test {
 
     /// One beam between two pixels that look at tangents 0.01 apart, with depths as drawn or as
     /// given.
-    Hit cut(BetweenPixels between, std::vector<TriangleId> shown, double left,
-            const std::vector<double>& z_m) {
+    Hit sampled(BetweenPixels between, std::vector<TriangleId> shown, double left,
+                const std::vector<double>& z_m) {
         picture_.size_px = {2, 1};
         picture_.triangle = std::move(shown);
         picture_.depth.clear();
@@ -52,8 +52,8 @@ class BeamCutting : public testing::Test {
                                        .cos_alpha = static_cast<float>(direction.x)}};
         std::vector<Hit> hits(1);
         const Pose anchored_from_sensor{-scene_->anchor_m, Pose{}.rotation};
-        BeamCutter(*scene_, triangles_, picture_, between, anchored_from_sensor)
-            .cut(looks, {directions, poses}, hits);
+        DepthSampler(*scene_, triangles_, picture_, between, anchored_from_sensor)
+            .sample(looks, {directions, poses}, hits);
         cosine_ = direction.x;
         return hits[0];
     }
@@ -61,7 +61,7 @@ class BeamCutting : public testing::Test {
     /// The distance ahead of what is cut.
     double ahead_m(BetweenPixels between, const std::vector<TriangleId>& shown, double left,
                    const std::vector<double>& z_m) {
-        const double range_m = cut(between, shown, left, z_m).range_m;
+        const double range_m = sampled(between, shown, left, z_m).range_m;
         return range_m * cosine_;
     }
 
@@ -96,7 +96,7 @@ TEST_F(BeamCutting, DecidesAnEdgeByTheSideOfTheBeam) {
     ASSERT_NE(shown[1], nothing);
     for (const auto between : {BetweenPixels::interpolate, BetweenPixels::exact}) {
         for (const double left : {-0.004, -1e-5, 1e-5, 0.004}) {
-            const Hit hit = cut(between, shown, left, {10.0, 3.0});
+            const Hit hit = sampled(between, shown, left, {10.0, 3.0});
             EXPECT_EQ(hit.object, left > 0 ? screen : wall);
             EXPECT_EQ(hit.material, left > 0 ? 1U : 2U);
             EXPECT_NEAR(hit.range_m, (left > 0 ? 3.0 : 10.0) / cosine_, 1e-5);
@@ -106,8 +106,8 @@ TEST_F(BeamCutting, DecidesAnEdgeByTheSideOfTheBeam) {
 
 TEST_F(BeamCutting, SeesPastAnEdgeWithNothingBehind) {
     const std::vector<TriangleId> shown{nothing, shown_by(screen, 0.005, 0)};
-    EXPECT_FALSE(cut(BetweenPixels::exact, shown, -0.001, {1e9, 3.0}).met());
-    EXPECT_EQ(cut(BetweenPixels::exact, shown, 0.001, {1e9, 3.0}).object, screen);
+    EXPECT_FALSE(sampled(BetweenPixels::exact, shown, -0.001, {1e9, 3.0}).met());
+    EXPECT_EQ(sampled(BetweenPixels::exact, shown, 0.001, {1e9, 3.0}).object, screen);
 }
 
 // Two pixels that show triangles which the beam passes, one far above and one far below: something
@@ -120,7 +120,7 @@ TEST_F(BeamCutting, TakesTheNearestPixelsPlaneWhereNoTriangleIsMet) {
     }
     ASSERT_FALSE(passed.empty());
     passed.resize(2, passed[0]);
-    const Hit hit = cut(BetweenPixels::exact, {passed[0], passed[1]}, 0.002, {10.0, 10.0});
+    const Hit hit = sampled(BetweenPixels::exact, {passed[0], passed[1]}, 0.002, {10.0, 10.0});
     EXPECT_EQ(hit.object, wall);
     EXPECT_NEAR(hit.range_m, 10.0 / cosine_, 1e-5);
 }
@@ -129,7 +129,7 @@ TEST_F(BeamCutting, GoesByTheNearestPixelsDepthWhereThatIsTheAnswer) {
     const std::vector<TriangleId> shown(2, shown_by(wall, 0.0, 0));
     EXPECT_NEAR(ahead_m(BetweenPixels::nearest, shown, -0.001, {7.0, 8.0}), 7.0, 1e-5);
     EXPECT_NEAR(ahead_m(BetweenPixels::nearest, shown, 0.001, {7.0, 8.0}), 8.0, 1e-5);
-    EXPECT_FALSE(cut(BetweenPixels::nearest, {nothing, shown[1]}, -0.001, {1e9, 8.0}).met());
+    EXPECT_FALSE(sampled(BetweenPixels::nearest, {nothing, shown[1]}, -0.001, {1e9, 8.0}).met());
 }
 
 TEST_F(BeamCutting, InterpolatesTheInverseOfTheDepth) {
@@ -145,7 +145,7 @@ TEST_F(BeamCutting, TakesThePlaneAndNotTheDepthWhereExact) {
 
 TEST_F(BeamCutting, TellsTheIncidence) {
     const std::vector<TriangleId> shown(2, shown_by(wall, 0.0, 0));
-    const Hit hit = cut(BetweenPixels::exact, shown, 0.004, {10.0, 10.0});
+    const Hit hit = sampled(BetweenPixels::exact, shown, 0.004, {10.0, 10.0});
     EXPECT_NEAR(hit.cos_incidence, cosine_, 1e-6);
 }
 

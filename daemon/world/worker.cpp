@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/world/loader.h"
+#include "daemon/world/worker.h"
 
 #include <utility>
 
@@ -10,41 +10,41 @@
 namespace scipd::daemon {
 namespace {
 
-// What a large world was spread over stays with the C library otherwise, gigabytes of it, since it
-// came in pieces and some between them are in use.
+// Otherwise the C library keeps the memory of a large world, gigabytes of it: the world took it in
+// many pieces, and what lies between some of them is still in use.
 void give_free_memory_back() {
     malloc_trim(0);
 }
 
 }  // namespace
 
-Loader::~Loader() {
+Worker::~Worker() {
     stop();
     thread_.join();
 }
 
-void Loader::add(Begin begin, std::stop_token withdrawn) {
+void Worker::add(Begin begin, std::stop_token withdrawn) {
     if (*here_ == nullptr) return;
     forget_withdrawn();
     waiting_.push_back({std::move(begin), std::move(withdrawn)});
     if (!busy_) next();
 }
 
-void Loader::forget_withdrawn() {
+void Worker::forget_withdrawn() {
     std::erase_if(waiting_, [](const Waiting& one) { return one.withdrawn.stop_requested(); });
 }
 
-void Loader::discard(std::shared_ptr<void> what) {
+void Worker::discard(std::shared_ptr<void> what) {
     boost::asio::post(thread_, [what = std::move(what)]() mutable { what.reset(); });
 }
 
-void Loader::stop() {
+void Worker::stop() {
     *here_ = nullptr;
     waiting_.clear();
     stopping_.request_stop();
 }
 
-void Loader::next() {
+void Worker::next() {
     forget_withdrawn();
     busy_ = !waiting_.empty();
     if (!busy_) return boost::asio::post(thread_, give_free_memory_back);
@@ -53,7 +53,7 @@ void Loader::next() {
     boost::asio::post(thread_, [io = io_, here = here_, work = begin()] {
         boost::asio::post(io, [here, finish = work()] {
             if (*here != nullptr) finish();
-            // Which may have been the end.
+            // finish() may have stopped or destroyed the worker.
             if (*here != nullptr) (*here)->next();
         });
     });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/backends/beam_cutter.h"
+#include "sim/backends/depth_sampler.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 namespace scipd::sim {
 
 /// The pixels around a beam: one, two or four different ones.
-struct BeamCutter::Around {
+struct DepthSampler::Around {
     Around(const Look& look, const Picture& picture) {
         const std::size_t left = look.share.x > 0.0F ? 1 : 0;
         const std::size_t above =
@@ -46,7 +46,7 @@ struct BeamCutter::Around {
 };
 
 /// A beam, and the normals of two planes through it, in anchored W.
-struct BeamCutter::Beam {
+struct DepthSampler::Beam {
     Beam(const glm::dvec3& in_sensor, const glm::dmat3& anchored_from_sensor)
         : direction(in_sensor),
           along(anchored_from_sensor * in_sensor),
@@ -59,8 +59,9 @@ struct BeamCutter::Beam {
     glm::dvec3 above;
 };
 
-BeamCutter::BeamCutter(const Scene& scene, const DepthTriangles& triangles, const Picture& picture,
-                       BetweenPixels between, const Pose& anchored_from_sensor)
+DepthSampler::DepthSampler(const Scene& scene, const DepthTriangles& triangles,
+                           const Picture& picture, BetweenPixels between,
+                           const Pose& anchored_from_sensor)
     : scene_(scene),
       triangles_(triangles),
       picture_(picture),
@@ -68,14 +69,14 @@ BeamCutter::BeamCutter(const Scene& scene, const DepthTriangles& triangles, cons
       anchored_from_sensor_(glm::mat3_cast(anchored_from_sensor.rotation)),
       eye_m_(anchored_from_sensor.translation_m) {}
 
-void BeamCutter::cut(std::span<const Look> looks, const Fan& fan, std::span<Hit> hits) {
+void DepthSampler::sample(std::span<const Look> looks, const Fan& fan, std::span<Hit> hits) {
     for (const Look& look : looks) {
         const Hit met = hit(look, glm::dvec3{fan.directions[look.ray]});
         hits[look.ray] = met.range_m <= fan.max_range_m ? met : Hit{};
     }
 }
 
-Hit BeamCutter::hit(const Look& look, const glm::dvec3& direction) {
+Hit DepthSampler::hit(const Look& look, const glm::dvec3& direction) {
     const Around around(look, picture_);
     if (between_ == BetweenPixels::nearest) return by_depth(around.nearest, look, direction);
     if (!around.one_triangle()) return by_triangles(around, look, direction);
@@ -87,12 +88,12 @@ Hit BeamCutter::hit(const Look& look, const glm::dvec3& direction) {
     }
     const double range_m = distance_m_ / glm::dot(normal_, direction);
     if (agrees(range_m, look.pixel, look)) return at_range(range_m, direction);
-    // Seen so flat that a driver shows it where it is not: what the pixels beside show may be
-    // there.
+    // The triangle is seen so flat that a driver draws it where it is not. Perhaps the beam meets
+    // what the pixels beside this one show.
     return by_triangles(Around(around.nearest, picture_), look, direction);
 }
 
-void BeamCutter::look_at(TriangleId triangle) {
+void DepthSampler::look_at(TriangleId triangle) {
     if (triangle == triangle_) return;
     triangle_ = triangle;
     const Face& face = triangles_.faces()[triangle];
@@ -104,13 +105,13 @@ void BeamCutter::look_at(TriangleId triangle) {
     material_ = scene_.objects[object_].material;
 }
 
-Hit BeamCutter::at_range(double range_m, const glm::dvec3& direction) const {
+Hit DepthSampler::at_range(double range_m, const glm::dvec3& direction) const {
     const double cosine = std::min(1.0, std::abs(glm::dot(normal_, direction)));
     return {static_cast<float>(range_m), static_cast<float>(cosine), material_, object_};
 }
 
-/// Equations (1) and (2).
-Hit BeamCutter::by_depth(std::size_t pixel, const Look& look, const glm::dvec3& direction) {
+/// Equations (1) and (2) of the depth-buffer method (depth_projection.h).
+Hit DepthSampler::by_depth(std::size_t pixel, const Look& look, const glm::dvec3& direction) {
     if (picture_.triangle[pixel] == Picture::nothing) return {};
     look_at(picture_.triangle[pixel]);
     const double z_m = z_of_depth_m(double{picture_.depth[pixel]});
@@ -119,23 +120,23 @@ Hit BeamCutter::by_depth(std::size_t pixel, const Look& look, const glm::dvec3& 
 
 /// Whether a range that follows from a triangle's plane is near the depth of the pixel that shows
 /// it. Where it is not, the triangle is seen so flat that it may be met elsewhere or not at all.
-bool BeamCutter::agrees(double range_m, std::size_t pixel, const Look& look) const {
+bool DepthSampler::agrees(double range_m, std::size_t pixel, const Look& look) const {
     constexpr double share = 0.02;
     const double near_plane_m = range_m * double{look.cos_alpha} * double{picture_.depth[pixel]};
     return std::abs(near_plane_m - near_m) <= share * near_m;
 }
 
 /// Depth is n/z, and 1/z is linear in the picture.
-double BeamCutter::depth_between(const Around& around, const Look& look) const {
+double DepthSampler::depth_between(const Around& around, const Look& look) const {
     const auto mix = [](double a, double b, double share) { return a + share * (b - a); };
     const auto depth = [&](std::size_t i) { return double{picture_.depth[around.pixels[i]]}; };
     return mix(mix(depth(0), depth(1), double{look.share.x}),
                mix(depth(2), depth(3), double{look.share.x}), double{look.share.y});
 }
 
-/// By the sides of the edges that the beam passes on. Two triangles that share an edge compute the
+/// Looks at which side of each edge the beam passes. Two triangles that share an edge compute the
 /// same number for it, so no beam slips between them.
-bool BeamCutter::meets(const Beam& beam, TriangleId triangle) const {
+bool DepthSampler::meets(const Beam& beam, TriangleId triangle) const {
     const glm::uvec3 corners = triangles_.triangles()[triangle].corners;
     const auto vertices = triangles_.vertices();
     const glm::dvec3 a = glm::dvec3{vertices[corners.x].position_m} - eye_m_;
@@ -147,8 +148,8 @@ bool BeamCutter::meets(const Beam& beam, TriangleId triangle) const {
     return (ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0);
 }
 
-/// Whether all that is within the bounds lies on one side of the beam, or farther than this.
-bool BeamCutter::passes(const Beam& beam, const FloatBounds& bounds, double range_m) const {
+/// Whether the whole box lies on one side of the beam, or farther away than `range_m`.
+bool DepthSampler::passes(const Beam& beam, const CentredBox& bounds, double range_m) const {
     const glm::dvec3 middle_m = glm::dvec3{bounds.middle_m} - eye_m_;
     const glm::dvec3 half_m{bounds.half_m};
     const auto reach_m = [&](const glm::dvec3& normal) {
@@ -159,8 +160,8 @@ bool BeamCutter::passes(const Beam& beam, const FloatBounds& bounds, double rang
            glm::dot(beam.along, middle_m) - reach_m(beam.along) > range_m;
 }
 
-/// Whether all of it lies on one side of the beam; most triangles are dismissed by that.
-bool BeamCutter::passes(const Beam& beam, TriangleId triangle) const {
+/// Whether the triangle lies on one side of the beam. This alone dismisses most triangles.
+bool DepthSampler::passes(const Beam& beam, TriangleId triangle) const {
     constexpr double surely_m = 1e-6;
     const glm::uvec3 corners = triangles_.triangles()[triangle].corners;
     const auto vertices = triangles_.vertices();
@@ -174,14 +175,14 @@ bool BeamCutter::passes(const Beam& beam, TriangleId triangle) const {
            (a_m < -surely_m && b_m < -surely_m && c_m < -surely_m);
 }
 
-void BeamCutter::take_nearer(const Beam& beam, TriangleId triangle, Hit& first) {
+void DepthSampler::take_nearer(const Beam& beam, TriangleId triangle, Hit& first) {
     if (!meets(beam, triangle)) return;
     look_at(triangle);
     const double range_m = distance_m_ / glm::dot(normal_, beam.direction);
     if (range_m > 0.0 && range_m < double{first.range_m}) first = at_range(range_m, beam.direction);
 }
 
-void BeamCutter::take_nearer(const Beam& beam, const Body& body, Hit& first) {
+void DepthSampler::take_nearer(const Beam& beam, const Body& body, Hit& first) {
     for (const Cluster& cluster : body.clusters) {
         if (passes(beam, cluster.bounds, double{first.range_m})) continue;
         for (const Block& block : body.of(cluster)) {
@@ -194,10 +195,11 @@ void BeamCutter::take_nearer(const Beam& beam, const Body& body, Hit& first) {
     }
 }
 
-/// Where a pixel shows something nearer than what the beam has met so far, a triangle beside it may
-/// reach up to the beam, too narrow for a pixel of its own: the rim of a post, say, whose facets
-/// are narrower than pixels.
-void BeamCutter::find_unseen(const Around& around, const Look& look, const Beam& beam, Hit& first) {
+/// A pixel may show something nearer than what the beam has met so far. Then a triangle beside the
+/// shown one may reach up to the beam and be too narrow for a pixel of its own: a facet at the rim
+/// of a post, say.
+void DepthSampler::find_unseen(const Around& around, const Look& look, const Beam& beam,
+                               Hit& first) {
     for (std::size_t i = 0; i < around.shown.size(); ++i) {
         const TriangleId shown = around.shown[i];
         if (shown == Picture::nothing || (i > 0 && shown == around.shown[i - 1])) continue;
@@ -205,8 +207,8 @@ void BeamCutter::find_unseen(const Around& around, const Look& look, const Beam&
             z_of_depth_m(double{picture_.depth[around.pixels[i]]}) / double{look.cos_alpha};
         if (double{first.range_m} < shown_m) continue;
         Hit unseen = first;
-        // A beam between something and nothing goes past that, or meets it where it is seen, but
-        // nothing far behind it.
+        // A beam between a pixel that shows something and one that shows nothing either misses the
+        // thing or meets it near the range that is shown, but meets nothing far behind it.
         constexpr double where_seen = 1.02;
         if (!first.met() && around.any_nothing())
             unseen.range_m = static_cast<float>(where_seen * shown_m);
@@ -215,10 +217,11 @@ void BeamCutter::find_unseen(const Around& around, const Look& look, const Beam&
     }
 }
 
-/// At an edge: the nearest of the triangles that the beam meets. A beam that passes all of them and
-/// has no pixel beside them goes between two pixels through a third triangle, too small for either
-/// to show; the plane of the nearest pixel's is the best there is.
-Hit BeamCutter::by_triangles(const Around& around, const Look& look, const glm::dvec3& direction) {
+/// At an edge: takes the nearest of the shown triangles that the beam meets. A beam may miss them
+/// all although every pixel around it shows something. Then it meets a triangle that is too small
+/// for any pixel to show, and the plane of the nearest pixel's triangle is the best there is.
+Hit DepthSampler::by_triangles(const Around& around, const Look& look,
+                               const glm::dvec3& direction) {
     const Beam beam(direction, anchored_from_sensor_);
     Hit first;
     for (std::size_t i = 0; i < around.shown.size(); ++i) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// From the pixels around a beam to what the beam meets. A pixel shows which triangle is in front
-// there; the beam itself may go beside its centre. Never answers with a place between two objects.
-// Pure; in double precision.
+// Samples a picture for beams: it finds what a beam meets from the pixels around it. A pixel shows
+// which triangle is in front at its centre, while the beam may pass beside the centre. A range
+// never lies between two objects. Pure; in double precision.
 #pragma once
 
 #include <cstddef>
@@ -20,14 +20,14 @@
 
 namespace scipd::sim {
 
-/// For one picture, drawn from one pose of the sensor. What it is made from outlives it.
-class BeamCutter {
+/// For one picture, drawn from one pose of the sensor. All arguments but the pose must outlive it.
+class DepthSampler {
   public:
-    BeamCutter(const Scene& scene, const DepthTriangles& triangles, const Picture& picture,
-               BetweenPixels between, const Pose& anchored_from_sensor);
+    DepthSampler(const Scene& scene, const DepthTriangles& triangles, const Picture& picture,
+                 BetweenPixels between, const Pose& anchored_from_sensor);
 
-    /// Fills the hits of the rays that these looks are of.
-    void cut(std::span<const Look> looks, const Fan& fan, std::span<Hit> hits);
+    /// Fills the hits of the rays that these looks belong to.
+    void sample(std::span<const Look> looks, const Fan& fan, std::span<Hit> hits);
 
   private:
     struct Around;
@@ -40,11 +40,11 @@ class BeamCutter {
     [[nodiscard]] Hit by_depth(std::size_t pixel, const Look& look, const glm::dvec3& direction);
     [[nodiscard]] Hit by_triangles(const Around& around, const Look& look,
                                    const glm::dvec3& direction);
-    /// Puts what lies unseen before the first one into its place.
+    /// Replaces `first` by something nearer that no pixel shows, if there is such a thing.
     void find_unseen(const Around& around, const Look& look, const Beam& beam, Hit& first);
-    [[nodiscard]] bool passes(const Beam& beam, const FloatBounds& bounds, double range_m) const;
+    [[nodiscard]] bool passes(const Beam& beam, const CentredBox& bounds, double range_m) const;
     [[nodiscard]] bool passes(const Beam& beam, TriangleId triangle) const;
-    /// Where the beam meets the triangle, or one of the body, before that.
+    /// Replaces `first` where the beam meets the triangle, or one of the body, before that.
     void take_nearer(const Beam& beam, TriangleId triangle, Hit& first);
     void take_nearer(const Beam& beam, const Body& body, Hit& first);
     [[nodiscard]] bool agrees(double range_m, std::size_t pixel, const Look& look) const;
@@ -58,7 +58,7 @@ class BeamCutter {
     glm::dmat3 anchored_from_sensor_;
     glm::dvec3 eye_m_;
 
-    // The triangle that was looked at last; neighbouring beams mostly meet the same.
+    // The triangle of the beam before; neighbouring beams mostly meet the same one.
     TriangleId triangle_ = Picture::nothing;
     glm::dvec3 normal_{0.0};   ///< in S
     double distance_m_ = 0.0;  ///< of the eye from its plane, with the sign of the normal

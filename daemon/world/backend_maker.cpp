@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/world/backend_maker.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <chrono>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <glm/trigonometric.hpp>
+
+#include "sim/backends/choice.h"
+#include "sim/backends/registry.h"
+
+namespace scipd::daemon {
+namespace {
+
+/// A name that is in the registry: the configuration was checked, and choices are made from rows.
+const sim::BackendRow& row_of(std::string_view name) {
+    const sim::BackendRow* row = sim::find_backend(name);
+    assert(row != nullptr);
+    return *row;
+}
+
+std::string missing(const sim::BackendRow& row, const std::runtime_error& why) {
+    return "no " + std::string(row.name) + ": " + why.what();
+}
+
+/// Roughly how much work the scene is for any backend.
+std::size_t faces_of(const sim::Scene& scene) {
+    std::size_t faces = 0;
+    for (const sim::Object& object : scene.objects) {
+        const auto* mesh = std::get_if<sim::SharedMesh>(&object.shape);
+        faces += mesh != nullptr ? (*mesh)->triangles.size() : 1;
+    }
+    return faces;
+}
+
+/// Whether they differ by more than half of the smaller one.
+bool changed_much(std::size_t before, std::size_t now) {
+    return 2 * std::max(before, now) > 3 * std::min(before, now);
+}
+
+sim::Time now() {
+    return std::chrono::steady_clock::now().time_since_epoch();
+}
+
+/// Two sweeps of a sensor that turns on the spot. Each looks at another quarter of the world.
+class Sweeps {
+  public:
+    explicit Sweeps(const RequestedBackend& request) {
+        constexpr double turned_rad = 0.05;  // while it sweeps
+        for (std::size_t i = 0; i < poses_.size(); ++i) {
+            const double heading_rad = glm::radians(90.0) * double(i);
+            const std::size_t beams = request.directions.size();
+            const auto poses = std::min(beams, static_cast<std::size_t>(request.poses));
+            for (std::size_t beam = 0; beam < (poses > 1 ? beams : 1); ++beam) {
+                const std::size_t part = beam * poses / beams;
+                const double yaw_rad = heading_rad + turned_rad * double(part) / double(poses);
+                poses_[i].push_back(request.world_from_sensor *
+                                    sim::pose_from_rpy({0, 0, 0}, {0, 0, yaw_rad}));
+            }
+            fans_[i] = {request.directions, poses_[i], request.max_range_m};
+        }
+    }
+
+    [[nodiscard]] std::span<const sim::Fan> fans() const { return fans_; }
+
+  private:
+    std::array<std::vector<sim::Pose>, 2> poses_;
+    std::array<sim::Fan, 2> fans_;
+};
+
+/// Casts a sweep without motion, so that nobody waits for a scan while the first cast makes its
+/// plans, shaders and memory.
+void warm_up(sim::RangeBackend& backend, const RequestedBackend& request) {
+    const std::array pose{request.world_from_sensor};
+    std::vector<sim::Hit> hits(request.directions.size());
+    backend.cast({request.directions, pose, request.max_range_m}, hits);
+}
+
+}  // namespace
+
+BackendMaker::BackendMaker(sim::SharedScene scene)
+    : scene_(std::move(scene)), faces_(faces_of(*scene_)) {}
+
+bool BackendMaker::is_open(const RequestedBackend& request) const {
+    if (request.backend) return false;
+    const bool measured = request.settled && request.settled->faces;
+    return !measured || changed_much(*request.settled->faces, faces_);
+}
+
+SharedChoice BackendMaker::measure(const RequestedBackend& request,
+                                   const std::function<bool()>& ended) {
+    auto choice = std::make_shared<const BackendChoice>(fastest(request, ended));
+    leave_thread();
+    return choice;
+}
+
+// The preferred backend is the first contender, and the yardstick for the others.
+BackendChoice BackendMaker::fastest(const RequestedBackend& request,
+                                    const std::function<bool()>& ended) {
+    std::vector<sim::Contender> contenders;
+    std::string reason;
+    for (const sim::BackendRow& row : sim::backends()) {
+        if (row.slow) continue;
+        try {
+            contenders.push_back({row.name, backend(row, request.depth).get()});
+        } catch (const std::runtime_error& error) {
+            reason += (reason.empty() ? "" : "; ") + missing(row, error);
+        }
+    }
+    const std::string preferred(sim::preferred_backend().name);
+    if (contenders.size() < 2 || contenders.front().name != preferred)
+        return {preferred, reason, faces_};
+    try {
+        const Sweeps sweeps(request);
+        const sim::Choice choice = sim::choose(contenders, sweeps.fans(), now, {.ended = ended});
+        reason = choice.reason + (reason.empty() ? "" : "; ") + reason;
+        return {std::string(contenders[choice.contender].name), reason, faces_};
+    } catch (const std::runtime_error& error) {  // a driver failed
+        return {preferred, missing(sim::drawing_backend(), error), faces_};
+    }
+}
+
+SensorBackends BackendMaker::make(std::span<const RequestedBackend> requests) {
+    SensorBackends backends;
+    for (const RequestedBackend& request : requests) {
+        const SharedChoice choice = settled(request);
+        const sim::BackendRow& row = row_of(choice->backend);
+        try {
+            const SharedBackend made = backend(row, request.depth);
+            if (row.draws) warm_up(*made, request);
+            backends.assign(request.sensor, made, choice);
+        } catch (const std::runtime_error& error) {
+            throw std::runtime_error(request.sensor + ": backend " + choice->backend + ": " +
+                                     error.what() + advice_instead_of(row));
+        }
+    }
+    leave_thread();
+    return backends;
+}
+
+SharedChoice BackendMaker::settled(const RequestedBackend& request) {
+    if (request.backend)
+        return std::make_shared<const BackendChoice>(BackendChoice{*request.backend, {}, {}});
+    if (!request.settled) return unmeasured_choice("not measured yet");
+    const sim::BackendRow& row = row_of(request.settled->backend);
+    const sim::BackendRow& preferred = sim::preferred_backend();
+    if (&row == &preferred) return request.settled;
+    try {
+        backend(row, request.depth);
+        return request.settled;
+    } catch (const std::runtime_error& error) {
+        return std::make_shared<const BackendChoice>(
+            BackendChoice{std::string(preferred.name), missing(row, error), faces_});
+    }
+}
+
+BackendMaker::SharedBackend BackendMaker::backend(const sim::BackendRow& row,
+                                                  const sim::DepthOptions& options) {
+    const sim::DepthOptions used = row.draws ? options : sim::DepthOptions{};
+    auto& made = made_[{row.name, used.between_pixels, used.oversample, used.widest_pass_rad}];
+    if (!made) made = row.make(scene_, used);
+    return made;
+}
+
+void BackendMaker::leave_thread() {
+    for (const auto& [key, made] : made_) {
+        if (made) made->leave_thread();
+    }
+}
+
+SensorBackends make_backends(std::span<const RequestedBackend> requests,
+                             const sim::SharedScene& scene) {
+    return BackendMaker(scene).make(requests);
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The backend that a sensor asks for, and the fans for which `auto` looks for the fastest one. A
+// value; any thread.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "daemon/world/backend_choice.h"
+#include "sim/backends/depth_options.h"
+#include "sim/world/pose.h"
+
+namespace scipd::daemon {
+
+struct RequestedBackend {
+    std::string sensor;                  ///< "rescue/front"
+    std::optional<std::string> backend;  ///< its name; nothing: `auto`
+    sim::DepthOptions depth;
+    // What `auto` is measured with.
+    std::vector<glm::vec3> directions;
+    int poses = 1;  ///< per sweep, while the sensor moves
+    sim::Pose world_from_sensor;
+    float max_range_m = 0.0F;
+    /// What `auto` takes by now; null: nothing yet, so the preferred backend.
+    SharedChoice settled;
+};
+
+}  // namespace scipd::daemon
