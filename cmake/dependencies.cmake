@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# Everything that is not ours, all of it from Debian 12 (tools/install lists the packages).
+# All third-party libraries. All come from Debian 12 (tools/install lists the packages).
 
 find_package(Threads REQUIRED)
 find_package(Boost 1.74 REQUIRED)
@@ -19,18 +19,18 @@ pkg_check_modules(assimp REQUIRED IMPORTED_TARGET assimp)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
 find_path(stb_folder stb/stb_image.h REQUIRED) # headers only
 
-# Embree 4 where there is one, else Embree 3 (Debian 12): sim/backends/embree.cpp builds with both.
+# Takes Embree 4 if there is one, else Embree 3 (Debian 12). sim/backends/embree.cpp builds with both.
 find_package(embree 4 QUIET)
 if(NOT embree_FOUND)
   find_package(embree 3.13 REQUIRED)
 endif()
 message(STATUS "Embree ${embree_VERSION}")
 
-# Elevation models are left out of worlds where there is no GDAL, which is large; scipd then says so.
+# GDAL is large, so it is optional. Without it scipd leaves elevation models out of worlds, and says so.
 pkg_check_modules(gdal IMPORTED_TARGET gdal)
 
-# The depth backend is left out where its headers are missing; scipd then says so. EGL itself is looked for when a
-# program runs, so that a machine without it still has the others.
+# Without these headers the depth backend is not built, and scipd says so. Programs look for EGL itself when they run,
+# so that a machine without it still has the other backends.
 pkg_check_modules(epoxy IMPORTED_TARGET epoxy)
 pkg_check_modules(egl egl)
 if(epoxy_FOUND AND egl_FOUND)

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# scipd_library(NAME sources...): one static library per folder, with the project's warnings and its root as the only
-# include path, so that every #include names the folder that it reaches into.
+# scipd_library(NAME sources...): one static library per folder, with the project's warnings. Its only include path is
+# the project's root, so that every #include names the folder of the header.
 
 add_library(scipd_options INTERFACE)
 target_include_directories(scipd_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_options(scipd_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion
                                                -Wno-sign-conversion -Wno-missing-field-initializers)
 if(NOT CMAKE_UNITY_BUILD)
-  # In a batch a local name may well be one that a neighbour has for itself.
+  # In a unity build a local name may equal a name of another source in the same batch.
   target_compile_options(scipd_options INTERFACE -Wshadow)
 endif()
 if(SCIPD_WARNINGS_AS_ERRORS)
@@ -21,11 +21,11 @@ if(SCIPD_SANITIZE)
   target_link_options(scipd_options INTERFACE -fsanitize=${SCIPD_SANITIZE})
 endif()
 if(SCIPD_SANITIZE MATCHES thread AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-  # Asio has fences, which gcc's ThreadSanitizer does not see; it has mutexes beside them, which it sees.
+  # gcc warns that ThreadSanitizer does not see fences. Asio uses fences, but also mutexes, which ThreadSanitizer sees.
   target_compile_options(scipd_options INTERFACE -Wno-tsan)
 endif()
 if(SCIPD_FUZZ)
-  # Coverage for everything that a fuzzer drives; only the targets themselves link the engine.
+  # Coverage for all code that a fuzzer drives. Only the fuzz targets link the fuzzer's engine.
   target_compile_options(scipd_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
@@ -34,8 +34,8 @@ function(scipd_library name)
   target_link_libraries(${name} PUBLIC scipd_options)
 endfunction()
 
-# scipd_alone(sources...): stay out of the batches of a unity build (presets release and ci). For sources of the same
-# target that have a name of their own in common, or that include system headers which do not bear each other.
+# scipd_alone(sources...): keeps these sources out of the batches of a unity build (presets release and ci). It is for
+# sources of one target that define the same name, or that include system headers which conflict.
 function(scipd_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

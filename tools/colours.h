@@ -4,7 +4,7 @@
 
 namespace scipd::tools {
 
-/// Each from 0 to 1.
+/// Each component is from 0 to 1.
 struct Colour {
     double red;
     double green;
@@ -26,8 +26,8 @@ inline constexpr Colour joint{0.05, 0.29, 0.55, 0.45};
 inline constexpr Colour scanner{0.86, 0.27, 0.13};
 }  // namespace colours
 
-/// From dark violet over green to yellow: matplotlib's viridis, which also prints well in grey and
-/// is read by the colour-blind. `share` from 0 to 1.
+/// matplotlib's viridis, from dark violet over green to yellow. It also prints well in grey, and
+/// colour-blind people can read it. `share` from 0 to 1.
 [[nodiscard]] Colour viridis(double share);
 
 }  // namespace scipd::tools

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// In a file of its own since <asm/termbits.h>, which knows rates without a name, cannot be included
-// beside <termios.h>.
+// A file of its own, because <asm/termbits.h>, which can set rates without a name, cannot be
+// included beside <termios.h>.
 #include "tools/line_rate.h"
 
 #include <asm/termbits.h>

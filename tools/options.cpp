@@ -12,7 +12,7 @@
 namespace scipd::tools {
 namespace {
 
-/// The command that has been typed, as far as it is one.
+/// The innermost command that the user has typed.
 const CLI::App& command_in(const CLI::App& program) {
     const CLI::App* app = &program;
     while (!app->get_subcommands().empty())
@@ -20,7 +20,7 @@ const CLI::App& command_in(const CLI::App& program) {
     return *app;
 }
 
-/// What the error says; where a command is missing, which ones there are.
+/// The text of the error. If a command is missing or unknown, it also lists the commands.
 std::string sentence_of(const CLI::App& program, const CLI::Error& error) {
     const CLI::App& app = command_in(program);
     std::string names;
@@ -29,7 +29,7 @@ std::string sentence_of(const CLI::App& program, const CLI::Error& error) {
     const bool missing = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
     if (!missing || names.empty()) return error.what();
     const auto unknown = app.remaining();
-    std::string sentence = "say which";
+    std::string sentence = "name a command";
     if (!unknown.empty()) sentence = "there is no command \"" + unknown.front() + "\"";
     return sentence + "; there are: " + names;
 }
@@ -41,7 +41,7 @@ CLI::Validator number_within(double least, double most) {
     limits << least << " to " << most;
     const auto why_not = [=, limits = limits.str()](const std::string& text) -> std::string {
         double number = 0.0;
-        // What compares false is no number.
+        // This also refuses nan, with which every comparison is false.
         if (CLI::detail::lexical_cast(text, number) && number >= least && number <= most) return {};
         return "must be a number from " + limits + ", not \"" + text + "\"";
     };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// How all the small programs read their options and end: 0 as asked, 1 failed while running, 2
-// wrong options or input.
+// How all the small programs read their options and end. Exit code 0: done. 1: failed while
+// running. 2: wrong options or input.
 #pragma once
 
 #include <stdexcept>
@@ -11,17 +11,16 @@
 
 namespace scipd::tools {
 
-/// What a user named cannot be used as it is.
+/// The user named something that cannot be used.
 struct WrongInput : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// For every option that is a real number: within these limits, and a number at all. (CLI::Range
-/// lets "nan" pass.)
+/// A validator for every option that is a real number. It refuses what is not within these limits,
+/// and "nan", which CLI::Range lets pass.
 [[nodiscard]] CLI::Validator number_within(double least, double most);
 
-/// Reads the options, carries out the command and tells what went wrong on standard error. Returns
-/// the exit code.
+/// Reads the options, runs the command and reports faults on standard error. Returns the exit code.
 int run(CLI::App& program, int argc, char** argv);
 
 }  // namespace scipd::tools

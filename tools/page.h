@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A sheet of paper that becomes a .png or an .svg, by the file's ending. One thread.
+// A page that becomes a .png or an .svg, by the file's ending. One thread.
 #pragma once
 
 #include <filesystem>
@@ -15,14 +15,14 @@ namespace scipd::tools {
 
 class Page {
   public:
-    /// In units of its own; a PNG has 1.6 pixels for each.
+    /// In the page's own units. A PNG has 1.6 pixels for each.
     static constexpr double width = 1000.0;
     static constexpr double height = 1060.0;
 
     explicit Page(std::filesystem::path file, double page_height = height);
 
     [[nodiscard]] cairo_t* context() { return context_.get(); }
-    /// Writes the file; returns why it could not. Nothing may be drawn afterwards.
+    /// Writes the file. Returns why it failed, if it did. Nothing may be drawn afterwards.
     [[nodiscard]] std::optional<std::string> finish();
 
   private:

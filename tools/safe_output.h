@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Names and messages come from configurations, worlds and scanners, whoever wrote them: what goes
-// to a terminal goes through here. One thread.
+// Filters what goes to a terminal. Names and messages come from configurations, worlds and
+// scanners, and anybody may have written them. One thread.
 #pragma once
 
 #include <ostream>
@@ -11,7 +11,7 @@
 
 namespace scipd::tools {
 
-/// As long as this is there, what is written to the stream leaves it as sim::shown() has it.
+/// As long as this object lives, the stream writes its text as sim::shown() shows it.
 class SafeOutput : public std::streambuf {
   public:
     explicit SafeOutput(std::ostream& stream);
@@ -29,7 +29,7 @@ class SafeOutput : public std::streambuf {
 
     std::ostream& stream_;
     std::streambuf* out_;
-    std::string line_;  ///< that has not ended yet
+    std::string line_;  ///< the line that has not ended yet
 };
 
 }  // namespace scipd::tools

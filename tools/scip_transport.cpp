@@ -34,7 +34,8 @@ Error unreachable(const std::string& sentence) {
     return {Error::Kind::closed, sentence};
 }
 
-/// A socket or a descriptor. Each read runs the context until it is done, no longer than allowed.
+/// A socket or a descriptor. Each read runs the context until it is done, but no longer than its
+/// timeout.
 template <typename Stream>
 class StreamTransport final : public ScipTransport {
   public:
@@ -61,19 +62,20 @@ class StreamTransport final : public ScipTransport {
                                     done = true;
                                 });
         io_.restart();
-        // A socket that has become writable wakes the context too, and then nothing of ours has
-        // run.
+        // A socket that has become writable wakes the context too, without running any of our
+        // handlers. Hence the loop.
         const auto end = std::chrono::steady_clock::now() + timeout;
         while (!done && !interrupted_ && std::chrono::steady_clock::now() < end)
             io_.run_one_until(end);
-        // Time passes for a stopped process as well: what has come meanwhile still counts.
+        // The timeout also passes while the process is stopped. Bytes that came meanwhile still
+        // count.
         if (!done) io_.poll();
         if (!done) {
             stream_.cancel();
             while (!done && io_.run_one() > 0) {
             }
         }
-        // What was read is handed over first: the end of a scan must not be lost.
+        // Bytes that were read come first: the end of a scan must not get lost.
         if (count == 0 && std::exchange(interrupted_, false)) throw Interrupted();
         if (error && error != asio::error::operation_aborted) throw gone(error);
         return count;
@@ -90,7 +92,7 @@ class StreamTransport final : public ScipTransport {
     }
 
   private:
-    // A pty whose other end is closed reads EIO.
+    // If the other end of a pty is closed, reading it gives EIO.
     static Error gone(const error_code& error) {
         const bool ended = error == asio::error::eof || error.value() == EIO;
         return unreachable(ended ? "the scanner has closed the connection"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The way to a scanner: a TCP connection or a tty. One thread.
+// The connection to a scanner: TCP or a tty. One thread.
 #pragma once
 
 #include <chrono>
@@ -21,14 +21,14 @@ class Interrupted : public std::exception {
 
 class ScipTransport : public protocol::client::Transport {
   public:
-    /// From now on SIGINT and SIGTERM do not end the program but make read() throw Interrupted,
-    /// once; after that they end it again.
+    /// From now on the first SIGINT or SIGTERM does not end the program but makes read() throw
+    /// Interrupted. Later ones end the program again.
     virtual void interrupt_on_signals() = 0;
 };
 
 struct OpenOptions {
     std::chrono::milliseconds connect_timeout{3000};
-    int baud = 115200;  ///< for a tty; a USB scanner does not care
+    int baud = 115200;  ///< for a tty; USB scanners ignore it
 };
 
 /// Connects, or opens the tty and puts it into raw mode. Throws protocol::client::Error.

@@ -11,7 +11,7 @@
 namespace scipd::tools {
 namespace {
 
-/// Fixed in all Ethernet models.
+/// All Ethernet models use this port.
 constexpr std::string_view default_port = "10940";
 
 bool is_port(std::string_view text) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Where a scanner is: what a user writes as TARGET. A value; no thread rule.
+// Where a scanner is: the TARGET that a user writes. A value; no thread rule.
 #pragma once
 
 #include <string>
@@ -25,8 +25,8 @@ struct TtyTarget {
 
 using Target = std::variant<TcpTarget, TtyTarget>;
 
-/// tcp://HOST, tcp://HOST:PORT, HOST:PORT, [IPV6]:PORT or the path of a tty. The port of a scanner
-/// that does not say is 10940. Throws std::invalid_argument with a sentence.
+/// Takes tcp://HOST, tcp://HOST:PORT, HOST:PORT, [IPV6]:PORT or the path of a tty. The default port
+/// is 10940. Throws std::invalid_argument with a sentence.
 [[nodiscard]] Target parse_target(std::string_view text);
 
 }  // namespace scipd::tools

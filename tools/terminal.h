@@ -10,7 +10,8 @@ struct TerminalSize {
     int rows = 40;
 };
 
-/// Of standard output; where that is no terminal, $COLUMNS if set, else the values above.
+/// The size of standard output. If that is no terminal, $COLUMNS if it is set, else the values
+/// above.
 [[nodiscard]] TerminalSize terminal_size();
 
 }  // namespace scipd::tools

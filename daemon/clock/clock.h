@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// World time for everything that waits for it: what time it is, and calls at given times. On the
-// wall clock (WallClock) or stepped from outside (SteppedClock); nothing else in the simulation
-// reads a clock or sets a timer. One thread.
+// World time for everything that waits for it: it tells the time and calls back at given times. It
+// is the wall clock (WallClock) or is stepped from outside (SteppedClock). Nothing else in the
+// simulation reads a clock or sets a timer. One thread.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,8 @@ class Clock {
   public:
     using Call = std::function<void()>;
 
-    /// One call to come at most. Nothing is called once it is gone; the clock must outlive it.
+    /// Holds at most one pending call. Once the alarm is destroyed nothing is called. The clock
+    /// must outlive it.
     class Alarm {
       public:
         Alarm() = default;
@@ -25,8 +26,8 @@ class Clock {
         Alarm& operator=(const Alarm&) = delete;
         virtual ~Alarm() = default;
 
-        /// In the place of what was set before. Called as soon as the clock goes on where `at` has
-        /// passed already, never from within set().
+        /// Replaces the call that was set before. If `at` has already passed, the call comes as
+        /// soon as the clock goes on, never from within set().
         virtual void set(sim::Time at, Call call) = 0;
         virtual void cancel() = 0;
     };
@@ -37,13 +38,13 @@ class Clock {
     virtual ~Clock() = default;
 
     [[nodiscard]] virtual sim::Time now() const = 0;
-    /// What people and their programs call world time 0: just that, or in lockstep the stamp that
-    /// it had. Nothing is reckoned with it, it is added where a time is told.
+    /// What people and their programs call world time 0. It is 0 itself, or in lockstep the stamp
+    /// of that moment. The daemon does not calculate with it. It adds it when it reports a time.
     [[nodiscard]] virtual sim::Time origin() const { return {}; }
     [[nodiscard]] virtual std::unique_ptr<Alarm> make_alarm() = 0;
 
-    /// Whether `who` needs time to stand still until it says otherwise. No effect where time waits
-    /// for nobody.
+    /// With `needed`, `who` needs time to stand still until it calls hold() without. A clock that
+    /// waits for nobody ignores this.
     virtual void hold(const void* /*who*/, bool /*needed*/) {}
 };
 

@@ -26,7 +26,7 @@ class SteppedClock::QueuedAlarm : public Clock::Alarm {
         call_ = nullptr;
     }
 
-    /// Leaves the queue. The call may take this alarm away.
+    /// Leaves the queue first, because the call may destroy this alarm.
     Call take() {
         Call call = std::exchange(call_, nullptr);
         cancel();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The clock of lockstep and of tests. Waits for nothing. Lives on the I/O thread.
+// The clock of lockstep and of tests. It waits for nothing. Lives on the I/O thread.
 #pragma once
 
 #include <functional>
@@ -14,8 +14,8 @@
 
 namespace scipd::daemon {
 
-/// World time that goes on only where it is told to, and calls everything that is due on the way,
-/// in the order of time: what happens does not depend on how long anything takes.
+/// World time that advances only when told to. On the way it makes every call that is due, in the
+/// order of time, so that the result does not depend on how long anything takes.
 class SteppedClock : public Clock {
   public:
     [[nodiscard]] sim::Time now() const override { return now_; }
@@ -25,19 +25,19 @@ class SteppedClock : public Clock {
 
     void hold(const void* who, bool needed) override;
     [[nodiscard]] bool held() const { return !holders_.empty(); }
-    /// Called when nobody holds it any more.
+    /// The callback runs when the last holder lets go.
     void on_released(std::function<void()> callback) { on_released_ = std::move(callback); }
 
-    /// Something is to be called some time.
+    /// Whether an alarm is set.
     [[nodiscard]] bool awaited() const { return !queue_.empty(); }
-    /// Called when that becomes so.
+    /// The callback runs when the first alarm is set.
     void on_awaited(std::function<void()> callback) { on_awaited_ = std::move(callback); }
 
-    /// Calls the first thing that is due until then, at its own time. False: there is none, and it
-    /// is that time now.
+    /// Makes the first call that is due by `until`, at its own time. False: none is due, and the
+    /// time is now `until`.
     bool step(sim::Time until);
-    /// Calls what is due until then, in the order of time, whoever holds it; calls may set alarms.
-    /// Never goes back.
+    /// Makes all calls that are due by `time`, in the order of time, even if somebody holds the
+    /// clock. Calls may set alarms. Time never goes back.
     void advance_to(sim::Time time);
 
   private:
@@ -45,7 +45,7 @@ class SteppedClock : public Clock {
 
     sim::Time now_{};
     sim::Time origin_{};
-    std::multimap<sim::Time, QueuedAlarm*> queue_;  ///< of the same time, the one first set first
+    std::multimap<sim::Time, QueuedAlarm*> queue_;  ///< at equal times in the order they were set
     std::set<const void*> holders_;
     std::function<void()> on_released_ = [] {};
     std::function<void()> on_awaited_ = [] {};

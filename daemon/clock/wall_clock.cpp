@@ -21,7 +21,7 @@ class WallClock::TimerAlarm : public Clock::Alarm {
         pending_->timer.async_wait(
             [weak = std::weak_ptr(pending_), number](const boost::system::error_code& error) {
                 const auto pending = weak.lock();
-                // A wait that was over before it could be cancelled reports no error.
+                // A wait that ended before it could be cancelled reports no error.
                 if (error || !pending || pending->number != number) return;
                 const Call due = std::exchange(pending->call, nullptr);
                 due();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The clock on which scanners run beside drivers that know no other. Lives on the I/O thread.
+// The clock for scanners whose drivers know only real time. Lives on the I/O thread.
 #pragma once
 
 #include <chrono>
@@ -14,8 +14,8 @@
 
 namespace scipd::daemon {
 
-/// The steady clock as world time: 0 where it was made. The only place that reads a clock for the
-/// simulation. Calls come from `executor`.
+/// The steady clock as world time, which is 0 when this object is made. No other code of the
+/// simulation reads a clock. Calls come from `executor`.
 class WallClock : public Clock {
   public:
     explicit WallClock(boost::asio::any_io_executor executor) : executor_(std::move(executor)) {}

@@ -14,7 +14,7 @@
 namespace scipd::daemon {
 namespace {
 
-/// A product in the words of worlds.
+/// A product, described as a world describes a lidar.
 sim::Lidar figures_of(const Model& model) {
     constexpr double m_per_mm = 1e-3;
     const sim::SensorSpec& optics = model.optics;
@@ -32,18 +32,20 @@ double view_rad(const sim::Lidar& lidar) {
     return lidar.max_angle_rad - lidar.min_angle_rad;
 }
 
-/// Nothing where a row has one beam.
+/// 0 if a row has only one beam.
 double step_rad(const sim::Lidar& lidar) {
     return lidar.samples < 2 ? 0.0 : view_rad(lidar) / (lidar.samples - 1);
 }
 
-/// In factors of e, either way; 0 where one of them says nothing.
+/// How far apart two figures are, in factors of e, in either direction; 0 if one of them is
+/// unknown.
 double apart(double a, double b) {
     const bool known = a > 0.0 && b > 0.0 && std::isfinite(a) && std::isfinite(b);
     return known ? std::abs(std::log(a / b)) : 0.0;
 }
 
-/// Hokuyo names its products after it: 10 m, UST-10LX. Mostly far below DMAX. 0 where unknown.
+/// Hokuyo puts this range into the product's name: a UST-10LX has 10 m. It is mostly far below
+/// DMAX. 0 if the name has none.
 double guaranteed_range_m(const std::string& product) {
     constexpr int decimal = 10;
     const auto dash = product.find('-');
@@ -51,7 +53,7 @@ double guaranteed_range_m(const std::string& product) {
     return static_cast<double>(std::strtol(product.c_str() + dash + 1, nullptr, decimal));
 }
 
-/// A world has either the range of the data sheet or the one that the product reports.
+/// A world may have the range of the data sheet or the one that the product reports.
 double range_apart(const Model& model, const sim::Lidar& lidar) {
     const double reported = apart(model.optics.max_range_m, lidar.max_range_m);
     const double guaranteed_m = guaranteed_range_m(model.profile.name);

@@ -15,7 +15,7 @@ std::string links_of(const protocol::DeviceProfile& profile) {
     return profile.bit_rates.empty() ? "USB" : "USB, RS-232";
 }
 
-/// Not those that it has only a refusal for.
+/// A command that the model only refuses does not count.
 bool carries_out(const protocol::DeviceProfile& profile, const protocol::Command& command) {
     if (!command.gate(profile.family).known() || !profile.has(command.needs)) return false;
     if (command.code == "SS") return !profile.bit_rates.empty();
@@ -36,7 +36,7 @@ std::string commands_of(const protocol::DeviceProfile& profile) {
     return text + (profile.speaks_scip1() ? ", SCIP 1.1" : "");
 }
 
-// 40, 14.9
+// Prints 40 or 14.9.
 std::string rate_of(const protocol::DeviceProfile& profile) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g Hz",

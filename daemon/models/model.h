@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A product: what it is on the wire, what its optics are, and how sure that is. Data; no thread
-// rule.
+// A product: how it speaks, what its optics are, and how well each of that is known. Data; no
+// thread rule.
 #pragma once
 
 #include <string>
@@ -16,9 +16,9 @@ namespace scipd::daemon {
 
 /// How a figure is known.
 enum class Evidence {
-    seen,        ///< on the wire of a real unit
+    seen,        ///< recorded from a real unit
     documented,  ///< by its maker, or by a driver whose author had a unit
-    deduced,     ///< from kindred models, or made up where nothing is known
+    deduced,     ///< from similar models, or made up if nothing is known
 };
 [[nodiscard]] std::string_view name_of(Evidence evidence);
 
@@ -42,12 +42,12 @@ struct Model {
     bool operator==(const Model&) const = default;
 };
 
-/// The optics follow from what the device says of itself (PP) but for how well it sees.
+/// Takes the optics from what the device reports (PP); only the noise does not come from there.
 Model make_model(const protocol::DeviceProfile& profile, std::vector<sim::NoiseStep> noise,
                  Sureness sureness);
 
-/// One line: the name; range, steps, rate, links and commands, each with how sure that is; how sure
-/// texts and noise are.
+/// One line: the name, then range, steps, rate, links, commands, texts and noise, with the evidence
+/// for each.
 [[nodiscard]] std::string describe(const Model& model);
 
 }  // namespace scipd::daemon

@@ -13,7 +13,7 @@
 
 namespace scipd::daemon {
 
-/// The URG-04LX with firmware 3.1.04, of which most is known of all old models.
+/// The URG-04LX with firmware 3.1.04, the best known of the old models.
 protocol::DeviceProfile urg_profile();
 /// The UTM-30LX-EW, under another name.
 protocol::DeviceProfile ew_profile(const std::string& name, const std::string& serial);
@@ -26,7 +26,7 @@ protocol::DeviceProfile ust_profile(const std::string& name, const std::string& 
 std::vector<sim::NoiseStep> urg_noise();
 /// Below 10 mm to 10 m, below 30 mm to 30 m: data sheet of the UTM-30LX, indoors.
 std::vector<sim::NoiseStep> utm_noise();
-/// Below 30 mm: data sheets of the UST and, from memory, the UXM.
+/// Below 30 mm: data sheets of the UST and, quoted from memory, the UXM.
 std::vector<sim::NoiseStep> ust_noise();
 
 /// Twice as many steps over the same angles.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Every product, each in a file of its own name. The registry is who asks for them.
+// Every product. Each has a source file of its own name. Only the registry calls these functions.
 #pragma once
 
 #include <string>

@@ -23,7 +23,7 @@ constexpr int slowest_turn_ms = 10'000;
 constexpr int most_turns_per_reply = 100;
 constexpr double most_turn_error = 0.05;  // of the real period against the nominal speed
 
-/// Some model of the family carries the command out.
+/// Whether some model of the family carries out the command.
 bool family_can(protocol::Family family, std::string_view code) {
     return std::ranges::any_of(protocol::command_table(), [&](const protocol::Command& command) {
         const protocol::Gate& gate = command.gate(family);
@@ -60,7 +60,8 @@ class Check {
         if (value < limit) add(member, "must be at least " + std::to_string(limit));
     }
 
-    /// `what` says what the limit is; a negative one comes of another fault.
+    /// `what` says what the limit is. A limit is negative only because of another fault, which is
+    /// reported already.
     void at_most(std::string_view member, int value, int limit, const std::string& what) {
         if (value <= limit || limit < 0) return;
         add(member,
@@ -136,7 +137,7 @@ void Check::abilities() {
     needs("multi_echo", profile_.multi_echo, family_can(family, Feature::multi_echo));
     needs("microseconds", profile_.microseconds, family_can(family, Feature::microseconds));
     needs("io_lines", profile_.io_lines, family_can(family, Feature::io_lines));
-    // GE and ME ask for it everywhere else.
+    // In all other families GE and ME need it.
     needs("intensity_codes", profile_.intensity_codes, !family_can(family, "ME"));
     needs("bit_rates", !profile_.bit_rates.empty(), family_can(family, "SS"));
     needs("motor_levels", profile_.motor_levels, family_can(family, "CR"));

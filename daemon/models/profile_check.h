@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Whether the figures of a profile go together, for those that a user has put together: what could
-// not be said on the wire, and what no device would say of itself. Any thread; nothing shared.
+// Checks that the figures of a profile fit together. It is for profiles that users write: it finds
+// figures that SCIP cannot express, and figures that no real device would report. Any thread;
+// nothing shared.
 #pragma once
 
 #include <string>
@@ -13,7 +14,7 @@
 
 namespace scipd::daemon {
 
-/// What SS can say: six digits; slower lines were never made.
+/// SS takes six digits, but no slower line was ever made.
 inline constexpr int slowest_bit_rate = 300;
 inline constexpr int fastest_bit_rate = 999'999;
 
@@ -22,7 +23,7 @@ struct ProfileFault {
     std::string sentence;     ///< what to do
 };
 
-/// All at once, in the order of the members; empty: it is sound.
+/// All faults, in the order of the members; empty if the profile is sound.
 [[nodiscard]] std::vector<ProfileFault> faults_of(const protocol::DeviceProfile& profile);
 
 }  // namespace scipd::daemon

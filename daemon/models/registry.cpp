@@ -13,7 +13,7 @@ std::string full_name(const Model& model) {
     return model.profile.name + "@" + model.profile.release;
 }
 
-// Each product once, whatever its firmwares.
+// Each product once, however many firmwares it has.
 std::string choices() {
     std::string text;
     std::string_view last;

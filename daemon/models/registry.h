@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// All products that scipd can be, by name. The only place that knows them all.
+// All products that scipd can emulate, by name. No other file lists them all.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace scipd::daemon {
 
-/// Every model, each with the firmware that its texts were seen on.
+/// All models, each with the firmware from which its texts were recorded.
 const std::vector<Model>& models();
 
 /// MODEL or MODEL@FIRMWARE, as `scipd --list-models` prints them. Throws std::invalid_argument,

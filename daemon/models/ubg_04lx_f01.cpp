@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// UBG-04LX-F01, the "Rapid-URG". MODL and limits from a public source, 28 ms a turn from its
-// specification; the other texts are those of a URG-04LX of its time, the serial number is made up.
+// UBG-04LX-F01, the "Rapid-URG". MODL and limits: a public source. 28 ms a turn: its specification.
+// The other texts are those of a URG-04LX of the same years. The serial number is made up.
 #include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
@@ -25,7 +25,7 @@ Model ubg_04lx_f01() {
     profile.intensity_codes = false;
     profile.sensitivity = protocol::Support::yes;
     profile.rehearsals = protocol::Support::yes;
-    profile.scan_period = 28'056us;  // longer than nominal as the UTM-30LX-EW's
+    profile.scan_period = 28'056us;  // longer than nominal, as on the UTM-30LX-EW
     return make_model(profile, urg_noise(),
                       {
                           .range = Evidence::documented,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// UHG-08LX. Steps: SCIP 2.0 specification C-42-03320B; range and speed: as UrgBenri has them; the
-// other texts are those of a URG-04LX of its time, the serial number is made up.
+// UHG-08LX. Steps: SCIP 2.0 specification C-42-03320B. Range and speed: UrgBenri. The other texts
+// are those of a URG-04LX of the same years. The serial number is made up.
 #include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// URG-04LX, in SCIP 2.0 from the start. Texts, steps and limits of firmware 3.1.04: recording of a
-// real unit. 3.3.00: version, serial number, steps and speed from a SCIP 1.1 recording of
-// another; its range is that of 3.1.04.
+// URG-04LX, which speaks SCIP 2.0 from the start. Firmware 3.1.04: texts, steps and limits from a
+// recording of a real unit. Firmware 3.3.00: version, serial number, steps and speed from a SCIP
+// 1.1 recording of another unit; its range is that of 3.1.04.
 #include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
 namespace scipd::daemon {
 namespace {
 
-// The same unit's V, recorded before it was told SCIP2.0. Failed: deduced.
+// The reply to V of the same unit, recorded before SCIP2.0 was sent. The text of a failure is
+// deduced.
 protocol::Scip1Texts recorded_scip1() {
     return {.firmware = "3.1.04,07/08/02(20-4095[mm],240[deg],44-725[step],600[rpm])",
             .protocol = "00003,(SCIP 1.0)",
@@ -49,31 +50,30 @@ protocol::DeviceProfile urg_profile() {
         .mode_measuring = "CLASSIC",
         .bit_rate = "19200[bps]<-Default setting by user",
         .health = "Sensor works well.",
-        // Deduced: the form is that of a UTM-30LX in trouble.
+        // Deduced: it has the form of the text that a failing UTM-30LX sends.
         .health_unstable = "Sensor is verifying an error.",
         .health_failed = "Trouble!! Error No. =[00->50]",
         .time_spelling = protocol::TimeSpelling::hexadecimal,
 
-        // Steps 0 to 768 exist and may be asked for (SCIP 2.0 specification, table of models; a
-        // SCIP 1.1 recording reads all of them); outside AMIN to AMAX they read 19.
+        // Clients may ask for steps 0 to 768 (SCIP 2.0 specification, table of models; a SCIP 1.1
+        // recording reads all of them). Steps outside AMIN to AMAX read 19.
         .last_step = 768,
         .nearest_mm = 20,
-        // SCIP 2.0 specification, table 3: 0 is by far the most frequent in recordings where
-        // nothing is near enough; 10 to 17 are "other" errors, which drivers take as invalid, not
-        // as far away.
+        // SCIP 2.0 specification, table 3. Recordings mostly have 0 where nothing is near enough.
+        // 10 to 17 are "other" errors: drivers take these as invalid, not as far away.
         .codes = {.nothing = 0, .too_near = 10, .too_far = 0, .not_measured = 19},
 
         .intensity_codes = true,  // undocumented; qrk's c_urg
-        // SCIP 2.0 specification: SS; CR. HS came with 3.2.00 and DB with 3.3.00; recorded: CR00 is
-        // 03, HS0 is 0C.
+        // SS and CR: SCIP 2.0 specification. HS came with 3.2.00 and DB with 3.3.00. Recorded: CR00
+        // is answered with 03, HS0 with 0C.
         .bit_rates = {19200, 38400, 57600, 115200, 250000, 500000, 750000},
         .motor_levels = true,
         .sensitivity = protocol::Support::later_firmware,
         .rehearsals = protocol::Support::later_firmware,
 
         .unknown_command = protocol::status::undefined,
-        // One reply a turn: requests sent right after a reply were answered 98 to 100 ms later,
-        // 99.7 on the average; the stamps of successive scans differ by 99 or 100 ms.
+        // One reply a turn: the unit answered requests that came right after a reply 98 to 100 ms
+        // later, 99.7 ms on average. The stamps of successive scans differ by 99 or 100 ms.
         .scan_period = 99'800us,
         .turns_per_reply = 1,
         .boot_time = 1s,  // assumed

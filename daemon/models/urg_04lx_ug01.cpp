@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// URG-04LX-UG01, the "Simple-URG": USB only. VV: notes of a session with a real unit,
-// firmware 3.4.03; PP and MODL are the URG-04LX's, as seen on one with 3.3.01, MESM too.
+// URG-04LX-UG01, the "Simple-URG": USB only. VV: notes of a session with a real unit with firmware
+// 3.4.03. PP, MODL and MESM: the URG-04LX's, which a unit with firmware 3.3.01 also sent.
 #include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 

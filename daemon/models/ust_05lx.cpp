@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// UST-05LX: half the steps. Limits: 0.5 degrees and 270, 25 ms; 15 m at most from a public source;
-// the texts are those of a UST-10LX, the serial number is made up.
+// UST-05LX: half the steps of a UST-10LX. Limits: 0.5 degrees, 270 degrees and 25 ms; at most 15 m,
+// from a public source. The texts are those of a UST-10LX. The serial number is made up.
 #include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 

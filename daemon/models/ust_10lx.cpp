@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// UST-10LX, and what all UST have of it. Texts with firmware 2.23: canned replies of a real unit.
+// UST-10LX, and what all UST have in common with it. Texts with firmware 2.23: canned replies of a
+// real unit.
 #include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
@@ -30,34 +31,36 @@ protocol::DeviceProfile ust_profile(const std::string& name, const std::string& 
         .scan_rpm = 2400,
 
         .motor_speed = "2400",
-        // The same in every state; only LASR tells.
+        // The same in every state: only LASR tells whether the laser is on.
         .mode_idle = "Measuring by Sensitive Mode",
         .mode_measuring = "Measuring by Sensitive Mode",
         .bit_rate = "Ethernet 100[Mbps]",
         .health = "sensor is working normally",
-        // Deduced: no unit in trouble was seen.
+        // Deduced: no failing unit was seen.
         .health_unstable = "sensor is unstable",
         .health_failed = "sensor is out of order",
         .time_spelling = protocol::TimeSpelling::encoded,
 
         .last_step = 1080,
-        // UST-10LX data sheet: below 21 mm it sends 4, beyond DMAX or with too weak a return 65533.
+        // UST-10LX data sheet: it sends 4 below 21 mm, and 65533 beyond DMAX or if the return is
+        // too weak.
         .nearest_mm = 21,
         .codes = {.nothing = 65533, .too_near = 4, .too_far = 65533, .not_measured = 65533},
 
         // Firmware 2.23 answers 0F where the specification says 0E.
         .unknown_command = protocol::status::unsupported,
         .scan_period = 25'050us,  // urg_stamped
-        // A scan leaves on the next frame of 1 ms; TM is answered as SCIP says, at once (README of
-        // urg_stamped), which is some 0.1 to 0.5 ms; II never within 2 ms (its author's UST-05LX).
+        // A scan leaves on the next frame of 1 ms. TM is answered at once, as SCIP says (README of
+        // urg_stamped), which takes 0.1 to 0.5 ms. II never takes less than 2 ms (on the UST-05LX
+        // of urg_stamped's author).
         .scan_tick = 1ms,
         .reply_delay = 400us,
         .state_report_delay = 2ms,
-        // Deduced: the document says "the latest"; two equal stamps in a row are an error to
-        // hokuyo_node and Rock's driver.
+        // Deduced: the document says "the latest", but hokuyo_node and Rock's driver take two equal
+        // stamps in a row as an error.
         .single_scan_is_next = true,
-        // UST-10LX data sheet: up to 10 s; it takes connections then, but does not answer
-        // (urg_stamped). Waking: assumed.
+        // Boot: up to 10 s (UST-10LX data sheet), in which it accepts connections but does not
+        // answer (urg_stamped). The time to wake up is assumed.
         .boot_time = 10s,
         .wake_time = 3s,
     };

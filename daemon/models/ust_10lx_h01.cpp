@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// UST-10LX-H01: specification C-42-04213 for steps and range; the texts are those of a
-// UST-10LX, the serial number is made up.
+// UST-10LX-H01. Steps and range: specification C-42-04213. The texts are those of a UST-10LX. The
+// serial number is made up.
 #include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// UST-10LX-H02, with another wavelength and a small spot: specification C-42-04416 for steps and
-// range; the texts are those of a UST-10LX, the serial number is made up.
+// UST-10LX-H02, with another wavelength and a small spot. Steps and range: specification
+// C-42-04416. The texts are those of a UST-10LX. The serial number is made up.
 #include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 

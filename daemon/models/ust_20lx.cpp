@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// UST-20LX. PP: notes of a session with a real unit; the other texts are those of a UST-10LX, the
+// UST-20LX. PP: notes of a session with a real unit. The other texts are those of a UST-10LX. The
 // serial number is made up.
 #include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// UST-20LX-H01: to the UST-20LX as the UST-10LX-H01 is to the UST-10LX.
+// UST-20LX-H01: differs from the UST-20LX as the UST-10LX-H01 differs from the UST-10LX.
 #include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// UST-30LC. Limits and firmware as urg_stamped and its simulator have them, whose author had units;
-// 4.0.3 is known as the one that mended the 5 ms tick of 4.0.0 to 4.0.2.
+// UST-30LC. Limits and firmware: urg_stamped and its simulator, whose author had units. 4.0.3 is
+// the firmware that mended the 5 ms tick of 4.0.0 to 4.0.2.
 #include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
@@ -16,7 +16,7 @@ Model ust_30lc(const std::string& firmware) {
     profile.dmin_mm = 23;
     profile.nearest_mm = 23;
     profile.dmax_mm = 60000;
-    // From 4.0.0 to 4.0.2 commands are looked at on a tick of 1 ms, and TM1 and scans wait for one
+    // Firmware 4.0.0 to 4.0.2 looks for commands on a tick of 1 ms. TM1 and scans wait for a tick
     // of 5 ms (urg_stamped).
     using namespace std::chrono_literals;
     if (firmware.starts_with("4.0.2")) {
@@ -26,7 +26,7 @@ Model ust_30lc(const std::string& firmware) {
     }
     // urg_stamped uses %TM and %ME from 4.1 of this line on.
     profile.microseconds = firmware.starts_with("4.1");
-    // Its simulator answers so; 0F is known of firmware 2.23 only.
+    // urg_stamped's simulator answers so. 0F is known of firmware 2.23 only.
     profile.unknown_command = protocol::status::undefined;
     return make_model(profile, ust_noise(),
                       {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// UST-30LX. hokuyolx names it; all else is that of the UST-20LX, the serial number is made up.
+// UST-30LX. hokuyolx names it. All else is that of the UST-20LX. The serial number is made up.
 #include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 

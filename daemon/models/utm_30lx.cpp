@@ -18,7 +18,7 @@ Model utm_30lx() {
         .product = "SOKUIKI Sensor TOP-URG UTM-30LX",
         .firmware = "P.1.05(17/Apr./2009)",
         .protocol = "SCIP 2.0",
-        // Digits only, with a leading 0: hokuyo_node turns that into an H.
+        // Digits only, with a leading 0, which hokuyo_node replaces with an H.
         .serial = "00903971",
 
         .model = "UTM-30LX(Hokuyo Automatic Co.,Ltd.)",
@@ -31,26 +31,26 @@ Model utm_30lx() {
         .scan_rpm = 2400,
 
         .motor_speed = "Initial(2400[rpm])<-Default setting by user",
-        // Recorded with the laser on only; IDLE is what the URG-04LX of the same generation says.
+        // Recorded only with the laser on. IDLE is what the URG-04LX of the same generation says.
         .mode_idle = "IDLE",
         .mode_measuring = "CLASSIC",
         .bit_rate = "USB Full Speed",
         .health = "Sensor works well.",
-        // Failed: seen on a unit with firmware 1.16.01. Unstable: deduced.
+        // The failure was seen on a unit with firmware 1.16.01. The unstable state is deduced.
         .health_unstable = "Sensor is verifying an error.",
         .health_failed = "Trouble!! Error No. =[00->33]",
         .time_spelling = protocol::TimeSpelling::hexadecimal,
 
         .last_step = 1080,
         .nearest_mm = 23,
-        // SCIP 2.0 specification, table 4: 1 nothing in range, 2 too near, 5 other; hokuyo_node
+        // SCIP 2.0 specification, table 4: 1 is nothing in range, 2 too near, 5 other. hokuyo_node
         // reads 1 as +inf and 2 as -inf.
         .codes = {.nothing = 1, .too_near = 2, .too_far = 1, .not_measured = 5},
 
         .unknown_command = protocol::status::undefined,
-        // Recorded: replies 24.85 ms apart (nine of them, seen by USB polls of 1 ms), which the
-        // device's clock counts as 125 ms in five, and a scan 24 ms after its time stamp, 5 ms
-        // after its last step: one reply a turn of 25.0 ms.
+        // Recorded: replies came 24.85 ms apart (nine of them, seen by USB polls of 1 ms); by the
+        // device's clock five took 125 ms. A scan came 24 ms after its time stamp, 5 ms after its
+        // last step. Hence one reply a turn of 25.0 ms.
         .scan_period = 25ms,
         .turns_per_reply = 1,
         .boot_time = 1s,  // assumed

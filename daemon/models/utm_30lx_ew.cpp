@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// UTM-30LX-EW, firmware 1.1.0. Texts and limits as urg_stamped's simulator and urg_library have
-// them, whose authors had units; no recording was seen.
+// UTM-30LX-EW, firmware 1.1.0. Texts and limits: urg_stamped's simulator and urg_library, whose
+// authors had units. No recording was seen.
 #include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
@@ -37,25 +37,25 @@ protocol::DeviceProfile ew_profile(const std::string& name, const std::string& s
         .mode_booting = "001 Booting",
         .bit_rate = "Ethernet 100 [Mbps]",
         .health = "Stable 000 no error.",
-        // Deduced from the form of the one before and the numbers of %ST.
+        // Deduced from the form of the text before it and from the numbers of %ST.
         .health_unstable = "Unstable 100 recovering.",
         .health_failed = "Error 900 abnormal.",
         .time_spelling = protocol::TimeSpelling::hexadecimal,
 
         .last_step = 1080,
         .nearest_mm = 23,
-        // Undocumented: those of the UTM-30LX.
+        // Undocumented: taken from the UTM-30LX.
         .codes = {.nothing = 1, .too_near = 2, .too_far = 1, .not_measured = 5},
 
         .multi_echo = true,
 
         .unknown_command = protocol::status::undefined,
         .scan_period = 25'050us,  // urg_stamped
-        // A scan is sent right after its last step, a reply about 0.5 ms after its request
+        // A scan leaves right after its last step, and a reply about 0.5 ms after its request
         // (urg_stamped's simulator).
         .reply_delay = 500us,
         .single_scan_is_next = true,  // as the UST
-        // Some seconds, in which it answers (urg_stamped); the figures are assumed.
+        // Boot: some seconds, in which it answers (urg_stamped). The figures are assumed.
         .boot_time = 5s,
         .answers_while_booting = true,
         .wake_time = 3s,

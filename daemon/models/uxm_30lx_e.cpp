@@ -30,9 +30,9 @@ Model uxm_30lx_e() {
         .scan_rpm = 1200,
 
         .motor_speed = "Initial(1200[rpm])",
-        // Recorded with the laser on only; IDLE is what the URG-04LX of the same generation says.
+        // Recorded only with the laser on. IDLE is what the URG-04LX of the same generation says.
         .mode_idle = "IDLE",
-        // Says CLASSIC later in the same recording, for reasons unknown.
+        // The same recording says CLASSIC later. The reason is unknown.
         .mode_measuring = "STANDARD(max:100000[mm])",
         .bit_rate = "USB Full Speed",
         .health = "Sensor works well.",
@@ -43,13 +43,13 @@ Model uxm_30lx_e() {
 
         .last_step = 760,
         .nearest_mm = 100,
-        // Those of the UTM-30LX.
+        // Taken from the UTM-30LX.
         .codes = {.nothing = 1, .too_near = 2, .too_far = 1, .not_measured = 5},
         .multi_echo = true,
 
         .unknown_command = protocol::status::undefined,
-        // Recorded: replies 99.34 ms apart (ten of them; the device's clock counted 596 ms in six),
-        // which is every second turn.
+        // Recorded: replies came 99.34 ms apart (ten of them; the device's clock counted 596 ms for
+        // six), which is every second turn.
         .scan_period = 49'670us,
         .turns_per_reply = 2,
         .boot_time = 1s,  // assumed

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// UXM-30LX-EW. Nothing of a real unit was seen: 190 degrees in steps of 0.25 and 50 ms a turn give
-// its limits, the rest is the UTM-30LX-EW. The serial number is made up.
+// UXM-30LX-EW. No data of a real unit was seen. Its limits follow from 190 degrees in steps of 0.25
+// and from 50 ms a turn. The rest is the UTM-30LX-EW. The serial number is made up.
 #include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
@@ -19,7 +19,7 @@ protocol::DeviceProfile uxm_ew_profile(const std::string& name, const std::strin
     profile.afrt = 380;
     profile.scan_rpm = 1200;
     profile.motor_speed = "1200";
-    profile.scan_period = 50'100us;  // longer than nominal as the UTM-30LX-EW's
+    profile.scan_period = 50'100us;  // longer than nominal, as on the UTM-30LX-EW
     return profile;
 }
 

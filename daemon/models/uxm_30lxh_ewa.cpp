@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// UXM-30LXH-EWA. Nothing of a real unit was seen: 190 degrees in steps of 0.125 and 50 ms a turn
-// give its limits, 80 m is from memory of the data sheet, the rest is the UXM-30LX-EW. The serial
-// number is made up.
+// UXM-30LXH-EWA. No data of a real unit was seen. Its limits follow from 190 degrees in steps of
+// 0.125 and from 50 ms a turn. 80 m is the data sheet's figure, quoted from memory. The rest is the
+// UXM-30LX-EW. The serial number is made up.
 #include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 

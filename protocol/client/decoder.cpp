@@ -10,13 +10,13 @@
 namespace scipd::protocol::client {
 namespace {
 
-/// VV, PP and II answer in KEY:VALUE;SUM, where the semicolon is not part of the sum.
+/// VV, PP and II answer with lines of KEY:VALUE;SUM. The sum does not include the semicolon.
 bool answers_in_entries(std::string_view echo) {
     const std::string_view code = echo.substr(0, 2);
     return code == "VV" || code == "PP" || code == "II";
 }
 
-/// The line without `tail` and its sum; nothing where it does not add up.
+/// The line without `tail` and its sum; nothing if the sum is wrong.
 std::optional<std::string_view> without_sum(std::string_view line, std::string_view tail) {
     if (line.empty() || !line.substr(0, line.size() - 1).ends_with(tail)) return std::nullopt;
     const std::string_view text = line.substr(0, line.size() - 1 - tail.size());

@@ -12,7 +12,7 @@
 namespace scipd::protocol::client {
 namespace {
 
-/// The KEY:VALUE lines of one message; remembers the first thing that was wrong.
+/// The KEY:VALUE lines of one message. Remembers the first fault.
 class Entries {
   public:
     explicit Entries(const Message& message) : message_(message) {}
@@ -60,7 +60,7 @@ class Entries {
     std::string fault_;
 };
 
-/// Four of SCIP's characters (UST) or six hexadecimal digits (everything older).
+/// Reads four of SCIP's characters (UST) or six hexadecimal digits (all older models).
 std::optional<std::uint32_t> read_time(std::string_view text) {
     if (text.size() == timestamp_width) {
         const auto value = decode(text);

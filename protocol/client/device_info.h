@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What a scanner says of itself: the answers to VV, PP and II, taken out of their messages. Each
-// parser gives the answer, or a sentence that says what is wrong with the message. Values; no
+// What a scanner reports about itself: its answers to VV, PP and II, read from their messages. Each
+// parser returns the answer, or a sentence that says what is wrong with the message. Values; no
 // thread rule.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace scipd::protocol::client {
 
-/// VV
+/// The answer to VV.
 struct Version {
     std::string vendor;
     std::string product;
@@ -24,7 +24,7 @@ struct Version {
     std::string serial;
 };
 
-/// PP; lengths in mm, angles in steps.
+/// The answer to PP; lengths in mm, angles in steps.
 struct Parameters {
     std::string model;
     int dmin_mm = 0;
@@ -35,24 +35,24 @@ struct Parameters {
     int afrt = 0;  ///< the step that looks forward
     int scan_rpm = 0;
 
-    /// Counter-clockwise from forward; `step` may lie between two.
+    /// Counter-clockwise from forward. `step` may be a fraction.
     [[nodiscard]] double angle_rad(double step) const;
-    /// Anything else is one of the model's codes.
+    /// Other values are codes of the model.
     [[nodiscard]] bool is_distance(std::uint32_t value) const {
         return value >= static_cast<std::uint32_t>(dmin_mm) &&
                value <= static_cast<std::uint32_t>(dmax_mm);
     }
 };
 
-/// II. A scanner out of order sends model and health only; the rest is then empty.
+/// The answer to II. A failing scanner sends model and health only; the rest is then empty.
 struct SensorState {
     std::string model;
     std::string laser;  ///< ON or OFF
     std::string motor_speed;
     std::string mode;
     std::string bit_rate;
-    std::string time;                      ///< as sent; how it is spelt depends on the family
-    std::optional<std::uint32_t> time_ms;  ///< the same read; nothing where it cannot be
+    std::string time;                      ///< as sent; each family has its own format
+    std::optional<std::uint32_t> time_ms;  ///< `time` as a number, if it can be read
     std::string health;
 };
 

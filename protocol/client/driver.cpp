@@ -15,8 +15,8 @@ namespace {
 
 using Kind = Error::Kind;
 
-/// A peer that sends so many bytes without the awaited reply is no scanner. It is more than any
-/// system buffers of an old stream.
+/// A peer that sends this many bytes without the awaited reply is no scanner. Systems buffer less
+/// of an old stream.
 constexpr std::size_t max_listened = std::size_t{1} << 20U;
 constexpr std::size_t max_quoted = 32;
 constexpr std::size_t scans_digits = 2;
@@ -32,12 +32,12 @@ Error damaged(std::string_view what, const std::string& why) {
     return {Kind::damaged, "the reply to " + std::string(what) + " is damaged: " + why};
 }
 
-/// Statuses in the place of a scan that do not end the stream: unstable, and going on again.
+/// Statuses that may come in place of a scan without ending the stream: unstable, and resumed.
 bool passing(std::string_view text) {
     return text == status::unstable.text() || text == status::resumed.text();
 }
 
-/// What a parser made of a reply, or its sentence as an Error.
+/// Returns what a parser made of a reply, or throws its sentence as an Error.
 template <typename Parsed>
 Parsed expect(std::variant<Parsed, std::string> parsed, std::string_view request) {
     if (const auto* const why = std::get_if<std::string>(&parsed)) throw damaged(request, *why);
@@ -49,7 +49,8 @@ Parsed expect(std::variant<Parsed, std::string> parsed, std::string_view request
 Driver::Driver(Transport& transport, Patience patience)
     : transport_(transport), patience_(patience) {}
 
-// As urg_library does it: QT ends whatever runs. An E means SCIP 1.1, 0E or 10 adjust mode.
+// As urg_library does: QT ends whatever runs. E means that the scanner is in SCIP 1.1, 0E or 10
+// that it is in adjust mode.
 void Driver::connect() {
     Message reply = hello();
     if (reply.status.size() == 1) {
@@ -65,8 +66,8 @@ void Driver::connect() {
     }
 }
 
-// The empty line ends half a request that an earlier client may have left behind; a scanner passes
-// over it. More than one try: the reply may hang on to the end of half a scan.
+// The empty line ends a request that an earlier client left unfinished; scanners skip it. hello()
+// tries more than once, because the first reply may come glued to the end of half a scan.
 Message Driver::hello() {
     constexpr int tries = 3;
     std::optional<Message> reply;
@@ -170,7 +171,7 @@ Message Driver::ask(std::string_view request, Status also_fine) {
     return *std::move(reply);
 }
 
-/// Scans of a stream and replies to earlier requests may come first.
+/// Skips scans of a stream and replies to earlier requests that come first.
 std::optional<Message> Driver::exchange(std::string_view request) {
     transport_.write(std::string(request) + "\n");
     while (!exhausted()) {

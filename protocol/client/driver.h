@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A small driver for any SCIP scanner: sends a request, waits for its reply, checks it. Everything
-// that goes wrong is an Error. It opens nothing and reads no clock: the transport, which must
-// outlive it, waits. One thread.
+// A small driver for any SCIP scanner: it sends a request, waits for the reply and checks it. It
+// reports every fault as an Error. It opens nothing and reads no clock: the transport does the
+// waiting, and must outlive it. One thread.
 //
 //   connect() ─► version(), parameters(), state() ─► start() ─► next_scan() ... ─► stop()
 #pragma once
@@ -37,8 +37,8 @@ class Driver {
     Driver(const Driver&) = delete;
     Driver& operator=(const Driver&) = delete;
 
-    /// Finds a scanner at the other end, in whatever state it was left, and brings it to SCIP 2.0,
-    /// not streaming, out of adjust mode, laser off.
+    /// Finds a scanner at the other end, in any state that an earlier client left it in. Brings it
+    /// to SCIP 2.0, without a stream, out of adjust mode, laser off.
     void connect();
 
     [[nodiscard]] Version version();
@@ -46,23 +46,23 @@ class Driver {
     [[nodiscard]] SensorState state();
 
     void switch_laser_on();
-    /// RS: as after power-up, the clock at 0.
+    /// Sends RS: the scanner is then as after power-up, with its clock at 0.
     void reset();
 
     /// The latest complete scan; the laser must be on.
     [[nodiscard]] ScanMessage single_scan(const ScanRequest& request);
 
     void start(const ScanRequest& request);
-    /// The next scan of the stream. Damaged ones are passed over and counted.
+    /// The next scan of the stream. Skips damaged ones and counts them.
     [[nodiscard]] ScanMessage next_scan();
     [[nodiscard]] std::size_t damaged_scans() const { return damaged_scans_; }
-    /// Ends the stream, if there is one, and switches the laser off.
+    /// Ends a running stream and switches the laser off.
     void stop();
 
     void enter_adjust();
-    /// The scanner's clock; on older models in adjust mode only.
+    /// The scanner's clock; older models tell it in adjust mode only.
     [[nodiscard]] std::uint32_t time_ms();
-    /// The same in microseconds, which do not wrap: newest firmware only.
+    /// The same in microseconds, without wrapping; newest firmware only.
     [[nodiscard]] std::uint64_t time_us();
     void leave_adjust();
 
@@ -80,10 +80,10 @@ class Driver {
     Patience patience_;
     Decoder decoder_;
     std::array<char, 8192> buffer_{};
-    std::string_view unread_;   ///< of buffer_
+    std::string_view unread_;   ///< the rest of buffer_
     std::size_t listened_ = 0;  ///< bytes since begin_listening()
-    std::string heard_;         ///< their beginning
-    std::string stream_;        ///< the request that runs, without its number of scans
+    std::string heard_;         ///< the first of these bytes
+    std::string stream_;        ///< the running request, without its number of scans
     std::size_t damaged_scans_ = 0;
 };
 

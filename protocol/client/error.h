@@ -13,7 +13,7 @@ class Error : public std::runtime_error {
     enum class Kind {
         silent,   ///< nothing came in time
         foreign,  ///< what came is not SCIP
-        damaged,  ///< a reply did not add up or lacks something
+        damaged,  ///< a reply has a wrong sum or lacks something
         refused,  ///< the scanner said no
         closed,   ///< the other end is gone, or cannot be reached
     };

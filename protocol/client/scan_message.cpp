@@ -19,7 +19,7 @@ constexpr char echo_mark = '&';
 
 using Lines = std::span<const std::string>;
 
-/// The data lines as one string; nothing where a line but the last is not full.
+/// Joins the data lines; nothing if a line before the last is not full.
 std::optional<std::string> join(Lines lines) {
     std::string data;
     for (const std::string& line : lines) {
@@ -59,7 +59,7 @@ bool take_stamp(Lines& lines, ScanMessage& scan) {
     return true;
 }
 
-/// Takes echoes off the front of the data, one step after the other.
+/// Takes the echoes off the front of the data, step by step.
 class EchoReader {
   public:
     EchoReader(std::string_view data, const ScanRequest& request)
@@ -72,7 +72,7 @@ class EchoReader {
         if (!distance || !intensity) return std::nullopt;
         return Echo{*distance, *intensity};
     }
-    /// Only after first(). '&' is below '0', so that no value can begin with it.
+    /// Call first() before. '&' is below '0', so no value can begin with it.
     [[nodiscard]] bool has_further() const {
         return request_.echoes && data_.starts_with(echo_mark);
     }
@@ -94,7 +94,7 @@ class EchoReader {
     std::size_t width_;
 };
 
-/// False where the data ends within a value or holds what is none.
+/// False if the data ends within a value or has invalid characters.
 bool read_echoes(std::string_view data, ScanMessage& scan) {
     EchoReader reader(data, scan.request);
     while (!reader.at_end()) {

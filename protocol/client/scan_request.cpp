@@ -25,7 +25,7 @@ DataFormat format_of(const ScanRequest& request) {
             .stamp = request.microseconds ? Stamp::microseconds : Stamp::milliseconds};
 }
 
-/// The code of the command that brings this kind of data, and the window.
+/// The code of the command for this kind of data, and the window.
 std::string window_line(Parameters parameters, const ScanRequest& request) {
     const auto commands = command_table();
     const auto command = std::ranges::find_if(commands, [&](const Command& candidate) {
@@ -40,7 +40,7 @@ std::string window_line(Parameters parameters, const ScanRequest& request) {
     return line;
 }
 
-/// The command for scans that this line is made of; null: it is no such line.
+/// The scan command at the start of this line; null if there is none.
 const Command* command_of(std::string_view line) {
     for (const Command& command : command_table()) {
         if ((command.brings_one_scan() || command.brings_scans()) &&

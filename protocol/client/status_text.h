@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Statuses and damages in words, for people. No thread rule.
+// Describes statuses and damages in words, for people. No thread rule.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace scipd::protocol::client {
 
-/// "status 04: the end step does not exist"; what a number means depends on the command.
+/// "status 04: the end step does not exist". What a number means depends on the command.
 [[nodiscard]] std::string describe_status(const Message& message);
 
 /// "line 3 does not match its checksum"

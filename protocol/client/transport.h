@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What a driver talks through. Tools put a socket or a tty behind it, tests a string.
+// The connection that a driver uses. Tools implement it with a socket or a tty, tests with a
+// string.
 #pragma once
 
 #include <chrono>
@@ -15,11 +16,11 @@ class Transport {
   public:
     virtual ~Transport() = default;
 
-    /// All of `bytes`. Throws Error where the other end is gone.
+    /// Writes all of `bytes`. Throws Error if the other end is gone.
     virtual void write(std::string_view bytes) = 0;
 
-    /// Waits for bytes and takes what there is, at most what `buffer` holds; 0: nothing came within
-    /// `timeout`. Throws Error where the other end is gone.
+    /// Waits for bytes and takes those that there are, at most as many as `buffer` holds. Returns 0
+    /// if nothing came within `timeout`. Throws Error if the other end is gone.
     virtual std::size_t read(std::span<char> buffer, std::chrono::milliseconds timeout) = 0;
 };
 

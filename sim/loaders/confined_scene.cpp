@@ -99,7 +99,7 @@ SharedMesh take_mesh(std::FILE* in) {
     return std::make_shared<const Mesh>(std::move(mesh));
 }
 
-/// A shape without the mesh, of which many objects may have the same.
+/// A shape with the index of its mesh in place of the mesh, since many objects may share one mesh.
 using Plain = std::variant<Box, Cylinder, Sphere, Plane, std::size_t>;
 
 class Sender {
@@ -205,7 +205,8 @@ void work(std::FILE* out, const std::function<LoadedScene()>& load) {
 LoadedScene load_confined(const std::string& name, const LoadLimits& limits,
                           const std::function<LoadedScene()>& load) {
     try {
-        // More than one thread can take in that time, so that it is the time that is told.
+        // Longer than one thread can use within wall_time: so the wall time ends the child first,
+        // and the message is about that.
         const auto processor_time = limits.wall_time + std::chrono::seconds{10};
         const Confines confines{
             .processor_time = processor_time,

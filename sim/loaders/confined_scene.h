@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Scenes out of a child process, in which libraries may do what they will with files from anywhere,
-// and which ends at once where nobody waits for it any more. Any thread; the caller waits.
+// Loads a scene in a child process: if a library crashes or hangs on a file from outside, only the
+// child ends. The child ends at once if nobody waits for it any more. Any thread; the caller waits.
 #pragma once
 
 #include <chrono>
@@ -20,8 +20,8 @@ struct LoadLimits {
     std::stop_token stop = {};
 };
 
-/// What `load` answers with in the child. Throws LoadError: what `load` threw, or that it took too
-/// much or crashed, in which `name` says what was loaded.
+/// Runs `load` in the child and returns its scene. Throws LoadError: the one that `load` threw, or
+/// one that begins with `name` and says that `load` took too much time or memory, or crashed.
 LoadedScene load_confined(const std::string& name, const LoadLimits& limits,
                           const std::function<LoadedScene()>& load);
 

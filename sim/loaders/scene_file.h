@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A world from a file of any kind that we read, in a child process. Any thread; nothing shared.
+// Loads a world from a file of any supported kind, in a child process. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>
@@ -13,25 +13,25 @@
 
 namespace scipd::sim {
 
-/// What the files themselves do not say; each kind takes what concerns it.
+/// Settings that the files themselves do not have. Each kind of file uses those that apply to it.
 struct SceneOptions {
-    SdfOptions sdf;  ///< of URDF too
+    SdfOptions sdf;  ///< for URDF too
     MapOptions map;
     LoadLimits limits = {};
 };
 
-/// The file's extension tells its kind: .sdf, .world and .urdf, .xacro, .yaml and .yml for ROS
-/// maps, and those of meshes; a .world that is no XML is one of Stage, and .xml is MVSim's. A
-/// folder is that of a model (model_folder.h). Throws LoadError.
+/// The extension tells the kind of file: .sdf and .world for SDF, .urdf and .xacro for URDF, .yaml
+/// and .yml for ROS maps, .xml for MVSim, and those of meshes (mesh_file.h). A .world that is no
+/// XML is a world of Stage. A folder is the folder of a model (model_folder.h). Throws LoadError.
 LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& options = {});
 
-/// What load_scene() reads, where it is one model, as that model. In no child of its own; calls of
-/// load_confined() are what it is for. Throws LoadError.
+/// Reads the same files as load_scene(), as one model. It starts no child process: call it within
+/// load_confined(). Throws LoadError, also if the file does not hold exactly one model.
 LoadedScene load_model_file(const std::filesystem::path& file, const Placement& placement,
                             const SceneOptions& options = {});
 
-/// Where relative paths of what a world is given start: the folder that its file lies in, or that
-/// is the world.
+/// The folder in which relative paths of things that are added to the world start: the folder of
+/// the world's file, or the world itself if it is a folder.
 std::filesystem::path folder_of_scene(const std::filesystem::path& file);
 
 }  // namespace scipd::sim

@@ -12,7 +12,7 @@
 namespace scipd::sim {
 
 std::string name_fault(std::string_view name) {
-    if (name.empty()) return "must be a text that says something";
+    if (name.empty()) return "must not be empty";
     if (name.size() > longest_name) {
         return "must be at most " + std::to_string(longest_name) + " bytes long, not " +
                std::to_string(name.size());

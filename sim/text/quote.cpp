@@ -13,7 +13,7 @@ struct Character {
     std::size_t bytes;
 };
 
-/// That the text, which is not empty, begins with; nothing: that is no UTF-8.
+/// The first character of a text that is not empty; nothing if it does not begin with UTF-8.
 std::optional<Character> first_of(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char lead = byte(0);
@@ -31,7 +31,8 @@ std::optional<Character> first_of(std::string_view text) {
     return Character{code, bytes};
 }
 
-/// Controls, what ends lines, turns their direction or is not seen.
+/// Control characters except tab and line feed, and characters that end lines, change the reading
+/// direction or are invisible.
 bool does_harm(char32_t code) {
     struct Range {
         char32_t first;

@@ -17,8 +17,8 @@ bool all_digits(std::string_view text) {
     return std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// The power of ten that a stamp ends in, as evo writes it (1.70e+09); 0 where there is none.
-/// Nothing where it is no number or would move the point out of any sensible stamp.
+/// Removes the power of ten at the end of a stamp, as evo writes it (1.70e+09), and returns it; 0
+/// if there is none. Nothing if it is no number, or is too large for any sensible stamp.
 std::optional<int> take_exponent(std::string_view& text) {
     const auto e = text.find_first_of("eE");
     if (e == text.npos) return 0;

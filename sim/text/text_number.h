@@ -15,17 +15,18 @@ namespace scipd::sim {
 /// Stamps beyond this many seconds do not fit into nanoseconds of 64 bits (9.2e9 s).
 inline constexpr double time_limit_s = 9e9;
 
-/// Without the blanks, tabs and line ends around it.
+/// The text without the blanks, tabs and line ends around it.
 std::string_view trimmed(std::string_view text);
 
-/// Decimals, exactly, of units of 10^power seconds; digits past the nanosecond are rounded into it.
-/// Nothing where it is no number or beyond the limit.
+/// Reads a decimal number of units of 10^power seconds, exactly; digits beyond the nanosecond are
+/// rounded. Nothing if the text is no number or lies beyond `time_limit_s`.
 std::optional<Time> parse_stamp(std::string_view text, int power = 0);
 
-/// All of it, and finite.
+/// The finite number that the whole text is; nothing if it is none.
 std::optional<double> parse_number(std::string_view text);
 
-/// That many between blanks, each finite, with or without a +; nothing where the text is otherwise.
+/// Exactly `count` finite numbers, separated by blanks, each with or without a +; nothing if the
+/// text is anything else.
 std::optional<std::vector<double>> parse_numbers(std::string_view text, std::size_t count);
 
 }  // namespace scipd::sim

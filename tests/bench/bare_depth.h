@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The yardstick of the depth buffer: pictures drawn and read back, and nothing else. Where their
-// views lie and which triangles are drawn into them was settled beforehand, for each scan.
+// The yardstick of the depth buffer: it draws pictures and reads them back, and nothing else. For
+// each scan it works out beforehand where the views lie and which triangles they draw.
 #pragma once
 
 #include <span>
@@ -18,11 +18,11 @@ namespace scipd::sim {
 class BareDepth {
   public:
     enum class Drawn {
-        seen,   ///< what a scan would draw: the triangles that its views can show
+        seen,   ///< the triangles that the views of a scan can show
         whole,  ///< the whole scene, in each view
     };
 
-    /// For each scan its poses, of which each view takes one.
+    /// `scans` has the poses of each scan. Each view takes one of them.
     BareDepth(const Scene& scene, std::span<const PlannedView> views, glm::ivec2 size_px,
               const std::vector<std::vector<Pose>>& scans, Drawn what)
         : triangles_(scene), size_px_(size_px) {
@@ -44,7 +44,7 @@ class BareDepth {
         }
     }
 
-    /// Returns when it is drawn.
+    /// Returns when the picture is complete.
     void draw(std::size_t scan) {
         raster_.draw(scans_[scan].views, scans_[scan].drawn, size_px_);
         raster_.finish();
@@ -52,7 +52,7 @@ class BareDepth {
     void read_depth() { raster_.read_depth(picture_); }
     void read_triangles() { raster_.read_triangles(picture_); }
 
-    /// What a cast draws and reads.
+    /// Draws and reads what a cast does.
     void draw_and_read(std::size_t scan) {
         raster_.draw(scans_[scan].views, scans_[scan].drawn, size_px_);
         raster_.read(picture_);

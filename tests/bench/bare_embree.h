@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The yardstick: the shortest loop around rtcIntersect16 that turns directions into ranges, and
-// into materials where they are asked for. Robust scenes, one mesh an object, coherent packets; no
-// incidence, nothing that moves, no body that is looked through, no checks. One thread.
+// The yardstick: the shortest loop around rtcIntersect16 that turns directions into ranges, and on
+// request into materials. It uses robust scenes, one mesh for each object and coherent packets. It
+// leaves out incidence, moving models, bodies to look through, and all checks. One thread.
 #pragma once
 
 #include <span>
@@ -21,19 +21,20 @@ namespace scipd::sim {
 
 class BareEmbree {
   public:
-    /// What becomes of models that could move.
+    /// How models that could move enter the scene.
     enum class Movables {
         still,      ///< everything is in one scene
         instances,  ///< as in the backend: a second scene of instances, traced after the first
     };
 
-    /// Denormal numbers are zero from now on, on this thread.
+    /// From now on this thread treats denormal numbers as zero.
     explicit BareEmbree(const Scene& scene, Movables movables = Movables::still);
     BareEmbree(const BareEmbree&) = delete;
     BareEmbree& operator=(const BareEmbree&) = delete;
     ~BareEmbree();
 
-    /// As many poses as directions, or one; materials for all directions, or none.
+    /// Takes one pose, or one for each direction. `materials` is empty, or has room for all
+    /// directions.
     void cast(std::span<const glm::vec3> directions, std::span<const Pose> poses, float max_range_m,
               std::span<float> range_m, std::span<MaterialId> materials = {}) const;
 
@@ -44,8 +45,8 @@ class BareEmbree {
 
     RTCDevice device_ = rtcNewDevice("threads=1");
     RTCScene scene_ = new_scene();
-    RTCScene moving_ = nullptr;     ///< where there are instances
-    std::vector<RTCScene> bodies_;  ///< by ModelId; null where nothing can move
+    RTCScene moving_ = nullptr;     ///< null without instances
+    std::vector<RTCScene> bodies_;  ///< by ModelId; null for models that cannot move
     std::vector<MaterialId> material_of_;
     glm::dvec3 anchor_m_;
 };

@@ -135,18 +135,18 @@ constexpr std::uint8_t white = 254;
 constexpr double cell_m = 0.05;
 constexpr double room_m = 6.0;
 
-/// Of the storey, in its own axes; the origin is its middle.
+/// A pixel of the storey, in the storey's own axes, with the origin in its middle.
 std::uint8_t clean_pixel(double x_m, double y_m, double half_m) {
     if (std::max(std::abs(x_m), std::abs(y_m)) > half_m) return grey;
     const double across_m = std::remainder(x_m, room_m);
     const double along_m = std::remainder(y_m, room_m);
     const double to_wall_m = 0.5 * room_m;
-    // A wall of 15 cm with a door of 1 m in the middle of each side.
+    // Rooms have walls of 15 cm with a door of 1 m in the middle of each side.
     const auto is_wall = [&](double a_m, double b_m) {
         return std::abs(std::abs(a_m) - to_wall_m) < 0.075 && std::abs(b_m) > 0.5;
     };
     if (is_wall(across_m, along_m) || is_wall(along_m, across_m)) return black;
-    // A table and a round pillar.
+    // In each room there are a table and a round pillar.
     const bool is_table = std::abs(across_m - 1.5) < 0.4 && std::abs(along_m - 1.2) < 0.8;
     const bool is_pillar = std::hypot(across_m + 1.4, along_m + 1.6) < 0.35;
     return is_table || is_pillar ? black : white;
@@ -179,7 +179,7 @@ void write_map(const std::filesystem::path& file, int side, Clutter clutter) {
         for (int column = 0; column < side; ++column) {
             const double east_m = (column + 0.5) * cell_m - half_m;
             const double north_m = half_m - (row + 0.5) * cell_m;
-            // Where a beam ends that is off by some centimetres.
+            // The place where a beam ends that is off by a few centimetres.
             const double x_m = std::cos(turn_rad) * east_m + std::sin(turn_rad) * north_m +
                                (is_noisy ? jitter_m(rng) : 0.0);
             const double y_m = std::cos(turn_rad) * north_m - std::sin(turn_rad) * east_m +

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What a scan costs in the maze: 1081 rays over 270 degrees, with range, incidence, object and
-// material. Rounds cast one scan by the backend and one by a bare loop of rtcIntersect16, so that
-// whatever else the machine does meets both. They cast different scans, since whoever comes second
-// to the same one finds the processor prepared. `ratio` compares the medians.
+// Measures what a scan costs in the maze: 1081 rays over 270 degrees, with range, incidence, object
+// and material. Each round casts one scan with the backend and one with a bare loop of
+// rtcIntersect16, so that other load on the machine affects both. They cast different scans,
+// because the second one to cast the same scan would find warm caches. `ratio` compares the
+// medians.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -35,7 +36,7 @@ SensorSpec spec() {
             .noise = {{0.0, 0.010, 0.0}, {10.0, 0.0, 0.01}}};
 }
 
-/// One pose a scan, or one a beam: a robot that drives at 2 m/s and turns at 3 rad/s.
+/// One pose for each scan, or one for each beam: the robot drives at 2 m/s and turns at 3 rad/s.
 std::vector<std::vector<Pose>> sweeps(bool moving) {
     std::vector<std::vector<Pose>> all;
     for (const Pose& pose : maze_poses(scans)) {
@@ -48,7 +49,7 @@ std::vector<std::vector<Pose>> sweeps(bool moving) {
     return all;
 }
 
-/// The maze, both ways of casting it, and a scan's worth of arguments.
+/// The maze, both ways to cast into it, and the buffers for one scan.
 struct Stage {
     explicit Stage(bool moving, std::size_t movables = 0)
         : scene(maze(movables)),
@@ -64,7 +65,7 @@ struct Stage {
         bare.cast(pattern.directions(), poses[scan], max_range_m, bare_m);
         benchmark::DoNotOptimize(bare_m.data());
     }
-    /// Whether the yardstick answers the same question.
+    /// Whether the bare loop gives the same ranges.
     bool agree() {
         for (std::size_t scan = 0; scan < scans; ++scan) {
             cast(scan);
@@ -86,7 +87,7 @@ struct Stage {
     std::vector<float> bare_m = std::vector<float>(pattern.directions().size());
 };
 
-/// `measured` and the bare loop in turn.
+/// Runs `measured` and the bare loop in turn.
 template <typename Measured>
 void compare(benchmark::State& state, Stage& stage, Measured measured) {
     if (!stage.agree()) return state.SkipWithError("the bare loop measures something else");
@@ -109,8 +110,7 @@ void cast(benchmark::State& state, bool moving) {
     compare(state, stage, [&](std::size_t scan) { stage.cast(scan); });
 }
 
-/// Ten models that are somewhere else in every scan; for the bare loop they stand still in its one
-/// scene.
+/// Ten models stand elsewhere in every scan. For the bare loop they stand still in its only scene.
 void cast_among_movables(benchmark::State& state) {
     constexpr ModelId movables = 10;
     Stage stage(false, movables);

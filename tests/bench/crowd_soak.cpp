@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A crowd on one core: a running scipd in the rescue maze, pinned to one core, in which models and
-// robots drive in circles by pose lines over UDP, and a client for each robot's UST-10LX that takes
-// every scan. Clients and sender have the other cores. Tells which share of its core the daemon
-// used, what was lost, and by its own count how late scans left. None may be missing.
+// A crowd on one core. scipd runs in the rescue maze, pinned to one core. Models and robots drive
+// in circles by pose lines over UDP, and for each robot a client takes every scan of its UST-10LX.
+// Clients and sender have the other cores. The program reports what share of its core the daemon
+// used, how many scans were lost, and, by the daemon's own count, how late scans left. No scan may
+// be missing.
 //
 //   build/release/bin/crowd_soak [SECONDS] [--models N] [--scanners N] [--rate HZ] [--speed M/S]
 //                                [--wait-ms MS] [--backend B]
@@ -45,7 +46,7 @@ struct Crowd {
     std::string backend = "auto";
 };
 
-/// The place of number `i` among `count` in a square grid over the maze, and aside of it.
+/// The place of number `i` of `count` in a square grid over the maze, shifted by `aside` cells.
 struct Place {
     double x_m;
     double y_m;
@@ -57,7 +58,7 @@ Place place_of(int i, int count, double aside) {
     return {(i % side + 0.5 + aside) * cell_m, (i / side % side + 0.5 + aside) * cell_m};
 }
 
-/// The rescue maze with so many boxes more.
+/// Writes the rescue maze with this many boxes added.
 void write_world(const TempDir& directory, int models) {
     const char* terrain = "rescue_maze_terrain.obj";
     std::filesystem::copy_file(scene(terrain), directory.path() / terrain);
@@ -91,7 +92,8 @@ std::string write_configuration(const TempDir& directory, const Crowd& crowd, st
     return directory.write("crowd.yaml", text);
 }
 
-/// A circle around the place, driven at this speed, looking ahead.
+/// The pose line of something that drives in a circle around `middle` at this speed and looks
+/// ahead.
 std::string line_of(const std::string& who, double time_s, const Place& middle, double radius_m,
                     double speed_mps) {
     const double angle_rad = std::remainder(time_s * speed_mps / radius_m, 2.0 * M_PI);
@@ -103,7 +105,7 @@ std::string line_of(const std::string& who, double time_s, const Place& middle, 
     return line;
 }
 
-/// Until `over`, one datagram a line. How many there were.
+/// Sends one datagram for each line until `over`. Returns how many it has sent.
 long send_poses(const Crowd& crowd, const UdpSender& sender, const std::atomic<bool>& over) {
     long lines = 0;
     const Steady::time_point begin = Steady::now();
@@ -124,7 +126,7 @@ long send_poses(const Crowd& crowd, const UdpSender& sender, const std::atomic<b
     return lines;
 }
 
-/// Takes scans for so long. How many are missing between them.
+/// Takes scans for `seconds`. Returns how many are missing between them.
 long take_scans(ScannerWire& wire, double seconds, std::atomic<long>& taken) {
     constexpr std::uint32_t clock_mask = 0xffffff;  // 24 bits
     long missing = 0;
@@ -137,7 +139,7 @@ long take_scans(ScannerWire& wire, double seconds, std::atomic<long>& taken) {
     return missing;
 }
 
-/// All of this process and what it starts from now on.
+/// Pins this process, and those that it starts from now on, to these cores.
 void pin_to(int first_core, int last_core) {
     cpu_set_t cores;
     CPU_ZERO(&cores);

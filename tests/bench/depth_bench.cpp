@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What a depth buffer costs in the maze, against three yardsticks, each in turns with it:
+// Measures what a depth buffer costs in the maze, in turns with each of three yardsticks:
 //
-//   bare     the same strips drawn and read back, with what is drawn in them settled beforehand
+//   bare     the same strips drawn and read back, with their triangles selected beforehand
 //   whole    the same strips with the whole scene drawn in each of them
 //   rays     the same directions through Embree
 //
-// strips: a UST-10LX, 1081 beams over 270 degrees. camera: n x n pixels over 90 degrees. runs: the
-// UST-10LX in motion, its sweep cut into so many pieces, each from its own pose.
+// strips: a UST-10LX, 1081 beams over 270 degrees. camera: n x n pixels over 90 degrees. runs: a
+// moving UST-10LX; its sweep is cut into this many pieces, each with its own pose.
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -50,7 +50,8 @@ Directions camera(int side) {
     return directions;
 }
 
-/// For each scan as many poses as directions, of which so many differ: 2 m/s and 3 rad/s.
+/// One pose for each direction in each scan, `runs` of them different. The robot drives at 2 m/s
+/// and turns at 3 rad/s.
 std::vector<std::vector<Pose>> sweeps(std::size_t directions, std::size_t runs) {
     std::vector<std::vector<Pose>> all;
     for (const Pose& pose : maze_poses(scans)) {
@@ -71,7 +72,7 @@ void compare(benchmark::State& state, const Directions& directions, std::size_t 
     const DepthPlan plan({directions, poses.front()}, {});
     using Drawn = BareDepth::Drawn;
     BareDepth bare(*scene, plan.views(), plan.pictures().front().size_px, poses, Drawn::seen);
-    const bool draw_whole = runs <= 10;  // a thousand runs would draw millions of triangles
+    const bool draw_whole = runs <= 10;  // with a thousand it would draw millions of triangles
     BareDepth whole(*scene, plan.views(), plan.pictures().front().size_px,
                     draw_whole ? poses : std::vector<std::vector<Pose>>{}, Drawn::whole);
     std::vector<Hit> hits(directions.size());
@@ -87,7 +88,7 @@ void compare(benchmark::State& state, const Directions& directions, std::size_t 
         if (draw_whole) whole_s.push_back(seconds_for([&] { whole.draw_and_read(other); }));
         rays_s.push_back(seconds_for([&] { rays->cast(fan, hits); }));
     };
-    round_of(0);  // warms up
+    round_of(0);  // only warms up
     for (std::vector<double>* times : {&depth_s, &bare_s, &whole_s, &rays_s})
         times->clear();
     for ([[maybe_unused]] auto round : state) {

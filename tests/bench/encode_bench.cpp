@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// One scan of 1081 ranges into the text of SCIP: the data block alone, the whole message of a
-// stream, and what code that goes character by character takes for the same.
+// Measures how long it takes to write a scan of 1081 ranges as SCIP text: the data block alone, and
+// the whole message of a stream. It compares with code that goes character by character.
 //
 //   build/release/bin/encode_bench
 #include <string>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// How long a client waits for an answer. VV against a bare echo server: both as processes of their
-// own, asked in turns, so that whatever else the machine does disturbs both alike. QT and PP as a
-// UST-10LX answers them, 0.4 ms after they came at the earliest.
+// Measures how long a client waits for an answer. It compares VV with a bare echo server. Both are
+// processes of their own and are asked in turns, so that other load on the machine affects both
+// alike. For QT and PP it uses a UST-10LX, which answers at least 0.4 ms after the request.
 //
 //   build/release/bin/latency_bench
 #include <algorithm>
@@ -79,7 +79,7 @@ class EchoServer {
     pid_t child_;
 };
 
-/// From the request to the last byte of its answer.
+/// The time from the request to the last byte of its answer.
 Microseconds round_trip(ScannerWire& wire, std::string_view request, std::string_view answer_end) {
     std::array<char, 4096> buffer;
     std::string answer;
@@ -128,7 +128,7 @@ void time_requests() {
     for (const char* request : {"QT", "PP"}) {
         std::vector<Microseconds> times;
         for (int i = 0; i < rounds; ++i) {
-            // At all phases of the mirror, in whatever order.
+            // Asks at all phases of the mirror, in no particular order.
             std::this_thread::sleep_for(std::chrono::microseconds(i * 617 % 2000));
             times.push_back(round_trip(scanner, std::string(request) + "\n", "\n\n"));
         }
@@ -136,8 +136,8 @@ void time_requests() {
     }
 }
 
-/// Everything on one processor: the kernel puts a process that was forked beside its client and one
-/// that was started on its own on different ones, and waking an idle processor of a virtual machine
+/// Keeps everything on one processor. The kernel puts a forked process beside its client, but a
+/// process that was started on its own elsewhere. Waking an idle processor of a virtual machine
 /// takes 45 us, three times as long as either server needs.
 void stay_on_this_processor() {
     cpu_set_t processors;

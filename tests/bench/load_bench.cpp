@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// How long worlds take to load and how much memory: meshes of 10 k, 200 k and 1 M triangles in each
-// format, and ROS maps of 4000 x 4000 cells, clean and as a robot draws them. Each in a process of
-// its own, whose peak is what it took; the child that reads a mesh is told apart from it.
+// Measures how long worlds take to load and how much memory they take: meshes of 10 k, 200 k and 1
+// M triangles in each format, and ROS maps of 4000 x 4000 cells, clean and as a robot draws them.
+// Each world has a process of its own, whose peak memory counts. The child that reads a mesh is
+// counted apart from it.
 //
 //   build/release/bin/load_bench
 #include <chrono>
@@ -41,8 +42,8 @@ std::size_t triangle_count(const sim::Scene& scene) {
     return count;
 }
 
-/// Of all processors, ours and those of children that have ended: other work beside it counts less
-/// than in the time that has passed.
+/// The processor time of this process and of its children that have ended. Other load on the
+/// machine affects it less than the elapsed time.
 double processor_ms() {
     double seconds = 0.0;
     for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
@@ -69,7 +70,7 @@ void measure(const std::string& title, const std::filesystem::path& file,
                 peak_mib(RUSAGE_CHILDREN), peak_mib(RUSAGE_SELF));
 }
 
-/// In a child, so that what one takes is not counted for the next.
+/// Works in a child, so that the memory of one world is not counted for the next.
 bool alone(const std::function<void()>& work) {
     std::fflush(stdout);
     const pid_t child = fork();

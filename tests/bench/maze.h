@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A maze as in a rescue arena, for benchmarks: 20 x 20 cells of 1.2 m with walls and crates, 467
-// boxes, 5604 triangles.
+// A maze as in a rescue arena, for benchmarks: 20 x 20 cells of 1.2 m with walls and crates. It has
+// 467 boxes, which are 5604 triangles.
 #pragma once
 
 #include <cmath>
@@ -18,7 +18,7 @@ inline constexpr int maze_cells = 20;
 inline constexpr double cell_m = 1.2;
 inline constexpr double maze_m = maze_cells * cell_m;
 
-/// With boxes of 0.4 m that can move as its first models.
+/// The scene's first models are `movables` boxes of 0.4 m that can move.
 inline SharedScene maze(std::size_t movables = 0) {
     constexpr double wall_height_m = 0.6;
     constexpr double thick_m = 0.04;
@@ -56,7 +56,7 @@ inline SharedScene maze(std::size_t movables = 0) {
     return scene.build();
 }
 
-/// In the middles of cells, at the height of a small robot, tilted by half a degree or so.
+/// Poses in the middles of cells, at the height of a small robot, tilted by about half a degree.
 inline std::vector<Pose> maze_poses(std::size_t count) {
     std::mt19937 rng(64);
     const auto uniform = [&](double low, double high) {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What it costs to move models, boxes above the maze. A step moves them all and makes the scene
-// ready to be cast into. Rounds do a step by the backend and one by the bare calls of Embree;
-// `ratio` compares the medians.
+// Measures what it costs to move models, which are boxes above the maze. A step moves them and
+// makes the scene ready to be cast into. Each round does a step with the backend and one with the
+// bare calls of Embree. `ratio` compares the medians.
 //
-//   rays      Embree: all of so many models
-//   few       Embree: ten of so many models
-//   depth     depth buffer: all of so many models; `next_scan_us` what a scan of a UST-10LX takes
-//             after it, `same_scan_us` what it takes again with nothing moved
-//   rebuild   a backend for the scene with the models somewhere else, instead of a step
+//   rays      Embree: moves all models
+//   few       Embree: moves ten of the models
+//   depth     depth buffer: moves all models. `next_scan_us` is the time of a scan of a UST-10LX
+//             after the step, `same_scan_us` the time of the same scan if nothing has moved
+//   rebuild   makes a new backend for the scene with the models elsewhere, instead of a step
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -30,12 +30,12 @@
 namespace scipd::sim {
 namespace {
 
-constexpr std::size_t steps = 8;  // and then over again
-constexpr double flying_m = 2.0;  // above all else
+constexpr std::size_t steps = 8;  // repeated
+constexpr double flying_m = 2.0;  // above everything else
 constexpr double box_m = 0.4;
 constexpr float max_range_m = 60.0F;
 
-/// By step and model.
+/// Poses by step and model.
 using Moves = std::vector<std::vector<Pose>>;
 
 Moves moves_of(std::size_t models) {
@@ -114,13 +114,13 @@ void move(RangeBackend& backend, std::span<const Pose> poses) {
         backend.move(model, poses[model]);
 }
 
-/// Nothing is cast, but all is ready for it.
+/// Casts nothing, but makes everything ready for it.
 void make_ready(RangeBackend& backend) {
     const Pose anywhere;
     backend.cast({{}, {&anywhere, 1}, max_range_m}, {});
 }
 
-/// Looks down on each box from where nothing else is higher.
+/// Looks down on each box from above, where nothing is in the way.
 bool all_are_there(RangeBackend& backend, std::span<const Pose> poses) {
     const std::vector<glm::vec3> ahead{{1, 0, 0}};
     std::vector<Hit> hits(1);

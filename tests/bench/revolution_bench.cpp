@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// One revolution of a UST-10LX in the rescue maze, from the poses of the sweep to the message for a
-// client: everything but the waiting and the socket.
+// Measures one revolution of a UST-10LX in the rescue maze, from the poses of the sweep to the
+// message for a client. It includes everything but the waiting and the socket.
 //
 //   build/release/bin/revolution_bench
 #include <cmath>
@@ -34,7 +34,7 @@ daemon::SensorConfig scanner(sim::Accuracy accuracy) {
     return config;
 }
 
-/// At the start of the maze, turning at 1 rad/s.
+/// A pose at the start of the maze, turning at 1 rad/s.
 sim::Pose turning_at(sim::Time time) {
     const double seconds = std::chrono::duration<double>(time).count();
     return sim::pose_from_rpy({1, 1, 0}, {0, 0, std::remainder(seconds, 2 * std::numbers::pi)});
@@ -63,10 +63,10 @@ class Revolutions {
 
     void move(sim::Time time) { (void)world_.place_robot("robot", {time, turning_at(time)}); }
 
-    /// When the next one is complete.
+    /// When the next revolution is complete.
     [[nodiscard]] sim::Time leaves() const { return device_->leaves(revolution_); }
 
-    /// The bytes of its message.
+    /// Completes a revolution. Returns how many bytes its message has.
     std::size_t turn() {
         clock_.advance_to(leaves());
         device_->turn_complete(revolution_++);
@@ -88,7 +88,7 @@ void run(benchmark::State& state, sim::Accuracy accuracy, bool moving) {
     Revolutions revolutions(accuracy);
     std::size_t bytes = 0;
     for (auto _ : state) {
-        // A pose each 25 ms; the sweep lies between two of them.
+        // Poses are 25 ms apart. The sweep lies between two of them.
         if (moving) revolutions.move(revolutions.leaves() + 1ms);
         bytes += revolutions.turn();
     }

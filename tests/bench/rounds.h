@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// For benchmarks that compare two things in one run: each round does both.
+// For benchmarks that compare two things in one run: each round measures both.
 #pragma once
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// From the start of scipd's process, in the rescue maze, to the first connection that it accepts
-// and the first scan on it.
+// Measures the time from the start of scipd's process, in the rescue maze, to the first connection
+// that it accepts, and to the first scan on it.
 //
 //   build/release/bin/startup_bench
 #include <algorithm>

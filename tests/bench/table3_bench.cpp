@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Every cell of scipbench's table3 against a bare loop over the same library calls, in turns with
-// it, in the rescue maze:
+// Compares every cell of scipbench's table3, in the rescue maze, with a bare loop over the same
+// library calls. Both run in turns:
 //
 //   R, RwM     rtcIntersect16 over the same two scenes: what stands still and what can move
-//   ZB, ZBwM   the same picture drawn and read back; which triangles can be seen in it was settled
-//              beforehand, and nothing is computed from what was read
-//   exact      as ZBwM: what the depth backend does besides is to decide every beam exactly
-//   whole      ZBwM again, against the whole scene drawn, which nobody had to settle anything for
+//   ZB, ZBwM   draws the same picture and reads it back; it selects the visible triangles
+//              beforehand, and computes nothing from what it reads
+//   exact      as ZBwM; the depth backend in addition decides every beam exactly
+//   whole      ZBwM again, compared with drawing the whole scene, which needs no selection
 //
-// Times are of batches of scans, so that the clock costs nothing beside them; each batch counts
-// with the lower quartile of its times, since a busy machine only ever adds.
+// Times are of batches of scans, so that reading the clock costs nothing beside them. The lower
+// quartile of a batch's times counts, since other load on the machine only adds time.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -47,7 +47,7 @@ std::vector<std::vector<sim::Pose>> one_each(const std::vector<sim::Pose>& poses
     return scans;
 }
 
-/// All that is measured at one resolution. Scans are by their pose's index.
+/// All that is measured at one resolution. A scan's number is the index of its pose.
 class Row {
   public:
     Row(const sim::SharedScene& scene, sim::RangeBackend& rays, sim::RangeBackend& depth,
@@ -91,7 +91,7 @@ class Row {
         whole_.read_triangles();
     }
 
-    /// Whether the yardsticks answer the same question.
+    /// Whether the yardsticks give the same ranges and materials.
     bool agree() {
         std::size_t others = 0;
         for (std::size_t i = 0; i < poses_.size(); ++i) {
@@ -102,7 +102,7 @@ class Row {
                 if (contest_.range_m()[k] != range_m_[k] && !(std::abs(off_m) < 1e-3F))
                     return false;
             }
-            // Where faces of two objects coincide, either may be met first.
+            // Where faces of two objects coincide, a ray may hit either first.
             for (std::size_t k = 0; k < materials_.size(); ++k)
                 others += contest_.materials()[k] != materials_[k] ? 1 : 0;
         }
@@ -121,7 +121,7 @@ class Row {
     sim::BareDepth whole_;
 };
 
-/// Of this thread, where nothing is waited for; else what a clock on the wall shows.
+/// Measures the time of this thread if it waits for nothing, else the elapsed time.
 class Stopwatch {
   public:
     explicit Stopwatch(bool nothing_is_waited_for)
@@ -149,14 +149,14 @@ struct Cell {
     double ratio;
 };
 
-/// What a batch takes where nobody disturbs it much: the lower quartile of its times.
+/// The time of a batch with little other load: the lower quartile of its times.
 double quiet(std::vector<double> times_s) {
     const auto quarter = times_s.begin() + static_cast<std::ptrdiff_t>(times_s.size() / 4);
     std::ranges::nth_element(times_s, quarter);
     return *quarter;
 }
 
-/// `measured` and `bare` in turn, a batch each, and never both at the same poses.
+/// Runs `measured` and `bare` in turn, a batch each, never both at the same poses.
 template <typename Measured, typename Bare>
 Cell compare(int rounds, Measured measured, Bare bare) {
     constexpr std::size_t batches = poses_in_all / batch;
@@ -174,7 +174,7 @@ Cell compare(int rounds, Measured measured, Bare bare) {
             const std::size_t other = (at + batches / 2) % batches;
             const double ours = seconds_of(at, measured);
             const double theirs = seconds_of(other, bare);
-            if (round < 0) continue;  // warms up
+            if (round < 0) continue;  // only warms up
             measured_s[at].push_back(ours);
             bare_s[other].push_back(theirs);
         }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// How long a world of 100 included models with 1 M triangles takes to load, against the bare calls
-// of the libraries for the same files: libsdformat for the world, Assimp with the same steps for
-// each mesh. Both in turns, each time in a process of its own.
+// Measures how long a world of 100 included models with 1 M triangles takes to load. It compares
+// with the bare calls of the libraries for the same files: libsdformat for the world, and Assimp
+// with the same steps for each mesh. Both run in turns, each time in a process of its own.
 //
 //   build/release/bin/world_load_bench [ROUNDS]
 #include <cstdio>
@@ -71,7 +71,7 @@ fs::path write_world(const fs::path& folder, const std::string& kind) {
     return file;
 }
 
-/// What anybody has to ask of the library to get triangles.
+/// The least that any program must ask of the library to get triangles.
 void read_mesh_bare(const fs::path& file) {
     Assimp::Importer importer;
     importer.SetPropertyInteger(
@@ -99,7 +99,7 @@ void load_bare(const fs::path& world, const std::string& kind) {
 
 struct Cost {
     double passed_s;
-    double processor_s;  ///< of all processors: other work beside it counts less
+    double processor_s;  ///< of all processors; other load affects it little
 };
 
 double processor_s() {
@@ -111,7 +111,7 @@ double processor_s() {
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-/// In a child, so that what one leaves in memory is no help to the next.
+/// Works in a child, so that what one load leaves in memory does not help the next.
 Cost cost_alone(const std::function<void()>& work) {
     std::fflush(stdout);
     const double before_s = processor_s();

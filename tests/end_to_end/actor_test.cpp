@@ -29,14 +29,14 @@ Arguments crossing(Arguments more) {
     return arguments;
 }
 
-/// Ahead of the origin; of a leg's axis this is 0.1 m nearer than the way at x = 1.5.
+/// The range ahead of the origin. She walks along x = 1.5, but the axis of a leg is 0.1 m nearer.
 double ahead_m(double person_y_m) {
     constexpr double radius_m = 0.07;
     if (std::abs(person_y_m) >= radius_m) return 3.0;
     return 1.4 - std::sqrt(radius_m * radius_m - person_y_m * person_y_m);
 }
 
-/// Where she walks evenly, that long after the world was loaded; far away elsewhere.
+/// Her y this long after the world was loaded, where she walks at constant speed; else NaN.
 double person_y_m(double time_s) {
     const double lap_s = std::fmod(time_s, 6.0);
     if (lap_s > 0.6 && lap_s < 1.8) return lap_s - 1.2;
@@ -55,9 +55,9 @@ TEST(Actors, AreMetWhereTheirScriptHasThem) {
     int missed = 0;
     for (int i = 0; i < 500; ++i) {
         const auto scan = wire.next_scan();
-        // When the beam ahead is fired, in a turn of 25 ms that begins with step 0.
+        // The time at which the beam ahead is fired, in a turn of 25 ms that begins with step 0.
         const double y_m = person_y_m(1e-3 * scan.stamp_ms + 0.025 * 540 / 1440);
-        // At the edge of a leg a millisecond matters.
+        // At the edge of a leg a millisecond matters, so such scans are skipped.
         if (std::isnan(y_m) || (std::abs(y_m) > 0.05 && std::abs(y_m) < 0.09)) continue;
         ++(std::abs(y_m) < 0.07 ? met : missed);
         EXPECT_NEAR(scan.distances_mm.front(), 1000.0 * ahead_m(y_m), 4.0) << scan.stamp_ms;
@@ -84,7 +84,7 @@ TEST(Actors, AreModelsThatTheUserMayTakeOver) {
     EXPECT_EQ(y_m(), 0.5);
     std::this_thread::sleep_for(100ms);
     EXPECT_EQ(y_m(), 0.5);
-    // As it is loaded anew, she begins anew.
+    // She begins anew, because the world is loaded anew.
     EXPECT_EQ(control_request(daemon.control(), "PUT", "/scene",
                               R"({"file":")" + scene("crossing.sdf").string() + R"("})")
                   .status,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Attach, Ctrl-C, attach again, and once more: each client ends as a process that is killed does,
-// in mid-stream and without QT, on every model, over TCP and over the tty.
+// A client attaches, ends by Ctrl-C, and attaches again, three times. Each ends like a killed
+// process, in mid-stream and without QT. Tests every model, over TCP and over the tty.
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -56,10 +56,10 @@ std::string configuration(const std::vector<Carried>& scanners, const std::strin
     return text;
 }
 
-/// Attaches and reads some scans of a stream; ends with the process. Throws where it gives up.
+/// Attaches, reads some scans of a stream and ends the process. Throws if it gives up.
 using ClientProgram = std::function<void(const DaemonProcess&, std::size_t sensor, Link)>;
 
-/// Never returns. One that gives up is started anew, as its user would do it, for a while.
+/// Never returns. Restarts a client that gives up, as its user would, for a while.
 [[noreturn]] void run_and_die(const ClientProgram& client, const DaemonProcess& daemon,
                               std::size_t sensor, const Carried& scanner) {
     const auto until = Steady::now() + 10s;
@@ -75,7 +75,7 @@ using ClientProgram = std::function<void(const DaemonProcess&, std::size_t senso
     ::_exit(1);
 }
 
-/// All at once: mostly they wait.
+/// Runs all clients at once, because they mostly wait.
 void expect_all_attach(const ClientProgram& client, const DaemonProcess& daemon,
                        const std::vector<Carried>& scanners, std::size_t first, std::size_t end) {
     std::map<pid_t, std::string> running;
@@ -120,7 +120,7 @@ void wait_for_silence(ScannerWire& wire, std::chrono::milliseconds silence) {
     }
 }
 
-/// What the maker's urg_library 1.2.7 does.
+/// Does what the maker's urg_library 1.2.7 does.
 void waits_for_silence(const DaemonProcess& daemon, std::size_t sensor, Link link) {
     constexpr auto patience = 140ms;
     ScannerWire wire = wire_to(daemon, sensor, link);
@@ -149,7 +149,7 @@ TEST(AttachAgain, WorksForAClientThatWaitsForSilence) {
     expect_attached_three_times(waits_for_silence);
 }
 
-// Over TCP MRPT waits for 100 ms, which is as long as a URG-04LX takes.
+// Ideal timing: over TCP MRPT waits for 100 ms, which is as long as a URG-04LX takes.
 TEST(AttachAgain, WorksForMrpt) {
     expect_attached_three_times(uses_mrpt, ", timing: ideal");
 }

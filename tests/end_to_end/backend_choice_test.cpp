@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Which backend `auto` stands for, as a user is told of it: at the start, when it has been
-// measured, and in lockstep.
+// Tests what scipd tells the user about the choice of `auto`: at the start, when it has measured
+// the backends, and in lockstep.
 #include <string>
 
 #include <gmock/gmock.h>
@@ -52,7 +52,7 @@ TEST(BackendChoice, IsRaysInLockstepSoThatTwoRunsAreTheSame) {
     EXPECT_THAT(reason(daemon), HasSubstr("lockstep"));
 }
 
-// A scene is loaded beside the one that runs, on another thread: what draws must come along.
+// A scene is loaded on another thread while the old one runs. The new scene must be able to draw.
 TEST(BackendChoice, ADepthBufferSeesAModelThatIsAdded) {
     if (!can_draw()) GTEST_SKIP() << "nothing can be drawn here; see scipd --probe";
     const TempDir directory;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A world of nothing, which is filled and emptied while a scanner runs, by every backend.
+// An empty world that is filled and emptied while a scanner runs, with every backend.
 #include <cmath>
 #include <optional>
 #include <string>
@@ -18,7 +18,7 @@ constexpr std::size_t ahead = 540;
 
 class EmptyWorld : public testing::TestWithParam<const char*> {
   protected:
-    /// Of the beam that looks ahead, once it is this.
+    /// Waits until the beam that looks ahead has this range.
     static bool comes_to(const DaemonProcess& daemon, ScannerWire& wire,
                          const std::optional<double>& range_m) {
         return eventually([&] {

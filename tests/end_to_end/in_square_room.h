@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What the tests of a running scipd have in common.
+// Helpers that the tests of a running scipd share.
 #pragma once
 
 #include <chrono>
@@ -22,7 +22,7 @@ namespace scipd::tests {
 
 using Arguments = std::vector<std::string>;
 
-/// Ranges from the origin: 3000 mm ahead (step 540 of a UST-10LX).
+/// A scanner at the origin. The range ahead (step 540 of a UST-10LX) is 3000 mm.
 inline Arguments in_square_room(Arguments more) {
     Arguments arguments{"--scene", scene("square_room.sdf"), "--mount", "0,0,0.3,0,0,0"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -39,7 +39,7 @@ inline Arguments on_tty(Arguments more = {"--accuracy", "ideal"}) {
     return in_square_room(std::move(more));
 }
 
-/// Looks again and again, for longer than scipd takes on a machine that is busy with other things.
+/// Checks again and again, for longer than scipd takes even on a busy machine.
 inline bool eventually(const std::function<bool()>& condition) {
     using namespace std::chrono_literals;
     const auto end = std::chrono::steady_clock::now() + 20s;
@@ -50,12 +50,12 @@ inline bool eventually(const std::function<bool()>& condition) {
     return true;
 }
 
-/// By the stamps of two scans, in whole ms: a UST-10LX turns once in 25.05 ms.
+/// The turns between the stamps of two scans, in whole ms. A UST-10LX turns once in 25.05 ms.
 inline long turns_between(std::uint32_t earlier_ms, std::uint32_t later_ms) {
     return std::lround((static_cast<double>(later_ms) - earlier_ms) / 25.05);
 }
 
-/// Of the beam that looks ahead, for ever; each scan is about 40 bytes.
+/// An endless stream of the beam that looks ahead. Each scan is about 40 bytes.
 inline const std::string stream_of_one_beam = "MD0540054000000";
 inline const std::string stream_of_all_beams = "MD0000108000000";
 

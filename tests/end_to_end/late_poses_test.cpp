@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A robot whose poses come late and five at a time, as from a simulator that is a step behind: with
-// wait_ms its scans are right, if late; without, they are on time and wrong.
+// A robot whose poses come late and five at a time, as from a simulator that is a step behind. With
+// wait_ms its scans are late but right. Without it they are on time but wrong.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -23,7 +23,8 @@ namespace {
 using namespace std::chrono_literals;
 using Steady = std::chrono::steady_clock;
 
-// From x = -2 m, 5 m before the wall, at 1 m/s: a millimetre for each of the scanner's own.
+// The robot drives from x = -2 m, 5 m before the wall, at 1 m/s, so that it moves a millimetre in
+// each millisecond of the scanner.
 constexpr int drive_ms = 2300;
 constexpr unsigned begins_mm = 5000;
 constexpr unsigned ends_mm = begins_mm - drive_ms;
@@ -51,7 +52,7 @@ class LatePoses : public testing::Test {
                                      "        tcp: '127.0.0.1:0'\n        accuracy: ideal\n")};
     }
 
-    /// All of the way; from the start to a while after the end of it.
+    /// Records all scans from the start until a while after the robot has stopped.
     static std::vector<Seen> watch(ScannerWire& wire) {
         std::vector<Seen> seen;
         for (int standing = 0; standing < 10;) {
@@ -62,7 +63,7 @@ class LatePoses : public testing::Test {
         return seen;
     }
 
-    /// How late the worst burst was, of those that come when the last of their poses is due.
+    /// Each burst is sent when the last of its poses is due. Returns how late the worst burst was.
     std::chrono::milliseconds drive() const {
         Steady::duration worst{};
         const Steady::time_point begin = Steady::now();
@@ -88,7 +89,7 @@ class LatePoses : public testing::Test {
     UdpSender sender_;
 };
 
-/// The most by which the way between two scans is not what the time between them makes.
+/// The largest difference between the way driven between two scans and the time between them.
 long worst_mm(const std::vector<Seen>& seen) {
     long worst = 0;
     int pairs = 0;
@@ -104,7 +105,7 @@ long worst_mm(const std::vector<Seen>& seen) {
     return worst;
 }
 
-/// Driven and watched again where this machine could not send in time what scans wait for.
+/// Repeats the drive if this machine could not send the poses in time.
 TEST_F(LatePoses, AreWaitedForUpToTheBound) {
     bool in_time = false;
     for (int attempt = 0; attempt < 5 && !in_time; ++attempt) {
@@ -120,7 +121,7 @@ TEST_F(LatePoses, AreWaitedForUpToTheBound) {
         EXPECT_LE(worst_mm(seen), 2);
         for (std::size_t i = 1; i < seen.size(); ++i)
             EXPECT_EQ(turns_between(seen[i - 1].stamp_ms, seen[i].stamp_ms), 1);
-        // Those after the last pose have waited for another until the bound, and then gone.
+        // The scans after the last pose waited for another pose up to the bound, and then left.
         const auto status = daemon.sensor_status();
         EXPECT_EQ(status.at("lost"), 0);
         EXPECT_GE(status.at("lateness_ms").at("max").get<double>(), wait_ms - 1);
@@ -133,7 +134,7 @@ TEST_F(LatePoses, AreMissedWithoutWaiting) {
     ScannerWire wire = ScannerWire::tcp(daemon.port());
     ASSERT_EQ(wire.ask(stream_of_one_beam), "00");
     std::jthread simulator([&] { (void)drive(); });
-    // It stands still for 100 ms and is then elsewhere.
+    // The robot stands still for 100 ms and then jumps.
     EXPECT_GE(worst_mm(watch(wire)), burst_ms - 50);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Worlds that take long to load: whoever ends scipd does not wait for them.
+// Worlds that take long to load. Ending scipd must not wait for them.
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 class Loading : public testing::Test {
   protected:
-    /// libsdformat takes six seconds and more for it.
+    /// libsdformat takes at least six seconds to load it.
     fs::path large_world() {
         std::string models;
         for (int i = 0; i < 1600; ++i) {
@@ -43,13 +43,14 @@ class Loading : public testing::Test {
                                                   "{s: {model: UST-10LX, tcp: 127.0.0.1:0}}}}\n");
     }
 
-    /// Long enough to have begun to load.
+    /// Waits long enough for scipd to begin to load.
     static void wait_a_little() { std::this_thread::sleep_for(std::chrono::milliseconds{500}); }
 
     TempDir directory_;
 };
 
-// By the signal itself: what only notes it until all is loaded ends with 0.
+// The signal itself must end it. A scipd that only noted the signal would exit with 0 after
+// loading.
 TEST_F(Loading, EndsAtOnceAtTheStart) {
     const fs::path file = write(large_world());
     for (const char* how : {"--config", "--check"}) {
@@ -74,7 +75,7 @@ TEST_F(Loading, EndsAtOnceWhileScannersRun) {
     EXPECT_THAT(daemon.standard_error(), Not(HasSubstr("SIGHUP")));
 }
 
-// 100 visuals of 170 kB each, and what is around them.
+// 100 visuals of 170 kB each, and the elements around them.
 TEST_F(Loading, TellsWhatALargeWorldTakesAndTakesItWhereItMay) {
     std::string visuals;
     for (int i = 0; i < 100; ++i) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Time that is the stamps of the poses: two runs give the same bytes, whoever reads them and
-// however slowly.
+// Time is that of the poses' stamps. Two runs give the same bytes, whoever reads them and however
+// slowly.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -28,7 +28,7 @@ using namespace std::chrono_literals;
 
 constexpr int poses_per_s = 50;
 
-/// A drive in circles of 1 m, stamped as if since 1970 or since that.
+/// A drive in circles of 1 m. Its stamps count from 1970, or from `first_s`.
 std::string pose_line(int i, double first_s = 1.7e9) {
     const double t_s = static_cast<double>(i) / poses_per_s;
     std::array<char, 160> line;
@@ -56,7 +56,7 @@ std::vector<std::string> in_lockstep(std::string_view world = "square_room.sdf")
             "--tcp",   "127.0.0.1:0",         "--seed", "7"};
 }
 
-/// A reader of all that a stream sends until the poses end.
+/// Reads all that a stream sends until the poses end.
 class Reader {
   public:
     Reader(ScannerWire wire, int pause_every) : wire_(std::move(wire)), pause_every_(pause_every) {
@@ -77,7 +77,7 @@ class Reader {
     [[nodiscard]] int scans() const { return scans_; }
 
   private:
-    // Messages end with an empty line; what comes behind the last one that counts does not.
+    // Messages end with an empty line. Bytes after the last message that counts are dropped.
     void take(std::string_view bytes, int scans) {
         std::size_t end = 0;
         for (std::size_t i = 0; i < bytes.size() && scans_ < scans; ++i) {
@@ -120,7 +120,7 @@ Drive drive(int simulated_s, int pause_every, bool company,
         }
         daemon.say(lines);
     });
-    // The last turns may end behind the last pose.
+    // The poses may end before the last turns do.
     const int scans = simulated_s * 39;
     reader.read(scans);
     sender.join();
@@ -141,7 +141,7 @@ TEST(InLockstep, TenMinutesGiveTheSameBytesToAQuickAndToASlowReader) {
     EXPECT_NEAR(quick.time_s, 1.7e9 + simulated_s, 0.5 * simulated_s);
 }
 
-// With a damaged stamp in between, and again from 0 after half of it.
+// One stamp in between is damaged, and half-way the stamps start again from 0.
 TEST(InLockstep, ASimulatorThatIsStartedAgainGivesTheSameBytesToAllReaders) {
     constexpr int simulated_s = 60;
     const auto line = [](int i) {
@@ -173,7 +173,8 @@ TEST(InLockstep, TimeStandsStillWithoutPosesAndAnswersComeAllTheSame) {
     EXPECT_EQ(wire.ask("BM"), "00");
     EXPECT_EQ(wire.ask("MD0540054001000"), "00");
     EXPECT_FALSE(wire.next_message(200ms));
-    // The room has a model that can move too: only what lies behind the next stamp is complete.
+    // The room has a second thing that can move, so only scans before the latest stamp are
+    // complete.
     for (const char* pose : {"100", "100.06", "100.07"})
         daemon.say(std::string("{\"t\":") + pose + ",\"xyz\":[0,0,0]}\n");
     EXPECT_TRUE(wire.next_message());
@@ -192,7 +193,7 @@ TEST(InLockstep, TimeStandsStillWithoutPosesAndAnswersComeAllTheSame) {
     }));
 }
 
-/// Both are of the same sweep, which takes 25 ms.
+/// Both times belong to the same sweep, which takes 25 ms.
 void expect_within_a_turn(const nlohmann::json& time_s, double of_s) {
     EXPECT_GE(time_s.get<double>(), of_s - 0.025);
     EXPECT_LE(time_s.get<double>(), of_s + 0.025);
@@ -202,7 +203,7 @@ TEST(InLockstep, AllTimesAreStampsOfThePoses) {
     const TempDir directory;
     const DaemonProcess daemon(directory, in_lockstep());
     WebSocketClient stream(daemon.control(), "/stream");
-    // A UST-10LX: a turn that has begun at the first stamp is complete 25 ms later.
+    // A turn of a UST-10LX that begins at the first stamp is complete 25 ms later.
     for (const char* stamp : {"1000.00", "1000.06", "1000.07"})
         daemon.say(std::string("{\"t\":") + stamp + ",\"xyz\":[0,0,0]}\n");
     const auto scan = nlohmann::json::parse(stream.receive());
@@ -215,7 +216,7 @@ TEST(InLockstep, AllTimesAreStampsOfThePoses) {
     EXPECT_TRUE(eventually([&] { return daemon.get("/status").at("time_s") == 1000.06; }));
     EXPECT_EQ(daemon.get("/robots/robot/pose").at("t"), 1000.06);
 
-    // What is put at a stamp holds from then on, not from when it came.
+    // A pose that is set at a stamp holds from that stamp on, not from its arrival.
     const auto put = [&](const char* path, const char* body) {
         return control_request(daemon.control(), "PUT", path, body).status;
     };

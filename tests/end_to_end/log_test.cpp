@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A scipd whose standard error is a pipe that nobody reads.
+// scipd writes its log to a pipe that nobody reads.
 #include <array>
 #include <csignal>
 #include <string>
@@ -45,7 +45,7 @@ TEST(Log, ThatNobodyReadsHoldsNobodyUp) {
     EXPECT_EQ(wire.ask(stream_of_one_beam), "00");
     std::uint32_t stamp_ms = wire.next_scan().stamp_ms;
     for (int i = 0; i < 40; ++i) {
-        daemon.signal(SIGHUP);  // warns, since there is no configuration to read again
+        daemon.signal(SIGHUP);  // warns, as there is no configuration to read again
         EXPECT_EQ(daemon.get("/sensors").size(), 1U);
         const std::uint32_t next_ms = wire.next_scan().stamp_ms;
         ASSERT_EQ(turns_between(stamp_ms, next_ms), 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What a large world took goes back to the system when a small one takes its place.
+// When a small world replaces a large one, the memory of the large one goes back to the system.
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -14,7 +14,7 @@
 namespace scipd::tests {
 namespace {
 
-/// Resident, as the system counts it.
+/// Resident memory, as the system counts it.
 double memory_mb(pid_t pid) {
     std::ifstream status{"/proc/" + std::to_string(pid) + "/status"};
     for (std::string line; std::getline(status, line);) {
@@ -23,7 +23,7 @@ double memory_mb(pid_t pid) {
     return 0;
 }
 
-/// Balls of many triangles each: memory in pieces, which is what stays behind.
+/// Balls of many triangles each. Such memory comes in pieces, which allocators like to keep.
 std::string many_balls() {
     std::ostringstream text;
     text << "<sdf version='1.9'><world name='w'>";
@@ -57,7 +57,7 @@ TEST(Memory, OfALargeWorldGoesBackWithIt) {
     const double fresh_mb = memory_mb(daemon.pid());
     for (int round = 0; round < 2; ++round) {
         load(large);
-        // A scan of it is kept, and asks for none of its memory.
+        // scipd keeps a scan of the large world, but none of the world's memory for it.
         auto wire = ScannerWire::tcp(daemon.port());
         EXPECT_EQ(wire.ask(stream_of_one_beam), "00");
         (void)wire.next_scan();

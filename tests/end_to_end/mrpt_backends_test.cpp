@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// MRPT's driver gets the same scans whichever backend casts: two scanners at one place of the maze,
-// one by rays and one by depth buffer.
+// MRPT's driver gets the same scans from every backend: two scanners at one place of the maze, one
+// by rays and one by depth buffer.
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -28,9 +28,9 @@ robots:
 )";
 }
 
-// At edges either backend may see what is before it or what is behind.
+// The share of beams at edges, where one backend may see the front and the other what is behind.
 constexpr double edges = 0.01;
-// The scanner's unit, in which the two may be rounded differently; 5 mm is allowed at 30 m.
+// The two may round differently to the scanner's unit. At 30 m, 5 mm are allowed.
 double bound_m(double range_m) {
     return 0.0015 + 0.005 * range_m / 30.0;
 }

@@ -15,13 +15,13 @@ MrptDriver::MrptDriver(const DaemonProcess& daemon, Link link, std::size_t senso
     } else {
         urg_.setSerialPort(daemon.tty(sensor));
     }
-    // Private in CHokuyoURG, public in its base.
+    // It is private in CHokuyoURG but public in its base.
     static_cast<mrpt::hwdrivers::CGenericSensor&>(urg_).initialize();
 }
 
 MrptDriver::Scan MrptDriver::next_scan() {
     Scan scan;
-    // Without a scan each call takes 100 ms.
+    // A call that gets no scan takes 100 ms.
     for (int attempt = 0; attempt < 50; ++attempt) {
         bool there = false;
         bool failed = false;

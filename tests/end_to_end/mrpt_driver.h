@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A driver that nobody here wrote, MRPT's CHokuyoURG as Debian ships it, and what it must see of
-// scenes/square_room.sdf from a scanner of known data sheet.
+// A driver that others wrote, MRPT's CHokuyoURG as Debian ships it, and what it must see of
+// scenes/square_room.sdf through a scanner with a known data sheet.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@
 
 namespace scipd::tests {
 
-/// What the data sheets say.
+/// From the data sheets.
 struct Product {
     const char* name;
     int steps_per_turn;
@@ -29,7 +29,7 @@ struct Product {
 
     [[nodiscard]] int beams() const { return last_step - first_step + 1; }
     [[nodiscard]] double step_rad() const { return 2.0 * std::numbers::pi / steps_per_turn; }
-    /// Beams of MRPT's go from right to left.
+    /// MRPT counts beams from right to left.
     [[nodiscard]] double bearing_rad(int beam) const {
         return (first_step + beam - front_step) * step_rad();
     }
@@ -42,7 +42,7 @@ inline constexpr Product ust_20lx{"UST-20LX", 1440, 0, 1080, 540, 60.0, 0.025};
 
 enum class Link { tcp, tty };
 
-// Half a millimetre of it is the scanner's unit.
+// The scanner's unit accounts for half a millimetre.
 inline constexpr double tolerance_m = 0.0015;
 
 class MrptDriver {
@@ -51,7 +51,7 @@ class MrptDriver {
 
     MrptDriver(const DaemonProcess& daemon, Link link, std::size_t sensor = 0);
 
-    /// Throws std::runtime_error where it sees none for some seconds.
+    /// Throws std::runtime_error if no scan comes for some seconds.
     [[nodiscard]] Scan next_scan();
 
   private:
@@ -60,7 +60,7 @@ class MrptDriver {
 
 void expect_shape(const MrptDriver::Scan& scan, const Product& product);
 
-/// How many beams were compared.
+/// Returns how many beams it has compared.
 int expect_room(const MrptDriver::Scan& scan, const Product& product, const Planar& scanner);
 
 }  // namespace scipd::tests

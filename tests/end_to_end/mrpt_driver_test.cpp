@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A driver that nobody here wrote, MRPT's CHokuyoURG as Debian ships it, receives right scans of a
-// known room from a running scipd, from every model, over TCP and over the tty.
+// A driver that others wrote, MRPT's CHokuyoURG as Debian ships it, gets right scans of a known
+// room from a running scipd, over TCP and over the tty.
 #include "tests/end_to_end/mrpt_driver.h"
 
 #include <algorithm>
@@ -73,7 +73,7 @@ TEST_P(MrptDriverTest, SeesTheRoomAndFollowsTheRobot) {
     Scan moved = driver.next_scan();
     for (int i = 0; i < 200 && std::abs(moved.getScanRange(front) - ahead_m) > tolerance_m; ++i)
         moved = driver.next_scan();
-    // The one before may have been under way when the robot was moved.
+    // The scan before may have begun before the robot was moved.
     moved = driver.next_scan();
     EXPECT_GT(expect_room(moved, product(), there), product().beams() * 95 / 100);
 }
@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(Models, MrptDriverTest,
                          name_of);
 
 /// A scanner that turns on the spot while it sweeps: each beam is fired a little later than the one
-/// to its right, and so looks a little farther round.
+/// to its right, and so points a little farther to the left.
 class Turning {
   public:
     Turning(const Product& product, double rad_per_s)
@@ -129,8 +129,8 @@ class Turning {
         return certain_range_in_square_room({}, bearing_rad(yaw_of_first_beam_rad, beam));
     }
 
-    /// The yaw that explains a scan best, from a grid as fine as half a step of the scanner and
-    /// then ever finer.
+    /// The yaw that fits a scan best. It searches a grid of half a step of the scanner, and then
+    /// finer and finer ones.
     [[nodiscard]] double yaw_of_first_beam_rad(const Scan& scan) const {
         double best_rad = 0.0;
         double spacing_rad = 2.0 * std::numbers::pi / 2880;
@@ -179,7 +179,8 @@ TEST(MrptDriverOnAMovingRobot, SeesTheRoomAsItTurnsDuringEachSweep) {
     ASSERT_NE(daemon.ready_line(), "") << daemon.standard_error();
     MrptDriver driver(daemon, Link::tcp);
 
-    // The drive begins when the daemon is up: the robot still stands for a part of a first sweep.
+    // The drive begins when the daemon is ready, so the robot stands still in a part of the first
+    // sweep.
     for (int i = 0; i < 4; ++i)
         (void)driver.next_scan();
 
@@ -197,7 +198,7 @@ TEST(MrptDriverOnAMovingRobot, SeesTheRoomAsItTurnsDuringEachSweep) {
         }
         EXPECT_GT(compared, product.beams() * 95 / 100);
         if (i > 0) {
-            // Revolutions follow each other without a gap.
+            // Sweeps follow each other without a gap.
             EXPECT_NEAR(std::remainder(yaw_rad - yaw_before_rad, 2.0 * std::numbers::pi),
                         rad_per_s * product.period_s, 1e-3);
         }

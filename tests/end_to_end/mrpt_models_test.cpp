@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// MRPT's driver sees the room through every model that there is, over TCP and over the tty, and in
-// whatever state it finds them.
+// MRPT's driver sees the room through every model, over TCP and over the tty, in whatever state it
+// finds the scanner.
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -46,7 +46,7 @@ constexpr Product products[] = {
     {"UST-30LC@4.1.0b-A", 1440, 0, 1080, 540, 60.0, 0.025},
 };
 
-/// They answer once in 100 ms, which over TCP is as long as MRPT waits. Real ones have no Ethernet.
+/// Answers once in 100 ms, which over TCP is as long as MRPT waits. Real ones have no Ethernet.
 bool too_slow_for_tcp(const Product& product) {
     const std::string_view name = product.name;
     return name.starts_with("URG-04LX") || name == "UXM-30LX-E";
@@ -68,7 +68,7 @@ std::vector<Carried> carried(std::span<const Product> products_of, std::vector<L
     return all;
 }
 
-/// A robot that carries them, with these keys for all.
+/// A robot that carries these scanners, all with these keys.
 std::string configuration(std::span<const Carried> scanners, const std::string& keys) {
     std::string text = "scene: " + scene("square_room.sdf").string() +
                        "\nrobots:\n  robot:\n    pose: {xyz: [-1.2, 0.7, 0], rpy: [0, 0, 2.2]}\n"
@@ -84,7 +84,7 @@ std::string configuration(std::span<const Carried> scanners, const std::string& 
     return text;
 }
 
-/// A scan, and it is right. A driver that gives up is started anew, as its user would do it, until
+/// Checks that a scan comes and is right. Restarts a driver that gives up, as its user would, until
 /// `patience` is over.
 void expect_room_seen(const DaemonProcess& daemon, std::size_t sensor, const Carried& scanner,
                       std::chrono::seconds patience) {
@@ -108,7 +108,7 @@ void expect_room_seen(const DaemonProcess& daemon, std::size_t sensor, const Car
 
 using Before = std::function<void(const DaemonProcess& daemon, std::size_t sensor, Link link)>;
 
-// Most of the time MRPT sleeps, so that several of them at once take as long as one.
+// MRPT sleeps most of the time, so that several drivers at once take no longer than one.
 void expect_room_seen_by_all(const std::vector<Carried>& scanners, const std::string& keys = "",
                              const Before& before = {},
                              std::chrono::seconds patience = std::chrono::seconds(20)) {
@@ -128,7 +128,7 @@ void expect_room_seen_by_all(const std::vector<Carried>& scanners, const std::st
     }
 }
 
-/// One of each timing and each set of commands.
+/// One model for each timing and each set of commands.
 constexpr Product families[] = {products[1], products[2], products[5],  products[6],
                                 products[7], products[9], products[11], products[18]};
 
@@ -140,7 +140,7 @@ TEST(MrptDriverOnEveryModel, SeesTheRoomOverTheTty) {
     expect_room_seen_by_all(carried(products, {Link::tty}));
 }
 
-// The boot of a UST takes 10 s, during which MRPT gives up now and then.
+// A UST takes 10 s to boot. MRPT gives up several times meanwhile.
 TEST(MrptDriverFromAColdBoot, SeesTheRoom) {
     expect_room_seen_by_all(carried(families, {Link::tcp, Link::tty}), ", power_up: boot", {},
                             std::chrono::seconds(40));
@@ -158,18 +158,19 @@ void left_adjusting(const DaemonProcess& daemon, std::size_t sensor, Link link) 
     ASSERT_EQ(earlier.ask("TM0"), "00");
 }
 
-// A tty is closed and the stream goes on.
+// The earlier client closes the tty, and its stream goes on.
 TEST(MrptDriverAfterAnotherClient, SeesTheRoomThroughAStreamThatRuns) {
     expect_room_seen_by_all(carried(families, {Link::tty}), ", link: {on_close: keep}",
                             left_streaming);
 }
 
-// The adjust mode ends with the client.
+// The adjust mode ends with its client.
 TEST(MrptDriverAfterAnotherClient, SeesTheRoomAfterTimeAdjust) {
     expect_room_seen_by_all(carried(families, {Link::tcp, Link::tty}), "", left_adjusting);
 }
 
-// Where a tty keeps it, only those go on that leave it by QT: MRPT does not know TM2.
+// On a tty that keeps adjust mode, MRPT reaches only models that leave it by QT, because MRPT does
+// not send TM2.
 TEST(MrptDriverAfterAnotherClient, SeesTheRoomThroughAnAdjustModeThatIsKept) {
     const Product leaves_by_qt[] = {products[6], products[8], products[9]};
     expect_room_seen_by_all(carried(leaves_by_qt, {Link::tty}), ", link: {on_close: keep}",

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// MRPT's driver on a real serial line: it finds a URG-04LX at the 19200 bit/s of power-up, asks it
-// for 115200, changes its own end and receives right scans there. Without the firmware's tick of
-// 100 ms, which is all the patience that MRPT has: with it each step is a matter of luck. Turning
-// slowly, since a scan takes 185 ms on the line: else the first one begins before MRPT, which reads
-// on for 100 ms, has done with the acknowledgement.
+// MRPT's driver on a real serial line. It finds a URG-04LX at the 19200 bit/s of power-up, asks it
+// for 115200, changes its own end, and receives right scans at that rate. The test does without the
+// firmware's tick of 100 ms: MRPT waits no longer than that, so with the tick each step would be a
+// matter of luck. The scanner turns slowly, because a scan takes 185 ms on the line. Otherwise the
+// first scan would begin while MRPT still waits 100 ms after the acknowledgement.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -42,7 +42,7 @@ robots:
 
 std::optional<Scan> next_scan(CHokuyoURG& driver) {
     Scan scan;
-    // Without a scan each call takes 100 ms.
+    // A call that gets no scan takes 100 ms.
     for (int attempt = 0; attempt < 50; ++attempt) {
         bool there = false;
         bool failed = false;
@@ -64,14 +64,14 @@ std::string report_of_state(ScannerWire& wire) {
 
 void expect_room(const Scan& scan) {
     ASSERT_EQ(scan.getScanSize(), 682U);
-    // Step 384 looks ahead, 3 m from the wall; the first that is sent is 44. A quarter turn to
-    // either side it is 2 m.
+    // The first step that is sent is 44. Step 384 looks ahead, where the wall is 3 m away. A
+    // quarter turn to either side it is 2 m away.
     EXPECT_NEAR(scan.getScanRange(384 - 44), 3.0, 0.0015);
     EXPECT_NEAR(scan.getScanRange(384 - 44 - 256), 2.0, 0.0015);
     EXPECT_NEAR(scan.getScanRange(384 - 44 + 256), 2.0, 0.0015);
 }
 
-/// False: an answer took longer than MRPT's 100 ms, as on a machine that is busy with other things.
+/// False: an answer took longer than MRPT's 100 ms, as may happen on a busy machine.
 bool changes_the_rate_and_sees_the_room() {
     const TempDir directory;
     const DaemonProcess daemon(directory, {"--config", with_serial_line(directory)});
@@ -81,7 +81,7 @@ bool changes_the_rate_and_sees_the_room() {
     CHokuyoURG driver;
     driver.setVerbosityLevel(mrpt::system::LVL_ERROR);
     driver.setSerialPort(daemon.tty());
-    // Private in CHokuyoURG, public in its base.
+    // It is private in CHokuyoURG but public in its base.
     static_cast<mrpt::hwdrivers::CGenericSensor&>(driver).initialize();
     for (int i = 0; i < 3; ++i) {
         const auto scan = next_scan(driver);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Noise as a client sees it: of the size that the data sheet says, and the same for the same seed.
+// Noise as a client sees it: as large as the data sheet says, and the same for the same seed.
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -15,14 +15,15 @@
 namespace scipd::tests {
 namespace {
 
-/// Distances by the stamp of their scan, which counts from power-up and so tells its number.
+/// Distances by the stamp of their scan. The stamp counts from power-up, so it identifies the scan.
 using Recording = std::map<std::uint32_t, std::vector<std::uint32_t>>;
 
 Recording record(const Arguments& accuracy, int scans) {
     const TempDir directory;
     const DaemonProcess daemon(directory, on_tcp(accuracy));
     ScannerWire wire = ScannerWire::tcp(daemon.port());
-    // 50 beams left and right of the front wall's middle: 3 m away, not more than 2.5 % slanted.
+    // 50 beams to the left and right of the front wall's middle: it is 3 m away, and their slant
+    // adds at most 2.5 %.
     EXPECT_EQ(wire.ask("MD0490059000000"), "00");
     Recording recording;
     for (int i = 0; i < scans; ++i) {
@@ -32,7 +33,7 @@ Recording record(const Arguments& accuracy, int scans) {
     return recording;
 }
 
-/// How many scans both have, and in how many of these they are the same.
+/// How many scans both recordings have, and how many of these are equal.
 struct Agreement {
     int common = 0;
     int equal = 0;
@@ -64,7 +65,7 @@ TEST(Noise, IsAsLargeAsTheDataSheetSays) {
         }
     }
     constexpr double count = scans * 101.0;
-    // Four standard errors of the mean and of the deviation.
+    // The bound is four standard errors of the mean and of the deviation.
     EXPECT_NEAR(sum / count, 0.0, 4.0 * sigma_mm / std::sqrt(count));
     EXPECT_NEAR(std::sqrt(sum_of_squares / count), sigma_mm,
                 4.0 * sigma_mm / std::sqrt(2.0 * count));

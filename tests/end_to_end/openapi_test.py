@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# Holds docs/openapi.yaml against a running scipd: the same paths, the same methods, every documented answer comes
-# about, and each is as its schema says. openapi_test.py SCIPD DOCUMENT SCENE
+# Compares docs/openapi.yaml with a running scipd. Both have the same paths and methods, every documented answer occurs,
+# and each fits its schema. openapi_test.py SCIPD DOCUMENT SCENE
 import http.client
 import json
 import pathlib
@@ -36,7 +36,7 @@ robots:
 TRUTH = "/sensors/{robot}/{sensor}/truth"
 READING = "/sensors/{robot}/{sensor}/reading"
 POSE = "/scene/models/{model}/pose"
-# Method, path of the document, path as it is asked, body, status; in this order.
+# In this order: method, path in the document, path of the request, body, status.
 EXCHANGES = [
     ("GET", "/status", "/status", None, 200),
     ("GET", "/sensors", "/sensors", None, 200),
@@ -128,7 +128,7 @@ class Document:
 
 
 def message(connection):
-    """The text of one message, whose frames a server does not mask."""
+    """The text of one message. A server does not mask its frames."""
     def read(count):
         data = b""
         while len(data) < count:

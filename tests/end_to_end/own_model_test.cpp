@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A model that a user has defined, and one that they have changed, as a driver sees them.
+// A model that a user has defined, and one that a user has changed, as a driver sees them.
 #include <string>
 
 #include <gmock/gmock.h>
@@ -13,7 +13,7 @@
 namespace scipd::tests {
 namespace {
 
-/// Half the steps of a UST-20LX, and too short-sighted for the wall ahead, which is 3 m away.
+/// It has half the steps of a UST-20LX, and its range is too short for the wall 3 m ahead.
 std::string two_scanners() {
     return R"(robots:
   rescue:
@@ -60,7 +60,7 @@ TEST_F(OwnModel, SaysWhatItsUserWantsItToSay) {
     EXPECT_EQ(version.vendor, "A. User");
     EXPECT_EQ(version.product, "Their own scanner");
     EXPECT_EQ(version.firmware, "0.1");
-    EXPECT_EQ(version.protocol, "SCIP 2.2");  // of the UST-20LX
+    EXPECT_EQ(version.protocol, "SCIP 2.2");  // from the UST-20LX
     EXPECT_EQ(version.serial, "X0000001");
     const auto parameters = driver.parameters();
     EXPECT_EQ(parameters.model, "MINE");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A scanner that is inside something, or below the ground, is told of once.
+// scipd warns once about a scanner that is inside something or below the ground.
 #include <fstream>
 #include <string>
 
@@ -19,7 +19,7 @@ using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// A ground, a crate at x 3 and a movable hull around the origin that is open above.
+/// A ground, a crate at x 3, and a movable hull around the origin with an open top.
 constexpr const char* yard = R"(<sdf version='1.9'><world name='yard'>
 <model name='ground'><static>true</static><link name='l'><visual name='v'><geometry><plane>
 <size>50 50</size></plane></geometry></visual></link></model>
@@ -107,7 +107,8 @@ TEST_F(Place, WithinARobotThatIsNotNamedSaysHowToNameIt) {
     const DaemonProcess named(other, {"--config", config("body: hull, ", yard_)});
     ASSERT_NE(named.ready_line(), "") << named.standard_error();
     scan(named);
-    // A crate that comes to stand around it is told of, so that all before it has been looked at.
+    // scipd warns when a crate is put around the scanner. Then it has also checked everything
+    // before.
     const nlohmann::json crate{{"name", "crate 2"},
                                {"sdf",
                                 "<model name='m'><link name='l'><visual name='v'><geometry><box>"
@@ -119,7 +120,7 @@ TEST_F(Place, WithinARobotThatIsNotNamedSaysHowToNameIt) {
     EXPECT_THAT(named.standard_error(), Not(HasSubstr("hull")));
 }
 
-// What ends up in the log of those who start what is shipped.
+// Users who start the shipped examples read these warnings in the log.
 TEST_F(Place, OfWhatIsShippedIsFine) {
     for (const char* file : {"demo.yaml", "two_robots.yaml", "beside_a_scanner.yaml"}) {
         std::ifstream shipped{scene(file)};
@@ -141,7 +142,7 @@ TEST_F(Place, OfWhatIsShippedIsFine) {
             WebSocketClient stream(daemon.control(), path);
             (void)stream.receive();
         }
-        // What is asked of the loader now is done behind the looks.
+        // The loader works in order: when it answers this, it has checked the places.
         const nlohmann::json again{{"file", daemon.get("/scene").at("file")}};
         EXPECT_EQ(control_request(daemon.control(), "PUT", "/scene", again.dump()).status, 200);
         for (const auto& sensor : daemon.get("/sensors"))

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Robots that are moved from outside, in every way there is, and what scans then see.
+// Robots that are moved from outside, by all means that scipd offers, and what their scans see
+// then.
 #include <chrono>
 #include <string>
 
@@ -16,7 +17,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A scanner that looks ahead for ever.
+/// A scanner with a stream of the beam that looks ahead.
 class Ahead {
   public:
     explicit Ahead(const DaemonProcess& daemon) : wire_(ScannerWire::tcp(daemon.port())) {
@@ -25,7 +26,7 @@ class Ahead {
 
     unsigned distance_mm() { return wire_.next_scan().distances_mm.front(); }
 
-    /// Whether it comes to see this, in 10 s.
+    /// Whether it sees this distance within 10 s.
     bool comes_to_see(unsigned wanted_mm) {
         for (int i = 0; i < 400; ++i) {
             if (distance_mm() == wanted_mm) return true;
@@ -55,7 +56,7 @@ TEST_F(Poses, ComeByUdpAndAreCountedWhereDamaged) {
 
     sender.send(R"({"xyz":[1,0,0]})");
     EXPECT_TRUE(ahead.comes_to_see(2000));
-    // Left, to the wall at y = 2, without a name of the robot and in the other form.
+    // It turns left, to the wall at y = 2. This line uses the other form and names no robot.
     sender.send("1000.5 0 0.5 0 0 0 0.7071067811865476 0.7071067811865476\n");
     EXPECT_TRUE(ahead.comes_to_see(1500));
 
@@ -66,7 +67,7 @@ TEST_F(Poses, ComeByUdpAndAreCountedWhereDamaged) {
     const auto poses = daemon.get("/status").at("poses");
     EXPECT_EQ(poses.at("accepted"), 2);
     EXPECT_EQ(poses.at("last_refusal"), "robot: there is no \"nobody\"; robots are robot");
-    // The last good one stays.
+    // The last valid pose holds.
     EXPECT_EQ(ahead.distance_mm(), 1500U);
 }
 
@@ -76,7 +77,7 @@ TEST_F(Poses, ComeByStandardInput) {
     daemon.say(R"({"robot":"robot","xyz":[1,0,0],"q":[0,0,0,1]})");
     daemon.say("\n");
     EXPECT_TRUE(ahead.comes_to_see(2000));
-    // Lines may come in pieces.
+    // A line may come in pieces.
     daemon.say("{\"xyz\":[2");
     std::this_thread::sleep_for(100ms);
     daemon.say(",0,0]}\n");
@@ -91,7 +92,7 @@ TEST_F(Poses, ComeFromATrajectoryInItsOwnTime) {
                                        "102.0 2.0 0 0 0 0 0 1\n");
     const DaemonProcess daemon(directory_, with_poses(file));
     Ahead ahead(daemon);
-    // 1 m/s is 25 mm a scan.
+    // At 1 m/s a scan is 25 mm from the one before.
     unsigned last_mm = ahead.distance_mm();
     int steps = 0;
     while (last_mm > 1000) {

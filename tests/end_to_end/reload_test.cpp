@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// SIGHUP: another configuration for a running scipd.
+// SIGHUP makes a running scipd read its configuration again.
 #include <chrono>
 #include <csignal>
 #include <cstdint>
@@ -24,10 +24,10 @@ using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
-/// A process can open no more descriptors than so many, until this is lifted.
+/// Lets a process open only this many more descriptors, until it is lifted.
 class DescriptorLimit {
   public:
-    /// Those of connections that are about to end are counted too.
+    /// Connections that are about to end count too.
     DescriptorLimit(pid_t process, std::size_t more) : process_(process) {
         const fs::directory_iterator open("/proc/" + std::to_string(process) + "/fd");
         const auto count = static_cast<rlim_t>(std::distance(begin(open), end(open)));
@@ -52,7 +52,7 @@ class Reload : public testing::Test {
         EXPECT_NE(daemon_.ready_line(), "") << daemon_.standard_error();
     }
 
-    /// Of the same file each time.
+    /// Writes to the same file each time.
     std::string write(const std::string& sensors,
                       const fs::path& world = scene("square_room.sdf")) {
         return directory_.write("fleet.yaml", "scene: " + world.string() +
@@ -102,7 +102,7 @@ TEST_F(Reload, OfAFaultyFileChangesNothing) {
     EXPECT_EQ(ScannerWire::tty(daemon_.tty(1)).ask("VV"), "00");
 }
 
-// Whoever opens one waits for somebody to write.
+// Opening a FIFO blocks until somebody writes to it.
 TEST_F(Reload, OfAFifoChangesNothing) {
     const fs::path file = write(front + rear);
     fs::remove(file);
@@ -134,7 +134,7 @@ TEST_F(Reload, OfAFileWithAPortInUseChangesNothing) {
     EXPECT_EQ(daemon_.get("/sensors").size(), 2U);
 }
 
-// Whichever descriptor it is that cannot be had any more.
+// Each round allows one descriptor more, so that each of them fails once.
 TEST_F(Reload, ThatRunsOutOfDescriptorsChangesNothing) {
     ScannerWire wire = ScannerWire::tcp(daemon_.port(0));
     EXPECT_EQ(wire.ask(stream_of_one_beam), "00");
@@ -211,7 +211,7 @@ TEST_F(Reload, SaysEachTimeWhatWaitsForTheNextStart) {
         daemon_.signal(SIGHUP);
         EXPECT_TRUE(eventually([&] { return times_said() == times; })) << times;
     }
-    // As it was started.
+    // This configuration asks for nothing that must wait for the next start.
     write(top);
     daemon_.signal(SIGHUP);
     EXPECT_TRUE(eventually([&] { return daemon_.get("/sensors")[0].at("model") == "URG-04LX"; }));
@@ -222,7 +222,7 @@ TEST_F(Reload, AskedForOverAndOverCostsNoScan) {
     ScannerWire wire = ScannerWire::tcp(daemon_.port());
     EXPECT_EQ(wire.ask(stream_of_one_beam), "00");
     std::uint32_t stamp_ms = wire.next_scan().stamp_ms;
-    // To load this world as often would take seconds.
+    // Loading the world 100 times would take seconds.
     for (int i = 0; i < 100; ++i) {
         daemon_.signal(SIGHUP);
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -248,7 +248,7 @@ TEST_F(Reload, CutsOffTheClientOfAChangedScannerOnly) {
     expect_no_gap(kept, stamp_ms);
     EXPECT_TRUE(cut.ends());
 
-    // On the same port and the same tty there is the changed one now, 1 m nearer to the front wall.
+    // The changed scanner now has the same port and tty. It is 1 m nearer to the front wall.
     ScannerWire again = ScannerWire::tcp(daemon_.port(1));
     EXPECT_EQ(again.ask(stream_of_one_beam), "00");
     EXPECT_EQ(again.next_scan().distances_mm.front(), 2000U);
@@ -267,7 +267,7 @@ TEST_F(Reload, ShowsAnotherWorldToThoseWhoStay) {
         </visual></link></model></world></sdf>)");
     write(front + rear, other);
     reload_and_wait_for("is running now");
-    // Those that were sent meanwhile come first.
+    // Scans that were sent before the change come first.
     for (int i = 0; i < 2000 && scan.distances_mm.front() == 3000; ++i)
         scan = wire.next_scan();
     EXPECT_EQ(scan.distances_mm.front(), 4000U);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Models come, move and go, and worlds change, while scanners run.
+// Models are added, moved and removed, and worlds change, while scanners run.
 #include <algorithm>
 #include <future>
 #include <string>
@@ -23,18 +23,18 @@ using Ranges = std::vector<std::uint32_t>;
 
 constexpr std::size_t front = 540;
 
-/// A cube of half a metre as a model.
+/// A model that is a cube of half a metre.
 std::string cube() {
     return R"(<model name='any'><link name='l'><visual name='v'><geometry><box><size>0.5 0.5 0.5)"
            R"(</size></box></geometry></visual></link></model>)";
 }
 
-/// Its face is 0.25 m nearer than this.
+/// Its face is 0.25 m nearer than `x_m`.
 nlohmann::json cube_at(double x_m) {
     return {{"name", "cube"}, {"sdf", cube()}, {"pose", {{"xyz", {x_m, 0.0, 0.3}}}}};
 }
 
-/// A solid of two triangles: a sheet of 1 m by 1 m in the plane x = 0, in millimetres.
+/// An STL of two triangles: a sheet of 1 m by 1 m in the plane x = 0, in millimetres.
 constexpr const char* sheet_stl =
     "solid sheet\n"
     "facet normal 1 0 0\nouter loop\nvertex 0 -500 -500\nvertex 0 500 -500\nvertex 0 500 500\n"
@@ -72,7 +72,7 @@ class SceneEdit : public testing::Test {
     DaemonProcess daemon_{directory_, {"--config", config(directory_)}};
 };
 
-/// Reads all scans of one scanner while others do something, and loses none.
+/// Reads all scans of one scanner while the test does something else, and loses none.
 class Watcher {
   public:
     explicit Watcher(std::uint16_t port) : wire_(ScannerWire::tcp(port)) {
@@ -89,7 +89,7 @@ class Watcher {
         seen_.push_back(scan.distances_mm);
     }
 
-    /// What there was since the last call.
+    /// All scans since the last call.
     std::vector<Ranges> take() { return std::exchange(seen_, {}); }
     [[nodiscard]] const Ranges& latest() const { return seen_.back(); }
 
@@ -134,7 +134,7 @@ TEST_F(SceneEdit, CostsNoScanAndIsSeenWholeOrNotAtAll) {
                 read_both();
             const ControlAnswer said = answer.get();
             ASSERT_LT(said.status, 300) << step.method << " " << step.path << ": " << said.body;
-            // Those that were on their way, and two that were begun since then.
+            // Skips scans that were on their way, and two that began since then.
             for (int i = 0; i < 4; ++i)
                 read_both();
             const Ranges after = one.latest();
@@ -179,8 +179,8 @@ TEST_F(SceneEdit, TakesAMeshWithItsScaleAndMaterial) {
     EXPECT_EQ(daemon_.get("/scene").at("models").size(), models.size() - 1);
 }
 
-/// A sheet in the plane x = 0 that never moves, in a folder as Gazebo has it; its mesh by a
-/// relative URI.
+/// A sheet in the plane x = 0 that never moves, in a folder with Gazebo's layout. The URI of its
+/// mesh is relative.
 std::string write_sheet_folder(const TempDir& directory) {
     directory.write("models/sheet/model.config",
                     "<model><name>sheet</name><sdf version='1.6'>model.sdf</sdf></model>");
@@ -234,7 +234,7 @@ TEST_F(SceneEdit, ThatFailsChangesNothingAndSaysWhy) {
            {{"name", "x"}, {"mesh", "a.stl"}, {"scale", -1}});
     expect(404, "there is no model \\\"x\\\"", "DELETE", "/scene/models/x", nullptr);
     const std::string huge = directory_.write("huge.stl", "");
-    std::filesystem::resize_file(huge, 900U << 20U);  // sparse: it takes no room
+    std::filesystem::resize_file(huge, 900U << 20U);  // sparse: it takes no space on disk
     expect(400, "huge.stl: ", "POST", "/scene/models", {{"name", "x"}, {"mesh", huge}});
     EXPECT_EQ(ask("POST", "/scene/models", cube_at(1.5)).status, 201);
     expect(409, "replace", "POST", "/scene/models", cube_at(1.0));
@@ -243,7 +243,7 @@ TEST_F(SceneEdit, ThatFailsChangesNothingAndSaysWhy) {
 }
 
 TEST_F(SceneEdit, ComesInTheOrderOfItsRequests) {
-    // All at once: each finds what the one before has left.
+    // All requests come at once. Each finds what the one before has left.
     std::vector<std::future<ControlAnswer>> answers;
     for (int i = 0; i < 20; ++i) {
         auto body = cube_at(1.0);

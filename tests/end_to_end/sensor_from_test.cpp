@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Scanners in the places that a world names: their ranges in closed form, in a room whose walls lie
-// along the axes.
+// Scanners at the places that a world names. Their ranges have a closed form, in a room whose walls
+// are along the axes.
 #include <algorithm>
 #include <cmath>
 #include <csignal>
@@ -30,12 +30,12 @@ struct Eye {
 
 constexpr double left = std::numbers::pi / 2;
 
-/// Of a UST-10LX: 1081 beams, a quarter of a degree each.
+/// The bearing of a step of a UST-10LX: 1081 beams, a quarter of a degree apart.
 double bearing_rad(std::size_t step) {
     return (static_cast<double>(step) - 540.0) * std::numbers::pi / 720.0;
 }
 
-/// The inner faces of the room: x from -4 to 6, y from -3 to 5.
+/// The range to the inner faces of the room: x from -4 to 6, y from -3 to 5.
 double range_m(const Eye& eye, std::size_t step) {
     const double angle = eye.yaw_rad + bearing_rad(step);
     const double dx = std::cos(angle);
@@ -60,8 +60,8 @@ std::string lidar(const std::string& name, const std::string& pose, int samples 
            "</scan><range><min>0.02</min><max>30</max></range></lidar></sensor>";
 }
 
-/// A robot in a housing around its lidar, which stands at x 1, y 1 and looks to the left; a lidar
-/// on a post that does not move looks back.
+/// A robot with a housing around its lidar, which stands at x 1, y 1 and looks to the left. A
+/// second lidar looks back from a fixed post.
 std::string world(const std::string& lidar_pose = "0.2 0 0 0 0 0") {
     return "<sdf version='1.9'><world name='w'><model name='room'><static>true</static>"
            "<link name='walls'>" +
@@ -90,7 +90,7 @@ class SensorFrom : public testing::Test {
     static std::vector<std::uint32_t> scan(const DaemonProcess& daemon) {
         ScannerWire wire = ScannerWire::tcp(daemon.port());
         EXPECT_EQ(wire.ask(stream_of_all_beams), "00");
-        // The first may have been under way.
+        // The first scan may have begun earlier.
         (void)wire.next_scan();
         (void)wire.next_scan();
         return wire.next_scan().distances_mm;
@@ -114,7 +114,7 @@ class SensorFrom : public testing::Test {
 
 class SensorFromByBackend : public SensorFrom, public testing::WithParamInterface<const char*> {};
 
-// From within the housing, which is its own body.
+// It looks out of the housing, which is its own body.
 TEST_P(SensorFromByBackend, SeesTheWorldFromWhereTheFileHasIt) {
     if (GetParam() == std::string{"depth"} && !can_draw()) GTEST_SKIP() << "nothing to draw with";
     DaemonProcess daemon(directory_,
@@ -141,7 +141,7 @@ TEST_F(SensorFrom, OfAModelThatDoesNotMoveToo) {
     DaemonProcess daemon(directory_, in_world({"--sensor-from", "watch"}));
     ASSERT_NE(daemon.ready_line(), "") << daemon.standard_error();
     const auto ranges_mm = scan(daemon);
-    // Back and to its right, where the robot does not stand in its way.
+    // Checks the beams to the back and the right, where the robot is not in the way.
     for (std::size_t step = 180; step < 900; ++step)
         EXPECT_NEAR(ranges_mm[step], 1000 * range_m({-2.5, 0, 2 * left}, step), 1.5) << step;
 }
@@ -216,7 +216,7 @@ TEST_F(NamedMounts, AreFoundAgainInAnotherWorld) {
     EXPECT_THAT(lost.body, HasSubstr("to mount rescue/front on; it stays where it was"));
     expect_seen_from(daemon, {1.0, 1.0, 0.0});
 
-    // The configuration's own world again: the scanner is the same, and back in its place.
+    // Loads the configuration's own world again. The same scanner is back in its place.
     const auto scans = daemon.sensor_status().at("scans").get<int>();
     daemon.signal(SIGHUP);
     expect_said(daemon, "is running now");

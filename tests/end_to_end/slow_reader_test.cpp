@@ -26,12 +26,12 @@ robots:
     const auto lost = [&] { return daemon.sensor_status(0).at("lost").get<std::uint32_t>(); };
 
     ScannerWire slow = ScannerWire::tcp(daemon.port(0), 4096);
-    // With intensity: 6.6 kB a scan.
+    // A scan with intensity is 6.6 kB.
     EXPECT_EQ(slow.ask("ME0000108000000"), "00");
     ScannerWire quick = ScannerWire::tcp(daemon.port(1));
     EXPECT_EQ(quick.ask(stream_of_all_beams), "00");
 
-    // The quick one reads all the while and misses none.
+    // The quick one reads all the time and misses no scan.
     std::uint32_t stamp_ms = quick.next_scan().stamp_ms;
     for (int scans = 1; scans < 4000 && (scans % 20 != 0 || lost() < 10); ++scans) {
         const std::uint32_t next_ms = quick.next_scan().stamp_ms;
@@ -41,7 +41,7 @@ robots:
     ASSERT_GE(lost(), 10U);
     EXPECT_EQ(daemon.sensor_status(1).at("lost"), 0);
 
-    // What the slow one gets to read is whole, in order, and more than it would be without a queue.
+    // The slow one gets whole scans in order, and more of them than without a queue.
     std::optional<std::uint32_t> before_ms;
     std::uint32_t missing = 0;
     int scans = 0;

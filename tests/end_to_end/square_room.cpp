@@ -16,7 +16,7 @@ struct Span {
     double far;
 };
 
-// Where a ray is between low and high, along one axis.
+// The part of a ray that lies between low and high on one axis.
 Span between(double from, double direction, double low, double high) {
     if (std::abs(direction) < 1e-12) {
         return from > low && from < high ? Span{-none, none} : Span{none, -none};

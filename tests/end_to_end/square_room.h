@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// scenes/square_room.sdf from above, in closed form: what a horizontal beam below 1 m meets. Shares
-// nothing with the program under test.
+// Ranges in scenes/square_room.sdf in closed form, seen from above: what a horizontal beam below 1
+// m hits. It shares no code with the program under test.
 #pragma once
 
 #include <optional>
@@ -18,8 +18,8 @@ struct Planar {
 /// From a point in the room, `bearing_rad` counter-clockwise from its x axis.
 double range_in_square_room(const Planar& from, double bearing_rad);
 
-/// The same; nothing where the beam grazes a surface or an edge, so that its range is not known to
-/// the millimetre.
+/// The same, but nothing if the beam grazes a surface or an edge, because then its range is not
+/// known to the millimetre.
 std::optional<double> certain_range_in_square_room(const Planar& from, double bearing_rad);
 
 }  // namespace scipd::tests

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A camera and rangers of a running scipd, 3 m before the wall of the square room, over HTTP on the
-// control socket, over WebSockets and with scipctl.
+// A camera and rangers of a running scipd, 3 m before the wall of the square room: over HTTP on the
+// control socket, over WebSockets, and with scipctl.
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -24,8 +24,8 @@ using testing::HasSubstr;
 
 constexpr double degree = std::numbers::pi / 180;
 
-// The pillar and the box of the room are behind and beside; up to 20 degrees from the axis and so
-// low there is only the wall x = 3.
+// The pillar and the box of the room are to the back and to the side. Up to 20 degrees from the
+// axis, at this height, there is only the wall x = 3.
 std::string robots(const std::string& backend, const std::string& more = {}) {
     return "scene: " + scene("square_room.sdf").string() + R"(
 seed: 5
@@ -155,7 +155,7 @@ TEST_F(Staring, StreamsEveryInstantAndRestsWhenNobodyLooks) {
     }
     EXPECT_TRUE(eventually([&] { return daemon_->sensor_status(1).at("state") == "standby"; }));
     EXPECT_EQ(daemon_->sensor_status(2).at("scans"), 0);
-    // All sensors in one stream.
+    // One stream carries all sensors.
     WebSocketClient all(daemon_->control(), "/stream");
     bool picture = false;
     bool scan = false;
@@ -198,7 +198,7 @@ TEST_F(Staring, IsShownByScipctl) {
                 HasSubstr("there is no sensor \"robot/x\"; there are: robot/scanner, robot/tof"));
 }
 
-/// All that a stream says of a drive whose stamps are the time.
+/// All messages of a stream during a drive in lockstep.
 std::vector<std::string> drive(const TempDir& directory) {
     const auto file =
         directory.write("lockstep.yaml", robots("embree", "clock: poses") + "    poses: \"-\"\n");
@@ -212,7 +212,8 @@ std::vector<std::string> drive(const TempDir& directory) {
         const std::string t = std::to_string(1000.0 + 0.01 * i);
         const std::string x = std::to_string(0.5 + 0.01 * i);
         daemon.say("{\"t\":" + t + ",\"xyz\":[" + x + ",0,0]}\n");
-        // The box of the room could move as well: a stamp counts when the next one has come.
+        // The box of the room could move as well, so scipd waits for the next stamp before it
+        // advances to this one.
         const int done = i - 1;
         if (done > 0 && done % 4 == 0) said.push_back(camera.receive());
         if (done > 0 && done % 5 == 0) said.push_back(ranger.receive());

@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 
 class Startup : public testing::Test {
   protected:
-    /// That scipd ends with 2, says why on standard error alone, and leaves nothing behind.
+    /// Checks that scipd exits with 2, says why only on standard error, and leaves nothing behind.
+    /// Returns the message.
     std::string refusal(const Arguments& arguments) {
         DaemonProcess daemon(directory_, arguments);
         EXPECT_EQ(daemon.wait(), 2);
@@ -83,7 +84,7 @@ robots:
                                            "\"}\n");
     EXPECT_THAT(refusal({"--config", file}),
                 HasSubstr("cannot listen on " + address + ": Address already in use"));
-    // What had been opened before it failed is gone.
+    // What it had opened before the fault is gone.
     EXPECT_FALSE(fs::is_symlink(run_directory() / "rescue-front"));
     EXPECT_FALSE(fs::exists(run_directory() / "control.sock"));
     EXPECT_EQ(ScannerWire::tcp(first.port()).ask("VV"), "00");
@@ -114,7 +115,7 @@ TEST_F(Startup, GivesItsProcessToTheNamesThatTheFirstScipdHas) {
         EXPECT_EQ(ScannerWire::tty(daemon->tty()).ask("VV"), "00");
         EXPECT_EQ(daemon->get("/sensors")[0].at("pty"), daemon->tty().string());
     }
-    // The end of one is not felt by the other.
+    // The end of one does not affect the other.
     first.signal(SIGTERM);
     EXPECT_EQ(first.wait(), 0);
     EXPECT_EQ(ScannerWire::tty(second.tty()).ask("VV"), "00");
@@ -128,7 +129,7 @@ TEST_F(Startup, GivesItsProcessToTheNamesThatTheFirstScipdHas) {
     EXPECT_EQ(ScannerWire::tty(third.tty()).ask("VV"), "00");
 }
 
-// Else what the second one puts there would go with the first.
+// Otherwise the first scipd, when it ends, would remove what the second one puts there.
 TEST_F(Startup, LeavesNamesToAnotherScipdWhoseFilesAreGone) {
     DaemonProcess first(directory_, on_tty());
     fs::remove(first.tty());
@@ -162,7 +163,8 @@ TEST_F(Startup, OpensWhatIsClosedOfStandardInputAndOutput) {
     const fs::path open = "/proc/" + std::to_string(daemon.pid()) + "/fd";
     EXPECT_EQ(fs::read_symlink(open / "0"), "/dev/null");
     EXPECT_EQ(fs::read_symlink(open / "2"), "/dev/null");
-    // Whoever reads the poses does not take what the loader says when it is done.
+    // No descriptor is mixed up: the reader of the poses does not take the loader's message that it
+    // is done.
     const nlohmann::json world{{"file", scene("corridor.sdf").string()}};
     EXPECT_EQ(control_request(daemon.control(), "PUT", "/scene", world.dump()).status, 200);
 }
@@ -177,7 +179,7 @@ TEST_F(Startup, RunsAlsoWhereNobodyHearsThatItIsReady) {
     EXPECT_EQ(daemon.wait(), 0);
 }
 
-// Scripts go by the exit code.
+// Scripts depend on the exit code.
 TEST_F(Startup, ProbesWhetherAnythingCanBeDrawn) {
     DaemonProcess here(directory_, {"--probe"});
     EXPECT_EQ(here.wait(), can_draw() ? 0 : 1);
@@ -200,7 +202,7 @@ TEST_F(Startup, SaysWhereItListensAndNothingElse) {
     ScannerWire wire = ScannerWire::tcp(daemon.port());
     EXPECT_EQ(wire.ask(stream_of_one_beam), "00");
     (void)wire.next_scan();
-    daemon.signal(SIGHUP);  // warns, since there is no configuration to read again
+    daemon.signal(SIGHUP);  // warns, as there is no configuration to read again
     EXPECT_TRUE(
         eventually([&] { return daemon.standard_error().find("SIGHUP") != std::string::npos; }));
     daemon.signal(SIGTERM);

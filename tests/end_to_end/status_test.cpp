@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// /status tells the state that clients have brought a scanner to.
+// /status tells the state into which clients have brought a scanner.
 #include <optional>
 #include <string>
 
@@ -14,7 +14,7 @@ namespace {
 
 class Status : public testing::Test {
   protected:
-    /// A scanner of this model, and a client on its tty.
+    /// Starts a scanner of this model and opens a client on its tty.
     void start(const std::string& model) {
         daemon_.emplace(directory_, on_tty({"--model", model}));
         wire_.emplace(ScannerWire::tty(daemon_->tty()));
@@ -22,7 +22,7 @@ class Status : public testing::Test {
     [[nodiscard]] std::string state() const {
         return daemon_->sensor_status().at("state").get<std::string>();
     }
-    /// What the scanner answers and in what state it then is.
+    /// The answer to this request and the scanner's state after it.
     std::string after(const std::string& request) {
         const std::string status = wire_->ask(request);
         return status + " " + state();
@@ -55,7 +55,7 @@ TEST_F(Status, TellsTrouble) {
     EXPECT_EQ(after("DB10"), "00 standby");
 }
 
-// A UST takes 10 s to boot, a second after the second RB.
+// A UST begins to boot a second after the second RB, and takes 10 s.
 TEST_F(Status, TellsThatItBoots) {
     start("UST-10LX");
     EXPECT_EQ(wire_->ask("RB"), "01");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What clients on TCP may do: come, go in any way, and wait for each other.
+// TCP clients may connect at any time, leave in any way, and wait for each other.
 #include <chrono>
 #include <optional>
 #include <string>
@@ -56,7 +56,7 @@ TEST_F(TcpClient, MayGoInAnyWayAtAnyMoment) {
     }
     ScannerWire wire = connect();
     EXPECT_EQ(wire.ask("VV"), "00");
-    // What the others began has ended with them.
+    // What the other clients began ended with them.
     protocol::client::Driver driver(wire);
     EXPECT_EQ(driver.state().laser, "OFF");
 }
@@ -103,7 +103,7 @@ TEST_F(TcpClient, CausesNoScansWithoutAsking) {
     const auto scans = [&] { return daemon_.sensor_status().at("scans").get<int>(); };
     ScannerWire wire = connect();
     EXPECT_EQ(wire.ask("BM"), "00");
-    // The laser is on, but nobody wants to know.
+    // The laser is on, but no client has asked for scans.
     std::this_thread::sleep_for(200ms);
     EXPECT_EQ(scans(), 0);
     EXPECT_TRUE(daemon_.sensor_status().at("lateness_ms").at("max").is_null());

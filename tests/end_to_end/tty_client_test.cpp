@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The tty as drivers treat it: opened, set up in any way, closed and opened again.
+// Drivers open the tty, set it up in any way, close it and open it again.
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -119,7 +119,7 @@ TEST_F(TtyClientWhereStreamsGoOn, FindsItsStreamStillRunning) {
         ScannerWire wire = open();
         EXPECT_EQ(wire.ask(stream_of_all_beams), "00");
         last_stamp_ms = wire.next_scan().stamp_ms;
-        // Unread scans fill what the kernel holds, half a message at its end.
+        // Unread scans fill the kernel's buffer, which then ends in the middle of a message.
         const int before = scans();
         ASSERT_TRUE(eventually([&] { return scans() >= before + 10; }));
     }
@@ -129,7 +129,7 @@ TEST_F(TtyClientWhereStreamsGoOn, FindsItsStreamStillRunning) {
 
     EXPECT_EQ(fs::read_symlink(daemon_.tty()), target);
     ScannerWire wire = open();
-    // Of the time in between nothing is left, and what comes is whole.
+    // Nothing of the time in between is left, and messages are whole.
     auto scan = wire.next_scan();
     EXPECT_GE(scan.stamp_ms, last_stamp_ms + 20 * 25);
     for (int i = 0; i < 10; ++i) {
@@ -141,7 +141,7 @@ TEST_F(TtyClientWhereStreamsGoOn, FindsItsStreamStillRunning) {
 }
 
 TEST_F(TtyClient, KeepsItWhenAnotherOpensAndClosesItToo) {
-    // Both before the daemon comes to look.
+    // Both open the tty before the daemon looks.
     daemon_.signal(SIGSTOP);
     ScannerWire wire = open();
     ScannerWire other = open();
@@ -179,7 +179,7 @@ TEST(TcpAndTty, AreTwoSessionsOnOneDevice) {
 
     EXPECT_EQ(tcp.ask("QT"), "00");
     EXPECT_FALSE(tcp.next_message(300ms));
-    // The other's stream has no gap.
+    // The other client's stream has no gap.
     std::uint32_t stamp_ms = tty.next_scan().stamp_ms;
     for (int i = 0; i < 20; ++i) {
         const std::uint32_t next_ms = tty.next_scan().stamp_ms;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A client whose machine vanishes: the robot's and the client's machine are network namespaces with
-// a cable between them, which is pulled out.
+// A client whose machine vanishes. The robot's machine and the client's are network namespaces with
+// a cable between them, which the test pulls out.
 #include <cstdlib>
 #include <memory>
 #include <string>
@@ -18,7 +18,7 @@
 namespace scipd::tests {
 namespace {
 
-/// What the calling thread has for a network.
+/// The network of the calling thread.
 class Network {
   public:
     static Network of_this_thread() {
@@ -29,7 +29,7 @@ class Network {
     ~Network() { ::close(descriptor_); }
 
     void enter() const { ASSERT_EQ(::setns(descriptor_, CLONE_NEWNET), 0); }
-    /// For programs that this process starts.
+    /// A path for programs that this process starts.
     [[nodiscard]] std::string path() const {
         return "/proc/" + std::to_string(::getpid()) + "/fd/" + std::to_string(descriptor_);
     }

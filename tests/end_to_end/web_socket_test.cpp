@@ -27,7 +27,7 @@ class WebSockets : public testing::Test {
 
 TEST_F(WebSockets, PosesMoveTheRobot) {
     WebSocketClient socket(daemon_.control(), "/poses");
-    // Several lines a message, and nothing is said of what is right.
+    // A message may hold several lines. scipd does not answer valid ones.
     socket.send("{\"xyz\":[0.5,0,0]}\n\n# nothing\n{\"xyz\":[1,0,0]}\n");
     socket.send("{\"t\":1}");
     json refusal = json::parse(socket.receive());
@@ -96,7 +96,7 @@ TEST_F(WebSockets, OneWhoDoesNotReadLosesScansAndHoldsNobodyUp) {
         stamp_ms = next_ms;
     }
     EXPECT_EQ(daemon_.sensor_status().at("lost"), 0) << "the driver got all";
-    // What was queued comes whole and in order.
+    // Queued messages come whole and in order.
     std::int64_t last = -1;
     for (int i = 0; i < 16; ++i) {
         const std::int64_t number = json::parse(slow.receive()).at("scan");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// parse_config() answers any bytes with a configuration that is whole or with faults that can be
-// shown; nothing else comes out of it.
+// Any bytes as a configuration: parse_config() returns a whole configuration or faults that can be
+// shown, and throws nothing else.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

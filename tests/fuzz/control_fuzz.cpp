@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Any bytes as an HTTP request to the control API of a daemon that knows every name: it is answered
-// once, and the answer is a document that can be read.
+// Any bytes as an HTTP request to the control API of a daemon that knows every name: it sends one
+// answer, which is a valid document.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The first byte says into what pieces the rest is cut. Whatever they are, the lines are those of a
-// plain split.
+// The first byte says how to cut the rest into pieces. However they are cut, the lines must be
+// those of a plain split.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -21,8 +21,8 @@ void demand(bool fact) {
     if (!fact) std::abort();
 }
 
-// The rule, word for word: CR and LF end a line, empty ones do not count, what is too long is cut,
-// NUL does not begin a line.
+// The rules of the plain split: CR and LF end a line, empty lines do not count, lines that are too
+// long are cut, NUL does not begin a line.
 std::vector<Line> plain_split(std::string_view bytes) {
     std::vector<Line> lines;
     std::string text;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Any bytes as the YAML of a ROS map: a map that can be used, or faults that can be shown.
+// Any bytes as the YAML of a ROS map: the result is a usable map or faults that can be shown.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

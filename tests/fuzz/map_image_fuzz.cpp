@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Any bytes as the picture of a ROS map: as many cells as its header says and a solid of them that
-// is closed, or a sentence that can be shown.
+// Any bytes as the picture of a ROS map: the result has as many cells as its header says, and they
+// form a closed solid, or it is a sentence that can be shown.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Any bytes as a world of MVSim, which may include itself: elements whose walls and grounds can be
-// cast, or sentences that can be shown.
+// Any bytes as a world of MVSim, which may include itself: the result is elements whose walls and
+// grounds rays can hit, or sentences that can be shown.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -43,7 +43,7 @@ void check(const PlacedMesh& placed) {
         require(std::isfinite(vertex.x) && std::isfinite(vertex.y) && std::isfinite(vertex.z));
 }
 
-/// Two rows of three.
+/// A PGM of two rows of three pixels.
 constexpr std::string_view picture{"P5 3 2 255\n\0\200\377\0\377\0", 17};
 
 void visit(const MvsimNode& node) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Any bytes as a pose line: it is either a pose that can be used or a refusal that can be shown.
+// Any bytes as a pose line: the result is a usable pose or a refusal that can be shown.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

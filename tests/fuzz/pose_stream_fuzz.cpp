@@ -2,9 +2,9 @@
 // Copyright The scipd authors
 //
 // Any bytes over the WebSocket of poses, to a world with two robots and a crate. The first byte
-// says whether time is that of the stamps, and the policy; zero bytes end messages. Of a message
-// the first refused line is told with its number and how many there were, nothing else is told, and
-// whatever was taken, everything is somewhere.
+// chooses lockstep or the wall clock, and the policy. Zero bytes end messages. For each message
+// scipd reports the first refused line with its number, and how many were refused, and nothing
+// else. Afterwards everything must have a finite position.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -49,7 +49,7 @@ sim::PosePolicy policy_of(unsigned choice) {
     return policy;
 }
 
-/// What the client is told.
+/// Records what scipd sends to the client.
 class Client : public daemon::WebSocket {
   public:
     void send(std::shared_ptr<const std::string> message) override {
@@ -93,7 +93,7 @@ class Daemon : public tests::EmptyApi {
         return refusal;
     }
 
-    /// Lockstep does what it has been told to.
+    /// Carries out what lockstep has been told to do.
     void settle() {
         io_.restart();
         io_.poll();
@@ -102,7 +102,7 @@ class Daemon : public tests::EmptyApi {
     void check(std::uint64_t told) {
         require(told == intake_.refused(), "every refusal is told, and nothing else");
         for (const sim::Time time : asked_) {
-            // The start pose's time is the least there is.
+            // The start pose has the smallest time there is.
             if (time == sim::Time::min()) continue;
             for (const sim::Time at : {time - 1ns, time, time + 1ns, time + 700ms}) {
                 check_at(at);
@@ -127,7 +127,7 @@ class Daemon : public tests::EmptyApi {
         for (const auto* track : tracks()) {
             const sim::Pose pose = track->at(time);
             const auto& p = pose.translation_m;
-            // 1e7 m are what a pose may say, and it may go on for an hour with 1e9 m/s.
+            // A pose may be 1e7 m away, and extrapolation may last for an hour at 1e9 m/s.
             require(std::abs(p.x) + std::abs(p.y) + std::abs(p.z) < 2e13, "somewhere");
             require(std::abs(glm::length(pose.rotation) - 1.0) < 1e-9, "a unit quaternion");
             static_cast<void>(track->absent(time));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Stands in for libFuzzer where there is none: every file of the folders given, once. Whatever a
-// fuzzer found is a test from then on, with every compiler.
+// Takes the place of libFuzzer if there is none: it runs every file of the given folders once. So
+// every find of a fuzzer is a test from then on, with every compiler.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -19,10 +19,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 namespace {
 
 void replay(const std::filesystem::path& file) {
-    // Named first, so that the last line says which one it was if this is the end.
+    // Names the file first, so that after a crash the last line names the culprit.
     std::cout << file.string() << std::endl;
     std::ifstream in{file, std::ios::binary};
-    // On the heap and of exactly this size, so that a sanitizer sees a read past the end.
+    // The bytes are on the heap and of exactly this size, so that a sanitizer sees a read past the
+    // end.
     const std::vector<char> bytes{std::istreambuf_iterator<char>{in}, {}};
     LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
 }

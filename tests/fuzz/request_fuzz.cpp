@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Any bytes at any instants to a scanner of any family. The first byte chooses the model, whether
-// it is taken for a multi-echo one on Ethernet, its reply grid and its size. The rest is
-// instructions: a byte says how many bytes of the client follow, or from 0x80 on how long to wait.
-// Every message must be whole and framed, and the same bytes sent one at a time must be answered
-// with the same ones.
+// Any bytes at any time to a scanner of any family. The first byte chooses the model, whether it
+// counts as a multi-echo one on Ethernet, its reply grid and its size. The rest is instructions: a
+// byte says how many of the client's bytes follow or, from 0x80 on, how long to wait. Every message
+// must be whole and framed, and the same bytes sent one at a time must give the same answers.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -37,10 +36,10 @@ std::string_view take_line(std::string_view& text) {
     return line;
 }
 
-// Echo, lines with their sums, an empty line at the end and nowhere else; never more than three
-// echoes with intensity for each step.
+// A message has an echo, lines with their sums, and an empty line at the end and nowhere else. It
+// has at most three echoes with intensity for each step.
 void demand_framed(std::string_view message) {
-    constexpr std::size_t longest_line = 71;  // what urg_library has room for
+    constexpr std::size_t longest_line = 71;  // urg_library has room for this much
     constexpr std::size_t head = protocol::LineReader::max_length + 20;
     demand(message.size() <= head + protocol::data_block_size(std::size_t{20} * 2161, 1));
     demand(!take_line(message).empty());
@@ -63,8 +62,8 @@ void demand_framed(std::string_view message) {
     demand(message.empty());
 }
 
-// A twelfth of the steps, unless all are asked for: as many ways through the code in a tenth of the
-// time.
+// Uses a twelfth of the steps unless the input asks for all: this reaches as much code in a tenth
+// of the time.
 protocol::DeviceProfile profile_of(std::uint8_t choice) {
     const auto& models = daemon::models();
     protocol::DeviceProfile profile = models[choice % models.size()].profile;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Whole lives of a device: any model, up to three clients, requests of every kind, scans, waits,
-// hang-ups, boots and trouble, made up from the fuzzer's bytes. Every client checks all that it is
-// told, all requests are answered in the end, and time never stands still; now and then, what is
-// said is said again in pieces and must be answered alike. A find is told as a script.
+// Whole lives of a device, made up from the fuzzer's bytes: any model, up to three clients, all
+// kinds of requests, scans, waits, hang-ups, boots and failures. Every client checks all that it
+// receives, all requests are answered in the end, and time never stands still. Now and then a
+// client repeats what it sent, in pieces, and must get the same answer. A find is printed as a
+// script.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

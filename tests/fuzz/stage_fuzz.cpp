@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Any bytes as a world of Stage, which includes itself and a part: entities whose blocks can be
-// cast, or faults that can be shown.
+// Any bytes as a world of Stage, which includes itself and a part: the result is entities whose
+// blocks rays can hit, or faults that can be shown.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

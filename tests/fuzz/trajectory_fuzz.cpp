@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Any bytes as a trajectory, of the form that they look like and of every other: poses that can be
-// played, or faults that can be shown.
+// Any bytes as a trajectory, read as the format that they look like and as every other: the result
+// is poses that can be played, or faults that can be shown.
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -28,7 +28,8 @@ void check(const std::vector<TimedPose>& poses) {
     for (std::size_t i = 0; i < poses.size(); ++i) {
         const auto& [time, pose] = poses[i];
         require(i == 0 || time > poses[i - 1].time);
-        // Twice, as players do who go back to the beginning: what does not fit, a sanitizer sees.
+        // Twice the time, as players use it when they go back to the beginning: a sanitizer sees an
+        // overflow.
         const Time since_first = time - poses.front().time;
         require(since_first + since_first >= Time{});
         const auto& p = pose.translation_m;

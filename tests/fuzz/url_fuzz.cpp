@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Any bytes in a URL: those that RFC 3986 lets stand are decoded as it says, the others refused;
-// and any bytes that are encoded come back, in a path as well as in a query.
+// Any bytes in a URL: those that RFC 3986 allows are decoded as it says, and others are refused.
+// Bytes that were encoded decode to the same bytes, in a path and in a query.
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
@@ -37,7 +37,7 @@ std::string encoded(std::string_view bytes) {
     return text;
 }
 
-/// Every % is followed by two digits, and nothing else is asked for.
+/// Two digits follow every %, and this checks nothing else.
 bool well_written(std::string_view text) {
     const auto is_digit = [](char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; };
     for (std::size_t at = text.find('%'); at != text.npos; at = text.find('%', at + 3)) {

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# Damaged worlds: takes what lies in scenes/, and a small solid in every format of meshes, damages a file of it and asks
-# scipd --check. It must say that all is well or what is wrong, within a minute or two; anything else is a find, and so
-# is whatever a sanitizer has to say of scipd itself. What ends a child that reads a mesh is no find: that is what it is
+# Takes the worlds of scenes/ and a small solid in every mesh format, damages one of their files and runs scipd --check.
+# Within a minute or two scipd must say that all is well or what is wrong. Anything else is a find, and so is any report
+# of a sanitizer about scipd itself. The end of a child that reads a mesh is no find, because that is what the child is
 # for.
 #
-#   worlds.py SCIPD SCENES SEED COUNT|SECONDSs [FINDS]     FINDS: the folder that finds are kept in
+#   worlds.py SCIPD SCENES SEED COUNT|SECONDSs [FINDS]     FINDS: the folder for finds
 import pathlib
 import random
 import re
@@ -136,7 +136,7 @@ def dae():
 
 
 def png():
-    """Heights of 9 x 9, grey, 8 bits."""
+    """Heights of 9 x 9 points, grey, 8 bits."""
     def chunk(kind, content):
         return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
 
@@ -147,7 +147,7 @@ def png():
 
 
 def sources(scenes):
-    """What may be damaged: (name, bytes, the scene that shows it or None: it is the scene)."""
+    """Files to damage: (name, bytes, the scene that shows it, or None if it is the scene)."""
     obj = "mtllib solid.mtl\nusemtl oak\n" + "".join(f"v {xyz(c)}\n" for c in CORNERS)
     obj += "".join("f %d %d %d\n" % tuple(i + 1 for i in face) for face in FACES)
     (scenes / "solid.obj").write_text(obj)
@@ -237,7 +237,7 @@ def damaged(chance, content):
 
 
 def check(scipd, scenes, chance):
-    """The kind of file, what was wrong with the answer (None: nothing) and all that was said."""
+    """The kind of file, what was wrong with the answer (None if nothing was), and the whole output."""
     name, content, shown = chance.choice(list(sources(scenes)))
     (scenes / name).write_bytes(damaged(chance, content))
     scene = name

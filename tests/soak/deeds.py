@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# What hostile and careless clients do. A deed is a generator that goes on for ever: it yields the bytes of each thing
-# that it did, or None where it only waits, and may be ended at any yield. Whatever scipd does to a connection is fine:
-# OSError begins the deed anew. `scipd` is the one of scipd.py, `rng` all chance. Nothing here waits for longer than
-# PATIENCE_S.
+# What hostile and careless clients do. A deed is an endless generator: it yields the number of bytes of each thing that
+# it did, or None when it only waits, and may be ended at any yield. scipd may do anything to a connection: after an
+# OSError the deed begins anew. `scipd` is the one of scipd.py, and `rng` makes all random choices. Nothing here waits
+# longer than PATIENCE_S.
 import contextlib
 import json
 import os
@@ -61,7 +61,7 @@ def victim(scipd, rng):
 
 
 def garbage(scipd, rng):
-    """Bytes of any kind and half lines to the scanners' ports, closed politely or not."""
+    """Random bytes and half lines to the scanners' ports, closed cleanly or with a reset."""
     while True:
         with connected(victim(scipd, rng)) as client:
             for _ in range(rng.randrange(1, 20)):
@@ -74,7 +74,7 @@ def garbage(scipd, rng):
 
 
 def ttys(scipd, rng):
-    """The same to their ttys."""
+    """The same to the scanners' ttys."""
     while True:
         descriptor = wire.open_tty(scipd.tty(rng.choice(["victim/urg", "victim/utm"])))
         try:
@@ -87,7 +87,7 @@ def ttys(scipd, rng):
 
 
 def flood(scipd, rng):
-    """Requests as fast as they are taken, of which no answer is read."""
+    """Requests as fast as scipd takes them, without reading the answers."""
     while True:
         with connected(victim(scipd, rng), receive_buffer=4096) as client:
             requests = b"\n".join(rng.choice(REQUESTS) for _ in range(2000)) + b"\n"
@@ -100,7 +100,7 @@ def flood(scipd, rng):
 
 
 def deaf(scipd, rng):
-    """Clients of streams that never read, on TCP and on a tty."""
+    """Clients that ask for streams and never read, on TCP and on a tty."""
     while True:
         with connected(victim(scipd, rng), receive_buffer=4096) as client:
             client.sendall(b"MD0000108000000\n")
@@ -117,7 +117,7 @@ def resets(scipd, rng):
     places = [scipd.tcp(name) for name in ("victim/ust", "victim/utm", "good/ust", "driven/ust")] + [scipd.http]
     while True:
         data = rng.choice([b"", b"V", b"GET /stat"])
-        # Those who wait behind a good client fill its queue: then there is no answer.
+        # Connections that wait behind a good client fill its queue. Then nothing answers.
         with contextlib.suppress(TimeoutError), connected(rng.choice(places), patience_s=0.02) as client:
             client.sendall(data)
             reset(client)
@@ -126,7 +126,7 @@ def resets(scipd, rng):
 
 
 def streams(scipd, rng):
-    """25 clients of /stream that never read, come at different times and so leave different messages unread."""
+    """25 clients of /stream that never read. They come at different times, so they leave different messages unread."""
     with contextlib.ExitStack() as clients:
         for _ in range(25):
             client = clients.enter_context(connected(scipd.http, receive_buffer=4096))
@@ -139,7 +139,7 @@ def streams(scipd, rng):
 
 
 def answers(scipd, rng):
-    """Many requests at once of which no answer is read; one picture a second, since each takes its time."""
+    """Many requests at once without reading the answers. Only one picture a second, because each takes long."""
     while True:
         with contextlib.ExitStack() as clients:
             for i in range(20):
@@ -152,7 +152,7 @@ def answers(scipd, rng):
 
 
 def http(scipd, rng):
-    """What is no HTTP, or only nearly."""
+    """Requests that are not HTTP, or only nearly."""
     while True:
         with connected(scipd.http) as client:
             data = rng.choice([
@@ -175,7 +175,7 @@ def http(scipd, rng):
 
 
 def headers(scipd, rng):
-    """Headers byte by byte, and without an end."""
+    """Headers that come byte by byte and never end."""
     while True:
         with contextlib.ExitStack() as clients:
             slow = [clients.enter_context(connected(scipd.http)) for _ in range(20)]
@@ -204,7 +204,7 @@ def bodies(scipd, rng):
 
 
 def deep(scipd, rng):
-    """JSON that is nested as deep as a body may be long."""
+    """JSON that is nested as deep as the size of a body allows."""
     while True:
         depth = rng.choice([1000, 100_000, 250_000])
         text = rng.choice([b"[" * depth + b"]" * depth, b"[" * 2 * depth, b'{"xyz":' + b"[" * 2 * depth,
@@ -218,7 +218,7 @@ def deep(scipd, rng):
 
 
 def junk_poses(scipd, rng):
-    """Messages of a megabyte of lines that are no poses to the WebSocket /poses, whose answers are read or not."""
+    """Messages with a megabyte of lines that are no poses, to the WebSocket /poses. Some clients read the answers."""
     while True:
         with connected(scipd.http) as client:
             client.sendall(wire.http_request("GET", "/poses", fields=wire.UPGRADE))
@@ -247,7 +247,7 @@ def udp(scipd, rng):
 
 
 def abandon(scipd, rng):
-    """Worlds that are to be loaded for clients that are gone at once."""
+    """Requests to load worlds, from clients that leave at once."""
     while True:
         with connected(scipd.http) as client:
             request = wire.http_request("PUT", "/scene", {"file": f"{scipd.scenes}/rescue_maze.sdf"})
@@ -259,7 +259,7 @@ def abandon(scipd, rng):
 
 
 def scenes(scipd, rng):
-    """Worlds loaded, models added, moved and taken away, each with its answer."""
+    """Loads worlds, and adds, moves and removes models, and waits for each answer."""
     sdf = ("<model name='m'><link name='l'><visual name='v'><geometry><sphere><radius>0.1</radius></sphere></geometry>"
            "</visual></link></model>")
     with connected(scipd.http) as client:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# The good clients, which must miss nothing whatever the hostile ones do. All of them share one loop in one thread; its
-# own delays and what scipd waits for a core are measured beside, so that a busy machine is not taken for a scipd that
-# stands still.
+# The good clients, which must miss nothing whatever the hostile ones do. They share one loop in one thread. The soak
+# also measures how late that loop is and how long scipd waits for a core, so that it does not blame scipd for a busy
+# machine.
 import asyncio
 import collections
 import dataclasses
@@ -17,17 +17,17 @@ import wire
 CLOCK_MASK = 0xFFFFFF  # 24 bits
 MODEL = ("<model name='m'><static>true</static><link name='l'><visual name='v'><geometry><box>"
          "<size>0.1 0.1 0.1</size></box></geometry></visual></link></model>")
-CROOKED_MS = 2.0  # a stamp that lies so far beside its period, which a mirror and whole ms explain
+CROOKED_MS = 2.0  # a stamp that is this far off its period is crooked; the mirror and whole ms explain less
 
 
 class Machine:
-    """How late this loop is woken, and what scipd's first thread had run and waited at each of the last beats."""
+    """How late this loop is woken, and how long scipd's first thread had run and waited at each of the last beats."""
     BEAT_S = 0.005
 
     def __init__(self, scipd):
         self.scipd = scipd
         self.due_s = self.beat_s = time.monotonic()
-        self.overshoot_s = 0.0  # of the last beat
+        self.overshoot_s = 0.0  # how late the last beat came
         self.times = collections.deque([(self.beat_s, *scipd.times_s())], maxlen=20_000)
 
     async def run(self):
@@ -39,13 +39,13 @@ class Machine:
             self.times.append((self.beat_s, *self.scipd.times_s()))
 
     def times_since_s(self, when_s):
-        """What scipd has run and waited since then, by the last beat before."""
+        """How long scipd has run and waited since the last beat before that time."""
         ran_s, waited_s = self.scipd.times_s()
         _, then_ran_s, then_waited_s = next((beat for beat in reversed(self.times) if beat[0] <= when_s), self.times[0])
         return ran_s - then_ran_s, waited_s - then_waited_s
 
     def late_s(self):
-        """How late what is heard just now is heard."""
+        """How late this loop handles an event at this moment."""
         now_s = time.monotonic()
         woken_with_the_beat = now_s - self.beat_s < 0.2 * self.BEAT_S
         return self.overshoot_s if woken_with_the_beat else max(0.0, now_s - self.due_s)
@@ -53,8 +53,8 @@ class Machine:
 
 @dataclasses.dataclass
 class Answer:
-    """To a request, in s: since when it is late, how long it took, how long scipd ran and waited for a core meanwhile,
-    and how late it was heard here."""
+    """An answer, in s: since when it counts, how long it took, how long scipd ran and waited for a core meanwhile, and
+    how late this loop handled it."""
     since_s: float
     took_s: float
     ran_s: float
@@ -69,7 +69,7 @@ class Answer:
 
 
 class Stream(asyncio.Protocol):
-    """Takes a scanner's scans and checks each of them; `missing(n, since)` hears of gaps."""
+    """Takes a scanner's scans and checks each of them. It calls `missing(n, since)` for each gap."""
 
     def __init__(self, name, request, points, period_ms, missing):
         self.name, self.request, self.points, self.period_ms = name, request, points, period_ms
@@ -79,7 +79,7 @@ class Stream(asyncio.Protocol):
         self.stamp_ms = None
         self.last_s = None
         self.silence_s = 0.0
-        self.fault = None  # the first one, in words
+        self.fault = None  # a description of the first fault
 
     def connection_made(self, transport):
         transport.write(self.request + b"\n")
@@ -118,7 +118,7 @@ class Stream(asyncio.Protocol):
 
 
 def stream_from_tty(path, stream):
-    """As asyncio does for a socket."""
+    """Does what asyncio does for a socket."""
     descriptor = wire.open_tty(path)
     os.write(descriptor, stream.request + b"\n")
 
@@ -139,7 +139,7 @@ def stream_from_tty(path, stream):
 
 
 class Http:
-    """One request after the other on a connection that stays."""
+    """Makes one request after the other on a lasting connection."""
 
     def __init__(self, where):
         self.where = where
@@ -156,8 +156,8 @@ class Http:
 
 
 class StatusClient:
-    """Asks ten times a second. An answer that keeps the next requests waiting is late for them as well. `answered`
-    hears of each."""
+    """Asks ten times a second. If an answer delays the next requests, their time counts as well. It calls `answered`
+    for each answer."""
     PERIOD_S = 0.1
 
     def __init__(self, scipd, machine, answered):
@@ -169,7 +169,7 @@ class StatusClient:
         http = Http(self.scipd.http)
         due = time.monotonic()
         while True:
-            begin = min(due + self.PERIOD_S, time.monotonic())  # of what could not be asked when it was due, then
+            begin = min(due + self.PERIOD_S, time.monotonic())  # a delayed request counts from when it was due
             self.unanswered = begin
             status, body = await http.ask("GET", "/status")
             self.take_time()
@@ -180,7 +180,7 @@ class StatusClient:
             await asyncio.sleep(max(0.0, due - time.monotonic()))
 
     def take_time(self):
-        """Of an answer, or of one that has not come so far."""
+        """Records an answer, or one that has not come yet."""
         if self.unanswered:
             begin, self.unanswered = self.unanswered, None
             took_s = time.monotonic() - begin
@@ -193,10 +193,10 @@ def place_at(now_s):
 
 
 class PoseSenders:
-    """A hundred poses a second for each of two robots: by WebSocket, which answers a refusal, and by UDP, whose robot
-    must be where it was told to be."""
+    """Sends a hundred poses a second for each of two robots: by WebSocket, which reports refusals, and by UDP. The
+    robot on UDP must be where it was told to be."""
     PERIOD_S = 0.01
-    STRAYED_M = 0.15  # two and a half seconds of its way
+    STRAYED_M = 0.15  # it moves this far in two and a half seconds
 
     def __init__(self, scipd):
         self.scipd = scipd
@@ -237,8 +237,8 @@ class PoseSenders:
 
 
 class Editor:
-    """Adds a model and takes it away; another world may have taken it away before. `answered(since, s)` hears of each
-    change."""
+    """Adds a model and removes it. If another world was loaded meanwhile, the model is already gone. It calls
+    `answered(since, s)` for each change."""
     PERIOD_S = 2.0
 
     def __init__(self, scipd, answered):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# The process in which hostile deeds are done, one after the other and several at once, beside a reader of scipd's
-# standard error. It gives way to all others: what it takes from a small machine would be measured too.
+# The process of the hostile deeds, which it does one after the other and several at once. It also reads scipd's
+# standard error. It has a low priority, because on a small machine the measurements would include what it takes.
 import os
 import random
 import signal
@@ -12,14 +12,14 @@ import time
 from deeds import DEEDS
 
 LONGEST_SLICE_S = 10.0
-TOGETHER = 3  # slices a round in which several are done at once
+TOGETHER = 3  # slices in each round that have several deeds at once
 AT_ONCE = 4
 STUCK_S = 30.0  # longer than any deed takes to end
-CALM_S = 3.0  # before all deeds, for the good clients to begin
+CALM_S = 3.0  # before all deeds, so that the good clients can begin
 
 
 def schedule(names, seconds, seed):
-    """Slices of time with what is done in each: rounds, each of which has every deed alone."""
+    """Slices of time with the deeds of each. A round has one slice for every deed alone."""
     rng = random.Random(seed)
     together = TOGETHER if len(names) > 1 else 0
     slice_s = min(LONGEST_SLICE_S, seconds / (len(names) + together)) if len(names) > 1 else seconds
@@ -29,7 +29,7 @@ def schedule(names, seconds, seed):
 
 
 class Reader(threading.Thread):
-    """Of standard error, whenever it `listens`."""
+    """Reads standard error while the event `listens` is set."""
 
     def __init__(self, scipd):
         super().__init__(daemon=True)
@@ -48,7 +48,7 @@ class Reader(threading.Thread):
 
 
 class Doer(threading.Thread):
-    """One deed until then, or until all is over."""
+    """Does one deed until a time, or until all is over."""
 
     def __init__(self, scipd, name, rng, until_s, over):
         super().__init__(daemon=True)
@@ -92,9 +92,9 @@ def do_together(scipd, names, seconds, seed, over):
 
 
 def run(scipd, names, seconds, seed, tell, over):
-    """Until `over` is set, or so long. Tells of each slice as it begins, ("begin", names), and has ended,
-    ("end", {name: (times, bytes)}, faults); then ("over",) and, once scipd has ended, ("said", bytes on standard error,
-    reloads, its end)."""
+    """Does deeds for this many seconds, or until `over` is set. It sends ("begin", names) at the begin of each slice
+    and ("end", {name: (times, bytes)}, faults) at its end, ("over",) at the end of all, and, once scipd has ended,
+    ("said", bytes on standard error, reloads, the last of it)."""
     os.nice(10)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     scipd.listens = threading.Event()

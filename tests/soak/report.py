@@ -1,27 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# What a soak says at its end, and what of it must hold.
+# What a soak prints at its end, and what must hold.
 import dataclasses
 import statistics
 
-# Memory and descriptors are flat where the median of the last quarter is at most this much of the second one's and a
-# little; in less time than that a quarter does not hold every deed.
+# Memory and descriptors count as flat if the median of the last quarter is at most this factor times that of the second
+# quarter, plus a little. In a shorter soak a quarter does not contain every deed.
 GROWTH = 1.1
 GROWTH_MB = 8.0
 GROWTH_DESCRIPTORS = 8
 JUDGED_FROM_S = 600.0
-# Descriptors in use after all deeds, beyond those before them: connections that linger.
+# How many more descriptors may be in use after all deeds than before: connections that linger.
 LEFT_DESCRIPTORS = 8
-CALM_SIZES = 2  # of the end, in seconds
+CALM_SIZES = 2  # the last seconds, which count as the end
 
 
 @dataclasses.dataclass
 class Deed:
     times: int = 0
     bytes: int = 0
-    missed: int = 0  # of good clients, while this was done alone
-    slowest_s: float = 0.0  # answer to /status, less the delay of the machine, while this was done alone
+    missed: int = 0  # scans of good clients, while only this deed was done
+    slowest_s: float = 0.0  # answer to /status, less the machine's delay, while only this deed was done
     slowest_edit_s: float = 0.0
     most_mb: float = 0.0
 
@@ -31,7 +31,7 @@ class Judge:
         self.failed = []
 
     def that(self, holds, text):
-        """The text, and that it must hold."""
+        """Prints the text and whether it holds; notes it if not."""
         if not holds:
             self.failed.append(text)
         print(f"  {'ok  ' if holds else 'FAIL'}  {text}")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# The scipd under load: its configuration, its start and end, and what the kernel tells of it.
+# The scipd under load: its configuration, its start and end, and what the kernel reports about it.
 import fcntl
 import json
 import os
@@ -11,14 +11,14 @@ import socket
 import subprocess
 import tempfile
 
-# Name: (request for a stream without an end, points of a scan, period in ms).
+# Name: (endless stream request, points of a scan, period in ms).
 STREAMS = {
     "good/ust": (b"MD0000108000000", 1081, 25.0),
     "good/utm": (b"MD0000108000000", 1081, 25.0),
     "good/urg": (b"MD0044072501000", 682, 100.0),
     "driven/ust": (b"MD0000108000000", 1081, 25.0),
 }
-# Hostile clients turn to `victim`, whose pictures take a megabyte each.
+# Hostile clients use `victim`, whose pictures take a megabyte each.
 CONFIGURATION = """scene: {scenes}/square_room.sdf
 seed: {seed}
 control: control.sock
@@ -46,7 +46,7 @@ robots:
       utm: {{model: UTM-30LX, mount: {{xyz: [0, 0, 0.3]}}, tcp: '127.0.0.1:0', pty: victim-utm}}
       tof: {{camera: {{columns: 400, rows: 300, fov_deg: [60, 45], rate_hz: 20, range_m: [0.1, 7.5]}}}}
 """
-STDERR_PIPE_BYTES = 4096  # a reader that pauses is felt after a few lines
+STDERR_PIPE_BYTES = 4096  # so small that scipd notices a pause of the reader after a few lines
 
 
 def free_udp_port():
@@ -88,19 +88,19 @@ class Scipd:
         return self.sensors[sensor]["pty"]
 
     def configure(self, text):
-        """Whole or not at all: it may be read at any moment."""
+        """Replaces the file in one step, because scipd may read it at any moment."""
         fresh = self.file.with_suffix(".new")
         fresh.write_text(text)
         fresh.rename(self.file)
 
     def reload(self):
-        os.kill(self.pid, signal.SIGHUP)  # by any process: send_signal does so for the parent alone
+        os.kill(self.pid, signal.SIGHUP)  # works in any process; send_signal works only in the parent
 
     def exit_code(self):
         return self.process.poll()
 
     def end(self):
-        """Its exit code once asked to end; None where it does not."""
+        """Asks it to end. Returns its exit code, or None if it does not end."""
         self.process.terminate()
         try:
             return self.process.wait(30)
@@ -118,8 +118,8 @@ class Scipd:
         return int(fields["VmRSS"].split()[0]) / 1024, len(os.listdir(f"/proc/{self.pid}/fd")), int(fields["Threads"])
 
     def times_s(self):
-        """Of its first thread, which serves all clients: how long it ran, and how long it was ready to run and had no
-        core; 0 where the kernel does not tell."""
+        """For its first thread, which serves all clients: how long it ran, and how long it was ready to run but had no
+        core. 0 if the kernel does not tell."""
         try:
             with open(f"/proc/{self.pid}/task/{self.pid}/schedstat") as schedule:
                 ran, waited = schedule.read().split()[:2]

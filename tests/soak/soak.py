@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# Mixed hostile load on a running scipd, beside which good clients must miss nothing. `tools/soak` builds and starts it;
-# `soak.py --help` tells the options. Exit code 0: all that is judged (report.py) holds.
+# Mixed hostile load on a running scipd, in which good clients must miss nothing. `tools/soak` builds and starts it.
+# `soak.py --help` lists the options. Exit code 0: all checks of report.py hold.
 import argparse
 import asyncio
 import multiprocessing
@@ -18,15 +18,15 @@ import scipd as under_load
 import wire
 from deeds import DEEDS
 
-CALM_S = 3.0  # after all deeds, until their clients are gone
-DRAINED_S = 30.0  # at most, until scipd has closed what was idle or was still to be worked off
-BOOTED_S = 20.0  # longer than any scanner takes
+CALM_S = 3.0  # time after all deeds for their clients to leave
+DRAINED_S = 30.0  # most time for scipd to finish work and close idle connections
+BOOTED_S = 20.0  # longer than any scanner takes to boot
 PATIENCE_S = 60.0
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 class Soak:
-    """What is measured, and by whom it was disturbed."""
+    """Collects the measurements, and which deed disturbed them."""
 
     def __init__(self, scipd):
         self.scipd = scipd
@@ -39,7 +39,7 @@ class Soak:
         self.answers = []
         self.edits_s = []
         self.sizes = []  # (MB, descriptors, threads), once a second
-        self.doings = [(self.begin_s, "none")]  # since when what is done
+        self.doings = [(self.begin_s, "none")]  # (since when, deed)
         self.deeds = {}
         self.faults = []
 
@@ -47,7 +47,7 @@ class Soak:
         return self.deeds.setdefault(name, report.Deed())
 
     def done_at(self, when_s):
-        """The name of the deed that was done then, `several`, or `none`."""
+        """The deed at that time: its name, `several`, or `none`."""
         return next(name for since_s, name in reversed(self.doings) if since_s <= max(when_s, self.begin_s))
 
     def culprit(self, when_s):
@@ -73,7 +73,7 @@ class Soak:
         deed.most_mb = max(deed.most_mb, size[0])
 
     def take_told(self, what, *told):
-        """By the hostile process."""
+        """Handles a message of the hostile process."""
         if what == "begin":
             self.doings.append((time.monotonic(), told[0][0] if len(told[0]) == 1 else "several"))
         elif what == "end":
@@ -99,7 +99,7 @@ class Soak:
                 good.stream_from_tty(self.scipd.tty(stream.name), stream)
 
     async def run(self, told):
-        """Until the hostile process says that it is over, or a good client fails."""
+        """Runs until the hostile process says that it is over, or a good client fails."""
         await self.connect_streams()
         clients = [asyncio.ensure_future(work) for work in (
             self.machine.run(), self.status.run(), self.poses.send(), self.poses.look(), self.editor.run(),
@@ -126,7 +126,7 @@ class Soak:
         self.editor.take_time()
 
     def ask_victims(self):
-        """What is wrong with them after all that. Where scipd is gone their ttys may be another's by now."""
+        """Checks the victims after all deeds. If scipd is gone, their ttys may already belong to another program."""
         if self.scipd.exit_code() is not None:
             return
         self.faults += [fault_of(self.scipd, name) for name, sensor in self.scipd.sensors.items()
@@ -134,8 +134,8 @@ class Soak:
 
 
 def fault_of(scipd, name):
-    """Why the scanner does not answer, if so. It may have to boot first or be in time-adjust mode, and is asked by
-    its tty where it has one."""
+    """Why the scanner does not answer, or None if it does. It may have to boot first, or be in time-adjust mode. Asks
+    over its tty if it has one."""
     end = time.monotonic() + BOOTED_S
     heard, fault = b"", None
     while b"VV\n00P\n" not in heard and time.monotonic() < end:
@@ -167,14 +167,17 @@ def options():
     parser = argparse.ArgumentParser(prog="tools/soak",
                                      description="Mixed hostile load on scipd; good clients must miss nothing.")
     parser.add_argument("minutes", nargs="?", type=float, default=60.0, help="how long; default: 60")
-    parser.add_argument("--only", default="", metavar="DEED,...", help="of " + ", ".join(DEEDS) + "; or none")
-    parser.add_argument("--except", default="", metavar="DEED,...", help="all others", dest="without")
-    parser.add_argument("--seed", type=int, default=1, help="of all chance in what the hostile clients do; default: 1")
+    parser.add_argument("--only", default="", metavar="DEED,...",
+                        help="do only these deeds, or none: " + ", ".join(DEEDS))
+    parser.add_argument("--except", default="", metavar="DEED,...", help="do all deeds but these", dest="without")
+    parser.add_argument("--seed", type=int, default=1,
+                        help="seed of what the hostile clients choose at random; default: 1")
     parser.add_argument("--status-ms", type=float, default=50.0,
                         help="the longest that an answer to /status may take; default: 50")
-    parser.add_argument("--edit-s", type=float, default=15.0, help="and one to a change of the scene; default: 15")
+    parser.add_argument("--edit-s", type=float, default=15.0,
+                        help="the longest that a change of the scene may take; default: 15")
     parser.add_argument("--rss-mb", type=float, default=400.0, help="the most memory at any time; default: 400")
-    parser.add_argument("--scipd", default=str(ROOT / "build/release/bin/scipd"), help="which one")
+    parser.add_argument("--scipd", default=str(ROOT / "build/release/bin/scipd"), help="the program to test")
     said = parser.parse_args()
     without = said.without.split(",") if said.without else []
     only = [] if said.only == "none" else said.only.split(",") if said.only else list(DEEDS)
@@ -186,7 +189,7 @@ def options():
 
 
 def last_words(soak, told):
-    """What the hostile process says once scipd has ended."""
+    """What the hostile process reports after scipd has ended."""
     while told.poll(PATIENCE_S):
         what, *words = told.recv()
         if what == "said":

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# Deeds of careless administrators, as those of deeds.py: configurations, right and wrong, and a standard error that
+# Deeds of careless administrators, in the form of deeds.py: right and wrong configurations, and a standard error that
 # nobody reads.
 import time
 
@@ -42,7 +42,7 @@ def wrong_in_many_places(text):
 
 
 def reload(scipd, rng):
-    """SIGHUP with configurations that are right and wrong in turns; at the end what it was."""
+    """SIGHUP with right and wrong configurations in turn. At the end it restores the first one."""
     try:
         while True:
             for make in (right, wrong):
@@ -57,7 +57,7 @@ def reload(scipd, rng):
 
 
 def stderr(scipd, rng):
-    """Standard error is not read for some seconds, while there is much to say."""
+    """Nobody reads standard error for some seconds, while scipd has much to write."""
     while True:
         scipd.listens.clear()
         try:

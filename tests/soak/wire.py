@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# What the good clients and the hostile ones say to scipd: SCIP messages and their sums, HTTP requests, WebSocket
-# frames, ttys.
+# What good and hostile clients use to talk to scipd: SCIP messages and their sums, HTTP requests, WebSocket frames,
+# ttys.
 import base64
 import json
 import os
@@ -12,7 +12,7 @@ import tty
 
 UPGRADE = ("Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: " +
            base64.b64encode(bytes(16)).decode() + "\r\n")
-TEXT_FRAME = 0x81  # the last of its message
+TEXT_FRAME = 0x81  # the frame is the last of its message
 
 
 def sum_is_right(line):
@@ -33,7 +33,7 @@ def http_request(method, path, body=None, fields=""):
 
 
 def text_frame(text):
-    """As a client sends one, with a mask that changes nothing."""
+    """A frame as clients send it, with a mask that changes nothing."""
     size = len(text)
     length = (bytes([0x80 | size]) if size < 126 else
               bytes([0xFE]) + struct.pack("!H", size) if size < 65536 else
@@ -42,7 +42,7 @@ def text_frame(text):
 
 
 def open_tty(path):
-    """Not waited for, raw."""
+    """Opens it raw and non-blocking."""
     descriptor = os.open(path, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
     try:
         tty.setraw(descriptor, termios.TCSANOW)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A program under test as a process of its own, with what it writes.
+// A program under test as a process of its own, with its output.
 #pragma once
 
 #include <filesystem>
@@ -22,9 +22,9 @@ struct Outcome {
 
 class Child {
   public:
-    /// `input` is what it reads. Throws std::system_error.
+    /// `input` is the program's standard input. Throws std::system_error.
     explicit Child(const std::vector<std::string>& command, const std::string& input = {});
-    /// Kills it where it still runs.
+    /// Kills the process if it still runs.
     ~Child();
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
@@ -34,7 +34,7 @@ class Child {
 
   private:
     TempDir directory_;
-    pid_t pid_ = -1;  ///< -1: has been waited for
+    pid_t pid_ = -1;  ///< -1: it has ended
 };
 
 [[nodiscard]] Outcome run(const std::vector<std::string>& command, const std::string& input = {});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Questions to a running scipd's control socket, as `curl --unix-socket` asks them, and its
+// Requests to a running scipd's control socket, as `curl --unix-socket` makes them, and its
 // WebSockets. Blocking.
 #pragma once
 
@@ -18,23 +18,23 @@ struct ControlAnswer {
     std::string body;
 };
 
-/// On a connection of its own.
+/// Makes the request on a new connection.
 ControlAnswer control_request(const std::filesystem::path& socket, const std::string& method,
                               const std::string& path, const std::string& body = {});
 
-/// Throws std::runtime_error where the answer is not 200.
+/// Throws std::runtime_error if the answer is not 200.
 nlohmann::json control_get(const std::filesystem::path& socket, const std::string& path);
 
 class WebSocketClient {
   public:
-    /// Throws boost::system::system_error where it is refused, as all below do.
+    /// Throws boost::system::system_error if scipd refuses it. So do all members below.
     WebSocketClient(const std::filesystem::path& socket, const std::string& path);
     ~WebSocketClient();
     WebSocketClient(const WebSocketClient&) = delete;
     WebSocketClient& operator=(const WebSocketClient&) = delete;
 
     void send(const std::string& message);
-    /// The next message, however long it takes.
+    /// Waits for the next message without a time limit.
     [[nodiscard]] std::string receive();
 
   private:

@@ -28,7 +28,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Far more than scipd takes on a machine that is busy with other things.
+// Far longer than scipd takes even on a busy machine.
 constexpr auto patience = 20s;
 
 [[noreturn]] void fail(const std::string& what) {
@@ -51,7 +51,7 @@ Pipe make_pipe() {
     return {ends[0], ends[1]};
 }
 
-// Of several error files in one directory none is overwritten.
+// A directory may hold several error files. None is overwritten.
 std::filesystem::path new_error_file(const std::filesystem::path& directory) {
     std::string pattern = directory / "stderr-XXXXXX";
     ::close(checked(::mkostemp(pattern.data(), O_CLOEXEC), "mkostemp"));
@@ -140,7 +140,7 @@ void DaemonProcess::read_ready_line() {
     ready_line_ = output_.substr(0, output_.find('\n'));
 }
 
-/// False: there will be no more.
+/// Returns false if there will be no more output.
 bool DaemonProcess::read_output(std::chrono::milliseconds timeout) {
     pollfd event{.fd = output_descriptor_, .events = POLLIN};
     if (::poll(&event, 1, static_cast<int>(timeout.count())) <= 0) return true;

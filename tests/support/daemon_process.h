@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// scipd as a user runs it: a process of its own, with a run directory of its own, talked to through
-// what it says and where it listens. Ends with the object, and with the test should that be killed.
-// One thread.
+// scipd as a user runs it: a process of its own with its own run directory. Tests see it only
+// through its output and where it listens. The process ends with this object, and also if the test
+// is killed. One thread.
 #pragma once
 
 #include <chrono>
@@ -22,26 +22,27 @@
 
 namespace scipd::tests {
 
-/// Where the scenes of the sources are.
+/// The path of a file in the project's scenes.
 std::filesystem::path scene(std::string_view file);
 
-/// Whether scipd has a depth backend here: `scipd --probe` says that the self-test has passed.
+/// Whether scipd has a depth backend here, that is, whether the self-test of `scipd --probe`
+/// passes.
 bool can_draw();
 
-/// As `scipd --list-models` names them, with their firmwares.
+/// The names that `scipd --list-models` prints, with firmwares.
 std::vector<std::string> all_models();
 
 class DaemonProcess {
   public:
-    /// What is other than usual about its standard descriptors.
+    /// How its standard descriptors differ from the usual ones.
     struct StandardDescriptors {
-        std::vector<int> closed;   ///< of the three
-        std::optional<int> error;  ///< in the place of a file
+        std::vector<int> closed;   ///< numbers of those to close
+        std::optional<int> error;  ///< takes the place of a file
     };
 
-    /// Starts scipd with these arguments and `directory` as the parent of its run directory; waits
-    /// until it is ready or has ended. Throws std::runtime_error if neither comes about. Who closes
-    /// its output waits for nothing.
+    /// Starts scipd with these arguments and with `directory` as the parent of its run directory.
+    /// Waits until it is ready or has ended, but not if its output is closed. Throws
+    /// std::runtime_error if neither happens.
     DaemonProcess(const TempDir& directory, std::vector<std::string> arguments,
                   const StandardDescriptors& descriptors = {});
     DaemonProcess(const DaemonProcess&) = delete;
@@ -49,28 +50,28 @@ class DaemonProcess {
     /// Kills it if it still runs.
     ~DaemonProcess();
 
-    /// The first line on standard output; empty where it ended without one.
+    /// The first line on standard output; empty if it ended without one.
     [[nodiscard]] const std::string& ready_line() const { return ready_line_; }
     [[nodiscard]] pid_t pid() const { return pid_; }
 
-    // What the ready line says; sensors in the order of the configuration.
+    // From the ready line. Sensors are in the order of the configuration.
     [[nodiscard]] std::uint16_t port(std::size_t sensor = 0) const;
     [[nodiscard]] std::filesystem::path tty(std::size_t sensor = 0) const;
     [[nodiscard]] std::filesystem::path control() const;
 
-    /// GET of the control API. Throws std::runtime_error where the answer is not 200.
+    /// GET from the control API. Throws std::runtime_error if the answer is not 200.
     [[nodiscard]] nlohmann::json get(const std::string& path) const;
     /// That sensor's part of /status.
     [[nodiscard]] nlohmann::json sensor_status(std::size_t sensor = 0) const;
 
-    /// To its standard input.
+    /// Writes to its standard input.
     void say(std::string_view text) const;
     void signal(int number) const;
-    /// Waits for its end: the exit code, or 128 + the signal that killed it. Throws
+    /// Waits until it ends. Returns the exit code, or 128 + the signal that killed it. Throws
     /// std::runtime_error if it does not end.
     int wait();
 
-    /// All that it wrote to standard output, once it has ended.
+    /// All that it wrote to standard output, available once it has ended.
     [[nodiscard]] const std::string& standard_output() const { return output_; }
     /// What it has written to standard error so far.
     [[nodiscard]] std::string standard_error() const;

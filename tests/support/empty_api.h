@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A daemon with nothing in it, for tests that need some of it: they override that.
+// A daemon with nothing in it. Tests override what they need.
 #pragma once
 
 #include <memory>

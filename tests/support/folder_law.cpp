@@ -11,7 +11,7 @@ constexpr std::string_view may_include_words = "May include:";
 constexpr std::string_view never_reaches_words = "Never reaches:";
 constexpr std::string_view alone_words = " alone may also include ";
 
-/// What stands between backticks.
+/// The names between backticks.
 Names quoted(std::string_view text) {
     Names names;
     for (;;) {
@@ -23,7 +23,7 @@ Names quoted(std::string_view text) {
     }
 }
 
-/// The items and paragraphs before the first section, each in one line.
+/// The items and paragraphs before the first section, each joined into one line.
 Names items_in(std::string_view readme) {
     Names items{""};
     while (!readme.empty() && !readme.starts_with("## ")) {
@@ -52,7 +52,7 @@ std::optional<FolderLaw> law_in(std::string_view readme) {
         } else if (item.starts_with(never_reaches_words)) {
             law.never_reaches = quoted(item);
         } else if (const auto at = item.find(alone_words); at != item.npos) {
-            // After the colon stands why.
+            // The reason follows the colon.
             law.exemptions.push_back(
                 {quoted(std::string_view{item}.substr(0, at)),
                  quoted(std::string_view{item}.substr(at).substr(0, item.find(": ", at) - at))});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The sources keep the laws that the READMEs of their folders give them (folder_law.h): arrows go
-// one way, no two files need each other, and no file is too long.
+// Checks that the sources keep the laws in the READMEs of their folders (folder_law.h):
+// dependencies go one way, no two files include each other, and no file is too long.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -19,7 +19,7 @@ using namespace scipd::testing;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// Pairs that are still there. Nothing may be added; what is no pair any more must go.
+/// Pairs that still exist. Do not add any, and remove those that are gone.
 const std::vector<std::string> known_pairs = {
     "daemon/config/claims <-> daemon/config/config",
     "daemon/config/config <-> daemon/config/limits",
@@ -66,9 +66,9 @@ TEST(FolderLaws, KeepFilesShort) {
     EXPECT_THAT(faults_of_length(sources()), IsEmpty());
 }
 
-// That the laws can be broken at all.
+// From here on: tests that these checks find faults at all.
 
-/// Folders that keep their laws.
+/// A tree whose folders keep their laws.
 SourceTree sound() {
     return {{"protocol/README.md",
              "# protocol/\n\n- May include: nothing else.\n"
@@ -89,7 +89,7 @@ SourceTree sound() {
             {"daemon/device/device.h", "#include \"sim/time.h\"\n"}};
 }
 
-/// The sound ones with this file in place of its like.
+/// The same tree with this file added or replaced.
 SourceTree with(const std::string& path, const std::string& text) {
     SourceTree tree = sound();
     tree[path] = text;
@@ -121,7 +121,7 @@ TEST(FolderLawsSelfTest, NameWhatOnlyAnotherFileMay) {
     EXPECT_THAT(faults_of_includes(with("sim/world/pose.h", including("poll.h"))),
                 ElementsAre("sim/world/pose.h:2 includes poll.h, which sim/world/README.md does "
                             "not allow"));
-    // What stands after the colon is the reason.
+    // The text after the colon is only the reason.
     EXPECT_THAT(faults_of_includes(with("sim/world/child.cpp", including("anything/a.h"))),
                 ElementsAre("sim/world/child.cpp:2 includes anything/a.h, which "
                             "sim/world/README.md does not allow"));

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# `lengths_test.py ROOT`: how wide a line of any source, script or page is, and how long a function. Data is left alone:
-# worlds, dialogues, recordings, results. Functions are those that universal-ctags sees; so it needs no build.
+# `lengths_test.py ROOT`: checks the width of the lines of every source, script and page, and the length of functions.
+# It skips data: worlds, dialogues, recordings, results. universal-ctags finds the functions, so this needs no build.
 import json
 import pathlib
 import re
@@ -20,11 +20,11 @@ SHORT_SHARE = 0.9
 FOLDERS = ("cmake", "daemon", "docs", "protocol", "scenes", "sim", "tests", "tools")
 SOURCES = (".h", ".cpp")
 TEXTS = (".md", ".py", ".cmake", ".yaml", ".json", ".txt", "")
-# Data: what was recorded, measured or made.
+# Data, which was recorded, measured or generated.
 DATA = re.compile(r"scenes/.*\.(json|txt)$|tests/(bench/results/.*\.txt|fuzz/corpus/|protocol/dialogues/.*\.txt"
                   r"|sim/loaders/worlds/)")
 
-# Still to be mended; nothing new is added here.
+# Still too long. Do not add anything.
 PENDING = {
     "CHANGELOG.md",
     "daemon/README.md",
@@ -35,7 +35,7 @@ PENDING = {
 
 
 def texts(root):
-    """The project's own files that people read, as paths below the root."""
+    """The project's own files that people read, as paths from the root."""
     found = [path for path in root.iterdir() if path.is_file()]
     for folder in FOLDERS:
         found += [path for path in (root / folder).rglob("*") if path.is_file()]
@@ -46,7 +46,7 @@ def texts(root):
 
 
 def breakable(page):
-    """A page without what cannot be broken: tables, links, and what is quoted from programs and files."""
+    """A page without what cannot be broken: tables, links, and text quoted from programs and files."""
     quoted = False
     for line in page.splitlines():
         fence = line.lstrip().startswith("```")
@@ -71,7 +71,7 @@ def functions(root, names):
 
 
 def check_itself():
-    """That a limit can be broken at all."""
+    """Checks that each limit can fail."""
     assert not wide_lines("sim/a.cpp", "x" * 100 + "\n")
     assert wide_lines("sim/a.cpp", "\n" + "x" * 101) == ["sim/a.cpp:2: 101 columns"]
     assert not wide_lines("a.md", "y" * 120) and wide_lines("a.md", "y" * 121)

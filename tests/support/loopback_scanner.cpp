@@ -24,7 +24,7 @@ namespace {
 
 using protocol::Uptime;
 
-/// One way in: a descriptor and the session behind it.
+/// A descriptor and the session behind it.
 class Door {
   public:
     Door(const protocol::DeviceProfile& profile, protocol::DeviceState& device)

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // A scanner for programs under test: protocol::Session behind a TCP port of 127.0.0.1 and a pty,
-// with distances from a function. Its thread is its only one; no simulation, no daemon.
+// with distances from a function. It has one thread, no simulation and no daemon.
 #pragma once
 
 #include <atomic>
@@ -22,7 +22,7 @@ struct Reading {
 
 class LoopbackScanner {
   public:
-    /// `reading` is called on the scanner's thread, once for each step from 0 to the last.
+    /// Its thread calls `reading` once for each step from 0 to the last.
     LoopbackScanner(protocol::DeviceProfile profile, std::function<Reading(int step)> reading);
     ~LoopbackScanner();
     LoopbackScanner(const LoopbackScanner&) = delete;
@@ -40,7 +40,7 @@ class LoopbackScanner {
     std::function<Reading(int)> reading_;
     int listener_ = -1;
     int pty_ = -1;
-    int pty_kept_open_ = -1;  ///< else the pty reads EIO between two clients
+    int pty_kept_open_ = -1;  ///< without it the pty reads EIO between two clients
     int port_ = 0;
     std::string tty_;
     std::atomic<bool> stop_ = false;

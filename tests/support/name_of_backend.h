@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What a backend is, told by its type: a backend does not know what the registry calls it.
+// The name under which the registry knows a backend, found by its type. A backend does not know it
+// itself.
 #pragma once
 
 #include <memory>
@@ -13,7 +14,7 @@
 
 namespace scipd::sim {
 
-/// Empty where no backend that this machine can make is of its type.
+/// Empty if the registry can make no backend of this type on this machine.
 inline std::string name_of(const RangeBackend& backend) {
     for (const BackendRow& row : backends()) {
         try {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A world's backends where nobody asks which: rays for all.
+// Backends for tests that do not care which: every sensor casts rays.
 #pragma once
 
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The client's end of a conversation with a scanner, with all that can be done to one: closed at
-// any moment, politely or not, half closed, left unread. Blocking. One thread.
+// The client's end of a connection to a scanner. It can do all that clients do: close at any
+// moment, cleanly or with a reset, close half, or not read. Blocking. One thread.
 #pragma once
 
 #include <chrono>
@@ -22,14 +22,14 @@ namespace scipd::tests {
 
 class ScannerWire : public protocol::client::Transport {
   public:
-    /// Far more than any answer takes on a machine that is busy with other things.
+    /// Far longer than any answer takes even on a busy machine.
     static constexpr std::chrono::seconds patience{15};
 
-    /// To a port of this machine or of `host`. A `receive_buffer` of the kernel's that is small
-    /// makes a slow reader felt early. Throws std::system_error.
+    /// Connects to a port of this machine or of `host`. With a small `receive_buffer` of the
+    /// kernel, scipd soon notices that a reader is slow. Throws std::system_error.
     [[nodiscard]] static ScannerWire tcp(std::uint16_t port, int receive_buffer = 0,
                                          const char* host = "127.0.0.1");
-    /// The tty as it is: no setting is changed.
+    /// Opens the tty as it is and changes no setting.
     [[nodiscard]] static ScannerWire tty(const std::filesystem::path& path);
     ScannerWire(ScannerWire&& other) noexcept;
     ScannerWire& operator=(ScannerWire&&) = delete;
@@ -37,23 +37,23 @@ class ScannerWire : public protocol::client::Transport {
 
     [[nodiscard]] int descriptor() const { return descriptor_; }
 
-    /// Both throw std::runtime_error where the other end is gone.
+    /// Both throw std::runtime_error if the other end is gone.
     void write(std::string_view bytes) override;
     std::size_t read(std::span<char> buffer, std::chrono::milliseconds timeout) override;
 
-    /// The next whole message; nothing: none came within `timeout`.
+    /// The next whole message; nothing if none came within `timeout`.
     [[nodiscard]] std::optional<protocol::client::Message> next_message(
         std::chrono::milliseconds timeout = patience);
-    /// The status of the answer to this request, whatever else comes before it.
+    /// The status of the answer to this request. Skips messages that come before it.
     [[nodiscard]] std::string ask(const std::string& request);
-    /// The next message, which must be an undamaged scan: else throws std::runtime_error.
+    /// The next message. Throws std::runtime_error if it is no undamaged scan.
     [[nodiscard]] protocol::client::ScanMessage next_scan();
-    /// Whether the other end closes the connection; what it says until then is thrown away.
+    /// Whether the other end closes the connection. Drops what it sends until then.
     [[nodiscard]] bool ends();
 
     void half_close() const;
     void close();
-    /// Closes with RST: the other end's next read or write fails.
+    /// Closes with RST, so that the other end's next read or write fails.
     void abort();
 
   private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Scenes in a few words, for tests and benchmarks.
+// Builds scenes in a few words, for tests and benchmarks.
 #pragma once
 
 #include <memory>
@@ -16,21 +16,21 @@ namespace scipd::sim {
 class SceneBuilder {
   public:
     SceneBuilder() = default;
-    /// All poses that follow are given in a frame that lies here.
+    /// All poses that follow are relative to this frame.
     explicit SceneBuilder(const Pose& world_from_here) : world_from_here_(world_from_here) {}
 
-    /// A model of its own that never moves.
+    /// Adds a model that never moves, with one object.
     SceneBuilder& add(Shape shape, const Pose& here_from_object, MaterialId material = 0) {
         begin_model(false, here_from_object);
         return with(std::move(shape), Pose{}, material);
     }
 
-    /// A model that can move; objects are added to it by with().
+    /// Adds a model that can move. with() adds its objects.
     SceneBuilder& movable(const Pose& here_from_model) {
         return begin_model(true, here_from_model);
     }
 
-    /// One more object of the latest model.
+    /// Adds an object to the latest model.
     SceneBuilder& with(Shape shape, const Pose& model_from_object, MaterialId material = 0) {
         const auto model = static_cast<ModelId>(scene_.models.size() - 1);
         const std::string name = "object " + std::to_string(scene_.objects.size());

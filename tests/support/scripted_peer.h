@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Something on a TCP port of 127.0.0.1 that is no scanner: greets whoever comes with fixed bytes
-// and then holds its tongue, or hangs up.
+// A peer on a TCP port of 127.0.0.1 that is no scanner. It sends fixed bytes to everybody who
+// connects, and then stays silent or hangs up.
 #pragma once
 
 #include <string>

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> roots{"protocol/", "sim/", "daemon/", "tools/"};
 
-/// What no law may allow, since nobody at all may include it from there.
+/// An include that no folder's law may allow.
 struct Ban {
     std::string_view folder;
     std::string_view included;
@@ -79,7 +79,7 @@ std::optional<FolderLaw> law_of(const SourceTree& tree, std::string_view folder)
     return readme == tree.end() ? std::nullopt : law_in(readme->second);
 }
 
-/// Of a folder that has none: that is told by faults_of_laws().
+/// The law of a folder without one. faults_of_laws() reports that.
 const FolderLaw no_law;
 
 std::set<std::string, std::less<>> folders_in(const SourceTree& tree) {
@@ -99,7 +99,7 @@ std::string_view why_banned(std::string_view file, std::string_view included) {
     return {};
 }
 
-/// Names of the project that stand for nothing, and files that are exempt but not there.
+/// Names in a law that match no file of the project, and exempt files that do not exist.
 Names stale_names(const SourceTree& tree, const std::string& folder, const FolderLaw& law) {
     Names stale;
     const auto check = [&](const Names& names) {
@@ -122,7 +122,8 @@ Names stale_names(const SourceTree& tree, const std::string& folder, const Folde
     return stale;
 }
 
-/// The way from a file to the first header that is ruled out, without the file; empty: none.
+/// The headers on the way from a file to the first header that is ruled out, without the file
+/// itself; empty if there is none.
 Names way_from(const SourceTree& tree, const std::string& file, const Names& ruled_out) {
     std::map<std::string, std::string, std::less<>> reached_from{{file, ""}};
     std::deque<std::string> open{file};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The sources as text, and what is wrong with how they lean on each other. Knows the laws from the
-// READMEs of their folders (folder_law.h). One thread.
+// The sources as text, and what is wrong with their dependencies. The laws come from the READMEs of
+// the folders (folder_law.h). One thread.
 #pragma once
 
 #include <filesystem>
@@ -12,27 +12,27 @@
 
 namespace scipd::testing {
 
-/// By path from the root: sources and READMEs.
+/// Sources and READMEs, by their path from the root.
 using SourceTree = std::map<std::string, std::string, std::less<>>;
 
 /// The sources of all four folders.
 SourceTree tree_at(const std::filesystem::path& root);
 
-// Each answers with one sentence for every fault, which begins with the file or folder at fault.
+// Each returns one sentence for every fault. The sentence begins with the file or folder at fault.
 
-/// Folders without a law, and laws that speak of what is not there.
+/// Folders without a law, and laws that name what does not exist.
 std::vector<std::string> faults_of_laws(const SourceTree& tree);
 
 /// Includes that a law does not allow, or that no law may allow.
 std::vector<std::string> faults_of_includes(const SourceTree& tree);
 
-/// What a file reaches by way of other headers although the law of its folder rules it out.
+/// Files that reach, through other headers, what the law of their folder rules out.
 std::vector<std::string> faults_of_reach(const SourceTree& tree);
 
-/// Files past their budget of lines.
+/// Files with too many lines.
 std::vector<std::string> faults_of_length(const SourceTree& tree);
 
-/// "A <-> B" of two units (a header with its source), or two folders, that include each other.
+/// "A <-> B" for two units (a header with its source), or two folders, that include each other.
 std::vector<std::string> pairs_in(const SourceTree& tree);
 
 }  // namespace scipd::testing

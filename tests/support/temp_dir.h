@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A directory of its own for a test, removed with everything in it.
+// A directory for one test. It is removed with everything in it.
 #pragma once
 
 #include <cstdlib>
@@ -29,7 +29,7 @@ class TempDir {
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-    /// Writes a file, and the folders above it.
+    /// Writes a file, and creates the folders above it.
     std::filesystem::path write(std::string_view name, std::string_view text) const {
         const auto file = path_ / name;
         std::filesystem::create_directories(file.parent_path());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// In a file of its own since <asm/termbits.h> cannot be included beside <termios.h>.
+// A file of its own, because <asm/termbits.h> cannot be included beside <termios.h>.
 #include "tests/support/tty_rate.h"
 
 #include <cerrno>

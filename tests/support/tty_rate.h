@@ -4,11 +4,11 @@
 
 namespace scipd::tests {
 
-/// Sets a tty to any rate, also to those without a name, as a driver does that knows what it wants.
-/// Throws std::system_error.
+/// Sets a tty to any rate, also to those without a name, as some drivers do. Throws
+/// std::system_error.
 void set_tty_rate(int tty, int bits_per_second);
 
-/// The rate that a tty is set to. Throws std::system_error.
+/// The rate of a tty. Throws std::system_error.
 [[nodiscard]] int tty_rate(int tty);
 
 }  // namespace scipd::tests

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Datagrams to one port of 127.0.0.1, as a simulator sends its poses.
+// Sends datagrams to one port of 127.0.0.1, as a simulator sends its poses.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ class UdpSender {
     explicit UdpSender(std::uint16_t port = free_port())
         : port_(port), socket_(io_, boost::asio::ip::udp::v4()) {}
 
-    /// Unless it was given, free when this was made.
+    /// The port that was given, or one that was free when this object was made.
     [[nodiscard]] std::uint16_t port() const { return port_; }
 
     void send(std::string_view datagram) const {

@@ -53,7 +53,7 @@ void widen(AxisRange& range, double length) {
     range.high = middle + 0.5 * length;
 }
 
-/// A metre is as long on both axes, with a little room around.
+/// Gives both axes the same scale, with a little room around the data.
 void equalise(AxisRange& x, AxisRange& y) {
     const double width = 1.05 * std::max(x.high - x.low, (y.high - y.low) * PlotArea::aspect());
     widen(x, width);

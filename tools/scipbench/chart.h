@@ -11,13 +11,14 @@
 
 namespace scipd::tools {
 
-/// Time over rays, both in powers of ten, beside the paper's three computers. PNG or SVG, by the
-/// file's ending. Throws std::runtime_error where the file cannot be written.
+/// Draws time over the number of rays, both in powers of ten, beside the paper's three computers.
+/// Writes a PNG or an SVG, by the file's ending. Throws std::runtime_error if it cannot write the
+/// file.
 void draw_table3(const std::vector<Table3Row>& rows, const std::string& machine,
                  const std::filesystem::path& file);
 
-/// The scene as it was hit, seen from above, and where the depth backend differs by more than a
-/// millimetre.
+/// Draws what the rays hit in the scene, from above, and marks where the depth backend differs by
+/// more than a millimetre.
 void draw_differences(const ComparedScans& scans, const std::string& title,
                       const std::filesystem::path& file);
 

@@ -33,7 +33,7 @@ Scans cast_all(sim::RangeBackend& backend, const std::vector<glm::vec3>& directi
             backend.cast({directions, {&pose, 1}, max_range_m}, hits);
         }));
     }
-    ms.erase(ms.begin());  // warms up
+    ms.erase(ms.begin());  // the first scan only warms up
     return scans;
 }
 
@@ -43,9 +43,9 @@ std::vector<sim::Pose> turned(std::vector<sim::Pose> poses, double yaw_rad) {
     return poses;
 }
 
-/// Whether a ray that passes beside another one meets something else: another object, or one
-/// surface of it in front of another. How far the surface goes away between them follows from how
-/// it lies.
+/// Whether a ray beside another one hits something else: another object, or a surface in front of
+/// or behind the first. It allows for how much the range changes along a slanted surface between
+/// the two rays.
 bool is_edge(const sim::Hit& hit, const sim::Hit& beside) {
     if (hit.object != beside.object) return true;
     if (!hit.met()) return false;
@@ -56,7 +56,7 @@ bool is_edge(const sim::Hit& hit, const sim::Hit& beside) {
     return std::abs(double{hit.range_m} - double{beside.range_m}) > other_surface_m + along_m;
 }
 
-/// For each beam of each scan, whether something else is within half a pixel of it.
+/// For each beam of each scan, whether it has an edge within half a pixel.
 std::vector<std::vector<bool>> find_edges(sim::RangeBackend& rays, const Scans& truth,
                                           const std::vector<glm::vec3>& directions,
                                           const std::vector<sim::Pose>& poses, float max_range_m) {
@@ -104,7 +104,7 @@ Comparison compare(std::string backend, const Scans& scans, const Scans& truth,
     return it;
 }
 
-/// For the picture: what was hit, and where it is something else by these scans, which may be none.
+/// For the picture: notes what was hit, and where `scans` differ from it. `scans` may be empty.
 void note_places(ComparedScans& compared, const Scans& scans, const Scans& truth,
                  const std::vector<glm::vec3>& directions, const std::vector<sim::Pose>& poses) {
     constexpr double worth_showing_m = 1e-3;

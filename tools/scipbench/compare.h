@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The same scans by every backend: how far they differ, where, and what they cost.
-#pragma once
+// Makes the same scans with every backend: how far they differ, where, and what they cost.
 
 #include <array>
 #include <iosfwd>
@@ -15,20 +14,21 @@
 
 namespace scipd::tools {
 
-/// One backend beside the yardstick, which is rays.
+/// One backend, compared with rays.
 struct Comparison {
     std::string backend;
-    std::string missing;  ///< why it could not be had; the rest is empty then
+    std::string missing;  ///< why the backend is not available; the rest is empty then
     Spread cost_ms;       ///< of a scan
     std::size_t beams = 0;
     std::size_t edges = 0;          ///< beams with another surface within half a pixel
     std::size_t other_surface = 0;  ///< beams that are off by more than a centimetre
-    std::size_t other_object = 0;   ///< of those that agree, away from edges, where objects touch
-    /// Of the difference away from edges: half, 99 and 99.9 of 100, and all.
+    std::size_t other_object = 0;   ///< of those away from edges: right range, but another object
+    /// How far the beams away from edges are off: the median, the percentiles 99 and 99.9, and the
+    /// maximum.
     std::array<double, 4> off_m{};
 };
 
-/// Where a backend and the yardstick differ, in W.
+/// A place in W where a backend and the rays differ.
 struct Difference {
     glm::dvec3 place_m;
     double off_m;
@@ -37,10 +37,10 @@ struct Difference {
 struct ComparedScans {
     std::vector<Comparison> backends;
     std::vector<Difference> differences;  ///< of the depth backend
-    std::vector<glm::dvec3> hits_m;       ///< of the yardstick
+    std::vector<glm::dvec3> hits_m;       ///< by rays
 };
 
-/// A sensor's directions from so many free poses of the scene, this high.
+/// Casts these directions from `poses` free poses of the scene, at this height.
 ComparedScans compare_backends(const sim::SharedScene& scene,
                                const std::vector<glm::vec3>& directions, double max_range_m,
                                std::size_t poses, double height_m);

@@ -9,9 +9,9 @@
 
 namespace scipd::tools {
 
-/// Where a robot could stand in a scene: anywhere between its bounds where nothing is nearer than
-/// 0.2 m and most beams meet something, at this height, tilted by half a degree or so. The same
-/// ones in every run. Throws std::runtime_error where no such place is found.
+/// Poses where a robot could stand in a scene: between its bounds, at this height, with nothing
+/// nearer than 0.2 m, where most beams hit something. They are tilted by about half a degree. Every
+/// run gets the same ones. Throws std::runtime_error if it finds none.
 std::vector<sim::Pose> free_poses(sim::RangeBackend& rays, std::size_t count, double height_m);
 
 }  // namespace scipd::tools

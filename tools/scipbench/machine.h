@@ -6,10 +6,10 @@
 
 namespace scipd::tools {
 
-/// The processor, the libraries and what draws, in one line.
+/// The processor, the libraries and the renderer, in one line.
 std::string describe_machine();
 
-/// Why no depth buffer can be drawn on this machine; empty where one can.
+/// Why this machine cannot draw depth buffers; empty if it can.
 std::string why_nothing_is_drawn();
 
 }  // namespace scipd::tools

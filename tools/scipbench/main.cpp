@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// scipbench: which way to compute ranges is faster on this machine, and how far they differ.
+// scipbench: compares how fast the ways to compute ranges are on this machine, and how far they
+// differ.
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -46,7 +47,7 @@ void write_to(const std::string& file, const auto& write) {
     if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
 }
 
-/// Warnings of the world go beside the table.
+/// Prints the warnings of the world on standard error, so that the table stays clean.
 sim::SharedScene load(const Said& said) {
     try {
         auto loaded =
@@ -59,13 +60,13 @@ sim::SharedScene load(const Said& said) {
     }
 }
 
-/// What that means for a table, and why it is so; empty where this machine draws.
+/// The consequence for a table, and the reason; empty if this machine can draw.
 std::string what_is_missing(const std::string& consequence) {
     const std::string why = why_nothing_is_drawn();
     return why.empty() ? why : consequence + ": " + why + "; `scipd --probe` tells more";
 }
 
-/// Before minutes of measuring what is left. Answers whether anything is missing.
+/// Prints it before the measuring begins, which takes minutes. Returns whether anything is missing.
 bool tell_what_is_missing(const std::string& consequence) {
     const std::string missing = what_is_missing(consequence);
     if (!missing.empty()) std::cerr << "scipbench: " << missing << "\n";
@@ -112,7 +113,7 @@ void run_compare(const Said& said) {
     if (!said.plot.empty()) draw_differences(scans, said.model + " in " + said.scene, said.plot);
 }
 
-/// Told before minutes of measuring.
+/// Checked before the measuring begins, which takes minutes.
 std::string can_be_written(const std::string& file) {
     const std::filesystem::path path(file);
     const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");

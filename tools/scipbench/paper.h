@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What Friedmann, Petersen and von Stryk measured on three laptops of their time, in milliseconds;
+// What Friedmann, Petersen and von Stryk measured on three laptops of their time, in milliseconds,
 // in the order of paper_resolutions(). Data.
 #pragma once
 

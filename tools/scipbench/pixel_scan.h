@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The depth-buffer method as the paper has it: one pass, a pixel for a ray, and each step by
-// itself, so that it can be timed. The depth backend is made from the same parts. One thread.
+// The depth-buffer method of the paper: one picture, a pixel for each ray. Each step is a function
+// of its own, so that it can be timed. The depth backend consists of the same parts. One thread.
 #pragma once
 
 #include <span>
@@ -15,17 +15,17 @@ namespace scipd::tools {
 
 class PixelScan {
   public:
-    /// Throws std::runtime_error where this machine cannot draw.
+    /// Throws std::runtime_error if this machine cannot draw.
     PixelScan(sim::SharedScene scene, const sim::Strip& strip);
 
-    /// Returns when it is drawn.
+    /// Returns when the picture is complete.
     void draw(const sim::Pose& world_from_sensor);
     void read_depth() { raster_.read_depth(picture_); }
     void read_triangles() { raster_.read_triangles(picture_); }
 
-    /// Infinity where nothing is; from the depth that was read last.
+    /// Computes the ranges from the depth that was read last; infinity if a pixel shows nothing.
     void find_ranges(std::span<float> range_m) const;
-    /// From the triangles that were read last.
+    /// Looks up the materials of the triangles that were read last.
     void find_materials(std::span<sim::MaterialId> materials) const;
 
   private:

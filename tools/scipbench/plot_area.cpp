@@ -38,7 +38,7 @@ std::string number(double value) {
     return text.data();
 }
 
-/// Where an axis has numbers: at powers of ten, or at about eight round steps.
+/// The numbers of an axis: powers of ten, or about eight round steps.
 std::vector<double> ticks(const AxisRange& axis) {
     std::vector<double> values;
     if (axis.powers_of_ten) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A frame on a page with numbers along two axes, and strokes in it. One thread.
+// A frame on a page, with numbers along two axes and lines in it. One thread.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace scipd::tools {
 
-/// What an axis shows, from left or below.
+/// The range of an axis, from left to right or from bottom to top.
 struct AxisRange {
     double low;
     double high;
@@ -31,17 +31,17 @@ class PlotArea {
   public:
     PlotArea(Page& page, const AxisRange& x, const AxisRange& y);
 
-    /// How much wider it is than high.
+    /// The frame's width divided by its height.
     static double aspect();
-    /// Of a page that has so many lines of legend.
+    /// The height of a page with this many lines of legend.
     static double page_height(std::size_t legend_lines);
 
     void grid(const std::string& x_title, const std::string& y_title);
     void line(const std::vector<Place>& values, const Colour& colour, double width, bool dashed);
     void dot(const Place& value, const Colour& colour, double radius);
-    /// As small as they must be to fit, `below` on two lines if need be.
+    /// Writes the title in a size that fits, and `below` on two lines if it must.
     void title(const std::string& text, const std::string& below);
-    /// The next line of the legend, under the frame.
+    /// Adds a line to the legend under the frame.
     void legend(const std::string& text, const Colour& colour, double width, bool dashed);
 
   private:
@@ -49,7 +49,7 @@ class PlotArea {
     void write(const std::string& text, const Place& at, double size, double anchor,
                const Colour& colour);
     [[nodiscard]] double length_of(const std::string& text, double size);
-    /// Where the text is to be broken, at a blank, so that what is before fits into one line.
+    /// The blank at which to break the text so that the first part fits into one line.
     [[nodiscard]] std::size_t line_end(const std::string& text, double size);
     void numbers(const AxisRange& axis, bool along_x);
 

@@ -21,9 +21,9 @@ struct Resolution {
 
     [[nodiscard]] int rays() const { return rows * columns; }
     [[nodiscard]] std::string name() const;
-    /// Columns are 90 degrees wide; rows have the same distance. A single pixel is a narrow one.
+    /// Columns are 90 degrees wide, and rows have the same spacing. A single pixel is a narrow one.
     [[nodiscard]] sim::Strip strip() const;
-    /// Of the pixels' centres, row by row.
+    /// The directions of the pixels' centres, row by row.
     [[nodiscard]] std::vector<glm::vec3> directions() const;
 };
 

@@ -12,7 +12,7 @@
 
 namespace scipd::tools {
 
-/// Of many measurements: the middle one, and what eight of ten lie between.
+/// The median of many measurements, and the range that holds eight of ten.
 struct Spread {
     double median = 0.0;
     double low = 0.0;
@@ -28,7 +28,7 @@ inline Spread spread_of(std::vector<double> values) {
     return {at(0.5), at(0.1), at(0.9)};
 }
 
-/// With so many digits that count, and no exponent.
+/// The value with this many significant digits, without an exponent.
 inline std::string significant(double value, int digits) {
     const int before = value > 0.0 ? static_cast<int>(std::floor(std::log10(value))) + 1 : digits;
     std::ostringstream text;

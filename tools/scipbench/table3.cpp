@@ -23,7 +23,8 @@ Table3Row measure_row(Contest& contest, const Resolution& resolution,
         for (std::size_t k = 0; k < method_count; ++k) {
             const auto method = static_cast<Method>(k);
             if (!contest.takes_part(method)) continue;
-            // Not all at the same place: who comes second to it finds the processor prepared.
+            // Each method scans at another pose, since the second one at the same pose would find
+            // warm caches.
             const sim::Pose& pose = poses[(i + 17 * k) % poses.size()];
             ms[k].push_back(milliseconds_for([&] { contest.scan(method, pose); }));
         }
@@ -35,7 +36,7 @@ Table3Row measure_row(Contest& contest, const Resolution& resolution,
     return row;
 }
 
-/// From where on the depth buffer is the faster at all resolutions.
+/// The resolution from which on the depth buffer is always the faster.
 std::string break_even(const Costs& rays_ms, const Costs& depth_ms) {
     std::size_t first = resolutions;
     while (first > 0 && depth_ms[first - 1] < rays_ms[first - 1])
@@ -77,7 +78,7 @@ std::vector<Table3Row> measure_table3(const sim::SharedScene& scene, int repetit
     std::vector<Table3Row> rows;
     for (const Resolution& resolution : paper_resolutions()) {
         Contest contest(scene, *rays, depth.get(), resolution);
-        measure_row(contest, resolution, {poses.front(), poses.back()});  // warms up
+        measure_row(contest, resolution, {poses.front(), poses.back()});  // only warms up
         rows.push_back(measure_row(contest, resolution, poses));
     }
     return rows;

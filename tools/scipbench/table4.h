@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The paper's Table 4 on this machine: what it takes to read back what was drawn.
+// The paper's Table 4 on this machine: what it costs to read a picture back.
 #pragma once
 
 #include <iosfwd>

@@ -11,11 +11,11 @@
 namespace scipd::tools {
 namespace {
 
-/// The bit of each dot, as Unicode numbers them: rows of two.
+/// The bit of each dot in Unicode's order, in rows of two.
 constexpr std::array<std::array<unsigned, 2>, 4> bits{
     {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}}};
 
-/// U+2800 plus the bits, in UTF-8.
+/// The character U+2800 plus the bits, in UTF-8.
 std::string braille(unsigned dots) {
     return {'\xE2', static_cast<char>(0xA0U | dots >> 6U),
             static_cast<char>(0x80U | (dots & 0x3FU))};

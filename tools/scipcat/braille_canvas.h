@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A picture of dots in a terminal: a character of Unicode's Braille block holds two by four of
-// them, about as far apart across as down.
+// A picture of dots for a terminal. A character of Unicode's Braille block holds two by four dots,
+// which are about as far apart across as down.
 #pragma once
 
 #include <string>
@@ -21,13 +21,13 @@ class BrailleCanvas {
     [[nodiscard]] int width() const { return columns_ * dots_across; }
     [[nodiscard]] int height() const { return rows_ * dots_down; }
 
-    /// Dots outside are left out.
+    /// Ignores dots outside the canvas.
     void dot(int x, int y);
     void line(int x0, int y0, int x1, int y1);
-    /// A character of its own in place of the cell that holds this dot.
+    /// Puts this character in the cell that holds the dot.
     void mark(int x, int y, std::string_view character);
 
-    /// Without what is blank at the ends of lines.
+    /// The lines, without trailing blanks.
     [[nodiscard]] std::vector<std::string> lines() const;
 
   private:

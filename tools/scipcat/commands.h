@@ -6,13 +6,13 @@
 
 namespace scipd::tools {
 
-/// `scipcat info TARGET`: what a scanner says of itself.
+/// `scipcat info TARGET`: shows what a scanner reports about itself.
 void add_info_command(CLI::App& program);
 
-/// `scipcat record TARGET -o FILE.csv|FILE.jsonl`: scans into a file.
+/// `scipcat record TARGET -o FILE.csv|FILE.jsonl`: writes scans to a file.
 void add_record_command(CLI::App& program);
 
-/// `scipcat plot TARGET [-o FILE.png|FILE.svg]`: one scan from above.
+/// `scipcat plot TARGET [-o FILE.png|FILE.svg]`: draws one scan from above.
 void add_plot_command(CLI::App& program);
 
 }  // namespace scipd::tools

@@ -17,7 +17,7 @@ using protocol::client::ScanRequest;
 /// No scanner sends more.
 constexpr std::size_t max_echoes = 3;
 
-/// A block of columns, one for each group of steps: the distances or the intensities of one echo.
+/// A group of columns, one for each group of steps: the distances or the intensities of one echo.
 struct Block {
     std::string name;
     std::size_t echo;

@@ -11,7 +11,8 @@ using Json = nlohmann::ordered_json;
 using protocol::client::Echo;
 using protocol::client::ScanMessage;
 
-/// [[mm, mm, ...], ...], or pairs of mm and intensity instead of mm; a step's first echo included.
+/// [[mm, mm, ...], ...], or [mm, intensity] in the place of each mm. The list of a step begins with
+/// its first echo.
 Json echoes_of(const ScanMessage& scan) {
     const auto as_json = [&](const Echo& echo) {
         return scan.request.intensity ? Json{echo.distance_mm, echo.intensity}

@@ -31,7 +31,7 @@ struct PlotOptions {
     std::string title;
 };
 
-/// A stream of one: its laser goes on and off by itself.
+/// Uses a stream of one scan, which switches the laser on and off by itself.
 ScanMessage one_scan(Scanner& scanner, const ScanOptions& options) {
     auto request = options.request(scanner.parameters());
     request.scans = 1;

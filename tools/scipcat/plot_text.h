@@ -9,8 +9,8 @@ namespace scipd::tools {
 /// The words around a plot.
 struct PlotText {
     std::string title;
-    std::string scanner;  ///< which one
-    std::string scan;     ///< when, and how much of it
+    std::string scanner;  ///< which scanner
+    std::string scan;     ///< when it was taken, and which part of it
 };
 
 }  // namespace scipd::tools

@@ -20,8 +20,9 @@ namespace {
 
 constexpr double turn_rad = 2.0 * std::numbers::pi;
 
-/// Logarithmic, since returns fade with the square of their distance; without the few strongest and
-/// weakest, since a reflector would leave one colour to everything else.
+/// The scale is logarithmic, because returns fade with the square of their distance. It leaves out
+/// the few strongest and weakest ones: otherwise one reflector would leave a single colour for
+/// everything else.
 struct IntensityScale {
     std::uint32_t least = 1;
     std::uint32_t most = 1;
@@ -49,7 +50,7 @@ void square(const Sheet& sheet) {
     cairo_rectangle(sheet.context(), Sheet::margin, Sheet::top, Sheet::side, Sheet::side);
 }
 
-/// From the scanner to each run of neighbouring points.
+/// Fills the area between the scanner and each run of neighbouring points.
 void draw_free_space(const Sheet& sheet, const TopView& view) {
     for (const ViewPoint& point : view.points) {
         if (!point.adjacent) {
@@ -100,7 +101,7 @@ void draw_points(const Sheet& sheet, const TopView& view) {
     }
 }
 
-/// An arrow head that points forward.
+/// Draws the scanner as an arrow head that points forward.
 void draw_scanner(const Sheet& sheet) {
     constexpr double size = 11.0;
     const Spot centre = sheet.at(0.0, 0.0);
@@ -128,7 +129,7 @@ void draw_arrow(const Sheet& sheet, Spot from, double across, double down) {
     sheet.stroke(colours::faint_ink, 1.6);
 }
 
-/// Which way is x, which way is y.
+/// Draws arrows for x and y.
 void draw_axes(const Sheet& sheet) {
     constexpr double text_size = 15.0;
     const Spot origin{Sheet::margin + Sheet::side - 16.0, Sheet::top - 16.0};

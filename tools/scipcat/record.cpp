@@ -20,7 +20,7 @@ struct RecordOptions {
     std::uint64_t scans = 0;  ///< 0: until interrupted
 };
 
-/// Switches the scanner off also where something goes wrong: a tty would go on and on.
+/// Switches the scanner off even after an error: over a tty it would otherwise go on streaming.
 class RunningStream {
   public:
     RunningStream(protocol::client::Driver& driver, const protocol::client::ScanRequest& request)
@@ -30,7 +30,7 @@ class RunningStream {
     ~RunningStream() {
         try {
             driver_.stop();
-        } catch (const std::exception&) {  // it is gone; the reason is being told already
+        } catch (const std::exception&) {  // it is gone; another exception tells why
         }
     }
     RunningStream(const RunningStream&) = delete;
@@ -40,7 +40,7 @@ class RunningStream {
     protocol::client::Driver& driver_;
 };
 
-/// Returns the number of scans.
+/// Returns how many scans it has copied.
 std::uint64_t copy_scans(Scanner& scanner, ScanWriter& writer, std::uint64_t wanted) {
     std::uint64_t count = 0;
     try {
@@ -49,7 +49,7 @@ std::uint64_t copy_scans(Scanner& scanner, ScanWriter& writer, std::uint64_t wan
             writer.write(scan, std::chrono::system_clock::now());
             ++count;
         }
-    } catch (const Interrupted&) {  // as asked: what has been written is whole
+    } catch (const Interrupted&) {  // the user ends the recording; the file is whole
     }
     return count;
 }

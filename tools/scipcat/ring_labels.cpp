@@ -13,7 +13,7 @@ namespace scipd::tools {
 namespace {
 
 constexpr double border = 26.0;
-constexpr double room = 30.0;  ///< as far from any point a label is as good as alone
+constexpr double room = 30.0;  ///< a label that is this far from all points has room enough
 
 /// What labels keep away from: the points and the edges of the field of view.
 std::vector<Spot> spots_of(const TopView& view, const Sheet& sheet) {
@@ -28,7 +28,7 @@ std::vector<Spot> spots_of(const TopView& view, const Sheet& sheet) {
     return spots;
 }
 
-/// How far it is to the nearest, up to `room`.
+/// The distance to the nearest spot, at most `room`.
 double clearance(Spot label, const std::vector<Spot>& spots) {
     double nearest = room;
     for (const Spot& spot : spots)
@@ -36,7 +36,7 @@ double clearance(Spot label, const std::vector<Spot>& spots) {
     return nearest;
 }
 
-/// What labels along this direction are worth.
+/// How good this direction is for the labels: the sum of their clearances.
 double score(const Sheet& sheet, const std::vector<Spot>& spots, double angle_rad) {
     double sum = 0.0;
     for (double range_m = sheet.ring_m(); range_m < sheet.reach_m(); range_m += sheet.ring_m()) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// How a recording is written: CSV or JSON lines, which have a source each. Not the file that it is
-// written to: that is in scan_writer.h. One thread.
+// The format of a recording: CSV or JSON lines, each in a source of its own. scan_writer.h writes
+// the file. One thread.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@
 
 namespace scipd::tools {
 
-/// What a recording must say so that its numbers can be read without the scanner.
+/// What a recording must hold so that its numbers can be read without the scanner.
 struct RecordedScanner {
     std::string model;
     std::string serial;
@@ -25,26 +25,26 @@ struct RecordedScanner {
 
 using HostTime = std::chrono::system_clock::time_point;
 
-/// Seconds since 1970 to the microsecond.
+/// Seconds since 1970, with microseconds.
 [[nodiscard]] std::string unix_seconds(HostTime time);
 
 class ScanFormat {
   public:
     virtual ~ScanFormat() = default;
 
-    /// Whole lines before the first scan; may be empty.
+    /// The whole lines before the first scan; may be empty.
     [[nodiscard]] virtual std::string head(const RecordedScanner& scanner) const = 0;
-    /// One whole line.
+    /// The scan as one whole line.
     [[nodiscard]] virtual std::string line(const RecordedScanner& scanner,
                                            const protocol::client::ScanMessage& scan,
                                            HostTime received) const = 0;
 };
 
-/// Comments that explain the columns, then numbers only: numpy.loadtxt and gnuplot read it as it is
-/// (with echoes, a cell is empty where there is no echo).
+/// Comments that explain the columns, then numbers only, which numpy.loadtxt and gnuplot read
+/// without options. With echoes, a cell is empty if the step has no such echo.
 [[nodiscard]] std::unique_ptr<ScanFormat> csv_format();
 
-/// One object a scan, each complete in itself.
+/// One object for each scan, complete in itself.
 [[nodiscard]] std::unique_ptr<ScanFormat> json_lines_format();
 
 }  // namespace scipd::tools

@@ -39,7 +39,7 @@ void ConnectionOptions::add_to(CLI::App& command) {
         ->capture_default_str();
 }
 
-// A scan takes up to a tenth of a second longer than an answer.
+// A scan may take a tenth of a second longer than an answer.
 Scanner ConnectionOptions::open() const {
     using std::chrono::duration;
     using std::chrono::milliseconds;

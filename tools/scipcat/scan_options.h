@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What all commands of scipcat take: where the scanner is, and for most which part of a scan is
-// wanted.
+// The options that scipcat's commands share: where the scanner is, and for most commands which part
+// of a scan to ask for.
 #pragma once
 
 #include <optional>
@@ -33,12 +33,12 @@ struct ScanOptions {
     bool echoes = false;
 
     void add_to(CLI::App& command);
-    /// Steps that were not given are the first and the last that the scanner measures.
+    /// If a first or last step was not given, it is the first or last that the scanner measures.
     [[nodiscard]] protocol::client::ScanRequest request(
         const protocol::client::Parameters& parameters) const;
 };
 
-/// Refuses file names with none of the endings.
+/// Refuses file names with neither of these endings.
 [[nodiscard]] CLI::Validator ends_in(const std::string& first, const std::string& second);
 
 }  // namespace scipd::tools

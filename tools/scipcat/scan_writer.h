@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A recording that grows by one line a scan. Each line leaves in one piece as soon as it is known,
-// so that a file that ends early ends after a whole scan. One thread.
+// A recording that grows by one line for each scan. It writes each line at once and in one piece,
+// so that a file always ends after a whole scan. One thread.
 #pragma once
 
 #include <filesystem>
@@ -17,10 +17,10 @@ namespace scipd::tools {
 
 class ScanWriter {
   public:
-    /// .csv or .jsonl; a file that is there is replaced. Throws std::runtime_error.
+    /// The file is a .csv or a .jsonl; an old file is replaced. Throws std::runtime_error.
     ScanWriter(const std::filesystem::path& file, RecordedScanner scanner);
 
-    /// Throws std::runtime_error where the disk is full.
+    /// Throws std::runtime_error if the disk is full.
     void write(const protocol::client::ScanMessage& scan, HostTime received);
 
   private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A scanner that answers, and what it has said of itself. One thread.
+// A connected scanner, and what it reports about itself. One thread.
 #pragma once
 
 #include <memory>
@@ -23,7 +23,8 @@ class Scanner {
     [[nodiscard]] ScipTransport& transport() { return *transport_; }
     [[nodiscard]] const protocol::client::Version& version() const { return version_; }
     [[nodiscard]] const protocol::client::Parameters& parameters() const { return parameters_; }
-    /// MODL without what some models append: "URG-04LX(Hokuyo Automatic Co.,Ltd.)".
+    /// MODL without the maker's name that some models append: "URG-04LX(Hokuyo Automatic
+    /// Co.,Ltd.)".
     [[nodiscard]] std::string model() const;
 
   private:

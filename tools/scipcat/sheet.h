@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Where on the page what of the view comes, and the few strokes that everything is drawn with. One
-// thread.
+// Maps the view onto the page, and draws the few strokes that all parts use. One thread.
 //
 //   header    title, scanner, scan      legend
 //   ┌──────────────────────────────────────┐
@@ -20,7 +19,7 @@
 
 namespace scipd::tools {
 
-/// On the page: x to the right, y down, in the page's units.
+/// A point on the page: x to the right, y down, in the page's units.
 struct Spot {
     double x;
     double y;
@@ -30,19 +29,19 @@ class Sheet {
   public:
     static constexpr double margin = 32.0;
     static constexpr double top = 106.0;
-    static constexpr double side = 936.0;  ///< of the square that the view is fitted into
+    static constexpr double side = 936.0;  ///< side of the square that holds the view
 
     Sheet(cairo_t* context, const TopView& view);
 
     [[nodiscard]] cairo_t* context() const { return context_; }
     [[nodiscard]] double ring_m() const { return ring_m_; }
-    /// Rings up to this one may be visible.
+    /// The largest radius at which a ring may be visible.
     [[nodiscard]] double reach_m() const;
 
     [[nodiscard]] Spot at(double x_m, double y_m) const;
     [[nodiscard]] Spot at_polar(double range_m, double angle_rad) const;
     [[nodiscard]] double units(double length_m) const { return length_m * units_per_m_; }
-    /// In the square, and no nearer to its edge than `border`.
+    /// Whether the spot is in the square, at least `border` from its edge.
     [[nodiscard]] bool holds(Spot spot, double border) const;
 
     void move_to(Spot spot) const { cairo_move_to(context_, spot.x, spot.y); }
@@ -50,10 +49,10 @@ class Sheet {
     void stroke(const Colour& colour, double width) const;
     void fill(const Colour& colour) const;
 
-    /// `anchor` is the part of the text that lies left of the spot: 0, 0.5 or 1.
+    /// `anchor` is the share of the text to the left of the spot: 0, 0.5 or 1.
     void write(const std::string& text, Spot spot, double size, const Colour& colour,
                double anchor = 0.0, bool bold = false) const;
-    /// Centred in both directions, with a pale rim so that it can be read on anything.
+    /// Centres the text in both directions, with a pale rim so that it is legible on anything.
     void write_label(const std::string& text, Spot spot, double size) const;
 
   private:

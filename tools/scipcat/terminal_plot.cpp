@@ -16,7 +16,7 @@ struct Dot {
     int y;
 };
 
-/// Which dot shows what: forward is up, left is left.
+/// Maps places to dots: forward is up, left is left.
 class Projection {
   public:
     Projection(const Bounds& bounds, const BrailleCanvas& canvas)
@@ -65,7 +65,7 @@ std::string scale_bar(double dots_per_m, int columns) {
 std::string terminal_plot(const TopView& view, const PlotText& text, TerminalSize size) {
     constexpr int lines_of_text = 5;
     constexpr int least_rows = 4;
-    constexpr double cell_height = 2.0;  // of its width
+    constexpr double cell_height = 2.0;  // in widths of a cell
     const double shape = view.bounds.width_m() / view.bounds.height_m() * cell_height;
     const int most_rows = std::max(size.rows - lines_of_text, least_rows);
     const int wanted_rows = static_cast<int>(std::ceil(size.columns / shape));

@@ -10,7 +10,7 @@
 
 namespace scipd::tools {
 
-/// The view in Braille dots with a scale below, no wider and no higher than the terminal.
+/// The view in Braille dots with a scale below, which fits into the terminal.
 [[nodiscard]] std::string terminal_plot(const TopView& view, const PlotText& text,
                                         TerminalSize size);
 

@@ -12,8 +12,8 @@ namespace {
 using protocol::client::Parameters;
 using protocol::client::ScanMessage;
 
-/// Two neighbours are on one surface where they are no farther apart than on a wall that is hit at
-/// some 7 degrees; the rest is for noise.
+/// Two neighbours count as one surface if they are no farther apart than on a wall that the beam
+/// hits at about 7 degrees. A constant is added for noise.
 bool on_one_surface(const ViewPoint& a, const ViewPoint& b, double step_rad) {
     constexpr double grazing = 8.0;
     constexpr double noise_m = 0.02;

@@ -20,10 +20,10 @@ struct ViewPoint {
     double range_m = 0.0;
     std::uint32_t intensity = 0;
     bool adjacent = false;  ///< the direction just before has a point as well
-    bool joined = false;    ///< and both seem to be on one surface
+    bool joined = false;    ///< and the two points seem to be on one surface
 };
 
-/// Of everything to be shown; never empty.
+/// The rectangle of everything to be shown; never empty.
 struct Bounds {
     double min_x_m = 0.0;
     double max_x_m = 0.0;
@@ -37,19 +37,19 @@ struct Bounds {
 };
 
 struct TopView {
-    std::vector<ViewPoint> points;  ///< only where something returned
-    std::size_t directions = 0;     ///< with and without a return
-    double first_angle_rad = 0.0;   ///< the field of view
+    std::vector<ViewPoint> points;  ///< one for each direction with a return
+    std::size_t directions = 0;     ///< all, with and without a return
+    double first_angle_rad = 0.0;   ///< the field of view begins here
     double last_angle_rad = 0.0;
     bool has_intensity = false;
     Bounds bounds;  ///< the points, the scanner and a margin
 };
 
-/// What is not within the scanner's DMIN and DMAX is no distance and leaves no point.
+/// A value outside the scanner's DMIN to DMAX is no distance and leaves no point.
 [[nodiscard]] TopView make_top_view(const protocol::client::ScanMessage& scan,
                                     const protocol::client::Parameters& parameters);
 
-/// 1, 2 or 5 times a power of ten: so that `length_m` holds at most `most` of it.
+/// The step, 1, 2 or 5 times a power of ten, that divides `length_m` into at most `most` parts.
 [[nodiscard]] double round_step_m(double length_m, double most);
 
 }  // namespace scipd::tools

@@ -8,13 +8,13 @@
 
 namespace scipd::tools {
 
-/// What all commands of scipctl share.
+/// The options that all commands of scipctl share.
 struct ControlOptions {
     std::string socket;
 };
 
-/// `scipctl status` and `scipctl sensors`. The options must outlive the program's parsing, here and
-/// in the others.
+/// `scipctl status` and `scipctl sensors`. Here and below, the options must outlive the program's
+/// parsing.
 void add_status_commands(CLI::App& program, const ControlOptions& control);
 
 /// `scipctl pose get|set|play|stream`
@@ -31,7 +31,7 @@ void add_reading_command(CLI::App& program, const ControlOptions& control);
 /// `scipctl truth ROBOT/SENSOR`
 void add_truth_command(CLI::App& program, const ControlOptions& control);
 
-/// `scipctl completion bash|zsh`: of all commands that have been added before.
+/// `scipctl completion bash|zsh`. It knows the commands that were added before it.
 void add_completion_command(CLI::App& program);
 
 }  // namespace scipd::tools

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Completions for shells, made of the program's own commands and options.
+// Writes completions for shells, generated from the program's own commands and options.
 #include <iostream>
 #include <map>
 #include <memory>
@@ -12,7 +12,7 @@
 namespace scipd::tools {
 namespace {
 
-/// What may follow each command: "/pose" with "get set play stream --control --help".
+/// The words that may follow each command: "/pose" has "get set play stream --control --help".
 using Words = std::map<std::string, std::string>;
 
 void add_options(const CLI::App& app, std::string& words) {
@@ -22,7 +22,7 @@ void add_options(const CLI::App& app, std::string& words) {
     }
 }
 
-/// `inherited`: options of the commands around it, which may follow as well.
+/// `inherited` are the options of the enclosing commands, which may follow as well.
 void collect(const CLI::App& app, const std::string& path, const std::string& inherited,
              Words& all) {
     const auto subcommands = app.get_subcommands([](const CLI::App*) { return true; });
@@ -35,13 +35,14 @@ void collect(const CLI::App& app, const std::string& path, const std::string& in
         collect(*subcommand, path + "/" + subcommand->get_name(), " --control", all);
 }
 
-/// A case for each command, of what `begin` and `end` make of its words.
+/// Prints a case for each command: its words between `begin` and `end`.
 void print_cases(const Words& words, const char* begin, const char* end) {
     for (const auto& [path, list] : words)
         std::cout << "    \"" << path << "\") " << begin << list << end << " ;;\n";
 }
 
-/// The command that has been typed so far, as $command; `words` are those before the cursor.
+/// Prints code that sets $command to the command typed so far. `typed` are the words before the
+/// cursor.
 void print_command(const Words& words, const char* typed) {
     std::cout << "  local command='' word\n  for word in " << typed
               << "; do\n    case \"$command/$word\" in\n      ";

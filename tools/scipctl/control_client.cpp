@@ -22,14 +22,14 @@ using asio::local::stream_protocol;
 using boost::system::error_code;
 
 constexpr std::chrono::seconds patience{10};
-/// A large world takes minutes.
+/// Loading a large world takes minutes.
 constexpr std::chrono::minutes long_patience{10};
 constexpr unsigned http_1_1 = 11;
 
 using Request = http::request<http::string_body>;
 using Response = http::response<http::string_body>;
 
-/// The detail of a problem document (RFC 9457), or what comes nearest.
+/// The detail of a problem document (RFC 9457), or the next best text.
 std::string sentence_of(const Response& response) {
     const std::string reason(response.reason());
     const auto document = nlohmann::json::parse(response.body(), nullptr, false);
@@ -51,7 +51,7 @@ struct ControlClient::Connection {
     boost::beast::flat_buffer buffer;
     std::chrono::seconds limit = patience;
 
-    /// Runs one operation to its end, no longer than `limit`.
+    /// Runs one operation to its end, but no longer than `limit`.
     template <typename Operation>
     error_code complete(Operation operation) {
         error_code result;
@@ -70,7 +70,7 @@ struct ControlClient::Connection {
         error = complete([&](auto done) { http::async_write(stream, request, done); });
         if (error) return response;
         error = complete([&](auto done) { http::async_read(stream, buffer, response, done); });
-        // Beast moves the message into its parser and, which the analyser does not see, back.
+        // Beast moves the message into its parser and back. The analyser does not see the way back.
         return response;  // NOLINT(clang-analyzer-cplusplus.Move)
     }
 };
@@ -83,13 +83,13 @@ struct ControlClient::Question {
     http::verb method;
     std::string path;
     std::string body = {};
-    /// It may take long, and must not be asked twice.
+    /// An edit may take long, and must not be sent twice.
     bool is_edit = false;
 };
 
 ControlClient::Json ControlClient::get(const std::string& path) {
     auto document = Json::parse(exchange({http::verb::get, path}), nullptr, false);
-    if (document.is_discarded()) throw unreachable("what answers is no scipd");
+    if (document.is_discarded()) throw unreachable("the program that answers is not scipd");
     return document;
 }
 
@@ -109,7 +109,7 @@ void ControlClient::remove(const std::string& path) {
     (void)exchange({http::verb::delete_, path, {}, true});
 }
 
-// scipd ends a connection that is idle for long; then a new one is as good.
+// scipd closes a connection that is idle for long. Then this opens a new one.
 std::string ControlClient::exchange(const Question& question) {
     Request request(question.method, question.path, http_1_1);
     request.set(http::field::host, "localhost");

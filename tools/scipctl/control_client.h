@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Talks to a running scipd: HTTP/1.1 with JSON over its Unix socket, one connection for all
+// Talks to a running scipd: HTTP/1.1 with JSON over its Unix socket, with one connection for all
 // requests. Each call waits for its answer. One thread.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace scipd::tools {
 
-/// scipd refused a request, or cannot be reached (status 0); what() is a sentence.
+/// scipd refused a request, or cannot be reached (status 0). what() is a sentence.
 class ControlError : public std::runtime_error {
   public:
     ControlError(int status, const std::string& sentence)
@@ -30,7 +30,7 @@ class ControlClient {
   public:
     using Json = nlohmann::ordered_json;
 
-    /// Connects with the first request.
+    /// Connects when the first request is made.
     explicit ControlClient(std::filesystem::path socket);
     ~ControlClient();
 
@@ -38,8 +38,8 @@ class ControlClient {
     [[nodiscard]] Json get(const std::string& path);
     void put(const std::string& path, const Json& body);
 
-    // Changes that scipd takes its time for, as to load a world; done when these return. What is
-    // answered, or null where that is nothing.
+    // Changes that may take scipd long, such as loading a world. They return when scipd is done.
+    // They return its answer, or null if it has no body.
     Json load(const std::string& path, const Json& body);
     Json post(const std::string& path, const Json& body);
     void remove(const std::string& path);
@@ -53,13 +53,13 @@ class ControlClient {
     [[nodiscard]] ControlError unreachable(const std::string& why) const;
 
     std::filesystem::path socket_;
-    std::unique_ptr<Connection> connection_;  ///< null: none yet, or the last one has ended
+    std::unique_ptr<Connection> connection_;  ///< null: not connected yet, or no longer
 };
 
-/// For programs: in ASCII, of which nothing needs to be changed on its way to a terminal.
+/// For programs: plain ASCII, which a terminal prints unchanged.
 [[nodiscard]] std::string json_text(const ControlClient::Json& document, int indent = -1);
 
-/// One part of a path, with everything but letters, digits and -._~ escaped.
+/// A part of a path, with all characters escaped but letters, digits and -._~.
 [[nodiscard]] std::string path_segment(const std::string& text);
 
 }  // namespace scipd::tools

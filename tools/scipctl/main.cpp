@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// scipctl: speaks to a running scipd over its control socket.
+// scipctl: talks to a running scipd over its control socket.
 #include <CLI/CLI.hpp>
 
 #include "daemon/run_directory.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Each pose leaves at its own instant, reckoned from the start and not from the pose before, so
-// that nothing adds up.
+// Each pose is sent at its own instant, counted from the start and not from the pose before, so
+// that delays do not add up.
 #include <chrono>
 #include <iostream>
 #include <memory>
@@ -27,8 +27,8 @@ struct PlayOptions {
     bool loop = false;
 };
 
-/// Where the stamps that are sent begin. In lockstep they are the time, and must be the same each
-/// time that the file is played; else the host's clock gives stamps that always grow.
+/// The stamp of the first pose. In lockstep stamps are the time, so they must be the same each time
+/// the file is played. Otherwise the host's clock gives stamps that always grow.
 sim::Time first_stamp(ControlClient& client, const std::vector<sim::TimedPose>& poses) {
     const auto clock = client.get("/status").value("clock", std::string("wall"));
     if (clock == "poses") return poses.front().time;

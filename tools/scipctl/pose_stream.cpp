@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A line that is refused, here or by scipd, is told and counted; the stream goes on.
+// Reports and counts each line that is refused, here or by scipd, and goes on with the next.
 #include <cstdint>
 #include <iostream>
 #include <memory>

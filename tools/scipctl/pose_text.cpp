@@ -12,7 +12,7 @@
 namespace scipd::tools {
 namespace {
 
-/// Roll, pitch, yaw about the fixed axes, as pose_from_rpy() takes them.
+/// Roll, pitch and yaw about the fixed axes, in the convention of pose_from_rpy().
 glm::dvec3 rpy_rad(const glm::dquat& q) {
     const double sine = std::clamp(2.0 * (q.w * q.y - q.z * q.x), -1.0, 1.0);
     return {std::atan2(2.0 * (q.w * q.x + q.y * q.z), 1.0 - 2.0 * (q.x * q.x + q.y * q.y)),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Poses as a user types them, and as the control API has them. No thread rule.
+// Poses as a user types them, and as the control API sends them. No thread rule.
 #pragma once
 
 #include <optional>
@@ -15,13 +15,13 @@
 
 namespace scipd::tools {
 
-/// X,Y,YAW or X,Y,Z,R,P,Y in metres and radians; nothing where it is neither.
+/// Reads X,Y,YAW or X,Y,Z,R,P,Y in metres and radians; nothing if the text is neither.
 [[nodiscard]] std::optional<sim::Pose> parse_pose_text(std::string_view text);
 
-/// X,Y,Z,R,P,Y: what parse_pose_text() reads.
+/// Writes X,Y,Z,R,P,Y, which parse_pose_text() reads.
 [[nodiscard]] std::string pose_text(const sim::Pose& pose);
 
-/// The body of PUT .../pose, which names nobody.
+/// The body of PUT .../pose, without the robot's name.
 [[nodiscard]] nlohmann::ordered_json pose_body(const sim::PoseLine& line);
 
 }  // namespace scipd::tools

@@ -18,7 +18,7 @@ struct ReadingOptions {
     bool json = false;
 };
 
-/// How many pixels see something, and which of them is the nearest.
+/// Prints how many pixels see something, and which of them is the nearest.
 void print_picture(const Json& reading) {
     const auto columns = reading.at("columns").get<std::size_t>();
     const Json& range_m = reading.at("range_m");

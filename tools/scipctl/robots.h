@@ -9,10 +9,11 @@
 
 namespace scipd::tools {
 
-/// Of the robots that carry a sensor, each once.
+/// The robots that carry a sensor, each once.
 [[nodiscard]] std::vector<std::string> robots(ControlClient& client);
 
-/// `wanted`, or the only robot there is where that is empty. Throws ControlError.
+/// Returns `wanted`; if that is empty, the only robot. Throws ControlError if there is not exactly
+/// one.
 [[nodiscard]] std::string choose_robot(ControlClient& client, const std::string& wanted);
 
 [[nodiscard]] std::string pose_path(const std::string& robot);

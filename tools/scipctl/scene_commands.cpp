@@ -69,7 +69,7 @@ std::string joined(const Json& names) {
     return text.empty() ? "-" : text;
 }
 
-/// What scipd answers to something that it has loaded.
+/// Prints scipd's answer after it has loaded something.
 void tell(const Json& loaded, bool json) {
     if (json) {
         std::cout << json_text(loaded) << '\n';
@@ -159,7 +159,8 @@ void add(const ControlOptions& control, const AddOptions& options) {
     }
 }
 
-/// A model's own path; what scipd says of an unknown one becomes a list of those that there are.
+/// Calls `change` with the model's path. If scipd does not know the model, the error lists those
+/// that it knows.
 template <class Change>
 void change(ControlClient& client, const std::string& model, bool must_move, Change change) {
     try {

@@ -11,7 +11,7 @@ namespace {
 
 using Json = ControlClient::Json;
 
-/// The same error, unless it was the name that was wrong.
+/// Throws the same error again; if the name is wrong, one that lists the right names.
 [[noreturn]] void explain(ControlClient& client, const std::string& name,
                           const ControlError& error) {
     std::string names;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Questions to one sensor that a user names. One thread.
+// Requests about one sensor that a user names. One thread.
 #pragma once
 
 #include <string>
@@ -10,15 +10,15 @@
 
 namespace scipd::tools {
 
-/// "/sensors/rescue/front" for "rescue/front". Throws CLI::ValidationError where that is no name.
+/// "/sensors/rescue/front" for "rescue/front". Throws CLI::ValidationError for other text.
 [[nodiscard]] std::string sensor_path(const std::string& sensor);
 
-/// GET of what begins with that path. Throws ControlError; where it was the name that was wrong,
-/// with the right ones.
+/// Sends GET for a path that begins with that. Throws ControlError; if the name is wrong, the error
+/// lists the right ones.
 [[nodiscard]] ControlClient::Json ask_sensor(ControlClient& client, const std::string& sensor,
                                              const std::string& path);
 
-/// A number or, for null, a dash.
+/// A number, or a dash for null.
 [[nodiscard]] std::string number(const ControlClient::Json& value, const char* format);
 
 }  // namespace scipd::tools

@@ -15,7 +15,7 @@ namespace {
 
 using Json = ControlClient::Json;
 
-/// A field for people: a dash for null and for what an older scipd does not send.
+/// A field for people. A dash stands for null, and for fields that an older scipd does not send.
 std::string text(const Json& object, const char* key) {
     if (!object.is_object() || !object.contains(key) || object[key].is_null()) return "-";
     const Json& value = object[key];
@@ -62,7 +62,7 @@ void print_status(const Json& status) {
     print_sensors(status.value("sensors", Json::array()));
 }
 
-/// `scipctl NAME`, which shows the document at /NAME.
+/// Adds `scipctl NAME`, which shows the document at /NAME.
 void add_command(CLI::App& program, const ControlOptions& control, const std::string& name,
                  const std::string& description, void (*print)(const Json&)) {
     auto* const command = program.add_subcommand(name, description);

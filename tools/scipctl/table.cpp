@@ -10,7 +10,7 @@
 namespace scipd::tools {
 namespace {
 
-/// No cell passes for a row.
+/// Removes line ends and tabs, so that no cell can look like another row.
 std::string in_a_line(const std::string& cell) {
     std::string text = sim::shown(cell);
     std::ranges::replace_if(

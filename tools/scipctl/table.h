@@ -10,7 +10,8 @@ namespace scipd::tools {
 
 using Row = std::vector<std::string>;
 
-/// Columns as wide as their widest cell, two blanks apart. All rows have as many cells.
+/// Makes columns as wide as their widest cell, two blanks apart. All rows must have the same number
+/// of cells.
 void print_table(std::ostream& out, std::vector<Row> rows);
 
 }  // namespace scipd::tools

@@ -47,7 +47,7 @@ void print(const Json& truth) {
     print_table(std::cout, rows);
 }
 
-/// Of a camera or a ranger: its beams have no steps, and a ranger's no readings of their own.
+/// For a camera or a ranger. Its beams have no steps, and a ranger has one reading for all of them.
 void print_staring(const Json& truth) {
     const Json& range_m = truth.at("range_m");
     std::cout << "scan " << truth.at("scan") << " at " << number(truth.at("time_s"), "%.6f")

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder is listed in no order; of several, always the same.
+/// A folder is listed in no fixed order: of several matches, the smallest is always the same.
 fs::path alike(const fs::path& folder, const fs::path& name) {
     std::vector<fs::path> found;
     std::error_code error;
@@ -44,7 +44,7 @@ fs::path exactly(const fs::path& folder, const fs::path& name) {
 fs::path in_any_case(const fs::path& folder, const fs::path& name) {
     fs::path at = name.is_absolute() ? name.root_path() : folder;
     for (const auto& part : name.relative_path()) {
-        if (part.empty()) continue;  // behind a last slash
+        if (part.empty()) continue;  // after a trailing slash
         fs::path next = exactly(at, part);
         if (next.empty()) next = alike(at, part);
         if (next.empty()) return {};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Files whose names differ from what is asked for in capitals only: a world made where that makes
-// no difference names them as it likes. Any thread; nothing shared.
+// Finds files whose names differ from the requested name only in upper and lower case. Worlds that
+// were made on a file system that ignores case often name files so. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>
@@ -12,23 +12,23 @@
 
 namespace scipd::sim {
 
-/// A to Z as a to z.
+/// Turns A to Z into a to z; all other bytes stay.
 std::string lower(std::string_view text);
 
-/// What there is of this name in a folder; empty where there is nothing.
+/// The path of the file or folder with exactly this name in `folder`; empty if there is none.
 std::filesystem::path exactly(const std::filesystem::path& folder,
                               const std::filesystem::path& name);
 
-/// The same, each part of the name in any case where it is not there as it stands.
+/// The same, but a part of the name that does not exist as written may differ in case.
 std::filesystem::path in_any_case(const std::filesystem::path& folder,
                                   const std::filesystem::path& name);
 
-/// The file itself where it is there, or where there is nothing like it; else the one that is
-/// called so in another case, with a warning.
+/// Returns `file` if it exists, or if no name like it exists. Otherwise returns the path whose name
+/// differs only in case, and adds a warning.
 std::filesystem::path as_it_is_called(const std::filesystem::path& file,
                                       std::vector<std::string>& warnings);
 
-/// Whether `found` ends in `name` but for the case.
+/// Whether `found` ends in `name` in another case, and not as written.
 bool differs_in_case(const std::filesystem::path& found, const std::filesystem::path& name);
 
 }  // namespace scipd::sim

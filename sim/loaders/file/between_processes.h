@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Values on their way from a confined child (confined.h) to its parent, as they lie in memory: the
-// two are one program, and no byte of a file from outside is in between. Any thread.
+// Passes values from a confined child (confined.h) to its parent as they lie in memory. Both are
+// the same program, so the layouts agree; bytes of a file from outside are never read this way.
+// Any thread.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,7 @@
 
 namespace scipd::sim {
 
-/// Throws std::bad_alloc where there is no room, as all of these.
+/// Throws std::bad_alloc if the file has no room, as put_all() and put_each() do.
 template <typename Value>
 void put(const Value& value, std::FILE* out) {
     static_assert(std::is_trivially_copyable_v<Value>);
@@ -25,7 +26,7 @@ Value take(std::FILE* in) {
     static_assert(std::is_trivially_copyable_v<Value>);
     Value value;
     if (std::fread(&value, sizeof value, 1, in) != 1) {
-        throw std::runtime_error("was read but did not arrive");
+        throw std::runtime_error("was read, but its data did not arrive from the child process");
     }
     return value;
 }
@@ -47,12 +48,12 @@ Container take_all(std::FILE* in) {
     values.resize(take<std::uint64_t>(in));
     const auto size = sizeof(typename Container::value_type);
     if (std::fread(values.data(), size, values.size(), in) != values.size()) {
-        throw std::runtime_error("was read but did not arrive");
+        throw std::runtime_error("was read, but its data did not arrive from the child process");
     }
     return values;
 }
 
-/// Each by a function of its own.
+/// Writes the number of values, then each value with `put_one`.
 template <typename Container, typename Put>
 void put_each(const Container& values, std::FILE* out, const Put& put_one) {
     put(std::uint64_t{values.size()}, out);

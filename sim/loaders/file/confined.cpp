@@ -25,9 +25,9 @@ namespace scipd::sim {
 namespace {
 
 constexpr int failed_with_words = 1;
-/// As a shell ends.
+/// The status by which a shell reports this.
 constexpr int no_such_program = 127;
-/// For a world of so many models, each of which is a file.
+/// Enough for a world of about so many models, each of which is a file.
 constexpr rlim_t most_descriptors = 1024;
 
 std::size_t memory_in_use() {
@@ -36,15 +36,15 @@ std::size_t memory_in_use() {
     return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// The type of a resource is the C library's own affair.
+/// A template, since the type of a resource differs between C libraries.
 template <typename Resource>
 void limit(Resource resource, rlim_t most) {
     const rlimit both{most, most};
     setrlimit(resource, &both);
 }
 
-/// All that is not for this work: a connection that ends meanwhile has to end for its other end
-/// too, and a port that is given up has to be free.
+/// Closes all descriptors that the work does not need. Otherwise a connection or a port that the
+/// parent closes meanwhile would stay open in the child.
 void close_all_but(int kept) {
     if (kept > STDERR_FILENO + 1) close_range(STDERR_FILENO + 1, kept - 1, 0);
     close_range(kept + 1, ~0U, 0);
@@ -52,7 +52,7 @@ void close_all_but(int kept) {
 
 void enter(const Confines& confines, pid_t parent) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(failed_with_words);  // which was too late to be told
+    if (getppid() != parent) _exit(failed_with_words);  // it ended before the prctl()
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
         std::signal(signal, SIG_DFL);
     limit(RLIMIT_CORE, 0);
@@ -65,10 +65,10 @@ std::string advice(const std::string& what) {
     return what.empty() ? "" : "; " + what;
 }
 
-/// In the child: the answer is in the file, and the status says whether it is one.
+/// In the child: writes the answer or an error to the file; the exit status tells which.
 [[noreturn]] void run(const Confines& confines, const std::function<void(std::FILE* out)>& work,
                       std::FILE* out, pid_t parent) {
-    // Made while there is room for it.
+    // Made now, while there is memory for it.
     const std::string too_much = "takes more than " +
                                  std::to_string(confines.memory_bytes / 1'000'000) +
                                  " MB of memory" + advice(confines.more_memory);
@@ -82,14 +82,14 @@ std::string advice(const std::string& what) {
         close_all_but(fileno(out));
         enter(confines, parent);
         work(out);
-        if (std::fflush(out) != 0) leave_with("its outcome cannot be kept in memory");
+        if (std::fflush(out) != 0) leave_with("there is no memory left for its result");
         _exit(0);
     } catch (const std::bad_alloc&) {
         leave_with(too_much.c_str());
     } catch (const std::exception& error) {
         leave_with(error.what());
     } catch (...) {
-        leave_with("throws what is no exception of the standard library");
+        leave_with("ended with an unknown error");
     }
     _exit(failed_with_words);
 }
@@ -103,7 +103,7 @@ std::string all_of(std::FILE* file) {
 
 std::string end_of(int status, const Confines& confines) {
     const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-    // At the soft limit the one, at the hard limit, which is the same, the other.
+    // The soft limit of processor time sends SIGXCPU, the hard limit, which is the same, SIGKILL.
     if (signal == SIGXCPU || signal == SIGKILL) {
         return "takes more than " + std::to_string(confines.processor_time.count()) +
                " s of processor time, or all memory";
@@ -114,10 +114,10 @@ std::string end_of(int status, const Confines& confines) {
 
 }  // namespace
 
-/// Does not outlive this object.
+/// The process ends with this object at the latest.
 class Confined::Child {
   public:
-    /// Where the system has no descriptors of processes, ends are noticed a glance later.
+    /// Without process descriptors (pidfd), ends_within() notices an end only when its time is up.
     explicit Child(pid_t pid)
         : pid_(pid), descriptor_(static_cast<int>(syscall(SYS_pidfd_open, pid, 0))) {}
     ~Child() {
@@ -127,7 +127,7 @@ class Confined::Child {
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
 
-    /// False where it still runs after so long.
+    /// False if the child still runs after this time.
     bool ends_within(std::chrono::milliseconds patience) {
         pollfd end{.fd = descriptor_, .events = POLLIN, .revents = 0};
         poll(&end, 1, static_cast<int>(patience.count()));
@@ -149,7 +149,7 @@ class Confined::Child {
             reaped = waitpid(pid_, &status_, how);
         while (reaped < 0 && errno == EINTR);
         ended_ = reaped != 0;
-        if (reaped < 0) status_ = -1;  // of no child
+        if (reaped < 0) status_ = -1;  // waitpid() failed
     }
 
     pid_t pid_;
@@ -175,7 +175,7 @@ Confined::Confined(Confines confines, const std::function<void(std::FILE* out)>&
 Confined::~Confined() = default;
 
 void Confined::wait() {
-    // How long a stop goes unnoticed.
+    // How long a stop request can go unnoticed.
     constexpr std::chrono::milliseconds glance{20};
     while (!child_->ends_within(glance)) {
         if (confines_.stop.stop_requested()) throw std::runtime_error("was not read to its end");
@@ -196,7 +196,7 @@ std::string Confined::too_late() const {
 
 File Confined::outcome() {
     wait();
-    // The child wrote through the same open file, whose place is shared.
+    // The child wrote through the same open file, so its position is shared too.
     std::rewind(file_.get());
     const int status = child_->status();
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::move(file_);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Work that nobody here vouches for, such as a large library's on a file from outside, in a child
-// process: what runs away, waits for ever, eats the memory or crashes ends the child and nothing
-// else. Any thread.
+// Runs work that cannot be trusted, such as a large library reading a file from outside, in a child
+// process. If the work loops, hangs, takes all memory or crashes, only the child ends. Any thread.
 #pragma once
 
 #include <chrono>
@@ -22,16 +21,16 @@ namespace scipd::sim {
 
 struct Confines {
     std::chrono::seconds processor_time;
-    std::size_t memory_bytes;  ///< above what the process has already
+    std::size_t memory_bytes;  ///< on top of what the process already uses
     std::chrono::milliseconds wall_time = std::chrono::minutes{2};
-    std::stop_token stop = {};  ///< when nobody waits for it any more
-    /// What whoever reads that it took too much can do about it: "KEY allows more".
+    std::stop_token stop = {};  ///< requested when nobody waits any more
+    /// Advice at the end of the message that the work took too much: "KEY allows more".
     std::string more_memory = {};
     std::string more_time = {};
 };
 
-/// `work` is alone on its thread, as after any fork(); it has standard input, output and error and
-/// some descriptors to open files with. It ends with this object.
+/// Runs `work` in a child, which has a single thread, as after any fork(). The work has standard
+/// input, output and error, and may open some files. The child ends with this object.
 class Confined {
   public:
     Confined(Confines confines, const std::function<void(std::FILE* out)>& work);
@@ -39,9 +38,10 @@ class Confined {
     Confined(const Confined&) = delete;
     Confined& operator=(const Confined&) = delete;
 
-    /// What the work wrote, from its beginning; nothing else that it does is seen here. Waits,
-    /// once. Throws std::runtime_error: in the words of the exception that left the work, or saying
-    /// how the child ended and, where that was late, what it said of itself (doing.h).
+    /// Waits for the child and returns what the work wrote, from its beginning; the work has no
+    /// other effect on this process. Call it once. Throws std::runtime_error with the message of
+    /// the exception that left the work, or with how the child ended; if it took too long, also
+    /// with what it did last (doing.h).
     File outcome();
 
   private:
@@ -62,10 +62,10 @@ inline File run_confined(const Confines& confines,
     return Confined{confines, work}.outcome();
 }
 
-/// What a program prints on standard output, up to 256 MiB; nothing where there is no program of
-/// this name on the PATH. It gets these words as they are, without a shell, and an empty standard
-/// input. Throws std::runtime_error: as above, or with what a program that fails prints on standard
-/// error.
+/// Runs a program and returns what it prints on standard output, up to 256 MiB; nothing if the PATH
+/// has no program of this name. The program gets these words as they are, without a shell, and an
+/// empty standard input. Throws std::runtime_error as outcome() does or, if the program fails, with
+/// what it printed on standard error.
 std::optional<std::string> output_of(const Confines& confines,
                                      const std::vector<std::string>& command);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t room = 4096;
 
-/// Of this process, where it is such a child.
+/// Null if this process is no confined child.
 char* said_here = nullptr;
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What a child process is at, for the words of whoever has waited long enough for it. The object
-// is shared by both processes; now_doing() is for the child's only thread.
+// Tells the parent what a child process is doing, so that the message after a timeout can say it.
+// Both processes share the object; only the child's single thread calls now_doing().
 #pragma once
 
 #include <string>
@@ -17,16 +17,16 @@ class Doing {
     Doing(const Doing&) = delete;
     Doing& operator=(const Doing&) = delete;
 
-    /// In the child: what it says from now on is said here.
+    /// In the child: now_doing() writes to this object from now on.
     void begin();
-    /// What was said last; empty where nothing was. For when the child has ended.
+    /// What the child reported last; empty if nothing. Call it after the child has ended.
     [[nodiscard]] std::string last() const;
 
   private:
     char* words_;
 };
 
-/// "reading a.dae"; said to nobody outside of a child.
+/// `what` is, for example, "reading a.dae". Does nothing outside a child.
 void now_doing(std::string_view what);
 
 }  // namespace scipd::sim

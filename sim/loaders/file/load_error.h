@@ -8,8 +8,8 @@
 
 namespace scipd::sim {
 
-/// Everything that is wrong with a file, at once; what() has one fault a line, each with file, line
-/// where known, and what to do.
+/// Reports everything that is wrong with a file at once. what() has one fault per line, each with
+/// the file, the line if known, and what to do.
 class LoadError : public std::runtime_error {
   public:
     explicit LoadError(std::vector<std::string> faults);

@@ -11,9 +11,9 @@ namespace scipd::sim {
 
 struct LoadedScene {
     SharedScene scene;
-    std::vector<std::string>
-        warnings;  ///< each names what was met and what was done about it, once
-    std::vector<std::string> notes = {};  ///< worth knowing where nothing is wrong
+    /// Each says what the loader found and what it did about it.
+    std::vector<std::string> warnings;
+    std::vector<std::string> notes = {};  ///< worth knowing, although nothing is wrong
 };
 
 }  // namespace scipd::sim

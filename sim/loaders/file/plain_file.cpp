@@ -42,7 +42,8 @@ File stream_of(int descriptor, const char* mode) {
 std::string why_no_file(const fs::path& path) {
     struct stat status {};
     if (stat(path.c_str(), &status) == 0) return why_not_plain(status.st_mode);
-    return errno == ENOENT || errno == ENOTDIR ? "no such file" : "cannot be had: " + reason(errno);
+    return errno == ENOENT || errno == ENOTDIR ? "no such file"
+                                               : "cannot be accessed: " + reason(errno);
 }
 
 File open_file(const fs::path& path) {
@@ -67,7 +68,7 @@ std::string beginning_of(const fs::path& path) {
 
 File memory_file() {
     const int descriptor = memfd_create("scipd", MFD_CLOEXEC);
-    if (descriptor < 0) throw std::runtime_error("no file in memory can be had: " + reason(errno));
+    if (descriptor < 0) throw std::runtime_error("cannot make a memory file: " + reason(errno));
     return stream_of(descriptor, "w+");
 }
 
@@ -78,7 +79,7 @@ std::string read_file(const fs::path& path, std::uintmax_t most_bytes, const std
     std::string bytes;
     try {
         const File file = open_file(path);
-        // What a file of /proc says of its size is 0.
+        // Files in /proc report a size of 0 and read as empty.
         struct stat status {};
         fstat(fileno(file.get()), &status);
         const auto size = static_cast<std::uintmax_t>(status.st_size);
@@ -97,7 +98,7 @@ std::string read_file(const fs::path& path, std::uintmax_t most_bytes, const std
 
 std::string read_text(const fs::path& path, std::uintmax_t most_bytes, const std::string& wanted) {
     std::string text = read_file(path, most_bytes, wanted);
-    // By its byte order mark, which is none of UTF-8.
+    // These are the byte order marks of UTF-16. No UTF-8 begins so.
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
         throw LoadError({path.string() + ": is in UTF-16; save it as UTF-8"});
     return text;

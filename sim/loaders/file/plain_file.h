@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Opening files that somebody named: a FIFO or a device in their place would block whoever opens
-// it, and is refused unopened. Any thread; nothing shared.
+// Opens files that a user named. A FIFO or a device in place of a file would block whoever opens
+// it, so these are refused without opening them. Any thread; nothing shared.
 #pragma once
 
 #include <cstdint>
@@ -18,23 +18,25 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-/// Why this cannot be read as a file: "no such file", "is a FIFO"; empty where it can.
+/// Why this path cannot be read as a file: "no such file", "is a FIFO". Empty if it can.
 std::string why_no_file(const std::filesystem::path& path);
 
-/// For reading. Throws std::runtime_error, saying why it cannot be had.
+/// Opens the file for reading. Throws std::runtime_error that says why it cannot.
 File open_file(const std::filesystem::path& path);
 
-/// As far as it tells what it is; empty where it is no plain file. Throws as open_file().
+/// The first 4 KiB, enough to recognize the kind of file. Empty if it is no plain file. Throws as
+/// open_file().
 std::string beginning_of(const std::filesystem::path& path);
 
-/// Without a name, in memory. Throws std::runtime_error.
+/// A file without a name, in memory. Throws std::runtime_error.
 File memory_file();
 
-/// All of it. Throws LoadError, which names the file and says what is `wanted` there.
+/// The whole file. Throws LoadError if the file cannot be read or is larger than `most_bytes`; the
+/// message names the file and ends in `wanted`, which tells the user what should be there.
 std::string read_file(const std::filesystem::path& path, std::uintmax_t most_bytes,
                       const std::string& wanted);
 
-/// The same of a text, which is UTF-8; one in UTF-16 is refused, and called so.
+/// The same for a text in UTF-8. If it is in UTF-16, the LoadError says so.
 std::string read_text(const std::filesystem::path& path, std::uintmax_t most_bytes,
                       const std::string& wanted);
 

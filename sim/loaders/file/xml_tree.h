@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The few words in which the loaders walk through a parsed XML document and take parts out of it.
-// Any thread; one owner.
+// Helpers with which the loaders walk through a parsed XML document and delete parts of it. Any
+// thread; one owner.
 #pragma once
 
 #include <algorithm>
@@ -26,13 +26,14 @@ inline bool is_one_of(const tinyxml2::XMLElement& element,
     return is_one_of<std::initializer_list<std::string_view>>(element, names);
 }
 
-/// Empty where there is none.
+/// Empty if the element has no such attribute.
 std::string attribute(const tinyxml2::XMLElement& element, const char* name);
 
-/// What it begins with, of an element or of none; empty where that is no text.
+/// The text that the element begins with. Empty if it begins with something else, or is null.
 std::string text_of(const tinyxml2::XMLElement* element);
 
-/// With all that lies in it, from the outside in; `visit` may change what is in there.
+/// Visits the element and then all elements inside it, outer ones first. `visit` may change what is
+/// inside the element that it gets.
 void for_each(tinyxml2::XMLElement& element,
               const std::function<void(tinyxml2::XMLElement&)>& visit);
 

@@ -50,7 +50,7 @@ MapImage read_jpeg(std::string_view bytes) {
                    255U,
                    {}};
     std::vector<std::uint8_t> samples(image.width * image.height * image.channels);
-    // What is only warned of is a picture that ends early: half of it would be grey.
+    // A warning means that the picture ends early; the rest of it would be grey.
     const int flags = TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS | TJFLAG_ACCURATEDCT;
     if (tjDecompress2(decoder.get(), data, bytes.size(), samples.data(), width, 0, height,
                       is_grey ? TJPF_GRAY : TJPF_RGB, flags) != 0) {

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr std::array<std::pair<std::string_view, MapMode>, 3> modes{
     {{"trinary", MapMode::trinary}, {"scale", MapMode::scale}, {"raw", MapMode::raw}}};
 
-/// As map_server does it.
+/// Finds the picture as map_server does.
 fs::path image_path(const std::string& text, const fs::path& folder) {
     if (text.empty() || text.find('\0') != text.npos) {
         throw std::invalid_argument("must name a picture");
@@ -48,7 +48,7 @@ double threshold(const YAML::Node& node) {
     return number(node, 0.0, 1.0, "must be a number within 0 and 1");
 }
 
-/// Any number, as in C, or a word of YAML's for yes or no.
+/// Takes any integer, where all but 0 are true as in C, or a word of YAML's for yes or no.
 bool truth(const YAML::Node& node) {
     int value = 0;
     bool word = false;
@@ -57,7 +57,7 @@ bool truth(const YAML::Node& node) {
     throw std::invalid_argument("must be 0 or 1");
 }
 
-/// In any case, as people write it.
+/// Ignores case, since people write it either way.
 MapMode mode_of(const YAML::Node& node) {
     std::string text = node.IsScalar() ? node.Scalar() : std::string();
     std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -67,7 +67,7 @@ MapMode mode_of(const YAML::Node& node) {
     throw std::invalid_argument("must be trinary, scale or raw");
 }
 
-/// Reads key by key; what is wrong is noted and the next key read.
+/// Reads key by key. After a fault it goes on with the next key, so as to report all of them.
 class MapFileReader {
   public:
     MapFileReader(const YAML::Node& document, const fs::path& file)
@@ -91,7 +91,7 @@ class MapFileReader {
     std::vector<std::string> faults_;
 };
 
-/// False where there is no such key.
+/// False if there is no such key.
 template <typename Use>
 bool MapFileReader::use(const char* key, const Use& apply) {
     const YAML::Node node = document_[key];
@@ -140,7 +140,7 @@ void MapFileReader::read_thresholds() {
 
 MapFile MapFileReader::read() && {
     if (!document_.IsMap()) {
-        add_fault(1, "is no map of map_server: it begins `image: hall.pgm`, say");
+        add_fault(1, "is no map of map_server, which has keys such as `image: hall.pgm`");
         throw LoadError(std::move(faults_));
     }
     want("image", use("image", [&](const YAML::Node& node) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The files that the picture of a map comes in: PGM (plain and raw), PNG, BMP or JPEG. What a
-// picture would take is known from its header and refused before anything is allocated for it. Any
-// thread; nothing shared.
+// Reads the picture of a map: PGM (plain and raw), PNG, BMP or JPEG. The header tells how large a
+// picture is; one that is too large is refused before any memory is allocated for it. Any thread;
+// nothing shared.
 #pragma once
 
 #include <string_view>
@@ -15,14 +15,14 @@ namespace scipd::sim {
 /// Throws std::invalid_argument, saying what is wrong.
 MapImage read_map_image(std::string_view bytes);
 
-// Each kind has a source of its own. Of all of them: whether a file begins as one, and what it
-// holds, which throws std::invalid_argument.
+// Each kind of picture has a source file of its own. is_KIND() tells whether the bytes begin like
+// that kind. read_KIND() reads them and throws std::invalid_argument, saying what is wrong.
 
 /// P2 and P5 of netpbm, with any maxval.
 bool is_pgm(std::string_view bytes);
 MapImage read_pgm(std::string_view bytes);
 
-/// PNG or BMP, but for BMP with run lengths: palettes are resolved, 16 bits kept.
+/// PNG, and BMP without run-length coding. Palettes become colours; 16-bit samples keep 16 bits.
 bool is_stb_picture(std::string_view bytes);
 MapImage read_stb_picture(std::string_view bytes);
 

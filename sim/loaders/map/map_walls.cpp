@@ -19,7 +19,7 @@ struct Chain {
     [[nodiscard]] glm::uint last() const { return first + 2 * (count - 1); }
 };
 
-/// Cells of one row that are neighbours, and the rows above it for as long as they have the same.
+/// A run of neighbouring cells in one row, and in all rows above it that have the same run.
 struct Block {
     std::size_t begin;  ///< columns
     std::size_t end;
@@ -70,12 +70,13 @@ class WallBuilder {
     Cell which_;
     WallSize size_;
     Mesh mesh_;
-    std::vector<Block> open_;  ///< those of the row above the line, at last
+    std::vector<Block> open_;  ///< after sort_blocks(): those of the row above the line
     std::vector<Block> ending_;
     std::vector<Block> beginning_;
     std::vector<std::size_t> corners_;  ///< the columns of corners on this line
     glm::uint first_corner_ = 0;
-    std::vector<bool> is_edge_;  ///< whether cells meet others on one side only, corner to corner
+    /// For each corner: whether only one side of the line from it to the next has cells.
+    std::vector<bool> is_edge_;
 };
 
 std::vector<Block> WallBuilder::runs_of(std::size_t row) const {
@@ -91,8 +92,8 @@ std::vector<Block> WallBuilder::runs_of(std::size_t row) const {
     return runs;
 }
 
-/// What goes on, ends and begins at a line, below which blocks are open and above which there are
-/// these runs.
+/// Sorts out which blocks go on, end and begin at a line: the open ones lie below it, these runs
+/// above it.
 void WallBuilder::sort_blocks(std::vector<Block> runs) {
     ending_.clear();
     beginning_.clear();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Cells of a grid as a solid between two heights, in few large faces: blocks of equal runs of
-// cells, without the faces between them.
+// Turns cells of a grid into a solid between two heights with few, large faces. A run of cells that
+// is the same in several rows becomes one block, and blocks have no faces where they touch.
 //
 //      +--+--------+        A cap is cut along the rows into blocks; where a block ends, its
 //      |  |   B    |        neighbours above and below have a corner as well, so that every edge
@@ -24,12 +24,12 @@ struct WallSize {
     double cell_m;
     double bottom_m;
     double top_m;
-    /// Past this a map is noise, and a scene of it would not fit into most machines.
+    /// A map that needs more is noise, and its scene would exceed the memory of most machines.
     std::size_t most_triangles = 20'000'000;
 };
 
-/// x and y from the middle of the grid, where floats are finest. Throws std::invalid_argument where
-/// it would take more triangles.
+/// x and y are relative to the middle of the grid, since floats are finest near 0. Throws
+/// std::invalid_argument if the mesh would have more than `most_triangles`.
 Mesh wall_mesh(const CellGrid& grid, Cell which, const WallSize& size);
 
 }  // namespace scipd::sim

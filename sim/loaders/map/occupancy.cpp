@@ -37,8 +37,8 @@ class Judge {
     }
 
   private:
-    /// As nav2: negate means nothing here. Its loader leaves the percents to whoever uses the map;
-    /// its saver tells walls from free space in them by the thresholds, and so do we.
+    /// As in nav2, negate has no effect here. nav2's loader passes the percentages on as they are;
+    /// its saver applies the thresholds to them, and so does this function.
     [[nodiscard]] Cell raw_cell(Light light) const {
         const unsigned full = 3U * white_;
         const unsigned percent = (2U * 255U * light.colours + full) / (2U * full);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What the pixels of a map say: which cells are occupied, free or unknown. The semantics of
-// map_server, in double and in one rounding, so that a threshold of 0.6 meets a grey of 102
-// exactly. Pure.
+// Tells from the pixels of a map which cells are occupied, free or unknown. The rules are those of
+// map_server, computed in double with a single rounding, so that a grey of 102 lies exactly on a
+// threshold of 0.6. Pure.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// By hand, since stb_image reads neither plain PGM, as people write it into tests, nor a maxval
+// Reads PGM by hand: stb_image reads neither plain PGM, which people write for tests, nor a maxval
 // below 255.
 #include <algorithm>
 #include <stdexcept>
@@ -18,7 +18,7 @@ bool is_blank(char c) {
     return blanks.find(c) != blanks.npos;
 }
 
-/// What is left of the file.
+/// The rest of the file that is still to be read.
 class Reader {
   public:
     explicit Reader(std::string_view rest) : rest_(rest) {}
@@ -37,7 +37,7 @@ class Reader {
         return value;
     }
 
-    /// Exactly one blank parts the header from raw samples.
+    /// Exactly one blank separates the header from raw samples.
     std::string_view raw() {
         if (rest_.empty() || !is_blank(rest_.front())) refuse("a blank after maxval");
         return rest_.substr(1);
@@ -71,10 +71,10 @@ void check_length(std::size_t there, std::size_t wanted) {
                                 " bytes too early");
 }
 
-/// More than white is white.
+/// Samples above white become white.
 template <typename Sample>
 std::vector<Sample> plain_samples(Reader& reader, std::size_t count, unsigned white) {
-    // A digit and a blank each, so that nothing is allocated for what cannot be there.
+    // Each sample has a digit and a blank at least. Check that before allocating memory for them.
     check_length(reader.size() + 1, 2 * count);
     std::vector<Sample> samples(count);
     for (Sample& sample : samples)

@@ -40,7 +40,7 @@ CellGrid load_cells(const MapFile& map) {
     }
 }
 
-/// A large picture of large pixels.
+/// A large picture with large pixels can reach too far.
 void check_extent(const MapFile& map, const CellGrid& grid) {
     const double side_m = map.resolution_m * static_cast<double>(std::max(grid.columns, grid.rows));
     if (side_m <= position_limit_m) return;

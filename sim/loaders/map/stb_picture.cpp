@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The only file that knows stb_image. The library inflates whatever a file holds, however small the
-// picture that its header promises; its memory therefore comes out of a purse that is filled by the
-// header. It takes what a file lacks for zeros; so files that end early are refused here.
+// The only file that uses stb_image. The library inflates all data of a file, even if its header
+// announces a small picture; so a budget for its memory (`purse`) is computed from the header. It
+// also reads missing data as zeros; so files that end early are refused here.
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
@@ -15,7 +15,7 @@
 
 namespace {
 
-/// What stb_image may still allocate on this thread; what it frees is not given back.
+/// How many bytes stb_image may still allocate on this thread. Freeing memory adds nothing.
 thread_local std::size_t purse = 0;
 
 bool pay(std::size_t size) {
@@ -42,8 +42,8 @@ void* paid_realloc(void* old, std::size_t old_size, std::size_t size) {
 #define STBI_MALLOC(size) paid_malloc(size)
 #define STBI_REALLOC_SIZED(old, old_size, size) paid_realloc(old, old_size, size)
 #define STBI_FREE(old) std::free(old)
-// It copies nothing to nowhere, and shifts and adds as every processor does it, on faulty files.
-// What it touches stays watched.
+// On faulty files the library copies 0 bytes to null, and overflows in shifts and sums. Neither
+// does harm, so these checks are off for it; all its accesses to memory stay checked.
 #ifdef __clang__
 #pragma clang attribute push(                                                              \
     __attribute__((no_sanitize("nonnull-attribute", "shift", "signed-integer-overflow"))), \
@@ -79,14 +79,14 @@ std::string kind_of(std::string_view bytes) {
     refuse(kind, words == "outofmem" ? "it holds more than its header says" : printable(words));
 }
 
-/// What is told by the header alone.
+/// Checks the size that the header announces.
 void check_size(std::size_t width, std::size_t height, std::size_t bytes_a_pixel) {
     check_map_size(width, height);
     if (width * height * bytes_a_pixel <= most_bytes) return;
     throw std::invalid_argument("takes more than 512 MiB; save it in 8-bit grey");
 }
 
-/// The header of a BMP, as far as it tells whether all is there and can be read.
+/// The parts of a BMP header that tell whether the file is complete and can be read.
 class BmpHeader {
   public:
     explicit BmpHeader(std::string_view bytes) : bytes_(bytes) {
@@ -102,7 +102,7 @@ class BmpHeader {
         const std::uint64_t rows = is_short() ? number(20, 2) : height();
         check_map_size(width, rows);
         const std::uint64_t row = (width * number(is_short() ? 24 : 28, 2) + 31) / 32 * 4;
-        // Many writers leave out what fills the last row.
+        // Many writers leave out the padding of the last row.
         const std::uint64_t wanted = number(10, 4) + rows * row - 3;
         if (wanted > bytes_.size()) {
             refuse("BMP", "it ends " + std::to_string(wanted - bytes_.size()) + " bytes too early");
@@ -112,7 +112,7 @@ class BmpHeader {
   private:
     [[nodiscard]] bool is_short() const { return number(14, 4) == 12; }
 
-    /// It says a negative one where rows come from the top.
+    /// The header has a negative height if the rows come from the top.
     [[nodiscard]] std::uint64_t height() const {
         const auto said = static_cast<std::int32_t>(number(22, 4));
         return static_cast<std::uint64_t>(std::abs(std::int64_t{said}));
@@ -161,8 +161,9 @@ MapImage read_stb_picture(std::string_view bytes) {
                    {}};
     const std::size_t pixel = image.channels * (is_wide ? 2 : 1);
     check_size(image.width, image.height, pixel);
-    // The file again, doubled as it grows; the rows with a filter byte each; the picture, once more
-    // where it is interlaced, and both twice as large where one grey is said to be transparent.
+    // This is enough for the file once more, in a buffer that doubles as it grows; for the rows
+    // with a filter byte each; for the picture, and for another one if it is interlaced, both twice
+    // as large if one grey is transparent.
     purse = 2 * bytes.size() + image.height + 5 * image.width * image.height * pixel + (1 << 16);
     const auto count = [&] { return image.width * image.height * static_cast<unsigned>(channels); };
     if (is_wide) {
@@ -172,7 +173,7 @@ MapImage read_stb_picture(std::string_view bytes) {
         auto* samples = stbi_load_from_memory(data, size, &width, &height, &channels, 0);
         image.samples = taken(samples, count(), kind);
     }
-    // Only now is it known that one grey is transparent.
+    // Only decoding tells whether one grey is transparent, which adds a channel.
     image.channels = static_cast<unsigned>(channels);
     return image;
 }

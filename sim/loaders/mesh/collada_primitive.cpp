@@ -19,7 +19,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// Of a polygon with holes, which takes the cube of them at worst.
+/// Of a polygon with holes: its time grows with the cube of this number at worst.
 constexpr std::size_t most_corners = 1000;
 constexpr std::string_view xml_blanks = " \t\r\n";
 
@@ -52,7 +52,7 @@ void set_numbers(XMLElement& element, const Loop& numbers) {
     element.SetText(text.c_str());
 }
 
-/// What an input of this meaning names.
+/// The <input> with this semantic; null if there is none.
 XMLElement* input_of(XMLElement& element, std::string_view semantic) {
     for (auto* input = element.FirstChildElement("input"); input != nullptr;
          input = input->NextSiblingElement("input")) {
@@ -69,7 +69,7 @@ void keep_one_input(XMLElement& element, const XMLElement* wanted) {
     }
 }
 
-/// The element of a mesh that a reference, which begins with '#', means.
+/// The child of the mesh whose id is the reference without its '#'; null if there is none.
 XMLElement* find(XMLElement& mesh, const char* reference) {
     for (auto* child = mesh.FirstChildElement(); child != nullptr && reference != nullptr;
          child = child->NextSiblingElement()) {
@@ -94,7 +94,7 @@ std::vector<glm::dvec3> positions_in(XMLElement& source) {
     return positions;
 }
 
-/// Which of the numbers of a corner says where it lies, and of how many.
+/// A corner has `stride` numbers. The one at `offset` is the index of its position.
 struct Corner {
     std::size_t offset = 0;
     std::size_t stride = 1;
@@ -160,12 +160,12 @@ class MeshRelief {
         primitive.SetAttribute("count", static_cast<std::uint64_t>(lists));
     }
 
-    /// Its holes go, and what has some with them.
+    /// Replaces polygons that have holes with triangles, in an element beside this one.
     void fill(XMLElement& polygons, const XMLElement& vertex, const Corner& corner) {
         std::vector<std::array<std::size_t, 3>> triangles;
         for (auto* child = polygons.FirstChildElement(); child != nullptr;) {
             auto* next = child->NextSiblingElement();
-            // By the book in a <ph> of its own; as some write it, behind the outline.
+            // COLLADA has holes in a <ph>, with the outline. Some writers put them after a <p>.
             const bool is_outline = is(*child, "p") && next != nullptr && is(*next, "h");
             if (is(*child, "ph") || is_outline) {
                 auto* outline = is_outline ? child : child->FirstChildElement("p");

@@ -8,9 +8,9 @@ class XMLElement;
 
 namespace scipd::sim {
 
-/// A <mesh> whose triangles and polygons keep nothing of their corners but where they lie, and
-/// whose polygons with holes have become triangles. Throws std::runtime_error where its numbers are
-/// none.
+/// Reduces a <mesh>: of the corners of triangles and polygons only the positions stay, and polygons
+/// with holes become triangles. Throws std::runtime_error if it cannot read the mesh's numbers, or
+/// cannot make the triangles.
 void relieve_collada_mesh(tinyxml2::XMLElement& mesh);
 
 }  // namespace scipd::sim

@@ -26,10 +26,10 @@ constexpr std::array wanted_of_file{"asset",
                                     "scene"};
 constexpr std::array unwanted{"bind", "bind_vertex_input", "extra", "instance_camera",
                               "instance_light"};
-/// A controller may control what another one makes of a mesh.
+/// The source of a controller may be another controller; longer chains are not followed.
 constexpr int longest_chain = 8;
 
-/// "#" and the name of each skin and morph, and what it changes.
+/// For each skin and morph, "#" and its id: the source that it changes.
 std::map<std::string, std::string> sources_of_controllers(XMLElement& root) {
     std::map<std::string, std::string> sources;
     for_each(root, [&](XMLElement& element) {
@@ -44,7 +44,7 @@ std::map<std::string, std::string> sources_of_controllers(XMLElement& root) {
     return sources;
 }
 
-/// Shows the mesh as it was before the controller.
+/// Makes an instance show the mesh itself, without controllers.
 void uncover(XMLElement& instance, const std::map<std::string, std::string>& sources) {
     std::string url = attribute(instance, "url");
     for (int link = 0; link < longest_chain; ++link) {

@@ -45,9 +45,9 @@ std::string known_kinds() {
     return text;
 }
 
-/// What a sound file of this size cannot come near, so that a few damaged bytes on which the
-/// library turns in circles do not eat a minute and all memory. Assimp takes up to 2 us a triangle
-/// (load_bench), and a triangle is no less than 12 bytes.
+/// Limits that a sound file of this size stays far below. A few damaged bytes on which the library
+/// runs in circles then do not take a minute and all memory. Assimp takes up to 2 us a triangle
+/// (load_bench), and a triangle has at least 12 bytes.
 Confines confines_of(const fs::path& file, std::uintmax_t size, const MeshLimits& limits) {
     constexpr std::chrono::seconds most_time{60};
     constexpr std::uintmax_t little_memory = 1ULL << 30;
@@ -55,19 +55,19 @@ Confines confines_of(const fs::path& file, std::uintmax_t size, const MeshLimits
                       .memory_bytes = limits.memory_bytes,
                       .wall_time = limits.wall_time,
                       .more_memory = more_memory};
-    // What it consists of may lie beside it.
+    // Its data may lie in other files, so its own size tells nothing.
     if (extension_of(file) == ".gltf") return confines;
     const std::chrono::seconds time{5 + size / 4'000'000};
     const auto memory_bytes = static_cast<std::size_t>(little_memory + 100 * size);
     confines.processor_time = std::min(most_time, time);
     if (memory_bytes < limits.memory_bytes) {
         confines.memory_bytes = memory_bytes;
-        confines.more_memory.clear();  // nothing does
+        confines.more_memory.clear();  // no setting does
     }
     return confines;
 }
 
-/// Its size.
+/// The size in bytes. Throws std::runtime_error if the file cannot be a mesh.
 std::uintmax_t check_file(const fs::path& file) {
     if (const auto why = why_no_file(file); !why.empty()) {
         throw std::runtime_error(why + "; a mesh is wanted here");
@@ -84,7 +84,7 @@ std::uintmax_t check_file(const fs::path& file) {
     return size;
 }
 
-/// For as long, and with as much memory, as each may take at least.
+/// Limits for one child that reads all of these: those of a file of their total size.
 Confines confines_of(const std::vector<MeshSource>& sources, const MeshLimits& limits) {
     std::uintmax_t size = 0;
     for (const MeshSource& source : sources)
@@ -105,10 +105,10 @@ bool goes_alone(const fs::path& file) {
 }  // namespace
 
 std::vector<std::vector<MeshSource>> batches_of(const std::vector<MeshSource>& sources) {
-    // So that several children have something to do, and none has much to lose.
+    // Small batches keep several children busy, and little is read again if one fails.
     constexpr std::uintmax_t most_bytes = 8'000'000;
     std::vector<std::vector<MeshSource>> batches;
-    std::uintmax_t bytes = most_bytes;  // of the last one
+    std::uintmax_t bytes = most_bytes;  // of the last batch
     for (const MeshSource& source : sources) {
         std::error_code error;
         const auto size = goes_alone(source.file) ? most_bytes : fs::file_size(source.file, error);
@@ -126,7 +126,7 @@ std::size_t memory_for(const std::vector<MeshSource>& sources, const MeshLimits&
     try {
         return confines_of(sources, limits).memory_bytes;
     } catch (const std::runtime_error&) {
-        return 0;  // nothing is begun
+        return 0;  // MeshBatch starts no child
     }
 }
 
@@ -141,7 +141,7 @@ MeshBatch::MeshBatch(std::vector<MeshSource> sources, const MeshLimits& of_each)
         };
         child_ = std::make_unique<Confined>(confines_of(sources_, of_each), work);
     } catch (const std::runtime_error&) {
-        // outcome() answers with nothing.
+        // outcome() returns nothing then.
     }
 }
 

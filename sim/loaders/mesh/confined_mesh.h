@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Meshes out of child processes, in which mesh_reader.h may do what it will with a file from
-// anywhere. Any thread.
+// Reads meshes in child processes, so that mesh_reader.h can do no harm with a file from outside.
+// Any thread.
 #pragma once
 
 #include <chrono>
@@ -18,16 +18,16 @@
 
 namespace scipd::sim {
 
-/// Some files that are being read by one child, which costs a third of a child for each: most of
-/// that is memory that each has to be given anew.
+/// Several files that one child reads. Each file then costs a third of a child of its own: most of
+/// the cost of a child is the memory that it has to be given anew.
 class MeshBatch {
   public:
-    /// Begins.
+    /// Starts the child.
     MeshBatch(std::vector<MeshSource> sources, const MeshLimits& of_each);
 
     [[nodiscard]] const std::vector<MeshSource>& sources() const { return sources_; }
-    /// Of each, as they lie in the files. Waits, once. Nothing where anything is wrong with any of
-    /// them: what it is, and with which, is told by those who read them alone.
+    /// The parts of each file, in the file's own coordinates. Waits; call it once. Nothing if any
+    /// of the files has a fault. To learn which and what, read each file alone.
     std::optional<std::vector<std::vector<MeshPart>>> outcome();
 
   private:
@@ -35,21 +35,24 @@ class MeshBatch {
     std::unique_ptr<Confined> child_;
 };
 
-/// What one child reads in one go. All sources in their order; files that are not there go alone.
+/// Splits the sources into batches for one child each, and keeps their order. A file that does not
+/// exist, or is a .gltf, is a batch of its own.
 std::vector<std::vector<MeshSource>> batches_of(const std::vector<MeshSource>& sources);
 
-/// What the child may take that reads them.
+/// How many bytes the child that reads these sources may use; 0 if it is not started, since a file
+/// cannot be a mesh.
 std::size_t memory_for(const std::vector<MeshSource>& sources, const MeshLimits& limits);
 
-/// A file that is being read: all of it or, where that fails, what matters of it.
+/// One file that a child reads: the whole file or, if that fails, its reduced form (mesh_relief.h).
 class MeshReading {
   public:
-    /// Begins. All of the file, or its submesh of this name, which is read as_in_file.
+    /// Starts to read the whole file or, if `submesh` is not empty, the submesh of this name, which
+    /// is always read as_in_file.
     MeshReading(std::filesystem::path file, std::string submesh, MeshAxes axes,
                 const MeshLimits& limits);
 
-    /// As they lie in the file. Waits, once. Throws LoadError, which names the file: it cannot be a
-    /// mesh, or the child took too much or crashed.
+    /// The parts in the file's own coordinates. Waits; call it once. Throws LoadError, which names
+    /// the file, if it is no mesh, or if the child took too much or crashed.
     std::vector<MeshPart> parts();
 
   private:

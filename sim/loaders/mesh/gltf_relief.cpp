@@ -29,7 +29,7 @@ void keep_only(json& object, std::initializer_list<const char*> wanted) {
     object = std::move(kept);
 }
 
-/// Those in the array of this name; none where there is none.
+/// Changes all elements of the array of this name, if there is one.
 template <typename Change>
 void for_each(json& object, const char* name, Change change) {
     if (!object.contains(name)) return;
@@ -52,9 +52,9 @@ void relieve_primitive(json& primitive, std::size_t materials) {
 std::string relieved_gltf(std::string_view text) {
     json file = json::parse(text, nullptr, false);
     if (file.is_discarded()) refuse();
-    // Without what undoes it, its numbers are no positions.
+    // The extension that decompresses its numbers would be dropped below.
     if (text.find("_compression\"") != text.npos) {
-        throw std::runtime_error("is compressed; save it without");
+        throw std::runtime_error("is compressed; save it without compression");
     }
     keep_only(file, {"asset", "accessors", "buffers", "bufferViews", "materials", "meshes", "nodes",
                      "scene", "scenes"});
@@ -70,7 +70,8 @@ std::string relieved_gltf(std::string_view text) {
     return file.dump();
 }
 
-// Little endian, as we are: "glTF", version, length; then chunks of length, kind and data.
+// The layout is little endian, as on this machine: "glTF", version, length; then chunks of length,
+// kind and data.
 std::string relieved_glb(std::string_view bytes) {
     const auto word_at = [&](std::size_t at) {
         std::uint32_t word = 0;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Files of meshes: OBJ with MTL, STL, PLY, COLLADA, glTF and GLB; what there is to be said of them
-// before they are read, and what they hold. Not their reading: that is in mesh_parts.h. Any thread;
-// nothing shared.
+// Mesh files: OBJ with MTL, STL, PLY, COLLADA, glTF and GLB. This header has the parts that a file
+// holds, and what is known of a file before it is read. mesh_parts.h reads it. Any thread; nothing
+// shared.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ namespace scipd::sim {
 
 /// The triangles of one material of a file.
 struct MeshPart {
-    std::string material;  ///< as the file names it; empty where it names none
+    std::string material;  ///< as the file names it; empty if it names none
     Mesh mesh;
 };
 
@@ -34,7 +34,8 @@ struct MeshLimits {
     std::chrono::milliseconds wall_time = std::chrono::minutes{2};
 };
 
-/// All of a file, or its submesh of this name: that of a node (OBJ: the object or group) or mesh.
+/// A whole file or, if `submesh` is not empty, its submesh of this name. The name is that of a node
+/// (OBJ: of an object or group) or of a mesh.
 struct MeshSource {
     std::filesystem::path file;
     std::string submesh;
@@ -44,25 +45,26 @@ struct MeshSource {
 
 /// Which way is up.
 enum class MeshAxes {
-    /// Coordinates as they stand in the file, which is what Gazebo and RViz do with every format:
-    /// neither heeds a COLLADA <up_axis>, and both leave a glTF lying on its back.
+    /// Coordinates stay as in the file. Gazebo and RViz do so with every format: neither applies a
+    /// COLLADA <up_axis>, and both leave a glTF lying on its back.
     as_in_file,
-    /// Turned to z up where the format says what is up: by <up_axis> in COLLADA (y where there is
-    /// none), y in glTF. The others say nothing and stay.
+    /// Coordinates are turned to z up if the format tells what is up: <up_axis> in COLLADA (y if
+    /// there is none), y in glTF. Other formats do not tell, and their coordinates stay.
     z_up,
 };
 
 inline constexpr std::array<std::string_view, 6> mesh_extensions{".obj", ".stl",  ".ply",
                                                                  ".dae", ".gltf", ".glb"};
 
-/// With its dot, in small letters.
+/// With its dot, in lower case.
 std::string extension_of(const std::filesystem::path& file);
 
-/// By its name.
+/// Judges by the name only.
 bool is_mesh_file(const std::filesystem::path& file);
 
-/// Brings parts as they lie in `file`, the middle of their bounds to the origin if they are to be
-/// centred, to this scale. Throws LoadError where a vertex is not finite then, or too far out.
+/// Scales parts that are in the coordinates of `file`; if `centred`, it first moves the middle of
+/// their bounds to the origin. Throws LoadError, which names `file`, if a vertex is then not
+/// finite, or more than 1e7 m out.
 void place(std::vector<MeshPart>& parts, bool centred, const glm::dvec3& scale,
            const std::filesystem::path& file);
 

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Assimp's own, of a file that is open already.
+/// Assimp's own stream, over a file that is open already.
 class Stream final : public Assimp::DefaultIOStream {
   public:
     Stream(File file, const std::string& name) : DefaultIOStream(file.release(), name) {}
@@ -27,12 +27,12 @@ Stream* stream_of(const std::string& contents) {
     File file = memory_file();
     std::fwrite(contents.data(), 1, contents.size(), file.get());
     std::rewind(file.get());
-    // By which the stream asks for its size.
+    // The stream asks for its size by this name.
     const std::string name = "/proc/self/fd/" + std::to_string(fileno(file.get()));
     return new Stream(std::move(file), name);
 }
 
-/// Nothing lies below the root of all files: that would be everything.
+/// In the folder or below it. Below the root folder would be everything, so there nothing counts.
 bool lies_in(const fs::path& file, const fs::path& folder) {
     if (file.parent_path() == folder) return true;
     const auto [end, ignored] =
@@ -51,7 +51,7 @@ MeshFolder::MeshFolder(const fs::path& mesh) : mesh_(mesh) {
 std::string MeshFolder::why_not(const fs::path& file) const {
     if (file == mesh_) return {};
     if (relieved_ && file.extension() == ".mtl") return "is not wanted";
-    // Links and dots followed to their ends.
+    // Resolves links and dots.
     std::error_code error;
     const fs::path real = fs::canonical(file, error);
     if (error) return "no such file";

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What Assimp may open while it reads a mesh: the mesh, and the files beside it and in the folders
-// below that, where these are plain files. A mesh can name anything, a device, a FIFO that nobody
-// writes to or somebody else's files, and the library would open it. One thread.
+// Limits what Assimp may open while it reads a mesh: the mesh, and plain files in its folder and in
+// the folders below. A mesh can name anything, such as a device, a FIFO that nobody writes to or
+// the files of another user, and the library would open it. One thread.
 #pragma once
 
 #include <filesystem>
@@ -20,24 +20,25 @@ class MeshFolder final : public Assimp::DefaultIOSystem {
   public:
     explicit MeshFolder(const std::filesystem::path& mesh);
 
-    /// The mesh holds this; nothing beside it that only says how it looks may be opened.
+    /// Gives Assimp these contents in place of the mesh's own, and lets it open no file that only
+    /// tells how the mesh looks (.mtl).
     void relieve(std::string contents) { relieved_ = std::move(contents); }
 
     bool Exists(const char* file) const override;
-    /// Null where it may not be opened; nothing is ever written.
+    /// Null if the file may not be opened. Nothing may be opened for writing.
     Assimp::IOStream* Open(const char* file, const char* mode) override;
 
-    /// Why the first file beside the mesh that was asked for could not be had; empty where all
-    /// could.
+    /// Why Assimp was refused the first file that it did not get; empty if it got all.
     [[nodiscard]] const std::string& refusal() const { return refusal_; }
 
   private:
-    /// Empty where it may be opened.
+    /// Why the file may not be opened; empty if it may.
     [[nodiscard]] std::string why_not(const std::filesystem::path& file) const;
 
     std::filesystem::path mesh_;
     std::optional<std::string> relieved_;
-    /// Of the mesh as it is named, and of what that leads to: installations link file by file.
+    /// The folder of the mesh as it is named, and that of the file to which its name links: some
+    /// installations link file by file.
     std::vector<std::filesystem::path> folders_;
     std::string refusal_;
 };

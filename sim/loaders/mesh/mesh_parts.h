@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Meshes from files (mesh_file.h), as the parts that have one material each. Any thread; nothing
-// shared.
+// Reads mesh files (mesh_file.h) into parts of one material each. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>
@@ -15,9 +14,9 @@
 namespace scipd::sim {
 
 /// All triangles of the file, one part for every material, with the file's own transforms applied
-/// and, in COLLADA, its <unit>; other files are in metres. It is read in a child process, so that
-/// one that takes too much of anything, or crashes the library, is refused like any other. Throws
-/// LoadError.
+/// and, in COLLADA, its <unit>; other files are in metres. A child process reads the file, so that
+/// one that takes too much time or memory, or crashes the library, is refused like any other faulty
+/// file. Throws LoadError.
 std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& file,
                                       const glm::dvec3& scale = {1.0, 1.0, 1.0},
                                       MeshAxes axes = MeshAxes::as_in_file,

@@ -36,7 +36,7 @@ constexpr int unwanted_components = aiComponent_NORMALS | aiComponent_TANGENTS_A
                                     aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS;
 
 constexpr unsigned int plain = aiProcess_Triangulate | aiProcess_RemoveComponent;
-/// Takes the nodes away, and with them their names.
+/// Removes the nodes, and with them their names.
 constexpr unsigned int flat = aiProcess_PreTransformVertices | aiProcess_SortByPType;
 
 constexpr std::size_t most_names_told = 10;
@@ -54,7 +54,7 @@ std::uint64_t triangle_count(const aiMesh& mesh) {
     return count;
 }
 
-/// A node shows any mesh again, and so a small file can stand for any number of triangles.
+/// Any number of nodes can show the same mesh, so a small file can have any number of triangles.
 void check_triangle_count(const aiScene& scene, const MeshLimits& limits) {
     std::vector<std::uint64_t> of_mesh;
     for (const aiMesh* mesh : meshes_of(scene))
@@ -87,7 +87,7 @@ bool is_finite(const aiMesh* mesh) {
                              (folder.refusal().empty() ? "" : "; it " + folder.refusal()));
 }
 
-/// The importer hands out its scene as const, and has no step for this.
+/// Removes all properties of materials but their names. The importer has no step for this.
 void keep_names_only(const aiScene& scene) {
     for (aiMaterial* material : std::span{scene.mMaterials, scene.mNumMaterials}) {
         aiString name;
@@ -97,7 +97,7 @@ void keep_names_only(const aiScene& scene) {
     }
 }
 
-/// What is asked of one file.
+/// How one file is to be read.
 struct Wish {
     const std::filesystem::path& file;
     MeshAxes axes;
@@ -106,7 +106,7 @@ struct Wish {
     MeshContents contents;
 };
 
-/// Which the importer owns.
+/// The importer takes ownership of the result.
 MeshFolder* folder_of(const Wish& wish) {
     auto folder = std::make_unique<MeshFolder>(wish.file);
     if (wish.contents == MeshContents::relieved) {
@@ -116,7 +116,7 @@ MeshFolder* folder_of(const Wish& wish) {
     return folder.release();
 }
 
-/// All that is asked of a file before and after the steps that make what is wanted of it.
+/// Reads a file, checks it, and applies `wish.steps` to it.
 const aiScene& read(Assimp::Importer& importer, const Wish& wish) {
     importer.SetIOHandler(folder_of(wish));
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, unwanted_components);
@@ -126,7 +126,8 @@ const aiScene& read(Assimp::Importer& importer, const Wish& wish) {
                              wish.axes == MeshAxes::as_in_file);
     const aiScene* scene = importer.ReadFile(wish.file.string(), 0);
     if (scene == nullptr) refuse(importer);
-    // What is in nobody's way is not asked whether it is right: two cameras of one name, a texture.
+    // Done before the validation, which would refuse the file for what does not matter here, such
+    // as two cameras of one name, or a texture.
     keep_names_only(*scene);
     importer.ApplyPostProcessing(aiProcess_RemoveComponent);
     scene = importer.ApplyPostProcessing(aiProcess_ValidateDataStructure);
@@ -137,14 +138,14 @@ const aiScene& read(Assimp::Importer& importer, const Wish& wish) {
     if (!std::ranges::all_of(meshes_of(*scene), is_finite)) {
         throw std::runtime_error("has a vertex that is not finite");
     }
-    // Last, since it takes a NaN for identical to any vertex and would hide it.
+    // Last, since this step takes a NaN as identical to any vertex and would hide it.
     scene = importer.ApplyPostProcessing(aiProcess_JoinIdenticalVertices);
     if (scene == nullptr) refuse(importer);
     return *scene;
 }
 
-/// Whether Assimp hands y up: it does so itself with COLLADA, unless it is told to leave the axes,
-/// and glTF has it by its specification.
+/// Whether y is up in what Assimp returns. It turns COLLADA so, unless it is told to leave the
+/// axes, and glTF is so by its specification.
 bool is_y_up(const std::filesystem::path& file, MeshAxes axes) {
     const std::string extension = extension_of(file);
     return axes == MeshAxes::z_up &&
@@ -163,7 +164,7 @@ void append(const aiMesh& from, Move move, Mesh& to) {
     }
 }
 
-/// Assimp makes up a name where the file gives none.
+/// Assimp makes up a name if the file gives none.
 std::string material_name(const aiScene& scene, const aiMesh& mesh) {
     if (mesh.mMaterialIndex >= scene.mNumMaterials) return {};
     const std::string name = scene.mMaterials[mesh.mMaterialIndex]->GetName().C_Str();
@@ -179,16 +180,16 @@ void drop_empty(std::vector<MeshPart>& parts) {
     std::erase_if(parts, [](const MeshPart& part) { return part.mesh.triangles.empty(); });
 }
 
-/// What a name may be that of, the meaning of Gazebo first.
+/// What the name of a submesh may mean. The meaning in Gazebo comes first.
 enum class Named {
-    /// Nodes, less what lies in nodes in them that have names of their own: gz-common 5 and Gazebo
+    /// A node without those of its inner nodes that have names of their own. gz-common 5 and Gazebo
     /// Classic name submeshes so (ColladaLoader.cc, AssimpLoader.cc).
     node,
     mesh,
     node_with_all,
 };
 
-/// Walks the nodes of a file and keeps what a name means.
+/// Walks the nodes of a file and collects the meshes that a name means.
 class Picker {
   public:
     Picker(const aiScene& scene, const std::string& name) : scene_(scene), name_(name) {}
@@ -228,7 +229,7 @@ class Picker {
             walk(*child, file_from_node, inside);
     }
 
-    /// By Assimp.
+    /// Whether Assimp made up the name.
     [[nodiscard]] static bool is_made_up(const aiString& name) {
         return std::string_view{name.C_Str()}.starts_with("$ColladaAutoName$");
     }
@@ -273,7 +274,7 @@ std::vector<MeshPart> read_mesh(const std::filesystem::path& file, MeshAxes axes
 std::vector<MeshPart> read_submesh(const std::filesystem::path& file, const std::string& name,
                                    const MeshLimits& limits, MeshContents contents) {
     std::string names;
-    // Of COLLADA, Gazebo knows the names; who has none to go by has taken an id.
+    // In COLLADA, Gazebo goes by names. If a mesh has no names, a world may go by its ids.
     for (const bool by_name : {true, false}) {
         Assimp::Importer importer;
         importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, by_name);

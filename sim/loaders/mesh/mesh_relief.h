@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Mesh files without what is nothing to a ray, for when Assimp refuses a whole file for its
-// animation, its skin, its cameras, textures or normals. Not for every file: most need none of
-// this. Any thread; nothing shared.
+// Reduces mesh files to what a ray can hit. Assimp refuses a whole file for a fault in an
+// animation, a skin, a camera, a texture or normals, and may then read the reduced form. Most files
+// do not need it. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>
@@ -12,25 +12,26 @@
 
 namespace scipd::sim {
 
-/// Whether there is such a form of files of this name.
+/// Whether a file with this extension has a reduced form.
 bool can_be_relieved(const std::filesystem::path& file);
 
-/// What Assimp is to read in place of the file's own bytes. An OBJ stays, since what it names
-/// beside itself is what can be wrong. Throws std::runtime_error where the file is no such thing.
+/// The bytes that Assimp reads in place of the file's own. An OBJ stays as it is: the fault can
+/// only be in the files that it names (MeshFolder). Throws std::runtime_error if the file is not of
+/// the format of its extension.
 std::string relieved(const std::filesystem::path& file, std::string_view bytes);
 
-// Each format has a source of its own.
+// Each format has a source file of its own.
 
-/// A COLLADA without animations, skins, cameras, lights, pictures, and all of its vertices but
-/// where they are; what a skin covers stands in its first pose. Polygons with holes are triangles,
-/// and counts are right. Throws std::runtime_error where it is none.
+/// A COLLADA without animations, skins, cameras, lights and pictures. Of its vertices only the
+/// positions stay; a mesh with a skin stands as it does without the skin. Polygons with holes
+/// become triangles, and counts are corrected. Throws std::runtime_error if the text is no COLLADA.
 std::string relieved_collada(std::string_view text);
 
-/// A glTF without animations, skins, cameras, pictures and all of its vertices but where they are;
-/// materials keep their names. Throws std::runtime_error where it is none.
+/// A glTF without animations, skins, cameras and pictures. Of its vertices only the positions stay,
+/// of its materials only the names. Throws std::runtime_error if the text is no glTF.
 std::string relieved_gltf(std::string_view text);
 
-/// The same with its buffer behind it.
+/// The same for a GLB, whose buffer stays as it is.
 std::string relieved_glb(std::string_view bytes);
 
 }  // namespace scipd::sim

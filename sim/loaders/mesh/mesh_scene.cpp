@@ -16,7 +16,7 @@
 namespace scipd::sim {
 namespace {
 
-/// Past this a float is coarser than a millimetre.
+/// Beyond this distance a float is coarser than a millimetre.
 constexpr double coarse_m = 10'000.0;
 
 double reach_m(const Scene& scene) {

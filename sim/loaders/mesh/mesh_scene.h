@@ -9,8 +9,8 @@
 
 namespace scipd::sim {
 
-/// A mesh file as a world: one model that never moves, named as the file, an object for every
-/// material, z up (MeshAxes::z_up), in metres. Throws LoadError.
+/// Loads a mesh file as a world: one model that never moves and has the name of the file, with an
+/// object for every material, z up (MeshAxes::z_up), in metres. Throws LoadError.
 LoadedScene load_mesh_scene(const std::filesystem::path& file, const MeshLimits& limits = {});
 
 }  // namespace scipd::sim

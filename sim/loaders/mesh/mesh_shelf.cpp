@@ -17,12 +17,12 @@ MeshReading begin_reading(const MeshSource& source, const MeshLimits& limits) {
     return {source.file, source.submesh, MeshAxes::as_in_file, limits};
 }
 
-/// At a time.
+/// How many children read at one time.
 std::size_t most_readings() {
     return std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
 }
 
-/// Small files hardly need more; where they do, each is read alone.
+/// The limits of a batch. Small files hardly need more; if they do, each is read alone.
 MeshLimits share_of(MeshLimits limits) {
     limits.memory_bytes /= most_readings();
     return limits;
@@ -71,7 +71,7 @@ void MeshShelf::read_ahead(const std::vector<MeshSource>& sources) {
                                     memory_bytes + wanted_bytes > limits_.memory_bytes)) {
             take_up_first();
         }
-        if (triangles > most_triangles_) break;  // which is told where they are shown
+        if (triangles > most_triangles_) break;  // count() will report it
         memory_bytes += wanted_bytes;
         if (batch.size() > 1) {
             running.push_back({MeshBatch{std::move(batch), limits}, wanted_bytes});
@@ -127,7 +127,7 @@ const std::vector<SharedPart>& MeshShelf::parts_of(const std::filesystem::path& 
 }
 
 void MeshShelf::count(const Shape& shape) {
-    // Round things matter only where they are large.
+    // Other shapes, and spheres of less than this radius, have few triangles.
     const auto* mesh = std::get_if<SharedMesh>(&shape);
     const auto* sphere = std::get_if<Sphere>(&shape);
     if (mesh != nullptr) triangles_ += (*mesh)->triangles.size();

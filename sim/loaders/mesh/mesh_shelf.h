@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The meshes of one world while it is loaded: each file is read once, however often, how large and
-// in how many places it is shown, and all triangles together stay within a limit.
+// Keeps the meshes of one world while it is loaded. Each file is read once, even if the world shows
+// it in several places and at several scales. All triangles together must stay within a limit.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@
 
 namespace scipd::sim {
 
-/// What one file has of one material.
+/// The triangles of one material of a file.
 struct SharedPart {
     std::string material;
     SharedMesh mesh;
@@ -31,19 +31,20 @@ struct SharedPart {
 
 class MeshShelf {
   public:
-    /// `limits` are those of each file; its memory is that of all which are read at a time.
+    /// `limits` hold for each file, but their memory is for all files that are read at one time.
     MeshShelf(std::size_t most_triangles, const MeshLimits& limits)
         : most_triangles_(most_triangles), limits_(limits) {}
 
-    /// What will be asked for, several at a time. What is wrong with one is said when it is asked
-    /// for, and files that cannot be read together are read alone then. Best while this process is
-    /// small, since a child begins as a copy of it.
+    /// Reads the meshes that parts_of() will be asked for, several at a time. parts_of() reports
+    /// the faults of a file, and reads alone those files that could not be read together. Call this
+    /// while this process is small, since a child begins as a copy of it.
     void read_ahead(const std::vector<MeshSource>& sources);
 
-    /// Of this file at the scale and with the submesh that `mesh` asks for. Throws LoadError.
+    /// The parts of this file, at the scale and of the submesh that `mesh` asks for. Throws
+    /// LoadError.
     const std::vector<SharedPart>& parts_of(const std::filesystem::path& file,
                                             const sdf::Mesh& mesh);
-    /// Throws LoadError where this shape is one too many.
+    /// Adds the triangles of this shape. Throws LoadError if the world then has too many.
     void count(const Shape& shape);
 
   private:
@@ -56,10 +57,10 @@ class MeshShelf {
     };
     struct Running {
         std::variant<MeshBatch, Alone> reading;
-        std::size_t memory_bytes;  ///< that it may take
+        std::size_t memory_bytes;  ///< that the reading may use
     };
 
-    /// Each answers with the number of its triangles.
+    /// Both wait for the outcome, keep it and return the number of its triangles.
     std::size_t take_up(MeshBatch& batch);
     std::size_t take_up(Alone& alone);
     const std::vector<MeshPart>& in_file(const MeshSource& source);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A cut from each hole to the outline makes one loop of all, from which ears are clipped.
+// Cuts from the holes to the outline make one loop of all of them. Ears are then clipped from it.
 #include "sim/loaders/mesh/polygon_with_holes.h"
 
 #include <algorithm>
@@ -15,12 +15,12 @@
 namespace scipd::sim {
 namespace {
 
-/// Twice the area, above 0 where a, b, c turn left.
+/// Twice the area of the triangle; above 0 if a, b, c turn left.
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Also where they only touch, but not where they share an end.
+/// Whether the segments ab and cd meet. To touch counts, to share an end does not.
 bool meet(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d) {
     if (a == c || a == d || b == c || b == d) return false;
     const auto between = [](const glm::dvec2& p, const glm::dvec2& q, const glm::dvec2& r) {
@@ -36,7 +36,7 @@ bool meet(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const g
            (a_side == 0.0 && between(c, d, a)) || (b_side == 0.0 && between(c, d, b));
 }
 
-/// All in the plane, seen from where the outline turns left.
+/// Works in the two coordinates in which the polygon is largest. There the outline turns left.
 class Clipper {
   public:
     Clipper(const Loop& outline, const std::vector<glm::dvec3>& points) : points_(points) {
@@ -90,7 +90,8 @@ class Clipper {
         return false;
     }
 
-    /// Whether the way from this corner to there begins inside: cuts pass a corner more than once.
+    /// Whether the line from this corner to `there` begins inside the loop. A point may be several
+    /// corners of the loop, since cuts come back to it.
     [[nodiscard]] bool opens_to(std::size_t i, const glm::dvec2& there) const {
         const glm::dvec2 before = corner(i + loop_.size() - 1);
         const bool after_last = turn(corner(i), corner(i + 1), there) >= 0.0;
@@ -99,7 +100,7 @@ class Clipper {
                                                              : after_last || before_first;
     }
 
-    /// From the hole's first corner to the nearest of the loop that nothing hides.
+    /// Cuts from the hole's first corner to the nearest corner of the loop that is in sight.
     void cut_to(const Loop& hole, const std::vector<Loop>& in_the_way) {
         const glm::dvec2 from = at(hole[0]);
         std::size_t best = 0;
@@ -131,7 +132,7 @@ class Clipper {
         });
     }
 
-    /// Three in a line, or there and back.
+    /// Whether this corner and its neighbours lie on one line.
     [[nodiscard]] bool is_flat(std::size_t i) const {
         return turn(corner(i + loop_.size() - 1), corner(i), corner(i + 1)) == 0.0;
     }

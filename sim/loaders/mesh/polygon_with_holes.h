@@ -10,12 +10,12 @@
 
 namespace scipd::sim {
 
-/// Corners of a polygon, as numbers of points.
+/// The corners of a polygon, as indices of points.
 using Loop = std::vector<std::size_t>;
 
-/// Triangles of a flat polygon less its holes, which lie within it and apart from each other; the
-/// corners of each run either way around. What is no such thing gets some triangles. Takes the time
-/// of the cube of the corners where they are unkind.
+/// Triangles of a flat polygon without its holes. The holes must lie inside it and must not touch
+/// each other; corners may run either way around. For any other polygon the triangles are
+/// arbitrary. At worst the time grows with the cube of the number of corners.
 std::vector<std::array<std::size_t, 3>> triangles_of(Loop outline, std::vector<Loop> holes,
                                                      const std::vector<glm::dvec3>& points);
 

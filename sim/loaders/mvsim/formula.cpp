@@ -47,7 +47,7 @@ double call(const std::string& name, const Arguments& x) {
     refuse("the function " + quote(name) + " is not known here");
 }
 
-/// By descent: or, and, comparison, sum, product, power, sign, atom.
+/// Calculates by recursive descent: or, and, comparison, sum, product, power, sign, atom.
 class Calculator {
   public:
     Calculator(std::string_view text, const Variables& variables)
@@ -56,7 +56,7 @@ class Calculator {
     double all() {
         const double value = either();
         skip_blanks();
-        if (!rest_.empty()) refuse(quote(rest_) + " is too much in a formula");
+        if (!rest_.empty()) refuse("a formula cannot go on with " + quote(rest_));
         return value;
     }
 
@@ -207,7 +207,8 @@ std::string value_of(std::string_view asked, const Variables& variables) {
     return std::string(asked.substr(bar + 1));
 }
 
-/// Replaces the innermost of what begins so; false where there is none.
+/// Replaces the last expression that begins so, which has no other one inside; false if there is
+/// none.
 bool replace_last(std::string& text, std::string_view begins, const auto& value) {
     const auto begin = text.rfind(begins);
     if (begin == text.npos) return false;
@@ -246,7 +247,7 @@ std::string substituted(std::string_view given, const Variables& variables) {
         if (++replaced > most_replaced) refuse("a text has too many variables");
     }
     if (text.find("$(") != text.npos || text.find("$env{") != text.npos) {
-        refuse("neither commands nor the environment are asked: " + quote(text));
+        refuse("uses a command or the environment, which scipd does not read: " + quote(text));
     }
     return text;
 }

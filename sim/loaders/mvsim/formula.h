@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What MVSim calculates in a world file: `${NAME}`, `${NAME|otherwise}` and `$f{2*sin(pi/4)+NAME}`.
-// Neither commands, `$(...)`, nor the environment, nor chance. Any thread; nothing shared.
+// Calculates the expressions of an MVSim world: `${NAME}`, `${NAME|otherwise}` and
+// `$f{2*sin(pi/4)+NAME}`. Commands (`$(...)`), the environment and random numbers are not
+// supported. Any thread; nothing shared.
 #pragma once
 
 #include <map>
@@ -16,7 +17,7 @@ using Variables = std::map<std::string, std::string, std::less<>>;
 /// Throws std::invalid_argument, saying what cannot be calculated.
 double formula(std::string_view text, const Variables& variables);
 
-/// The text with the values of all that it asks for. Throws std::invalid_argument.
+/// The text with all its expressions replaced by their values. Throws std::invalid_argument.
 std::string substituted(std::string_view text, const Variables& variables);
 
 }  // namespace scipd::sim

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Pictures of MVSim: grids of cells, and grounds. Pure; what cannot be read is thrown as
-// std::invalid_argument.
+// Turns pictures of MVSim into meshes: occupancy grids and elevation maps. Pure. Throws
+// std::invalid_argument, saying what cannot be read.
 #pragma once
 
 #include <string_view>
@@ -17,7 +17,8 @@ struct PlacedMesh {
     glm::dvec3 origin_m;
 };
 
-/// `<element class="occupancy_grid">` of a picture: its darker half stands between these heights.
+/// `<element class="occupancy_grid">` of a picture: pixels below half of full brightness become
+/// walls between these heights.
 PlacedMesh grid_mesh(const MvsimNode& grid, std::string_view picture, double bottom_m,
                      double top_m);
 

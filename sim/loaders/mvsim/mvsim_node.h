@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// An element of an MVSim world while it is walked through: what it and its class say, with the
-// variables of that moment. Any thread; valid while its document is.
+// One element of an MVSim world during the walk through it: its values and those of its class, with
+// the variables of that moment. Any thread; valid as long as its document.
 #pragma once
 
 #include <filesystem>
@@ -31,18 +31,18 @@ class MvsimNode {
     // All of these throw std::invalid_argument for what cannot be read.
 
     [[nodiscard]] std::string attribute(const char* name) const;
-    /// Of a child's text; nothing where there is no such child.
+    /// The text of a child; nothing if there is no such child.
     [[nodiscard]] std::optional<std::string> text(const char* child) const;
     [[nodiscard]] double number(const char* child, double otherwise) const;
     [[nodiscard]] bool is_on(const char* child) const;
-    /// x and y of each `<pt>` of `<shape>`; empty where there is none.
+    /// x and y of each `<pt>` of `<shape>`; empty if there is none.
     [[nodiscard]] std::vector<glm::dvec2> points() const;
-    /// `<init_pose>` or `<init_pose3d>`, in degrees; the origin where there is neither.
+    /// `<init_pose>` or `<init_pose3d>`, in degrees; the origin if there is neither.
     [[nodiscard]] Pose pose() const;
     /// The child, of the element itself or of its class.
     [[nodiscard]] std::optional<MvsimNode> child(const char* name) const;
     [[nodiscard]] std::vector<MvsimNode> children(const char* name) const;
-    /// What a door or a window says in an attribute or in a child.
+    /// A number that a door or a window has as an attribute or as a child.
     [[nodiscard]] double attribute_or_child(const char* name, double otherwise) const;
 
     [[nodiscard]] bool has(const char* child) const;
@@ -64,7 +64,8 @@ class MvsimNode {
     const Variables& variables_;
 };
 
-/// Numbers between blanks. Throws std::invalid_argument where there are not so many.
+/// Exactly `count` numbers, separated by blanks. Throws std::invalid_argument, which names `what`,
+/// for any other text.
 std::vector<double> numbers_in(const std::string& text, std::size_t count, const char* what);
 
 }  // namespace scipd::sim

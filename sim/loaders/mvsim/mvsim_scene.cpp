@@ -60,10 +60,10 @@ class MvsimScene {
         if (kind == "element") return add_element(node);
         if (kind == "block") return add_block(node);
         if (kind == "walls") return add_walls(node);
-        if (kind == "vehicle") throw std::invalid_argument("is a robot; configure it here");
+        if (kind == "vehicle") throw std::invalid_argument("is a robot; configure it in scipd");
         const bool says_nothing =
             is_one_of(kind, {"gui", "lights", "sensor", "vehicle:class", "joint"});
-        // What has but a text is a parameter.
+        // An element with nothing but text is a parameter.
         if (!says_nothing && node.has_children()) throw std::invalid_argument("is not known here");
     }
 
@@ -158,7 +158,7 @@ class MvsimScene {
             throw std::invalid_argument("zmin must be below zmax");
         const Shape shape = block_shape(node, geometry, top_m - bottom_m);
         const ModelId model = add_model(node, "block", node.pose(), !node.is_on("static"));
-        // Primitives are centred, prisms stand on their foot.
+        // The origin of a primitive is its centre, that of a prism lies in its foot.
         const bool is_prism = std::holds_alternative<SharedMesh>(shape);
         const double z_m = is_prism ? bottom_m : 0.5 * (bottom_m + top_m);
         add_object(model, {{0.0, 0.0, z_m}, {1.0, 0.0, 0.0, 0.0}}, shape, "");
@@ -188,7 +188,7 @@ class MvsimScene {
 
     SharedMesh counted(Mesh mesh) {
         if (mesh.triangles.size() > most_mvsim_triangles - triangles_)
-            throw std::invalid_argument("makes more than 20 million triangles of the world");
+            throw std::invalid_argument("brings the world to more than 20 million triangles");
         triangles_ += mesh.triangles.size();
         return std::make_shared<const Mesh>(std::move(mesh));
     }

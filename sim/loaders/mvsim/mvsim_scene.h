@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A world file of MVSim as a world: its planes, grids, elevation maps, walls and blocks. Vehicles,
-// and blocks that only a 3D model shows, are left out with a warning. Any thread; nothing shared.
+// Loads a world file of MVSim: its planes, grids, elevation maps, walls and blocks. Vehicles, and
+// blocks that only a 3D model shows, are left out with a warning. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace scipd::sim {
 
-/// The options are for occupancy grids, which have no heights. Throws LoadError.
+/// The options give occupancy grids the heights that a file does not have. Throws LoadError.
 LoadedScene load_mvsim(const std::filesystem::path& file, const MapOptions& options = {});
 
 }  // namespace scipd::sim

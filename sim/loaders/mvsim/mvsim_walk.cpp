@@ -104,7 +104,7 @@ class Walk {
         }
     }
 
-    /// Its other attributes are variables within.
+    /// The other attributes of the element are variables inside the included file.
     void include(const XMLElement& at, const MvsimNode& node) {
         const fs::path& file =
             files_.emplace_back(node.beside(node.attribute("file")).lexically_normal());

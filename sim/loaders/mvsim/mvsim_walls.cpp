@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_pieces = 10'000;
 
-/// Along a wall, and up.
+/// x runs along a wall, y up, in metres.
 struct Rectangle {
     glm::dvec2 low;
     glm::dvec2 high;
@@ -67,7 +67,7 @@ PlacedBox box_between(const glm::dvec2& from_m, const glm::dvec2& to_m, double t
     return {box, pose_from_rpy(middle_m, {0.0, 0.0, std::atan2(along.y, along.x)})};
 }
 
-/// As MVSim takes it from Matlab: four rows of four.
+/// Four rows of four numbers, with Matlab's brackets and semicolons, as MVSim reads them.
 std::vector<double> transformation(const MvsimNode& walls) {
     auto text = walls.text("transformation");
     if (!text) return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
@@ -76,7 +76,7 @@ std::vector<double> transformation(const MvsimNode& walls) {
     return numbers_in(*text, 16, "transformation");
 }
 
-/// Of the first `count` points.
+/// Whether one of the first `count` points is so near.
 bool any_near(const std::vector<glm::dvec2>& points, std::size_t count, const glm::dvec2& here,
               double distance_m) {
     return std::any_of(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count),
@@ -92,7 +92,7 @@ std::vector<PlacedBox> plane_boxes(const MvsimNode& plane) {
     const double thickness_m = plane.number("thickness", 0.02);
     const double bottom_m = plane.number("z", 0.0);
     const double top_m = bottom_m + plane.number("height", 3.0);
-    // Which tells whether there is a wall at all.
+    // Throws if this is no wall.
     (void)box_between(from_m, to_m, thickness_m, bottom_m, top_m);
     std::vector<Rectangle> pieces{{{0.0, bottom_m}, {length_m, top_m}}};
     for (const char* kind : {"door", "window"}) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Walls of MVSim as boxes. Pure; what cannot be read is thrown as std::invalid_argument.
+// Turns walls of MVSim into boxes. Pure. Throws std::invalid_argument, saying what cannot be read.
 #pragma once
 
 #include <vector>
@@ -16,11 +16,11 @@ struct PlacedBox {
     Pose world_from_box;
 };
 
-/// `<element class="vertical_plane">`: what its doors and windows leave of it.
+/// `<element class="vertical_plane">`: the wall without its doors and windows.
 std::vector<PlacedBox> plane_boxes(const MvsimNode& plane);
 
-/// `<walls>`: one between each pair of points, longer by half its thickness at either end where a
-/// wall before it ends, so that corners are closed.
+/// `<walls>`: one wall between each pair of points. If an earlier wall begins or ends near one of
+/// its ends, the wall is longer there by half its thickness, so that corners are closed.
 std::vector<PlacedBox> wall_boxes(const MvsimNode& walls);
 
 }  // namespace scipd::sim

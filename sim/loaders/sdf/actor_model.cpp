@@ -31,7 +31,7 @@ const SdfActor* actor_of(const sdf::Model& model, const std::vector<SdfActor>& a
 Model walking(Model still, const SdfActor& actor, const sdf::Model& model) {
     still.movable = true;
     if (actor.script == nullptr) return still;
-    const Pose put = to_pose(model.RawPose());  // without what a saved <state> makes of it
+    const Pose put = to_pose(model.RawPose());  // before a saved <state> moves it
     still.script = are_one_place(put, actor.pose) ? actor.script : moved(put, *actor.script);
     still.world_from_model = still.script->steps.front().pose;
     return still;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Models that were actors before libsdformat read them (sdf_actor.h). Any thread; nothing shared.
+// Finds the models that stand for actors (sdf_actor.h) and makes them walk. Any thread; nothing
+// shared.
 #pragma once
 
 #include <vector>
@@ -13,12 +14,13 @@
 
 namespace scipd::sim {
 
-/// Null where it was none of these.
+/// The actor that `model` stands for; null if it stands for none.
 const SdfActor* actor_of(const sdf::Model& model, const std::vector<SdfActor>& actors);
 
-/// The model as it walks, which begins where its script does. Waypoints are in the world, as in
-/// Gazebo Classic (gazebo/physics/Actor.cc sets them as world poses), unless an include puts the
-/// actor elsewhere: then they are told from there, as in Gazebo Sim (src/rendering/RenderUtil.cc).
+/// `still` with the script of the actor, at the first pose of that script. Waypoints are poses in
+/// the world, as in Gazebo Classic (gazebo/physics/Actor.cc sets them as world poses). If an
+/// include puts the actor elsewhere, they are relative to that place, as in Gazebo Sim
+/// (src/rendering/RenderUtil.cc).
 Model walking(Model still, const SdfActor& actor, const sdf::Model& model);
 
 }  // namespace scipd::sim

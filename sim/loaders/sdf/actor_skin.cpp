@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 /// A person's size, by our choice.
 constexpr double height_m = 1.75;
 constexpr double radius_m = 0.25;
-/// How high the hips are, of the height: Drillis and Contini, Body Segment Parameters (1966).
+/// Height of the hips as a share of the body height: Drillis and Contini, Body Segment Parameters
+/// (1966).
 constexpr double hips_share = 0.53;
 
 SharedMesh capsule() {
@@ -30,7 +31,7 @@ Bounds bounds_of_all(const std::vector<SharedPart>& parts) {
     return bounds;
 }
 
-/// Gazebo's own skins are called by their file name alone.
+/// Worlds name the skins that come with Gazebo by their file name alone.
 fs::path find_skin(const std::string& uri, const fs::path& folder, const Resources& resources) {
     const fs::path found = resources.find(uri, folder);
     return found.empty() ? resources.find("media/models/" + uri, folder) : found;

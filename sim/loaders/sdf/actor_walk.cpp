@@ -15,18 +15,18 @@ using Seconds = std::chrono::duration<double>;
 
 constexpr double stray_m = 1e-4;
 constexpr Time shortest_step = std::chrono::milliseconds(1);
-/// What changes within it is a jump.
+/// A change of pose within this time is a jump.
 constexpr Time instant{1};
-/// For all that is reckoned with it to fit into a Time.
+/// Sums of times up to this one still fit into a Time.
 constexpr Seconds longest{4e9};
-/// Of one trajectory: 7 MB.
+/// For one trajectory: 7 MB.
 constexpr std::size_t most_walk_steps = 100'000;
 
-/// From one waypoint to the next, where s = 0 and s = 1.
+/// The curve from one waypoint, at s = 0, to the next, at s = 1.
 struct Cubic {
     glm::dvec3 from_m;
     glm::dvec3 to_m;
-    glm::dvec3 leaves_m;  ///< by what it moves in s = 1
+    glm::dvec3 leaves_m;  ///< derivative by s
     glm::dvec3 arrives_m;
 
     [[nodiscard]] glm::dvec3 at(double s) const {
@@ -35,7 +35,8 @@ struct Cubic {
                s * s * ((1.0 + 2.0 * rest) * to_m - rest * arrives_m);
     }
 
-    /// A chord strays by an eighth of the second derivative, at most, which is greatest at an end.
+    /// A chord strays from the curve by at most an eighth of the second derivative, which is
+    /// greatest at an end.
     [[nodiscard]] std::size_t parts() const {
         const glm::dvec3 way_m = to_m - from_m;
         const double bend_m = std::max(glm::length(6.0 * way_m - 4.0 * leaves_m - 2.0 * arrives_m),
@@ -47,7 +48,7 @@ struct Cubic {
 class Spline {
   public:
     explicit Spline(const ActorTrajectory& trajectory) : points_(trajectory.waypoints) {
-        // The first one is waited for where it stands.
+        // If the first waypoint has a later time, the actor waits at it.
         if (const Waypoint first = points_.front(); first.time > Time{})
             points_.insert(points_.begin(), Waypoint{Time{}, first.pose});
         pull_ = 0.5 * (1.0 - trajectory.tension);
@@ -77,7 +78,7 @@ class Spline {
         return points_[i].pose.translation_m;
     }
 
-    /// A way that ends where it begins goes on there.
+    /// A path that ends where it begins is a closed loop, and smooth there.
     [[nodiscard]] glm::dvec3 tangent_m(std::size_t i) const {
         const std::size_t last = points_.size() - 1;
         const bool closed = at_m(0) == at_m(last);
@@ -98,7 +99,7 @@ class Spline {
     double pull_;
 };
 
-/// At this time it is somewhere else, without a way there.
+/// Ends the steps just before `time`, at which the actor jumps elsewhere.
 void end_before(Time time, std::vector<Script::Step>& steps) {
     if (steps.empty() || steps.back().time < time) return;
     const Time latest = time - instant;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The way of an actor from waypoint to waypoint, as Gazebo lets it go. Any thread; nothing shared.
+// How an actor moves from waypoint to waypoint, as in Gazebo. Any thread; nothing shared.
 #pragma once
 
 #include <vector>
@@ -17,20 +17,22 @@ struct Waypoint {
 
 struct ActorTrajectory {
     int id = 0;
-    double tension = 0.0;             ///< 0: a Catmull-Rom spline, 1: straight from one to the next
-    std::vector<Waypoint> waypoints;  ///< one at least, by time, a millisecond or more apart
+    double tension = 0.0;             ///< 0: a Catmull-Rom spline, 1: straight lines
+    std::vector<Waypoint> waypoints;  ///< at least one, in order, 1 ms or more apart
 };
 
-/// One trajectory after the other, each from its own time 0: whose first waypoint comes later waits
-/// at it. `delay` is waited at the first before each lap. Null where it takes longer than a Time
-/// can tell.
+/// Runs the trajectories one after the other, each from its own time 0. If the first waypoint of a
+/// trajectory has a later time, the actor waits at it. Before each lap the actor waits for `delay`
+/// at the first waypoint of all. Null if the script takes more than 4e9 s, which a Time cannot
+/// hold.
 ///
-/// Gazebo Classic does so (gazebo/physics/Actor.cc, LoadScript and Update). Gazebo Sim waits once,
-/// and begins each trajectory with its first waypoint whatever its time
-/// (src/rendering/SceneManager.cc, ActorTrajectoryAt). Places are those of ignition::math::Spline
-/// over the share of time between two waypoints, as both have it (common/Animation.cc), within
-/// 0.1 mm. Turns are even, by the shorter way: so has it gz-math's RotationSpline where one axis
-/// hardly turns, as of people. Older versions overshoot, and whirl where a yaw passes 180 degrees.
+/// Gazebo Classic does the same (gazebo/physics/Actor.cc, LoadScript and Update). Gazebo Sim waits
+/// only once, and starts each trajectory at its first waypoint, whatever the time of that waypoint
+/// (src/rendering/SceneManager.cc, ActorTrajectoryAt). Positions follow ignition::math::Spline over
+/// the share of time between two waypoints within 0.1 mm, as in both Gazebos (common/Animation.cc).
+/// The actor turns evenly, by the shorter way. gz-math's RotationSpline does the same where the
+/// axis hardly changes, as with people; its older versions overshoot, and spin where a yaw passes
+/// 180 degrees.
 SharedScript walk_of(const std::vector<ActorTrajectory>& trajectories, Time delay, bool loops);
 
 }  // namespace scipd::sim

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The only file that knows GDAL. The library is large and is given files from anywhere: it reads
-// them in a child process, and only by drivers that open the file alone and what lies beside it.
-// What becomes of them is what gz-common 5 makes of them (Dem.cc).
+// The only file that calls GDAL. The library is large, and its input may come from anywhere. So it
+// runs in a child process, with only those drivers that open nothing but the file and its
+// neighbours in the same folder. The heights are those that gz-common 5 makes of the file (Dem.cc).
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -49,14 +49,14 @@ Dataset open(const std::filesystem::path& file) {
     CPLSetErrorHandler(CPLQuietErrorHandler);
     Dataset dataset{GDALOpenEx(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(),
                                nullptr, nullptr)};
-    if (dataset == nullptr) refuse("is neither a picture nor an elevation model that is known");
+    if (dataset == nullptr) refuse("is neither a picture nor an elevation model in a known format");
     if (const int bands = GDALGetRasterCount(dataset.get()); bands != 1) {
         refuse("has " + std::to_string(bands) + " bands; an elevation model has one");
     }
     return dataset;
 }
 
-/// Longitude and latitude of pixels, as far as the file says where on Earth it lies.
+/// Longitude and latitude of pixels, if the file says where on Earth it lies.
 class Globe {
   public:
     explicit Globe(GDALDatasetH dataset) {
@@ -94,7 +94,7 @@ class Globe {
     std::unique_ptr<std::remove_pointer_t<OGRCoordinateTransformationH>, DestroyTurn> turn_;
 };
 
-/// Along a great circle, on the sphere that gz-math measures on.
+/// Along a great circle, on the sphere that gz-math uses.
 double distance_m(const glm::dvec2& a_rad, const glm::dvec2& b_rad) {
     constexpr double earth_radius_m = 6'371'000.0;
     const glm::dvec2 half = 0.5 * (b_rad - a_rad);
@@ -103,7 +103,7 @@ double distance_m(const glm::dvec2& a_rad, const glm::dvec2& b_rad) {
     return 2.0 * earth_radius_m * std::asin(std::min(1.0, std::sqrt(share)));
 }
 
-/// Width and height in metres; 0 where the file does not say.
+/// Width and height in metres; 0 if the file does not say where it lies.
 glm::dvec2 extent_m(GDALDatasetH dataset, int width, int height) {
     const Globe globe{dataset};
     const auto corner = globe.at(0, 0);
@@ -113,17 +113,17 @@ glm::dvec2 extent_m(GDALDatasetH dataset, int width, int height) {
     return {distance_m(*corner, *east), distance_m(*corner, *south)};
 }
 
-/// 2^n + 1, as many as there are or more.
+/// The smallest 2^n + 1 that is at least `points`.
 std::size_t side_for(int points) {
     return std::bit_ceil(static_cast<std::size_t>(std::max(points, 2)) - 1) + 1;
 }
 
-/// Not read yet.
+/// The size of the file's grid and of the square that it goes into.
 struct Shape {
     int width;
     int height;
     std::size_t side;
-    int wide;  ///< of the square, what is no padding
+    int wide;  ///< the part of the square without padding
     int high;
 };
 
@@ -140,7 +140,7 @@ Shape shape_of(GDALDatasetH dataset) {
             scaled(height, std::max(width, height))};
 }
 
-/// What lies outside, and what the file does not know, is as low as its lowest point.
+/// Sets the points outside the file, and those without a value in it, to its lowest elevation.
 void fill_and_measure(GDALRasterBandH band, HeightGrid& grid) {
     int is_given = 0;
     const auto unknown = static_cast<float>(GDALGetRasterNoDataValue(band, &is_given));
@@ -154,7 +154,7 @@ void fill_and_measure(GDALRasterBandH band, HeightGrid& grid) {
         low = std::min(low, value);
         high = std::max(high, value);
     }
-    if (low > high) refuse("knows no elevation");
+    if (low > high) refuse("has no valid elevation");
     std::ranges::replace_if(
         grid.values, [&](float value) { return !is_known(value); }, low);
     grid.low = low;
@@ -184,7 +184,7 @@ HeightGrid read(const std::filesystem::path& file) {
         grid.remarks.push_back(
             "has " + points(shape.width, shape.height) + " points, which Gazebo spreads over " +
             points(shape.wide, shape.high) + " of a square of " + points(shape.side, shape.side) +
-            " and leaves the rest at the lowest elevation; so it is here");
+            " and leaves the rest at the lowest elevation; scipd does the same");
     }
     return grid;
 }

@@ -23,8 +23,8 @@ bool is_picture(const std::filesystem::path& file) {
     return std::ranges::find(picture_extensions, extension_of(file)) != picture_extensions.end();
 }
 
-/// As gz-common 5 has it (ImageHeightmap.hh, Image::MaxColor()): of colours, red counts, and that
-/// of the brightest pixel becomes as high as <size> says.
+/// As in gz-common 5 (ImageHeightmap.hh, Image::MaxColor()): the red channel gives the heights, and
+/// the red of the brightest pixel is as high as <size> says.
 template <typename Sample>
 HeightGrid grid_of(const MapImage& image, const std::vector<Sample>& samples) {
     HeightGrid grid{.width = image.width, .height = image.height};
@@ -45,7 +45,7 @@ HeightGrid grid_of(const MapImage& image, const std::vector<Sample>& samples) {
         grid.values.push_back(static_cast<float>(red) / static_cast<float>(image.white));
     }
     grid.high = static_cast<double>(highest) / image.white;
-    if (is_coloured) grid.remarks.emplace_back("is coloured; its red is taken for heights");
+    if (is_coloured) grid.remarks.emplace_back("is coloured; its red channel gives the heights");
     return grid;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The files that the heights of a terrain come in: pictures, and digital elevation models through
-// GDAL where there was one to build with (dem.cpp), which a no_dem.cpp stands in for. Any thread;
+// Reads the heights of a terrain from a picture or from a digital elevation model. Elevation models
+// need GDAL (dem.cpp); a build without GDAL has no_dem.cpp instead, which refuses them. Any thread;
 // nothing shared.
 #pragma once
 
@@ -12,11 +12,11 @@
 
 namespace scipd::sim {
 
-/// A picture by the end of its name, else an elevation model. Throws LoadError, which names the
-/// file.
+/// Reads a file as a picture if its name ends like one, otherwise as an elevation model. Throws
+/// LoadError, which names the file.
 HeightGrid read_heights(const std::filesystem::path& file);
 
-/// An elevation model. Throws LoadError, which names the file.
+/// Reads an elevation model. Throws LoadError, which names the file.
 HeightGrid read_dem(const std::filesystem::path& file);
 
 }  // namespace scipd::sim

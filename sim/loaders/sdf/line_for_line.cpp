@@ -17,7 +17,7 @@ class LinePrinter : public tinyxml2::XMLPrinter {
     LinePrinter() : XMLPrinter(nullptr, true) {}
 
     bool VisitEnter(const XMLElement& element, const tinyxml2::XMLAttribute* first) override {
-        // Within the tag that is open still, where it is a blank like any other.
+        // The tag before is still open: a line break there is only white space.
         while (line_ < element.GetLineNum())
             Putc('\n');
         return XMLPrinter::VisitEnter(element, first);

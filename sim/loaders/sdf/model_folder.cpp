@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largest_config = 1U << 20U;
 
-/// In the order of versions: 1.10 comes after 1.9.
+/// Compares like versions: 1.10 comes after 1.9.
 using Version = std::tuple<int, int>;
 constexpr Version newest{1, 9};
 
@@ -33,7 +33,7 @@ Version version_of(const tinyxml2::XMLElement& sdf) {
     return {major, minor};
 }
 
-/// What there is of a file of this name, told where it is called otherwise; empty where nothing.
+/// The file of this name in any case of letters, with a warning if the case differs; empty if none.
 fs::path there(const fs::path& folder, const fs::path& name, std::vector<std::string>& warnings) {
     fs::path found = in_any_case(folder, name);
     if (!found.empty() && differs_in_case(found, name)) {
@@ -44,7 +44,7 @@ fs::path there(const fs::path& folder, const fs::path& name, std::vector<std::st
     return found;
 }
 
-/// model.config, or the name that it had before.
+/// The text of model.config, or of manifest.xml, its former name.
 std::string config_of(const fs::path& folder, std::vector<std::string>& warnings) {
     for (const char* name : {"model.config", "manifest.xml"}) {
         const fs::path config = there(folder, name, warnings);
@@ -55,7 +55,7 @@ std::string config_of(const fs::path& folder, std::vector<std::string>& warnings
     return {};
 }
 
-/// Of two versions, the one to read.
+/// Whether to read `one` rather than `other`.
 bool is_better(const Version& one, const Version& other) {
     const bool reads_one = one <= newest;
     const bool reads_other = other <= newest;
@@ -96,7 +96,7 @@ bool calls_itself(const fs::path& folder, const std::string& name) {
         try {
             config.Parse(read_file(folder / file, largest_config, "a name is sought here").c_str());
         } catch (const LoadError&) {
-            continue;  // which is told where it is read for what it says
+            continue;  // whoever reads it for its contents reports this
         }
         const auto* root = config.RootElement();
         const auto* said = root == nullptr ? nullptr : root->FirstChildElement("name");

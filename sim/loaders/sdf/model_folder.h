@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The folder of a model as Gazebo has it: model.config names its SDF files, one for each version.
-// By hand, since libsdformat 12 crashes where it can read none of them. Any thread.
+// The folder of a Gazebo model, whose model.config names one SDF file for each version of SDF.
+// scipd reads it itself, since libsdformat 12 crashes if it can read none of the files. Any thread.
 #pragma once
 
 #include <filesystem>
@@ -11,16 +11,17 @@
 
 namespace scipd::sim {
 
-/// The file of a model's folder with the highest version that we read, of newer ones the lowest;
-/// empty where there is none. A file is itself. Adds to `warnings` where names differ in case.
+/// The SDF file in a model's folder with the highest version that scipd reads. If all are newer,
+/// the one with the lowest version. Empty if there is none. If `path` is a file, returns it. Adds
+/// to `warnings` if names differ in case.
 std::filesystem::path model_file_of(const std::filesystem::path& path,
                                     std::vector<std::string>& warnings);
 
-/// Empty where `model`, as model_file_of() found it in `path`, can be read.
+/// Why `model`, which model_file_of() found in `path`, cannot be read; empty if it can.
 std::string why_no_model(const std::filesystem::path& path, const std::filesystem::path& model);
 
-/// Whether its model.config, or its package.xml, has this name for it, whatever it is called on
-/// disk.
+/// Whether the model.config or package.xml of a folder gives it this name. The folder's own name
+/// does not matter.
 bool calls_itself(const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace scipd::sim

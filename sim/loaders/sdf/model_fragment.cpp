@@ -22,12 +22,12 @@ namespace fs = std::filesystem;
 void check_name(const std::string& name) {
     if (name.empty()) throw LoadError({"name: is empty; give the model one"});
     if (name.find("::") != name.npos) {
-        throw LoadError(
-            {"name: " + quote(name) + ": '::' stands between a model and what lies in it"});
+        throw LoadError({"name: " + quote(name) +
+                         ": must not hold '::', which separates a model from its parts"});
     }
 }
 
-/// NAME in place of that of the first model, with which all other names begin.
+/// Replaces the name of the first model, with which all other names begin.
 void rename(Scene& scene, const std::string& name) {
     const auto length = scene.models.front().name.size();
     for (Model& model : scene.models)
@@ -38,7 +38,7 @@ void rename(Scene& scene, const std::string& name) {
         frame.name.replace(0, length, name);
 }
 
-/// The first model at this pose; what lies in it and moves by itself goes along.
+/// Moves the first model to this pose, and with it the parts that can move by themselves.
 void move_to(Scene& scene, const Pose& world_from_model) {
     const Pose shift = world_from_model * inverse(scene.models.front().world_from_model);
     for (Model& model : scene.models) {
@@ -48,7 +48,7 @@ void move_to(Scene& scene, const Pose& world_from_model) {
     scene.models.front().world_from_model = world_from_model;
 }
 
-/// All of it is one body, with what could move by itself.
+/// Makes one body of the whole model, including the parts that could move by themselves.
 void make_movable(Scene& scene) {
     const Pose model_from_world = inverse(scene.models.front().world_from_model);
     const auto model_from_part = [&](ModelId part) {

@@ -7,8 +7,8 @@
 
 namespace scipd::sim {
 
-/// A shape, and how it lies in the frame that SDF gives to the geometry: our planes are normal to
-/// z, theirs to anything.
+/// A shape and its pose in the frame of the SDF geometry. The pose is needed because scipd's planes
+/// are normal to z, while SDF's may have any normal.
 struct PlacedShape {
     Shape shape;
     Pose geometry_from_shape;

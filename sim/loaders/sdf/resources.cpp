@@ -23,7 +23,7 @@ constexpr std::array variables{
     "GAZEBO_MODEL_PATH", "GAZEBO_RESOURCE_PATH", "ROS_PACKAGE_PATH",
     "AMENT_PREFIX_PATH"};
 
-/// SCHEME://NAME in two; a plain path has no scheme.
+/// SCHEME://NAME in two parts; a plain path has no scheme.
 struct Uri {
     std::string scheme;
     std::string name;
@@ -35,7 +35,7 @@ struct Uri {
     }
 
     [[nodiscard]] bool downloaded() const { return scheme == "http" || scheme == "https"; }
-    /// NAME begins with that of a model or a package.
+    /// NAME begins with the name of a model or a package.
     [[nodiscard]] bool named() const { return scheme == "model" || scheme == "package"; }
 };
 
@@ -52,10 +52,10 @@ bool is_there(const fs::path& path) {
     return !exactly({}, path).empty();
 }
 
-/// What there is of a name in a folder: exactly(), or by another spelling.
+/// Looks for a name in a folder, exactly() as it is or in another spelling.
 using Look = fs::path (*)(const fs::path& folder, const fs::path& name);
 
-/// A URI has %20 where a file has a blank; some who have downloaded files kept it in their names.
+/// A URI has %20 where a file has a blank. Some download tools keep %20 in the file names.
 fs::path with_blanks(const fs::path& folder, const fs::path& name) {
     const std::string spelled = with_each(name.native(), "%20", " ");
     return spelled == name.native() ? fs::path{} : in_any_case(folder, spelled);
@@ -65,7 +65,7 @@ fs::path without_blanks(const fs::path& folder, const fs::path& name) {
     return spelled == name.native() ? fs::path{} : in_any_case(folder, spelled);
 }
 
-/// What a name of Fuel's is called there; as it stands where there is none.
+/// The path of a name from Fuel in this folder, in any spelling; as it is if there is no such file.
 fs::path as_spelled_in(const fs::path& folder, const std::string& name) {
     for (const Look look : {exactly, with_blanks, without_blanks}) {
         if (auto found = look(folder, name); !found.empty()) return found;
@@ -94,7 +94,7 @@ fs::path near(const fs::path& folder, const Uri& uri, Look look) {
     for (fs::path up = above.parent_path(); up.has_relative_path(); up = up.parent_path()) {
         if (auto found = look(up, uri.name); !found.empty()) return found;
     }
-    // MODEL/meshes/x from within MODEL, where its folder is called otherwise.
+    // MODEL/meshes/x, named in a file of MODEL itself, whose folder has another name.
     const fs::path name = uri.name;
     if (!calls_itself(folder, name.begin()->string())) return {};
     const fs::path inside = look(folder, name.lexically_relative(*name.begin()));
@@ -116,7 +116,7 @@ fs::path below(const fs::path& folder, const Uri& uri, Look look) {
     for (const auto& entry : fs::directory_iterator(folder, error)) {
         if (is_there(entry.path() / name)) stacks.push_back(entry.path() / name);
     }
-    // A folder is listed in no order.
+    // The order of a folder's entries is random, so take the first by name.
     return stacks.empty() ? fs::path{} : *std::ranges::min_element(stacks);
 }
 
@@ -137,8 +137,8 @@ fs::path newest_version(const fs::path& model) {
     return newest;
 }
 
-/// The two that most worlds of Gazebo name on the web: "Ground Plane" there, ground_plane in a
-/// folder. Nothing for all others.
+/// The folder name of the two models that most Gazebo worlds name by web address, such as
+/// ground_plane for "Ground Plane". Empty for all others.
 std::string name_in_folders(const Uri& uri) {
     const std::string name = with_each(with_each(lower(uri.name), "%20", "_"), " ", "_");
     constexpr std::string_view owner = "/openrobotics/models/";
@@ -150,8 +150,8 @@ std::string name_in_folders(const Uri& uri) {
     return {};
 }
 
-/// HOST/1.0/OWNER/models/NAME[/VERSION[/files/PATH]] lies in HOST/owner/models/name/VERSION/PATH,
-/// in lower case up to the name: how gz-fuel-tools keeps it.
+/// Where gz-fuel-tools keeps HOST/1.0/OWNER/models/NAME[/VERSION[/files/PATH]]: in
+/// HOST/owner/models/name/VERSION/PATH, in lower case up to the name.
 fs::path downloaded_to(const fs::path& cache, const Uri& uri) {
     std::vector<std::string> part;
     for (const auto& piece : fs::path{uri.name})
@@ -199,7 +199,7 @@ fs::path Resources::find(const std::string& text, const fs::path& beside) const 
         const std::string ours = found.empty() ? name_in_folders(uri) : "";
         return ours.empty() ? found : find(std::string{"model://"}.append(ours), beside);
     }
-    // First everywhere as it stands.
+    // An exact name in any place is better than another spelling in an earlier one.
     for (const Look look : {exactly, in_any_case, with_blanks, without_blanks}) {
         if (auto found = near(beside, uri, look); !found.empty()) return found;
         if (auto found = near(folder_, uri, look); !found.empty()) return found;
@@ -230,7 +230,7 @@ std::string Resources::not_found(const std::string& text, const fs::path& beside
 std::string download_command(const std::string& text) {
     const Uri uri{text};
     if (!uri.downloaded()) return {};
-    // Of HOST/1.0/OWNER/models/NAME/VERSION/files/PATH, the model.
+    // Keeps only the model of HOST/1.0/OWNER/models/NAME/VERSION/files/PATH.
     std::string model = text;
     if (const auto files = text.find("/files/"); files != text.npos) {
         model.resize(files);

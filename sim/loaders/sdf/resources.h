@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Where the things lie that a world names by URI: models and meshes. Looks, in this order,
+// Finds the models and meshes that a world names by URI. It looks, in this order,
 //
 //   1  in the folder of the file that names it and in the one above, with `models/` in both, and
 //      for model:// and package:// in all folders above;
@@ -13,10 +13,10 @@
 //   5  for http and https, where Gazebo keeps what it has downloaded; its Sun and its Ground Plane
 //      also as model://sun and model://ground_plane. Nothing is ever downloaded.
 //
-// Where it is nowhere as it is called, it may differ in capitals.
+// If no name matches exactly, a name that differs in case matches too.
 //
-// What lies two folders down a ROS_PACKAGE_PATH is not found, nor what only a package.xml names.
-// Any thread; the environment is read when it is made.
+// It does not find packages two folders below a ROS_PACKAGE_PATH, nor packages whose name is only
+// in a package.xml. Any thread; the constructor reads the environment.
 #pragma once
 
 #include <filesystem>
@@ -27,13 +27,14 @@ namespace scipd::sim {
 
 class Resources {
   public:
-    /// `folder` is that of the file that was asked for.
+    /// `folder` holds the file that the user asked for; `more` are the caller's folders.
     explicit Resources(std::filesystem::path folder, std::vector<std::filesystem::path> more = {});
 
-    /// The file or folder that `uri` names in a file in this folder; empty where there is none.
+    /// The file or folder that `uri` names in a file in the folder `beside`; empty if there is
+    /// none.
     [[nodiscard]] std::filesystem::path find(const std::string& uri,
                                              const std::filesystem::path& beside) const;
-    /// For messages: why it was not found, and what to do.
+    /// For messages: why find() found nothing, and what to do.
     [[nodiscard]] std::string not_found(const std::string& uri,
                                         const std::filesystem::path& beside) const;
 
@@ -44,10 +45,11 @@ class Resources {
     std::vector<std::filesystem::path> search_path_;
 };
 
-/// For a shell; empty where Gazebo would not download it. The same for all files of a model.
+/// A shell command that downloads `uri`; empty if Gazebo would not download it. All files of a
+/// model have the same command.
 std::string download_command(const std::string& uri);
 
-/// Where what was found for a URI is called otherwise, but for the case; empty where it is not.
+/// A warning if `found` and the name in `uri` differ in case; empty if they do not.
 std::string case_warning(const std::string& uri, const std::filesystem::path& found);
 
 }  // namespace scipd::sim

@@ -72,14 +72,14 @@ LoadedScene SceneDraft::finish(const std::string& what_is_seen) && {
     if (scene_.objects.empty() && faults_.empty()) {
         warn(file_.string() + ": holds nothing that a scanner could see; give a model a " +
              what_is_seen + " with a box, cylinder, sphere, plane or mesh");
-        // What was left out is then the reason, not a remark.
+        // The scene is empty because of what was left out, so those warnings become faults.
         if (anything_left_out_) faults_ = warnings_;
     } else if (scene_.objects.empty() && anything_left_out_) {
         faults_.insert(faults_.begin(), warnings_.begin(), warnings_.end());
     }
     show_names();
     if (!faults_.empty()) throw LoadError(std::move(faults_));
-    // Always, not only far out: floats are finest around zero.
+    // Every scene gets an anchor, not only those far out: floats are finest around zero.
     scene_.anchor_m = anchor_of(scene_);
     return {std::make_shared<const Scene>(std::move(scene_)), std::move(warnings_)};
 }

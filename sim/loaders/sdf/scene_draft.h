@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A scene while an SDF document is walked through: what was found so far, and everything that is
-// wrong, so that one run tells all. Knows nothing of SDF's elements. Any thread; one owner.
+// The scene that the loader builds while it walks through an SDF document. It also collects
+// everything that is wrong, so that one run reports all faults. Knows nothing of SDF's elements.
+// Any thread; one owner.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +18,7 @@ namespace scipd::sim {
 
 class SceneDraft {
   public:
-    /// Messages begin with the file; `strict` makes all that is left out a fault.
+    /// Messages begin with the file. If `strict`, everything left out is a fault.
     SceneDraft(std::filesystem::path file, bool strict, std::vector<std::string> warnings);
 
     void set_name(const std::string& name) { scene_.name = name; }
@@ -27,18 +28,18 @@ class SceneDraft {
     void add(Frame frame) { scene_.frames.push_back(std::move(frame)); }
     [[nodiscard]] const Model& model(ModelId id) const { return scene_.models[id]; }
 
-    /// Each once.
+    /// Adds a warning, unless the same text is there already.
     void warn(std::string text);
-    /// Something that a scanner could have seen.
+    /// Reports something left out that a scanner could have seen.
     void leave_out(const std::string& why);
-    /// The same, where the user can do nothing about it: a warning even of a strict load, which
-    /// makes a fault of it in the end.
+    /// Like leave_out(), for what the user can do nothing about. Here it is a warning even in a
+    /// strict load; load_sdf() then turns all warnings of a strict load into faults.
     void pass_over(std::string why);
-    /// Nothing is left to be loaded.
+    /// Reports a fault that refuses the whole scene.
     void refuse(std::string why) { faults_.push_back(std::move(why)); }
 
-    /// Throws LoadError where anything is refused, or where nothing is there because all was left
-    /// out. `what_is_seen` names the element that geometry is read from.
+    /// Throws LoadError if anything is refused, or if the scene is empty because everything was
+    /// left out. `what_is_seen` names the element that holds the geometry.
     LoadedScene finish(const std::string& what_is_seen) &&;
 
   private:

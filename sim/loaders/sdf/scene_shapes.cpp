@@ -60,12 +60,12 @@ void SceneShapes::add_shape(const SdfSurface& surface, Object object, const glm:
     draft_.add(std::move(object), {surface.material, surface.laser_retro});
 }
 
-/// Of a download, the first time only.
+/// A missing download is reported only once.
 void SceneShapes::leave_out_missing(const sdf::Mesh& mesh, const fs::path& folder,
                                     const std::string& place) {
     const auto command = download_command(mesh.Uri());
     if (!command.empty() && !told_.insert(command).second) return;
-    // What the library has in place of none.
+    // The library's URI for a mesh that has none.
     const bool has_uri = mesh.Uri() != "__default__";
     const auto uri = has_uri ? read_.uri_as_written(mesh.Element(), mesh.Uri()) : "";
     draft_.leave_out(place + resources_.not_found(uri, folder));
@@ -86,7 +86,7 @@ std::optional<PlacedShape> SceneShapes::shape_of(const sdf::Geometry& geometry,
 
 fs::path SceneShapes::folder_of(const sdf::ElementPtr& element) const {
     const auto file = read_.file_of(element, file_);
-    // A text is called by a name, and lies in no folder.
+    // A text has only a name, not a folder.
     return file.is_absolute() ? file.parent_path() : resources_.folder();
 }
 

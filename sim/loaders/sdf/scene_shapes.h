@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// From the geometry of a surface to an object of the scene, with the files that it names: meshes
-// and heightmaps. What cannot be had is left out of the draft, which says why. Any thread; one
-// owner.
+// Turns the geometry of a surface into an object of the scene and reads the meshes and heightmaps
+// that it names. It leaves out what it cannot read, and adds the reason to the draft. Any thread;
+// one owner.
 #pragma once
 
 #include <filesystem>
@@ -25,7 +25,7 @@ namespace scipd::sim {
 
 class SceneShapes {
   public:
-    /// All of these outlive this object. `file` is what was asked for.
+    /// All of these must outlive this object. `file` is the file that the user asked for.
     SceneShapes(const SdfFile& read, const std::filesystem::path& file, const Resources& resources,
                 const SdfOptions& options, SceneDraft& draft, MeshShelf& shelf)
         : read_(read),
@@ -35,11 +35,11 @@ class SceneShapes {
           draft_(draft),
           shelf_(shelf) {}
 
-    /// `object` lies where the surface does; messages begin with `place`.
+    /// `object` already has the pose of the surface; messages begin with `place`.
     void add(const SdfSurface& surface, Object object, const glm::dvec3& scale,
              const std::string& place);
 
-    /// Of an actor: a mesh, or a capsule where there is none.
+    /// Adds the skin of an actor: a mesh, or a capsule if there is none.
     void add_skin(const SdfSurface& surface, Object object, const glm::dvec3& scale,
                   const std::string& place);
 
@@ -61,7 +61,7 @@ class SceneShapes {
     SceneDraft& draft_;
     MeshShelf& shelf_;
     std::set<std::string> warned_kinds_;
-    std::set<std::string> told_;  ///< downloads, by their commands
+    std::set<std::string> told_;  ///< missing downloads, by command
 };
 
 }  // namespace scipd::sim

@@ -28,7 +28,7 @@ LoadError unreadable(const fs::path& file, const std::string& why) {
         {file.string() + ": libsdformat cannot read it: " + printable(why, most_told)});
 }
 
-/// A large world is told what it takes before it is too large.
+/// Tells the user what a large world takes, before it grows too large.
 std::vector<std::string> notes_of(const SdfSource& source, double bytes, std::size_t most_bytes) {
     const auto most = static_cast<double>(most_bytes);
     constexpr double large = 0.25;
@@ -55,15 +55,15 @@ LoadedScene load(const SdfSource& source, const fs::path& folder, const SdfOptio
     } catch (const LoadError&) {
         throw;
     } catch (const std::exception& error) {
-        // The library lets some through, of what converts numbers.
+        // The library lets some exceptions of its number conversion through.
         throw unreadable(source.file, error.what());
     } catch (const sdf::Exception& error) {
-        // Which is none of the standard library.
+        // sdf::Exception does not derive from std::exception.
         throw unreadable(source.file, error.GetErrorStr());
     }
 }
 
-/// Where in a document its first element begins.
+/// Where the first element of a document begins.
 std::size_t first_element(std::string_view text) {
     for (std::size_t at = text.find('<'); at != text.npos; at = text.find('<', at + 1)) {
         if (text.substr(at).starts_with("<!--")) {
@@ -79,7 +79,8 @@ std::size_t first_element(std::string_view text) {
 }  // namespace
 
 LoadedScene load_sdf(const fs::path& given, const SdfOptions& options) {
-    // Absolute from here on, as the library does it: a message then names every file in one way.
+    // The library makes paths absolute, so scipd does too: messages then name a file in one way
+    // only.
     const auto named = fs::absolute(given).lexically_normal();
     std::vector<std::string> of_folder;
     const auto file = model_file_of(named, of_folder);

@@ -25,7 +25,7 @@ using tinyxml2::XMLElement;
 constexpr std::size_t most_waypoints = 10'000;
 constexpr Time closest = std::chrono::milliseconds(1);
 constexpr double latest_s = 1e9;
-/// Where a pose is "there" for somebody who has typed it twice.
+/// Two poses closer than this are the same place, typed twice.
 constexpr double same_place_m = 1e-3;
 
 std::optional<double> number_in(const XMLElement* element) {
@@ -33,7 +33,7 @@ std::optional<double> number_in(const XMLElement* element) {
     return numbers ? std::optional(numbers->front()) : std::nullopt;
 }
 
-/// As SDF writes it; nothing where it cannot be read or lies too far out.
+/// A pose as SDF writes it; nothing if it cannot be read or lies too far out.
 std::optional<Pose> pose_in(const XMLElement* element) {
     if (element == nullptr) return Pose{};
     const char* format = element->Attribute("rotation_format");
@@ -57,7 +57,7 @@ bool is_true(const XMLElement* element, bool otherwise) {
     return text.find("true") != text.npos || text.find('1') != text.npos;
 }
 
-/// One <actor>. What libsdformat would refuse a world for is taken out of it.
+/// Reads one <actor>, and takes out of it what would make libsdformat refuse the world.
 class ActorReader {
   public:
     ActorReader(XMLElement& actor, const std::filesystem::path& file,
@@ -72,7 +72,7 @@ class ActorReader {
             read.pose = *pose;
         } else {
             warn(*element,
-                 "has a <pose> that is no six finite numbers within 1e7 m; it is left out");
+                 "has a <pose> that is not six finite numbers within 1e7 m; it is left out");
             actor_.DeleteChild(element);
         }
         read.script = read_script(read.pose);
@@ -105,18 +105,18 @@ class ActorReader {
         warn_of_origin(*script, pose, trajectories.front().waypoints.front().pose);
         auto walk = walk_of(trajectories, delay_of(*script),
                             is_true(script->FirstChildElement("loop"), true));
-        if (walk == nullptr) warn(*script, "has a script of more than 4e9 s; it stands");
+        if (walk == nullptr) warn(*script, "has a script of more than 4e9 s; it stands still");
         return walk;
     }
 
-    /// Gazebo Sim tells waypoints from there.
+    /// In Gazebo Sim, waypoints are relative to the <pose>.
     void warn_of_origin(const XMLElement& script, const Pose& pose, const Pose& first) {
         const bool is_origin = pose == Pose{};
         const double apart_m = glm::distance(pose.translation_m, first.translation_m);
         if (is_origin || apart_m < same_place_m) return;
         warn(script,
-             "has waypoints, which are taken as poses in the world, whatever its <pose>: Gazebo "
-             "Classic does so, Gazebo Sim tells them from the <pose>");
+             "has waypoints, which scipd reads as poses in the world, as Gazebo Classic does; in "
+             "Gazebo Sim they are relative to its <pose>");
     }
 
     Time delay_of(const XMLElement& script) {
@@ -125,7 +125,7 @@ class ActorReader {
         const auto delay_s = number_in(element);
         if (delay_s && *delay_s >= 0.0 && *delay_s <= latest_s) return to_time(*delay_s);
         warn(*element, "has a <delay_start> of " + quote(text_of(element)) +
-                           ", which is none from 0 to 1e9 s; it does not wait");
+                           ", which is not from 0 to 1e9 s; it does not wait");
         return {};
     }
 
@@ -151,7 +151,7 @@ class ActorReader {
         const auto number = parse_numbers(text, 1);
         const double tension = number ? std::clamp(number->front(), 0.0, 1.0) : 0.0;
         if (!number || tension != number->front()) {
-            warn(element, "has a tension of " + quote(text) + ", which is none from 0 to 1; " +
+            warn(element, "has a tension of " + quote(text) + ", which is not from 0 to 1; " +
                               (tension == 0.0 ? "0" : "1") + " is taken");
         }
         return tension;
@@ -164,16 +164,16 @@ class ActorReader {
         const bool good = time_s && *time_s >= 0.0 && *time_s <= latest_s;
         if (good && pose) return Waypoint{to_time(*time_s), *pose};
         warn(element,
-             good ? "has a waypoint whose <pose> is no six finite numbers within 1e7 m; left out"
-                  : "has a waypoint whose <time> is none from 0 to 1e9 s; left out");
+             good ? "has a waypoint whose <pose> is not six finite numbers within 1e7 m; left out"
+                  : "has a waypoint whose <time> is not from 0 to 1e9 s; left out");
         return std::nullopt;
     }
 
-    /// In the file they may stand in any order; of those of one time Gazebo takes the last.
+    /// A file may have them in any order. Of several with the same time, Gazebo uses the last.
     void put_in_order(const XMLElement& trajectory, std::vector<Waypoint>& waypoints) {
         const auto earlier = [](const Waypoint& a, const Waypoint& b) { return a.time < b.time; };
         if (!std::ranges::is_sorted(waypoints, earlier)) {
-            warn(trajectory, "has waypoints whose times go back; they are taken by time");
+            warn(trajectory, "has waypoints whose times go back; scipd sorts them by time");
             std::ranges::stable_sort(waypoints, earlier);
         }
         std::vector<Waypoint> apart;
@@ -191,7 +191,7 @@ class ActorReader {
 
     static Time to_time(double seconds) { return Time(std::llround(seconds * 1e9)); }
 
-    /// Each kind once for each actor.
+    /// Gives each kind of warning once for each actor.
     void warn(const XMLElement& at, const std::string& what) {
         if (std::ranges::find(told_, what) != told_.end()) return;
         told_.push_back(what);
@@ -207,7 +207,7 @@ class ActorReader {
     std::size_t waypoints_ = 0;
 };
 
-/// The skin as the visual of a link.
+/// Adds the skin as the visual of a link.
 void add_skin(XMLElement& model, const std::string& uri, const std::string& scale) {
     auto* link = model.InsertNewChildElement("link");
     link->SetAttribute("name", std::string{skin_name}.c_str());

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// <actor>: a person, say, who walks by a script. To libsdformat it becomes a movable model whose
-// skin is the visual of a link, so that its frames, links, includes and files are those of any
-// model; where it walks is kept beside the document. Any thread; nothing shared.
+// An <actor> is, for example, a person who walks along a script. libsdformat gets it as a movable
+// model whose skin is the visual of a link, so that its frames, links, includes and files work as
+// in any model. The script is kept outside the document. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>
@@ -19,20 +19,20 @@ class XMLElement;
 
 namespace scipd::sim {
 
-/// What a model that was an actor says of itself: its place among the actors.
+/// The element that marks a model made from an actor. Its text is the index of the actor.
 inline constexpr const char* actor_mark = "scipd:actor";
-/// The link that shows the skin, and its visual.
+/// The name of the link that shows the skin, and of its visual.
 inline constexpr std::string_view skin_name = "skin";
-/// The file of a skin where there is none.
+/// The URI of the skin of an actor without one.
 inline constexpr const char* no_skin = "scipd:none";
 
 struct SdfActor {
-    Pose pose;                      ///< that its own element gives
-    SharedScript script = nullptr;  ///< null: it stands
+    Pose pose;                      ///< from its own element
+    SharedScript script = nullptr;  ///< null: it stands still
 };
 
-/// Makes models of the actors of a document, adds them to `actors`, and answers with what is to be
-/// told of them, each with its place in `file`.
+/// Turns the actors of a document into models and adds them to `actors`. Returns warnings, each of
+/// which begins with its place in `file`.
 std::vector<std::string> take_actors(tinyxml2::XMLElement& root, const std::filesystem::path& file,
                                      std::vector<SdfActor>& actors);
 

@@ -42,8 +42,8 @@ void SdfConsole::log(const std::string& text, console_bridge::LogLevel level, co
 
 SdfConsole::Said SdfConsole::take() {
     Said said = std::exchange(from_urdfdom_, {});
-    // A message begins `ESC[1;33mWarning [Utils.cc:129]ESC[0m `, or with Error, and may have
-    // several lines.
+    // A message begins with `ESC[1;33mWarning [Utils.cc:129]ESC[0m `, or the same with Error, and
+    // may have several lines.
     bool fault = false;
     std::string message;
     const auto finish = [&] {

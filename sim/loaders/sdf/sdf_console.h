@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What libsdformat 12 and urdfdom print: they return some faults and print others, and warnings are
-// only printed, all on consoles that the whole process shares. Whoever calls them holds one of
-// these; other threads wait for their turn.
+// Catches what libsdformat 12 and urdfdom print. They return some faults and only print others, and
+// they only print warnings. The whole process shares the consoles that they print on, so every
+// caller of these libraries must hold an SdfConsole; other threads wait for it.
 #pragma once
 
 #include <mutex>
@@ -26,7 +26,7 @@ class SdfConsole final : console_bridge::OutputHandler {
         std::vector<std::string> faults;
         std::vector<std::string> warnings;
     };
-    /// Since it was made or asked last; each once.
+    /// What the libraries printed since the last take() or the constructor, each text once.
     Said take();
 
   private:
@@ -35,7 +35,7 @@ class SdfConsole final : console_bridge::OutputHandler {
 
     std::lock_guard<std::mutex> turn_;
     std::stringstream text_;
-    std::stringstream on_stderr_;  ///< what it returns as well, or knows no place of
+    std::stringstream on_stderr_;  ///< dropped: also returned, or without a place
     std::streambuf* stderr_before_;
     Said from_urdfdom_;
 };

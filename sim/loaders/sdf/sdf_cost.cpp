@@ -11,8 +11,7 @@
 namespace scipd::sim {
 namespace {
 
-/// What libsdformat 12.3 takes for an element and its parts, measured on files of a thousand of
-/// them.
+/// Memory that libsdformat 12.3 takes for an element, measured on files with a thousand of them.
 struct Cost {
     std::string_view element;
     double bytes;

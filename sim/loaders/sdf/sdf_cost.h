@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What libsdformat takes of the memory for a document. Any thread; nothing shared.
+// Estimates the memory that libsdformat takes for a document. Any thread; nothing shared.
 #pragma once
 
 #include <string>
@@ -13,13 +13,13 @@ class XMLElement;
 
 namespace scipd::sim {
 
-/// For an element without what lies in it.
+/// Bytes for an element without its children.
 double bytes_for(std::string_view element);
 
-/// For a whole robot: its links become links.
+/// Bytes for a whole robot, whose links become SDF links.
 double bytes_for_robot(const tinyxml2::XMLElement& element);
 
-/// For messages.
+/// Text for messages, in megabytes.
 std::string megabytes(double bytes);
 
 }  // namespace scipd::sim

@@ -60,7 +60,7 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
         text.replace(at, from.size(), to);
 }
 
-/// Whatever names a frame: attributes, and the text of these elements.
+/// Replaces every name of a frame, in attributes and in the text of these elements.
 void for_each_reference(XMLElement& root, const std::function<std::string(std::string)>& replace) {
     constexpr std::array attributes{"relative_to", "attached_to", "frame", "placement_frame",
                                     "canonical_link"};
@@ -77,7 +77,7 @@ void for_each_reference(XMLElement& root, const std::function<std::string(std::s
     });
 }
 
-/// Gazebo Classic saves what lies in nested models as links named MODEL::LINK.
+/// Gazebo Classic saves the links of nested models as links named MODEL::LINK.
 void rename_with_colons(XMLElement& root) {
     std::set<std::string, std::greater<>> names;
     for_each(root, [&](XMLElement& element) {
@@ -101,7 +101,7 @@ void rename_with_colons(XMLElement& root) {
     });
 }
 
-/// Only as the frame that somebody refers to.
+/// Keeps only the joints that serve as a frame for something else.
 void relieve_joints(XMLElement& root) {
     std::string references = " ";
     for_each_reference(root, [&](const std::string& reference) {
@@ -115,7 +115,7 @@ void relieve_joints(XMLElement& root) {
             if (name == nullptr || references.find(name + std::string{' '}) == references.npos) {
                 return true;
             }
-            // Whatever moves it, it stands at zero.
+            // Scenes have every joint at zero, whatever its type.
             joint.SetAttribute("type", "fixed");
             constexpr std::array kept{"parent", "child", "pose"};
             delete_children(joint, [&](XMLElement& part) { return !is_one_of(part, kept); });
@@ -124,7 +124,7 @@ void relieve_joints(XMLElement& root) {
     });
 }
 
-/// Its name is all that counts.
+/// Keeps only the name of the material.
 void relieve_material(XMLElement& surface) {
     auto* material = surface.FirstChildElement("material");
     if (material == nullptr) return;
@@ -150,7 +150,7 @@ void relieve_element(XMLElement& element) {
     relieve_material(element);
     const char* frame = element.Attribute("frame");
     if (frame != nullptr && *frame == '\0') element.DeleteAttribute("frame");
-    // Whichever it is, everything lies where it lay.
+    // No pose depends on which link is canonical.
     element.DeleteAttribute("canonical_link");
 }
 
@@ -161,10 +161,10 @@ std::string mend_version(XMLElement& root) {
     if (version != nullptr && std::sscanf(version, "%d.%d", &major, &minor) == 2) return {};
     root.SetAttribute("version", "1.9");
     return version == nullptr ? "has no version; it is read as SDF 1.9"
-                              : "has a version that is no number; it is read as SDF 1.9";
+                              : "has a version that is not a number; it is read as SDF 1.9";
 }
 
-/// Gazebo, too, takes the first.
+/// Keeps only the first model, as Gazebo does.
 std::string drop_further_models(XMLElement& root) {
     auto* first = root.FirstChildElement("model");
     if (first == nullptr || first->NextSiblingElement("model") == nullptr) return {};
@@ -235,7 +235,7 @@ std::vector<std::string> relieve(XMLElement& root, const std::filesystem::path& 
 }
 
 void drop_empty_models(XMLElement& root) {
-    // From the inside out.
+    // Inner models first: a model may be empty once they are gone.
     for (auto* child = root.FirstChildElement(); child != nullptr;
          child = child->NextSiblingElement())
         drop_empty_models(*child);

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What libsdformat calls a text, in an element and in messages.
+/// The names that libsdformat gives to a text, in elements and in messages.
 constexpr std::array text_names{"", "<data-string>", "data-string"};
 
 StandIn stand_in_for(const SdfDocument& document) {
@@ -50,10 +50,10 @@ class Reader {
     }
 
   private:
-    /// More than people have; each round reads the document once more.
+    /// More rounds than real files need. Each round reads the document once more.
     static constexpr int most_rounds = 100;
 
-    /// A robot becomes SDF.
+    /// Converts a robot to SDF.
     void convert(std::size_t document) {
         if (is_urdf(documents_[document].text)) {
             std::vector<std::string> faults;
@@ -69,7 +69,7 @@ class Reader {
         if (document > 0) write(document);
     }
 
-    /// For the library, which wants files.
+    /// Writes the text as a file, since the library includes only files.
     void write(std::size_t document) {
         const SdfDocument& from = documents_[document];
         result_.stand_ins[library_.write(uri_of(document), from.text)] = stand_in_for(from);
@@ -80,8 +80,8 @@ class Reader {
         return library_.load(text, result_.root);
     }
 
-    /// Takes out what the library has something against, of what is included first: an error in
-    /// there has no place. Answers with what remains.
+    /// Takes out what the library refuses. Included documents come first, because the library gives
+    /// no place for an error in them. Returns the errors that remain.
     sdf::Errors mend() {
         sdf::Errors errors;
         for (const std::size_t document : order_) {
@@ -114,8 +114,8 @@ class Reader {
         return errors;
     }
 
-    /// Those come first, one at a time, and what lies before one is right: each round reads only
-    /// what lies behind it.
+    /// The library reports unreadable values first, and only one at a time. Everything before such
+    /// a value is right, so the next round reads only what follows it.
     void mend_values(SdfDocument& document) {
         SdfDocument rest = document;
         for (int round = 0; round < 10 * most_rounds; ++round) {
@@ -153,7 +153,7 @@ class Reader {
         return text;
     }
 
-    /// Once all is well, what it calls an error is none.
+    /// Errors that are only printed are warnings if the load succeeds.
     void add_printed(bool as_faults) {
         auto said = console_.take();
         std::erase_if(said.faults, is_printed_echo);
@@ -176,7 +176,7 @@ class Reader {
         if (std::ranges::find(all, text) == all.end()) all.push_back(std::move(text));
     }
 
-    /// An error of this document, or of one that it includes.
+    /// The text of an error in this document or in one that it includes.
     [[nodiscard]] std::string describe(const sdf::Error& error, std::size_t document) const {
         const auto path = error.FilePath().value_or("");
         const auto real = result_.stand_ins.find(path);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Reading one file through libsdformat, and every word that the library has to say about it. Any
-// thread: readers wait for each other (sdf_console.h).
+// Reads one file through libsdformat, and collects everything that the library reports about it.
+// Any thread: readers wait for each other (sdf_console.h).
 #pragma once
 
 #include <filesystem>
@@ -19,27 +19,28 @@
 namespace scipd::sim {
 
 struct SdfFile {
-    sdf::Root root;  ///< complete where there are no faults
+    sdf::Root root;  ///< complete if there are no faults
     std::vector<std::string> faults;
     std::vector<std::string> warnings;
-    std::vector<SdfActor> actors;  ///< models say which is theirs
+    std::vector<SdfActor> actors;  ///< the models hold the index (actor_mark)
     std::vector<FoundSensor> sensors;
     SdfState state;
-    /// Files that the library was given in place of others, by what it calls them: they are gone.
+    /// The files that the library read instead of the user's, by the library's name for them. They
+    /// no longer exist.
     std::map<std::string, StandIn> stand_ins;
 
-    /// The file of an element as the user knows it.
+    /// The user's file that holds an element; `otherwise` if the library does not know it.
     [[nodiscard]] std::filesystem::path file_of(const sdf::ElementPtr& element,
                                                 const std::filesystem::path& otherwise) const;
     /// FILE:LINE of an element, as far as the library knows.
     [[nodiscard]] std::string place_of(const sdf::ElementPtr& element,
                                        const std::filesystem::path& otherwise) const;
-    /// The library calls package:// of a robot model://.
+    /// `uri` as the user wrote it: in robots, the library turns package:// into model://.
     [[nodiscard]] std::string uri_as_written(const sdf::ElementPtr& element,
                                              const std::string& uri) const;
 };
 
-/// Wants an absolute path. Reads nothing that would take more than this much memory.
+/// Reads what survey_sdf() prepared. The path of the source must be absolute.
 SdfFile read_sdf(SdfSurvey survey, const SdfOptions& options);
 
 }  // namespace scipd::sim

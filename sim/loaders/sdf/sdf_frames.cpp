@@ -12,7 +12,7 @@
 namespace scipd::sim {
 namespace {
 
-/// Null where the frame stands for none.
+/// The sensor that a frame stands for; null if none.
 const FoundSensor* sensor_at(const sdf::Frame& frame, const std::vector<FoundSensor>& found) {
     const auto element = frame.Element();
     if (!element || !element->HasElement(sensor_mark)) return nullptr;
@@ -20,7 +20,7 @@ const FoundSensor* sensor_at(const sdf::Frame& frame, const std::vector<FoundSen
     return index < found.size() ? &found[index] : nullptr;
 }
 
-/// Nothing where it lies nowhere.
+/// Nothing if the frame cannot be resolved.
 std::optional<Place> place_of(const sdf::Frame& frame, const ModelPlaces& places) {
     std::string body;
     const bool attached = frame.ResolveAttachedToBody(body).empty();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The named places of a model that libsdformat has read, but for its links. Any thread; nothing
+// The named frames of a model that libsdformat has read, without its links. Any thread; nothing
 // shared.
 #pragma once
 
@@ -17,14 +17,14 @@
 
 namespace scipd::sim {
 
-/// Where a model and its links lie, which a saved world may have elsewhere than their elements say.
+/// Where a model and its links lie. In a saved world this may differ from what their elements say.
 struct ModelPlaces {
     Place model;
     std::map<std::string, Place> links;  ///< by their names in the model
 };
 
-/// Its frames, and those that stand for a sensor of `found` (offer_sensors()) as such. The model is
-/// called `name`. What cannot be resolved is not among them.
+/// The frames of a model called `name`. A frame that stands for a sensor of `found`
+/// (offer_sensors()) carries that sensor. Frames that cannot be resolved are left out.
 std::vector<Frame> frames_of(const sdf::Model& model, const ModelPlaces& places,
                              const std::string& name, const std::vector<FoundSensor>& found);
 

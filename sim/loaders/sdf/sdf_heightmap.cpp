@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Where heights lie: gz-rendering 7 (OgreHeightmap.cc) and gz-common 5 (ImageHeightmap.hh, Dem.cc),
-// which Gazebo Classic 11 agrees with (physics/HeightmapShape.cc, rendering/Heightmap.cc).
+// Heights lie where gz-rendering 7 (OgreHeightmap.cc) and gz-common 5 (ImageHeightmap.hh, Dem.cc)
+// put them. Gazebo Classic 11 agrees (physics/HeightmapShape.cc, rendering/Heightmap.cc).
 #include "sim/loaders/sdf/sdf_heightmap.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::string extent_of(const HeightGrid& grid) {
     return std::to_string(grid.width) + " x " + std::to_string(grid.height) + " points";
 }
 
-/// The heights of one grid at `sampling` points between each two of it.
+/// A grid of heights, with `sampling` steps from each of its points to the next.
 class Surface {
   public:
     Surface(const HeightGrid& grid, const glm::dvec3& size_m, std::size_t sampling)
@@ -45,10 +45,10 @@ class Surface {
         scale_ = std::abs(size_m.z) / (spread > 0.0 ? spread : 1.0);
     }
 
-    /// Of the lowest value of the grid, wherever that is.
+    /// The height of the lowest value of the grid.
     [[nodiscard]] double base_m() const { return height_m(grid_.low); }
 
-    /// Heights are above base_m, since floats are finest around zero.
+    /// Heights are relative to base_m(), since floats are finest around zero.
     [[nodiscard]] Mesh mesh() const {
         Mesh mesh;
         mesh.vertices_m.reserve(columns_ * rows_);
@@ -88,7 +88,7 @@ class Surface {
         return {x * size_m_.x, y * size_m_.y, height_m(value) - base_m()};
     }
 
-    /// North-west of this vertex, the last one that there is.
+    /// The square to the north-west of this vertex, which is the last one so far.
     void add_square(std::size_t vertex, Mesh& mesh) const {
         const auto south_east = static_cast<glm::uint>(vertex);
         const auto south_west = south_east - 1;
@@ -106,7 +106,8 @@ class Surface {
     double scale_;
 };
 
-/// Of all, or LoadError. What takes too much is shown without points between its pixels.
+/// The sampling to use: 1 if `wanted` would make too many triangles. Throws LoadError if 1 does
+/// too.
 std::size_t sampling_for(const HeightGrid& grid, std::size_t wanted, std::size_t most_triangles,
                          std::vector<std::string>& remarks) {
     if (grid.width < 2 || grid.height < 2) {
@@ -133,9 +134,8 @@ glm::dvec3 size_of(const sdf::Heightmap& heightmap, const HeightGrid& grid) {
     const bool is_plausible = size_m.x > 0.0 && size_m.y > 0.0 && plausible_position(size_m);
     if (!is_plausible) {
         throw LoadError(
-            {"the <size> of a <heightmap> must be above 0 in x and y and at most 1e7 m, and be "
-             "there where "
-             "the file does not say where on Earth it lies"});
+            {"the <size> of a <heightmap> must be above 0 in x and y and at most 1e7 m; an "
+             "elevation model that does not say where on Earth it lies needs a <size>"});
     }
     return size_m;
 }
@@ -147,7 +147,7 @@ Terrain terrain(const sdf::Heightmap& heightmap, const HeightGrid& grid,
     const auto sampling = sampling_for(grid, heightmap.Sampling(), most_triangles, remarks);
     if (grid.width != grid.height || !is_power_of_two_and_one(grid.width)) {
         remarks.push_back("has " + extent_of(grid) +
-                          "; Gazebo shows squares of 2^n + 1 only, here it is stretched over its "
+                          "; Gazebo shows squares of 2^n + 1 only, scipd stretches it over its "
                           "<size>");
     }
     const Surface surface{grid, size_m, sampling};

@@ -29,11 +29,11 @@ bool is_called(const XMLElement& element, std::string_view name) {
     return element.Name() == name;
 }
 
-/// Of a child; what SDF takes where there is none.
+/// The number of a child; `otherwise`, SDF's default, if there is no such child.
 double number_in(const XMLElement* element, const char* name, double otherwise) {
     const auto* child = element == nullptr ? nullptr : element->FirstChildElement(name);
     if (child == nullptr) return otherwise;
-    // No number is no mass.
+    // A text that is not a number counts as an impossible mass.
     return child->DoubleText(-1.0);
 }
 
@@ -81,7 +81,7 @@ bool has_part(const XMLElement& model, const std::string& name) {
     return false;
 }
 
-/// Whether anything in there lies relative to this.
+/// Whether anything in `element` is relative to `name`.
 bool refers_to(const XMLElement& element, const std::string& name) {
     for (const char* attribute : {"relative_to", "attached_to"}) {
         const char* value = element.Attribute(attribute);
@@ -102,9 +102,9 @@ bool is_joint(const XMLElement& element) {
 bool joins_nothing(const XMLElement& joint) {
     if (!is_joint(joint)) return false;
     const auto* model = joint.Parent()->ToElement();
-    // What it brings is not known here.
+    // The link may come from the include, which is not read here.
     if (model->FirstChildElement("include") != nullptr) return false;
-    // Then it matters, and the library says what is wrong.
+    // If something is relative to the joint, it matters, and the library reports what is wrong.
     if (refers_to(*model, own_name(joint))) return false;
     return std::ranges::any_of(std::array{"parent", "child"}, [&](const char* end) {
         const auto* named = joint.FirstChildElement(end);
@@ -211,11 +211,11 @@ std::vector<std::string> warnings_of(const XMLElement& root, const std::filesyst
 std::vector<std::string> faults_of_ignored(const XMLElement& root,
                                            const std::filesystem::path& file) {
     std::array<Kind, 6> kinds{
-        Kind{has_invalid_inertia, "inertia of link ", "is one that no mass can have"},
+        Kind{has_invalid_inertia, "inertia of link ", "is impossible for any mass"},
         Kind{has_script_without_uri, "material script of ", "has no <uri>"},
         Kind{has_slippery_surface, "friction of collision ", "is below 0"},
         Kind{joins_nothing, "joint ", "joins a link that is not there"},
-        Kind{is_of_no_type, "joint ", "has a type that is none"},
+        Kind{is_of_no_type, "joint ", "has no known type"},
         Kind{is_sensor_of_no_type, "sensor ", "has no type"}};
     return warnings_of(root, file, kinds);
 }
@@ -223,10 +223,10 @@ std::vector<std::string> faults_of_ignored(const XMLElement& root,
 std::vector<std::string> faults_of_ignored_in_robot(const XMLElement& robot,
                                                     const std::filesystem::path& file) {
     std::array<Kind, 5> kinds{Kind{has_script_without_uri, "material script of ", "has no <uri>"},
-                              Kind{is_of_no_type_of_robots, "joint ", "has a type that is none"},
+                              Kind{is_of_no_type_of_robots, "joint ", "has no known type"},
                               Kind{has_no_limit, "joint ", "has no <limit> of effort and velocity"},
                               Kind{has_no_direction, "axis of joint ", "has no direction"},
-                              Kind{mimics_nothing, "joint ", "has a <mimic> of no joint"}};
+                              Kind{mimics_nothing, "joint ", "has a <mimic> without a joint"}};
     return warnings_of(robot, file, kinds);
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t longest_shown = 60;
 
-/// In the words of the library that found it, less its prefix.
+/// The name that tinyxml2 gives to the error, without its prefix.
 std::string broken_xml(const tinyxml2::XMLDocument& parsed) {
     std::string_view name = parsed.ErrorName();
     for (const std::string_view prefix : {"XML_", "ERROR_"}) {
@@ -25,13 +25,13 @@ std::string broken_xml(const tinyxml2::XMLDocument& parsed) {
     return ':' + std::to_string(line) + ": is no XML that can be read: " + std::string{name};
 }
 
-/// Empty where nothing is known.
+/// What kind of text this is; empty if unknown.
 std::string known_kind(std::string_view text) {
     if (auto why = why_mistaken(text, "SDF"); !why.empty()) return why;
     if (text.empty() || text.front() == '<') return {};
     return "is no SDF; it begins with '" +
            printable(text.substr(0, text.find_first_of("\r\n")), longest_shown) +
-           "', an SDF file with <sdf>";
+           "', and an SDF file begins with <sdf>";
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ std::string known_kind(std::string_view text) {
 std::string why_no_sdf(const std::string& text, const tinyxml2::XMLDocument& parsed) {
     const auto* root = parsed.Error() ? nullptr : parsed.RootElement();
     const std::string_view name = root == nullptr ? "" : root->Name();
-    // <gazebo> is what <sdf> was called up to its version 1.2.
+    // Up to SDF 1.2, <sdf> was called <gazebo>.
     if (name == "sdf" || name == "robot" || name == "gazebo") return {};
     const std::string kind = known_kind(without_blank_start(text));
     if (!kind.empty()) return ":1: " + kind;

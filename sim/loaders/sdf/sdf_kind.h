@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Whether a text is SDF or URDF at all, and what it is otherwise. Any thread; nothing shared.
+// Checks whether a text is SDF or URDF, and if not, says what it is. Any thread; nothing shared.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@ class XMLDocument;
 
 namespace scipd::sim {
 
-/// Of a text that went through Parse(): ":LINE: is ..." what it is instead; empty where it is SDF
-/// or URDF.
+/// For a text and the result of its Parse(): ":LINE: is ...", which says what it is instead. Empty
+/// if it is SDF or URDF.
 std::string why_no_sdf(const std::string& text, const tinyxml2::XMLDocument& parsed);
 
 }  // namespace scipd::sim

@@ -11,7 +11,7 @@
 namespace scipd::sim {
 namespace {
 
-/// The global configuration is the only one that the library has for includes within includes.
+/// For includes within includes, the library uses only the global configuration.
 class GlobalConfig {
   public:
     explicit GlobalConfig(sdf::ParserConfig config)
@@ -27,7 +27,7 @@ class GlobalConfig {
 }  // namespace
 
 std::string uri_of(std::size_t document) {
-    // The library looks in the working directory first: no file there can have a path so long.
+    // The library looks in the working directory first. No file there can have such a long path.
     static const std::string longer_than_any_path(PATH_MAX, '-');
     return "scipd://" + std::to_string(document) + longer_than_any_path;
 }

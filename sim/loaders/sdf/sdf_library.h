@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A text through libsdformat, and what it includes from memory: the library wants files. Any
-// thread, while it holds an SdfConsole; one owner.
+// Passes a text through libsdformat, which reads includes only from files: scipd gives it files in
+// memory. Any thread, while it holds an SdfConsole; one owner.
 #pragma once
 
 #include <cstddef>
@@ -17,12 +17,13 @@
 
 namespace scipd::sim {
 
-/// Of a document by its place among them, by which the library asks for it.
+/// The URI by which the library asks for the document with this index.
 std::string uri_of(std::size_t document);
 
 class SdfLibrary {
   public:
-    /// What an include of this URI brings from now on, and what the library calls it.
+    /// Makes includes of this URI read `text` from now on. Returns the name that the library gives
+    /// to that file.
     std::filesystem::path write(const std::string& uri, const std::string& text);
 
     sdf::Errors load(const std::string& text, sdf::Root& root) const;

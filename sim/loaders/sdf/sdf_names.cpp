@@ -35,7 +35,7 @@ void set_name(XMLElement& element, const std::string& name) {
     child->SetText(name.c_str());
 }
 
-/// The library means something by these itself.
+/// Names with a meaning of their own in the library.
 bool is_reserved(std::string_view name) {
     return name == "world" || (name.size() >= 4 && name.starts_with("__") && name.ends_with("__"));
 }
@@ -55,7 +55,7 @@ class NameMender {
     std::vector<std::string> run(XMLElement& root) && {
         for (auto* child = root.FirstChildElement(); child != nullptr;
              child = child->NextSiblingElement()) {
-            // Nobody sees what a world is called.
+            // Nothing shows the name of a world, so no warning.
             if (is_kind(*child, "world") && own_name(*child).empty()) set_name(*child, "default");
         }
         mend_within(root);
@@ -72,7 +72,7 @@ class NameMender {
             mend_within(*child);
     }
 
-    /// Those that share their names.
+    /// Mends the children of these kinds, which must not have the same names.
     void mend_group(XMLElement& outer, std::span<const char* const> kinds) {
         std::vector<XMLElement*> group;
         Names taken;
@@ -93,7 +93,7 @@ class NameMender {
         const std::string name = name_in(element);
         if (own_name(element) != name) set_name(element, name);
         const bool is_include = is_kind(element, "include");
-        // What it brings has no name either, and was told of.
+        // The included model has no name either, and a warning has said so.
         if (name.empty() && is_include) return;
         const bool is_second = !seen.insert(name).second;
         if (!name.empty() && !is_second && !is_reserved(name)) return;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The names in an SDF document as libsdformat wants them: there, none of its own, and each once
-// where it lies. Any thread; nothing shared.
+// Mends the names in an SDF document for libsdformat. It wants every part to have a name, none of
+// its reserved names, and each name only once in its scope. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>
@@ -16,19 +16,19 @@ class XMLElement;
 
 namespace scipd::sim {
 
-/// What an <include> brings is called so where it does not say otherwise; empty for what stays
-/// nameless.
+/// The name of the model that an <include> brings, if the include itself gives none; empty if the
+/// model has none.
 using NameOfInclude = std::function<std::string(const tinyxml2::XMLElement& include)>;
 
-/// Gives other names where it must, as Gazebo Classic does: NAME_0. Each warning begins with its
-/// place in `file`.
+/// Renames what the library would refuse, as Gazebo Classic does: NAME_0. Returns warnings, each of
+/// which begins with its place in `file`.
 std::vector<std::string> mend_names(tinyxml2::XMLElement& root, const std::filesystem::path& file,
                                     const NameOfInclude& name_of);
 
-/// Empty where it has none; an include that does not say has none.
+/// The name of an element, or of an include in its <name>; empty if none.
 std::string own_name(const tinyxml2::XMLElement& element);
 
-/// MODEL::LINK::VISUAL, from the outermost model on.
+/// MODEL::LINK::VISUAL, from the outermost model to this element.
 std::string path_of(const tinyxml2::XMLElement& element);
 
 }  // namespace scipd::sim

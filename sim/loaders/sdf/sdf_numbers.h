@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Numbers of elements that libsdformat 12 does not know: it carries them along as text. Any thread.
+// Reads numbers in elements that libsdformat 12 does not know and keeps as text. Any thread.
 #pragma once
 
 #include <string>
@@ -11,10 +11,11 @@
 
 namespace scipd::sim {
 
-/// Throws LoadError where it is no number.
+/// The number in a child of `parent`; `otherwise` if there is no child of this name. Throws
+/// LoadError if it is not a number.
 double number_of_child(sdf::Element& parent, const std::string& name, double otherwise);
 
-/// Of an element that holds three. Throws LoadError.
+/// The three numbers in an element. Throws LoadError.
 glm::dvec3 vector_of(sdf::Element& element);
 
 }  // namespace scipd::sim

@@ -13,7 +13,7 @@
 
 namespace scipd::sim {
 
-/// Where a link or a nested model lies, and what it belongs to.
+/// Where a link or a nested model lies, and the body that it belongs to.
 struct Place {
     ModelId body;
     Pose body_from_here;

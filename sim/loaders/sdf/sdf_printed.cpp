@@ -9,7 +9,7 @@
 namespace scipd::sim {
 namespace {
 
-/// What stands between two others; nothing where they are not there.
+/// The text between `before` and `behind`; nothing if either is missing.
 std::optional<std::string> between(std::string_view text, std::string_view before,
                                    std::string_view behind) {
     const auto begin = text.find(before);
@@ -23,8 +23,8 @@ class Rewording {
   public:
     explicit Rewording(const std::map<std::string, StandIn>& stand_ins) : stand_ins_(stand_ins) {}
 
-    /// "[PATH:FILE:L5]: XML Element[new], child of element[link], not defined in SDF. ..." as a
-    /// sentence; empty where it was told, nothing where it is something else.
+    /// Turns "[PATH:FILE:L5]: XML Element[new], child of element[link], not defined in SDF. ..."
+    /// into a sentence. Empty if it was reported before; nothing if the text is another message.
     std::optional<std::string> unknown_part(const std::string& text) {
         const auto element = between(text, "]: XML Element[", "], child of element[");
         const auto parent = between(text, "], child of element[", "], not defined in SDF");
@@ -33,7 +33,7 @@ class Rewording {
         std::string what;
         if (element && parent) {
             what = '<' + *element + "> in <" + *parent + '>';
-            // The kind of a geometry is told where it is missed.
+            // Another warning reports the unknown geometry itself.
             if (*parent == "geometry") return "";
         } else if (attribute && owner) {
             what = "the attribute " + *attribute + " of <" + *owner + '>';
@@ -42,10 +42,10 @@ class Rewording {
         }
         if (!told_.insert(what).second) return "";
         return place_in(text.substr(0, text.find("]: XML "))) + what +
-               " is nothing that SDF 1.9 knows; ignored, here and elsewhere";
+               " is not part of SDF 1.9; ignored, here and elsewhere";
     }
 
-    /// "<data-string>:L5" is in no file that anybody has.
+    /// Replaces names such as "<data-string>:L5", which the user does not know.
     [[nodiscard]] std::string with_real_names(std::string text) const {
         for (const auto& [name, real] : stand_ins_) {
             const auto at = name.empty() ? text.npos : text.find(name + ":L");
@@ -55,7 +55,7 @@ class Rewording {
     }
 
   private:
-    /// Of "PATH:FILE:L5".
+    /// FILE:LINE for the user, from "PATH:FILE:L5".
     [[nodiscard]] std::string place_in(const std::string& text) const {
         const auto line = text.rfind(":L");
         if (line == text.npos) return "";
@@ -91,7 +91,7 @@ std::vector<std::string> in_plain_words(const std::vector<std::string>& printed,
 }
 
 bool is_printed_echo(const std::string& printed) {
-    // It takes whatever is no good SDF for a robot.
+    // The library tries to read every faulty SDF as a robot, and then prints these.
     return printed.starts_with("Could not find the 'robot' element") ||
            printed.starts_with("Unable to call parseURDF on robot model") ||
            printed.starts_with("parse as old deprecated model file failed");

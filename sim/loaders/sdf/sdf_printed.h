@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What libsdformat 12 has printed, in words for whoever has the file. Any thread; nothing shared.
+// Rewords what libsdformat 12 prints, for the user who has the file. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>
@@ -13,13 +13,13 @@
 
 namespace scipd::sim {
 
-/// Each with the file and the line that the user has, as far as the library tells, and `file`
-/// otherwise. Of elements and attributes that it does not know, each name once.
+/// Each message begins with the user's file and line, as far as the library gives them, otherwise
+/// with `file`. It reports each name of an unknown element or attribute only once.
 std::vector<std::string> in_plain_words(const std::vector<std::string>& printed,
                                         const std::map<std::string, StandIn>& stand_ins,
                                         const std::filesystem::path& file);
 
-/// What it adds where it has said what is wrong.
+/// Whether this only repeats that something is wrong, after a message that says what.
 bool is_printed_echo(const std::string& printed);
 
 }  // namespace scipd::sim

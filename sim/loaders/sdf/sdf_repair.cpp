@@ -34,7 +34,7 @@ XMLElement* outer(XMLElement& element) {
     return element.Parent() == nullptr ? nullptr : element.Parent()->ToElement();
 }
 
-/// What is to go for a fault in `element`; null where that would be all.
+/// The element to remove for a fault in `element`; null if that would be the whole document.
 XMLElement* goes_with(XMLElement& element) {
     bool matters = is_one_of(element, {"pose", "geometry"});
     XMLElement* holder = &element;
@@ -54,8 +54,7 @@ std::string what_is_wrong(const XMLElement& element, const sdf::Error& error) {
     if (!is_value(element, error)) return error.Message();
     const char* text = element.GetText();
     return std::string{"its <"} + element.Name() + "> " +
-           (text == nullptr ? "" : '\'' + printable(text, longest_told) + "' ") +
-           "is none that can be read";
+           (text == nullptr ? "" : '\'' + printable(text, longest_told) + "' ") + "cannot be read";
 }
 
 std::string place_of(const XMLElement& element, const SdfDocument& document) {
@@ -64,7 +63,8 @@ std::string place_of(const XMLElement& element, const SdfDocument& document) {
                                  : file + ':' + std::to_string(element.GetLineNum()) + ": ";
 }
 
-/// A holder, or what a holder does without.
+/// The warning for the removal of a whole visual, link or model, or of a part that it can do
+/// without.
 std::string warning_of(XMLElement& gone, const std::string& why, const SdfDocument& document) {
     const XMLElement* holder = &gone;
     while (!is_holder(*holder))
@@ -90,7 +90,8 @@ bool has_the_same_in_it(const XMLElement& one, const XMLElement& other) {
            text_of(&one) == text_of(&other);
 }
 
-/// The same value elsewhere cannot be read either, and costs no round of its own. Itself, too.
+/// Finds `suspect` and all elements with the same value. The library cannot read those either, and
+/// each would cost another round.
 void find_alike(const XMLElement& suspect, XMLElement& in, std::vector<XMLElement*>& found) {
     const bool is_alike = std::string_view{in.Name()} == suspect.Name() && in.Parent() != nullptr &&
                           std::string_view{in.Parent()->Value()} == suspect.Parent()->Value() &&
@@ -117,7 +118,7 @@ void take(const std::set<XMLElement*>& gone) {
         element->Parent()->DeleteChild(element);
 }
 
-/// A document of one thing in its world, and of the frames that it may lie in.
+/// A document with one model in its world, and with the frames that it may be relative to.
 std::string text_of_one(const XMLElement& model) {
     XMLDocument copy;
     const auto* world = model.Parent()->ToElement();
@@ -139,8 +140,8 @@ void finish(XMLDocument& xml, SdfDocument& document) {
 
 bool is_echo(const sdf::Error& error, const std::string& last_path) {
     const auto message = error.Message();
-    // One unreadable element makes the library complain once more about every element around it,
-    // and one lost frame about the whole graph of frames.
+    // After one unreadable element, the library also complains about every element around it; after
+    // one missing frame, about the whole graph of frames.
     if (message.starts_with("Error reading element")) {
         return !last_path.empty() && last_path.starts_with(error.XmlPath().value_or(""));
     }

@@ -24,7 +24,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// Of all but the roads.
+/// The names of everything in a world except its roads.
 std::set<std::string> names_in(XMLElement& world) {
     std::set<std::string> names;
     for (auto* child = world.FirstChildElement(); child; child = child->NextSiblingElement()) {
@@ -35,7 +35,8 @@ std::set<std::string> names_in(XMLElement& world) {
     return names;
 }
 
-/// Gazebo needs no names of roads; the library wants one for each model, and none of `__default__`.
+/// Roads may have no name, or the same one, in Gazebo. The library wants a different name for each
+/// model, and reserves those like `__default__`.
 std::string name_for(const XMLElement& road, std::set<std::string>& taken) {
     const char* given = road.Attribute("name");
     const std::string wanted =
@@ -58,7 +59,7 @@ void put_as_model(XMLElement& road, const std::string& name) {
     move_children(road, "width", *strip);
     move_children(road, "point", *strip);
     auto* material = road.FirstChildElement("material");
-    // The element itself, which knows its line.
+    // Turns the element itself into the model, so that it keeps its line.
     road.SetName("model");
     road.SetAttribute("name", name.c_str());
     road.InsertNewChildElement("static")->SetText("true");
@@ -70,7 +71,7 @@ void put_as_model(XMLElement& road, const std::string& name) {
     visual->InsertEndChild(geometry);
 }
 
-/// Where nothing lies between two points, there is no way from one to the other.
+/// Skips repeated points: a road has no direction between two equal points.
 std::vector<glm::dvec3> points_of(sdf::Element& road) {
     std::vector<glm::dvec3> points_m;
     for (auto point = road.FindElement("point"); point; point = point->GetNextElement("point")) {
@@ -83,9 +84,9 @@ std::vector<glm::dvec3> points_of(sdf::Element& road) {
     return points_m;
 }
 
-/// From the middle of a road to its left edge at this point, level. As Gazebo Classic 11 has it
-/// (gazebo/rendering/Road2d.cc): across the way from the point before to the one after, and wider
-/// in a turn, unless it is none or one back to where the road came from.
+/// The horizontal vector from the middle of a road to its left edge at this point, as in Gazebo
+/// Classic 11 (gazebo/rendering/Road2d.cc). It is normal to the line from the previous to the next
+/// point, and longer in a turn, unless the road goes almost straight on or back.
 glm::dvec3 to_the_left_m(const std::vector<glm::dvec3>& points_m, std::size_t at, double width_m) {
     const glm::dvec3& before_m = points_m[at == 0 ? 0 : at - 1];
     const glm::dvec3& after_m = points_m[std::min(at + 1, points_m.size() - 1)];
@@ -129,7 +130,8 @@ PlacedShape placed_road(sdf::Element& road) {
     }
     auto points_m = points_of(road);
     if (points_m.size() < 2) throw LoadError({"a <road> needs two <point>s that differ"});
-    // Far out, where the points of a map of the country lie, floats are coarse.
+    // Points are relative to the first one: floats are coarse far out, for example in map
+    // coordinates.
     const glm::dvec3 first_m = glm::round(points_m.front());
     for (glm::dvec3& point_m : points_m)
         point_m -= first_m;

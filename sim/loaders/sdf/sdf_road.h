@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The roads of an SDF world: flat strips that Gazebo Classic draws along points. libsdformat 12
-// keeps nothing of them. Any thread; nothing shared.
+// Reads the roads of an SDF world: flat strips that Gazebo Classic draws along points. libsdformat
+// 12 drops them. Any thread; nothing shared.
 #pragma once
 
 #include <sdf/Element.hh>
@@ -15,11 +15,11 @@ class XMLElement;
 
 namespace scipd::sim {
 
-/// Each <road> becomes a static model of its name, whose one visual has a <scipd:road> for geometry
-/// with the width and the points as they stood.
+/// Turns each <road> into a static model of the same name. Its one visual has a <scipd:road> as
+/// geometry, with the unchanged width and points.
 void put_roads_as_models(tinyxml2::XMLElement& world);
 
-/// Throws LoadError.
+/// The strip of a <scipd:road>. Throws LoadError.
 PlacedShape placed_road(sdf::Element& road);
 
 }  // namespace scipd::sim

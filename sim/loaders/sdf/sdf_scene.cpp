@@ -35,7 +35,7 @@ std::string text_of(const glm::dvec3& xyz_m) {
     return text.data();
 }
 
-/// To where a saved world has it.
+/// The place that a saved world gives it.
 Place moved_to(const Place& outer, const SdfState::Entry& saved) {
     const Pose outer_from_here = inverse(outer.world_from_here) * saved.world_from_here;
     return {outer.body, outer.body_from_here * outer_from_here, saved.world_from_here};
@@ -54,7 +54,7 @@ bool says_empty(const SdfSurface& surface) {
     return element && element->HasElement("empty");
 }
 
-/// Walks from the root to the surfaces.
+/// Walks through the document, from the root to the surfaces.
 class SceneWalk {
   public:
     SceneWalk(SdfFile read, fs::path file, const Resources& resources, SdfOptions options,
@@ -70,7 +70,7 @@ class SceneWalk {
   private:
     void add_root();
     void add_model(const sdf::Model& model);
-    /// Short enough.
+    /// The model's name, cut to the longest that is allowed.
     std::string name_of(const sdf::Model& model);
     void add_parts(const sdf::Model& model, const Place& place, const std::string& name);
     void add_nested(const sdf::Model& model, const Place& outer, const std::string& outer_name);
@@ -85,8 +85,8 @@ class SceneWalk {
     SdfOptions options_;
     SceneDraft draft_;
     SceneShapes shapes_;
-    const SdfActor* actor_ = nullptr;  ///< that the present model was
-    glm::dvec3 scale_{1.0};            ///< of the model whose links are looked at
+    const SdfActor* actor_ = nullptr;  ///< of the current model; null: none
+    glm::dvec3 scale_{1.0};            ///< of the model whose links are being read
 };
 
 LoadedScene SceneWalk::run() && {
@@ -193,7 +193,8 @@ void SceneWalk::add_surface(const SdfSurface& surface, const Place& link,
     object.model = link.body;
     const auto place = read_.place_of(surface.element, file_) + ": " + object.name + ": ";
     if (!has_shape(surface)) {
-        // As Gazebo does it, where it is not meant: nothing is shown.
+        // Gazebo shows nothing here either. Only <empty> is meant to be empty; all else gets a
+        // warning.
         if (!says_empty(surface)) draft_.leave_out(place + "has no <geometry> with a shape");
         return;
     }
@@ -209,7 +210,8 @@ void SceneWalk::add_surface(const SdfSurface& surface, const Place& link,
     shapes_.add(surface, std::move(object), scale_, place);
 }
 
-/// What lies in `outer` at this pose; nothing where it cannot lie there.
+/// The place at this pose in `outer`; nothing, with a warning, if it cannot be resolved or is too
+/// far.
 std::optional<Place> SceneWalk::place_of(const Place& outer, const sdf::SemanticPose& pose,
                                          const sdf::ElementPtr& element, const std::string& name) {
     const auto where = read_.place_of(element, file_) + ": " + name + ": ";

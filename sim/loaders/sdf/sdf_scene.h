@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What libsdformat has read, as a scene. Any thread; nothing shared.
+// Builds a scene from what libsdformat has read. Any thread; nothing shared.
 #pragma once
 
 #include "sim/loaders/file/loaded_scene.h"
@@ -12,7 +12,7 @@
 
 namespace scipd::sim {
 
-/// `read` is without faults; `source` is its file, for messages; `shelf` has the meshes. Throws
+/// `read` must have no faults. `source` is its file, for messages; `shelf` holds the meshes. Throws
 /// LoadError.
 LoadedScene scene_of(SdfFile read, const std::filesystem::path& source, const Resources& resources,
                      const SdfOptions& options, MeshShelf& shelf);

@@ -35,7 +35,7 @@ bool is_named(const XMLElement& element, std::string_view name) {
     return attribute(element, "name") == name;
 }
 
-/// That the link lies in, with those that it lies in itself.
+/// The name of the model that holds the link, after those of all models around it.
 std::string whole_name_of_model(const XMLElement& link) {
     std::string name;
     const auto* at = link.Parent();
@@ -81,7 +81,7 @@ double number_in(const XMLElement& element, const char* name,
     return numbers[0];
 }
 
-/// Samples of a row or rows, which SDF multiplies with a resolution.
+/// The number of samples or rows. SDF multiplies <samples> by <resolution>.
 int count_in(const XMLElement& scan, double otherwise) {
     constexpr double most = 1e6;
     const double count =
@@ -91,15 +91,15 @@ int count_in(const XMLElement& scan, double otherwise) {
 }
 
 void check(const Lidar& lidar) {
-    // Rounded by who wrote it.
+    // Files often round a full turn up.
     constexpr double turn_rad = 2.0 * std::numbers::pi + 0.01;
     const double view_rad = lidar.max_angle_rad - lidar.min_angle_rad;
     if (!(view_rad >= 0.0 && view_rad <= turn_rad)) {
         throw Fault(
-            "<min_angle> and <max_angle> must grow and span a turn at most; they are in radians");
+            "<max_angle> must be <min_angle> or more, by a turn at most; they are in radians");
     }
     if (!(lidar.min_range_m >= 0.0 && lidar.min_range_m < lidar.max_range_m)) {
-        throw Fault("<min> and <max> of its <range> must grow from 0 on");
+        throw Fault("<min> in its <range> must be 0 or more, and <max> above it");
     }
     if (!(lidar.rate_hz >= 0.0 && std::isfinite(lidar.rate_hz))) {
         throw Fault("<update_rate> must not be negative");
@@ -163,7 +163,7 @@ void check_pose(const XMLElement& pose, const XMLElement& model) {
     }
 }
 
-/// Of one document.
+/// Offers the sensors of one document.
 class Offer {
   public:
     Offer(const std::filesystem::path& file, std::vector<FoundSensor>& found)
@@ -199,7 +199,8 @@ class Offer {
                     {printable(type, longest_type),
                      is_lidar ? std::optional(lidar_of(*sensor)) : std::nullopt});
             } catch (const Fault& fault) {
-                // Of the others nothing is wanted but their places.
+                // For sensors that are not lidars, scipd needs only the pose, so faults get no
+                // warning.
                 if (is_lidar) warn(line, link, *sensor, fault);
             }
         }
@@ -231,11 +232,11 @@ class Offer {
                             quote(attribute(sensor, "name")) + " of link " +
                             quote(attribute(link, "name")) + " of model " +
                             quote(whole_name_of_model(link)) + ": " + fault.what() +
-                            "; no scanner can be mounted there, ranges are as they are without it");
+                            "; no scanner can be mounted there, but no range depends on it");
     }
 
     static constexpr std::size_t longest_type = 40;
-    /// The library takes a while for frames, the square of those of a model.
+    /// The library's time grows with the square of the number of frames in a model.
     static constexpr std::size_t most_sensors = 4000;
     static constexpr const char* too_many = "is one of more than 4000 sensors, here and elsewhere";
 

@@ -25,7 +25,7 @@
 namespace scipd::sim {
 namespace {
 
-/// Its floor and its top may take a square of this many triangles.
+/// Triangulating the floor and the top may take time that grows with the square of this number.
 constexpr std::size_t most_outline_points = 2000;
 
 void check_sizes(std::initializer_list<double> sizes_m) {
@@ -56,8 +56,8 @@ PlacedShape placed_sphere(const sdf::Sphere& sphere) {
 
 PlacedShape placed_plane(const sdf::Plane& plane) {
     check_sizes({plane.Size().X(), plane.Size().Y()});
-    // The shortest turn from z to the normal: SDF does not say how a plane's edges lie about its
-    // normal, Gazebo does it so.
+    // The shortest turn from z to the normal, as in Gazebo: SDF does not say how a plane's edges
+    // lie about its normal.
     ignition::math::Quaterniond turn;
     turn.From2Axes(ignition::math::Vector3d::UnitZ, plane.Normal());
     return {Plane{{plane.Size().X(), plane.Size().Y()}},
@@ -97,8 +97,8 @@ Outline outline_of(sdf::Element& polyline) {
     return outline;
 }
 
-/// libsdformat 12 has no class for polylines, only their elements. All of one geometry are one
-/// body, of the height of the first, as Gazebo does it.
+/// libsdformat 12 has no class for polylines, only their elements. As in Gazebo, all polylines of
+/// one geometry are one body with the height of the first.
 PlacedShape placed_polylines(sdf::ElementPtr polyline) {
     const double height_m = polyline->Get<double>("height");
     check_sizes({height_m});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// One geometry of libsdformat as a shape of ours. Meshes are not its business: they come from
-// files. Any thread.
+// Turns one geometry of libsdformat into a shape of scipd. Meshes come from files, so not here. Any
+// thread.
 #pragma once
 
 #include <optional>
@@ -15,15 +15,15 @@
 
 namespace scipd::sim {
 
-/// Nothing for meshes and for what we do not have. Throws LoadError where it cannot be: sizes that
-/// are not above 0 or beyond 1e7 m, outlines of fewer than three points.
+/// Nothing for meshes and for kinds that scipd does not support. Throws LoadError for impossible
+/// ones: sizes that are not above 0 or beyond 1e7 m, outlines of fewer than three points.
 std::optional<PlacedShape> primitive_of(const sdf::Geometry& geometry);
 
-/// As Gazebo Classic scales a model's shapes: what is round stays round. Nothing where it does not.
-/// Throws LoadError where that makes a size of 0 or beyond 1e7 m.
+/// Scales a shape as Gazebo Classic does: round shapes stay round. Nothing for shapes that it does
+/// not scale. Throws LoadError if the result has a size of 0 or beyond 1e7 m.
 std::optional<Shape> scaled(const Shape& shape, const glm::dvec3& scale);
 
-/// What SDF calls this kind of geometry; "empty" where there is none.
+/// SDF's name for this kind of geometry; "empty" if there is none.
 std::string kind_of(const sdf::Geometry& geometry);
 
 }  // namespace scipd::sim

@@ -18,14 +18,14 @@ using tinyxml2::XMLElement;
 
 std::optional<Pose> pose_of(const XMLElement& element) {
     const auto* pose = element.FirstChildElement("pose");
-    // Gazebo Classic takes none for that of the origin.
+    // In Gazebo Classic, no pose means the origin.
     if (pose == nullptr || pose->GetText() == nullptr) return Pose{};
     const auto n = parse_numbers(pose->GetText(), 6);
     if (!n) return std::nullopt;
     return pose_from_rpy({(*n)[0], (*n)[1], (*n)[2]}, {(*n)[3], (*n)[4], (*n)[5]});
 }
 
-/// Gazebo Classic keeps the scale that it has in place of one below 0.
+/// Gazebo Classic ignores a scale below 0 and keeps the one that it has.
 std::optional<glm::dvec3> scale_of(const XMLElement& element) {
     const auto* scale = element.FirstChildElement("scale");
     if (scale == nullptr) return glm::dvec3{1.0};
@@ -73,7 +73,7 @@ class StateReader {
         }
         warnings_.push_back(file_.string() + ':' + std::to_string(part.GetLineNum()) +
                             ": the <state> of " + name + " has a " + (pose ? "scale" : "pose") +
-                            " that is no row of finite numbers; it stays as its model says");
+                            " that is not a row of finite numbers; its own pose and scale stay");
     }
 
     const std::filesystem::path& file_;

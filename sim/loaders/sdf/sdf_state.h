@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The <state> of a world that Gazebo Classic has saved: where its models and links lay then, and
-// how they were scaled. Values; any thread.
+// The <state> of a world that Gazebo Classic saved: where its models and links were, and their
+// scale. Values; any thread.
 #pragma once
 
 #include <filesystem>
@@ -24,22 +24,22 @@ namespace scipd::sim {
 struct SdfState {
     struct Entry {
         Pose world_from_here;
-        glm::dvec3 scale{1.0};  ///< of the shapes in a model's own links, not of where they lie
+        glm::dvec3 scale{1.0};  ///< scales the shapes in a model's own links, not their poses
         int line = 0;
         bool is_used = false;
     };
-    /// By MODEL, MODEL::LINK, MODEL::NESTED and so on.
+    /// Keys are MODEL, MODEL::LINK, MODEL::NESTED and so on.
     std::map<std::string, Entry, std::less<>> entries;
     std::set<std::string, std::less<>> deleted;
 
-    /// Nothing where the state does not speak of it.
+    /// The entry of this name, which then counts as used; null if there is none.
     const Entry* use(const std::string& name);
-    /// A warning of what it speaks of and nobody has used; empty where there is nothing.
+    /// A warning about entries that were never used; empty if there are none.
     [[nodiscard]] std::string unused(const std::filesystem::path& file) const;
 };
 
-/// Takes every <state> out of a world. The first counts, as in Gazebo Classic: models that it
-/// inserts become the world's. Each warning begins with its place in `file`.
+/// Takes every <state> out of a world and reads the first one, as Gazebo Classic does. The models
+/// that it inserts are added to the world. Each warning begins with its place in `file`.
 SdfState take_state(tinyxml2::XMLElement& world, const std::filesystem::path& file,
                     std::vector<std::string>& warnings);
 

@@ -14,7 +14,7 @@ std::string own_material(const sdf::ElementPtr& element) {
     return element->GetElement("scipd:material")->Get<std::string>();
 }
 
-/// libsdformat 12 keeps that of a collision in the element only.
+/// libsdformat 12 keeps the laser_retro of a collision only in its element.
 std::optional<double> retro_of(const sdf::ElementPtr& element) {
     if (!element || !element->HasElement("laser_retro")) return std::nullopt;
     return element->Get<double>("laser_retro");
@@ -29,7 +29,7 @@ SdfSurface surface_of(const sdf::Visual& visual) {
     SdfSurface surface{
         visual.Name(),    visual.SemanticPose(),          visual.Geom(),
         visual.Element(), own_material(visual.Element()), retro_of(visual.Element())};
-    // Ours first; what Gazebo shows is the next best guess.
+    // scipd's own material comes first; the one that Gazebo shows is the next best guess.
     if (surface.material.empty() && visual.Material() != nullptr) {
         surface.material = visual.Material()->ScriptName();
     }

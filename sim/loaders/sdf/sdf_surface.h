@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What a visual and a collision have in common for a scanner: where it is, what shape it has and
-// what it is made of. Any thread.
+// What a scanner needs of a visual or a collision: its pose, its shape and its material. Any
+// thread.
 #pragma once
 
 #include <optional>
@@ -17,18 +17,19 @@
 
 namespace scipd::sim {
 
-/// Points into the link that it was taken from.
+/// Points into a link, which must outlive it.
 struct SdfSurface {
     std::string name;
     sdf::SemanticPose pose;
     const sdf::Geometry* geometry = nullptr;
     sdf::ElementPtr element;
-    std::string material;  ///< empty where it says none
+    std::string material;  ///< empty: none given
     std::optional<double> laser_retro;
 };
 
-/// Of the wanted kind. A visual without a laser_retro has that of the collisions of its link where
-/// all that have one agree: Gazebo Classic reads it there, Gazebo Sim in the visual.
+/// The surfaces of the wanted kind. A visual without a laser_retro gets that of its link's
+/// collisions, if all that have one agree: Gazebo Classic reads it in the collision, Gazebo Sim in
+/// the visual.
 std::vector<SdfSurface> surfaces_of(const sdf::Link& link, SdfGeometry wanted);
 
 }  // namespace scipd::sim

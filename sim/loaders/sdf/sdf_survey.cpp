@@ -33,8 +33,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file may have this part of the memory in bytes, 64 MiB of a world's: parsed, it takes up to 50
-/// times that.
+/// The largest file, as a share of the memory limit: 64 MiB for a world's limit. Once parsed, a
+/// file takes up to 50 times its size.
 constexpr double largest_part = 1.0 / 64;
 constexpr std::size_t deepest_include = 32;
 
@@ -58,13 +58,13 @@ class Surveyor {
     }
 
   private:
-    /// What is known of a file that was looked at.
+    /// What is known about a file that was read.
     struct Known {
         std::size_t document;
         double bytes;  ///< with all that it includes
     };
 
-    /// Why it is not to be looked into; empty where it may be.
+    /// Why a file must not be read; empty if it may.
     [[nodiscard]] std::string why_not_enter(const fs::path& file) const {
         std::error_code error;
         const bool loops = std::ranges::find(open_, file) != open_.end();
@@ -73,7 +73,7 @@ class Surveyor {
                    (open_.back() == file ? "" : ", through others");
         }
         if (open_.size() >= deepest_include) {
-            return "includes lie more than " + std::to_string(deepest_include) + " deep";
+            return "includes are nested more than " + std::to_string(deepest_include) + " deep";
         }
         if (largest_file_bytes() < static_cast<double>(fs::file_size(file, error)) && !error) {
             return file.string() + ": is larger than " +
@@ -90,7 +90,7 @@ class Surveyor {
                          "an SDF or URDF file is wanted here");
     }
 
-    /// Its place among the documents. Throws LoadError where it is no SDF and no URDF.
+    /// Returns the index of the new document. Throws LoadError if it is neither SDF nor URDF.
     std::size_t add_document(const fs::path& file, const std::string& text) {
         tinyxml2::XMLDocument document;
         document.Parse(text.c_str());
@@ -148,13 +148,13 @@ class Surveyor {
     }
 
     void add_meshes(const tinyxml2::XMLElement& root, const fs::path& file) {
-        // A text is called by a name, and lies in no folder.
+        // A text has only a name, not a folder.
         const auto folder = file.is_absolute() ? file.parent_path() : resources_.folder();
         std::ranges::move(wanted_meshes(root, folder, resources_, geometry_),
                           std::back_inserter(survey_.meshes));
     }
 
-    /// What it brings, of the documents that were looked at.
+    /// The name of the model that an include brings, if its document was read; empty if not.
     [[nodiscard]] std::string model_in(const tinyxml2::XMLElement& include) const {
         const auto* uri = include.FirstChildElement("uri");
         const std::string text{trimmed(text_of(uri))};
@@ -164,7 +164,7 @@ class Surveyor {
         return {};
     }
 
-    /// What an include may be of.
+    /// Whether the document has anything that can be included.
     static bool holds_thing(const tinyxml2::XMLElement& root) {
         constexpr std::array things{"model", "actor", "light"};
         return std::ranges::any_of(
@@ -173,7 +173,7 @@ class Surveyor {
 
     void survey(tinyxml2::XMLElement& element, const fs::path& file) {
         bytes_ += bytes_for(element.Name());
-        // The library copies what is in there and does not look at it.
+        // The library copies the contents of a plugin without reading them.
         const bool opaque = element.Name() == std::string_view{"plugin"};
         for (auto* child = element.FirstChildElement(); child != nullptr;) {
             auto* next = child->NextSiblingElement();
@@ -188,10 +188,10 @@ class Surveyor {
         }
     }
 
-    /// False where there is nothing to include.
+    /// False if the include must be taken out.
     bool add_include(tinyxml2::XMLElement& include, const fs::path& file) {
         auto* element = include.FirstChildElement("uri");
-        if (element == nullptr) return true;  // the library has words for it
+        if (element == nullptr) return true;  // the library reports it
         const std::string uri{trimmed(text_of(element))};
         const std::string place = file.string() + ':' + std::to_string(include.GetLineNum()) + ": ";
         const auto folder = open_.size() > 1 ? file.parent_path() : resources_.folder();
@@ -200,13 +200,13 @@ class Surveyor {
         const auto model = model_of(uri, found, place);
         if (!model) return false;
         const auto document = document_of(*model, place);
-        // A lamp, say.
+        // Nothing for a scanner: a lamp, for example.
         if (!document || survey_.documents[*document].is_relieved_of_all) return false;
         element->SetText(uri_of(*document).c_str());
         return true;
     }
 
-    /// The file of an include that was found; nothing where there is none that can be read.
+    /// The file of the model in `found`; nothing if it has none that can be read.
     std::optional<fs::path> model_of(const std::string& uri, const fs::path& found,
                                      const std::string& place) {
         try {
@@ -224,7 +224,7 @@ class Surveyor {
         return std::nullopt;
     }
 
-    /// Of a download, the first time only.
+    /// A missing download is reported only once.
     bool leave_out_missing(const std::string& uri, const fs::path& folder,
                            const std::string& place) {
         const auto command = download_command(uri);
@@ -243,7 +243,7 @@ class Surveyor {
             leave_out(place + why);
             return {};
         }
-        // Again for each include of it, since each is a copy; known ones cost no time.
+        // Each include is a copy, and takes memory again, but is not read again.
         if (const auto known = known_.find(file); known != known_.end()) {
             bytes_ += known->second.bytes;
             return known->second.document;
@@ -274,9 +274,9 @@ class Surveyor {
     double most_bytes_;
     bool strict_;
     SdfSurvey survey_;
-    std::vector<fs::path> open_;  ///< the file that is looked at, and those that include it
+    std::vector<fs::path> open_;  ///< the file being read, after those that include it
     std::map<fs::path, Known> known_;
-    std::set<std::string> told_;  ///< downloads, by their commands
+    std::set<std::string> told_;  ///< missing downloads, by command
     double bytes_ = 0.0;
 };
 

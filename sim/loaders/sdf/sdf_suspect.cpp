@@ -19,7 +19,7 @@ namespace {
 using tinyxml2::XMLElement;
 using Test = std::function<bool(const XMLElement&)>;
 
-/// The first in the order of the document.
+/// The first match in the order of the document.
 XMLElement* first_of(XMLElement& element, const Test& is_it) {
     if (is_it(element)) return &element;
     for (auto* child = element.FirstChildElement(); child != nullptr;
@@ -43,7 +43,7 @@ struct Step {
 };
 
 std::vector<Step> steps_of(const std::string& path) {
-    // A value may have whatever it likes, slashes among it.
+    // A value may hold any character, slashes too.
     static const std::regex step{R"re(/([^/\[]+)(?:\[@([^=]+)="(.*?)"\])?(?:\[[^/]*\])?(?=/|$))re"};
     std::vector<Step> steps;
     for (std::sregex_iterator at{path.begin(), path.end(), step}, end; at != end; ++at)
@@ -113,7 +113,7 @@ XMLElement* at_vertex(const std::string& message, XMLElement& root) {
 }  // namespace
 
 XMLElement* suspect_of(const sdf::Error& error, XMLElement& root) {
-    // Regular expressions take stack for every character.
+    // std::regex takes stack for every character.
     constexpr std::size_t longest = 4000;
     if (error.Message().size() > longest || error.XmlPath().value_or("").size() > longest) {
         return nullptr;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Which element an error of libsdformat 12 is about: it has the path of some, the line of fewer,
-// and of frames only a sentence. Any thread; nothing shared.
+// Finds the element that an error of libsdformat 12 is about. Some errors have a path, fewer have a
+// line, and those about frames have only a sentence. Any thread; nothing shared.
 #pragma once
 
 #include <sdf/Error.hh>
@@ -13,7 +13,7 @@ class XMLElement;
 
 namespace scipd::sim {
 
-/// Null where nobody can tell.
+/// Null if the error does not tell.
 tinyxml2::XMLElement* suspect_of(const sdf::Error& error, tinyxml2::XMLElement& root);
 
 }  // namespace scipd::sim

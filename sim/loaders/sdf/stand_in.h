@@ -8,13 +8,13 @@
 
 namespace scipd::sim {
 
-/// A file that libsdformat is given in place of the user's.
+/// A file that libsdformat reads in place of the user's.
 struct StandIn {
-    std::filesystem::path file;  ///< as the user knows it
+    std::filesystem::path file;  ///< the user's file
     bool same_lines;
-    /// Of a robot, which is not read as it is written.
+    /// The URDF of a robot, which the library gets converted to SDF.
     std::string robot = {};
-    std::map<std::string, int> lines = {};  ///< of its links, by name
+    std::map<std::string, int> lines = {};  ///< of the robot's links, by name
 };
 
 }  // namespace scipd::sim

@@ -19,7 +19,7 @@ namespace {
 using tinyxml2::XMLDocument;
 using tinyxml2::XMLElement;
 
-/// A material name of each visual, by link.
+/// The material names of each link's visuals.
 using MaterialNames = std::map<std::string, std::vector<std::string>>;
 
 template <typename Visit>
@@ -31,7 +31,7 @@ void for_children(XMLElement& parent, const char* name, const Visit& visit) {
     }
 }
 
-/// Any will do.
+/// Any inertia will do: the library drops links without one.
 void give_inertia(XMLElement& link) {
     for_children(link, "inertial", [&](XMLElement& inertial) { link.DeleteChild(&inertial); });
     XMLElement& inertial = *link.InsertNewChildElement("inertial");
@@ -43,7 +43,8 @@ void give_inertia(XMLElement& link) {
         inertia.SetAttribute(other, 0);
 }
 
-/// Takes them out as well: urdfdom complains of names without a colour.
+/// Returns the materials of a link's visuals and takes them out: urdfdom complains of names without
+/// a colour.
 std::vector<std::string> take_materials(XMLElement& link) {
     std::vector<std::string> names;
     for_children(link, "visual", [&](XMLElement& visual) {
@@ -61,11 +62,11 @@ void keep_joint(XMLElement& robot, const std::string& joint) {
         extension.InsertNewChildElement(wish)->SetText("true");
 }
 
-/// What <gazebo reference="LINK"> has of sensors: the library would hand them on, and refuse the
-/// robot for a faulty one.
+/// The sensors in <gazebo reference="LINK">. The library would copy them, and refuse the robot for
+/// a faulty one.
 class Sensors {
   public:
-    /// Takes them out.
+    /// Takes the sensors out of the robot.
     explicit Sensors(XMLElement& robot) {
         for_children(robot, "gazebo", [&](XMLElement& extension) {
             const std::string link = attribute(extension, "reference");
@@ -103,7 +104,7 @@ MaterialNames prepare(XMLElement& robot) {
     for_children(robot, "material", [&](XMLElement& material) { robot.DeleteChild(&material); });
     for_children(robot, "link", [&](XMLElement& link) {
         const std::string name = attribute(link, "name");
-        if (name == "world") return;  // by this name the library knows what does not move
+        if (name == "world") return;  // the library's name for what does not move
         give_inertia(link);
         materials[name] = take_materials(link);
     });
@@ -113,7 +114,7 @@ MaterialNames prepare(XMLElement& robot) {
     return materials;
 }
 
-/// The library keeps the visuals of a link in their order.
+/// Gives the visuals their materials again: the library keeps the visuals of a link in order.
 void name_materials(XMLElement& model, const MaterialNames& materials) {
     for_children(model, "link", [&](XMLElement& link) {
         const auto known = materials.find(attribute(link, "name"));
@@ -162,7 +163,7 @@ std::string sdf_from_urdf(std::string_view text, const std::filesystem::path& fi
 
     const sdf::SDFPtr converted{new sdf::SDF};
     sdf::init(converted);
-    sdf::Errors ignored;  // what matters is printed as well
+    sdf::Errors ignored;  // the library prints what matters
     if (!sdf::readString(text_of(urdf), converted, ignored)) return {};
     XMLDocument result;
     XMLElement* root = root_of(result, converted->ToString(), "sdf");

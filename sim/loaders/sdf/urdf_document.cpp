@@ -41,7 +41,7 @@ constexpr Numbers of_parts[] = {{"origin", "xyz", 3, false},     {"origin", "rpy
                                 {"cylinder", "radius", 1, true}, {"cylinder", "length", 1, true},
                                 {"mesh", "scale", 3, false}};
 
-/// Empty where nothing is.
+/// What is wrong with the numbers of an element; empty if nothing.
 std::string fault_of_numbers(const XMLElement& part) {
     for (const Numbers& numbers : of_parts) {
         if (std::string_view{part.Name()} != numbers.element) continue;
@@ -51,12 +51,12 @@ std::string fault_of_numbers(const XMLElement& part) {
         if (text == nullptr) return what + "> has no " + numbers.attribute;
         if (parse_numbers(text, numbers.count)) continue;
         return what + ' ' + numbers.attribute + "='" + printable(text, longest_text) +
-               "'> is none that can be read";
+               "'> cannot be read";
     }
     return {};
 }
 
-/// Of a visual or collision, as urdfdom reads it; empty where nothing is.
+/// What is wrong with a visual or collision, by the rules of urdfdom; empty if nothing.
 std::string fault_of_shape(const XMLElement& part) {
     const auto* origin = part.FirstChildElement("origin");
     if (origin != nullptr) {
@@ -75,7 +75,7 @@ std::string fault_of_shape(const XMLElement& part) {
     return fault_of_numbers(*shape);
 }
 
-/// Something of any shape: only that there is one counts, and what it is made of.
+/// Replaces the shape by a box: no scanner sees it, only its presence and its material count.
 void make_plain(XMLElement& part) {
     keep_children(part, {"material"});
     part.InsertNewChildElement("geometry")
@@ -123,7 +123,7 @@ class Relief {
                             "; left out, no scanner sees it");
     }
 
-    /// Whatever moves it, it stands at zero.
+    /// Scenes have every joint at zero, whatever its type.
     static void relieve_joint(XMLElement& joint) {
         joint.SetAttribute("type", "fixed");
         keep_children(joint, {"origin", "parent", "child"});
@@ -145,7 +145,8 @@ class Relief {
         });
     }
 
-    /// Of the script of a visual, in the one word that Gazebo has for it.
+    /// Copies the name of a visual's material script into <material>, as Gazebo's URDF extension
+    /// has it.
     static void name_material(XMLElement& extension) {
         auto* within = extension.FirstChildElement("visual");
         for (const char* name : {"material", "script", "name"})

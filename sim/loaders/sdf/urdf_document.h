@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A URDF robot on its way to libsdformat 12, which refuses all of it for a joint without limits or
-// a friction that is no number. What is nothing to a scanner is taken out before the library sees
-// it, as sdf_document.h does for SDF. Any thread; nothing shared.
+// Prepares a URDF robot for libsdformat 12, which refuses the whole robot for a joint without
+// limits or a friction that is not a number. So scipd first takes out what does not matter to a
+// scanner, as sdf_document.h does for SDF. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>
@@ -18,9 +18,9 @@ class XMLElement;
 
 namespace scipd::sim {
 
-/// Leaves links, where they lie and what they look like; a visual that cannot be read goes alone,
-/// or a collision where scanners see those. Answers with warnings that begin with their place in
-/// `file`.
+/// Keeps the links, their poses and their shapes. It takes out each visual that cannot be read, or
+/// each such collision if scanners see collisions. Returns warnings, each of which begins with its
+/// place in `file`.
 std::vector<std::string> relieve_robot(tinyxml2::XMLElement& robot,
                                        const std::filesystem::path& file, SdfGeometry geometry);
 

@@ -82,7 +82,7 @@ class Tree {
         return above == child ? "its parent hangs on its child" : "";
     }
 
-    /// Nobody asks for it.
+    /// Gives a joint a name of its own, without a warning: nobody asks for joint names.
     void name_joint(XMLElement& joint) {
         std::string name = attribute(joint, "name");
         for (int i = 0; name.empty() || !joints_.insert(name).second; ++i)
@@ -97,12 +97,13 @@ class Tree {
             const char* text = origin->Attribute(part);
             if (text == nullptr || parse_numbers(text, 3)) continue;
             warn(joint, std::string{"its <origin "} + part + "='" + shown(text) +
-                            "'> is none that can be read; 0 0 0 is taken");
+                            "'> cannot be read; 0 0 0 is taken");
             origin->DeleteAttribute(part);
         }
     }
 
-    /// By the name "world" the library knows what does not move; else it is the first.
+    /// Joins all roots to one: to "world", the library's name for what does not move, or else to
+    /// the first.
     void join_roots() {
         const auto is_root = [this](const XMLElement& link) {
             return !parent_of_.contains(attribute(link, "name"));
@@ -135,7 +136,7 @@ class Tree {
     const std::filesystem::path& file_;
     std::set<std::string> links_;
     std::set<std::string> joints_;
-    std::map<std::string, std::string> parent_of_;  ///< of a link, the one that it hangs on
+    std::map<std::string, std::string> parent_of_;  ///< the parent link of each link
     std::vector<std::string> warnings_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The tree of a URDF robot, which the library refuses as a whole for one joint that hangs on
-// nothing. Any thread; nothing shared.
+// Mends the tree of a URDF robot: the library refuses the whole robot for one joint without a valid
+// parent or child. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>
@@ -15,9 +15,9 @@ class XMLElement;
 
 namespace scipd::sim {
 
-/// Leaves one tree of all links that have a name: what of a joint cannot be read or fits nowhere is
-/// left out, and links that hang on no joint then stand at the origin of the robot. Answers with
-/// warnings that begin with their place in `file`.
+/// Makes one tree of all links that have a name. It leaves out joints, or parts of them, that
+/// cannot be read or do not fit into a tree. Links without a joint then stand at the origin of the
+/// robot. Returns warnings, each of which begins with its place in `file`.
 std::vector<std::string> mend_tree(tinyxml2::XMLElement& robot, const std::filesystem::path& file);
 
 }  // namespace scipd::sim

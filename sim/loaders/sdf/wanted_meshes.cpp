@@ -36,7 +36,7 @@ class Search {
         const auto* geometry = surface.FirstChildElement("geometry");
         const auto* mesh = geometry == nullptr ? nullptr : geometry->FirstChildElement("mesh");
         if (mesh == nullptr) return;
-        // In SDF the one, in URDF the other.
+        // URDF has a filename attribute, SDF a <uri>.
         const char* filename = mesh->Attribute("filename");
         const std::string uri =
             filename != nullptr ? filename : text_of(mesh->FirstChildElement("uri"));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Which meshes a document will ask for, known before libsdformat makes its large tree of it. A
-// guess that spares time: what it misses is read when it is asked for. Any thread.
+// Guesses which meshes a document will ask for, before libsdformat builds its large tree of it. The
+// guess saves time; meshes that it misses are read when the loader asks for them. Any thread.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ class XMLElement;
 
 namespace scipd::sim {
 
-/// In all visuals, or all collisions, below `root`; relative names begin at `folder`.
+/// The meshes in all visuals, or all collisions, below `root`. Relative names start at `folder`.
 std::vector<MeshSource> wanted_meshes(const tinyxml2::XMLElement& root,
                                       const std::filesystem::path& folder,
                                       const Resources& resources, SdfGeometry geometry);

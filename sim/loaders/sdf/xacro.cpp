@@ -16,12 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// For a Python that reads some hundred files.
+/// Enough for a Python program that reads some hundred files.
 const Confines confines{.processor_time = std::chrono::seconds(60),
                         .memory_bytes = std::size_t{4} << 30U,
                         .wall_time = std::chrono::minutes(1)};
 
-/// Without the line end.
+/// The text of an error, without its line end.
 std::string words_of(const std::runtime_error& error) {
     std::string words = shown(error.what());
     return words.substr(0, words.find_last_not_of('\n') + 1);

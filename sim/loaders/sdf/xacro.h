@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A robot or a world that is written in xacro, through the program of that name, where it is
-// installed. Such a file can make the program do anything; so it is for the file that somebody
-// names, and for none that a world includes. Any thread; the caller waits.
+// Loads a robot or a world that is written in xacro, through the program of that name, if it is
+// installed. Such a file can make the program do anything, so scipd runs it only for a file that
+// the user names, never for a file that a world includes. Any thread; the caller waits.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +13,8 @@
 
 namespace scipd::sim {
 
-/// Lines in messages are those of what xacro prints. Throws LoadError: as load_sdf(), with what
-/// xacro has against the file, or saying what to install.
+/// Lines in messages are lines of xacro's output. Throws LoadError as load_sdf() does, and also
+/// with xacro's own complaint, or with what to install.
 LoadedScene load_xacro(const std::filesystem::path& file, const SdfOptions& options = {});
 
 }  // namespace scipd::sim

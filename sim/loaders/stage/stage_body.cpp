@@ -20,8 +20,8 @@
 namespace scipd::sim {
 namespace {
 
-/// As Stage does it: what meshes span becomes as large as the size, the middle goes to the origin;
-/// z is only stretched.
+/// Scales the meshes, as Stage does, so that all of them together span the size. In x and y their
+/// middle moves to the origin; z is only scaled.
 void fit(std::vector<Mesh>& meshes, const glm::dvec3& size_m) {
     Bounds bounds;
     for (const Mesh& mesh : meshes) {
@@ -45,7 +45,7 @@ void fit(std::vector<Mesh>& meshes, const glm::dvec3& size_m) {
     }
 }
 
-/// In the entity's own measure.
+/// Before the block is scaled to the size of the entity.
 Mesh prism(const StageEntity& block, const StageUnits& units) {
     constexpr double most_points = 1'000;
     const double count = block.number("points", 0.0);

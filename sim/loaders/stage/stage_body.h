@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What an entity of Stage looks like: blocks, or the dark pixels of a bitmap, as Stage scales them
-// into the entity's size. Any thread; nothing shared.
+// Builds the body of an entity of Stage: its blocks, or the dark pixels of its bitmap, scaled to
+// the entity's size as Stage does. Any thread; nothing shared.
 #pragma once
 
 #include <optional>
@@ -16,22 +16,22 @@
 
 namespace scipd::sim {
 
-/// Lengths and angles as the file has them.
+/// One unit of length and of angle of the file.
 struct StageUnits {
     double metres = 1.0;
     double radians;
 };
 
-/// Of the entity, the default of Stage where it has none. Throws std::invalid_argument.
+/// The size of the entity, or Stage's default if it has none. Throws std::invalid_argument.
 glm::dvec3 stage_size_m(const StageEntity& entity, const StageUnits& units);
 
-/// A prism for each of its blocks, x and y from the middle of all, z from its foot. Throws
-/// std::invalid_argument.
+/// A prism for each block. x and y are relative to the middle of all blocks, z to the foot of the
+/// entity. Throws std::invalid_argument.
 std::vector<Mesh> block_meshes(const StageEntity& entity, const glm::dvec3& size_m,
                                const StageUnits& units);
 
-/// The picture's dark pixels, whose outer ones lie on the rim of the size. Throws
-/// std::invalid_argument, also where there is none.
+/// The picture's dark pixels, scaled so that the outermost ones reach the edges of the size. Throws
+/// std::invalid_argument, also if no pixel is dark.
 Mesh bitmap_mesh(std::string_view picture, const glm::dvec3& size_m, std::size_t most_triangles);
 
 }  // namespace scipd::sim

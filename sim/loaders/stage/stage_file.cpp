@@ -16,7 +16,7 @@ using Kind = StageToken::Kind;
 
 constexpr int deepest_entity = 64;
 constexpr std::size_t most_entities = 100'000;
-/// Macros of macros of macros make much of little.
+/// Macros that use macros can expand a small file to any size.
 constexpr std::size_t most_steps = 5'000'000;
 
 class Parser {
@@ -35,7 +35,7 @@ class Parser {
         const StageToken& name = next("a word");
         if (name.kind != Kind::word) refuse(name, quote(name.text) + " stands where a word should");
         if (name.text == "define") return take_definition();
-        const Kind kind = peek("what belongs to " + quote(name.text)).kind;
+        const Kind kind = peek("the value or the bracket of " + quote(name.text)).kind;
         if (kind == Kind::open) {
             --at_;
             entity.children.push_back(take_entity());
@@ -44,7 +44,7 @@ class Parser {
         }
     }
 
-    /// `define NAME TYPE ( ... )`: where TYPE stands is kept.
+    /// `define NAME TYPE ( ... )`: keeps where TYPE stands, and parses from there at each use.
     void take_definition() {
         const StageToken& name = next("the name of a definition");
         const std::size_t begin = at_;
@@ -56,13 +56,13 @@ class Parser {
             const Kind kind = next("a closing bracket").kind;
             open += kind == Kind::open ? 1 : (kind == Kind::close ? -1 : 0);
         }
-        macros_.emplace(name.text, begin);  // the first counts
+        macros_.emplace(name.text, begin);  // the first definition counts
     }
 
     StageEntity take_entity() {
         const StageToken& type = next("a type");
         if (++entities_ > most_entities || ++depth_ > deepest_entity) {
-            refuse(type, "makes too many models, or too deep ones; does a definition use itself?");
+            refuse(type, "has too many models, or too deep ones; does a definition use itself?");
         }
         StageEntity entity;
         if (const auto macro = macros_.find(type.text); macro != macros_.end()) {
@@ -105,7 +105,7 @@ class Parser {
 
     const StageToken& next(const char* wanted) {
         const StageToken& token = peek(wanted);
-        if (++steps_ > most_steps) refuse(token, "its definitions make too much of it");
+        if (++steps_ > most_steps) refuse(token, "its definitions expand to more than scipd reads");
         ++at_;
         return token;
     }

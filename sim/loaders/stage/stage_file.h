@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A world file of Stage as a tree of entities with properties, macros expanded as Stage does it.
-// Not what Stage makes of them. Any thread; nothing shared.
+// Parses a world file of Stage into a tree of entities with properties, and expands macros as Stage
+// does. stage_scene.h tells what the entities mean. Any thread; nothing shared.
 #pragma once
 
 #include <array>
@@ -17,22 +17,22 @@ namespace scipd::sim {
 
 /// `type ( property 1  property [ 1 2 ]  type ( ... ) )`
 struct StageEntity {
-    std::string type;   ///< of Stage, or one that no `define` tells of
+    std::string type;   ///< one of Stage's, or an unknown one that no `define` explains
     std::string place;  ///< FILE:LINE
     std::map<std::string, std::vector<std::string>, std::less<>> properties;
     std::vector<StageEntity> children;
 
-    /// Null where there is none.
+    /// Null if there is no such property.
     [[nodiscard]] const std::vector<std::string>* find(std::string_view property) const;
-    /// The first value; `otherwise` where there is none.
+    /// The first value; `otherwise` if there is none.
     [[nodiscard]] std::string text(std::string_view property, const char* otherwise = "") const;
-    /// Throws std::invalid_argument where one of them is no number.
+    /// Throws std::invalid_argument if a value is no number.
     [[nodiscard]] std::vector<double> numbers(std::string_view property) const;
     [[nodiscard]] double number(std::string_view property, double otherwise) const;
 };
 
 struct StageFile {
-    StageEntity world;  ///< what stands outside of all entities
+    StageEntity world;  ///< the properties and entities outside all others
     std::vector<std::string> warnings;
 };
 

@@ -32,7 +32,7 @@ constexpr std::uintmax_t largest_stage_picture = 512U << 20U;
 constexpr std::size_t most_triangles = 20'000'000;
 constexpr double boundary_m = 0.01;
 
-/// Without a body unless they are given one.
+/// Types that have a body only if the file gives them one.
 constexpr std::array sensors{"ranger", "laser",        "sensor",    "camera",
                              "sonar",  "blobfinder",   "fiducial",  "fiducialfinder",
                              "bumper", "wifi",         "loadcell",  "lightindicator",
@@ -53,7 +53,8 @@ bool has_shape(const StageEntity& entity) {
                                [](const StageEntity& child) { return child.type == "block"; });
 }
 
-/// Stage looks beside the world; beside the file that includes is where people look.
+/// Stage looks beside the world. If nothing is there, this looks beside the including file, where
+/// people expect it.
 fs::path path_of(const std::string& name, const fs::path& world, const fs::path& by) {
     const fs::path beside_world = world.parent_path() / name;
     return why_no_file(beside_world).empty() ? beside_world : by.parent_path() / name;
@@ -75,7 +76,7 @@ class StageScene {
     LoadedScene finish() && { return std::move(draft_).finish("body"); }
 
   private:
-    /// Where an entity stands in its model, and what it is called there.
+    /// Where an entity stands in its model, and its name there.
     struct Stand {
         ModelId model;
         Pose model_from_entity;
@@ -94,7 +95,7 @@ class StageScene {
         }
     }
 
-    /// Stage numbers those that have no name.
+    /// Numbers equal names, as Stage numbers entities that have no name.
     std::string free_name(const StageEntity& entity) {
         const std::string said = entity.text("name", entity.type.c_str());
         std::string name = short_name(said.empty() ? entity.type : said);
@@ -116,13 +117,14 @@ class StageScene {
         }
     }
 
-    /// Who has no shape is left out with a warning. Stage itself would end there.
+    /// Warns of a type that neither Stage nor the file knows; Stage itself would end there.
+    /// add_body() leaves the entity out if it has no shape.
     void tell_of_unknown(const StageEntity& entity) {
         const bool is_known = has_default_body(entity.type) || is_sensor(entity.type);
         if (is_known || !unknown_.insert(entity.type).second) return;
         draft_.warn(entity.place + ": " + quote(entity.type) +
-                    " is neither defined nor a model of Stage; what it says counts, here and "
-                    "elsewhere");
+                    " is neither defined nor a model of Stage; its properties are used, here "
+                    "and elsewhere");
     }
 
     void add_child(const Stand& parent, const StageEntity& child, double top_m) {
@@ -190,7 +192,7 @@ class StageScene {
 
     void add_mesh(const Stand& body, Mesh mesh) {
         if (mesh.triangles.size() > most_triangles - triangles_) {
-            throw std::invalid_argument("makes more than 20 million triangles of the world");
+            throw std::invalid_argument("brings the world to more than 20 million triangles");
         }
         triangles_ += mesh.triangles.size();
         add_object(body, Pose{}, std::make_shared<const Mesh>(std::move(mesh)));
@@ -231,7 +233,7 @@ class StageScene {
     StageUnits units_;
     SceneDraft draft_;
     std::set<std::string, std::less<>> names_;
-    std::set<std::string> unknown_;  ///< types that were told of
+    std::set<std::string> unknown_;  ///< types that a warning has named
     std::size_t triangles_ = 0;
     bool told_of_stage_2_ = false;
 };

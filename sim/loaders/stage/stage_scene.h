@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A world file of Stage as a world. Its models and robots (position) stand where they begin, as
-// high as Stage has them; there is no floor. What moves in Stage by itself, robots, is movable
-// here. Sensors have no bodies but those that they are given. Any thread; nothing shared.
+// Loads a world file of Stage. Its models and robots (`position`) stand where they begin, at the
+// height that Stage gives them. Robots are movable. A sensor has a body only if the file gives it
+// one. There is no floor. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>

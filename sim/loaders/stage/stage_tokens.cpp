@@ -16,7 +16,7 @@ namespace {
 using Kind = StageToken::Kind;
 
 constexpr std::size_t deepest_stage_include = 16;
-/// A world of a hundred thousand blocks.
+/// Enough for a world of a hundred thousand blocks.
 constexpr std::size_t most_tokens = 4'000'000;
 
 bool is_alpha(char c) {
@@ -68,19 +68,19 @@ class Scanner {
             add(at, Kind::number, length_of_number(at.rest));
         } else {
             refuse(at,
-                   quote(at.rest.substr(0, 1)) + " means nothing to Stage; is it a world of it?");
+                   quote(at.rest.substr(0, 1)) + " means nothing to Stage; is it a Stage world?");
         }
     }
 
     void take_text(Place& at) {
         const auto end = at.rest.find_first_of("\"\n", 1);
-        if (end == at.rest.npos || at.rest[end] == '\n') refuse(at, "a text has no end");
+        if (end == at.rest.npos || at.rest[end] == '\n') refuse(at, "a text has no closing quote");
         at.rest.remove_prefix(1);
         add(at, Kind::text, end - 1);
         at.rest.remove_prefix(1);
     }
 
-    /// `point[3]` is one.
+    /// `point[3]` is one word.
     void take_word(Place& at) {
         std::size_t length = 1;
         while (length < at.rest.size() &&
@@ -129,7 +129,7 @@ class Scanner {
     }
 
     void add(Place& at, Kind kind, std::size_t length) {
-        if (tokens_.all.size() == most_tokens) refuse(at, "holds too much to be a world");
+        if (tokens_.all.size() == most_tokens) refuse(at, "holds too many words for a world");
         tokens_.all.push_back({kind, std::string(at.rest.substr(0, length)), at.file, at.line});
         at.rest.remove_prefix(length);
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A world file of Stage as words, numbers, texts and brackets, with those of the files that it
-// includes in their places. Not what they mean. Any thread; nothing shared.
+// Splits a world file of Stage into words, numbers, texts and brackets. The tokens of an included
+// file stand in place of the include. Any thread; nothing shared.
 #pragma once
 
 #include <cstddef>
@@ -26,15 +26,15 @@ struct StageToken {
 struct StageTokens {
     std::vector<StageToken> all;
     std::vector<std::filesystem::path> files;
-    std::vector<std::string> warnings;  ///< of includes that are not there
+    std::vector<std::string> warnings;  ///< about included files that do not exist
 
     [[nodiscard]] std::string place_of(const StageToken& token) const {
         return files[token.file].string() + ':' + std::to_string(token.line);
     }
 };
 
-/// The path and the text of an included file, by its name and the file that includes it; nothing
-/// where it is not there.
+/// The path and the text of a file. FindInclude returns those of an included file, by its name and
+/// the file that includes it; nothing if it does not exist.
 struct StageText {
     std::filesystem::path file;
     std::string text;
@@ -42,8 +42,8 @@ struct StageText {
 using FindInclude = std::function<std::optional<StageText>(const std::string& name,
                                                            const std::filesystem::path& by)>;
 
-/// Throws LoadError, naming file and line, where this is no language of Stage's, where includes go
-/// in circles, or where it is all too much.
+/// Throws LoadError, naming file and line, if the text is not in Stage's language, if includes go
+/// in circles, or if there are too many tokens.
 StageTokens stage_tokens(const StageText& world, const FindInclude& find);
 
 }  // namespace scipd::sim

@@ -34,7 +34,7 @@ void expect_failure(const std::vector<std::string>& words, int exit_code,
 }
 
 TEST(ScipcatFaults, OptionsEndWithTwo) {
-    expect_failure({}, 2, "say which; there are: info, record, plot");
+    expect_failure({}, 2, "name a command; there are: info, record, plot");
     expect_failure({"info"}, 2, "TARGET is required");
     expect_failure({"info", "lidar"}, 2, "\"lidar\" is no scanner: write tcp://HOST:PORT");
     expect_failure({"info", "tcp://a:x"}, 2, "\"tcp://a:x\" is no address");

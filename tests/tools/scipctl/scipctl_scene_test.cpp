@@ -152,7 +152,7 @@ TEST_F(ScipctlScene, SaysWhatToTypeInstead) {
     EXPECT_THAT(
         refused({"dance"}, 2),
         HasSubstr("there is no command \"dance\"; there are: status, sensors, pose, scene"));
-    EXPECT_THAT(refused({"scene"}, 2), HasSubstr("say which; there are: list, load, add"));
+    EXPECT_THAT(refused({"scene"}, 2), HasSubstr("name a command; there are: list, load, add"));
 }
 
 TEST_F(ScipctlScene, ShowsTheTruth) {

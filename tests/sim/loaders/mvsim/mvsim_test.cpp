@@ -181,10 +181,10 @@ TEST_F(Mvsim, whatIsLeftOutIsTold) {
                  "<block><shape><pt>0 0</pt><pt>1 0</pt><pt>0 1</pt></shape>"
                  "<visual><model_uri>a.dae</model_uri></visual></block>\n"),
         ElementsAre(
-            "a.world.xml:2: <vehicle> is a robot; configure it here; left out",
+            "a.world.xml:2: <vehicle> is a robot; configure it in scipd; left out",
             "a.world.xml:3: <block> <init_pose> wants 3 numbers, not '0 0'; left out",
             "a.world.xml:4: <block> the function 'rand' is not known here; left out",
-            HasSubstr("a.world.xml:5: <block> neither commands nor the environment are asked"),
+            HasSubstr("a.world.xml:5: <block> uses a command or the environment"),
             "a.world.xml:6: <block> is shown by 'shelf.dae', and 3D models are not read; give it a "
             "<shape>; left out",
             "a.world.xml:7: <include> names none.xml, which is not there; left out",

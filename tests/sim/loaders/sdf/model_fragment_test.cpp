@@ -189,8 +189,9 @@ TEST_F(ModelFragment, OfAMeshHasItsMaterialsOrOneOfItsOwn) {
 
 TEST_F(ModelFragment, RefusesWhatIsNoModel) {
     EXPECT_THAT(faults(box_, {""}), ElementsAre("name: is empty; give the model one"));
-    EXPECT_THAT(faults(box_, {"a::b"}),
-                ElementsAre("name: 'a::b': '::' stands between a model and what lies in it"));
+    EXPECT_THAT(
+        faults(box_, {"a::b"}),
+        ElementsAre("name: 'a::b': must not hold '::', which separates a model from its parts"));
     EXPECT_THAT(faults(world(box_ + "<model name='other'><link name='l'/></model>"), {"a"}),
                 ElementsAre("a: holds several models; one is wanted here"));
     EXPECT_THAT(faults("", {"a"}), ElementsAre("a:1: is no XML that can be read: EMPTY_DOCUMENT"));

@@ -213,9 +213,10 @@ TEST_F(SdfActors, TakeTheirTrajectoriesByIdAndTheirWaypointsByTime) {
                               waypoint("0", "0 0 0 0 0 0") + waypoint("1", "1 0 0 0 0 0") +
                               "</trajectory>";
     load(world(actor(skin + script("<loop>0</loop>" + second + first))));
-    EXPECT_THAT(warnings(), ElementsAre(HasSubstr(
-                                "actor 'walker' has waypoints whose times go back; they are taken "
-                                "by time")));
+    EXPECT_THAT(
+        warnings(),
+        ElementsAre(HasSubstr("actor 'walker' has waypoints whose times go back; scipd sorts them "
+                              "by time")));
     EXPECT_NEAR(pose(1s).translation_m.x, 1.0, 1e-9);
     EXPECT_NEAR(pose(3s).translation_m.x, 9.0, 1e-9);
 }
@@ -240,7 +241,8 @@ TEST_F(SdfActors, HaveWaypointsInTheWorld) {
     EXPECT_DOUBLE_EQ(pose(0s).translation_m.x, 5.0);
     EXPECT_EQ(model().world_from_model, pose(0s));
     load(world(actor("<pose>1 1 0 0 0 1</pose>" + skin + script(trajectory(two)))));
-    EXPECT_THAT(warnings(), ElementsAre(HasSubstr("Gazebo Sim tells them from the <pose>")));
+    EXPECT_THAT(warnings(),
+                ElementsAre(HasSubstr("in Gazebo Sim they are relative to its <pose>")));
     EXPECT_DOUBLE_EQ(pose(0s).translation_m.x, 5.0);
 }
 
@@ -313,7 +315,7 @@ TEST_F(SdfActors, DoNotCostTheirWorldWithAFaultyPoseOrScale) {
               script(along_x()))));
     EXPECT_THAT(warnings(),
                 ElementsAre(":5: actor 'walker' has a <scale> of 'big'; 1 is taken",
-                            ":5: actor 'walker' has a <pose> that is no six finite numbers within "
+                            ":5: actor 'walker' has a <pose> that is not six finite numbers within "
                             "1e7 m; it is left out"));
     EXPECT_NEAR(ahead_m({-2, 0, 0.5}), 1.75, 1e-6);
 }
@@ -333,9 +335,9 @@ TEST_P(FaultyActors, AreReadAsFarAsTheyCanBe) {
 }
 
 const std::string no_time =
-    ": actor 'walker' has a waypoint whose <time> is none from 0 to 1e9 s; left out";
+    ": actor 'walker' has a waypoint whose <time> is not from 0 to 1e9 s; left out";
 const std::string no_pose =
-    ": actor 'walker' has a waypoint whose <pose> is no six finite numbers within 1e7 m; left out";
+    ": actor 'walker' has a waypoint whose <pose> is not six finite numbers within 1e7 m; left out";
 const std::string good = waypoint("0", "0 0 0 0 0 0") + waypoint("5", "5 0 0 0 0 0");
 
 INSTANTIATE_TEST_SUITE_P(
@@ -354,9 +356,9 @@ INSTANTIATE_TEST_SUITE_P(
               "taken"},
         Fault{trajectory(""), ":6: actor 'walker' has a <trajectory> without waypoints; left out"},
         Fault{trajectory(good, "tension='2'"),
-              ":6: actor 'walker' has a tension of '2', which is none from 0 to 1; 1 is taken"},
+              ":6: actor 'walker' has a tension of '2', which is not from 0 to 1; 1 is taken"},
         Fault{"<delay_start>-3</delay_start>" + trajectory(good),
-              ":6: actor 'walker' has a <delay_start> of '-3', which is none from 0 to 1e9 s; it "
+              ":6: actor 'walker' has a <delay_start> of '-3', which is not from 0 to 1e9 s; it "
               "does not wait"}),
     [](const auto& fault) { return "fault_" + std::to_string(fault.index); });
 

@@ -70,7 +70,7 @@ TEST_F(SdfAsFound, whatIsNothingToAScannerMayBeFaulty) {
                "</mass><inertia><ixx>1</ixx><ixy>0</ixy><ixz>0</ixz><iyy>" + iyy +
                "</iyy><iyz>0</iyz><izz>1</izz></inertia></inertial>";
     };
-    const std::string no_mass = "inertia of link m::k is one that no mass can have";
+    const std::string no_mass = "inertia of link m::k is impossible for any mass";
     expect_nothing_to_a_scanner(link(inertia("1", "9")), no_mass);
     expect_nothing_to_a_scanner(link(inertia("-1", "1")), no_mass);
     expect_nothing_to_a_scanner(link(inertia("1", "-1")), no_mass);
@@ -95,7 +95,7 @@ TEST_F(SdfAsFound, whatIsNothingToAScannerMayBeFaulty) {
         "joint m::j joins a link that is not there");
     expect_nothing_to_a_scanner(
         "<joint name='j' type='wheel'><parent>world</parent><child>l</child></joint>",
-        "joint m::j has a type that is none");
+        "joint m::j has no known type");
     expect_nothing_to_a_scanner("<plugin filename='libp.so'><state/><road/></plugin>");
     expect_nothing_to_a_scanner("<model name='nothing'/>");
 }
@@ -116,7 +116,7 @@ TEST_F(SdfAsFound, whatOnlyLaterVersionsHaveIsToldByName) {
                               "</link></model><model name='n'>\n<later/><link name='l' color='x'>"
                               "<auto_inertia/></link></model>")),
                 ElementsAre("m::l::v"));
-    const std::string end = " is nothing that SDF 1.9 knows; ignored, here and elsewhere";
+    const std::string end = " is not part of SDF 1.9; ignored, here and elsewhere";
     EXPECT_THAT(warnings_, UnorderedElementsAre("a.sdf:5: <later> in <model>" + end,
                                                 "a.sdf:5: <auto_inertia> in <link>" + end,
                                                 "a.sdf:5: <bevel> in <box>" + end,

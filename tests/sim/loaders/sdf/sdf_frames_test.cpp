@@ -192,8 +192,8 @@ TEST_F(SdfFrames, aFaultyLidarIsLeftOutWithOneWarning) {
     expect_warned(replaced("6.280000", "nan"), "<max_angle> must be one number");
     expect_warned(replaced("6.280000", "x"), "<max_angle> has 'x'");
     expect_warned(replaced("6.280000", "360"), "they are in radians");
-    expect_warned(replaced("6.280000", "-1"), "must grow");
-    expect_warned(replaced("3.5", "0.1"), "<range> must grow");
+    expect_warned(replaced("6.280000", "-1"), "<max_angle> must be <min_angle> or more");
+    expect_warned(replaced("3.5", "0.1"), "<min> in its <range> must be 0 or more");
     expect_warned(replaced("360", "0"), "<samples>");
     expect_warned("<update_rate>-1</update_rate>" + std::string{burgers_ray}, "<update_rate>");
     expect_warned("<pose>1 2 3</pose>" + std::string{burgers_ray}, "<pose> must be 6 numbers");

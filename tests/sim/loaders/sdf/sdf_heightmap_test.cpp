@@ -149,8 +149,9 @@ TEST_P(SdfHeightmap, OfColoursRedCounts) {
         samples.insert(samples.end(), {pixel % 3 == 2 ? 128 : 0, 40, 30});
     load_terrain(png(3, 3, samples), heightmap("2 2 1"));
     EXPECT_NEAR(down_m(0.5, 0.1), 9.5, 1e-5);
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("m::l::v: " + (folder_.path() / "a.png").string() +
-                                                 ": is coloured; its red is taken for heights")));
+    EXPECT_THAT(warnings_,
+                ElementsAre(HasSubstr("m::l::v: " + (folder_.path() / "a.png").string() +
+                                      ": is coloured; its red channel gives the heights")));
 }
 
 TEST_P(SdfHeightmap, WhatGazeboWouldNotShowIsReadWithAWarning) {

@@ -49,7 +49,7 @@ TEST_F(SdfLimits, WhatIncludesTooDeeply) {
         write_model(numbered("", i, ".sdf"), include(numbered("", i + 1, ".sdf"), "x"));
     write_model("40.sdf", "");
     EXPECT_THAT(faults(world(include("0.sdf", "x"))),
-                ElementsAre("30.sdf:3: includes lie more than 32 deep"));
+                ElementsAre("30.sdf:3: includes are nested more than 32 deep"));
 }
 
 TEST_F(SdfLimits, WhatGrowsWithEveryInclude) {

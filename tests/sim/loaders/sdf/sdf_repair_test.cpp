@@ -73,23 +73,23 @@ TEST_F(SdfRepair, AVisualGoesAlone) {
                                            "; left out, no scanner sees it"));
         expect_strict_faults();
     };
-    lost(visual("a", "<box><size>1 1 a</size></box>"),
-         "its <size> '1 1 a' is none that can be read");
-    lost(visual("a", "<box><size>1 1</size></box>"), "its <size> '1 1' is none that can be read");
-    lost(visual("a", "<box><size/></box>"), "its <size> is none that can be read");
-    lost(visual("a", "<sphere><radius>r</radius></sphere>"),
-         "its <radius> 'r' is none that can be read");
-    lost(visual("a", unit_box, "<pose>1 2</pose>"), "its <pose> '1 2' is none that can be read");
+    lost(visual("a", "<box><size>1 1 a</size></box>"), "its <size> '1 1 a' cannot be read");
+    lost(visual("a", "<box><size>1 1</size></box>"), "its <size> '1 1' cannot be read");
+    lost(visual("a", "<box><size/></box>"), "its <size> cannot be read");
+    lost(visual("a", "<sphere><radius>r</radius></sphere>"), "its <radius> 'r' cannot be read");
+    lost(visual("a", unit_box, "<pose>1 2</pose>"), "its <pose> '1 2' cannot be read");
 }
 
 TEST_F(SdfRepair, ALinkOrAModelGoesWithItsPose) {
     EXPECT_THAT(seen(model("m", link("k", "<pose>nan 0 0 0 0 0</pose>" + visual("a", unit_box)) +
                                     link("l", visual("b", unit_box)))),
                 ElementsAre("m::l::b"));
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("link m::k: its <pose> 'nan 0 0 0 0 0' is none")));
+    EXPECT_THAT(warnings_,
+                ElementsAre(HasSubstr("link m::k: its <pose> 'nan 0 0 0 0 0' cannot be read")));
     EXPECT_THAT(seen(model("m", "<pose>1e999 0 0 0 0 0</pose>" + link("l", visual("b", unit_box)))),
                 IsEmpty());
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model m: its <pose> '1e999 0 0 0 0 0' is none")));
+    EXPECT_THAT(warnings_,
+                ElementsAre(HasSubstr("model m: its <pose> '1e999 0 0 0 0 0' cannot be read")));
 }
 
 TEST_F(SdfRepair, WhatIsNeitherShapeNorPlaceCostsItselfOnly) {
@@ -100,10 +100,9 @@ TEST_F(SdfRepair, WhatIsNeitherShapeNorPlaceCostsItselfOnly) {
                                              unit_box + "</geometry></visual>"))),
                 ElementsAre("m::l::v"));
     EXPECT_THAT(warnings_,
-                ElementsAre(HasSubstr("model m: its <static> 'maybe' is none that can be read; "
-                                      "ignored"),
-                            HasSubstr("visual m::l::v: its <laser_retro> 'x' is none that can be "
-                                      "read; ignored")));
+                ElementsAre(HasSubstr("model m: its <static> 'maybe' cannot be read; ignored"),
+                            HasSubstr("visual m::l::v: its <laser_retro> 'x' cannot be read; "
+                                      "ignored")));
 }
 
 TEST_F(SdfRepair, FramesThatAreNotThere) {
@@ -227,8 +226,8 @@ TEST_F(SdfKind, WhatIsNoSdfIsCalledSo) {
     EXPECT_THAT(faults("version https://git-lfs.github.com/spec/v1\noid sha256:1\n"),
                 ElementsAre(HasSubstr("a.sdf:1: is a pointer of Git LFS, no SDF")));
     EXPECT_THAT(faults("404: Not Found"),
-                ElementsAre("a.sdf:1: is no SDF; it begins with '404: Not Found', an SDF file with "
-                            "<sdf>"));
+                ElementsAre("a.sdf:1: is no SDF; it begins with '404: Not Found', and an SDF file "
+                            "begins with <sdf>"));
     EXPECT_THAT(faults("<?xml version='1.0'?>\n<mujoco/>"),
                 ElementsAre("a.sdf:2: is no SDF: its root is <mujoco>, not <sdf>"));
 }

@@ -154,8 +154,8 @@ TEST_F(SdfState, WhatIsNotThereIsToldOnce) {
 TEST_F(SdfState, PosesThatAreNoneAreTold) {
     load(box_model("a", "<pose>2 0 0 0 0 0</pose>"), saved("model", "a", "5 0 0 north"));
     EXPECT_NEAR(range_m({0, 0, 0}, {1, 0, 0}), 1.5, 1e-5);
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a.sdf:6: the <state> of a has a pose that is no "
-                                                 "row of finite numbers")));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a.sdf:6: the <state> of a has a pose that is not "
+                                                 "a row of finite numbers")));
 }
 
 }  // namespace

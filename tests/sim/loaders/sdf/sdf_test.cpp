@@ -263,7 +263,7 @@ TEST_F(Sdf, whatTheLibraryOnlyPrintsIsAWarning) {
     EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
     ASSERT_EQ(warnings_.size(), 1U);
     EXPECT_THAT(warnings_[0], HasSubstr("a.sdf:5: "));
-    EXPECT_THAT(warnings_[0], HasSubstr("<colour> in <visual> is nothing that SDF 1.9 knows"));
+    EXPECT_THAT(warnings_[0], HasSubstr("<colour> in <visual> is not part of SDF 1.9"));
 }
 
 TEST_F(Sdf, collisionsAloneAreNotSeen) {

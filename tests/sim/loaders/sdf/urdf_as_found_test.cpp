@@ -53,7 +53,7 @@ std::string extension(const std::string& inside) {
 
 const Found found[] = {
     {{}, {}, false},
-    {{.type = "rotary"}, "4: the joint r::j has a type that is none" + ignored},
+    {{.type = "rotary"}, "4: the joint r::j has no known type" + ignored},
     {{.type = "floating"}},
     {{.joint = "<limit lower='0' upper='1'/>"},
      "4: the joint r::j has no <limit> of effort and velocity" + ignored},
@@ -61,7 +61,7 @@ const Found found[] = {
     {{.joint = "<axis xyz='0 0 0'/>" + limit},
      "4: the axis of joint r::j has no direction" + ignored},
     {{.joint = "<axis xyz='z'/>" + limit}, "4: the axis of joint r::j has no direction" + ignored},
-    {{.joint = limit + "<mimic/>"}, "4: the joint r::j has a <mimic> of no joint" + ignored},
+    {{.joint = limit + "<mimic/>"}, "4: the joint r::j has a <mimic> without a joint" + ignored},
     {{.joint = limit + "<safety_controller/>"}},
     {{.joint = limit + "<dynamics damping='a'/>"}},
     {{.joint = limit + "<calibration rising='a'/>"}},
@@ -85,13 +85,13 @@ const Found found[] = {
     {{.b = "<visual name='lid'><geometry><capsule radius='1' length='1'/></geometry></visual>"},
      "3: link b: visual lid: URDF has no <capsule>" + left_out},
     {{.b = "<visual><geometry><box size='1 NaN 1'/></geometry></visual>"},
-     "3: link b: visual: its <box size='1 NaN 1'> is none that can be read" + left_out},
+     "3: link b: visual: its <box size='1 NaN 1'> cannot be read" + left_out},
     {{.b = "<visual><geometry><cylinder radius='1'/></geometry></visual>"},
      "3: link b: visual: its <cylinder> has no length" + left_out},
     {{.b = "<visual><geometry><mesh/></geometry></visual>"},
      "3: link b: visual: its <mesh> has no filename" + left_out},
     {{.b = "<visual><origin xyz='1 0'/>" + box + "</visual>"},
-     "3: link b: visual: its <origin xyz='1 0'> is none that can be read" + left_out},
+     "3: link b: visual: its <origin xyz='1 0'> cannot be read" + left_out},
 };
 
 class UrdfAsFound : public SdfCast {

@@ -223,9 +223,9 @@ TEST_F(Urdf, LosesOnlyTheJointsThatHangOnNothing) {
     expect(joint("<parent link='a'/><child link='c'/>"), 0,
            {"joint j: its <child> c is no link; left out", alone});
     expect(joint(ends + "<origin xyz='0 up 3'/>"), 0,
-           {"joint j: its <origin xyz='0 up 3'> is none that can be read; 0 0 0 is taken"});
+           {"joint j: its <origin xyz='0 up 3'> cannot be read; 0 0 0 is taken"});
     expect(joint(ends + "<origin xyz='0 0 3' rpy='0'/>"), 3,
-           {"joint j: its <origin rpy='0'> is none that can be read; 0 0 0 is taken"});
+           {"joint j: its <origin rpy='0'> cannot be read; 0 0 0 is taken"});
     expect(joint(ends + up) + joint(ends), 3, {"joint j: link b hangs on another joint; left out"});
     expect(joint(ends + up) + joint("<parent link='b'/><child link='a'/>", "name='k'"), 3,
            {"joint k: its parent hangs on its child; left out"});

@@ -206,10 +206,10 @@ TEST_F(Stage, whatIsNeitherDefinedNorKnownCountsByWhatItSays) {
         "ghost ( ranger_return -1 )\n"
         "crate ( size [1 1 1] pose [1 0 0 0] )\n";
     EXPECT_THAT(warnings(text),
-                ElementsAre("a.world:2: 'floorplan' is neither defined nor a model of Stage; what "
-                            "it says counts, here and elsewhere",
-                            "a.world:4: 'ghost' is neither defined nor a model of Stage; what it "
-                            "says counts, here and elsewhere",
+                ElementsAre("a.world:2: 'floorplan' is neither defined nor a model of Stage; its "
+                            "properties are used, here and elsewhere",
+                            "a.world:4: 'ghost' is neither defined nor a model of Stage; its "
+                            "properties are used, here and elsewhere",
                             "a.world:5: 'crate' is no model that is known; left out"));
     expect_range(load(text).scene, {0, 0, 1}, {1, 0, 0}, 3.0);
 }
@@ -227,8 +227,9 @@ TEST_F(Stage, aWorldInUtf16IsCalledSo) {
 
 TEST_F(Stage, whatIsNoWorldOfStage) {
     EXPECT_THAT(faults("size = 3\n"),
-                ElementsAre("a.world:1: '=' means nothing to Stage; is it a world of it?"));
-    EXPECT_THAT(faults("\nmodel ( name \"a\n"), ElementsAre("a.world:2: a text has no end"));
+                ElementsAre("a.world:1: '=' means nothing to Stage; is it a Stage world?"));
+    EXPECT_THAT(faults("\nmodel ( name \"a\n"),
+                ElementsAre("a.world:2: a text has no closing quote"));
     EXPECT_THAT(faults("model ( size [1 1 1]"),
                 ElementsAre("a.world: ends where a closing bracket should be"));
     EXPECT_THAT(faults("model )\n"), ElementsAre("a.world:1: 'model' has no value"));
@@ -261,7 +262,7 @@ TEST_F(Stage, includesAndDefinitionsThatGoInCirclesAreRefused) {
             laughs += before;
         laughs += ")\n";
     }
-    EXPECT_THAT(faults(laughs + "a11 ( )\n"), ElementsAre(HasSubstr("makes too many models")));
+    EXPECT_THAT(faults(laughs + "a11 ( )\n"), ElementsAre(HasSubstr("has too many models")));
 }
 
 }  // namespace
