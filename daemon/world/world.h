@@ -42,8 +42,7 @@ class World {
     /// Puts another scene in place of this one, with the backends made for it. Robots stay where
     /// they are. A movable model stays, and goes on with its script, if the old scene had it with
     /// the same start and script and it is not in `placed_anew`; any other starts where the new
-    /// scene has it and begins its script now. Returns the old backends, which are bound to no
-    /// thread.
+    /// scene has it and begins its script now. Returns the old backends, bound to no thread.
     SensorBackends replace_scene(sim::SharedScene scene, SensorBackends backends,
                                  const std::set<std::string>& placed_anew = {}, sim::Time now = {});
     /// Puts other backends for the same scene in place of these, which it returns.
@@ -78,8 +77,7 @@ class World {
     /// `callback` is called after every pose that is taken.
     void on_placed(std::function<void()> callback) { on_placed_ = std::move(callback); }
 
-    /// Whether all poses of times up to `until` have come. A stream that is stale is not waited
-    /// for.
+    /// Whether all poses of times up to `until` have come. Nobody waits for a stale stream.
     [[nodiscard]] bool poses_known(sim::Time until) const;
 
     /// What casts for a sensor, "robot/sensor", and why.

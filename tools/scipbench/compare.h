@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 //
 // Makes the same scans with every backend: how far they differ, where, and what they cost.
+#pragma once
 
 #include <array>
 #include <iosfwd>

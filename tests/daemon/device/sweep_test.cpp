@@ -108,8 +108,8 @@ TEST_F(TurningRobot, MovesItsBodyOutOfItsOwnSightOnly) {
     SensorConfig seeing = ideal_sensor();
     seeing.sees_body = true;
     EXPECT_NEAR(sweep_in(world_, seeing).measure(0, 10s, fired, {}).cast->range_m[540], 0.2, 1e-6);
-    const Sweep from_other(world_, "other", config_,
-                           sim::Scanner(config_.model.optics, {sim::Accuracy::ideal}));
+    Sweep from_other(world_, "other", config_,
+                     sim::Scanner(config_.model.optics, {sim::Accuracy::ideal}));
     EXPECT_NEAR(from_other.measure(0, 10s, fired, {}).cast->range_m[540], 2.8, 1e-6);
 }
 

@@ -347,8 +347,8 @@ TEST_F(SerialLine, LosesScansThatItIsTooSlowForAndAnswersSoon) {
 
 TEST_F(SerialLine, RunsAtTheRateThatAnyClientSets) {
     connect_at(19200);
-    Client other(*device_, [] {});
-    other.receive("SS115200\n");
+    const auto other = device_->connect([] {}, protocol::LinkKind::network);
+    other->receive("SS115200\n");
     turn();
     write("BM\n");
     (void)bytes_until(1s);

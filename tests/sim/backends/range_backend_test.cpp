@@ -27,8 +27,6 @@ class Recorder : public RangeBackend {
         : RangeBackend(
               SceneBuilder().add(Sphere{1.0}, {}).movable({}).with(Sphere{1.0}, {}).build()) {}
 
-    [[nodiscard]] std::string_view name() const override { return "recorder"; }
-
     std::vector<std::pair<ModelId, Pose>> moves;
     std::vector<std::size_t> casts;
 

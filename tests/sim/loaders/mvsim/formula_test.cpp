@@ -48,7 +48,7 @@ TEST(Formula, SaysWhatCannotBeCalculated) {
     };
     refusal("1+", "wants a number");
     refusal("(1", "not closed");
-    refusal("1 2", "too much");
+    refusal("1 2", "cannot go on with");
     refusal("nothing", "there is no variable");
     refusal("word", "is no number");
     refusal("system(1)", "not known here");

@@ -58,7 +58,7 @@ TEST(StageTokens, AreRefusedWithFileAndLine) {
     };
     EXPECT_THAT(faults("\n{", nothing_else), ElementsAre(HasSubstr("a.world:2: ")));
     EXPECT_THAT(faults("\"no end\n\"", nothing_else),
-                ElementsAre(HasSubstr("a.world:1: a text has no end")));
+                ElementsAre(HasSubstr("a.world:1: a text has no closing quote")));
     EXPECT_THAT(faults("include b", nothing_else), ElementsAre(HasSubstr("include wants")));
     const auto itself = [](const std::string&, const std::filesystem::path&) {
         return std::optional(StageText{"a.world", "include \"a.world\""});
