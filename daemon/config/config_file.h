@@ -12,8 +12,8 @@
 
 namespace scipd::daemon {
 
-/// Throws ConfigError with every fault. Paths in the file are relative to it; in the result they are
-/// absolute.
+/// Throws ConfigError with every fault. Paths in the file are relative to it; in the result they
+/// are absolute.
 Config load_config(const std::filesystem::path& file);
 
 /// The same from text. `file` names it in faults, and paths in the text are relative to it.

@@ -71,8 +71,8 @@ class Faults {
 /// document is a fault. Throws ConfigError where the text is no YAML.
 YAML::Node parse_document(const std::string& text, Faults& faults);
 
-/// The entries of a map, in the order of the file. A value that is no map is a fault, and so is a key
-/// that is no plain name or stands there twice.
+/// The entries of a map, in the order of the file. A value that is no map is a fault, and so is a
+/// key that is no plain name or stands there twice.
 std::vector<Field> entries(const Field& map, Faults& faults);
 
 /// The text of a single value, which is no map and no list.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Reads how a world is to be loaded: `map: {z: [BOTTOM, TOP], material: NAME, unknown: ..}` for what
-// a ROS map does not say of its walls, and `limits: {world_memory_mb: 8000, world_triangles:
+// Reads how a world is to be loaded: `map: {z: [BOTTOM, TOP], material: NAME, unknown: ..}` for
+// what a ROS map does not say of its walls, and `limits: {world_memory_mb: 8000, world_triangles:
 // 50000000, world_load_s: 900}` for what a world may take. Any thread; nothing shared.
 #pragma once
 
@@ -19,8 +19,8 @@ sim::MapOptions read_map(const Field& field, Faults& faults);
 /// `field` is the value of the root's key `limits`.
 WorldLimits read_limits(const Field& field, Faults& faults);
 
-/// Sets the limits for all that is loaded with these options. One mesh of a world may be as large as
-/// all of it. The memory is what libsdformat may take, by estimate, and what the readers of its
+/// Sets the limits for all that is loaded with these options. One mesh of a world may be as large
+/// as all of it. The memory is what libsdformat may take, by estimate, and what the readers of its
 /// meshes may take at a time.
 void apply(const WorldLimits& limits, sim::SceneOptions& options);
 

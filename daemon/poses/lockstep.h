@@ -32,25 +32,25 @@ class Lockstep {
 
     [[nodiscard]] SteppedClock& clock() { return clock_; }
 
-    /// World time of a stamp. The first stamp of all is 0, and all streams share that origin. Nothing
-    /// where the stamp is too far from it.
+    /// World time of a stamp. The first stamp of all is 0, and all streams share that origin.
+    /// Nothing where the stamp is too far from it.
     [[nodiscard]] std::optional<sim::Time> world_time(sim::Time stamp) const;
     /// A pose with this stamp was taken. If it is the first of all, it becomes the clock's origin.
     void begin_with(sim::Time stamp);
     /// The world time that a stamp would have if this stream went on with `first` from where it is.
     [[nodiscard]] std::optional<sim::Time> time_anew(Stream stream, sim::Time first,
                                                      sim::Time stamp) const;
-    /// Lets the stream go on so, for all streams. World time goes on without a leap, and the clock's
-    /// origin leaps instead.
+    /// Lets the stream go on so, for all streams. World time goes on without a leap, and the
+    /// clock's origin leaps instead.
     void begin_anew_with(Stream stream, sim::Time first);
 
     /// From now on time waits for this stream.
     void add(Stream stream) { streams_.try_emplace(stream); }
     /// The stream has ended, and time no longer waits for it.
     void remove(Stream stream);
-    /// The stream has reached this time. Unless it has `said_all` of that time, more may follow, such
-    /// as another robot's pose; time then goes on to it only when the stream has come farther. A
-    /// stream that was not added leads time only where none was added.
+    /// The stream has reached this time. Unless it has `said_all` of that time, more may follow,
+    /// such as another robot's pose; time then goes on to it only when the stream has come farther.
+    /// A stream that was not added leads time only where none was added.
     void come_to(Stream stream, sim::Time time, bool said_all);
     /// The latest time that the stream has reached, and not less than the present time.
     [[nodiscard]] sim::Time come_to(Stream stream) const;

@@ -2,8 +2,8 @@
 // Copyright The scipd authors
 //
 // Every live pose goes through here, whichever way it came: a line is understood, stamped in world
-// time, handed to the world, and counted. A damaged line is refused with a reason, and the last good
-// pose stays. Lives on the I/O thread.
+// time, handed to the world, and counted. A damaged line is refused with a reason, and the last
+// good pose stays. Lives on the I/O thread.
 #pragma once
 
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Recognises a sender whose stamps leap away from the time. One such stamp alone is damaged. If others
-// follow it, the sender was started again or its clock was set. Nothing but values.
+// Recognises a sender whose stamps leap away from the time. One such stamp alone is damaged. If
+// others follow it, the sender was started again or its clock was set. Nothing but values.
 #pragma once
 
 #include <chrono>
@@ -20,8 +20,8 @@ class StampLeap {
     /// made and read.
     static constexpr sim::Time longest_ahead = std::chrono::minutes(10);
 
-    /// Takes one more stamp that leaps. True once such stamps have followed each other for more than
-    /// a second.
+    /// Takes one more stamp that leaps. True once such stamps have followed each other for more
+    /// than a second.
     bool take(sim::Time stamp);
     /// The stamp with which they began.
     [[nodiscard]] sim::Time first() const { return first_.value_or(newest_); }

@@ -18,8 +18,8 @@ class Throttle {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// Called each time that it happens. Nothing: do not tell it now. Otherwise the text to add when
-    /// it is told, which says how many times before were not told.
+    /// Called each time that it happens. Nothing: do not tell it now. Otherwise the text to add
+    /// when it is told, which says how many times before were not told.
     std::optional<std::string> admit(Time now) {
         if (last_ && now - *last_ < std::chrono::seconds(1)) {
             ++left_out_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A trajectory while its file is read line by line: the poses so far and every fault, so that a user
-// sees all faults at once. It knows no format. Any thread; one owner.
+// A trajectory while its file is read line by line: the poses so far and every fault, so that a
+// user sees all faults at once. It knows no format. Any thread; one owner.
 #pragma once
 
 #include <chrono>

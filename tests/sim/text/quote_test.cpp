@@ -8,9 +8,12 @@
 #include <gtest/gtest.h>
 
 #include "sim/text/name.h"
+#include "tests/support/why_not.h"
 
 namespace scipd::sim {
 namespace {
+
+using tests::why_not;
 
 using namespace std::string_literals;
 
@@ -45,14 +48,14 @@ TEST(Shown, EscapesWhatWouldDoHarm) {
         EXPECT_EQ(shown(text), expected);
 }
 
-TEST(NameFault, BoundsWhatThingsAreCalled) {
+TEST(CheckName, BoundsWhatThingsAreCalled) {
     for (const std::string name : {"crate", "model 1", "Kiste ä", "a::b"})
-        EXPECT_EQ(name_fault(name), "");
-    EXPECT_EQ(name_fault(std::string(64, 'n')), "");
-    EXPECT_EQ(name_fault(std::string(65, 'n')), "must be at most 64 bytes long, not 65");
-    EXPECT_NE(name_fault(""), "");
+        EXPECT_TRUE(check_name(name));
+    EXPECT_TRUE(check_name(std::string(64, 'n')));
+    EXPECT_EQ(why_not(check_name(std::string(65, 'n'))), "must be at most 64 bytes long, not 65");
+    EXPECT_FALSE(check_name(""));
     for (const std::string name : {"a\nb", "a\tb", "\x1b[2J", "\xff", "\xc2\x85"})
-        EXPECT_EQ(name_fault(name), "must be UTF-8 without control characters");
+        EXPECT_EQ(why_not(check_name(name)), "must be UTF-8 without control characters");
 }
 
 TEST(ShortName, IsShortAndTheNamesOwn) {
@@ -66,7 +69,7 @@ TEST(ShortName, IsShortAndTheNamesOwn) {
     std::string umlauts;
     for (int i = 0; i < 100; ++i)
         umlauts += "ä";
-    EXPECT_EQ(name_fault(short_name(umlauts)), "");
+    EXPECT_TRUE(check_name(short_name(umlauts)));
 }
 
 }  // namespace
