@@ -111,7 +111,7 @@ void route(Api& api, const HttpRequest& request, Respond respond) {
         if (entry.method == request.method) {
             auto names = names_in(pattern, path);
             if (!names) {
-                return respond(problem(400, "the path must have % and two hexadecimal digits"));
+                return respond(problem(400, "a % in the path must precede two hexadecimal digits"));
             }
             return entry.answer({api, request, std::move(*names), std::move(respond)});
         }
