@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "sim/backends/range_backend.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -28,6 +29,9 @@ void RangeBackend::cast(const Fan& fan, std::span<Hit> hits) {
     assert(fan.unseen == no_model ||
            (fan.unseen < scene_->models.size() && scene_->models[fan.unseen].movable));
     do_cast(fan, hits);
+    assert(std::ranges::all_of(hits, [&objects = scene_->objects](const Hit& hit) {
+        return !hit.met() || hit.object < objects.size();
+    }));
 }
 
 }  // namespace scipd::sim

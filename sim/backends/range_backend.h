@@ -28,7 +28,7 @@ class RangeBackend {
     void move(ModelId model, const Pose& world_from_model);
 
     /// Fills hits[i] for fan.directions[i]. Asserts that the sizes agree, that there is one pose or
-    /// one per ray, and that the unseen model is movable.
+    /// one per ray, that the unseen model is movable, and that every object that is met exists.
     void cast(const Fan& fan, std::span<Hit> hits);
 
     /// Releases the calling thread: another one may use or destroy the backend next.

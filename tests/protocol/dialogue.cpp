@@ -205,7 +205,8 @@ Dialogue parse_dialogue(const std::string& name, std::string_view text) {
             if (++number == 1) {
                 if (!line.starts_with(citation) || line.size() < citation.size() + 10)
                     throw std::invalid_argument(
-                        "the first line must say where the bytes are known from: # source: …");
+                        "the first line must say where the bytes are known from, in 10 characters "
+                        "or more: # source: …");
                 dialogue.source = line.substr(citation.size());
             }
             parser.parse(number, line);

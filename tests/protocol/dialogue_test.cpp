@@ -206,7 +206,8 @@ TEST(Dialogues, MissNoStateOfAnyCommand) {
             }
             for (const Command& command : command_table()) {
                 if (!command.gate(family).known()) continue;
-                EXPECT_TRUE(said.contains(command.code)) << command.code << " in " << name;
+                EXPECT_TRUE(said.contains(command.code))
+                    << "no " << name << "*.txt says " << command.code;
             }
         }
     }

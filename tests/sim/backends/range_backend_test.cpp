@@ -64,6 +64,18 @@ TEST(RangeBackend, HandsOnAFanWithOnePoseOrOnePerRay) {
 }
 
 // What runs tests keeps asserts; without them nobody would notice that these are gone.
+/// Meets an object that its scene does not have.
+class Liar : public Recorder {
+    void do_cast(const Fan&, std::span<Hit> hits) override { hits.front().object = 99; }
+};
+
+TEST(RangeBackendDeathTest, RefusesAnObjectThatIsNotThere) {
+    const Pose pose;
+    std::vector<Hit> hits(3);
+    Liar backend;
+    EXPECT_DEATH(backend.cast({ahead, {&pose, 1}}, hits), "objects.size");
+}
+
 TEST(RangeBackendDeathTest, RefusesWhatDoesNotFit) {
 #ifdef NDEBUG
     FAIL() << "asserts are off: build the tests with -DSCIPD_ASSERTS=ON";
