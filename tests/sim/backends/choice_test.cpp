@@ -23,7 +23,7 @@ using std::chrono::milliseconds;
 class Paced final : public RangeBackend {
   public:
     Paced(std::string_view name, Time& clock, Time first, Time later, float range_m)
-        : RangeBackend(SceneBuilder().build()),
+        : RangeBackend(SceneBuilder().add(Sphere{1.0}, {}).build()),
           name_(name),
           clock_(clock),
           takes_(first),

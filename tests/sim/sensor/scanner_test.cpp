@@ -14,7 +14,8 @@ using namespace std::chrono_literals;
 /// The wall x = 3 of S, whatever the pose: 3 m straight ahead.
 class WallAhead final : public RangeBackend {
   public:
-    WallAhead() : RangeBackend(std::make_shared<const Scene>()) {}
+    WallAhead()
+        : RangeBackend(std::make_shared<const Scene>(Scene{.objects = std::vector<Object>(7)})) {}
 
     std::vector<Pose> asked_poses;
     float asked_max_range_m = 0.0F;
