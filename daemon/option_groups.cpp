@@ -175,7 +175,8 @@ void add_general(CLI::App& app, OptionValues& said) {
         ->group(general_title);
     app.add_flag(
            "--strict", said.options.strict,
-           "refuse a world of which scipd would leave out or change anything, instead of warning")
+           "refuse a world or a trajectory of which scipd would leave out or change anything, "
+           "instead of warning")
         ->group(general_title);
     app.set_version_flag("--version", "scipd " SCIPD_VERSION, "tell the version")
         ->group(general_title);

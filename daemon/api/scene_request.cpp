@@ -21,7 +21,8 @@ using sim::Expected;
 
 namespace {
 
-using Json = nlohmann::json;
+/// Not the Json of documents.h, which keeps the order of its keys.
+using RequestJson = nlohmann::json;
 using sim::refuse;
 
 constexpr std::array<std::string_view, 1> world_keys{"file"};
@@ -36,7 +37,7 @@ std::string listed(std::span<const std::string_view> keys) {
 }
 
 /// The object that a body is. Other keys than these are refused.
-Expected<Json> object_in(const std::string& body, std::span<const std::string_view> keys) {
+Expected<RequestJson> object_in(const std::string& body, std::span<const std::string_view> keys) {
     auto object = sim::parse_small_json(body);
     if (!object) return refuse("the body must be a JSON object: " + object.error().why);
     if (!object->is_object()) return refuse("the body must be a JSON object");
@@ -49,36 +50,38 @@ Expected<Json> object_in(const std::string& body, std::span<const std::string_vi
 }
 
 /// Leaves the text as it is where the key is not there.
-Expected<> read_text(const Json& object, const std::string& key, std::string& text) {
+Expected<> read_text(const RequestJson& object, const std::string& key, std::string& text) {
     if (!object.contains(key)) return {};
-    const Json& value = object[key];
+    const RequestJson& value = object[key];
     if (!value.is_string() || value.get_ref<const std::string&>().empty())
         return refuse(key, key + " must be a text that is not empty");
     text = value;
     return {};
 }
 
-Expected<> read_path(const Json& object, const std::string& key, std::filesystem::path& path) {
+Expected<> read_path(const RequestJson& object, const std::string& key,
+                     std::filesystem::path& path) {
     std::string text;
     return read_text(object, key, text).map([&] { path = text; });
 }
 
-Expected<> read_switch(const Json& object, const std::string& key, std::optional<bool>& value) {
+Expected<> read_switch(const RequestJson& object, const std::string& key,
+                       std::optional<bool>& value) {
     if (!object.contains(key)) return {};
     if (!object[key].is_boolean()) return refuse(key, key + " must be true or false");
     value = object[key].get<bool>();
     return {};
 }
 
-Expected<> require(const Json& object, const std::string& key) {
+Expected<> require(const RequestJson& object, const std::string& key) {
     if (!object.contains(key)) return refuse(key, key + " is missing");
     return {};
 }
 
 /// In the words of a pose line, without name, time and velocity.
-Expected<> read_pose(const Json& object, std::optional<sim::Pose>& pose) {
+Expected<> read_pose(const RequestJson& object, std::optional<sim::Pose>& pose) {
     if (!object.contains("pose")) return {};
-    const Json& value = object["pose"];
+    const RequestJson& value = object["pose"];
     if (!value.is_object()) return refuse("pose", R"(pose must be {"xyz":[..],"rpy":[..]})");
     for (const char* key : {"robot", "model", "t", "v", "w"}) {
         if (value.contains(key)) return refuse("pose", "pose: has no " + std::string(key));
@@ -89,7 +92,7 @@ Expected<> read_pose(const Json& object, std::optional<sim::Pose>& pose) {
     return {};
 }
 
-Expected<> read_name(const Json& object, std::string& name) {
+Expected<> read_name(const RequestJson& object, std::string& name) {
     return require(object, "name")
         .and_then([&] { return read_text(object, "name", name); })
         .and_then([&] {
@@ -99,7 +102,7 @@ Expected<> read_name(const Json& object, std::string& name) {
         });
 }
 
-Expected<> read_scale(const Json& object, double& scale) {
+Expected<> read_scale(const RequestJson& object, double& scale) {
     if (!object.contains("scale")) return {};
     if (!object["scale"].is_number()) return refuse("scale", "scale must be a number");
     scale = object["scale"];
@@ -107,7 +110,7 @@ Expected<> read_scale(const Json& object, double& scale) {
 }
 
 /// Whether the keys that say what the model is made of go together.
-Expected<> check_source(const Json& object) {
+Expected<> check_source(const RequestJson& object) {
     if (object.contains("sdf") + object.contains("file") + object.contains("mesh") != 1)
         return refuse("sdf", "one of sdf, file and mesh must be given");
     for (const char* key : {"scale", "material"}) {
@@ -117,7 +120,7 @@ Expected<> check_source(const Json& object) {
     return {};
 }
 
-Expected<> read_source(const Json& object, AddModel& edit) {
+Expected<> read_source(const RequestJson& object, AddModel& edit) {
     return read_text(object, "sdf", edit.sdf)
         .and_then([&] { return read_path(object, "file", edit.file); })
         .and_then([&] { return read_path(object, "mesh", edit.mesh); })
@@ -126,7 +129,7 @@ Expected<> read_source(const Json& object, AddModel& edit) {
         .and_then([&] { return read_scale(object, edit.scale); });
 }
 
-Expected<AddModel> model_in(const Json& object) {
+Expected<AddModel> model_in(const RequestJson& object) {
     AddModel edit;
     std::optional<bool> is_static;
     std::optional<bool> replace;
@@ -145,7 +148,7 @@ Expected<AddModel> model_in(const Json& object) {
 }  // namespace
 
 Expected<LoadWorld> parse_load_world(const std::string& body) {
-    return object_in(body, world_keys).and_then([](const nlohmann::json& object) {
+    return object_in(body, world_keys).and_then([](const RequestJson& object) {
         LoadWorld edit;
         return require(object, "file")
             .and_then([&] { return read_path(object, "file", edit.file); })
