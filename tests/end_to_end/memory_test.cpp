@@ -10,6 +10,7 @@
 
 #include "tests/end_to_end/in_square_room.h"
 #include "tests/support/control_request.h"
+#include "tests/support/sanitized.h"
 
 namespace scipd::tests {
 namespace {
@@ -41,9 +42,7 @@ std::string many_balls() {
 }
 
 TEST(Memory, OfALargeWorldGoesBackWithIt) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    GTEST_SKIP() << "sanitizers keep what is given back";
-#endif
+    if (sanitized) GTEST_SKIP() << "sanitizers keep what is given back";
     const TempDir directory;
     const DaemonProcess daemon(directory, on_tcp({"--backend", "embree"}));
     ASSERT_NE(daemon.ready_line(), "") << daemon.standard_error();

@@ -37,6 +37,7 @@ void put_all(const Container& values, std::FILE* out) {
     using Value = typename Container::value_type;
     static_assert(std::is_trivially_copyable_v<Value>);
     put(std::uint64_t{values.size()}, out);
+    if (values.empty()) return;  // data() may be null then, which fwrite() must not get
     if (std::fwrite(values.data(), sizeof(Value), values.size(), out) != values.size()) {
         throw std::bad_alloc();
     }
@@ -46,6 +47,7 @@ template <typename Container>
 Container take_all(std::FILE* in) {
     Container values;
     values.resize(take<std::uint64_t>(in));
+    if (values.empty()) return values;
     const auto size = sizeof(typename Container::value_type);
     if (std::fread(values.data(), size, values.size(), in) != values.size()) {
         throw std::runtime_error("was read, but its data did not arrive from the child process");

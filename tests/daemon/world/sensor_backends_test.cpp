@@ -11,6 +11,7 @@
 #include "daemon/world/backend_maker.h"
 #include "sim/loaders/file/confined.h"
 #include "tests/support/name_of_backend.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/scene_builder.h"
 
 namespace scipd::daemon {
@@ -59,9 +60,7 @@ TEST(SensorBackends, AreWhatWasAskedForByName) {
 
 // Who has no Embree is not told to use it.
 TEST(SensorBackends, ThatCannotBeHadSayWhatElseThereIs) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    GTEST_SKIP() << "a sanitizer ends what has too little memory in words of its own";
-#endif
+    if (tests::sanitized) GTEST_SKIP() << tests::sanitizers_want_memory;
     const sim::Confines little{.processor_time = std::chrono::seconds{20},
                                .memory_bytes = 10'000'000};
     const auto made_with_little = [&] {
