@@ -14,6 +14,7 @@
 #include "tests/end_to_end/in_square_room.h"
 #include "tests/support/child.h"
 #include "tests/support/control_request.h"
+#include "tests/support/sanitized.h"
 
 namespace scipd::tests {
 namespace {
@@ -233,9 +234,11 @@ TEST_F(SceneEdit, ThatFailsChangesNothingAndSaysWhy) {
     expect(400, "scale", "POST", "/scene/models",
            {{"name", "x"}, {"mesh", "a.stl"}, {"scale", -1}});
     expect(404, "there is no model \\\"x\\\"", "DELETE", "/scene/models/x", nullptr);
-    const std::string huge = directory_.write("huge.stl", "");
-    std::filesystem::resize_file(huge, 900U << 20U);  // sparse: it takes no space on disk
-    expect(400, "huge.stl: ", "POST", "/scene/models", {{"name", "x"}, {"mesh", huge}});
+    if (!sanitized) {  // it would report that the child runs out of memory
+        const std::string huge = directory_.write("huge.stl", "");
+        std::filesystem::resize_file(huge, 900U << 20U);  // sparse: it takes no space on disk
+        expect(400, "huge.stl: ", "POST", "/scene/models", {{"name", "x"}, {"mesh", huge}});
+    }
     EXPECT_EQ(ask("POST", "/scene/models", cube_at(1.5)).status, 201);
     expect(409, "replace", "POST", "/scene/models", cube_at(1.0));
     EXPECT_EQ(ask("DELETE", "/scene/models/cube").status, 204);

@@ -22,6 +22,7 @@
 #include <unistd.h>
 
 #include "tests/support/control_request.h"
+#include "tests/support/sanitized.h"
 
 namespace scipd::tests {
 namespace {
@@ -29,7 +30,7 @@ namespace {
 using namespace std::chrono_literals;
 
 // Far longer than scipd takes even on a busy machine.
-constexpr auto patience = 20s;
+constexpr auto patience = sanitized ? 120s : 20s;
 
 [[noreturn]] void fail(const std::string& what) {
     throw std::runtime_error("scipd " + what);
