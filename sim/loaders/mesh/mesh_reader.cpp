@@ -79,7 +79,7 @@ bool is_finite(const aiMesh* mesh) {
                                [](const aiVector3D& v) { return std::isfinite(v.x + v.y + v.z); });
 }
 
-[[noreturn]] void refuse(const Assimp::Importer& importer) {
+[[noreturn]] void refuse_mesh(const Assimp::Importer& importer) {
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != reason.npos) throw std::bad_alloc();
     const auto& folder = dynamic_cast<const MeshFolder&>(*importer.GetIOHandler());
@@ -125,22 +125,22 @@ const aiScene& read(Assimp::Importer& importer, const Instructions& how) {
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION,
                              how.axes == MeshAxes::as_in_file);
     const aiScene* scene = importer.ReadFile(how.file.string(), 0);
-    if (scene == nullptr) refuse(importer);
+    if (scene == nullptr) refuse_mesh(importer);
     // Done before the validation, which would refuse the file for what does not matter here, such
     // as two cameras of one name, or a texture.
     keep_names_only(*scene);
     importer.ApplyPostProcessing(aiProcess_RemoveComponent);
     scene = importer.ApplyPostProcessing(aiProcess_ValidateDataStructure);
-    if (scene == nullptr) refuse(importer);
+    if (scene == nullptr) refuse_mesh(importer);
     check_triangle_count(*scene, how.limits);
     scene = importer.ApplyPostProcessing(how.steps);
-    if (scene == nullptr) refuse(importer);
+    if (scene == nullptr) refuse_mesh(importer);
     if (!std::ranges::all_of(meshes_of(*scene), is_finite)) {
         throw std::runtime_error("has a vertex that is not finite");
     }
     // Last, since this step takes a NaN as identical to any vertex and would hide it.
     scene = importer.ApplyPostProcessing(aiProcess_JoinIdenticalVertices);
-    if (scene == nullptr) refuse(importer);
+    if (scene == nullptr) refuse_mesh(importer);
     return *scene;
 }
 
