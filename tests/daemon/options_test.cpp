@@ -182,6 +182,12 @@ TEST_F(OptionsTest, AConfigurationStandsAlone) {
     EXPECT_EQ(answer("--list-models --check x").exit_code, 2);
 }
 
+TEST_F(OptionsTest, NamesMaterials) {
+    const auto file = dir_.write("mine.yaml", "materials: {}\n");
+    EXPECT_EQ(run("--materials " + file.string()).config.materials, file);
+    EXPECT_TRUE(run("").config.materials.empty());
+}
+
 TEST_F(OptionsTest, CheckTellsAllFaultsOrNone) {
     const auto whole = dir_.write("whole.yaml",
                                   "scene: room.sdf\n"
@@ -300,6 +306,7 @@ TEST(Options, AnswersQuestionsOnStandardOutput) {
 TEST(Options, SaysInOneSentenceWhatIsWrong) {
     const std::pair<const char*, const char*> table[] = {
         {"--scene /nowhere.sdf", "--scene: there is no file '/nowhere.sdf'"},
+        {"--materials /nowhere.yaml", "--materials: there is no file '/nowhere.yaml'"},
         {"--poses /", "--poses: '/' is a directory; name a file"},
         {"--scene /dev/zero", "--scene: '/dev/zero' is a device; name a file"},
         {"--poses /dev/zero", "--poses: '/dev/zero' is a device; name a file"},

@@ -35,7 +35,8 @@ std::vector<std::string> unknown_materials(const Scene& scene, const MaterialLib
     std::map<std::string, std::set<std::string>> hints_of;
     for (const MaterialId id : used) {
         const Material& material = scene.materials[id];
-        if (library.find(material.name) != nullptr) continue;
+        const bool is_named = material.name != scene.materials.front().name;
+        if (!is_named || library.find(material.name) != nullptr) continue;
         note_hints(material, hints_of[material.name]);
     }
     std::vector<std::string> warnings;

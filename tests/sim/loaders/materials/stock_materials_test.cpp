@@ -165,6 +165,15 @@ TEST_F(UnknownMaterials, AreFaultsOfAStrictLoad) {
     }
 }
 
+TEST(NoLibrary, MissesNoNameWhereThereIsNone) {
+    Scene scene;
+    scene.models.push_back({"m"});
+    const Material clear{.name = "", .appearance = {.transparency = 0.5}};
+    for (const Material& material : {Material{}, clear})
+        scene.objects.push_back({"o", 0, Pose{}, Sphere{1.0}, id_of(material, scene.materials)});
+    EXPECT_THAT(unknown_materials(scene, MaterialLibrary{}, "w.sdf"), IsEmpty());
+}
+
 TEST(ManyUnknownMaterials, AreCountedBehindAHundred) {
     Scene scene;
     scene.models.push_back({"m"});
