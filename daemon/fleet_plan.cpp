@@ -2,9 +2,12 @@
 // Copyright The scipd authors
 #include "daemon/fleet_plan.h"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
+#include "daemon/load_materials.h"
 #include "daemon/load_world.h"
 #include "daemon/mounting.h"
 #include "daemon/world/backend_maker.h"
@@ -44,7 +47,9 @@ RequestedBackend requested_backend(const std::string& robot, const SensorConfig&
 }
 
 FleetPlan make_plan(Config config, const SettledBackends& settled, const std::stop_token& stop) {
-    sim::LoadedScene loaded = load_world(config, stop);
+    LoadedMaterials materials = load_materials(config);
+    sim::LoadedScene loaded = load_world(config, materials.library, stop);
+    std::ranges::move(materials.warnings, std::back_inserter(loaded.warnings));
     std::vector<std::string> notices = mount_by_name(config, *loaded.scene);
     std::vector<RequestedBackend> requests;
     for (const RobotConfig& robot : config.robots) {
@@ -58,7 +63,8 @@ FleetPlan make_plan(Config config, const SettledBackends& settled, const std::st
         }
     }
     SensorBackends backends = make_backends(requests, loaded.scene);
-    return {std::move(config), std::move(loaded), std::move(backends), std::move(notices)};
+    return {std::move(config), std::move(loaded), std::move(backends), std::move(notices),
+            std::move(materials.library)};
 }
 
 }  // namespace scipd::daemon

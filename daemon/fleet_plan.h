@@ -14,6 +14,7 @@
 #include "daemon/world/requested_backend.h"
 #include "daemon/world/sensor_backends.h"
 #include "sim/loaders/file/loaded_scene.h"
+#include "sim/world/material_library.h"
 
 namespace scipd::daemon {
 
@@ -22,6 +23,7 @@ struct FleetPlan {
     sim::LoadedScene loaded;
     SensorBackends backends;
     std::vector<std::string> notices;  ///< no faults
+    sim::SharedMaterials materials;
 };
 
 /// What `auto` has been settled as, by sensor. It holds while the configuration of the sensor stays

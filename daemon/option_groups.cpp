@@ -55,6 +55,11 @@ void add_world(CLI::App& app, OptionValues& said) {
         "the world: SDF, URDF, xacro, a ROS map, Stage, MVSim, a mesh or the folder of a "
         "model; default: the rescue maze",
         [&](const auto& text) { return put(parse_scene(text, fs::current_path()), config.scene); });
+    group.add("--materials", "FILE",
+              "materials that are added to those of scipd, or replace them; default: none",
+              [&](const auto& text) {
+                  return put(parse_file(text, fs::current_path()), config.materials);
+              });
     group.add(
         "--clock", "CLOCK",
         "wall; or poses: the stamps of the poses are the time, which stands still between them; "

@@ -47,10 +47,10 @@ class MaterialLibrary {
     /// What a material of a scene does with light of this wavelength. Between two wavelengths the
     /// reflectance is interpolated linearly; beyond the outermost it stays.
     ///
-    /// A name that is known counts. Where it is not, or is that of "default", the appearance
-    /// counts, on a face that is else like "default". A laser_retro above 0 counts in both cases,
-    /// for how bright the face is: up to 1 it is the reflectance, above that the face sends back so
-    /// many times as much as a white one.
+    /// A name that is known counts. Where it is not, or means "default", the appearance counts, on
+    /// a face that is else like "default". A laser_retro above 0 counts in both cases, for how
+    /// bright the face is: up to 1 it is the reflectance, above that the face sends back so many
+    /// times as much as a white one.
     [[nodiscard]] Surface surface(const Material& material, int wavelength_nm) const;
 
     [[nodiscard]] const std::vector<MaterialOptics>& materials() const { return materials_; }

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "daemon/config/config_file.h"
+#include "daemon/load_materials.h"
 #include "daemon/models/registry.h"
 #include "tests/support/temp_dir.h"
 
@@ -51,6 +52,9 @@ const SensorConfig& sensor(const Options& options) {
 class OptionsTest : public testing::Test {
   protected:
     OptionsTest() { dir_.write("room.sdf", room("<box><size>1 1 1</size></box>")); }
+
+    /// What is told of the materials of scipd.
+    static std::string stock() { return summary_of(*load_materials(Config{}).library); }
 
     /// A world of one line and one model.
     static std::string room(const std::string& geometry) {
@@ -184,7 +188,8 @@ TEST_F(OptionsTest, CheckTellsAllFaultsOrNone) {
                                   "robots: {r: {sensors: {s: {model: UST-20LX, pty: auto}}}}\n");
     EXPECT_EQ(answer("--check " + whole.string()).exit_code, 0);
     EXPECT_EQ(answer("--check " + whole.string()).text,
-              whole.string() + ": no faults; robots: 1, sensors: 1, models: 1\n");
+              whole.string() +
+                  ": no faults; robots: 1, sensors: 1, models: 1, materials: " + stock() + "\n");
 
     const auto broken = dir_.write("broken.yaml", "scene: room.sdf\nrobot: {}\nseed: x\n");
     EXPECT_EQ(answer("--check " + broken.string()).exit_code, 2);
@@ -215,7 +220,7 @@ TEST_F(OptionsTest, CheckReadsTheWorldToo) {
     EXPECT_EQ(answer("--check " + file.string()).exit_code, 0);
     EXPECT_EQ(answer("--check " + file.string()).text,
               bad.string() + ":1: <population> is not supported and left out\n" + file.string() +
-                  ": no faults; robots: 1, sensors: 1, models: 1\n");
+                  ": no faults; robots: 1, sensors: 1, models: 1, materials: " + stock() + "\n");
     EXPECT_EQ(answer("--check " + file.string() + " --strict").exit_code, 2);
     EXPECT_TRUE(run("--strict " + scene()).config.strict);
     EXPECT_FALSE(run(scene()).config.strict);

@@ -122,7 +122,7 @@ TEST_F(ConfigTest, TellsEveryFaultAtOnceInTheOrderOfLines) {
         ElementsAre("fleet.yaml:1: scene: there is no file 'nowhere.sdf'",
                     "fleet.yaml:2: seed: must be a whole number from 0 to 18446744073709551615, "
                     "not '-1'",
-                    "fleet.yaml:3: materials: is not supported by this version; leave it out",
+                    "fleet.yaml:3: materials: there is no file 'wood.yaml'",
                     "fleet.yaml:4: sceen: unknown key; did you mean scene?",
                     "fleet.yaml:7: robots.rescue.pose.yaw: unknown key; known here are xyz, rpy",
                     "fleet.yaml:7: robots.rescue.pose.xyz: must be a list of three numbers, such "
@@ -352,10 +352,14 @@ TEST_F(ConfigTest, SaysWhatAValueMayBe) {
                             "pty, such as `pty: auto`"));
 }
 
-TEST_F(ConfigTest, RefusesEveryKeyThatComesLater) {
-    EXPECT_THAT(
-        faults(std::string{whole} + "materials: wood.yaml"),
-        ElementsAre("fleet.yaml:27: materials: is not supported by this version; leave it out"));
+TEST_F(ConfigTest, NamesMaterialsBesideItself) {
+    const std::string robots = "robots: {r: {sensors: {s: {model: UST-10LX, pty: auto}}}}\n";
+    const auto file = dir_.write("wood.yaml", "materials: {}\n");
+    const Config config = parse(robots + "materials: wood.yaml\n");
+    EXPECT_EQ(config.materials, file);
+    EXPECT_THAT(config.place_of("materials"), testing::EndsWith("fleet.yaml:2: materials: "));
+    EXPECT_TRUE(parse(robots).materials.empty());
+    EXPECT_THAT(faults(robots + "materials: ."), ElementsAre(testing::HasSubstr("name a file")));
 }
 
 TEST_F(ConfigTest, SaysWhereTheTextIsNotYaml) {
