@@ -21,6 +21,7 @@ class Light {
   public:
     /// From now on; nothing is known of materials before.
     void set_materials(sim::SharedMaterials materials);
+    [[nodiscard]] const sim::SharedMaterials& materials() const { return materials_; }
     void set_media(std::vector<sim::Medium> media);
     [[nodiscard]] const std::vector<sim::Medium>& media() const { return media_; }
 

@@ -52,8 +52,8 @@ class World {
     /// The scene without its shapes, which take much memory: for those who keep records of scans.
     [[nodiscard]] const sim::SharedScene& names() const { return names_; }
 
-    /// What is known of its materials, and what fills its air.
     [[nodiscard]] Light& light() { return light_; }
+    [[nodiscard]] const Light& light() const { return light_; }
 
     /// The robots are these from now on. One that was there before stays where it is, unless its
     /// configuration has changed.

@@ -10,9 +10,10 @@
 #include <span>
 #include <vector>
 
-#include "sim/world/material.h"
+#include "sim/world/material_library.h"
 #include "sim/world/medium.h"
 #include "sim/world/reflection.h"
+#include "sim/world/scene.h"
 
 namespace scipd::sim {
 
@@ -32,6 +33,10 @@ class LitWorld {
     std::vector<Medium> media_;
     bool light_goes_on_;
 };
+
+/// The same of the materials of a scene, which a LitWorld need not be made for.
+[[nodiscard]] bool light_goes_on(const Scene& scene, const MaterialLibrary& materials,
+                                 int wavelength_nm);
 
 using SharedLitWorld = std::shared_ptr<const LitWorld>;
 

@@ -12,11 +12,6 @@ namespace {
 /// From here on a lobe is narrower than the spot of a scanner, so that rays can stand for it.
 constexpr float smooth_gloss = 500.0F;
 
-/// How much brighter a perfect retro-reflector is than a perfect matt face.
-double brightness_of_retro() {
-    return std::numbers::pi / (2.0 * std::numbers::pi * (1.0 - std::cos(retro_cone_rad)));
-}
-
 double diffuse_share(const Surface& surface, double cosine, double sine) {
     const double s2 = double{surface.roughness} * surface.roughness;
     const double flat = 1.0 - 0.5 * s2 / (s2 + 0.33);
@@ -34,11 +29,15 @@ double specular_share(const Surface& surface, double cosine) {
 
 }  // namespace
 
+double retro_gain() {
+    return std::numbers::pi / (2.0 * std::numbers::pi * (1.0 - std::cos(retro_cone_rad)));
+}
+
 double returned_share(const Surface& surface, double cos_incidence) {
     const double cosine = std::clamp(cos_incidence, 0.0, 1.0);
     const double sine = std::sqrt(1.0 - cosine * cosine);
     return diffuse_share(surface, cosine, sine) + specular_share(surface, cosine) +
-           surface.retro * brightness_of_retro() * cosine;
+           surface.retro * retro_gain() * cosine;
 }
 
 Reflection::Reflection(const Surface& surface) : surface_(surface), table_{} {
@@ -56,8 +55,8 @@ float Reflection::returned(float cos_incidence) const {
     return table_[before] + share * (table_[before + 1] - table_[before]);
 }
 
-float Reflection::mirrored() const {
-    return surface_.gloss >= smooth_gloss ? surface_.specular : 0.0F;
+float mirrored_share(const Surface& surface) {
+    return surface.gloss >= smooth_gloss ? surface.specular : 0.0F;
 }
 
 }  // namespace scipd::sim

@@ -13,6 +13,11 @@
 
 namespace scipd::sim {
 
+/// The share that shows the scene as a mirror does: none where the face is not smooth.
+[[nodiscard]] float mirrored_share(const Surface& surface);
+/// How much brighter a perfect retro-reflector is than a perfect matt face.
+[[nodiscard]] double retro_gain();
+
 class Reflection {
   public:
     explicit Reflection(const Surface& surface);
@@ -21,8 +26,7 @@ class Reflection {
     /// white matt face, hundreds for a reflector. Between the table's entries it is linear.
     [[nodiscard]] float returned(float cos_incidence) const;
     [[nodiscard]] const Surface& surface() const { return surface_; }
-    /// Smooth enough to show the scene like a mirror, and the share that it mirrors.
-    [[nodiscard]] float mirrored() const;
+    [[nodiscard]] float mirrored() const { return mirrored_share(surface_); }
 
   private:
     static constexpr std::size_t intervals = 1024;
