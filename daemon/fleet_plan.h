@@ -40,8 +40,9 @@ FleetPlan make_plan(Config config, const SettledBackends& settled = {},
                     const std::stop_token& stop = {});
 
 /// What a sensor asks of the backends while its robot is at this pose. In lockstep two runs have to
-/// be the same, so there `auto` is settled from the first.
+/// be the same, so there `auto` is settled from the first. `materials` are those of the world.
 RequestedBackend requested_backend(const std::string& robot, const SensorConfig& sensor,
-                                   const sim::Pose& world_from_robot, ClockKind clock);
+                                   const sim::Pose& world_from_robot, ClockKind clock,
+                                   const sim::SharedMaterials& materials);
 
 }  // namespace scipd::daemon

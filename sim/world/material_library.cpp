@@ -8,16 +8,12 @@
 #include <numbers>
 #include <utility>
 
+#include "sim/world/reflection.h"
+
 namespace scipd::sim {
 namespace {
 
 constexpr std::string_view unnamed = "default";
-
-/// How much brighter than a white Lambertian face a perfect retro-reflector is to its scanner.
-double retro_gain() {
-    const double cone_sr = 2.0 * std::numbers::pi * (1.0 - std::cos(retro_cone_rad));
-    return std::numbers::pi / cone_sr;
-}
 
 double reflectance_at(const std::map<int, double>& by_wavelength, int wavelength_nm) {
     if (by_wavelength.empty()) return 0.0;

@@ -324,7 +324,7 @@ TEST(Options, SaysInOneSentenceWhatIsWrong) {
         {"--mount 0,0,inf,0,0,0", "--mount: must be a number, not 'inf'"},
         {"--pose 1,,2", "--pose: must be a number, not ''"},
         {"--clock pose", "--clock: must be wall or poses, not 'pose'"},
-        {"--accuracy material", "--accuracy: material is not built yet; use sensor or ideal"},
+        {"--accuracy fine", "--accuracy: must be ideal, sensor or material, not 'fine'"},
         {"--backend radar",
          "--backend: this build has no backend 'radar'; use auto, embree, depth, reference"},
         {"--power-up cold", "--power-up: must be scip2.0, scip1.1 or boot, not 'cold'"},
