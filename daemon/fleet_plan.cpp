@@ -17,10 +17,6 @@
 namespace scipd::daemon {
 namespace {
 
-bool sees_light(const SensorConfig& sensor) {
-    return !sensor.staring && sensor.accuracy == sim::Accuracy::material;
-}
-
 std::vector<glm::vec3> directions_of(const SensorConfig& sensor) {
     if (sensor.staring) return sensor.staring->directions();
     const sim::Scanner scanner(sensor.model.optics, {.accuracy = sensor.accuracy});
@@ -57,7 +53,7 @@ RequestedBackend requested_backend(const std::string& robot, const SensorConfig&
                              .poses = sensor.motion.value_or(beams),
                              .world_from_sensor = world_from_robot * sensor.robot_from_sensor,
                              .max_range_m = static_cast<float>(max_range_m)};
-    if (sees_light(sensor)) {
+    if (sensor.sees_light()) {
         request.materials = materials;
         request.wavelength_nm = sensor.model.optics.receiver.wavelength_nm;
     }

@@ -88,6 +88,11 @@ struct SensorConfig {
     bool sees_body = false;  ///< the robot's own body can stand in its way, too
 
     bool operator==(const SensorConfig&) const = default;
+
+    /// Whether the light that comes back decides what it reads.
+    [[nodiscard]] bool sees_light() const {
+        return !staring && accuracy == sim::Accuracy::material;
+    }
 };
 
 }  // namespace scipd::daemon
