@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "daemon/config/config_file.h"
+#include "daemon/load_materials.h"
 #include "daemon/load_world.h"
 #include "daemon/mounting.h"
 #include "daemon/world/backend_choice.h"
@@ -67,8 +68,10 @@ std::string check(const std::filesystem::path& file, bool strict) {
     sim::LoadedScene world;
     Sentences faults;
     std::vector<std::string> notices;
+    LoadedMaterials materials;
+    note_faults(faults, [&] { materials = load_materials(config); });
     note_faults(faults, [&] {
-        world = load_world(config);
+        world = load_world(config, materials.library);
         notices = mount_by_name(config, *world.scene);
     });
     std::size_t sensors = 0;
@@ -79,13 +82,14 @@ std::string check(const std::filesystem::path& file, bool strict) {
     }
     if (!faults.empty()) throw sim::LoadError(std::move(faults));
     std::string text;
-    for (const auto* list : {&world.warnings, &world.notes, &notices}) {
+    for (const auto* list : {&materials.warnings, &world.warnings, &world.notes, &notices}) {
         for (const std::string& line : *list)
             text += line + "\n";
     }
     return text + file.string() + ": no faults; robots: " + std::to_string(config.robots.size()) +
            ", sensors: " + std::to_string(sensors) +
-           ", models: " + std::to_string(world.scene->models.size()) + "\n";
+           ", models: " + std::to_string(world.scene->models.size()) +
+           ", materials: " + summary_of(*materials.library) + "\n";
 }
 
 }  // namespace scipd::daemon

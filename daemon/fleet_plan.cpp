@@ -2,21 +2,35 @@
 // Copyright The scipd authors
 #include "daemon/fleet_plan.h"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
+#include "daemon/load_materials.h"
 #include "daemon/load_world.h"
 #include "daemon/mounting.h"
 #include "daemon/world/backend_maker.h"
-#include "sim/sensor/beam_pattern.h"
+#include "sim/sensor/scanner.h"
+#include "sim/world/lit_world.h"
 
 namespace scipd::daemon {
 namespace {
 
 std::vector<glm::vec3> directions_of(const SensorConfig& sensor) {
     if (sensor.staring) return sensor.staring->directions();
-    const sim::BeamPattern pattern(sensor.model.optics);
-    return {pattern.directions().begin(), pattern.directions().end()};
+    const sim::Scanner scanner(sensor.model.optics, {.accuracy = sensor.accuracy});
+    return {scanner.directions().begin(), scanner.directions().end()};
+}
+
+/// What a user should know who named a backend that cannot follow light.
+std::optional<std::string> blind_spot(const RequestedBackend& request, const sim::Scene& scene,
+                                      SensorBackends& backends) {
+    const bool goes_on =
+        request.materials && sim::light_goes_on(scene, *request.materials, request.wavelength_nm);
+    if (!goes_on || backends.of(request.sensor).follows_light()) return std::nullopt;
+    return request.sensor + ": backend " + *request.backend +
+           " sees no second surface behind glass or in a mirror; take embree or auto for that";
 }
 
 std::optional<std::string> named_backend(const SensorConfig& sensor) {
@@ -26,11 +40,12 @@ std::optional<std::string> named_backend(const SensorConfig& sensor) {
 }  // namespace
 
 RequestedBackend requested_backend(const std::string& robot, const SensorConfig& sensor,
-                                   const sim::Pose& world_from_robot, ClockKind clock) {
+                                   const sim::Pose& world_from_robot, ClockKind clock,
+                                   const sim::SharedMaterials& materials) {
     const double max_range_m =
         sensor.staring ? sensor.staring->max_range_m : sensor.model.optics.max_range_m;
     std::vector<glm::vec3> directions = directions_of(sensor);
-    const auto beams = static_cast<int>(directions.size());
+    const int beams = sensor.staring ? sensor.staring->beams() : sensor.model.optics.beams();
     RequestedBackend request{.sensor = sensor_name(robot, sensor.name),
                              .backend = named_backend(sensor),
                              .depth = sensor.depth,
@@ -38,19 +53,25 @@ RequestedBackend requested_backend(const std::string& robot, const SensorConfig&
                              .poses = sensor.motion.value_or(beams),
                              .world_from_sensor = world_from_robot * sensor.robot_from_sensor,
                              .max_range_m = static_cast<float>(max_range_m)};
+    if (sensor.sees_light()) {
+        request.materials = materials;
+        request.wavelength_nm = sensor.model.optics.receiver.wavelength_nm;
+    }
     if (clock == ClockKind::poses)
         request.settled = unmeasured_choice("in lockstep two runs have to be the same");
     return request;
 }
 
 FleetPlan make_plan(Config config, const SettledBackends& settled, const std::stop_token& stop) {
-    sim::LoadedScene loaded = load_world(config, stop);
+    LoadedMaterials materials = load_materials(config);
+    sim::LoadedScene loaded = load_world(config, materials.library, stop);
+    std::ranges::move(materials.warnings, std::back_inserter(loaded.warnings));
     std::vector<std::string> notices = mount_by_name(config, *loaded.scene);
     std::vector<RequestedBackend> requests;
     for (const RobotConfig& robot : config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {
-            RequestedBackend request =
-                requested_backend(robot.name, sensor, robot.world_from_robot, config.clock);
+            RequestedBackend request = requested_backend(robot.name, sensor, robot.world_from_robot,
+                                                         config.clock, materials.library);
             const auto known = settled.find(request.sensor);
             if (!request.settled && known != settled.end() && known->second.config == sensor)
                 request.settled = known->second.choice;
@@ -58,7 +79,12 @@ FleetPlan make_plan(Config config, const SettledBackends& settled, const std::st
         }
     }
     SensorBackends backends = make_backends(requests, loaded.scene);
-    return {std::move(config), std::move(loaded), std::move(backends), std::move(notices)};
+    for (const RequestedBackend& request : requests) {
+        if (auto notice = blind_spot(request, *loaded.scene, backends))
+            notices.push_back(*std::move(notice));
+    }
+    return {std::move(config), std::move(loaded), std::move(backends), std::move(notices),
+            std::move(materials.library)};
 }
 
 }  // namespace scipd::daemon

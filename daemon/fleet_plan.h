@@ -14,6 +14,7 @@
 #include "daemon/world/requested_backend.h"
 #include "daemon/world/sensor_backends.h"
 #include "sim/loaders/file/loaded_scene.h"
+#include "sim/world/material_library.h"
 
 namespace scipd::daemon {
 
@@ -22,6 +23,7 @@ struct FleetPlan {
     sim::LoadedScene loaded;
     SensorBackends backends;
     std::vector<std::string> notices;  ///< no faults
+    sim::SharedMaterials materials;
 };
 
 /// What `auto` has been settled as, by sensor. It holds while the configuration of the sensor stays
@@ -38,8 +40,9 @@ FleetPlan make_plan(Config config, const SettledBackends& settled = {},
                     const std::stop_token& stop = {});
 
 /// What a sensor asks of the backends while its robot is at this pose. In lockstep two runs have to
-/// be the same, so there `auto` is settled from the first.
+/// be the same, so there `auto` is settled from the first. `materials` are those of the world.
 RequestedBackend requested_backend(const std::string& robot, const SensorConfig& sensor,
-                                   const sim::Pose& world_from_robot, ClockKind clock);
+                                   const sim::Pose& world_from_robot, ClockKind clock,
+                                   const sim::SharedMaterials& materials);
 
 }  // namespace scipd::daemon

@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/load_world.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,8 +26,16 @@ bool moves(const sim::Scene& scene, const std::string& name) {
     return model && scene.models[*model].movable;
 }
 
-sim::LoadedScene load_scene(const Config& config, const std::stop_token& stop) {
-    sim::SceneOptions options = scene_options(config);
+/// Nobody else asks what a material is, so a name that is not known is nothing to warn of.
+bool any_sees_light(const Config& config) {
+    return std::ranges::any_of(config.robots, [](const RobotConfig& robot) {
+        return std::ranges::any_of(robot.sensors, &SensorConfig::sees_light);
+    });
+}
+
+sim::LoadedScene load_scene(const Config& config, const sim::SharedMaterials& materials,
+                            const std::stop_token& stop) {
+    sim::SceneOptions options = scene_options(config, materials);
     options.limits.stop = stop;
     try {
         return sim::load_scene(config.scene, options);
@@ -44,17 +53,19 @@ sim::LoadError named_at(const std::string& place, const sim::LoadError& error) {
     return sim::LoadError(std::move(faults));
 }
 
-sim::SceneOptions scene_options(const Config& config) {
+sim::SceneOptions scene_options(const Config& config, const sim::SharedMaterials& materials) {
     sim::SceneOptions options{.sdf = {.geometry = config.geometry,
                                       .model_folders = stock_models(),
                                       .strict = config.strict},
-                              .map = config.map};
+                              .map = config.map,
+                              .materials = any_sees_light(config) ? materials : nullptr};
     apply(config.limits, options);
     return options;
 }
 
-sim::LoadedScene load_world(const Config& config, const std::stop_token& stop) {
-    sim::LoadedScene loaded = load_scene(config, stop);
+sim::LoadedScene load_world(const Config& config, const sim::SharedMaterials& materials,
+                            const std::stop_token& stop) {
+    sim::LoadedScene loaded = load_scene(config, materials, stop);
     std::vector<std::string> faults;
     for (const RobotConfig& robot : config.robots) {
         if (robot.body.empty() || moves(*loaded.scene, robot.body)) continue;

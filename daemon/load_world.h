@@ -13,14 +13,15 @@
 
 namespace scipd::daemon {
 
-/// The world that a configuration names, with the models in it that its robots need. Throws
-/// LoadError with every fault, or soon after `stop`.
-sim::LoadedScene load_world(const Config& config, const std::stop_token& stop = {});
+/// The world that a configuration names, with the models in it that its robots need. Materials that
+/// the library does not know are warnings. Throws LoadError with every fault, or soon after `stop`.
+sim::LoadedScene load_world(const Config& config, const sim::SharedMaterials& materials,
+                            const std::stop_token& stop = {});
 
 /// The faults of a file, each with the `place` where the configuration names the file.
 sim::LoadError named_at(const std::string& place, const sim::LoadError& error);
 
 /// How to load that world, and whatever takes its place or is added to it.
-sim::SceneOptions scene_options(const Config& config);
+sim::SceneOptions scene_options(const Config& config, const sim::SharedMaterials& materials);
 
 }  // namespace scipd::daemon

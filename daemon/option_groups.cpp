@@ -55,6 +55,11 @@ void add_world(CLI::App& app, OptionValues& said) {
         "the world: SDF, URDF, xacro, a ROS map, Stage, MVSim, a mesh or the folder of a "
         "model; default: the rescue maze",
         [&](const auto& text) { return put(parse_scene(text, fs::current_path()), config.scene); });
+    group.add("--materials", "FILE",
+              "materials that are added to those of scipd, or replace them; default: none",
+              [&](const auto& text) {
+                  return put(parse_file(text, fs::current_path()), config.materials);
+              });
     group.add(
         "--clock", "CLOCK",
         "wall; or poses: the stamps of the poses are the time, which stands still between them; "
@@ -123,8 +128,9 @@ void add_scanner(CLI::App& app, OptionValues& said) {
         [&](const auto& text) { return put(parse_pty(text, fs::current_path()), sensor.pty); });
     group.add("--backend", "NAME", "auto or one of --list-backends; default: auto",
               [&](const auto& text) { return put(parse_backend(text), sensor.backend); });
-    group.add("--accuracy", "ideal|sensor",
-              "without noise, or with that of the data sheet; default: sensor",
+    group.add("--accuracy", "ideal|sensor|material",
+              "what geometry says, the scanner's errors, or also those of what it sees; default: "
+              "sensor",
               [&](const auto& text) { return put(parse_accuracy(text), sensor.accuracy); });
     group.add("--timing", "real|ideal",
               "the pace of the real scanner, or answers at once; default: real",

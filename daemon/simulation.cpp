@@ -24,7 +24,8 @@ std::vector<RequestedBackend> Simulation::requested_backends() const {
     std::vector<RequestedBackend> requests;
     for (const auto& station : stations) {
         const sim::Pose pose = world.robot(station->robot)->at(clock.now());
-        requests.push_back(requested_backend(station->robot, station->config, pose, kind));
+        requests.push_back(requested_backend(station->robot, station->config, pose, kind,
+                                             world.light().materials()));
         requests.back().settled = world.choice_of(requests.back().sensor);
     }
     return requests;

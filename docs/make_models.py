@@ -39,8 +39,17 @@ You can change any field of a model, or define one of your own:
 | model | range, mm | | steps | | scans | |
 |---|---|---|---|---|---|---|
 """
+ERRORS = """
+## Errors
+
+How well the curves are known that make a range wrong. *Light* is the spot of a beam, the wavelength, and how dark a
+target the scanner still sees. A curve that no source is named for in `daemon/models/product_lines.h` is assumed;
+[errors.md](errors.md) says what each curve does.
+
+"""
 LINE = re.compile(r"(\S+)  (\S+) mm \((\w+)\), steps (.+) \((\w+)\), (\S+ Hz) \((\w+)\); (.+) \((\w+)\); "
-                  r"(.+) \((\w+)\); texts (\w+), noise (\w+)")
+                  r"(.+) \((\w+)\); texts (\w+), noise (\w+), "
+                  r"bias (\w+), light (\w+)")
 
 
 def models_page(scipd):
@@ -54,10 +63,15 @@ def models_page(scipd):
     text = HEAD
     for name, range_mm, range_sure, steps, steps_sure, rate, rate_sure, *_ in models:
         text += f"| {name} | {range_mm} | {range_sure} | {steps} | {steps_sure} | {rate} | {rate_sure} |\n"
-    text += "\n## Wire\n\n| model | links | | commands | | texts | noise |\n|---|---|---|---|---|---|---|\n"
+    text += "\n## Wire\n\n| model | links | | commands | | texts |\n|---|---|---|---|---|---|\n"
     for model in models:
-        links, links_sure, commands, commands_sure, texts, noise = model[7:]
-        text += f"| {model[0]} | {links} | {links_sure} | {commands} | {commands_sure} | {texts} | {noise} |\n"
+        links, links_sure, commands, commands_sure, texts = model[7:12]
+        text += f"| {model[0]} | {links} | {links_sure} | {commands} | {commands_sure} | {texts} |\n"
+    text += ERRORS + "| model | noise | bias and drift | light |\n|---|---|---|---|\n"
+    for model in models:
+        text += "| " + " | ".join([model[0], *model[12:]]) + " |\n"
+    sure = [word for model in models for word in model[12:]]
+    text += f"\nOf these {len(sure)} entries {sure.count('deduced')} are deduced or assumed.\n"
     return text + "\n[protocol.md](protocol.md) says what the commands do.\n"
 
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,10 +32,16 @@ enum class Support {
 
 /// What stands in the place of a distance where there is none.
 struct DistanceCodes {
-    std::uint32_t nothing = 0;       ///< no or too weak a return
+    std::uint32_t nothing = 0;       ///< no return
     std::uint32_t too_near = 0;      ///< nearer than nearest_mm
     std::uint32_t too_far = 0;       ///< farther than DMAX
     std::uint32_t not_measured = 0;  ///< a step that may be asked for but is not measured
+    // Where one of these is not given, `nothing` stands for it.
+    std::optional<std::uint32_t> too_dark;      ///< too weak a return
+    std::optional<std::uint32_t> too_bright;    ///< a return that blinds the receiver
+    std::optional<std::uint32_t> edge;          ///< two surfaces in one beam contradict each other
+    std::optional<std::uint32_t> interference;  ///< light of another scanner
+    std::optional<std::uint32_t> lost;          ///< not measured for another reason
 
     bool operator==(const DistanceCodes&) const = default;
 };

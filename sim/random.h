@@ -10,7 +10,15 @@
 namespace scipd::sim {
 
 /// What a number is for, so that two uses with the same key do not share their chance.
-enum class Purpose : std::uint32_t { range_noise, latency_to_client, latency_to_device };
+enum class Purpose : std::uint32_t {
+    range_noise,
+    latency_to_client,
+    latency_to_device,
+    lost_beams,
+    detection,
+    texture,
+    in_the_air,
+};
 
 struct ChanceKey {
     std::uint64_t seed = 0;    ///< of the whole run

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <ranges>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -53,10 +54,12 @@ class Names {
     std::vector<std::string> texts_;
 };
 
-/// Adds a list with one element for each hit.
+/// Adds a list with one element for each beam: of what its middle met.
 template <class Append>
 void add_hits(ObjectText& text, std::string_view name, const sim::Scan& scan, Append append) {
-    text.add_list(name, scan.hits, [&](std::string& list, const sim::Hit& hit) {
+    const auto beams = std::views::iota(std::size_t{0}, scan.beams());
+    text.add_list(name, beams, [&](std::string& list, std::size_t beam) {
+        const sim::Hit& hit = scan.middle(beam);
         hit.met() ? append(list, hit) : void(list += "null");
     });
 }

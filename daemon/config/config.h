@@ -70,6 +70,7 @@ struct Config {
     sim::SdfGeometry geometry = sim::SdfGeometry::visual;
     bool strict = false;  ///< what a world or a trajectory would cause a warning for is a fault
     sim::MapOptions map;
+    std::filesystem::path materials;  ///< what they say comes before the stock library; empty: none
     WorldLimits limits;
     ClockKind clock = ClockKind::wall;
     std::uint64_t seed = 1;

@@ -31,10 +31,9 @@ namespace fs = std::filesystem;
 constexpr std::size_t largest_file = 1 << 20;
 constexpr std::size_t most_sensors = 4096;
 
-constexpr std::array<std::string_view, 11> root_keys{"scene",  "geometry", "strict", "map",
-                                                     "limits", "seed",     "clock",  "models",
-                                                     "robots", "control",  "http"};
-constexpr std::array<std::string_view, 1> later_root_keys{"materials"};
+constexpr std::array<std::string_view, 12> root_keys{"scene",     "geometry", "strict",  "map",
+                                                     "materials", "limits",   "seed",    "clock",
+                                                     "models",    "robots",   "control", "http"};
 constexpr std::array<std::string_view, 4> robot_keys{"pose", "body", "poses", "sensors"};
 
 /// Whether there is no such map or nothing in it. A value that is no map is told elsewhere.
@@ -111,7 +110,7 @@ void Reader::note_places(const Section& section, std::initializer_list<std::stri
 
 Config Reader::read(const YAML::Node& document) {
     const Field whole{{}, {}, 1, document};
-    const Section section{whole, {root_keys, later_root_keys}, faults_};
+    const Section section{whole, {root_keys, {}}, faults_};
     Config config;
     if (section.find("scene")) {
         section.read("scene", config.scene, from_base(parse_scene));
@@ -121,6 +120,7 @@ Config Reader::read(const YAML::Node& document) {
     section.read("geometry", config.geometry, parse_geometry);
     section.read("strict", config.strict, parse_switch);
     if (const Field* map = section.find("map")) config.map = read_map(*map, faults_);
+    section.read("materials", config.materials, from_base(parse_file));
     if (const Field* limits = section.find("limits")) {
         config.limits = read_limits(*limits, faults_);
     }
@@ -129,7 +129,7 @@ Config Reader::read(const YAML::Node& document) {
     section.read("control", config.control, from_base(parse_socket));
     section.read("http", config.http, parse_listener);
     claim_sockets(section, config);
-    note_places(section, {"scene"});
+    note_places(section, {"scene", "materials"});
 
     const ModelChoice models{section.find("models"), faults_};
     SensorContext context{models, claims_, base_, faults_, places_};

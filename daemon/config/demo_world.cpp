@@ -21,17 +21,26 @@ std::array<fs::path, 2> scene_folders() {
             fs::path{SCIPD_SOURCE_SCENES}};
 }
 
-}  // namespace
-
-sim::Expected<fs::path> demo_scene() {
+/// A file of scenes/. A fault begins with `what`, which it is.
+sim::Expected<fs::path> in_scenes(const char* name, const std::string& what) {
     std::string sought;
     for (const auto& folder : scene_folders()) {
         std::error_code error;
-        const auto scene = folder / "rescue_maze.sdf";
-        if (fs::exists(scene, error)) return scene;
-        sought += (sought.empty() ? "neither at " : " nor at ") + scene.string();
+        const auto file = folder / name;
+        if (fs::exists(file, error)) return file;
+        sought += (sought.empty() ? "neither at " : " nor at ") + file.string();
     }
-    return sim::refuse("name a scene: the demo world is " + sought);
+    return sim::refuse(what + " is " + sought);
+}
+
+}  // namespace
+
+sim::Expected<fs::path> demo_scene() {
+    return in_scenes("rescue_maze.sdf", "name a scene: the demo world");
+}
+
+sim::Expected<fs::path> stock_materials() {
+    return in_scenes("materials.yaml", "the library of materials that comes with scipd");
 }
 
 std::vector<fs::path> stock_models() {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The world that scipd shows when nobody names one. Any thread; nothing shared.
+// What comes with scipd in scenes/: the world that it shows when nobody names one, materials and
+// models. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>
@@ -15,6 +16,9 @@ namespace scipd::daemon {
 /// The rescue maze: where it was installed beside this program, else in the sources that it was
 /// built from. A fault says where it was sought.
 sim::Expected<std::filesystem::path> demo_scene();
+
+/// The library of materials that comes with scipd. A fault says where it was sought.
+sim::Expected<std::filesystem::path> stock_materials();
 
 /// Where the models may be that come with scipd; worlds for Gazebo include two of them without
 /// bringing them along, sun and ground_plane.

@@ -6,7 +6,9 @@
 #include <array>
 #include <string>
 
+#include "daemon/config/members.h"
 #include "daemon/config/numbers.h"
+#include "daemon/config/optics.h"
 #include "daemon/config/values.h"
 #include "daemon/models/profile_check.h"
 #include "protocol/command_table.h"
@@ -23,14 +25,6 @@ using sim::refuse;
 
 constexpr std::size_t longest_text = 64;  // urg_library takes lines of 71: VEND: and ; and a sum
 constexpr int largest_number = 1'000'000;
-constexpr std::size_t longest_list = 64;
-
-/// A member and how it is read.
-template <class Struct>
-struct Member {
-    std::string_view key;
-    void (*read)(const Field& field, Struct& target, Faults& faults);
-};
 
 Expected<std::string> parse_text(std::string_view text) {
     const bool printable = std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~'; });
@@ -85,11 +79,6 @@ Expected<protocol::Deviation> parse_cell(std::string_view text) {
                   sim::quote(text));
 }
 
-template <auto member, auto parse, class Struct>
-void read_as(const Field& field, Struct& target, Faults& faults) {
-    faults.take(field, text_of(field.value).and_then(parse), target.*member);
-}
-
 template <auto member, class Struct>
 void read_text(const Field& field, Struct& target, Faults& faults) {
     read_as<member, parse_text>(field, target, faults);
@@ -110,65 +99,16 @@ void read_period(const Field& field, Struct& target, Faults& faults) {
     read_as<member, parse_period>(field, target, faults);
 }
 
-/// The items of a list, each with the path of the list and its own line.
-Expected<std::vector<Field>> items(const Field& list) {
-    if (!list.value.IsSequence() || list.value.size() > longest_list)
-        return refuse("must be a list of at most 64, in brackets");
-    std::vector<Field> fields;
-    for (const YAML::Node& item : list.value)
-        fields.push_back({list.key, list.path, item.Mark().line + 1, item});
-    return fields;
-}
-
-/// Every item of a list, or the fault of the first that is wrong.
-template <auto parse>
-auto values_of(const Field& list) {
-    using Value = typename decltype(parse({}))::value_type;
-    return items(list).and_then([](const std::vector<Field>& fields) {
-        Expected<std::vector<Value>> values{tl::in_place};
-        for (const Field& item : fields) {
-            const auto value = text_of(item.value).and_then(parse);
-            if (!value) return decltype(values){tl::unexpect, value.error()};
-            values->push_back(*value);
-        }
-        return values;
-    });
-}
-
-template <auto member, auto parse, class Struct>
-void read_list(const Field& field, Struct& target, Faults& faults) {
-    faults.take(field, values_of<parse>(field), target.*member);
-}
-
-/// The keys of a table, and these.
-template <class Table>
-std::vector<std::string_view> keys_of(const Table& table,
-                                      std::span<const std::string_view> besides = {}) {
-    std::vector<std::string_view> keys(besides.begin(), besides.end());
-    for (const auto& member : table)
-        keys.push_back(member.key);
-    return keys;
-}
-
-template <class Table, class Struct>
-void read_members(const Section& section, const Table& table, Struct& target, Faults& faults) {
-    for (const auto& member : table) {
-        if (const Field* field = section.find(member.key)) member.read(*field, target, faults);
-    }
-}
-
-/// A map within the map.
-template <auto member, const auto& table, class Struct>
-void read_map(const Field& field, Struct& target, Faults& faults) {
-    const Section section{field, {keys_of(table), {}}, faults};
-    read_members(section, table, target.*member, faults);
-}
-
 constexpr Member<DistanceCodes> code_members[] = {
     {"nothing", read_number<&DistanceCodes::nothing>},
     {"too_near", read_number<&DistanceCodes::too_near>},
     {"too_far", read_number<&DistanceCodes::too_far>},
     {"not_measured", read_number<&DistanceCodes::not_measured>},
+    {"too_dark", read_number<&DistanceCodes::too_dark>},
+    {"too_bright", read_number<&DistanceCodes::too_bright>},
+    {"edge", read_number<&DistanceCodes::edge>},
+    {"interference", read_number<&DistanceCodes::interference>},
+    {"lost", read_number<&DistanceCodes::lost>},
 };
 
 constexpr Member<Scip1Texts> scip1_members[] = {
@@ -234,27 +174,6 @@ constexpr Member<DeviceProfile> profile_members[] = {
     {"wake_time_ms", read_period<&DeviceProfile::wake_time>},
 };
 
-constexpr std::string_view noise_key = "noise";
-constexpr std::array<std::string_view, 3> noise_keys{"from_m", "sigma_m", "share"};
-
-std::vector<sim::NoiseStep> read_noise(const Field& field, Faults& faults) {
-    std::vector<sim::NoiseStep> noise;
-    std::vector<Field> steps;
-    faults.take(field, items(field), steps);
-    for (const Field& item : steps) {
-        const Section section{item, {noise_keys, {}}, faults};
-        sim::NoiseStep step{};
-        section.read("from_m", step.from_range_m, parse_length);
-        section.read("sigma_m", step.sigma_m, parse_length);
-        section.read("share", step.sigma_share, parse_share);
-        const bool in_order = noise.empty() ? step.from_range_m == 0.0
-                                            : step.from_range_m > noise.back().from_range_m;
-        if (!in_order) faults.add(item, "from_m must begin with 0 and grow");
-        noise.push_back(step);
-    }
-    return noise;
-}
-
 void check(const Section& section, const Field& map, const DeviceProfile& profile, Faults& faults) {
     for (const ProfileFault& fault : faults_of(profile)) {
         const Field* const given = section.find(fault.member);
@@ -280,19 +199,20 @@ std::vector<std::string_view> scip1_keys() {
 Section profile_section(const Field& map, std::span<const std::string_view> besides,
                         Faults& faults) {
     std::vector<std::string_view> keys = keys_of(profile_members, besides);
-    keys.push_back(noise_key);
+    for (const std::string_view key : optics_keys())
+        keys.push_back(key);
     return {map, {keys, {}}, faults};
 }
 
 void override_model(const Section& section, const Field& map, std::optional<Model>& model,
                     Faults& faults) {
     DeviceProfile profile = model ? model->profile : DeviceProfile{};
-    std::vector<sim::NoiseStep> noise = model ? model->optics.noise : std::vector<sim::NoiseStep>{};
+    sim::SensorSpec optics = model ? model->optics : sim::SensorSpec{};
     read_members(section, profile_members, profile, faults);
-    if (const Field* field = section.find(noise_key)) noise = read_noise(*field, faults);
+    override_optics(section, optics, faults);
     if (!model) return;
     check(section, map, profile, faults);
-    model = make_model(profile, std::move(noise), model->sureness);
+    model = make_model(profile, std::move(optics), model->sureness);
 }
 
 }  // namespace scipd::daemon

@@ -17,10 +17,9 @@
 namespace scipd::daemon {
 namespace {
 
-constexpr std::array<std::string_view, 16> sensor_keys{
-    "model",    "camera", "ranger", "mount",    "tcp",   "pty",  "backend", "depth",
-    "accuracy", "motion", "timing", "power_up", "clock", "link", "profile", "sees_body"};
-constexpr std::array<std::string_view, 1> later_sensor_keys{"echo"};
+constexpr std::array<std::string_view, 17> sensor_keys{
+    "model", "camera", "ranger", "mount",    "tcp",   "pty",  "backend", "depth",    "accuracy",
+    "echo",  "motion", "timing", "power_up", "clock", "link", "profile", "sees_body"};
 constexpr std::array<std::string_view, 3> depth_keys{"between_pixels", "oversample",
                                                      "widest_pass_deg"};
 constexpr std::array<std::string_view, 2> clock_keys{"ppm", "start_ms"};
@@ -129,6 +128,7 @@ void read_scanner(const Field& field, const Section& section, SensorConfig& sens
     section.read("tcp", sensor.tcp, parse_listener);
     section.read("pty", sensor.pty,
                  [&](const std::string& text) { return parse_pty(text, context.base); });
+    section.read("echo", sensor.echo, parse_echo_choice);
     section.read("timing", sensor.timing, parse_timing);
     section.read("power_up", sensor.power_up, parse_power_up);
     if (const Field* power_up = section.find("power_up"); power_up && model)
@@ -173,7 +173,7 @@ sim::Expected<> check_power_up(PowerUp power_up, const protocol::DeviceProfile& 
 
 SensorConfig read_sensor(const Field& field, SensorContext& context) {
     Faults& faults = context.faults;
-    const Section section{field, {sensor_keys, later_sensor_keys}, faults};
+    const Section section{field, {sensor_keys, {}}, faults};
     SensorConfig sensor;
     faults.take(field, parse_name(field.key), sensor.name);
     read_mount(section, sensor, faults, context.places);
@@ -184,6 +184,9 @@ SensorConfig read_sensor(const Field& field, SensorContext& context) {
     section.read("accuracy", sensor.accuracy, parse_accuracy);
     if (read_staring(section, sensor, faults)) {
         sensor.motion = 1;  // a picture is of one instant
+        if (const Field* field = section.find("accuracy");
+            field && sensor.accuracy == sim::Accuracy::material)
+            faults.add(*field, "material is for scanners; use sensor or ideal");
     } else {
         read_scanner(field, section, sensor, context);
     }

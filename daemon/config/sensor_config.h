@@ -75,6 +75,8 @@ struct SensorConfig {
     std::string backend{auto_backend};
     sim::DepthOptions depth;  ///< where the backend is a depth buffer, or auto takes one
     sim::Accuracy accuracy = sim::Accuracy::sensor;
+    /// Which echo a scanner tells that tells one, where the accuracy is material.
+    sim::EchoChoice echo = sim::EchoChoice::strongest;
     /// How many poses a sweep has, or a measurement of a camera or ranger; nothing: one a beam.
     std::optional<int> motion;
     Timing timing = Timing::real;
@@ -86,6 +88,11 @@ struct SensorConfig {
     bool sees_body = false;  ///< the robot's own body can stand in its way, too
 
     bool operator==(const SensorConfig&) const = default;
+
+    /// Whether the light that comes back decides what it reads.
+    [[nodiscard]] bool sees_light() const {
+        return !staring && accuracy == sim::Accuracy::material;
+    }
 };
 
 }  // namespace scipd::daemon

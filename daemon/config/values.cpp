@@ -97,8 +97,15 @@ Expected<sim::BetweenPixels> parse_between_pixels(std::string_view text) {
 Expected<sim::Accuracy> parse_accuracy(std::string_view text) {
     if (text == "ideal") return sim::Accuracy::ideal;
     if (text == "sensor") return sim::Accuracy::sensor;
-    if (text == "material") return refuse("material is not built yet; use sensor or ideal");
-    return refuse("must be sensor or ideal, not " + quote(text));
+    if (text == "material") return sim::Accuracy::material;
+    return refuse("must be ideal, sensor or material, not " + quote(text));
+}
+
+Expected<sim::EchoChoice> parse_echo_choice(std::string_view text) {
+    if (text == "first") return sim::EchoChoice::first;
+    if (text == "strongest") return sim::EchoChoice::strongest;
+    if (text == "last") return sim::EchoChoice::last;
+    return refuse("must be first, strongest or last, not " + quote(text));
 }
 
 Expected<Timing> parse_timing(std::string_view text) {

@@ -4,49 +4,85 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
 
 namespace scipd::daemon {
 namespace {
 
-constexpr std::uint32_t max_intensity = (1U << 18U) - 1;
+constexpr float max_intensity = (1U << 18U) - 1;
 
-// Of a matt face seen head-on: what comes back falls with the square of the distance and with the
-// cosine of the incidence (radar equation for an extended Lambertian target). The scale is assumed:
-// it gives a wall at 2 m the 2500 that a recorded UTM-30LX shows indoors. Nearer than half a metre
-// a scanner's gain control holds it level.
-std::uint32_t intensity_on_wire(const sim::Hit& hit) {
-    if (!hit.met()) return 0;
-    constexpr float at_one_metre = 10000.0F;
-    constexpr float level_below_m = 0.5F;
-    const float range_m = std::max(hit.range_m, level_below_m);
-    const float intensity = at_one_metre * hit.cos_incidence / (range_m * range_m);
-    return std::min(static_cast<std::uint32_t>(std::lround(intensity)), max_intensity);
+std::uint32_t intensity_on_wire(const sim::Reading& reading) {
+    return static_cast<std::uint32_t>(std::min(reading.intensity, max_intensity) + 0.5F);
+}
+
+/// Nothing where the model has no code of its own.
+std::optional<std::uint32_t> own_code(sim::Cause cause, const protocol::DistanceCodes& codes) {
+    switch (cause) {
+        case sim::Cause::too_dark:
+            return codes.too_dark;
+        case sim::Cause::too_bright:
+            return codes.too_bright;
+        case sim::Cause::edge:
+            return codes.edge;
+        case sim::Cause::interference:
+            return codes.interference;
+        case sim::Cause::lost:
+            return codes.lost;
+        case sim::Cause::measured:
+        case sim::Cause::nothing:
+            break;
+    }
+    return std::nullopt;
+}
+
+std::uint32_t on_wire(const sim::Reading& reading, const protocol::DeviceProfile& profile) {
+    if (reading.cause == sim::Cause::measured) return distance_on_wire(reading.range_m, profile);
+    return own_code(reading.cause, profile.codes).value_or(profile.codes.nothing);
+}
+
+protocol::StepEchoes on_wire(std::span<const sim::Reading> readings,
+                             const protocol::DeviceProfile& profile) {
+    protocol::StepEchoes step{.count = static_cast<int>(readings.size())};
+    for (std::size_t i = 0; i < readings.size(); ++i)
+        step.echo[i] = {on_wire(readings[i], profile), intensity_on_wire(readings[i])};
+    return step;
 }
 
 }  // namespace
 
 protocol::ScanView WireScan::view() const {
-    return {.turn = turn, .first_step = first_step, .distance = distance, .intensity = intensity};
+    return {.turn = turn,
+            .first_step = first_step,
+            .distance = distance,
+            .intensity = intensity,
+            .echoes = echoes};
 }
 
 std::uint32_t distance_on_wire(float range_m, const protocol::DeviceProfile& profile) {
     if (!std::isfinite(range_m)) return profile.codes.nothing;
+    // What rounds to a distance that is reported. Compared before it is rounded: a conversion is
+    // several times faster than llround().
     constexpr double mm_per_m = 1000.0;
-    const long long distance_mm = std::llround(static_cast<double>(range_m) * mm_per_m);
-    if (distance_mm < profile.nearest_mm) return profile.codes.too_near;
-    if (distance_mm > profile.dmax_mm) return profile.codes.too_far;
-    return static_cast<std::uint32_t>(distance_mm);
+    const double distance_mm = double{range_m} * mm_per_m;
+    if (distance_mm < profile.nearest_mm - 0.5) return profile.codes.too_near;
+    if (distance_mm >= profile.dmax_mm + 0.5) return profile.codes.too_far;
+    return static_cast<std::uint32_t>(distance_mm + 0.5);
 }
 
 WireScan to_wire(const sim::Scan& scan, const protocol::Turn& turn, const sim::SensorSpec& optics,
                  const protocol::DeviceProfile& profile) {
     WireScan wire{.turn = turn, .first_step = optics.first_step};
-    wire.distance.reserve(scan.range_m.size());
-    wire.intensity.reserve(scan.hits.size());
-    for (const float range_m : scan.range_m)
-        wire.distance.push_back(distance_on_wire(range_m, profile));
-    for (const sim::Hit& hit : scan.hits)
-        wire.intensity.push_back(intensity_on_wire(hit));
+    wire.distance.reserve(scan.readings.size());
+    wire.intensity.reserve(scan.readings.size());
+    for (const sim::Reading& reading : scan.readings) {
+        wire.distance.push_back(on_wire(reading, profile));
+        wire.intensity.push_back(intensity_on_wire(reading));
+    }
+    wire.echoes.reserve(scan.every_echo.beams());
+    for (std::size_t beam = 0; beam < scan.every_echo.beams(); ++beam)
+        wire.echoes.push_back(on_wire(scan.every_echo[beam], profile));
     return wire;
 }
 

@@ -20,6 +20,7 @@ struct WireScan {
     int first_step = 0;
     std::vector<std::uint32_t> distance;
     std::vector<std::uint32_t> intensity;
+    std::vector<protocol::StepEchoes> echoes;  ///< of scanners that tell several; else empty
 
     /// Valid as long as this.
     [[nodiscard]] protocol::ScanView view() const;

@@ -76,10 +76,13 @@ Device::Device(const std::string& robot, const SensorConfig& config, std::uint64
       clock_(clock),
       device_clock_(clock.now(), config.clock.ppm),
       sweep_(world, robot, config,
-             sim::Scanner(
-                 config.model.optics,
-                 {.accuracy = config.accuracy, .seed = chance_.seed, .sensor = chance_.sensor})),
+             sim::Scanner(config.model.optics, {.accuracy = config.accuracy,
+                                                .seed = chance_.seed,
+                                                .sensor = chance_.sensor,
+                                                .choice = config.echo,
+                                                .tells_every_echo = profile_.multi_echo})),
       timing_(sweep_.optics(), sim::Time::zero()),
+      cold_start_(config.power_up == PowerUp::boot),
       bit_rate_told_(protocol::bit_rate_of(state_.settings(), profile_)) {
     if (config.power_up == PowerUp::scip1) state_.power_up_in_scip1(uptime());
     if (config.power_up == PowerUp::boot) state_.boot(uptime(), profile_.boot_time);
@@ -200,7 +203,8 @@ Measurement Device::cast(std::int64_t revolution) {
     const sim::Time begin = clock_.now();
     const sim::Time start = timing_.start(revolution);
     Measurement made =
-        sweep_.measure(revolution, device_clock_.world_time(start), fired, clock_.origin());
+        sweep_.measure(revolution, device_clock_.world_time(start), fired, clock_.origin(),
+                       cold_start_ ? start : sim::Conditions{}.on_for);
     const auto slow = pace_.add({.backend = made.backend->backend,
                                  .period = timing_.start(revolution + 1) - start,
                                  .many_poses = made.cast->world_from_sensor.size() > 1,

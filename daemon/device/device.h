@@ -100,6 +100,7 @@ class Device : public ScanSource, public Endpoint {
     sim::DeviceClock device_clock_;
     Sweep sweep_;             ///< but for where it is mounted
     sim::ScanTiming timing_;  ///< in device time: the crystal drives the mirror as well
+    bool cold_start_;         ///< it was switched on when it was made; else long ago
 
     protocol::DeviceState state_;
     int boots_told_ = 0;                  ///< how many boots all clients know of

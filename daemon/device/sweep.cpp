@@ -30,15 +30,20 @@ std::size_t Sweep::most_poses() const {
 }
 
 Measurement Sweep::measure(std::int64_t revolution, sim::Time start, const Fired& fired,
-                           sim::Time origin) {
+                           sim::Time origin, sim::Time on_for) {
     const auto beam_fired = [&](std::size_t beam) {
         return fired(optics().first_step + static_cast<int>(beam));
     };
     std::vector<sim::Time> times = pose_times(beam_fired);
     sim::Scan scan = scanner_.begin(revolution, start, poses_at(times));
     scan.posed_at = std::move(times);
-    cast(scan, beam_fired);
-    scanner_.read(scan);
+    const sim::SharedLitWorld lit =
+        scanner_.sees_light()
+            ? world_.light().shine(world_.scene(), optics().receiver.wavelength_nm)
+            : nullptr;
+    const sim::Conditions conditions{.lit = lit.get(), .on_for = on_for};
+    cast(scan, beam_fired, conditions);
+    scanner_.read(scan, conditions);
     return {.cast = std::make_shared<const sim::Scan>(std::move(scan)),
             .scene = world_.names(),
             .backend = world_.choice_of(name_),
@@ -69,39 +74,41 @@ std::vector<sim::Pose> Sweep::poses_at(const std::vector<sim::Time>& times) cons
     return poses;
 }
 
-void Sweep::cast(sim::Scan& scan, const BeamFired& fired) {
+void Sweep::cast(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions) {
     const sim::PoseTrack& track = *world_.robot(robot_);
     const bool absent = track.absent(fired(0));
     const bool comes_or_goes = absent != track.absent(fired(beams() - 1));
     if (absent && !comes_or_goes) return;
     const sim::ModelId unseen = sees_body_ ? sim::no_model : world_.body_of(robot_);
     if (motion_) {
-        cast_in_equal_parts(scan, fired, unseen);
+        cast_in_equal_parts(scan, fired, conditions, unseen);
     } else {
-        cast_as_met(scan, fired, unseen);
+        cast_as_met(scan, fired, conditions, unseen);
     }
     if (comes_or_goes) return forget_absent(scan, fired);
     world_.tell_cast({robot_, name_, scan, looks_around_});
 }
 
-void Sweep::cast_as_met(sim::Scan& scan, const BeamFired& fired, sim::ModelId unseen) {
+void Sweep::cast_as_met(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions,
+                        sim::ModelId unseen) {
     const std::vector<sim::Mover> movers = world_.movers(fired(0), fired(beams() - 1), unseen);
     sim::RangeBackend& backend = world_.backend(name_);
     for (const sim::Part& part :
          sim::parts_of_sweep(optics(), scan.world_from_sensor, fired, movers)) {
         for (const auto& [mover, time] : part.updates)
             backend.move(movers[mover].id, movers[mover].path->at(time));
-        scanner_.cast(backend, scan, part.beams, unseen, part.can_meet);
+        scanner_.cast(backend, scan, part.beams, conditions, unseen, part.can_meet);
     }
 }
 
-void Sweep::cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired, sim::ModelId unseen) {
+void Sweep::cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired,
+                                const sim::Conditions& conditions, sim::ModelId unseen) {
     const std::vector<sim::Mover> movers = world_.movers(fired(0), fired(beams() - 1), unseen);
     sim::RangeBackend& backend = world_.backend(name_);
     for (const auto& [part, time] : sim::equal_parts(beams(), most_poses(), fired, movers)) {
         for (const sim::Mover& mover : movers)
             backend.move(mover.id, mover.path->at(time));
-        scanner_.cast(backend, scan, part, unseen);
+        scanner_.cast(backend, scan, part, conditions, unseen);
     }
 }
 
@@ -110,8 +117,12 @@ void Sweep::forget_absent(sim::Scan& scan, const BeamFired& fired) const {
     const sim::PoseTrack& track = *world_.robot(robot_);
     for (std::size_t i = 0; i < most_poses(); ++i) {
         const auto [first, count] = sim::equal_part(beams(), i, most_poses());
-        if (track.absent(fired(sim::middle_of({first, count}))))
-            std::ranges::fill(std::span(scan.hits).subspan(first, count), sim::Hit{});
+        if (!track.absent(fired(sim::middle_of({first, count})))) continue;
+        const std::size_t rays = scan.rays_per_beam;
+        std::ranges::fill(std::span(scan.hits).subspan(first * rays, count * rays), sim::Hit{});
+        std::erase_if(scan.farther, [&](const sim::FartherHit& hit) {
+            return hit.ray >= first * rays && hit.ray < (first + count) * rays;
+        });
     }
 }
 

@@ -34,9 +34,10 @@ class Sweep {
     /// From now on it sits there.
     void mount(const sim::Pose& robot_from_sensor) { robot_from_sensor_ = robot_from_sensor; }
     [[nodiscard]] bool poses_known(sim::Time until) const { return world_.poses_known(until); }
-    /// `origin`: what people call world time 0.
+    /// `origin`: what people call world time 0. `on_for`: since when the sensor is switched on.
     [[nodiscard]] Measurement measure(std::int64_t revolution, sim::Time start, const Fired& fired,
-                                      sim::Time origin);
+                                      sim::Time origin,
+                                      sim::Time on_for = sim::Conditions{}.on_for);
 
   private:
     /// When a beam is fired, counted from the first.
@@ -47,9 +48,11 @@ class Sweep {
     [[nodiscard]] std::size_t most_poses() const;
     [[nodiscard]] std::vector<sim::Time> pose_times(const BeamFired& fired) const;
     [[nodiscard]] std::vector<sim::Pose> poses_at(const std::vector<sim::Time>& times) const;
-    void cast(sim::Scan& scan, const BeamFired& fired);
-    void cast_as_met(sim::Scan& scan, const BeamFired& fired, sim::ModelId unseen);
-    void cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired, sim::ModelId unseen);
+    void cast(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions);
+    void cast_as_met(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions,
+                     sim::ModelId unseen);
+    void cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired,
+                             const sim::Conditions& conditions, sim::ModelId unseen);
     void forget_absent(sim::Scan& scan, const BeamFired& fired) const;
 
     World& world_;

@@ -58,18 +58,16 @@ std::string_view name_of(Evidence evidence) {
     return "";
 }
 
-Model make_model(const protocol::DeviceProfile& profile, std::vector<sim::NoiseStep> noise,
+Model make_model(const protocol::DeviceProfile& profile, sim::SensorSpec optics,
                  Sureness sureness) {
     constexpr double m_per_mm = 1e-3;
-    return {.profile = profile,
-            .optics = {.steps_per_turn = profile.ares,
-                       .first_step = profile.amin,
-                       .last_step = profile.amax,
-                       .front_step = profile.afrt,
-                       .scan_period = profile.scan_period,
-                       .max_range_m = profile.dmax_mm * m_per_mm,
-                       .noise = std::move(noise)},
-            .sureness = sureness};
+    optics.steps_per_turn = profile.ares;
+    optics.first_step = profile.amin;
+    optics.last_step = profile.amax;
+    optics.front_step = profile.afrt;
+    optics.scan_period = profile.scan_period;
+    optics.max_range_m = profile.dmax_mm * m_per_mm;
+    return {.profile = profile, .optics = std::move(optics), .sureness = sureness};
 }
 
 std::string describe(const Model& model) {
@@ -86,7 +84,8 @@ std::string describe(const Model& model) {
            figure(steps, sure.steps) + ", " + figure(rate_of(profile), sure.rate) + "; " +
            figure(links_of(profile), sure.links) + "; " +
            figure(commands_of(profile), sure.commands) + "; texts " + said(sure.texts) +
-           ", noise " + said(sure.noise);
+           ", noise " + said(sure.noise) + ", bias " + said(sure.bias) + ", light " +
+           said(sure.light);
 }
 
 }  // namespace scipd::daemon

@@ -7,7 +7,6 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "protocol/device_profile.h"
 #include "sim/sensor/sensor_spec.h"
@@ -30,6 +29,8 @@ struct Sureness {
     Evidence links = Evidence::deduced;
     Evidence commands = Evidence::deduced;
     Evidence noise = Evidence::deduced;
+    Evidence bias = Evidence::deduced;   ///< and drift
+    Evidence light = Evidence::deduced;  ///< spot, wavelength, how dark a target it sees
 
     bool operator==(const Sureness&) const = default;
 };
@@ -42,12 +43,12 @@ struct Model {
     bool operator==(const Model&) const = default;
 };
 
-/// Takes the optics from what the device reports (PP); only the noise does not come from there.
-Model make_model(const protocol::DeviceProfile& profile, std::vector<sim::NoiseStep> noise,
-                 Sureness sureness);
+/// Fills in what follows from what the device reports (PP): steps, period and range. The rest of
+/// the optics stays.
+Model make_model(const protocol::DeviceProfile& profile, sim::SensorSpec optics, Sureness sureness);
 
-/// One line: the name, then range, steps, rate, links, commands, texts and noise, with the evidence
-/// for each.
+/// One line: the name, then range, steps, rate, links, commands, texts, noise, bias and light, with
+/// the evidence for each.
 [[nodiscard]] std::string describe(const Model& model);
 
 }  // namespace scipd::daemon

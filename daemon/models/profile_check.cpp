@@ -114,16 +114,19 @@ void Check::speed() {
 
 void Check::codes() {
     const protocol::DistanceCodes& codes = profile_.codes;
-    const std::pair<const char*, std::uint32_t> all[] = {{"nothing", codes.nothing},
-                                                         {"too_near", codes.too_near},
-                                                         {"too_far", codes.too_far},
-                                                         {"not_measured", codes.not_measured}};
+    const std::pair<const char*, std::optional<std::uint32_t>> all[] = {
+        {"nothing", codes.nothing},   {"too_near", codes.too_near},
+        {"too_far", codes.too_far},   {"not_measured", codes.not_measured},
+        {"too_dark", codes.too_dark}, {"too_bright", codes.too_bright},
+        {"edge", codes.edge},         {"interference", codes.interference},
+        {"lost", codes.lost}};
     for (const auto& [name, code] : all) {
-        if (code > largest_value) {
+        if (!code) continue;
+        if (*code > largest_value) {
             add("codes", std::string(name) + " must be at most " + std::to_string(largest_value) +
                              ", the largest that SCIP can say");
-        } else if (profile_.is_distance(code)) {
-            add("codes", std::string(name) + " " + std::to_string(code) +
+        } else if (profile_.is_distance(*code)) {
+            add("codes", std::string(name) + " " + std::to_string(*code) +
                              " is a distance: use one below nearest_mm or above dmax_mm");
         }
     }

@@ -26,7 +26,7 @@ Model ubg_04lx_f01() {
     profile.sensitivity = protocol::Support::yes;
     profile.rehearsals = protocol::Support::yes;
     profile.scan_period = 28'056us;  // longer than nominal, as on the UTM-30LX-EW
-    return make_model(profile, urg_noise(),
+    return make_model(profile, urg_optics(),
                       {
                           .range = Evidence::documented,
                           .steps = Evidence::documented,

@@ -31,7 +31,7 @@ Model uhg_08lx() {
     profile.sensitivity = protocol::Support::yes;
     profile.rehearsals = protocol::Support::yes;
     profile.scan_period = 66'667us;
-    return make_model(profile, urg_noise(),
+    return make_model(profile, urg_optics(),
                       {
                           .range = Evidence::documented,
                           .steps = Evidence::documented,

@@ -59,9 +59,7 @@ protocol::DeviceProfile urg_profile() {
         // recording reads all of them). Steps outside AMIN to AMAX read 19.
         .last_step = 768,
         .nearest_mm = 20,
-        // SCIP 2.0 specification, table 3. Recordings mostly have 0 where nothing is near enough.
-        // 10 to 17 are "other" errors: drivers take these as invalid, not as far away.
-        .codes = {.nothing = 0, .too_near = 10, .too_far = 0, .not_measured = 19},
+        .codes = urg_codes(),
 
         .intensity_codes = true,  // undocumented; qrk's c_urg
         // SS and CR: SCIP 2.0 specification. HS came with 3.2.00 and DB with 3.3.00. Recorded: CR00
@@ -81,7 +79,7 @@ protocol::DeviceProfile urg_profile() {
 }
 
 Model urg_04lx_3_1_04() {
-    return make_model(urg_profile(), urg_noise(),
+    return make_model(urg_profile(), urg_optics(),
                       {
                           .texts = Evidence::seen,
                           .range = Evidence::seen,
@@ -105,7 +103,7 @@ Model urg_04lx_3_3_00() {
     profile.mode_sensitive = "Measuring by Sensitive Mode";
     profile.sensitivity = protocol::Support::yes;
     profile.rehearsals = protocol::Support::yes;
-    return make_model(profile, urg_noise(),
+    return make_model(profile, urg_optics(),
                       {
                           .steps = Evidence::seen,
                           .rate = Evidence::seen,

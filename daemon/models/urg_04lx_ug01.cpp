@@ -22,7 +22,7 @@ Model urg_04lx_ug01() {
     profile.bit_rates = {};
     profile.sensitivity = protocol::Support::yes;
     profile.rehearsals = protocol::Support::yes;
-    return make_model(profile, urg_noise(),
+    return make_model(profile, urg_optics(),
                       {
                           .texts = Evidence::seen,
                           .range = Evidence::seen,

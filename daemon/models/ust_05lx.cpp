@@ -15,11 +15,12 @@ Model ust_05lx() {
     profile.amax = 540;
     profile.last_step = 540;
     profile.afrt = 270;
-    return make_model(profile, ust_noise(),
+    return make_model(profile, ust_optics(2.0),
                       {
                           .range = Evidence::documented,
                           .links = Evidence::documented,
                           .noise = Evidence::documented,
+                          .light = Evidence::documented,
                       });
 }
 

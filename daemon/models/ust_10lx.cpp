@@ -67,7 +67,7 @@ protocol::DeviceProfile ust_profile(const std::string& name, const std::string& 
 }
 
 Model ust_10lx() {
-    return make_model(ust_profile("UST-10LX", "H1614934"), ust_noise(),
+    return make_model(ust_profile("UST-10LX", "H1614934"), ust_optics(4.0),
                       {
                           .texts = Evidence::seen,
                           .range = Evidence::seen,
@@ -76,6 +76,7 @@ Model ust_10lx() {
                           .links = Evidence::seen,
                           .commands = Evidence::documented,
                           .noise = Evidence::documented,
+                          .light = Evidence::documented,
                       });
 }
 

@@ -11,13 +11,14 @@ namespace scipd::daemon {
 Model ust_10lx_h01() {
     protocol::DeviceProfile profile = ust_profile("UST-10LX-H01", "H1700001");
     double_resolution(profile);
-    return make_model(profile, ust_noise(),
+    return make_model(profile, ust_optics(4.0),
                       {
                           .range = Evidence::documented,
                           .steps = Evidence::documented,
                           .rate = Evidence::documented,
                           .links = Evidence::documented,
                           .noise = Evidence::documented,
+                          .light = Evidence::documented,
                       });
 }
 

@@ -11,7 +11,7 @@ namespace scipd::daemon {
 Model ust_20lx() {
     protocol::DeviceProfile profile = ust_profile("UST-20LX", "H1500001");
     profile.dmax_mm = 60000;
-    return make_model(profile, ust_noise(),
+    return make_model(profile, ust_optics(8.0),
                       {
                           .range = Evidence::seen,
                           .steps = Evidence::seen,

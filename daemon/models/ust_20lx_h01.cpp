@@ -11,7 +11,7 @@ Model ust_20lx_h01() {
     protocol::DeviceProfile profile = ust_profile("UST-20LX-H01", "H1700003");
     profile.dmax_mm = 60000;
     double_resolution(profile);
-    return make_model(profile, ust_noise(), Sureness{});
+    return make_model(profile, ust_optics(8.0), Sureness{});
 }
 
 }  // namespace scipd::daemon

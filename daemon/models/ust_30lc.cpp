@@ -28,7 +28,7 @@ Model ust_30lc(const std::string& firmware) {
     profile.microseconds = firmware.starts_with("4.1");
     // urg_stamped's simulator answers so. 0F is known of firmware 2.23 only.
     profile.unknown_command = protocol::status::undefined;
-    return make_model(profile, ust_noise(),
+    return make_model(profile, ust_optics(12.0),
                       {
                           .texts = Evidence::documented,
                           .range = Evidence::documented,

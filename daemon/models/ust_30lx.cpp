@@ -10,7 +10,7 @@ namespace scipd::daemon {
 Model ust_30lx() {
     protocol::DeviceProfile profile = ust_profile("UST-30LX", "H1900001");
     profile.dmax_mm = 60000;
-    return make_model(profile, ust_noise(), Sureness{});
+    return make_model(profile, ust_optics(12.0), Sureness{});
 }
 
 }  // namespace scipd::daemon

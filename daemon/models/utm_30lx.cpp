@@ -43,9 +43,7 @@ Model utm_30lx() {
 
         .last_step = 1080,
         .nearest_mm = 23,
-        // SCIP 2.0 specification, table 4: 1 is nothing in range, 2 too near, 5 other. hokuyo_node
-        // reads 1 as +inf and 2 as -inf.
-        .codes = {.nothing = 1, .too_near = 2, .too_far = 1, .not_measured = 5},
+        .codes = utm_codes(),
 
         .unknown_command = protocol::status::undefined,
         // Recorded: replies came 24.85 ms apart (nine of them, seen by USB polls of 1 ms); by the
@@ -55,7 +53,7 @@ Model utm_30lx() {
         .turns_per_reply = 1,
         .boot_time = 1s,  // assumed
     };
-    return make_model(profile, utm_noise(),
+    return make_model(profile, utm_optics(),
                       {
                           .texts = Evidence::seen,
                           .range = Evidence::seen,
@@ -64,6 +62,7 @@ Model utm_30lx() {
                           .links = Evidence::seen,
                           .commands = Evidence::documented,
                           .noise = Evidence::documented,
+                          .bias = Evidence::documented,
                       });
 }
 

@@ -45,7 +45,7 @@ protocol::DeviceProfile ew_profile(const std::string& name, const std::string& s
         .last_step = 1080,
         .nearest_mm = 23,
         // Undocumented: taken from the UTM-30LX.
-        .codes = {.nothing = 1, .too_near = 2, .too_far = 1, .not_measured = 5},
+        .codes = utm_codes(),
 
         .multi_echo = true,
 
@@ -64,7 +64,7 @@ protocol::DeviceProfile ew_profile(const std::string& name, const std::string& s
 
 // The serial number is made up in the form of the others.
 Model utm_30lx_ew() {
-    return make_model(ew_profile("UTM-30LX-EW", "H0123456"), utm_noise(),
+    return make_model(ew_profile("UTM-30LX-EW", "H0123456"), utm_optics(),
                       {
                           .texts = Evidence::documented,
                           .range = Evidence::documented,

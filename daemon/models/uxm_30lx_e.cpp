@@ -44,7 +44,7 @@ Model uxm_30lx_e() {
         .last_step = 760,
         .nearest_mm = 100,
         // Taken from the UTM-30LX.
-        .codes = {.nothing = 1, .too_near = 2, .too_far = 1, .not_measured = 5},
+        .codes = utm_codes(),
         .multi_echo = true,
 
         .unknown_command = protocol::status::undefined,
@@ -54,7 +54,7 @@ Model uxm_30lx_e() {
         .turns_per_reply = 2,
         .boot_time = 1s,  // assumed
     };
-    return make_model(profile, ust_noise(),
+    return make_model(profile, uxm_optics(),
                       {
                           .texts = Evidence::seen,
                           .range = Evidence::seen,

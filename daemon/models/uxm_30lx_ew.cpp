@@ -24,7 +24,7 @@ protocol::DeviceProfile uxm_ew_profile(const std::string& name, const std::strin
 }
 
 Model uxm_30lx_ew() {
-    return make_model(uxm_ew_profile("UXM-30LX-EW", "H1200001"), ust_noise(), Sureness{});
+    return make_model(uxm_ew_profile("UXM-30LX-EW", "H1200001"), uxm_optics(), Sureness{});
 }
 
 }  // namespace scipd::daemon

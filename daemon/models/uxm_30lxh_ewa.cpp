@@ -13,7 +13,7 @@ Model uxm_30lxh_ewa() {
     protocol::DeviceProfile profile = uxm_ew_profile("UXM-30LXH-EWA", "H1300001");
     profile.dmax_mm = 80000;
     double_resolution(profile);
-    return make_model(profile, ust_noise(), Sureness{});
+    return make_model(profile, uxm_optics(), Sureness{});
 }
 
 }  // namespace scipd::daemon

@@ -15,6 +15,7 @@
 
 #include "sim/backends/choice.h"
 #include "sim/backends/registry.h"
+#include "sim/world/lit_world.h"
 
 namespace scipd::daemon {
 namespace {
@@ -89,9 +90,14 @@ BackendMaker::BackendMaker(sim::SharedScene scene)
     : scene_(std::move(scene)), faces_(faces_of(*scene_)) {}
 
 bool BackendMaker::is_open(const RequestedBackend& request) const {
-    if (request.backend) return false;
+    if (request.backend || needs_rays(request)) return false;
     const bool measured = request.settled && request.settled->faces;
     return !measured || changed_much(*request.settled->faces, faces_);
+}
+
+bool BackendMaker::needs_rays(const RequestedBackend& request) const {
+    return request.materials &&
+           sim::light_goes_on(*scene_, *request.materials, request.wavelength_nm);
 }
 
 SharedChoice BackendMaker::measure(const RequestedBackend& request,
@@ -148,6 +154,8 @@ SensorBackends BackendMaker::make(std::span<const RequestedBackend> requests) {
 SharedChoice BackendMaker::settled(const RequestedBackend& request) {
     if (request.backend)
         return std::make_shared<const BackendChoice>(BackendChoice{*request.backend, {}, {}});
+    if (needs_rays(request))
+        return unmeasured_choice("light goes on behind glass or from mirrors, and rays follow it");
     if (!request.settled) return unmeasured_choice("not measured yet");
     const sim::BackendRow& row = row_of(request.settled->backend);
     const sim::BackendRow& preferred = sim::preferred_backend();

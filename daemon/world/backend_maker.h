@@ -41,6 +41,8 @@ class BackendMaker {
 
     SharedBackend backend(const sim::BackendRow& row, const sim::DepthOptions& options);
     [[nodiscard]] SharedChoice settled(const RequestedBackend& request);
+    /// Whether the sensor sees light that only rays follow.
+    [[nodiscard]] bool needs_rays(const RequestedBackend& request) const;
     BackendChoice fastest(const RequestedBackend& request, const std::function<bool()>& ended);
     void leave_thread();
 

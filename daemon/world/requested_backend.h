@@ -13,6 +13,7 @@
 
 #include "daemon/world/backend_choice.h"
 #include "sim/backends/depth_options.h"
+#include "sim/world/material_library.h"
 #include "sim/world/pose.h"
 
 namespace scipd::daemon {
@@ -26,6 +27,9 @@ struct RequestedBackend {
     int poses = 1;  ///< per sweep, while the sensor moves
     sim::Pose world_from_sensor;
     float max_range_m = 0.0F;
+    /// What is known of materials, for a sensor that sees light of this wavelength; else null.
+    sim::SharedMaterials materials;
+    int wavelength_nm = 0;
     /// What `auto` takes by now; null: nothing yet, so the preferred backend.
     SharedChoice settled;
 };

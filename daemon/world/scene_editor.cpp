@@ -77,12 +77,16 @@ sim::LoadedScene load_model(const AddModel& edit, const Present& present) {
     sim::SceneOptions options = present.options;
     options.sdf = sim::within_a_models_share(options.sdf);
     return sim::load_confined(edit.placement.name, options.limits, [&] {
-        if (!edit.sdf.empty())
-            return sim::load_model_text(edit.sdf, edit.placement, folder, options.sdf);
         const auto file = folder / (edit.file.empty() ? edit.mesh : edit.file);
-        if (!edit.file.empty() && !sim::is_mesh_file(file)) return load_whole(file, edit, options);
-        return sim::load_mesh_model(file, edit.placement, edit.scale, edit.material,
-                                    options.sdf.mesh);
+        const bool is_text = !edit.sdf.empty();
+        if (!is_text && !edit.file.empty() && !sim::is_mesh_file(file))
+            return load_whole(file, edit, options);
+        sim::LoadedScene loaded =
+            is_text ? sim::load_model_text(edit.sdf, edit.placement, folder, options.sdf)
+                    : sim::load_mesh_model(file, edit.placement, edit.scale, edit.material,
+                                           options.sdf.mesh);
+        sim::check_materials(loaded, is_text ? edit.placement.name : file.string(), options);
+        return loaded;
     });
 }
 

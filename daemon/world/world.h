@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "daemon/world/cast.h"
+#include "daemon/world/light.h"
 #include "daemon/world/placement.h"
 #include "daemon/world/sensor_backends.h"
 #include "sim/backends/range_backend.h"
@@ -50,6 +51,9 @@ class World {
     [[nodiscard]] const sim::SharedScene& scene() const { return scene_; }
     /// The scene without its shapes, which take much memory: for those who keep records of scans.
     [[nodiscard]] const sim::SharedScene& names() const { return names_; }
+
+    [[nodiscard]] Light& light() { return light_; }
+    [[nodiscard]] const Light& light() const { return light_; }
 
     /// The robots are these from now on. One that was there before stays where it is, unless its
     /// configuration has changed.
@@ -138,6 +142,7 @@ class World {
     std::map<std::string, Robot, std::less<>> robots_;
     std::map<std::string, MovableModel, std::less<>> movable_;
     SensorBackends backends_;
+    Light light_;
     std::function<void()> on_placed_;
     std::function<void(const Cast&)> on_cast_;
 };

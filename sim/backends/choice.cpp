@@ -28,7 +28,7 @@ constexpr int casts_in_budget = 32;
 constexpr float bound_m = 5e-3F;
 constexpr double beams_beyond = 0.01;
 
-/// The beams with which another pose begins.
+/// The poses that differ from the one before, by index.
 std::vector<std::size_t> pose_begins(const Fan& fan) {
     std::vector<std::size_t> begins{0};
     for (std::size_t i = 1; i < fan.world_from_sensor.size(); ++i) {
@@ -42,11 +42,12 @@ Fan middle_of(const Fan& fan, std::size_t poses) {
     const std::vector<std::size_t> begins = pose_begins(fan);
     if (poses >= begins.size()) return fan;
     const std::size_t first = (begins.size() - poses) / 2;
-    const std::size_t beam = begins[first];
-    const std::size_t beams = begins[first + poses] - beam;
+    const std::size_t pose = begins[first];
+    const std::size_t count = begins[first + poses] - pose;
+    const std::size_t each = fan.directions_per_pose;
     Fan part = fan;
-    part.directions = fan.directions.subspan(beam, beams);
-    part.world_from_sensor = fan.world_from_sensor.subspan(beam, beams);
+    part.directions = fan.directions.subspan(pose * each, count * each);
+    part.world_from_sensor = fan.world_from_sensor.subspan(pose, count);
     return part;
 }
 

@@ -24,7 +24,8 @@ std::vector<std::uint32_t> run_begins(const Fan& fan) {
     if (fan.directions.empty()) return {};
     std::vector<std::uint32_t> begins{0};
     for (std::uint32_t i = 1; i < fan.world_from_sensor.size(); ++i) {
-        if (fan.world_from_sensor[i] != fan.world_from_sensor[i - 1]) begins.push_back(i);
+        if (fan.world_from_sensor[i] == fan.world_from_sensor[i - 1]) continue;
+        begins.push_back(i * static_cast<std::uint32_t>(fan.directions_per_pose));
     }
     return begins;
 }
@@ -61,7 +62,7 @@ DepthPlan::DepthPlan(const Fan& fan, const DepthOptions& options)
         for (StripView& view : cover(fan.directions.subspan(begin, end - begin), options)) {
             for (Sample& sample : view.samples)
                 sample.ray += static_cast<std::uint32_t>(begin);
-            views_.push_back({.strip = view.strip, .pose = begin});
+            views_.push_back({.strip = view.strip, .pose = fan.pose_index(begin)});
             samples.push_back(std::move(view.samples));
         }
     }

@@ -13,11 +13,13 @@
 #include <utility>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x3.hpp>
 
 #include "sim/backends/embree_api.h"
+#include "sim/backends/embree_geometry.h"
 
 namespace scipd::sim {
 namespace {
@@ -30,33 +32,6 @@ glm::vec3 apart_from_zero(const glm::vec3& direction) {
     constexpr float least = 1e-9F;
     const auto apart = [](float x) { return std::abs(x) < least ? std::copysign(least, x) : x; };
     return {apart(direction.x), apart(direction.y), apart(direction.z)};
-}
-
-/// Embree owns what it returns.
-template <typename Element>
-Element* new_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t count) {
-    void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Element), count);
-    if (!buffer) throw std::runtime_error("Embree has no memory for the scene");
-    return static_cast<Element*>(buffer);
-}
-
-/// The triangles of one object, at this pose in the frame of `scene`, under the object's own id.
-void attach(RTCDevice device, RTCScene scene, ObjectId id, const Object& object,
-            const Pose& here_from_object, RTCFilterFunctionN filter = nullptr) {
-    const Mesh mesh = tessellate(object.shape);
-    if (mesh.triangles.empty()) return;
-    const GeometryHandle geometry{rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE)};
-    auto* vertices = new_buffer<glm::vec3>(geometry.get(), RTC_BUFFER_TYPE_VERTEX,
-                                           RTC_FORMAT_FLOAT3, mesh.vertices_m.size());
-    auto* triangles = new_buffer<glm::uvec3>(geometry.get(), RTC_BUFFER_TYPE_INDEX,
-                                             RTC_FORMAT_UINT3, mesh.triangles.size());
-    std::ranges::transform(mesh.vertices_m, vertices, [&](const glm::vec3& vertex) {
-        return glm::vec3{here_from_object * glm::dvec3{vertex}};
-    });
-    std::ranges::copy(mesh.triangles, triangles);
-    rtcSetGeometryIntersectFilterFunction(geometry.get(), filter);
-    rtcCommitGeometry(geometry.get());
-    rtcAttachGeometryByID(scene, geometry.get(), id);
 }
 
 /// One pose as the packets need it: float, relative to the anchor.
@@ -85,6 +60,12 @@ class EmbreeBackend final : public RangeBackend {
     void add_movable_models();
     void do_move(ModelId model, const Pose& world_from_model) override;
     void do_cast(const Fan& fan, std::span<Hit> hits) override;
+    [[nodiscard]] bool follows_light() const override { return true; }
+    void do_cast_with_normals(const Fan& fan, std::span<Hit> hits,
+                              std::span<glm::vec3> world_normals) override;
+    /// Calls `read(packet, first, count)` for each packet of rays that has been traced.
+    template <class Read>
+    void trace(const Fan& fan, Read read);
     void show(std::span<const ModelId> models);
 
     [[nodiscard]] Pose anchored(const Pose& world_from_thing) const {
@@ -184,14 +165,36 @@ void EmbreeBackend::show(std::span<const ModelId> models) {
 }
 
 void EmbreeBackend::do_cast(const Fan& fan, std::span<Hit> hits) {
+    trace(fan, [&](const RTCRayHit16& packet, std::size_t first, std::size_t count) {
+        read(packet, hits.subspan(first, count));
+    });
+}
+
+void EmbreeBackend::do_cast_with_normals(const Fan& fan, std::span<Hit> hits,
+                                         std::span<glm::vec3> world_normals) {
+    trace(fan, [&](const RTCRayHit16& packet, std::size_t first, std::size_t count) {
+        read(packet, hits.subspan(first, count));
+        const RTCHit16& hit = packet.hit;
+        for (std::size_t k = 0; k < count; ++k) {
+            world_normals[first + k] =
+                hits[first + k].met()
+                    ? glm::normalize(glm::vec3{hit.Ng_x[k], hit.Ng_y[k], hit.Ng_z[k]})
+                    : glm::vec3{0.0F};
+        }
+    });
+}
+
+template <class Read>
+void EmbreeBackend::trace(const Fan& fan, Read read) {
     const DenormalsAsZero while_casting;
     show(fan.can_meet.value_or(std::span<const ModelId>{instances_}));
     if (std::exchange(moved_, false)) rtcCommitScene(moving_.get());
     CoherentTracer tracer{fan.unseen};
     RTCRayHit16 packet{};
     std::ranges::fill(packet.ray.mask, ~0U);
-    for (std::size_t first = 0; first < hits.size(); first += packet_size) {
-        const std::size_t count = std::min(packet_size, hits.size() - first);
+    const std::size_t rays = fan.directions.size();
+    for (std::size_t first = 0; first < rays; first += packet_size) {
+        const std::size_t count = std::min(packet_size, rays - first);
         alignas(64) int valid[packet_size] = {};
         std::fill_n(valid, count, -1);
         aim(fan, first, count, packet);
@@ -201,16 +204,21 @@ void EmbreeBackend::do_cast(const Fan& fan, std::span<Hit> hits) {
             tracer.trace(valid, moving_.get(), packet);
             turn_normals_of_movables(packet);
         }
-        read(packet, hits.subspan(first, count));
+        read(packet, first, count);
     }
 }
 
 void EmbreeBackend::aim(const Fan& fan, std::size_t first, std::size_t count,
                         RTCRayHit16& packet) const {
+    std::size_t pose = fan.pose_index(first);
+    View view{fan.world_from_sensor[pose], scene().anchor_m};
     const bool one_pose = fan.world_from_sensor.size() == 1;
-    View view{fan.world_from_sensor[one_pose ? 0 : first], scene().anchor_m};
+    std::size_t next = one_pose ? fan.directions.size() : (pose + 1) * fan.directions_per_pose;
     for (std::size_t k = 0; k < count; ++k) {
-        if (!one_pose) view = View{fan.world_from_sensor[first + k], scene().anchor_m};
+        if (first + k == next) {
+            view = View{fan.world_from_sensor[++pose], scene().anchor_m};
+            next += fan.directions_per_pose;
+        }
         const glm::vec3 direction =
             apart_from_zero(view.anchored_from_sensor * fan.directions[first + k]);
         packet.ray.org_x[k] = view.origin_m.x;

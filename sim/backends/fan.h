@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What is cast in one go: many directions, and one pose for all of them or one pose each. A planar
-// sweep, a camera's grid and a sonar's cone are all fans. A fan only views its arrays: whoever
-// builds it keeps them alive until the cast returns.
+// What is cast in one go: many directions, and one pose for all of them, one each, or one for every
+// so many of them. A planar sweep, a camera's grid and a sonar's cone are all fans. A fan only
+// views its arrays: whoever builds it keeps them alive until the cast returns.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <span>
@@ -22,7 +23,7 @@ struct Fan {
     /// Unit vectors in S. Neighbours in the array should be neighbours in space, since backends
     /// cast packets of them.
     std::span<const glm::vec3> directions;
-    /// One for all directions, or exactly one for each.
+    /// One for all directions, or one for each, or for each group of directions_per_pose.
     std::span<const Pose> world_from_sensor;
     /// Backends report nothing beyond.
     float max_range_m = std::numeric_limits<float>::infinity();
@@ -31,6 +32,12 @@ struct Fan {
     /// The only movable models that any of the directions can meet. Backends need not look at the
     /// others. Nothing where nobody knows: they look at all.
     std::optional<std::span<const ModelId>> can_meet = std::nullopt;
+    /// How many directions in a row share a pose, where there are several poses.
+    std::size_t directions_per_pose = 1;
+
+    [[nodiscard]] std::size_t pose_index(std::size_t direction) const {
+        return world_from_sensor.size() == 1 ? 0 : direction / directions_per_pose;
+    }
 };
 
 inline constexpr ObjectId no_object = std::numeric_limits<ObjectId>::max();

@@ -22,13 +22,33 @@ void RangeBackend::move(ModelId model, const Pose& world_from_model) {
 }
 
 void RangeBackend::cast(const Fan& fan, std::span<Hit> hits) {
+    check(fan, hits);
+    do_cast(fan, hits);
+    check_met(hits);
+}
+
+void RangeBackend::cast(const Fan& fan, std::span<Hit> hits, std::span<glm::vec3> world_normals) {
+    check(fan, hits);
+    assert(world_normals.size() == hits.size());
+    do_cast_with_normals(fan, hits, world_normals);
+    check_met(hits);
+}
+
+void RangeBackend::do_cast_with_normals(const Fan&, std::span<Hit>, std::span<glm::vec3>) {
+    assert(!"this backend tells no normals: ask follows_light() first");
+}
+
+void RangeBackend::check([[maybe_unused]] const Fan& fan,
+                         [[maybe_unused]] std::span<const Hit> hits) const {
     assert(hits.size() == fan.directions.size());
     assert(fan.world_from_sensor.size() == 1 ||
-           fan.world_from_sensor.size() == fan.directions.size());
+           fan.world_from_sensor.size() * fan.directions_per_pose == fan.directions.size());
     assert(fan.max_range_m >= 0.0F);
     assert(fan.unseen == no_model ||
            (fan.unseen < scene_->models.size() && scene_->models[fan.unseen].movable));
-    do_cast(fan, hits);
+}
+
+void RangeBackend::check_met([[maybe_unused]] std::span<const Hit> hits) const {
     assert(std::ranges::all_of(hits, [&objects = scene_->objects](const Hit& hit) {
         return !hit.met() || hit.object < objects.size();
     }));

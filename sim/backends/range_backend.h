@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "sim/backends/fan.h"
 #include "sim/world/scene.h"
 
@@ -28,8 +30,16 @@ class RangeBackend {
     void move(ModelId model, const Pose& world_from_model);
 
     /// Fills hits[i] for fan.directions[i]. Asserts that the sizes agree, that there is one pose or
-    /// one per ray, that the unseen model is movable, and that every object that is met exists.
+    /// as many as the directions need, that the unseen model is movable, and that every object that
+    /// is met exists.
     void cast(const Fan& fan, std::span<Hit> hits);
+
+    /// Whether it tells the normals of faces, and casts fans whose rays begin anywhere: both are
+    /// needed to follow light behind glass and into mirrors.
+    [[nodiscard]] virtual bool follows_light() const { return false; }
+    /// The same as cast(), with the unit normal in W of each face that is met, to either side. Only
+    /// for backends that follow light.
+    void cast(const Fan& fan, std::span<Hit> hits, std::span<glm::vec3> world_normals);
 
     /// Releases the calling thread: another one may use or destroy the backend next.
     virtual void leave_thread() {}
@@ -37,6 +47,10 @@ class RangeBackend {
   private:
     virtual void do_move(ModelId model, const Pose& world_from_model) = 0;
     virtual void do_cast(const Fan& fan, std::span<Hit> hits) = 0;
+    virtual void do_cast_with_normals(const Fan& fan, std::span<Hit> hits,
+                                      std::span<glm::vec3> world_normals);
+    void check(const Fan& fan, std::span<const Hit> hits) const;
+    void check_met(std::span<const Hit> hits) const;
 
     SharedScene scene_;
     std::vector<Pose> placed_;  ///< by ModelId

@@ -57,16 +57,33 @@ class ReferenceBackend final : public RangeBackend {
     }
 
     void do_cast(const Fan& fan, std::span<Hit> hits) override {
-        const bool one_pose = fan.world_from_sensor.size() == 1;
+        for (std::size_t i = 0; i < hits.size(); ++i)
+            hits[i] = first_hit(ray_of(fan, i), fan.max_range_m, fan.unseen).hit;
+    }
+
+    [[nodiscard]] bool follows_light() const override { return true; }
+    void do_cast_with_normals(const Fan& fan, std::span<Hit> hits,
+                              std::span<glm::vec3> world_normals) override {
         for (std::size_t i = 0; i < hits.size(); ++i) {
-            const Pose& pose = fan.world_from_sensor[one_pose ? 0 : i];
-            hits[i] = first_hit({pose.translation_m, pose.rotation * glm::dvec3{fan.directions[i]}},
-                                fan.max_range_m, fan.unseen);
+            const Met met = first_hit(ray_of(fan, i), fan.max_range_m, fan.unseen);
+            hits[i] = met.hit;
+            world_normals[i] = glm::vec3{met.world_normal};
         }
     }
 
-    [[nodiscard]] Hit first_hit(const Ray& ray, double max_range_m, ModelId unseen) const {
+    static Ray ray_of(const Fan& fan, std::size_t i) {
+        const Pose& pose = fan.world_from_sensor[fan.pose_index(i)];
+        return {pose.translation_m, pose.rotation * glm::dvec3{fan.directions[i]}};
+    }
+
+    struct Met {
         Hit hit;
+        glm::dvec3 world_normal{0.0};
+    };
+
+    [[nodiscard]] Met first_hit(const Ray& ray, double max_range_m, ModelId unseen) const {
+        Met met;
+        Hit& hit = met.hit;
         double nearest_m = max_range_m;
         for (const Placed& placed : objects_) {
             if (placed.object->model == unseen) continue;
@@ -81,10 +98,11 @@ class ReferenceBackend final : public RangeBackend {
             hit.range_m = static_cast<float>(crossing.range_m);
             hit.cos_incidence =
                 static_cast<float>(std::abs(glm::dot(local.direction, crossing.normal)));
+            met.world_normal = placed.world_from_object.rotation * crossing.normal;
             hit.material = placed.object->material;
             hit.object = static_cast<ObjectId>(placed.object - scene().objects.data());
         }
-        return hit;
+        return met;
     }
 
     std::vector<Placed> objects_;

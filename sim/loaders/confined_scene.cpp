@@ -78,12 +78,14 @@ Frame take_frame(std::FILE* in) {
 void put_material(const Material& material, std::FILE* out) {
     put_all(material.name, out);
     put(material.laser_retro, out);
+    put(material.appearance, out);
 }
 
 Material take_material(std::FILE* in) {
     Material material;
     material.name = take_all<std::string>(in);
     material.laser_retro = take<std::optional<double>>(in);
+    material.appearance = take<Appearance>(in);
     return material;
 }
 

@@ -2,13 +2,16 @@
 // Copyright The scipd authors
 #include "sim/loaders/scene_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <iterator>
 #include <string>
 
 #include "sim/loaders/file/doing.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/plain_file.h"
+#include "sim/loaders/materials/unknown_materials.h"
 #include "sim/loaders/mesh/mesh_file.h"
 #include "sim/loaders/mesh/mesh_scene.h"
 #include "sim/loaders/mvsim/mvsim_scene.h"
@@ -67,11 +70,19 @@ void warn_of_coarseness(LoadedScene& loaded, const std::filesystem::path& file) 
 
 }  // namespace
 
+void check_materials(LoadedScene& loaded, const std::string& source, const SceneOptions& options) {
+    if (options.materials) {
+        std::ranges::move(unknown_materials(*loaded.scene, *options.materials, source),
+                          std::back_inserter(loaded.warnings));
+    }
+    if (options.sdf.strict && !loaded.warnings.empty()) throw LoadError(loaded.warnings);
+}
+
 LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& options) {
     return load_confined(file.string(), options.limits, [&] {
         LoadedScene loaded = load_here(file, options);
         warn_of_coarseness(loaded, file);
-        if (options.sdf.strict && !loaded.warnings.empty()) throw LoadError(loaded.warnings);
+        check_materials(loaded, file.string(), options);
         return loaded;
     });
 }
@@ -79,7 +90,7 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& op
 LoadedScene load_model_file(const std::filesystem::path& file, const Placement& placement,
                             const SceneOptions& options) {
     LoadedScene loaded = load_here(file, options);
-    if (options.sdf.strict && !loaded.warnings.empty()) throw LoadError(loaded.warnings);
+    check_materials(loaded, file.string(), options);
     return as_model(std::move(loaded), placement, file.string());
 }
 

@@ -5,11 +5,13 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "sim/loaders/confined_scene.h"
 #include "sim/loaders/map/ros_map.h"
 #include "sim/loaders/sdf/model_fragment.h"
 #include "sim/loaders/sdf/sdf.h"
+#include "sim/world/material_library.h"
 
 namespace scipd::sim {
 
@@ -18,6 +20,8 @@ struct SceneOptions {
     SdfOptions sdf;  ///< for URDF too
     MapOptions map;
     LoadLimits limits = {};
+    /// What is known of materials. Names that it does not know are told; null: none are.
+    SharedMaterials materials = nullptr;
 };
 
 /// The extension tells the kind of file: .sdf and .world for SDF, .urdf and .xacro for URDF, .yaml
@@ -29,6 +33,10 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& op
 /// load_confined(). Throws LoadError, also if the file does not hold exactly one model.
 LoadedScene load_model_file(const std::filesystem::path& file, const Placement& placement,
                             const SceneOptions& options = {});
+
+/// Adds a warning for each material that options.materials does not know; messages begin with
+/// `source`. In a strict load all warnings are then a LoadError.
+void check_materials(LoadedScene& loaded, const std::string& source, const SceneOptions& options);
 
 /// The folder in which relative paths of things that are added to the world start: the folder of
 /// the world's file, or the world itself if it is a folder.

@@ -109,7 +109,8 @@ class Sweeping {
           sensor_from_world_(inverse(sensor_.middle)),
           begin_(fired(0)),
           middle_(fired(beams_ / 2)),
-          end_(fired(beams_ - 1)) {}
+          end_(fired(beams_ - 1)),
+          reach_rad_(optics.footprint.reach_rad()) {}
 
     [[nodiscard]] Encounter encounter(const Mover& mover) const;
     [[nodiscard]] std::vector<Part> parts(std::span<const Mover> movers,
@@ -136,6 +137,7 @@ class Sweeping {
     Time begin_;
     Time middle_;
     Time end_;
+    double reach_rad_;  ///< of a footprint beside its beam
 };
 
 Encounter Sweeping::encounter(const Mover& mover) const {
@@ -201,8 +203,8 @@ Encounter Sweeping::met_within(const Pose& middle, double strays_m, double radiu
     const Encounter none{0, 0, {}};
     const glm::dvec3 centre_m = sensor_from_world_ * middle.translation_m;
     const double distance_m = glm::length(centre_m);
-    const double ball_m =
-        radius_m + strays_m + sensor_.moved_m + sensor_.turned_rad * distance_m + margin_m;
+    const double ball_m = radius_m + strays_m + sensor_.moved_m +
+                          (sensor_.turned_rad + reach_rad_) * distance_m + margin_m;
     if (distance_m <= ball_m) return all;
     if (distance_m - ball_m > optics_.max_range_m) return none;
     // The beams lie in the plane z = 0, which cuts a circle out of the ball.

@@ -5,10 +5,22 @@
 #include <cassert>
 #include <utility>
 
+#include "sim/sensor/echo_model.h"
+#include "sim/sensor/light_path.h"
+
 namespace scipd::sim {
+namespace {
+
+/// A sensor that sees no light has beams without width.
+SensorSpec as_seen(SensorSpec spec, Accuracy accuracy) {
+    if (accuracy != Accuracy::material) spec.footprint.rays = 1;
+    return spec;
+}
+
+}  // namespace
 
 Scanner::Scanner(SensorSpec spec, const ErrorModel& errors)
-    : spec_(std::move(spec)), pattern_(spec_), errors_(errors) {}
+    : spec_(as_seen(std::move(spec), errors.accuracy)), pattern_(spec_), errors_(errors) {}
 
 Scanner::Scanner(SensorSpec spec, BeamPattern pattern, const ErrorModel& errors)
     : spec_(std::move(spec)), pattern_(std::move(pattern)), errors_(errors) {
@@ -16,38 +28,54 @@ Scanner::Scanner(SensorSpec spec, BeamPattern pattern, const ErrorModel& errors)
 }
 
 SharedScan Scanner::measure(RangeBackend& backend, std::int64_t revolution, Time start,
-                            std::vector<Pose> world_from_sensor) const {
+                            std::vector<Pose> world_from_sensor,
+                            const Conditions& conditions) const {
     Scan scan = begin(revolution, start, std::move(world_from_sensor));
-    cast(backend, scan, {0, pattern_.directions().size()}, no_model);
-    read(scan);
+    cast(backend, scan, {0, scan.beams()}, conditions);
+    read(scan, conditions);
     return std::make_shared<const Scan>(std::move(scan));
 }
 
 Scan Scanner::begin(std::int64_t revolution, Time start,
                     std::vector<Pose> world_from_sensor) const {
-    const auto beams = pattern_.directions().size();
-    assert(world_from_sensor.size() == 1 || world_from_sensor.size() == beams);
-    return {.revolution = revolution,
-            .start = start,
-            .world_from_sensor = std::move(world_from_sensor),
-            .hits = std::vector<Hit>(beams),
-            .range_m = std::vector<float>(beams)};
+    assert(world_from_sensor.size() == 1 ||
+           world_from_sensor.size() == static_cast<std::size_t>(spec_.beams()));
+    Scan scan;
+    scan.revolution = revolution;
+    scan.start = start;
+    scan.world_from_sensor = std::move(world_from_sensor);
+    scan.rays_per_beam = pattern_.rays_per_beam();
+    scan.hits.resize(pattern_.directions().size());
+    return scan;
 }
 
-void Scanner::cast(RangeBackend& backend, Scan& scan, Beams beams, ModelId unseen,
-                   std::optional<std::span<const ModelId>> can_meet) const {
-    const auto [first, count] = beams;
+void Scanner::cast(RangeBackend& backend, Scan& scan, Beams beams, const Conditions& conditions,
+                   ModelId unseen, std::optional<std::span<const ModelId>> can_meet) const {
+    const std::size_t rays = pattern_.rays_per_beam();
+    const std::size_t first = beams.first * rays;
+    const std::size_t count = beams.count * rays;
     const std::span<const Pose> poses = scan.world_from_sensor;
-    backend.cast({.directions = pattern_.directions().subspan(first, count),
-                  .world_from_sensor = poses.size() == 1 ? poses : poses.subspan(first, count),
-                  .max_range_m = static_cast<float>(spec_.max_range_m),
-                  .unseen = unseen,
-                  .can_meet = can_meet},
-                 std::span(scan.hits).subspan(first, count));
+    const Fan fan{
+        .directions = pattern_.directions().subspan(first, count),
+        .world_from_sensor = poses.size() == 1 ? poses : poses.subspan(beams.first, beams.count),
+        .max_range_m = static_cast<float>(spec_.max_range_m),
+        .unseen = unseen,
+        .can_meet = can_meet,
+        .directions_per_pose = rays};
+    const std::span<Hit> hits = std::span(scan.hits).subspan(first, count);
+    const bool follows = sees_light() && conditions.lit != nullptr &&
+                         conditions.lit->light_goes_on() && backend.follows_light();
+    if (!follows) return backend.cast(fan, hits);
+    std::vector<glm::vec3> normals(count);
+    backend.cast(fan, hits, normals);
+    follow_light(backend, fan, *conditions.lit, static_cast<std::uint32_t>(first), hits, normals,
+                 scan.farther);
 }
 
-void Scanner::read(Scan& scan) const {
-    errors_.read(spec_, scan.revolution, scan.hits, scan.range_m);
+void Scanner::read(Scan& scan, const Conditions& conditions) const {
+    if (sees_light() && conditions.lit != nullptr)
+        find_echoes(scan, spec_, pattern_, *conditions.lit, errors_.key());
+    errors_.read(spec_, conditions.on_for, scan);
 }
 
 }  // namespace scipd::sim

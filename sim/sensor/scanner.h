@@ -5,6 +5,8 @@
 // when to measure or for whom. Lives on the thread of its backend.
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -17,6 +19,7 @@
 #include "sim/sensor/scan.h"
 #include "sim/sensor/scan_timing.h"
 #include "sim/sensor/sensor_spec.h"
+#include "sim/world/lit_world.h"
 
 namespace scipd::sim {
 
@@ -24,6 +27,14 @@ namespace scipd::sim {
 struct Beams {
     std::size_t first = 0;
     std::size_t count = 0;
+};
+
+/// What else decides what a scanner reads.
+struct Conditions {
+    /// How the world looks to it; null only for scanners that do not see light.
+    const LitWorld* lit = nullptr;
+    /// Since when it is switched on.
+    Time on_for = std::chrono::hours(24);
 };
 
 class Scanner {
@@ -34,19 +45,26 @@ class Scanner {
 
     [[nodiscard]] const SensorSpec& spec() const { return spec_; }
 
+    /// All its rays in S, those of a beam's footprint side by side.
+    [[nodiscard]] std::span<const glm::vec3> directions() const { return pattern_.directions(); }
+    /// Whether it needs to know how the world looks: at Accuracy::material.
+    [[nodiscard]] bool sees_light() const { return errors_.accuracy == Accuracy::material; }
+
     /// Casts one revolution. `world_from_sensor` holds one pose for the whole sweep or one for each
     /// beam.
     [[nodiscard]] SharedScan measure(RangeBackend& backend, std::int64_t revolution, Time start,
-                                     std::vector<Pose> world_from_sensor) const;
+                                     std::vector<Pose> world_from_sensor,
+                                     const Conditions& conditions = {}) const;
 
     /// The same in pieces, for a world that moves meanwhile: call begin(), then cast() for some
     /// beams after the other, then read(). Beams that are not cast meet nothing.
     [[nodiscard]] Scan begin(std::int64_t revolution, Time start,
                              std::vector<Pose> world_from_sensor) const;
     /// `beams` are counted from the first one. For `unseen` and `can_meet` see Fan.
-    void cast(RangeBackend& backend, Scan& scan, Beams beams, ModelId unseen,
+    void cast(RangeBackend& backend, Scan& scan, Beams beams, const Conditions& conditions,
+              ModelId unseen = no_model,
               std::optional<std::span<const ModelId>> can_meet = std::nullopt) const;
-    void read(Scan& scan) const;
+    void read(Scan& scan, const Conditions& conditions) const;
 
   private:
     SensorSpec spec_;

@@ -3,10 +3,12 @@
 #include "sim/sensor/sensor_spec.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numbers>
 
-namespace scipd::sim {
+#include "sim/sensor/curve.h"
 
+namespace scipd::sim {
 double SensorSpec::angle_rad(int step) const {
     return 2.0 * std::numbers::pi * (step - front_step) / steps_per_turn;
 }
@@ -16,6 +18,15 @@ double SensorSpec::sigma_m(double range_m) const {
     if (after == noise.begin()) return 0.0;
     const NoiseStep& step = *std::prev(after);
     return step.sigma_m + step.sigma_share * range_m;
+}
+
+double SensorSpec::bias_m(double range_m) const {
+    return Curve(bias, &BiasPoint::bias_m).at(range_m);
+}
+
+double SensorSpec::intensity(double range_m, double power) const {
+    const double white = Curve(receiver.intensity, &IntensityPoint::intensity).at(range_m);
+    return std::min(white * power, receiver.most_intensity);
 }
 
 }  // namespace scipd::sim

@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "sim/sensor/footprint.h"
 #include "sim/time.h"
 
 namespace scipd::sim {
@@ -20,6 +21,56 @@ struct NoiseStep {
     bool operator==(const NoiseStep&) const = default;
 };
 
+/// How much too far a sensor reads at this range.
+struct BiasPoint {
+    double range_m;
+    double bias_m;
+
+    bool operator==(const BiasPoint&) const = default;
+};
+
+/// A cold sensor reads too far by drift_m * exp(-t / time_constant) when it has been on for t.
+struct WarmUp {
+    double drift_m = 0.0;
+    Time time_constant{};
+
+    bool operator==(const WarmUp&) const = default;
+};
+
+/// What a sensor calls the light of a white matt face that it meets head-on at this range.
+struct IntensityPoint {
+    double range_m;
+    double intensity;
+
+    bool operator==(const IntensityPoint&) const = default;
+};
+
+/// How a sensor sees the light that comes back, at Accuracy::material.
+struct Receiver {
+    int wavelength_nm = 905;
+    /// A matt face of 10 % reflectance is seen up to this range, head-on; 0: everything is seen.
+    double dark_range_m = 0.0;
+    /// Faces that lie closer behind each other than this are one echo: half the length of a pulse.
+    double half_pulse_m = 0.5;
+    /// Nearer than this the gain no longer rises with the light.
+    double level_below_m = 0.5;
+    /// How much farther an echo reads that is ten times weaker (walk error).
+    double walk_m = 0.0;
+    /// A signal from which on the receiver is blinded, in those of a white face at one metre; 0:
+    /// never.
+    double blinding_signal = 0.0;
+    /// Where a beam has two echoes and the weaker one has more than this share of the stronger, the
+    /// sensor reads no range: those that compare phases. 0: such sensors read one of the two.
+    double edge_share = 0.0;
+    /// The share of its neighbours' light that a beam gets.
+    double crosstalk = 0.0;
+    /// By growing range_m; linear between, and constant before and behind. Empty: no intensity.
+    std::vector<IntensityPoint> intensity = {};
+    double most_intensity = 0.0;  ///< brighter light is told as this
+
+    bool operator==(const Receiver&) const = default;
+};
+
 struct SensorSpec {
     int steps_per_turn = 0;  ///< ARES
     int first_step = 0;      ///< first and last step that are measured, both inclusive
@@ -28,6 +79,13 @@ struct SensorSpec {
     Time scan_period{};            ///< one turn
     double max_range_m{};          ///< no beam sees farther
     std::vector<NoiseStep> noise;  ///< by growing from_range_m, the first at 0; empty: none
+    /// By growing range_m; linear between, and constant before and behind. Empty: none.
+    std::vector<BiasPoint> bias = {};
+    WarmUp warm_up = {};
+    double lost_share = 0.0;  ///< of the beams, at random
+    double lattice_m = 0.0;   ///< ranges are multiples of this; 0: any
+    Footprint footprint = {};
+    Receiver receiver = {};
 
     bool operator==(const SensorSpec&) const = default;
 
@@ -36,6 +94,9 @@ struct SensorSpec {
     [[nodiscard]] double angle_rad(int step) const;
     /// Of the noise at this range; 0 where there is none.
     [[nodiscard]] double sigma_m(double range_m) const;
+    [[nodiscard]] double bias_m(double range_m) const;
+    /// Of light of this power (Echo) from this range.
+    [[nodiscard]] double intensity(double range_m, double power) const;
 };
 
 }  // namespace scipd::sim

@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "sim/sensor/staring.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace scipd::sim {
@@ -45,14 +46,20 @@ Scanner Staring::make_scanner() const {
     return {steps_, BeamPattern(spec_.directions()), errors_};
 }
 
+float Staring::read_one(const Scan& scan) const {
+    const auto speaker = aggregation_->choose(scan.hits);
+    if (!speaker) return nothing;
+    return errors_.read(steps_, Conditions{}.on_for, scan.revolution, scan.hits[*speaker]).range_m;
+}
+
+std::vector<float> Staring::read_all(const Scan& scan) {
+    std::vector<float> range_m(scan.readings.size());
+    std::ranges::transform(scan.readings, range_m.begin(), &Reading::range_m);
+    return range_m;
+}
+
 std::vector<float> Staring::read(const Scan& scan) const {
-    std::vector<float> range_m = scan.range_m;
-    if (aggregation_) {
-        range_m.assign(1, nothing);
-        if (const auto speaker = aggregation_->choose(scan.hits)) {
-            errors_.read(steps_, scan.revolution, {&scan.hits[*speaker], 1}, range_m);
-        }
-    }
+    std::vector<float> range_m = aggregation_ ? std::vector{read_one(scan)} : read_all(scan);
     for (float& range : range_m) {
         const bool seen = range >= float(spec_.min_range_m) && range <= float(spec_.max_range_m);
         if (!seen) range = nothing;

@@ -62,6 +62,9 @@ class Staring {
     [[nodiscard]] std::vector<float> read(const Scan& scan) const;
 
   private:
+    [[nodiscard]] float read_one(const Scan& scan) const;
+    [[nodiscard]] static std::vector<float> read_all(const Scan& scan);
+
     StaringSpec spec_;
     ErrorModel errors_;
     SensorSpec steps_;

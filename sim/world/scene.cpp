@@ -9,12 +9,6 @@
 namespace scipd::sim {
 namespace {
 
-MaterialId id_of(const Material& material, std::vector<Material>& materials) {
-    auto found = std::ranges::find(materials, material);
-    if (found == materials.end()) found = materials.insert(found, material);
-    return static_cast<MaterialId>(found - materials.begin());
-}
-
 bool is_or_lies_in(std::string_view name, std::string_view outer) {
     if (!name.starts_with(outer)) return false;
     name.remove_prefix(outer.size());
@@ -22,6 +16,13 @@ bool is_or_lies_in(std::string_view name, std::string_view outer) {
 }
 
 }  // namespace
+
+MaterialId id_of(Material material, std::vector<Material>& materials) {
+    if (material.name.empty()) material.name = materials.front().name;
+    auto found = std::ranges::find(materials, material);
+    if (found == materials.end()) found = materials.insert(found, std::move(material));
+    return static_cast<MaterialId>(found - materials.begin());
+}
 
 std::optional<ModelId> find_model(const Scene& scene, std::string_view name) {
     const auto found = std::ranges::find(scene.models, name, &Model::name);

@@ -75,6 +75,10 @@ struct Scene {
 
 using SharedScene = std::shared_ptr<const Scene>;
 
+/// Where the material is in a scene's list, to which it is added if it is not there. One without a
+/// name is named like the first.
+MaterialId id_of(Material material, std::vector<Material>& materials);
+
 /// Nothing where there is no model of this name.
 std::optional<ModelId> find_model(const Scene& scene, std::string_view name);
 

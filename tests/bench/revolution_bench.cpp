@@ -10,6 +10,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 
@@ -17,6 +18,7 @@
 #include "daemon/device/device.h"
 #include "daemon/models/registry.h"
 #include "daemon/world/world.h"
+#include "sim/backends/registry.h"
 #include "sim/loaders/sdf/sdf.h"
 #include "tests/support/one_backend.h"
 
@@ -25,7 +27,7 @@ namespace {
 using namespace scipd;
 using namespace std::chrono_literals;
 
-daemon::SensorConfig scanner(sim::Accuracy accuracy) {
+daemon::SensorConfig scanner_config(sim::Accuracy accuracy) {
     daemon::SensorConfig config;
     config.name = "scanner";
     config.model = daemon::find_model("UST-10LX");
@@ -46,7 +48,7 @@ class Revolutions {
         sim::SharedScene scene = sim::load_sdf(SCIPD_SCENES "/rescue_maze.sdf").scene;
         world_.replace_scene(scene, daemon::one_backend(scene));
         world_.set_robots({{"robot", {turning_at(0s)}}});
-        device_.emplace("robot", scanner(accuracy), 1, world_, clock_);
+        device_.emplace("robot", scanner_config(accuracy), 1, world_, clock_);
         client_ = device_->connect([] {}, protocol::LinkKind::network);
         client_->receive("MD0000108000000\n");
         while (!client_->session().streaming()) {
@@ -98,7 +100,34 @@ void run(benchmark::State& state, sim::Accuracy accuracy, bool moving) {
 }
 BENCHMARK_CAPTURE(run, still_ideal, sim::Accuracy::ideal, false)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(run, still_sensor, sim::Accuracy::sensor, false)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(run, still_material, sim::Accuracy::material, false)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(run, moving_material, sim::Accuracy::material, true)
+    ->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(run, moving_sensor, sim::Accuracy::sensor, true)->Unit(benchmark::kMicrosecond);
+
+/// All rays of a revolution that sees light, and nothing else: what a revolution is measured by.
+void cast_alone(benchmark::State& state, bool moving) {
+    const sim::SharedScene scene = sim::load_sdf(SCIPD_SCENES "/rescue_maze.sdf").scene;
+    const auto backend = sim::preferred_backend().make(scene, {});
+    const sim::Scanner scanner(daemon::find_model("UST-10LX").optics,
+                               {.accuracy = sim::Accuracy::material});
+    const auto beams = static_cast<std::size_t>(scanner.spec().beams());
+    std::vector<sim::Pose> poses(moving ? beams : 1);
+    for (std::size_t i = 0; i < poses.size(); ++i)
+        poses[i] = turning_at(i * 17us) * scanner_config(sim::Accuracy::material).robot_from_sensor;
+    std::vector<sim::Hit> hits(scanner.directions().size());
+    for (auto _ : state) {
+        backend->cast({.directions = scanner.directions(),
+                       .world_from_sensor = poses,
+                       .max_range_m = 30.0F,
+                       .directions_per_pose = hits.size() / beams},
+                      hits);
+    }
+    state.counters["rays"] = double(hits.size());
+}
+BENCHMARK_CAPTURE(cast_alone, still, false)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(cast_alone, moving, true)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "daemon/config/config_file.h"
+#include "daemon/load_materials.h"
 #include "daemon/models/registry.h"
 #include "tests/support/backend_names.h"
 #include "tests/support/temp_dir.h"
@@ -54,6 +55,9 @@ const SensorConfig& sensor(const Options& options) {
 class OptionsTest : public testing::Test {
   protected:
     OptionsTest() { dir_.write("room.sdf", room("<box><size>1 1 1</size></box>")); }
+
+    /// What is told of the materials of scipd.
+    static std::string stock() { return summary_of(*load_materials(Config{}).library); }
 
     /// A world of one line and one model.
     static std::string room(const std::string& geometry) {
@@ -181,13 +185,20 @@ TEST_F(OptionsTest, AConfigurationStandsAlone) {
     EXPECT_EQ(answer("--list-models --check x").exit_code, 2);
 }
 
+TEST_F(OptionsTest, NamesMaterials) {
+    const auto file = dir_.write("mine.yaml", "materials: {}\n");
+    EXPECT_EQ(run("--materials " + file.string()).config.materials, file);
+    EXPECT_TRUE(run("").config.materials.empty());
+}
+
 TEST_F(OptionsTest, CheckTellsAllFaultsOrNone) {
     const auto whole = dir_.write("whole.yaml",
                                   "scene: room.sdf\n"
                                   "robots: {r: {sensors: {s: {model: UST-20LX, pty: auto}}}}\n");
     EXPECT_EQ(answer("--check " + whole.string()).exit_code, 0);
     EXPECT_EQ(answer("--check " + whole.string()).text,
-              whole.string() + ": no faults; robots: 1, sensors: 1, models: 1\n");
+              whole.string() +
+                  ": no faults; robots: 1, sensors: 1, models: 1, materials: " + stock() + "\n");
 
     const auto broken = dir_.write("broken.yaml", "scene: room.sdf\nrobot: {}\nseed: x\n");
     EXPECT_EQ(answer("--check " + broken.string()).exit_code, 2);
@@ -218,7 +229,7 @@ TEST_F(OptionsTest, CheckReadsTheWorldToo) {
     EXPECT_EQ(answer("--check " + file.string()).exit_code, 0);
     EXPECT_EQ(answer("--check " + file.string()).text,
               bad.string() + ":1: <population> is not supported and left out\n" + file.string() +
-                  ": no faults; robots: 1, sensors: 1, models: 1\n");
+                  ": no faults; robots: 1, sensors: 1, models: 1, materials: " + stock() + "\n");
     EXPECT_EQ(answer("--check " + file.string() + " --strict").exit_code, 2);
     EXPECT_TRUE(run("--strict " + scene()).config.strict);
     EXPECT_FALSE(run(scene()).config.strict);
@@ -298,6 +309,7 @@ TEST(Options, AnswersQuestionsOnStandardOutput) {
 TEST(Options, SaysInOneSentenceWhatIsWrong) {
     const std::pair<const char*, std::string> table[] = {
         {"--scene /nowhere.sdf", "--scene: there is no file '/nowhere.sdf'"},
+        {"--materials /nowhere.yaml", "--materials: there is no file '/nowhere.yaml'"},
         {"--poses /", "--poses: '/' is a directory; name a file"},
         {"--scene /dev/zero", "--scene: '/dev/zero' is a device; name a file"},
         {"--poses /dev/zero", "--poses: '/dev/zero' is a device; name a file"},
@@ -315,7 +327,7 @@ TEST(Options, SaysInOneSentenceWhatIsWrong) {
         {"--mount 0,0,inf,0,0,0", "--mount: must be a number, not 'inf'"},
         {"--pose 1,,2", "--pose: must be a number, not ''"},
         {"--clock pose", "--clock: must be wall or poses, not 'pose'"},
-        {"--accuracy material", "--accuracy: material is not built yet; use sensor or ideal"},
+        {"--accuracy fine", "--accuracy: must be ideal, sensor or material, not 'fine'"},
         {"--backend radar",
          "--backend: this build has no backend 'radar'; use auto, " + tests::listed_backends()},
         {"--power-up cold", "--power-up: must be scip2.0, scip1.1 or boot, not 'cold'"},

@@ -8,13 +8,14 @@
 
 namespace scipd::tests {
 
-MrptDriver::MrptDriver(const DaemonProcess& daemon, Link link, std::size_t sensor) {
+MrptDriver::MrptDriver(const DaemonProcess& daemon, Link link, std::size_t sensor, bool intensity) {
     urg_.setVerbosityLevel(mrpt::system::LVL_ERROR);
     if (link == Link::tcp) {
         urg_.setIPandPort("127.0.0.1", daemon.port(sensor));
     } else {
         urg_.setSerialPort(daemon.tty(sensor));
     }
+    urg_.setIntensityMode(intensity);
     // It is private in CHokuyoURG but public in its base.
     static_cast<mrpt::hwdrivers::CGenericSensor&>(urg_).initialize();
 }

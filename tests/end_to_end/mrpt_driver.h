@@ -49,7 +49,9 @@ class MrptDriver {
   public:
     using Scan = mrpt::obs::CObservation2DRangeScan;
 
-    MrptDriver(const DaemonProcess& daemon, Link link, std::size_t sensor = 0);
+    /// With `intensity` it asks for that too.
+    MrptDriver(const DaemonProcess& daemon, Link link, std::size_t sensor = 0,
+               bool intensity = false);
 
     /// Throws std::runtime_error if no scan comes for some seconds.
     [[nodiscard]] Scan next_scan();

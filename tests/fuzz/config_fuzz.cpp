@@ -30,7 +30,7 @@ void check(const SensorConfig& sensor) {
     const auto& [profile, optics, sureness] = sensor.model;
     require(!sensor.name.empty() && !profile.name.empty());
     require(faults_of(profile).empty());
-    require(sensor.model == make_model(profile, optics.noise, sureness));
+    require(sensor.model == make_model(profile, optics, sureness));
     require(sensor.power_up != PowerUp::scip1 || profile.speaks_scip1());
     require(sensor.link.jitter <= sensor.link.latency);
     require(!sensor.link.baud || sensor.pty);

@@ -26,6 +26,7 @@ constexpr auto more_memory = "world_memory_mb under limits in the configuration 
 
 void put_part(const MeshPart& part, std::FILE* out) {
     put_all(part.material, out);
+    put(part.appearance, out);
     put_all(part.mesh.vertices_m, out);
     put_all(part.mesh.triangles, out);
 }
@@ -33,6 +34,7 @@ void put_part(const MeshPart& part, std::FILE* out) {
 MeshPart take_part(std::FILE* in) {
     MeshPart part;
     part.material = take_all<std::string>(in);
+    part.appearance = take<Appearance>(in);
     part.mesh.vertices_m = take_all<std::vector<glm::vec3>>(in);
     part.mesh.triangles = take_all<std::vector<glm::uvec3>>(in);
     return part;

@@ -38,6 +38,14 @@ void for_each(json& object, const char* name, Change change) {
         change(element);
 }
 
+/// Without textures.
+void relieve_material(json& material) {
+    keep_only(material, {"name", "pbrMetallicRoughness", "alphaMode"});
+    if (!material.contains("pbrMetallicRoughness")) return;
+    keep_only(material["pbrMetallicRoughness"],
+              {"baseColorFactor", "metallicFactor", "roughnessFactor"});
+}
+
 void relieve_primitive(json& primitive, std::size_t materials) {
     keep_only(primitive, {"attributes", "indices", "material", "mode"});
     if (primitive.contains("attributes")) keep_only(primitive["attributes"], {"POSITION"});
@@ -58,7 +66,7 @@ std::string relieved_gltf(std::string_view text) {
     }
     keep_only(file, {"asset", "accessors", "buffers", "bufferViews", "materials", "meshes", "nodes",
                      "scene", "scenes"});
-    for_each(file, "materials", [](json& material) { keep_only(material, {"name"}); });
+    for_each(file, "materials", relieve_material);
     const std::size_t materials = file.contains("materials") ? file["materials"].size() : 0;
     for_each(file, "meshes", [&](json& mesh) {
         keep_only(mesh, {"name", "primitives"});

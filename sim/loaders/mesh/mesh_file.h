@@ -17,6 +17,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "sim/world/material.h"
 #include "sim/world/mesh.h"
 
 namespace scipd::sim {
@@ -25,6 +26,7 @@ namespace scipd::sim {
 struct MeshPart {
     std::string material;  ///< as the file names it; empty if it names none
     Mesh mesh;
+    Appearance appearance = {};
 };
 
 /// What reading one file may take. The library takes up to 600 bytes a triangle (load_bench).

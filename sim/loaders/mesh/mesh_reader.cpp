@@ -16,12 +16,12 @@
 
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
-#include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/mesh/mesh_folder.h"
+#include "sim/loaders/mesh/mesh_material.h"
 #include "sim/loaders/mesh/mesh_relief.h"
 #include "sim/text/quote.h"
 
@@ -87,16 +87,6 @@ bool is_finite(const aiMesh* mesh) {
                              (folder.refusal().empty() ? "" : "; it " + folder.refusal()));
 }
 
-/// Removes all properties of materials but their names. The importer has no step for this.
-void keep_names_only(const aiScene& scene) {
-    for (aiMaterial* material : std::span{scene.mMaterials, scene.mNumMaterials}) {
-        aiString name;
-        const bool is_named = material->Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS;
-        material->Clear();
-        if (is_named) material->AddProperty(&name, AI_MATKEY_NAME);
-    }
-}
-
 /// How one file is to be read.
 struct Instructions {
     const std::filesystem::path& file;
@@ -128,7 +118,7 @@ const aiScene& read(Assimp::Importer& importer, const Instructions& how) {
     if (scene == nullptr) refuse_mesh(importer);
     // Done before the validation, which would refuse the file for what does not matter here, such
     // as two cameras of one name, or a texture.
-    keep_names_only(*scene);
+    keep_what_matters(*scene, wish.file);
     importer.ApplyPostProcessing(aiProcess_RemoveComponent);
     scene = importer.ApplyPostProcessing(aiProcess_ValidateDataStructure);
     if (scene == nullptr) refuse_mesh(importer);
@@ -164,16 +154,18 @@ void append(const aiMesh& from, Move move, Mesh& to) {
     }
 }
 
-/// Assimp makes up a name if the file gives none.
-std::string material_name(const aiScene& scene, const aiMesh& mesh) {
-    if (mesh.mMaterialIndex >= scene.mNumMaterials) return {};
-    const std::string name = scene.mMaterials[mesh.mMaterialIndex]->GetName().C_Str();
-    return name == AI_DEFAULT_MATERIAL_NAME ? std::string{} : name;
-}
-
-MeshPart& part_of(const std::string& material, std::vector<MeshPart>& parts) {
-    const auto known = std::ranges::find(parts, material, &MeshPart::material);
-    return known != parts.end() ? *known : parts.emplace_back(MeshPart{material, {}});
+/// The part of the mesh's material, which is added if there is none yet.
+MeshPart& part_of(const aiScene& scene, const aiMesh& mesh, std::vector<MeshPart>& parts) {
+    MeshPart wanted;
+    if (mesh.mMaterialIndex < scene.mNumMaterials) {
+        const aiMaterial& material = *scene.mMaterials[mesh.mMaterialIndex];
+        wanted.material = name_of(material);
+        wanted.appearance = appearance_of(material);
+    }
+    const auto known = std::ranges::find_if(parts, [&](const MeshPart& part) {
+        return part.material == wanted.material && part.appearance == wanted.appearance;
+    });
+    return known != parts.end() ? *known : parts.emplace_back(std::move(wanted));
 }
 
 void drop_empty(std::vector<MeshPart>& parts) {
@@ -244,7 +236,7 @@ class Picker {
             const aiVector3D at = file_from_node * vertex;
             return glm::vec3{at.x, at.y, at.z};
         };
-        append(mesh, move, part_of(material_name(scene_, mesh), parts_).mesh);
+        append(mesh, move, part_of(scene_, mesh, parts_).mesh);
     }
 
     const aiScene& scene_;
@@ -265,7 +257,7 @@ std::vector<MeshPart> read_mesh(const std::filesystem::path& file, MeshAxes axes
     };
     std::vector<MeshPart> parts;
     for (const aiMesh* mesh : meshes_of(scene))
-        append(*mesh, move, part_of(material_name(scene, *mesh), parts).mesh);
+        append(*mesh, move, part_of(scene, *mesh, parts).mesh);
     drop_empty(parts);
     if (parts.empty()) throw std::runtime_error("holds no triangles");
     return parts;

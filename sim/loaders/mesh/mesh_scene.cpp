@@ -37,11 +37,8 @@ LoadedScene load_mesh_scene(const std::filesystem::path& given, const MeshLimits
     scene.name = file.stem().string();
     scene.models.push_back({scene.name, false, {}});
     for (MeshPart& part : load_mesh_parts(file, {1.0, 1.0, 1.0}, MeshAxes::z_up, limits)) {
-        MaterialId material = 0;
-        if (!part.material.empty() && part.material != scene.materials.front().name) {
-            material = static_cast<MaterialId>(scene.materials.size());
-            scene.materials.push_back({part.material});
-        }
+        const MaterialId material =
+            id_of({.name = part.material, .appearance = part.appearance}, scene.materials);
         scene.objects.push_back({scene.name + "::" + scene.materials[material].name, 0, Pose{},
                                  std::make_shared<const Mesh>(std::move(part.mesh)), material});
     }

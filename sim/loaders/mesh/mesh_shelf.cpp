@@ -120,7 +120,8 @@ const std::vector<SharedPart>& MeshShelf::parts_of(const std::filesystem::path& 
     place(placed, !source.submesh.empty() && mesh.CenterSubmesh(), scale, file);
     std::vector<SharedPart> parts;
     for (auto& part : placed) {
-        parts.push_back({part.material, std::make_shared<const Mesh>(std::move(part.mesh))});
+        parts.push_back(
+            {part.material, std::make_shared<const Mesh>(std::move(part.mesh)), part.appearance});
         count(parts.back().mesh);
     }
     return parts_.emplace(key, std::move(parts)).first->second;

@@ -27,6 +27,7 @@ namespace scipd::sim {
 struct SharedPart {
     std::string material;
     SharedMesh mesh;
+    Appearance appearance = {};
 };
 
 class MeshShelf {

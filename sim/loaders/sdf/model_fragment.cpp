@@ -82,12 +82,6 @@ void override_static(Scene& scene, std::optional<bool> movable) {
     }
 }
 
-MaterialId material_id(const std::string& name, std::vector<Material>& all) {
-    auto found = name.empty() ? all.begin() : std::ranges::find(all, name, &Material::name);
-    if (found == all.end()) found = all.insert(found, {name});
-    return static_cast<MaterialId>(found - all.begin());
-}
-
 }  // namespace
 
 SdfOptions within_a_models_share(SdfOptions options) {
@@ -132,7 +126,8 @@ LoadedScene load_mesh_model(const fs::path& file, const Placement& placement, do
     scene.models.push_back({placement.name, placement.movable.value_or(true),
                             placement.world_from_model.value_or(Pose{})});
     for (MeshPart& part : load_mesh_parts(file, glm::dvec3{scale}, MeshAxes::z_up, limits)) {
-        const auto id = material_id(material.empty() ? part.material : material, scene.materials);
+        const Material own{.name = part.material, .appearance = part.appearance};
+        const auto id = id_of(material.empty() ? own : Material{material}, scene.materials);
         scene.objects.push_back({placement.name + "::" + file.stem().string(), 0, Pose{},
                                  std::make_shared<const Mesh>(std::move(part.mesh)), id});
     }

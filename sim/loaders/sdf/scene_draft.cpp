@@ -24,17 +24,8 @@ ModelId SceneDraft::add(Model model) {
 }
 
 void SceneDraft::add(Object object, const Material& material) {
-    object.material = id_of(material);
+    object.material = id_of(material, scene_.materials);
     scene_.objects.push_back(std::move(object));
-}
-
-MaterialId SceneDraft::id_of(const Material& material) {
-    auto& all = scene_.materials;
-    const Material wanted{material.name.empty() ? all.front().name : material.name,
-                          material.laser_retro};
-    auto found = std::ranges::find(all, wanted);
-    if (found == all.end()) found = all.insert(found, wanted);
-    return static_cast<MaterialId>(found - all.begin());
 }
 
 void SceneDraft::warn(std::string text) {

@@ -43,7 +43,6 @@ class SceneDraft {
     LoadedScene finish(const std::string& what_is_seen) &&;
 
   private:
-    MaterialId id_of(const Material& material);
     void show_names();
 
     std::filesystem::path file_;

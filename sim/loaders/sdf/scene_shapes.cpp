@@ -24,6 +24,20 @@ sdf::Mesh larger(const sdf::Mesh& mesh, const glm::dvec3& scale) {
     return result;
 }
 
+/// What the visual says comes before what the mesh says, and if it names a material the mesh's own
+/// does not count at all.
+Material material_of(const SdfSurface& surface, const SharedPart& part) {
+    Material material{surface.material, surface.laser_retro, surface.appearance};
+    if (!material.name.empty()) return material;
+    material.name = part.material;
+    Appearance& seen = material.appearance;
+    if (!seen.transparency) seen.transparency = part.appearance.transparency;
+    if (seen.metalness) return material;
+    seen.metalness = part.appearance.metalness;
+    seen.roughness = part.appearance.roughness;
+    return material;
+}
+
 }  // namespace
 
 void SceneShapes::add(const SdfSurface& surface, Object object, const glm::dvec3& scale,
@@ -57,7 +71,7 @@ void SceneShapes::add_shape(const SdfSurface& surface, Object object, const glm:
     object.shape = larger ? *larger : primitive->shape;
     shelf_.count(object.shape);
     object.model_from_object = object.model_from_object * primitive->geometry_from_shape;
-    draft_.add(std::move(object), {surface.material, surface.laser_retro});
+    draft_.add(std::move(object), {surface.material, surface.laser_retro, surface.appearance});
 }
 
 /// A missing download is reported only once.
@@ -100,8 +114,7 @@ void SceneShapes::add_mesh(const SdfSurface& surface, const sdf::Mesh& mesh, Obj
     }
     for (const auto& part : shelf_.parts_of(found, larger(mesh, scale))) {
         object.shape = part.mesh;
-        draft_.add(object, {surface.material.empty() ? part.material : surface.material,
-                            surface.laser_retro});
+        draft_.add(object, material_of(surface, part));
     }
 }
 
@@ -115,7 +128,7 @@ void SceneShapes::add_skin(const SdfSurface& surface, Object object, const glm::
     object.model_from_object.translation_m.z += skin.lift_m;
     for (const SharedPart& part : skin.parts) {
         object.shape = part.mesh;
-        draft_.add(object, {part.material, {}});
+        draft_.add(object, {part.material, {}, part.appearance});
     }
 }
 

@@ -124,6 +124,23 @@ void relieve_joints(XMLElement& root) {
     });
 }
 
+/// Copies the text of a child into one of scipd's own, which the library takes as it is.
+void keep_as_own(const XMLElement* parent, const char* name, XMLElement& surface) {
+    const std::string text = parent == nullptr ? "" : text_of(parent->FirstChildElement(name));
+    if (text.empty()) return;
+    surface.InsertNewChildElement(("scipd:" + std::string{name}).c_str())->SetText(text.c_str());
+}
+
+/// Keeps what a surface looks like, as far as it says something of ranges.
+void keep_appearance(XMLElement& surface) {
+    const XMLElement* metal = &surface;
+    for (const char* name : {"material", "pbr", "metal"})
+        metal = metal == nullptr ? nullptr : metal->FirstChildElement(name);
+    keep_as_own(&surface, "transparency", surface);
+    keep_as_own(metal, "metalness", surface);
+    keep_as_own(metal, "roughness", surface);
+}
+
 /// Keeps only the name of the material.
 void relieve_material(XMLElement& surface) {
     auto* material = surface.FirstChildElement("material");
@@ -145,6 +162,7 @@ bool is_empty_model(XMLElement& element) {
 }
 
 void relieve_element(XMLElement& element) {
+    if (std::string_view{element.Name()} == "visual") keep_appearance(element);
     delete_children(element,
                     [](XMLElement& child) { return is_one_of(child, nothing_to_a_scanner); });
     relieve_material(element);

@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const glm::dvec3& xyz_m) {
+std::string xyz_text(const glm::dvec3& xyz_m) {
     std::array<char, 100> text{};
     std::snprintf(text.data(), text.size(), "%g %g %g", xyz_m.x, xyz_m.y, xyz_m.z);
     return text.data();
@@ -224,7 +224,7 @@ std::optional<Place> SceneWalk::place_of(const Place& outer, const sdf::Semantic
     if (const auto* saved = read_.state.use(as_in_file(name))) here = moved_to(outer, *saved);
     const auto& [at_m, rotation] = here.world_from_here;
     if (plausible_position(at_m) && std::isfinite(glm::length(rotation))) return here;
-    draft_.leave_out(where + "lies at " + text_of(at_m) +
+    draft_.leave_out(where + "lies at " + xyz_text(at_m) +
                      "; everything must lie within 1e7 m of the origin");
     return {};
 }

@@ -6,6 +6,8 @@
 #include <sdf/Material.hh>
 #include <sdf/Visual.hh>
 
+#include "sim/text/text_number.h"
+
 namespace scipd::sim {
 namespace {
 
@@ -20,6 +22,17 @@ std::optional<double> retro_of(const sdf::ElementPtr& element) {
     return element->Get<double>("laser_retro");
 }
 
+std::optional<double> own_number(const sdf::ElementPtr& element, const char* name) {
+    if (!element || !element->HasElement(name)) return std::nullopt;
+    return parse_number(trimmed(element->GetElement(name)->Get<std::string>()));
+}
+
+/// From where sdf_document.cpp has put it.
+Appearance appearance_of(const sdf::ElementPtr& element) {
+    return as_said(own_number(element, "scipd:transparency"),
+                   own_number(element, "scipd:metalness"), own_number(element, "scipd:roughness"));
+}
+
 SdfSurface surface_of(const sdf::Collision& collision) {
     return {collision.Name(),    collision.SemanticPose(),          collision.Geom(),
             collision.Element(), own_material(collision.Element()), retro_of(collision.Element())};
@@ -29,6 +42,7 @@ SdfSurface surface_of(const sdf::Visual& visual) {
     SdfSurface surface{
         visual.Name(),    visual.SemanticPose(),          visual.Geom(),
         visual.Element(), own_material(visual.Element()), retro_of(visual.Element())};
+    surface.appearance = appearance_of(visual.Element());
     // scipd's own material comes first; the one that Gazebo shows is the next best guess.
     if (surface.material.empty() && visual.Material() != nullptr) {
         surface.material = visual.Material()->ScriptName();

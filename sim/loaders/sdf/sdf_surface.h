@@ -14,6 +14,7 @@
 #include <sdf/Link.hh>
 
 #include "sim/loaders/sdf/sdf_options.h"
+#include "sim/world/material.h"
 
 namespace scipd::sim {
 
@@ -25,6 +26,7 @@ struct SdfSurface {
     sdf::ElementPtr element;
     std::string material;  ///< empty: none given
     std::optional<double> laser_retro;
+    Appearance appearance = {};  ///< of a visual
 };
 
 /// The surfaces of the wanted kind. A visual without a laser_retro gets that of its link's

@@ -81,7 +81,7 @@ class ScanStreamTest : public testing::Test {
                                           ideal_camera(columns, 8.0));
         std::vector<std::string> names;
         for (std::size_t i = 0; i < configs.size(); ++i) {
-            configs[i].name = "c" + std::to_string(i);
+            configs[i].name = std::string("c").append(std::to_string(i));
             names.push_back("robot/" + configs[i].name);
         }
         world_.replace_backends(one_backend(world_.scene(), names));

@@ -101,9 +101,20 @@ std::vector<Case> abilities() {
         {"first_step", "44", "URG-04LX", [](Profile p) { p.first_step = 44; }},
         {"last_step", "1100", "UST-10LX", [](Profile p) { p.last_step = 1100; }},
         {"nearest_mm", "50", "UST-10LX", [](Profile p) { p.nearest_mm = 50; }},
-        {"codes", "{nothing: 0, too_near: 1, too_far: 2, not_measured: 3}", "UST-10LX",
+        {"codes",
+         "{nothing: 0, too_near: 1, too_far: 2, not_measured: 3, too_dark: 4, too_bright: 5, "
+         "edge: 6, interference: 7, lost: 8}",
+         "UST-10LX",
          [](Profile p) {
-             p.codes = {.nothing = 0, .too_near = 1, .too_far = 2, .not_measured = 3};
+             p.codes = {.nothing = 0,
+                        .too_near = 1,
+                        .too_far = 2,
+                        .not_measured = 3,
+                        .too_dark = 4,
+                        .too_bright = 5,
+                        .edge = 6,
+                        .interference = 7,
+                        .lost = 8};
          }},
         {"multi_echo", "true", "UTM-30LX", [](Profile p) { p.multi_echo = true; }},
         {"microseconds", "true", "UST-10LX", [](Profile p) { p.microseconds = true; }},
@@ -155,7 +166,7 @@ TEST_F(ConfigProfileTest, ChangesEachFieldAndNoOther) {
     for (const auto& [key, text, model, change] : cases) {
         Model expected = find_model(model);
         change(expected.profile);
-        expected = make_model(expected.profile, expected.optics.noise, expected.sureness);
+        expected = make_model(expected.profile, expected.optics, expected.sureness);
         EXPECT_NE(expected, find_model(model)) << key << " changes nothing";
         const std::string line = std::string{"profile: {"} + key + ": " + text + "}";
         EXPECT_THAT(sensor_faults(line, model), IsEmpty()) << key;
@@ -173,18 +184,48 @@ TEST_F(ConfigProfileTest, OpticsFollow) {
             " scan_rpm: 1200, scan_period_ms: 50.1,"
             " noise: [{sigma_m: 0.01}, {from_m: 5, sigma_m: 0.02, share: 0.001}]}")
             .model;
-    EXPECT_EQ(
-        model.optics,
-        (sim::SensorSpec{.steps_per_turn = 720,
-                         .first_step = 10,
-                         .last_step = 400,
-                         .front_step = 200,
-                         .scan_period = 50'100us,
-                         .max_range_m = 8.0,
-                         .noise = {{.from_range_m = 0, .sigma_m = 0.01, .sigma_share = 0},
-                                   {.from_range_m = 5, .sigma_m = 0.02, .sigma_share = 0.001}}}));
+    sim::SensorSpec expected = find_model("UST-10LX").optics;
+    expected.steps_per_turn = 720;
+    expected.first_step = 10;
+    expected.last_step = 400;
+    expected.front_step = 200;
+    expected.scan_period = 50'100us;
+    expected.max_range_m = 8.0;
+    expected.noise = {{.from_range_m = 0, .sigma_m = 0.01, .sigma_share = 0},
+                      {.from_range_m = 5, .sigma_m = 0.02, .sigma_share = 0.001}};
+    EXPECT_EQ(model.optics, expected);
     EXPECT_EQ(model.profile.name, "UST-10LX");
     EXPECT_THAT(sensor("profile: {noise: []}").model.optics.noise, IsEmpty());
+}
+
+TEST_F(ConfigProfileTest, ErrorsAndLightCanBeChanged) {
+    const sim::SensorSpec optics =
+        sensor(
+            "profile: {bias: [{range_m: 1, bias_m: -0.002}, {range_m: 4, bias_m: 0.01}],"
+            " warm_up: {drift_m: -0.02, time_constant_s: 600}, lost_share: 0.01,"
+            " lattice_m: 0.005, spot: {half_width_mrad: 4, half_height_mrad: 2, rays: 13},"
+            " light: {wavelength_nm: 830, dark_range_m: 3, half_pulse_m: 0.6,"
+            " level_below_m: 0.3, walk_m: 0.02, blinding_signal: 90, edge_share: 0.2,"
+            " crosstalk: 0.05, intensity: [{range_m: 1, intensity: 900}],"
+            " most_intensity: 1000}}")
+            .model.optics;
+    sim::SensorSpec expected = find_model("UST-10LX").optics;
+    expected.bias = {{1.0, -0.002}, {4.0, 0.01}};
+    expected.warm_up = {.drift_m = -0.02, .time_constant = 600s};
+    expected.lost_share = 0.01;
+    expected.lattice_m = 0.005;
+    expected.footprint = {.half_width_rad = 0.004, .half_height_rad = 0.002, .rays = 13};
+    expected.receiver = {.wavelength_nm = 830,
+                         .dark_range_m = 3,
+                         .half_pulse_m = 0.6,
+                         .level_below_m = 0.3,
+                         .walk_m = 0.02,
+                         .blinding_signal = 90,
+                         .edge_share = 0.2,
+                         .crosstalk = 0.05,
+                         .intensity = {{1.0, 900}},
+                         .most_intensity = 1000};
+    EXPECT_EQ(optics, expected);
 }
 
 /// The faults of a profile with this in it, without what begins all of them.
@@ -200,15 +241,30 @@ class ConfigProfileFaults : public ConfigFixture {
     }
 };
 
+TEST_F(ConfigProfileFaults, OfErrorsAndLight) {
+    EXPECT_THAT(said("bias: [{range_m: 2}, {range_m: 1}]"), ElementsAre("bias: range_m must grow"));
+    EXPECT_THAT(said("lost_share: 2"), ElementsAre("lost_share: must be 0 to 1, not '2'"));
+    EXPECT_THAT(said("spot: {rays: 5}"),
+                ElementsAre("spot.rays: must be 1, 7 or 13 rays for a beam, not '5'"));
+    EXPECT_THAT(said("spot: {half_width_mrad: 90}"),
+                ElementsAre("spot.half_width_mrad: must be 0 to 50 milliradians, not '90'"));
+    EXPECT_THAT(said("light: {wavelength_nm: 10}"), testing::SizeIs(1));
+    EXPECT_THAT(said("light: {intensity: [{range_m: 1}, {range_m: 1}]}"),
+                ElementsAre("light.intensity: range_m must grow"));
+    EXPECT_THAT(said("light: {colour: red}"),
+                ElementsAre(testing::StartsWith("light.colour: unknown key")));
+}
+
 TEST_F(ConfigProfileFaults, OfOneValue) {
     EXPECT_THAT(said("seriel: x"), ElementsAre("seriel: unknown key; did you mean serial?"));
     EXPECT_THAT(said("name: x"),
                 ElementsAre(testing::AllOf(
                     testing::StartsWith("name: unknown key; known here are family, vendor"),
-                    testing::EndsWith("wake_time_ms, noise"))));
+                    testing::EndsWith("wake_time_ms, noise, bias, warm_up, lost_share, "
+                                      "lattice_m, spot, light"))));
     EXPECT_THAT(said("codes: {none: 1}"),
                 ElementsAre("codes.none: unknown key; known here are nothing, too_near, too_far, "
-                            "not_measured"));
+                            "not_measured, too_dark, too_bright, edge, interference, lost"));
     EXPECT_THAT(said("serial: \"" + std::string(65, 'x') + "\""),
                 ElementsAre(testing::StartsWith(
                     "serial: must be at most 64 characters of printable ASCII, not 'xxx")));

@@ -105,7 +105,8 @@ robots:
         tcp: 127.0.0.1:70000
         tcp: 127.0.0.1:10940
         backend: opengl
-        accuracy: material
+        accuracy: fine
+        echo: loud
         motion: 0
         link: {baud: 19200}
       rear/left:
@@ -122,7 +123,7 @@ TEST_F(ConfigTest, TellsEveryFaultAtOnceInTheOrderOfLines) {
         ElementsAre("fleet.yaml:1: scene: there is no file 'nowhere.sdf'",
                     "fleet.yaml:2: seed: must be a whole number from 0 to 18446744073709551615, "
                     "not '-1'",
-                    "fleet.yaml:3: materials: is not supported by this version; leave it out",
+                    "fleet.yaml:3: materials: there is no file 'wood.yaml'",
                     "fleet.yaml:4: sceen: unknown key; did you mean scene?",
                     "fleet.yaml:7: robots.rescue.pose.yaw: unknown key; known here are xyz, rpy",
                     "fleet.yaml:7: robots.rescue.pose.xyz: must be a list of three numbers, such "
@@ -144,26 +145,28 @@ TEST_F(ConfigTest, TellsEveryFaultAtOnceInTheOrderOfLines) {
                     "fleet.yaml:15: robots.rescue.sensors.front.backend: this build has no "
                     "backend 'opengl'; use auto, " +
                         tests::listed_backends(),
-                    "fleet.yaml:16: robots.rescue.sensors.front.accuracy: material is not built "
-                    "yet; use sensor or ideal",
-                    "fleet.yaml:17: robots.rescue.sensors.front.motion: must be beam or a number "
+                    "fleet.yaml:16: robots.rescue.sensors.front.accuracy: must be ideal, "
+                    "sensor or material, not 'fine'",
+                    "fleet.yaml:17: robots.rescue.sensors.front.echo: must be first, strongest "
+                    "or last, not 'loud'",
+                    "fleet.yaml:18: robots.rescue.sensors.front.motion: must be beam or a number "
                     "of poses per sweep, 1 to 100000, not '0'",
-                    "fleet.yaml:18: robots.rescue.sensors.front.link.baud: is of a tty; give "
+                    "fleet.yaml:19: robots.rescue.sensors.front.link.baud: is of a tty; give "
                     "pty, or leave it out",
-                    "fleet.yaml:19: robots.rescue.sensors.rear/left: 'rear/left' is no name: use "
+                    "fleet.yaml:20: robots.rescue.sensors.rear/left: 'rear/left' is no name: use "
                     "up to 64 letters, digits, _ - and ., not beginning with a dot",
-                    "fleet.yaml:19: robots.rescue.sensors.rear/left: nobody can reach it; give "
+                    "fleet.yaml:20: robots.rescue.sensors.rear/left: nobody can reach it; give "
                     "tcp or pty, such as `pty: auto`",
-                    "fleet.yaml:20: robots.rescue.sensors.rear/left.model: there is no model "
+                    "fleet.yaml:21: robots.rescue.sensors.rear/left.model: there is no model "
                     "\"UST-99\"; the models are URG-04LX, URG-04LX-UG01, UBG-04LX-F01, "
                     "UHG-08LX, UTM-30LX, UTM-30LX-EW, UXM-30LX-E, UXM-30LX-EW, UXM-30LXH-EWA, "
                     "UST-05LX, UST-10LX, UST-10LX-H01, UST-10LX-H02, UST-20LX, UST-20LX-H01, "
                     "UST-30LX, UST-30LC; `scipd --list-models` tells their firmware",
-                    "fleet.yaml:21: robots.rescue.sensors.rear/left.timing: must be real or "
+                    "fleet.yaml:22: robots.rescue.sensors.rear/left.timing: must be real or "
                     "ideal, not 'fast'",
-                    "fleet.yaml:22: robots.empty: needs at least one sensor, under sensors",
-                    "fleet.yaml:23: clock: must be wall or poses, not 'pose'",
-                    "fleet.yaml:24: http: must be ADDRESS:PORT such as 127.0.0.1:10940, "
+                    "fleet.yaml:23: robots.empty: needs at least one sensor, under sensors",
+                    "fleet.yaml:24: clock: must be wall or poses, not 'pose'",
+                    "fleet.yaml:25: http: must be ADDRESS:PORT such as 127.0.0.1:10940, "
                     "[::1]:10940 or localhost:0, not '8080'"));
 }
 
@@ -340,8 +343,8 @@ TEST_F(ConfigTest, SaysWhatAValueMayBe) {
                 ElementsAre("fleet.yaml:3: robots.r.sensors.s.mount.rpy: must be a number, not "
                             "'nan'"));
     EXPECT_THAT(sensor_faults("accuracy: best"),
-                ElementsAre("fleet.yaml:3: robots.r.sensors.s.accuracy: must be sensor or ideal, "
-                            "not 'best'"));
+                ElementsAre("fleet.yaml:3: robots.r.sensors.s.accuracy: must be ideal, sensor or "
+                            "material, not 'best'"));
     EXPECT_THAT(sensor_faults("{a: b}: c"),
                 ElementsAre("fleet.yaml:3: robots.r.sensors.s: a key must be a plain name"));
     EXPECT_THAT(sensor_faults("tcp: none"), ElementsAre());
@@ -351,13 +354,14 @@ TEST_F(ConfigTest, SaysWhatAValueMayBe) {
                             "pty, such as `pty: auto`"));
 }
 
-TEST_F(ConfigTest, RefusesEveryKeyThatComesLater) {
-    EXPECT_THAT(sensor_faults("echo: x"),
-                ElementsAre("fleet.yaml:3: robots.r.sensors.s.echo: is not supported by this "
-                            "version; leave it out"));
-    EXPECT_THAT(
-        faults(std::string{whole} + "materials: wood.yaml"),
-        ElementsAre("fleet.yaml:27: materials: is not supported by this version; leave it out"));
+TEST_F(ConfigTest, NamesMaterialsBesideItself) {
+    const std::string robots = "robots: {r: {sensors: {s: {model: UST-10LX, pty: auto}}}}\n";
+    const auto file = dir_.write("wood.yaml", "materials: {}\n");
+    const Config config = parse(robots + "materials: wood.yaml\n");
+    EXPECT_EQ(config.materials, file);
+    EXPECT_THAT(config.place_of("materials"), testing::EndsWith("fleet.yaml:2: materials: "));
+    EXPECT_TRUE(parse(robots).materials.empty());
+    EXPECT_THAT(faults(robots + "materials: ."), ElementsAre(testing::HasSubstr("name a file")));
 }
 
 TEST_F(ConfigTest, SaysWhereTheTextIsNotYaml) {
@@ -378,7 +382,7 @@ TEST_F(ConfigTest, AFaultIsALineThatCanBeShown) {
     EXPECT_THAT(sensor_faults("\"a\\n\\x1b\": 1"),
                 ElementsAre("fleet.yaml:3: robots.r.sensors.s.a??: unknown key; known here are "
                             "model, camera, ranger, mount, tcp, pty, backend, depth, accuracy, "
-                            "motion, timing, power_up, clock, link, profile, sees_body"));
+                            "echo, motion, timing, power_up, clock, link, profile, sees_body"));
     const auto told = faults(
         "scene: room.sdf\nrobots: {r: {sensors: {s: "
         "{pty: auto, model: \"UST\\n10\"}}}}");

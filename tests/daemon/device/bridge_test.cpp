@@ -53,24 +53,45 @@ TEST(Bridge, TurnsAScanIntoTheWordsOfTheWire) {
     const Model& model = find_model("URG-04LX");
     sim::Scan scan;
     scan.start = 350ms;
-    // What intensities show is the truth, not what was read.
-    scan.hits = {{.range_m = 2.0F, .cos_incidence = 1.0F, .object = 0},
-                 {.range_m = 1.0F, .cos_incidence = 0.5F, .object = 0},
-                 {.range_m = 0.1F, .cos_incidence = 1.0F, .object = 0},
-                 {.range_m = infinity, .cos_incidence = 0.0F}};
-    scan.range_m = {2.001F, 0.999F, 0.1F, infinity};
+    using enum sim::Cause;
+    scan.readings = {{2.001F, 0.25F, 2500.4F, measured}, {0.999F, 0.5F, 5000.0F, measured},
+                     {0.1F, 4.0F, 300'000.0F, measured}, {infinity, 0.0F, 0.0F, nothing},
+                     {infinity, 0.0F, 0.0F, too_dark},   {infinity, 900.0F, 70.0F, too_bright},
+                     {infinity, 0.0F, 0.0F, edge},       {infinity, 0.0F, 0.0F, lost}};
 
     const WireScan wire = to_wire(scan, {.start = 300ms}, model.optics, model.profile);
     EXPECT_EQ(wire.turn.start, 300ms);
     EXPECT_EQ(wire.first_step, 44);
-    EXPECT_EQ(wire.distance, (std::vector<std::uint32_t>{2001, 999, 100, 0}));
-    EXPECT_EQ(wire.intensity, (std::vector<std::uint32_t>{2500, 5000, 40000, 0}));
+    EXPECT_EQ(wire.distance, (std::vector<std::uint32_t>{2001, 999, 100, 0, 1, 18, 8, 9}));
+    EXPECT_EQ(wire.intensity, (std::vector<std::uint32_t>{2500, 5000, 262143, 0, 0, 70, 0, 0}));
+    EXPECT_TRUE(wire.echoes.empty());
 
     const protocol::ScanView view = wire.view();
     EXPECT_EQ(view.turn.start, 300ms);
     EXPECT_EQ(view.first_step, 44);
     EXPECT_EQ(view.distance.data(), wire.distance.data());
-    EXPECT_EQ(view.intensity.size(), 4U);
+    EXPECT_EQ(view.intensity.size(), 8U);
+}
+
+TEST(Bridge, TellsEveryEchoOfScannersThatDo) {
+    const Model& model = find_model("UTM-30LX-EW");
+    sim::Scan scan;
+    using enum sim::Cause;
+    scan.readings = {{3.0F, 1.0F, 900.0F, measured}, {infinity, 0.0F, 0.0F, too_dark}};
+    scan.every_echo.add({1.5F, 0.5F, 400.0F, measured});
+    scan.every_echo.add({3.0F, 1.0F, 900.0F, measured});
+    scan.every_echo.finish_beam();
+    scan.every_echo.add(scan.readings[1]);
+    scan.every_echo.finish_beam();
+    const WireScan wire = to_wire(scan, {}, model.optics, model.profile);
+    ASSERT_EQ(wire.view().echoes.size(), 2U);
+    EXPECT_EQ(wire.echoes[0].count, 2);
+    EXPECT_EQ(wire.echoes[0].echo[0].distance, 1500U);
+    EXPECT_EQ(wire.echoes[0].echo[0].intensity, 400U);
+    EXPECT_EQ(wire.echoes[0].echo[1].distance, 3000U);
+    EXPECT_EQ(wire.echoes[1].count, 1);
+    EXPECT_EQ(wire.echoes[1].echo[0].distance, 1U);
+    EXPECT_EQ(wire.distance, (std::vector<std::uint32_t>{3000, 1}));
 }
 
 }  // namespace

@@ -211,7 +211,8 @@ TEST_F(DeviceTest, SweepsFromPosesAtTheTimeOfEachBeam) {
         EXPECT_NEAR(scan.world_from_sensor[beam].translation_m.x, 2.0 * seconds(fired - start),
                     1e-6);
     }
-    EXPECT_NEAR(scan.range_m[540], 4.0 - scan.world_from_sensor[540].translation_m.x, 1e-4);
+    EXPECT_NEAR(scan.readings[540].range_m, 4.0 - scan.world_from_sensor[540].translation_m.x,
+                1e-4);
 }
 
 TEST_F(DeviceTest, SharesPosesAmongBeamsWhereFewAreAskedFor) {

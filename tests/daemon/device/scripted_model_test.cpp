@@ -83,7 +83,7 @@ class ScriptedModel : public testing::TestWithParam<std::string> {
             .cast;
     }
 
-    [[nodiscard]] double ahead_m(sim::Time begin) { return sweep(begin)->range_m[540]; }
+    [[nodiscard]] double ahead_m(sim::Time begin) { return sweep(begin)->readings[540].range_m; }
 
     sim::SharedScene scene_ = scene_with(walk_away());
     World world_;
@@ -100,8 +100,8 @@ TEST_P(ScriptedModel, IsMetWhereItIsWhenTheBeamIsFired) {
             const double face_m = 2.0 + since_s - 0.1;
             if (std::abs(face_m * std::tan(angle)) > 0.49) continue;
             ++met;
-            ASSERT_NEAR(scan->range_m[static_cast<std::size_t>(step)], face_m / std::cos(angle),
-                        tolerance_m)
+            ASSERT_NEAR(scan->readings[static_cast<std::size_t>(step)].range_m,
+                        face_m / std::cos(angle), tolerance_m)
                 << step << " of " << seconds(begin);
         }
         EXPECT_GT(met, 20);

@@ -74,7 +74,7 @@ TEST_F(TurningRobot, SweepsEachBeamFromItsOwnPose) {
     const sim::SharedScan scan = sweep_in(world_, config_).measure(0, 10s, fired, {}).cast;
     for (int step = 0; step <= 1080; ++step) {
         const double bearing = config_.model.optics.angle_rad(step) + yaw_at(fired(step));
-        ASSERT_NEAR(scan->range_m[static_cast<std::size_t>(step)],
+        ASSERT_NEAR(scan->readings[static_cast<std::size_t>(step)].range_m,
                     range_in_room(0.3, -0.2, bearing), tolerance_m)
             << step;
     }
@@ -87,7 +87,7 @@ TEST_F(TurningRobot, IsOffByWhatItTurnsWithOnePoseForAll) {
     double worst_m = 0.0;
     for (int step = 0; step <= 1080; ++step) {
         const double angle = config_.model.optics.angle_rad(step);
-        const double range_m = scan->range_m[static_cast<std::size_t>(step)];
+        const double range_m = scan->readings[static_cast<std::size_t>(step)].range_m;
         ASSERT_NEAR(range_m, range_in_room(0.3, -0.2, angle + yaw_at(fired(540))), tolerance_m)
             << step;
         const double true_m = range_in_room(0.3, -0.2, angle + yaw_at(fired(step)));
@@ -104,13 +104,15 @@ TEST_F(TurningRobot, MovesItsBodyOutOfItsOwnSightOnly) {
     world_.set_robots({{"robot", {.body = "model 1"}},
                        {"other", {.world_from_robot = sim::pose_from_rpy({-2, 0, 0}, {0, 0, 0})}}});
     (void)world_.place_robot("robot", {9s, sim::pose_from_rpy({1, 0, 0}, {0, 0, 0})});
-    EXPECT_NEAR(sweep_in(world_, config_).measure(0, 10s, fired, {}).cast->range_m[540], 2.0, 1e-6);
+    EXPECT_NEAR(sweep_in(world_, config_).measure(0, 10s, fired, {}).cast->readings[540].range_m,
+                2.0, 1e-6);
     SensorConfig seeing = ideal_sensor();
     seeing.sees_body = true;
-    EXPECT_NEAR(sweep_in(world_, seeing).measure(0, 10s, fired, {}).cast->range_m[540], 0.2, 1e-6);
+    EXPECT_NEAR(sweep_in(world_, seeing).measure(0, 10s, fired, {}).cast->readings[540].range_m,
+                0.2, 1e-6);
     Sweep from_other(world_, "other", config_,
                      sim::Scanner(config_.model.optics, {sim::Accuracy::ideal}));
-    EXPECT_NEAR(from_other.measure(0, 10s, fired, {}).cast->range_m[540], 2.8, 1e-6);
+    EXPECT_NEAR(from_other.measure(0, 10s, fired, {}).cast->readings[540].range_m, 2.8, 1e-6);
 }
 
 TEST_F(TurningRobot, SeesNothingWhereItIsNowhere) {
@@ -162,8 +164,8 @@ TEST_F(Door, IsMetWhereItIsWhenTheBeamIsFired) {
         const double face_m = 3 - 0.05 - 4 * seconds(fired(step) - 10s);
         if (std::abs(angle) > 1.0 || std::abs(face_m * std::tan(angle)) > 0.49) continue;
         ++met;
-        ASSERT_NEAR(scan->range_m[static_cast<std::size_t>(step)], face_m / std::cos(angle),
-                    tolerance_m)
+        ASSERT_NEAR(scan->readings[static_cast<std::size_t>(step)].range_m,
+                    face_m / std::cos(angle), tolerance_m)
             << step;
     }
     EXPECT_GT(met, 70);
@@ -192,8 +194,8 @@ TEST_F(Door, IsMetWhereItVibratesTo) {
             const double ahead_m = face_m(fired_slowly(step));
             if (std::abs(ahead_m * std::tan(angle)) > 0.49) continue;
             ++met;
-            ASSERT_NEAR(scan->range_m[static_cast<std::size_t>(step)], ahead_m / std::cos(angle),
-                        tolerance_m)
+            ASSERT_NEAR(scan->readings[static_cast<std::size_t>(step)].range_m,
+                        ahead_m / std::cos(angle), tolerance_m)
                 << step << " " << in_equal_parts;
         }
         EXPECT_GT(met, 60);
@@ -207,7 +209,7 @@ TEST_F(Door, IsMetAtOneInstantByBeamsThatShareAPose) {
     for (int step = 510; step <= 570; ++step) {
         // Beams 480 to 599, as if all were fired when the middle one is.
         const double face_m = 3 - 0.05 - 4 * seconds(fired(540) - 10s);
-        ASSERT_NEAR(scan->range_m[static_cast<std::size_t>(step)],
+        ASSERT_NEAR(scan->readings[static_cast<std::size_t>(step)].range_m,
                     face_m / std::cos(config_.model.optics.angle_rad(step)), 1e-5)
             << step;
     }
@@ -222,7 +224,8 @@ TEST_F(Door, IsMetWhereItHasJumpedTo) {
     for (int step = 510; step < 580; ++step) {
         const double ahead_m = step / 10 % 2 == 0 ? 3.0 : 2.0;
         const double angle = config_.model.optics.angle_rad(step);
-        ASSERT_NEAR(scan->range_m[static_cast<std::size_t>(step)], ahead_m / std::cos(angle), 1e-5)
+        ASSERT_NEAR(scan->readings[static_cast<std::size_t>(step)].range_m,
+                    ahead_m / std::cos(angle), 1e-5)
             << step;
     }
 }

@@ -55,6 +55,7 @@ TEST_P(EveryModel, SaysHowSureEachFigureIs) {
                               ", steps [0-9]+-[0-9]+ of [0-9]+" + sure + ", [0-9.]+ Hz" + sure +
                               "; (USB|USB, RS-232|Ethernet)" + sure + "; VV PP II [^;]+" + sure +
                               "; texts (seen|documented|deduced), noise "
+                              "(seen|documented|deduced), bias (seen|documented|deduced), light "
                               "(seen|documented|deduced)"));
 }
 
@@ -62,11 +63,13 @@ TEST(Describe, ListsTheCommandsThatAreCarriedOut) {
     EXPECT_EQ(describe(find_model("URG-04LX@3.1.04")),
               "URG-04LX@3.1.04  20-5600 mm (seen), steps 44-725 of 1024 (seen), 10 Hz (seen); "
               "USB, RS-232 (documented); VV PP II BM QT RS GD GS MD MS TM0 TM1 TM2 SS CR SCIP2.0, "
-              "SCIP 1.1 (documented); texts seen, noise documented");
+              "SCIP 1.1 (documented); texts seen, noise documented, bias deduced, "
+              "light deduced");
     EXPECT_EQ(describe(find_model("UST-30LC@4.1.0b-A")),
               "UST-30LC@4.1.0b-A  23-60000 mm (documented), steps 0-1080 of 1440 (documented), "
               "40 Hz (documented); Ethernet (documented); VV PP II %ST BM QT %SL RS RT RB GD GE MD "
-              "ME TM0 TM1 TM2 %MD %ME %TM1 $IP (documented); texts documented, noise deduced");
+              "ME TM0 TM1 TM2 %MD %ME %TM1 $IP (documented); texts documented, noise deduced, bias "
+              "deduced, light deduced");
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, EveryModel, testing::ValuesIn(models()), [](const auto& model) {

@@ -85,14 +85,19 @@ TEST(SceneEditor, ForgetsWhatIsWithdrawnBeforeItHasBegun) {
 class AddedFromFiles : public testing::Test {
   protected:
     EditOutcome add(const std::filesystem::path& file, bool strict) {
+        AddModel edit;
+        edit.file = file;
+        return add(edit, strict);
+    }
+
+    EditOutcome add(AddModel edit, bool strict) {
         sim::SceneOptions options;
         options.sdf.strict = strict;
         options.sdf.most_memory_bytes = 8 * 20'000'000;  // of which a model may take an eighth
+        options.materials = materials_;
         editor_.set_file(folder_.path() / "world.sdf", options);
         std::optional<EditOutcome> outcome;
-        AddModel edit;
         edit.placement.name = "added";
-        edit.file = file;
         edit.replace = true;
         editor_.edit(edit, [&outcome](const EditOutcome& answer) { outcome = answer; });
         EXPECT_TRUE(run_until(io_, [&] { return outcome.has_value(); }));
@@ -100,6 +105,7 @@ class AddedFromFiles : public testing::Test {
     }
 
     tests::TempDir folder_;
+    sim::SharedMaterials materials_;
     boost::asio::io_context io_;
     World world_ = wall_world();
     SteppedClock clock_;
@@ -116,6 +122,31 @@ TEST_F(AddedFromFiles, ObeyStrictOfAnyKind) {
         testing::ElementsAre(testing::HasSubstr("a.world:1: pose has three numbers"));
     EXPECT_THAT(lenient.messages, warned);
     EXPECT_THAT(add("a.world", true).messages, warned);
+}
+
+TEST_F(AddedFromFiles, TellOfMaterialsThatNobodyKnows) {
+    materials_ = std::make_shared<const sim::MaterialLibrary>();
+    const std::string sdf =
+        "<sdf version='1.9' xmlns:scipd='urn:scipd:sdf'><model name='m'><link name='l'>"
+        "<visual name='v'><scipd:material>cheese</scipd:material><geometry><box>"
+        "<size>1 1 1</size></box></geometry></visual></link></model></sdf>";
+    folder_.write("a.sdf", sdf);
+    folder_.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl oak\nf 1 2 3\n");
+    AddModel of_file;
+    of_file.file = "a.sdf";
+    AddModel of_text;
+    of_text.sdf = sdf;
+    AddModel of_mesh;
+    of_mesh.mesh = "a.obj";
+    of_mesh.material = "cheese";
+    for (const AddModel& edit : {of_file, of_text, of_mesh}) {
+        const EditOutcome outcome = add(edit, false);
+        EXPECT_EQ(outcome.result, EditOutcome::Result::done);
+        EXPECT_THAT(
+            outcome.messages,
+            testing::ElementsAre(testing::HasSubstr("no library knows the material 'cheese'")));
+        EXPECT_EQ(add(edit, true).result, EditOutcome::Result::faulty);
+    }
 }
 
 TEST_F(AddedFromFiles, TellWhatTheyTakeWhereItIsMuch) {

@@ -31,7 +31,7 @@ Scene full_scene() {
     const Script script{{{Time(0), start}, {Time(5), Pose{}}}, Time(9)};
     scene.models = {{"a", false, {}},
                     {"b::c", true, start, std::make_shared<const Script>(script)}};
-    scene.materials = {{"default"}, {"oak", 7.5}, {"", std::nullopt}};
+    scene.materials = {{"default"}, {"oak", 7.5}, {"", std::nullopt, {0.25, 0.5, 1.0}}};
     const Pose pose = pose_from_rpy({4, 5, 6}, {0.4, 0.5, 0.6});
     scene.objects = {{"a::box", 0, {}, Box{{1, 2, 3}}, 0}, {"a::can", 0, pose, Cylinder{0.5, 2}, 1},
                      {"b::ball", 1, {}, Sphere{0.25}, 2},  {"b::floor", 1, {}, Plane{{10, 20}}, 0},

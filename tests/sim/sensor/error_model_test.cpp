@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/sensor/scanner.h"
+
 namespace scipd::sim {
 namespace {
 
@@ -26,8 +28,10 @@ std::vector<Hit> wall_at(float range_m, std::size_t beams = 1081) {
 
 std::vector<float> read(const ErrorModel& errors, std::int64_t revolution,
                         const std::vector<Hit>& hits) {
+    Scan scan{.revolution = revolution, .hits = hits};
+    errors.read(noisy_spec(), Conditions{}.on_for, scan);
     std::vector<float> range_m(hits.size(), -1.0F);
-    errors.read(noisy_spec(), revolution, hits, range_m);
+    std::ranges::transform(scan.readings, range_m.begin(), &Reading::range_m);
     return range_m;
 }
 

@@ -46,11 +46,11 @@ TEST(Scanner, MeasuresEveryBeamInStepOrder) {
     WallAhead wall;
     const Scanner scanner(spec(), {.accuracy = Accuracy::ideal});
     const SharedScan scan = scanner.measure(wall, 0, 0s, {Pose{}});
-    ASSERT_EQ(scan->range_m.size(), 881U);
+    ASSERT_EQ(scan->readings.size(), 881U);
     ASSERT_EQ(scan->hits.size(), 881U);
-    EXPECT_FLOAT_EQ(scan->range_m[440], 3.0F);
-    EXPECT_NEAR(scan->range_m[440 + 240], 6.0F, 1e-5);  // 60 degrees to the left
-    EXPECT_NEAR(scan->range_m[440 - 240], 6.0F, 1e-5);
+    EXPECT_FLOAT_EQ(scan->readings[440].range_m, 3.0F);
+    EXPECT_NEAR(scan->readings[440 + 240].range_m, 6.0F, 1e-5);  // 60 degrees to the left
+    EXPECT_NEAR(scan->readings[440 - 240].range_m, 6.0F, 1e-5);
     EXPECT_EQ(scan->hits[440].material, 5U);
     EXPECT_EQ(scan->hits[440].object, 6U);
     EXPECT_FALSE(scan->hits[0].met());
@@ -84,11 +84,11 @@ TEST(Scanner, ReadsTheTruthWithNoiseThatDependsOnTheRevolutionOnly) {
     const SharedScan first = scanner.measure(wall, 1, 0s, {Pose{}});
     const SharedScan second = scanner.measure(wall, 2, 0s, {Pose{}});
     const SharedScan again = scanner.measure(wall, 1, 99s, {Pose{}});
-    EXPECT_NE(first->range_m, second->range_m);
-    EXPECT_EQ(first->range_m, again->range_m);
+    EXPECT_NE(first->readings, second->readings);
+    EXPECT_EQ(first->readings, again->readings);
     EXPECT_FLOAT_EQ(first->hits[440].range_m, 3.0F);
-    EXPECT_NE(first->range_m[440], 3.0F);
-    EXPECT_NEAR(first->range_m[440], 3.0F, 0.06);
+    EXPECT_NE(first->readings[440].range_m, 3.0F);
+    EXPECT_NEAR(first->readings[440].range_m, 3.0F, 0.06);
 }
 
 }  // namespace

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Tables that say under which key a member of a struct stands and how it is read. What reads a part
+// of a configuration makes such a table. Any thread; nothing shared.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "daemon/config/section.h"
+#include "sim/expected.h"
+
+namespace scipd::daemon {
+
+/// A member and how it is read.
+template <class Struct>
+struct Member {
+    std::string_view key;
+    void (*read)(const Field& field, Struct& target, Faults& faults);
+};
+
+template <auto member, auto parse, class Struct>
+void read_as(const Field& field, Struct& target, Faults& faults) {
+    faults.take(field, text_of(field.value).and_then(parse), target.*member);
+}
+
+inline constexpr std::size_t longest_list = 64;
+
+/// The items of a list, each with the path of the list and its own line.
+sim::Expected<std::vector<Field>> items(const Field& list);
+
+/// Every item of a list, or the fault of the first that is wrong.
+template <auto parse>
+auto values_of(const Field& list) {
+    using Value = typename decltype(parse({}))::value_type;
+    return items(list).and_then([](const std::vector<Field>& fields) {
+        sim::Expected<std::vector<Value>> values{tl::in_place};
+        for (const Field& item : fields) {
+            const auto value = text_of(item.value).and_then(parse);
+            if (!value) return decltype(values){tl::unexpect, value.error()};
+            values->push_back(*value);
+        }
+        return values;
+    });
+}
+
+template <auto member, auto parse, class Struct>
+void read_list(const Field& field, Struct& target, Faults& faults) {
+    faults.take(field, values_of<parse>(field), target.*member);
+}
+
+/// The keys of a table, and these.
+template <class Table>
+std::vector<std::string_view> keys_of(const Table& table,
+                                      std::span<const std::string_view> besides = {}) {
+    std::vector<std::string_view> keys(besides.begin(), besides.end());
+    for (const auto& member : table)
+        keys.push_back(member.key);
+    return keys;
+}
+
+template <class Table, class Struct>
+void read_members(const Section& section, const Table& table, Struct& target, Faults& faults) {
+    for (const auto& member : table) {
+        if (const Field* field = section.find(member.key)) member.read(*field, target, faults);
+    }
+}
+
+/// A map within the map.
+template <auto member, const auto& table, class Struct>
+void read_map(const Field& field, Struct& target, Faults& faults) {
+    const Section section{field, {keys_of(table), {}}, faults};
+    read_members(section, table, target.*member, faults);
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/config/optics.h"
+
+#include <array>
+#include <chrono>
+
+#include "daemon/config/members.h"
+#include "daemon/config/numbers.h"
+
+namespace scipd::daemon {
+namespace {
+
+using sim::BiasPoint;
+using sim::Footprint;
+using sim::IntensityPoint;
+using sim::NoiseStep;
+using sim::Receiver;
+using sim::SensorSpec;
+using sim::WarmUp;
+
+sim::Expected<int> parse_wavelength(std::string_view text) {
+    return parse_whole(text, 300, 2000);
+}
+
+sim::Expected<int> parse_rays(std::string_view text) {
+    if (text == "1") return 1;
+    if (text == "7") return 7;
+    if (text == "13") return 13;
+    return sim::refuse("must be 1, 7 or 13 rays for a beam, not '" + std::string(text) + "'");
+}
+
+sim::Expected<double> parse_milliradians(std::string_view text) {
+    return parse_length(text).and_then([&](double mrad) -> sim::Expected<double> {
+        if (mrad > 50.0)
+            return sim::refuse("must be 0 to 50 milliradians, not '" + std::string(text) + "'");
+        return mrad * 1e-3;
+    });
+}
+
+/// Points of a curve or steps: a list of maps.
+template <class Point, const auto& table>
+std::vector<Point> read_points(const Field& field, Faults& faults) {
+    std::vector<Point> points;
+    std::vector<Field> maps;
+    faults.take(field, items(field), maps);
+    for (const Field& item : maps) {
+        const Section section{item, {keys_of(table), {}}, faults};
+        read_members(section, table, points.emplace_back(Point{}), faults);
+    }
+    return points;
+}
+
+constexpr Member<NoiseStep> noise_members[] = {
+    {"from_m", read_as<&NoiseStep::from_range_m, parse_length>},
+    {"sigma_m", read_as<&NoiseStep::sigma_m, parse_length>},
+    {"share", read_as<&NoiseStep::sigma_share, parse_share>},
+};
+
+constexpr Member<BiasPoint> bias_members[] = {
+    {"range_m", read_as<&BiasPoint::range_m, parse_length>},
+    {"bias_m", read_as<&BiasPoint::bias_m, parse_metres>},
+};
+
+constexpr Member<IntensityPoint> intensity_members[] = {
+    {"range_m", read_as<&IntensityPoint::range_m, parse_length>},
+    {"intensity", read_as<&IntensityPoint::intensity, parse_length>},
+};
+
+void read_noise(const Field& field, SensorSpec& optics, Faults& faults) {
+    optics.noise = read_points<NoiseStep, noise_members>(field, faults);
+    for (std::size_t i = 0; i < optics.noise.size(); ++i) {
+        const double from_m = optics.noise[i].from_range_m;
+        const bool in_order = i == 0 ? from_m == 0.0 : from_m > optics.noise[i - 1].from_range_m;
+        if (!in_order) faults.add(field, "from_m must begin with 0 and grow");
+    }
+}
+
+template <class Point>
+void require_growing(const Field& field, const std::vector<Point>& curve, Faults& faults) {
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+        if (curve[i].range_m <= curve[i - 1].range_m) faults.add(field, "range_m must grow");
+    }
+}
+
+void read_bias(const Field& field, SensorSpec& optics, Faults& faults) {
+    optics.bias = read_points<BiasPoint, bias_members>(field, faults);
+    require_growing(field, optics.bias, faults);
+}
+
+void read_intensity(const Field& field, Receiver& receiver, Faults& faults) {
+    receiver.intensity = read_points<IntensityPoint, intensity_members>(field, faults);
+    require_growing(field, receiver.intensity, faults);
+}
+
+constexpr Member<WarmUp> warm_up_members[] = {
+    {"drift_m", read_as<&WarmUp::drift_m, parse_metres>},
+    {"time_constant_s", read_as<&WarmUp::time_constant, parse_stale>},
+};
+
+constexpr Member<Footprint> spot_members[] = {
+    {"half_width_mrad", read_as<&Footprint::half_width_rad, parse_milliradians>},
+    {"half_height_mrad", read_as<&Footprint::half_height_rad, parse_milliradians>},
+    {"rays", read_as<&Footprint::rays, parse_rays>},
+};
+
+constexpr Member<Receiver> light_members[] = {
+    {"wavelength_nm", read_as<&Receiver::wavelength_nm, parse_wavelength>},
+    {"dark_range_m", read_as<&Receiver::dark_range_m, parse_length>},
+    {"half_pulse_m", read_as<&Receiver::half_pulse_m, parse_length>},
+    {"level_below_m", read_as<&Receiver::level_below_m, parse_length>},
+    {"walk_m", read_as<&Receiver::walk_m, parse_metres>},
+    {"blinding_signal", read_as<&Receiver::blinding_signal, parse_length>},
+    {"edge_share", read_as<&Receiver::edge_share, parse_share>},
+    {"crosstalk", read_as<&Receiver::crosstalk, parse_share>},
+    {"intensity", read_intensity},
+    {"most_intensity", read_as<&Receiver::most_intensity, parse_length>},
+};
+
+constexpr Member<SensorSpec> optics_members[] = {
+    {"noise", read_noise},
+    {"bias", read_bias},
+    {"warm_up", read_map<&SensorSpec::warm_up, warm_up_members>},
+    {"lost_share", read_as<&SensorSpec::lost_share, parse_share>},
+    {"lattice_m", read_as<&SensorSpec::lattice_m, parse_length>},
+    {"spot", read_map<&SensorSpec::footprint, spot_members>},
+    {"light", read_map<&SensorSpec::receiver, light_members>},
+};
+
+}  // namespace
+
+std::vector<std::string_view> optics_keys() {
+    return keys_of(optics_members);
+}
+
+void override_optics(const Section& section, SensorSpec& optics, Faults& faults) {
+    read_members(section, optics_members, optics, faults);
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What a user may say of a model's errors and of its light, beside the fields of its profile: the
+// members of sim::SensorSpec that do not follow from the profile. Any thread; nothing shared.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "daemon/config/section.h"
+#include "sim/sensor/sensor_spec.h"
+
+namespace scipd::daemon {
+
+std::vector<std::string_view> optics_keys();
+
+/// Replaces what the section gives.
+void override_optics(const Section& section, sim::SensorSpec& optics, Faults& faults);
+
+}  // namespace scipd::daemon

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What is known of the materials of a world and what fills its air, and how a scene looks by that
+// in the light of a scanner. Lives on the I/O thread.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "sim/world/lit_world.h"
+#include "sim/world/material_library.h"
+#include "sim/world/medium.h"
+#include "sim/world/scene.h"
+
+namespace scipd::daemon {
+
+class Light {
+  public:
+    /// From now on; nothing is known of materials before.
+    void set_materials(sim::SharedMaterials materials);
+    [[nodiscard]] const sim::SharedMaterials& materials() const { return materials_; }
+    void set_media(std::vector<sim::Medium> media);
+    [[nodiscard]] const std::vector<sim::Medium>& media() const { return media_; }
+
+    /// The scene in light of this wavelength.
+    [[nodiscard]] sim::SharedLitWorld shine(const sim::SharedScene& scene, int wavelength_nm);
+
+  private:
+    sim::SharedMaterials materials_ = std::make_shared<const sim::MaterialLibrary>();
+    std::vector<sim::Medium> media_;
+    sim::SharedScene scene_;                  ///< the latest that was lit
+    std::map<int, sim::SharedLitWorld> lit_;  ///< that scene, by wavelength in nm
+};
+
+}  // namespace scipd::daemon

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/materials/materials_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "sim/loaders/file/plain_file.h"
+#include "sim/loaders/materials/yaml_walk.h"
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
+
+namespace scipd::sim {
+namespace {
+
+constexpr std::size_t largest_materials_file = 1 << 20;
+constexpr std::size_t longest_material = 200;
+constexpr int shortest_nm = 300;
+constexpr int longest_nm = 2000;
+
+/// A key of an entry that is one number.
+struct NumberKey {
+    std::string_view key;
+    double MaterialOptics::*target;
+    double low;
+    double high;
+    const char* advice;
+};
+
+constexpr const char* share_advice = "must be a share from 0 to 1";
+constexpr std::array<NumberKey, 6> number_keys{
+    {{"specular", &MaterialOptics::specular, 0.0, 1.0, share_advice},
+     {"gloss", &MaterialOptics::gloss, 1.0, 1e6, "must be an exponent from 1 to 1e6"},
+     {"retro", &MaterialOptics::retro, 0.0, 1.0, share_advice},
+     {"transmission", &MaterialOptics::transmission, 0.0, 1.0, share_advice},
+     {"roughness", &MaterialOptics::roughness, 0.0, 1.57, "must be an angle in rad, 0 to 1.57"},
+     {"texture", &MaterialOptics::texture, 0.0, 1.0, share_advice}}};
+
+std::optional<double> number_of(const YAML::Node& node) {
+    return node.IsScalar() ? parse_number(node.Scalar()) : std::nullopt;
+}
+
+std::optional<int> wavelength_of(std::string_view text) {
+    const auto number = parse_number(text);
+    if (!number || *number != std::floor(*number)) return std::nullopt;
+    if (*number < shortest_nm || *number > longest_nm) return std::nullopt;
+    return static_cast<int>(*number);
+}
+
+/// Which numbers of an entry have no source.
+struct Assumed {
+    bool all = false;
+    std::set<std::string, std::less<>> keys;  ///< of the entry
+    std::set<int> wavelengths_nm;
+
+    [[nodiscard]] bool has(std::string_view key) const { return all || keys.contains(key); }
+    [[nodiscard]] bool has(int wavelength_nm) const {
+        return has("reflectance") || wavelengths_nm.contains(wavelength_nm);
+    }
+};
+
+class MaterialsReader {
+  public:
+    explicit MaterialsReader(YamlWalk& yaml) : yaml_(yaml) {}
+
+    std::vector<MaterialOptics> read(const YamlField& document);
+
+  private:
+    MaterialOptics read_entry(const YamlField& entry);
+    void read_key(const YamlField& field, MaterialOptics& material, Assumed& assumed);
+    void read_reflectance(const YamlField& field, MaterialOptics& material);
+    void read_assumed(const YamlField& field, Assumed& assumed);
+    void read_aliases(const YamlField& field, MaterialOptics& material);
+    void check_energy(const YamlField& entry, const MaterialOptics& material);
+    void count_numbers(const YamlField& entry, const Assumed& assumed, MaterialOptics& material);
+    /// Notes that the name is taken.
+    void claim(const YamlField& field, const std::string& name);
+
+    YamlWalk& yaml_;
+    std::map<std::string, int> line_of_;  ///< names and aliases, in lower case
+};
+
+void MaterialsReader::claim(const YamlField& field, const std::string& name) {
+    if (name.empty() || name.size() > longest_material) {
+        return yaml_.add_fault(field, "a name must have 1 to 200 bytes");
+    }
+    const auto [first, is_new] = line_of_.emplace(in_lower_case(name), field.line);
+    if (is_new) return;
+    yaml_.add_fault(field, "the name " + quote(name, longest_material) + " is taken in line " +
+                               std::to_string(first->second) +
+                               "; use another (case does not count)");
+}
+
+void MaterialsReader::read_reflectance(const YamlField& field, MaterialOptics& material) {
+    constexpr auto wanted =
+        "must be a map of wavelengths in nm and shares, such as {785: 0.9, 905: 0.88}";
+    for (const YamlField& one : yaml_.entries(field, wanted)) {
+        const auto wavelength_nm = wavelength_of(one.key);
+        const auto reflectance = number_of(one.value);
+        if (!wavelength_nm) {
+            yaml_.add_fault(one, "must be a wavelength in whole nm, 300 to 2000");
+        } else if (!reflectance || !(*reflectance >= 0.0 && *reflectance <= 1.0)) {
+            yaml_.add_fault(one, share_advice);
+        } else {
+            material.reflectance[*wavelength_nm] = *reflectance;
+        }
+    }
+}
+
+void MaterialsReader::read_assumed(const YamlField& field, Assumed& assumed) {
+    constexpr auto wanted =
+        "must be true, or a list of keys and wavelengths of this entry whose numbers have no "
+        "source, such as [905, gloss]";
+    if (field.value.IsScalar()) {
+        assumed.all = field.value.Scalar() == "true";
+        if (!assumed.all) yaml_.add_fault(field, wanted);
+        return;
+    }
+    for (const std::string& text : yaml_.texts(field, wanted)) {
+        const auto wavelength_nm = wavelength_of(text);
+        const bool is_key = text == "reflectance" || std::ranges::any_of(number_keys, [&](auto& n) {
+                                return n.key == text;
+                            });
+        if (is_key) {
+            assumed.keys.insert(text);
+        } else if (wavelength_nm) {
+            assumed.wavelengths_nm.insert(*wavelength_nm);
+        } else {
+            yaml_.add_fault(field, quote(text) + " is no key with a number and no wavelength");
+        }
+    }
+}
+
+void MaterialsReader::read_aliases(const YamlField& field, MaterialOptics& material) {
+    material.aliases = yaml_.texts(field, "must be a list of names, such as [Gazebo/Wood]");
+    for (const std::string& alias : material.aliases)
+        claim(field, alias);
+}
+
+void MaterialsReader::read_key(const YamlField& field, MaterialOptics& material, Assumed& assumed) {
+    if (field.key == "reflectance") return read_reflectance(field, material);
+    if (field.key == "assumed") return read_assumed(field, assumed);
+    if (field.key == "aliases") return read_aliases(field, material);
+    if (field.key == "source") {
+        if (field.value.IsScalar()) material.source = field.value.Scalar();
+        if (material.source.empty()) yaml_.add_fault(field, "must say where the numbers come from");
+        return;
+    }
+    const auto* const known = std::ranges::find(number_keys, field.key, &NumberKey::key);
+    if (known == number_keys.end()) {
+        return yaml_.add_fault(field,
+                               "unknown key; known here are reflectance, specular, gloss, retro, "
+                               "transmission, roughness, texture, source, assumed, aliases");
+    }
+    const auto number = number_of(field.value);
+    if (!number || !(*number >= known->low && *number <= known->high)) {
+        return yaml_.add_fault(field, known->advice);
+    }
+    material.*known->target = *number;
+}
+
+void MaterialsReader::check_energy(const YamlField& entry, const MaterialOptics& material) {
+    constexpr double rounding = 1e-9;
+    for (const auto& [wavelength_nm, reflectance] : material.reflectance) {
+        const double all = reflectance + material.retro + material.transmission;
+        if (all <= 1.0 + rounding) continue;
+        yaml_.add_fault(entry, "reflectance, retro and transmission are " +
+                                   printable(std::to_string(all).substr(0, 5)) + " together at " +
+                                   std::to_string(wavelength_nm) +
+                                   " nm; no face gives back more than falls on it, so keep to 1");
+    }
+}
+
+void MaterialsReader::count_numbers(const YamlField& entry, const Assumed& assumed,
+                                    MaterialOptics& material) {
+    for (const auto& [wavelength_nm, reflectance] : material.reflectance) {
+        ++material.numbers;
+        if (assumed.has(wavelength_nm)) ++material.assumed;
+    }
+    for (const NumberKey& number : number_keys) {
+        if (!entry.value[std::string(number.key)].IsDefined()) continue;
+        ++material.numbers;
+        if (assumed.has(number.key)) ++material.assumed;
+    }
+    if (!material.source.empty() || material.assumed == material.numbers) return;
+    yaml_.add_fault(
+        entry,
+        "needs a source that says where its numbers come from; those without one must be "
+        "listed under assumed (assumed: true is all of them)");
+}
+
+MaterialOptics MaterialsReader::read_entry(const YamlField& entry) {
+    MaterialOptics material;
+    material.name = entry.key;
+    Assumed assumed;
+    const std::size_t sound = yaml_.fault_count();
+    for (const YamlField& field : yaml_.entries(entry, "must be a map with reflectance and more"))
+        read_key(field, material, assumed);
+    if (yaml_.fault_count() != sound) return material;
+    if (material.reflectance.empty()) yaml_.add_fault(entry, "needs a reflectance");
+    check_energy(entry, material);
+    count_numbers(entry, assumed, material);
+    return material;
+}
+
+std::vector<MaterialOptics> MaterialsReader::read(const YamlField& document) {
+    constexpr auto wanted =
+        "is no library of materials, which has `materials: {NAME: {reflectance: {905: 0.5}, "
+        "assumed: true}}`";
+    std::vector<MaterialOptics> materials;
+    for (const YamlField& root : yaml_.entries(document, wanted)) {
+        if (root.key != "materials") {
+            yaml_.add_fault(root, "unknown key; known here is materials");
+            continue;
+        }
+        const auto all = yaml_.entries(root, "must be a map of 1 to 4096 names and what they mean");
+        for (const YamlField& entry : all)
+            claim(entry, entry.key);
+        for (const YamlField& entry : all)
+            materials.push_back(read_entry(entry));
+    }
+    yaml_.throw_if_any();
+    return materials;
+}
+
+}  // namespace
+
+std::vector<MaterialOptics> parse_materials(const std::string& text,
+                                            const std::filesystem::path& file) {
+    YamlWalk yaml{file.string()};
+    return MaterialsReader{yaml}.read(yaml.document(text));
+}
+
+std::vector<MaterialOptics> load_materials(const std::filesystem::path& file) {
+    return parse_materials(
+        read_text(file, largest_materials_file, "name a library of materials of at most 1 MiB"),
+        file);
+}
+
+}  // namespace scipd::sim

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/sensor/echo_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "sim/sensor/air_path.h"
+
+namespace scipd::sim {
+namespace {
+
+/// A number for each cube of a centimetre in W: the hash of Teschner et al. (Optimized spatial
+/// hashing for collision detection of deformable objects, 2003).
+std::uint32_t cube_at(const glm::dvec3& at_m) {
+    constexpr double cubes_per_m = 100.0;
+    const auto along = [&](int axis) {
+        return static_cast<std::uint32_t>(std::llround(std::floor(at_m[axis] * cubes_per_m)));
+    };
+    return (along(0) * 73856093U) ^ (along(1) * 19349663U) ^ (along(2) * 83492791U);
+}
+
+/// What one face or drop sends back to one beam.
+struct Return {
+    float range_m;
+    float power;
+    ObjectId object;
+    MaterialId material;
+};
+
+/// Some returns that are one echo; `returns` is not empty.
+Echo one_echo(std::span<const Return> returns) {
+    const float from_m = returns.front().range_m;
+    double power = 0.0;
+    double mean = 0.0;
+    double square = 0.0;
+    const Return* strongest = returns.data();
+    for (const Return& one : returns) {
+        const double beyond_m = double{one.range_m} - double{from_m};
+        power += one.power;
+        mean += one.power * beyond_m;
+        square += one.power * beyond_m * beyond_m;
+        if (one.power > strongest->power) strongest = &one;
+    }
+    mean /= power;
+    const double variance_m2 = std::max(0.0, square / power - mean * mean);
+    return {.range_m = static_cast<float>(from_m + mean),
+            .power = static_cast<float>(power),
+            .spread_m = static_cast<float>(std::sqrt(variance_m2)),
+            .object = strongest->object,
+            .material = strongest->material};
+}
+
+/// Adds an echo for each run of returns in which none is farther than half a pulse behind the one
+/// before it. Reorders the returns.
+void add_echoes(std::vector<Return>& returns, float half_pulse_m, PerBeam<Echo>& echoes) {
+    if (returns.empty()) return;
+    const auto [nearest, farthest] = std::ranges::minmax(returns, {}, &Return::range_m);
+    if (farthest.range_m - nearest.range_m <= half_pulse_m) return echoes.add(one_echo(returns));
+    std::ranges::sort(returns, {}, &Return::range_m);
+    std::size_t begin = 0;
+    for (std::size_t i = 1; i <= returns.size(); ++i) {
+        const bool apart =
+            i == returns.size() || returns[i].range_m - returns[i - 1].range_m > half_pulse_m;
+        if (!apart) continue;
+        echoes.add(one_echo(std::span(returns).subspan(begin, i - begin)));
+        begin = i;
+    }
+}
+
+class EchoFinder {
+  public:
+    EchoFinder(Scan& scan, const SensorSpec& spec, const BeamPattern& pattern, const LitWorld& lit,
+               ChanceKey key)
+        : scan_(scan),
+          half_pulse_m_(static_cast<float>(spec.receiver.half_pulse_m)),
+          crosstalk_(static_cast<float>(spec.receiver.crosstalk)),
+          pattern_(pattern),
+          lit_(lit),
+          air_chance_(for_air(key, scan.revolution)),
+          texture_chance_(for_texture(key)) {}
+
+    void find() {
+        scan_.echoes.reserve(scan_.beams());
+        for (std::size_t beam = 0; beam < scan_.beams(); ++beam) {
+            returns_.clear();
+            add_hits(beam);
+            add_farther_hits(beam);
+            if (!lit_.media().empty()) pass_air(beam);
+            add_echoes(returns_, half_pulse_m_, scan_.echoes);
+            scan_.echoes.finish_beam();
+        }
+        if (crosstalk_ > 0.0F) mix_neighbours();
+    }
+
+  private:
+    static Chance for_air(ChanceKey key, std::int64_t revolution) {
+        key.scan = static_cast<std::uint64_t>(revolution);
+        key.purpose = Purpose::in_the_air;
+        return Chance(key);
+    }
+    /// The same for all sensors and scans: a texture belongs to its face.
+    static Chance for_texture(const ChanceKey& key) {
+        return Chance({.seed = key.seed, .purpose = Purpose::texture});
+    }
+
+    void add_hits(std::size_t beam) {
+        const std::span<const FootprintRay> rays = pattern_.footprint();
+        const std::size_t first = beam * rays.size();
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const Hit& hit = scan_.hits[first + i];
+            if (!hit.met()) continue;
+            const Reflection& material = lit_.of(hit.material);
+            float power = rays[i].weight * material.returned(hit.cos_incidence);
+            if (material.surface().texture > 0.0F) power *= texture_at(beam, first + i, hit);
+            add(hit, power);
+        }
+    }
+
+    void add_farther_hits(std::size_t beam) {
+        const std::size_t end = (beam + 1) * pattern_.rays_per_beam();
+        for (; farther_ < scan_.farther.size() && scan_.farther[farther_].ray < end; ++farther_) {
+            const auto& [ray, share, hit] = scan_.farther[farther_];
+            const FootprintRay& of = pattern_.footprint()[ray % pattern_.rays_per_beam()];
+            add(hit, of.weight * share * lit_.of(hit.material).returned(hit.cos_incidence));
+        }
+    }
+
+    void add(const Hit& hit, float power) {
+        if (power > 0.0F) returns_.push_back({hit.range_m, power, hit.object, hit.material});
+    }
+
+    [[nodiscard]] const Pose& pose_of(std::size_t beam) const {
+        return scan_.world_from_sensor[scan_.world_from_sensor.size() == 1 ? 0 : beam];
+    }
+
+    [[nodiscard]] float texture_at(std::size_t beam, std::size_t ray, const Hit& hit) const {
+        const glm::dvec3 at_m =
+            pose_of(beam) * (double{hit.range_m} * glm::dvec3{pattern_.directions()[ray]});
+        const double factor = 1.0 + lit_.of(hit.material).surface().texture *
+                                        texture_chance_.standard_normal(cube_at(at_m));
+        return static_cast<float>(std::max(0.0, factor));
+    }
+
+    void pass_air(std::size_t beam) {
+        const Pose& pose = pose_of(beam);
+        const glm::dvec3 direction{pattern_.directions()[beam * pattern_.rays_per_beam()]};
+        const AirPath path(lit_.media(), pose.translation_m, pose.rotation * direction);
+        float nearest_m = std::numeric_limits<float>::infinity();
+        for (Return& one : returns_) {
+            one.power *= static_cast<float>(path.left(one.range_m));
+            nearest_m = std::min(nearest_m, one.range_m);
+        }
+        for (const auto& [range_m, brightness] :
+             path.drops(nearest_m, air_chance_, static_cast<std::uint32_t>(beam))) {
+            const double power = brightness * path.left(range_m);
+            returns_.push_back(
+                {static_cast<float>(range_m), static_cast<float>(power), no_object, 0});
+        }
+    }
+
+    /// Each beam gets a share of the light of the beams beside it.
+    void mix_neighbours() {
+        PerBeam<Echo> mixed;
+        mixed.reserve(scan_.beams());
+        for (std::size_t beam = 0; beam < scan_.beams(); ++beam) {
+            returns_.clear();
+            if (beam > 0) add_echoes_of(beam - 1, crosstalk_);
+            add_echoes_of(beam, 1.0F);
+            if (beam + 1 < scan_.beams()) add_echoes_of(beam + 1, crosstalk_);
+            add_echoes(returns_, half_pulse_m_, mixed);
+            mixed.finish_beam();
+        }
+        scan_.echoes = std::move(mixed);
+    }
+
+    void add_echoes_of(std::size_t beam, float share) {
+        for (const Echo& echo : scan_.echoes[beam])
+            returns_.push_back({echo.range_m, share * echo.power, echo.object, echo.material});
+    }
+
+    Scan& scan_;
+    float half_pulse_m_;
+    float crosstalk_;
+    const BeamPattern& pattern_;
+    const LitWorld& lit_;
+    Chance air_chance_;
+    Chance texture_chance_;
+    std::size_t farther_ = 0;  ///< the next to be added
+    std::vector<Return> returns_;
+};
+
+}  // namespace
+
+void find_echoes(Scan& scan, const SensorSpec& spec, const BeamPattern& pattern,
+                 const LitWorld& lit, ChanceKey key) {
+    EchoFinder(scan, spec, pattern, lit, key).find();
+}
+
+}  // namespace scipd::sim

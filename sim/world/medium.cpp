@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/world/medium.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace scipd::sim {
+namespace {
+
+double koschmieder_per_m(double visibility_m) {
+    return 3.912 / visibility_m;
+}
+
+}  // namespace
+
+Medium fog(double visibility_m) {
+    constexpr double depth_m = 0.5;
+    const double extinction_per_m = koschmieder_per_m(visibility_m);
+    const double back_per_sr_m = 0.046 / visibility_m;
+    return {.name = "fog",
+            .extinction_per_m = extinction_per_m,
+            .returns_per_m = extinction_per_m,
+            .brightness = std::numbers::pi * back_per_sr_m * depth_m};
+}
+
+Medium rain(double mm_per_hour) {
+    const double extinction_per_m = 3.65e-4 * std::pow(mm_per_hour, 0.63);
+    return {.name = "rain",
+            .extinction_per_m = extinction_per_m,
+            .returns_per_m = extinction_per_m,
+            .brightness = 0.02};
+}
+
+Medium snow(double mm_per_hour) {
+    const double extinction_per_m = 1.44e-3 * std::pow(mm_per_hour, 0.57);
+    return {.name = "snow",
+            .extinction_per_m = extinction_per_m,
+            .returns_per_m = extinction_per_m,
+            .brightness = 0.1};
+}
+
+Medium dust(double visibility_m) {
+    const double extinction_per_m = koschmieder_per_m(visibility_m);
+    return {.name = "dust",
+            .extinction_per_m = extinction_per_m,
+            .returns_per_m = 0.2 * extinction_per_m,
+            .brightness = 0.05};
+}
+
+}  // namespace scipd::sim

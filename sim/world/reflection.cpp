@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/world/reflection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace scipd::sim {
+namespace {
+
+/// From here on a lobe is narrower than the spot of a scanner, so that rays can stand for it.
+constexpr float smooth_gloss = 500.0F;
+
+double diffuse_share(const Surface& surface, double cosine, double sine) {
+    const double s2 = double{surface.roughness} * surface.roughness;
+    const double flat = 1.0 - 0.5 * s2 / (s2 + 0.33);
+    const double rough = 0.45 * s2 / (s2 + 0.09);
+    // cos t * tan t is sin t, which stays finite along the face.
+    return surface.diffuse * (cosine * flat + rough * sine * sine);
+}
+
+double specular_share(const Surface& surface, double cosine) {
+    const double cos_twice = 2.0 * cosine * cosine - 1.0;
+    if (surface.specular <= 0.0F || cos_twice <= 0.0) return 0.0;
+    const double n = surface.gloss;
+    return surface.specular * 0.5 * (n + 2.0) * std::pow(cos_twice, n) * cosine;
+}
+
+}  // namespace
+
+double retro_gain() {
+    return std::numbers::pi / (2.0 * std::numbers::pi * (1.0 - std::cos(retro_cone_rad)));
+}
+
+double returned_share(const Surface& surface, double cos_incidence) {
+    const double cosine = std::clamp(cos_incidence, 0.0, 1.0);
+    const double sine = std::sqrt(1.0 - cosine * cosine);
+    return diffuse_share(surface, cosine, sine) + specular_share(surface, cosine) +
+           surface.retro * retro_gain() * cosine;
+}
+
+Reflection::Reflection(const Surface& surface) : surface_(surface), table_{} {
+    for (std::size_t i = 0; i <= intervals; ++i) {
+        const double x = double(i) / double(intervals);
+        table_[i] = static_cast<float>(returned_share(surface, 1.0 - x * x));
+    }
+    table_[intervals + 1] = table_[intervals];
+}
+
+float Reflection::returned(float cos_incidence) const {
+    const float x = std::sqrt(std::max(0.0F, 1.0F - cos_incidence)) * float(intervals);
+    const auto before = static_cast<std::size_t>(std::min(x, float(intervals)));
+    const float share = x - float(before);
+    return table_[before] + share * (table_[before + 1] - table_[before]);
+}
+
+float mirrored_share(const Surface& surface) {
+    return surface.gloss >= smooth_gloss ? surface.specular : 0.0F;
+}
+
+}  // namespace scipd::sim
