@@ -11,10 +11,10 @@
 namespace scipd::daemon {
 namespace {
 
-constexpr std::uint32_t max_intensity = (1U << 18U) - 1;
+constexpr float max_intensity = (1U << 18U) - 1;
 
 std::uint32_t intensity_on_wire(const sim::Reading& reading) {
-    return std::min(static_cast<std::uint32_t>(std::lround(reading.intensity)), max_intensity);
+    return static_cast<std::uint32_t>(std::min(reading.intensity, max_intensity) + 0.5F);
 }
 
 /// Nothing where the model has no code of its own.
@@ -62,11 +62,13 @@ protocol::ScanView WireScan::view() const {
 
 std::uint32_t distance_on_wire(float range_m, const protocol::DeviceProfile& profile) {
     if (!std::isfinite(range_m)) return profile.codes.nothing;
+    // What rounds to a distance that is reported. Compared before it is rounded: a conversion is
+    // several times faster than llround().
     constexpr double mm_per_m = 1000.0;
-    const long long distance_mm = std::llround(static_cast<double>(range_m) * mm_per_m);
-    if (distance_mm < profile.nearest_mm) return profile.codes.too_near;
-    if (distance_mm > profile.dmax_mm) return profile.codes.too_far;
-    return static_cast<std::uint32_t>(distance_mm);
+    const double distance_mm = double{range_m} * mm_per_m;
+    if (distance_mm < profile.nearest_mm - 0.5) return profile.codes.too_near;
+    if (distance_mm >= profile.dmax_mm + 0.5) return profile.codes.too_far;
+    return static_cast<std::uint32_t>(distance_mm + 0.5);
 }
 
 WireScan to_wire(const sim::Scan& scan, const protocol::Turn& turn, const sim::SensorSpec& optics,

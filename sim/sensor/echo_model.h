@@ -16,11 +16,6 @@
 
 namespace scipd::sim {
 
-/// The echo of a hit in a world in which every face is matt and white and the air clear.
-[[nodiscard]] inline Echo plain_echo(const Hit& hit) {
-    return {hit.range_m, hit.cos_incidence, 0.0F, hit.object, hit.material};
-}
-
 /// Fills scan.echoes for a world that looks like this. Faces that lie closer behind each other than
 /// half a pulse are one echo, at the mean of their ranges, each weighted by the light that it
 /// sends. `key`: of the run and the sensor; its purpose does not matter.

@@ -22,7 +22,8 @@ enum class Cause : std::uint8_t {
 
 struct Reading {
     float range_m = std::numeric_limits<float>::infinity();  ///< finite where it was measured
-    /// The light that arrives, relative to that of a white matt face head-on at one metre.
+    /// The light that arrives, relative to that of a white matt face head-on at one metre; 0 where
+    /// the scanner does not see light.
     float signal = 0.0F;
     float intensity = 0.0F;  ///< what the sensor calls it, in no unit
     Cause cause = Cause::nothing;

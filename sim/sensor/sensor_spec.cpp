@@ -3,27 +3,12 @@
 #include "sim/sensor/sensor_spec.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <numbers>
 
+#include "sim/sensor/curve.h"
+
 namespace scipd::sim {
-namespace {
-
-/// The value of a curve at this range; 0 where it has no points.
-template <class Point>
-double on_curve(const std::vector<Point>& curve, double Point::*value, double range_m) {
-    if (curve.empty()) return 0.0;
-    const auto after = std::ranges::upper_bound(curve, range_m, {}, &Point::range_m);
-    if (after == curve.begin()) return curve.front().*value;
-    if (after == curve.end()) return curve.back().*value;
-    const Point& before = *std::prev(after);
-    const double share = (range_m - before.range_m) / (after->range_m - before.range_m);
-    return std::lerp(before.*value, (*after).*value, share);
-}
-
-}  // namespace
-
 double SensorSpec::angle_rad(int step) const {
     return 2.0 * std::numbers::pi * (step - front_step) / steps_per_turn;
 }
@@ -36,11 +21,11 @@ double SensorSpec::sigma_m(double range_m) const {
 }
 
 double SensorSpec::bias_m(double range_m) const {
-    return on_curve(bias, &BiasPoint::bias_m, range_m);
+    return Curve(bias, &BiasPoint::bias_m).at(range_m);
 }
 
 double SensorSpec::intensity(double range_m, double power) const {
-    const double white = on_curve(receiver.intensity, &IntensityPoint::intensity, range_m);
+    const double white = Curve(receiver.intensity, &IntensityPoint::intensity).at(range_m);
     return std::min(white * power, receiver.most_intensity);
 }
 
