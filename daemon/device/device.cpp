@@ -212,6 +212,7 @@ const ScanRecord& Device::measure(std::int64_t revolution) {
     const protocol::Turn now = turn(revolution);
     ScanRecord record{cast(revolution)};
     record.sent = to_wire(*record.cast, now, optics, profile_);
+    record.accuracy = sweep_.accuracy();
     record.stamp_ms = protocol::timestamp_ms(now.start, state_.clock_zero());
     record.front_step = optics.front_step;
     record.steps_per_turn = optics.steps_per_turn;

@@ -31,6 +31,7 @@ class Sweep {
     /// sensor_name()
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const sim::SensorSpec& optics() const { return scanner_.spec(); }
+    [[nodiscard]] sim::Accuracy accuracy() const { return scanner_.accuracy(); }
     /// From now on it sits there.
     void mount(const sim::Pose& robot_from_sensor) { robot_from_sensor_ = robot_from_sensor; }
     [[nodiscard]] bool poses_known(sim::Time until) const { return world_.poses_known(until); }
