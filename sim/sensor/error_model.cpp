@@ -215,6 +215,8 @@ void ErrorModel::read(const SensorSpec& spec, Time on_for, Scan& scan) const {
         read_hits(reader, *this, scan);
     else
         read_echoes(reader, *this, scan);
+    for (const std::uint32_t beam : scan.dazzled)
+        scan.readings[beam] = {.cause = Cause::interference};
 }
 
 Reading ErrorModel::read(const SensorSpec& spec, Time on_for, std::int64_t revolution,

@@ -49,15 +49,15 @@ class PoseTrack {
                        std::size_t capacity = 4096);
 
     /// Adds a pose. The policy decides whether the thing moved or jumped there from the pose
-    /// before. Extrapolation uses `velocity`; without it, the velocity from the pose before. Returns
-    /// false and changes nothing if `time` is not later than that of the last pose.
+    /// before. Extrapolation uses `velocity`; without it, the velocity from the pose before.
+    /// Returns false and changes nothing if `time` is not later than that of the last pose.
     bool place(Time time, const Pose& pose, const std::optional<Velocity>& velocity = {});
 
     /// The same, but the thing always moved there, however far away it is.
     bool append(Time time, const Pose& pose);
 
-    /// From `time` on the thing is at `pose`. It jumps there, so nothing is interpolated. Poses that
-    /// were added for later times are dropped.
+    /// From `time` on the thing is at `pose`. It jumps there, so nothing is interpolated. Poses
+    /// that were added for later times are dropped.
     void jump(Time time, const Pose& pose);
 
     [[nodiscard]] Pose at(Time time) const;

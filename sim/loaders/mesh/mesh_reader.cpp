@@ -118,7 +118,7 @@ const aiScene& read(Assimp::Importer& importer, const Instructions& how) {
     if (scene == nullptr) refuse_mesh(importer);
     // Done before the validation, which would refuse the file for what does not matter here, such
     // as two cameras of one name, or a texture.
-    keep_what_matters(*scene, wish.file);
+    keep_what_matters(*scene, how.file);
     importer.ApplyPostProcessing(aiProcess_RemoveComponent);
     scene = importer.ApplyPostProcessing(aiProcess_ValidateDataStructure);
     if (scene == nullptr) refuse_mesh(importer);
