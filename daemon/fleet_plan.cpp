@@ -10,16 +10,13 @@
 #include "daemon/load_materials.h"
 #include "daemon/load_world.h"
 #include "daemon/mounting.h"
+#include "daemon/unseen_media.h"
 #include "daemon/world/backend_maker.h"
 #include "sim/sensor/scanner.h"
 #include "sim/world/lit_world.h"
 
 namespace scipd::daemon {
 namespace {
-
-bool sees_light(const SensorConfig& sensor) {
-    return !sensor.staring && sensor.accuracy == sim::Accuracy::material;
-}
 
 std::vector<glm::vec3> directions_of(const SensorConfig& sensor) {
     if (sensor.staring) return sensor.staring->directions();
@@ -71,6 +68,7 @@ FleetPlan make_plan(Config config, const SettledBackends& settled, const std::st
     sim::LoadedScene loaded = load_world(config, materials.library, stop);
     std::ranges::move(materials.warnings, std::back_inserter(loaded.warnings));
     std::vector<std::string> notices = mount_by_name(config, *loaded.scene);
+    std::ranges::move(media_notices(config), std::back_inserter(notices));
     std::vector<RequestedBackend> requests;
     for (const RobotConfig& robot : config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {
