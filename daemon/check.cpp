@@ -14,6 +14,7 @@
 #include "daemon/load_materials.h"
 #include "daemon/load_world.h"
 #include "daemon/mounting.h"
+#include "daemon/unseen_media.h"
 #include "daemon/world/backend_choice.h"
 #include "sim/backends/registry.h"
 #include "sim/loaders/poses/trajectory_file.h"
@@ -80,6 +81,7 @@ std::string check(const std::filesystem::path& file, bool strict) {
         check_backends(robot, faults);
         sensors += robot.sensors.size();
     }
+    std::ranges::move(media_notices(config), std::back_inserter(notices));
     if (!faults.empty()) throw sim::LoadError(std::move(faults));
     std::string text;
     for (const auto* list : {&materials.warnings, &world.warnings, &world.notes, &notices}) {

@@ -67,6 +67,7 @@ void Fleet::take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept {
     const Config& config = plan.config;
     simulation.editor.set_file(config.scene, scene_options(config, plan.materials));
     simulation.world.light().set_materials(plan.materials);
+    simulation.world.light().configure_media(config.media);
     simulation.worker.discard(std::make_shared<SensorBackends>(simulation.world.replace_scene(
         std::move(plan.loaded.scene), std::move(plan.backends), {}, simulation.clock.now())));
     std::map<std::string, RobotStart> robots;

@@ -11,6 +11,7 @@
 #include "daemon/device/staring_sensor.h"
 #include "daemon/fleet_status.h"
 #include "daemon/simulation.h"
+#include "daemon/unseen_media.h"
 
 namespace scipd::daemon {
 namespace {
@@ -62,6 +63,18 @@ void FleetApi::edit_scene(SceneEdit edit, EditDone done, std::stop_token withdra
         simulation.choose_backends();
     };
     simulation_.editor.edit(std::move(edit), std::move(told), std::move(withdrawn));
+}
+
+std::vector<sim::Medium> FleetApi::media() const {
+    return simulation_.world.light().media();
+}
+
+std::vector<std::string> FleetApi::set_media(std::vector<sim::Medium> media) {
+    const bool seen = media.empty() || std::ranges::any_of(simulation_.stations, [](const auto& s) {
+                          return sees_light(s->config);
+                      });
+    simulation_.world.light().set_media(std::move(media));
+    return seen ? std::vector<std::string>{} : std::vector{std::string(unseen_media)};
 }
 
 std::optional<sim::TimedPose> FleetApi::robot_pose(const std::string& robot) const {

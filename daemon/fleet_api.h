@@ -11,6 +11,7 @@
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "daemon/api/api.h"
 #include "daemon/poses/pose_intake.h"
@@ -33,6 +34,8 @@ class FleetApi : public Api {
     sim::Expected<> take_pose_line(std::string_view line, SenderClock& sender) override;
     [[nodiscard]] SceneView scene() const override;
     void edit_scene(SceneEdit edit, EditDone done, std::stop_token withdrawn) override;
+    [[nodiscard]] std::vector<sim::Medium> media() const override;
+    [[nodiscard]] std::vector<std::string> set_media(std::vector<sim::Medium> media) override;
     [[nodiscard]] std::optional<sim::TimedPose> model_pose(const std::string& model) const override;
     sim::Expected<> set_model_pose(const std::string& model, const sim::PoseLine& said) override;
 

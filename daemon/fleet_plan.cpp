@@ -10,6 +10,7 @@
 #include "daemon/load_materials.h"
 #include "daemon/load_world.h"
 #include "daemon/mounting.h"
+#include "daemon/unseen_media.h"
 #include "daemon/world/backend_maker.h"
 #include "sim/sensor/scanner.h"
 #include "sim/world/lit_world.h"
@@ -67,6 +68,7 @@ FleetPlan make_plan(Config config, const SettledBackends& settled, const std::st
     sim::LoadedScene loaded = load_world(config, materials.library, stop);
     std::ranges::move(materials.warnings, std::back_inserter(loaded.warnings));
     std::vector<std::string> notices = mount_by_name(config, *loaded.scene);
+    std::ranges::move(media_notices(config), std::back_inserter(notices));
     std::vector<RequestedBackend> requests;
     for (const RobotConfig& robot : config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {

@@ -22,6 +22,7 @@
 #include "sim/loaders/poses/pose_line.h"
 #include "sim/loaders/poses/trajectory.h"
 #include "sim/time.h"
+#include "sim/world/medium.h"
 #include "sim/world/pose.h"
 #include "sim/world/scene.h"
 
@@ -109,6 +110,11 @@ class Api {
     /// Calls `done` when the change is in effect or refused, after the changes before it. Does not
     /// call it where the change is withdrawn before it has begun.
     virtual void edit_scene(SceneEdit edit, EditDone done, std::stop_token withdrawn) = 0;
+
+    /// What fills the air now.
+    [[nodiscard]] virtual std::vector<sim::Medium> media() const = 0;
+    /// It is this from the next measurement on. Returns what is worth knowing about it.
+    [[nodiscard]] virtual std::vector<std::string> set_media(std::vector<sim::Medium> media) = 0;
 
     /// As of robots; nothing: there is no such movable model.
     [[nodiscard]] virtual std::optional<sim::TimedPose> model_pose(

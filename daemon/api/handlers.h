@@ -40,4 +40,9 @@ void delete_model(Call&& call);
 void get_model_pose(Call&& call);
 void put_model_pose(Call&& call);
 
+// media_routes.cpp
+void get_media(Call&& call);
+void put_media(Call&& call);
+void delete_media(Call&& call);
+
 }  // namespace scipd::daemon

@@ -21,7 +21,7 @@ void ask_for_upgrade(Call&& call) {
     call.respond(problem(426, call.request.path + " is a WebSocket: ask with Upgrade: websocket"));
 }
 
-constexpr std::array<Route, 15> table{{
+constexpr std::array<Route, 18> table{{
     {"GET", "/status", get_status},
     {"GET", "/sensors", get_sensors},
     {"GET", "/sensors/{robot}/{sensor}", get_sensor},
@@ -31,6 +31,9 @@ constexpr std::array<Route, 15> table{{
     {"PUT", "/robots/{robot}/pose", put_robot_pose},
     {"GET", "/scene", get_scene},
     {"PUT", "/scene", put_scene},
+    {"GET", "/scene/media", get_media},
+    {"PUT", "/scene/media", put_media},
+    {"DELETE", "/scene/media", delete_media},
     {"POST", "/scene/models", post_model},
     {"DELETE", "/scene/models/{model}", delete_model},
     {"GET", "/scene/models/{model}/pose", get_model_pose},

@@ -19,6 +19,7 @@
 #include "sim/loaders/map/ros_map.h"
 #include "sim/loaders/poses/trajectory.h"
 #include "sim/loaders/sdf/sdf.h"
+#include "sim/world/medium.h"
 #include "sim/world/pose_track.h"
 
 namespace scipd::daemon {
@@ -71,6 +72,7 @@ struct Config {
     bool strict = false;  ///< what a world or a trajectory would cause a warning for is a fault
     sim::MapOptions map;
     std::filesystem::path materials;  ///< what they say comes before the stock library; empty: none
+    std::vector<sim::Medium> media;   ///< what fills the air at the start
     WorldLimits limits;
     ClockKind clock = ClockKind::wall;
     std::uint64_t seed = 1;

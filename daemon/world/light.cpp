@@ -16,6 +16,10 @@ void Light::set_media(std::vector<sim::Medium> media) {
     lit_.clear();
 }
 
+void Light::configure_media(const std::vector<sim::Medium>& media) {
+    if (std::exchange(configured_media_, media) != media) set_media(media);
+}
+
 sim::SharedLitWorld Light::shine(const sim::SharedScene& scene, int wavelength_nm) {
     if (std::exchange(scene_, scene) != scene) lit_.clear();
     sim::SharedLitWorld& lit = lit_[wavelength_nm];

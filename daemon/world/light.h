@@ -23,7 +23,11 @@ class Light {
     /// From now on; nothing is known of materials before.
     void set_materials(sim::SharedMaterials materials);
     [[nodiscard]] const sim::SharedMaterials& materials() const { return materials_; }
+    /// The media are these until somebody sets others.
     void set_media(std::vector<sim::Medium> media);
+    /// What the configuration says of media. It takes the place of what somebody has set only where
+    /// it is not what the configuration said before.
+    void configure_media(const std::vector<sim::Medium>& media);
     [[nodiscard]] const std::vector<sim::Medium>& media() const { return media_; }
 
     /// The scanners that others may see.
@@ -35,6 +39,7 @@ class Light {
   private:
     sim::SharedMaterials materials_ = std::make_shared<const sim::MaterialLibrary>();
     std::vector<sim::Medium> media_;
+    std::vector<sim::Medium> configured_media_;
     Lamps lamps_;
     sim::SharedScene scene_;                  ///< the latest that was lit
     std::map<int, sim::SharedLitWorld> lit_;  ///< that scene, by wavelength in nm

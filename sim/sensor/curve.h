@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "sim/sensor/sensor_spec.h"
+#include "sim/sensor/noise_step.h"
 
 namespace scipd::sim {
 

@@ -8,18 +8,10 @@
 #include <vector>
 
 #include "sim/sensor/footprint.h"
+#include "sim/sensor/noise_step.h"
 #include "sim/time.h"
 
 namespace scipd::sim {
-
-/// Standard deviation of a range: sigma_m + sigma_share * range from this range on.
-struct NoiseStep {
-    double from_range_m;
-    double sigma_m;
-    double sigma_share;
-
-    bool operator==(const NoiseStep&) const = default;
-};
 
 /// How much too far a sensor reads at this range.
 struct BiasPoint {

@@ -21,7 +21,9 @@ Medium fog(double visibility_m) {
     return {.name = "fog",
             .extinction_per_m = extinction_per_m,
             .returns_per_m = extinction_per_m,
-            .brightness = std::numbers::pi * back_per_sr_m * depth_m};
+            .brightness = std::numbers::pi * back_per_sr_m * depth_m,
+            .kind = "fog",
+            .amount = visibility_m};
 }
 
 Medium rain(double mm_per_hour) {
@@ -29,7 +31,9 @@ Medium rain(double mm_per_hour) {
     return {.name = "rain",
             .extinction_per_m = extinction_per_m,
             .returns_per_m = extinction_per_m,
-            .brightness = 0.02};
+            .brightness = 0.02,
+            .kind = "rain",
+            .amount = mm_per_hour};
 }
 
 Medium snow(double mm_per_hour) {
@@ -37,7 +41,9 @@ Medium snow(double mm_per_hour) {
     return {.name = "snow",
             .extinction_per_m = extinction_per_m,
             .returns_per_m = extinction_per_m,
-            .brightness = 0.1};
+            .brightness = 0.1,
+            .kind = "snow",
+            .amount = mm_per_hour};
 }
 
 Medium dust(double visibility_m) {
@@ -45,7 +51,9 @@ Medium dust(double visibility_m) {
     return {.name = "dust",
             .extinction_per_m = extinction_per_m,
             .returns_per_m = 0.2 * extinction_per_m,
-            .brightness = 0.05};
+            .brightness = 0.05,
+            .kind = "dust",
+            .amount = visibility_m};
 }
 
 }  // namespace scipd::sim

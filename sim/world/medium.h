@@ -23,6 +23,10 @@ struct Medium {
     double returns_per_m = 0.0;
     /// What one of them sends back, relative to a white matt face that fills the beam.
     double brightness = 0.0;
+    /// How somebody said it, for those who show it: "fog", "rain", "snow", "dust" or "custom".
+    std::string kind = "custom";
+    /// Metres of visibility of fog and dust, millimetres an hour of rain and snow.
+    double amount = 0.0;
 
     bool operator==(const Medium&) const = default;
 };

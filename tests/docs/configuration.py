@@ -35,6 +35,7 @@ def with_sensor(text, scene=ROOM):
 SECTIONS = {
     "root": ("{@}", {"scene": "scenes/square_room.sdf", "robots": ROBOTS}),
     "map": (with_root("map: {@}"), {}),
+    "media": (with_root("media: [{@}]"), {"kind": "custom", "extinction_per_m": "0.1"}),
     "limits": (with_root("limits: {@}"), {}),
     "robots.NAME": (f"{{{ROOM}, robots: {{rescue: {{@}}}}}}", {"sensors": "{front: {model: UST-10LX, pty: auto}}"}),
     "robots.NAME.poses": (f"{{{ROOM}, robots: {{rescue: {{poses: {{@}}, "
@@ -50,7 +51,8 @@ SECTIONS = {
     "profile": (with_sensor("model: URG-04LX, pty: auto, profile: {@}"), {}),
 }
 PATHS = {"root": "", "profile": "robots.rescue.sensors.front.profile"}
-STARING = {"camera", "ranger"}
+# A row with one of these is whole: it needs nothing besides.
+WHOLE = {"camera", "ranger", "kind"}
 UNKNOWN = "a_key_that_nobody_could_ever_have_meant: 1"
 
 
@@ -86,7 +88,7 @@ def packs_of(rows):
     for section, _, _, example, _, _ in rows:
         keys = keys_of(example)
         for pack in packs:
-            alone = {"link", "sensor"} <= keys | pack[2] or (keys | pack[2]) & STARING
+            alone = {"link", "sensor"} <= keys | pack[2] or (keys | pack[2]) & WHOLE
             if pack[0] == section and not alone and not keys & pack[2]:
                 pack[1] += ", " + example
                 pack[2] |= keys
@@ -106,7 +108,7 @@ class Checker:
         document, base = SECTIONS[section]
         given = keys_of(row)
         besides = "".join(f", {key}: {text}" for key, text in base.items() if key not in given)
-        if given & STARING:
+        if given & WHOLE:
             besides = ""
         file = self.folder / f"{name}.yaml"
         file.write_text(document.replace("@", row + besides) + "\n")

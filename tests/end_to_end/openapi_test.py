@@ -37,6 +37,9 @@ robots:
 TRUTH = "/sensors/{robot}/{sensor}/truth"
 READING = "/sensors/{robot}/{sensor}/reading"
 POSE = "/scene/models/{model}/pose"
+MEDIA = "/scene/media"
+FOG_AND_STEAM = [{"kind": "fog", "visibility_m": 20, "box": {"from": [0, 0, 0], "to": [2, 2, 3]}},
+                 {"kind": "custom", "name": "steam", "extinction_per_m": 0.5, "returns_per_m": 2, "brightness": 0.2}]
 # In this order: method, path in the document, path of the request, body, status.
 EXCHANGES = [
     ("GET", "/status", "/status", None, 200),
@@ -76,6 +79,11 @@ EXCHANGES = [
     ("PUT", POSE, "/scene/models/n/pose", {"xyz": [2, 0, 0]}, 404),
     ("DELETE", "/scene/models/{model}", "/scene/models/m", None, 204),
     ("DELETE", "/scene/models/{model}", "/scene/models/m", None, 404),
+    ("GET", MEDIA, MEDIA, None, 200),
+    ("PUT", MEDIA, MEDIA, FOG_AND_STEAM, 200),
+    ("GET", MEDIA, MEDIA, None, 200),
+    ("PUT", MEDIA, MEDIA, [{"kind": "fog"}], 400),
+    ("DELETE", MEDIA, MEDIA, None, 204),
     ("PUT", "/scene", "/scene", {"file": "SCENE"}, 200),
     ("PUT", "/scene", "/scene", {"file": "no such file"}, 400),
     ("GET", "/poses", "/poses", None, 426),

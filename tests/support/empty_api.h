@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "daemon/api/api.h"
 #include "daemon/api/scan_stream.h"
@@ -41,6 +42,11 @@ class EmptyApi : public daemon::Api {
     void edit_scene(daemon::SceneEdit, daemon::EditDone done, std::stop_token) override {
         done({});
     }
+    [[nodiscard]] std::vector<sim::Medium> media() const override { return media_; }
+    [[nodiscard]] std::vector<std::string> set_media(std::vector<sim::Medium> media) override {
+        media_ = std::move(media);
+        return {};
+    }
     [[nodiscard]] std::optional<sim::TimedPose> model_pose(const std::string&) const override {
         return {};
     }
@@ -48,6 +54,7 @@ class EmptyApi : public daemon::Api {
 
   private:
     sim::SharedScene scene_ = std::make_shared<const sim::Scene>();
+    std::vector<sim::Medium> media_;
     daemon::ScanStream stream_;
 };
 

@@ -8,7 +8,9 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -16,11 +18,13 @@
 #include "daemon/config/demo_world.h"
 #include "daemon/models/registry.h"
 #include "sim/loaders/file/load_error.h"
+#include "sim/loaders/materials/materials_file.h"
 #include "sim/loaders/scene_file.h"
-#include "sim/sensor/beam_pattern.h"
+#include "sim/sensor/scanner.h"
 #include "tools/options.h"
 #include "tools/scipbench/chart.h"
 #include "tools/scipbench/compare.h"
+#include "tools/scipbench/compare_stages.h"
 #include "tools/scipbench/machine.h"
 #include "tools/scipbench/table3.h"
 #include "tools/scipbench/table4.h"
@@ -37,6 +41,7 @@ struct Said {
     std::size_t poses = 50;
     double height_m = robot_height_m;
     bool json = false;
+    bool light = false;
 };
 
 void write_to(const std::string& file, const auto& write) {
@@ -93,12 +98,21 @@ void run_table4(const Said& said) {
     write_to(said.csv, [&](std::ostream& out) { write_table4_csv(rows, out); });
 }
 
+sim::MaterialLibrary stock_library() {
+    const auto file = daemon::stock_materials();
+    if (!file) throw std::runtime_error(file.error().why);
+    sim::MaterialLibrary library;
+    for (sim::MaterialOptics& material : sim::load_materials(*file))
+        library.add(std::move(material));
+    return library;
+}
+
 void run_compare(const Said& said) {
     const sim::SharedScene scene = load(said);
     const sim::SensorSpec& optics = daemon::find_model(said.model).optics;
-    const sim::BeamPattern pattern(optics);
-    const std::vector<glm::vec3> directions(pattern.directions().begin(),
-                                            pattern.directions().end());
+    const sim::Scanner scanner(optics, {.accuracy = sim::Accuracy::ideal});
+    const std::vector<glm::vec3> directions(scanner.directions().begin(),
+                                            scanner.directions().end());
     tell_what_is_missing("depth is not compared");
     const auto scans =
         compare_backends(scene, directions, optics.max_range_m, said.poses, said.height_m);
@@ -108,6 +122,10 @@ void run_compare(const Said& said) {
         std::cout << describe_machine() << "\n"
                   << said.scene << ", " << said.model << ", " << said.poses << " poses\n\n";
         print_comparison(scans, std::cout);
+        if (said.light) {
+            print_stages(compare_stages(scene, optics, stock_library(), said.poses, said.height_m),
+                         std::cout);
+        }
     }
     if (!said.plot.empty()) draw_differences(scans, said.model + " in " + said.scene, said.plot);
 }
@@ -190,6 +208,11 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(2, 100'000))
         ->capture_default_str();
     compare->add_flag("--json", said.json, "as a JSON document");
+    compare
+        ->add_flag("--light", said.light,
+                   "also compare echoes and readings at accuracy material, with the materials of "
+                   "scipd")
+        ->excludes("--json");
     add_plot(*compare, said);
     return run(program, argc, argv);
 }

@@ -22,8 +22,9 @@ void add_pose_commands(CLI::App& program, const ControlOptions& control);
 void add_pose_play_command(CLI::App& pose, const ControlOptions& control);
 void add_pose_stream_command(CLI::App& pose, const ControlOptions& control);
 
-/// `scipctl scene list|load|add|move|remove`
+/// `scipctl scene list|load|add|move|remove|medium`
 void add_scene_commands(CLI::App& program, const ControlOptions& control);
+void add_medium_command(CLI::App& scene, const ControlOptions& control);
 
 /// `scipctl reading ROBOT/SENSOR`
 void add_reading_command(CLI::App& program, const ControlOptions& control);

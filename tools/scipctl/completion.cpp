@@ -83,6 +83,7 @@ void add_completion_command(CLI::App& program) {
         Words words;
         collect(program, "", "", words);
         words["/completion"].insert(0, "bash zsh ");
+        words["/scene/medium"].insert(0, "fog dust rain snow custom none ");
         *shell == "bash" ? print_bash(words) : print_zsh(words);
     });
     command->footer("Example:\n  source <(scipctl completion bash)");

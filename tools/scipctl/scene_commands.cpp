@@ -262,6 +262,8 @@ void add_scene_commands(CLI::App& program, const ControlOptions& control) {
     const auto model = std::make_shared<std::string>();
     remove_command->add_option("MODEL", *model, "the name of the model")->required();
     remove_command->callback([&control, model] { remove(control, *model); });
+
+    add_medium_command(*scene, control);
 }
 
 }  // namespace scipd::tools

@@ -13,7 +13,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr int deepest_json = 8;
-constexpr int most_values = 256;
 
 /// Thrown through the library's parser, which cannot be stopped otherwise.
 struct TooLarge : std::runtime_error {
@@ -29,9 +28,9 @@ std::string words_of(const Json::exception& error) {
 
 }  // namespace
 
-Expected<Json> parse_small_json(std::string_view text) {
+Expected<Json> parse_small_json(std::string_view text, int most_values) {
     int values = 0;
-    const auto count = [&values](int depth, Json::parse_event_t, const Json&) {
+    const auto count = [&values, most_values](int depth, Json::parse_event_t, const Json&) {
         if (depth > deepest_json) {
             throw TooLarge("nests deeper than " + std::to_string(deepest_json) + " levels");
         }

@@ -14,7 +14,7 @@
 namespace scipd::sim {
 
 /// Refuses what is no JSON, nests deeper than a request or a pose line ever does, or has more
-/// values.
-Expected<nlohmann::json> parse_small_json(std::string_view text);
+/// values than `most_values`, keys and ends of lists counted.
+Expected<nlohmann::json> parse_small_json(std::string_view text, int most_values = 256);
 
 }  // namespace scipd::sim

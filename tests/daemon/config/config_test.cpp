@@ -379,10 +379,12 @@ TEST_F(ConfigTest, SaysWhereTheTextIsNotYaml) {
 }
 
 TEST_F(ConfigTest, AFaultIsALineThatCanBeShown) {
-    EXPECT_THAT(sensor_faults("\"a\\n\\x1b\": 1"),
-                ElementsAre("fleet.yaml:3: robots.r.sensors.s.a??: unknown key; known here are "
-                            "model, camera, ranger, mount, tcp, pty, backend, depth, accuracy, "
-                            "echo, motion, timing, power_up, clock, link, profile, sees_body"));
+    EXPECT_THAT(
+        sensor_faults("\"a\\n\\x1b\": 1"),
+        ElementsAre(
+            "fleet.yaml:3: robots.r.sensors.s.a??: unknown key; known here are "
+            "model, camera, ranger, mount, tcp, pty, backend, depth, accuracy, "
+            "echo, interference, motion, timing, power_up, clock, link, profile, sees_body"));
     const auto told = faults(
         "scene: room.sdf\nrobots: {r: {sensors: {s: "
         "{pty: auto, model: \"UST\\n10\"}}}}");

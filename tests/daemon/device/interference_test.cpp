@@ -36,7 +36,7 @@ class Interference : public testing::Test {
   protected:
     void make(const sim::Scene& scene) {
         const auto shared = std::make_shared<const sim::Scene>(scene);
-        world_.replace_scene(shared, one_backend(shared));
+        world_.replace_scene(shared, one_backend(shared, {"robot/here", "robot/there"}));
         world_.set_robots({{"robot", {}}});
         here_.emplace("robot", facing("here", {}, 0.0), 1, world_, clock_);
         const sim::Pose there = sim::pose_from_rpy({apart_m, 0, 0}, {0, 0, std::numbers::pi});

@@ -108,6 +108,34 @@ TEST(Scipbench, ComparesAllBackends) {
     EXPECT_THAT(read_file(plot), HasSubstr("<svg"));
 }
 
+/// The numbers behind a backend's name in its last line.
+std::vector<double> numbers_of(const std::string& out, const std::string& backend) {
+    std::istringstream line(out.substr(out.rfind("\n" + backend + " ") + 1));
+    std::string name;
+    line >> name;
+    std::vector<double> numbers;
+    for (double number = 0.0; line >> number;)
+        numbers.push_back(number);
+    return numbers;
+}
+
+// Backends may differ at edges and where a face is met at a flat angle, and nowhere else.
+TEST(Scipbench, ComparesEchoesAndReadingsInLight) {
+    const Outcome outcome =
+        scipbench({"compare", "--scene", room, "--poses", "5", "--height", "0.5", "--light"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const char* backend : {"embree", "depth", "reference"}) {
+        const std::vector<double> numbers = numbers_of(outcome.out, backend);
+        if (numbers.empty()) continue;  // this machine cannot draw
+        ASSERT_EQ(numbers.size(), 8U) << backend;
+        EXPECT_LT(numbers[0], 0.1) << backend;  // echoes, mm, median
+        EXPECT_LT(numbers[2], 0.1) << backend;  // power, %, median
+        EXPECT_LT(numbers[4], 0.5) << backend;  // readings, mm, median
+        EXPECT_LT(numbers[6], 2.0) << backend;  // % of the beams have other echoes
+        EXPECT_LT(numbers[7], 2.0) << backend;  // % of the beams have another cause
+    }
+}
+
 /// As on a machine whose EGL has no driver.
 Outcome scipbench_that_cannot_draw(std::vector<std::string> words) {
     words.insert(words.begin(),

@@ -194,8 +194,11 @@ TEST_F(ScipctlScene, CompletesInBash) {
     };
     EXPECT_EQ(complete("scipctl s", "1"), "status sensors scene\n");
     EXPECT_EQ(complete("scipctl --control x pose st", "4"), "stream\n");
-    EXPECT_EQ(complete("scipctl scene ''", "2"), "list load add move remove --help --control\n");
+    EXPECT_EQ(complete("scipctl scene ''", "2"),
+              "list load add move remove medium --help --control\n");
     EXPECT_EQ(complete("scipctl scene add --sc", "3"), "--scale\n");
+    EXPECT_EQ(complete("scipctl scene medium f", "3"), "fog\n");
+    EXPECT_EQ(complete("scipctl scene medium fog --v", "4"), "--visibility\n");
     EXPECT_EQ(complete("scipctl scene list --s", "3"), "--sensors\n");
     EXPECT_EQ(complete("scipctl completion ''", "2"), "bash zsh --help --control\n");
     EXPECT_EQ(complete("scipctl truth x", "2"), "\n");
@@ -209,7 +212,8 @@ TEST_F(ScipctlScene, CompletesInZsh) {
                         words + "); CURRENT=" + cursor + "; _scipctl"})
             .out;
     };
-    EXPECT_EQ(complete("scipctl scene ''", "3"), "-- list load add move remove --help --control\n");
+    EXPECT_EQ(complete("scipctl scene ''", "3"),
+              "-- list load add move remove medium --help --control\n");
     EXPECT_THAT(complete("scipctl ''", "2"), HasSubstr("truth"));
 }
 

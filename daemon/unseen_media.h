@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What a user should know who fills the air of a world that no sensor sees the light of. Any
+// thread; nothing shared.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "daemon/config/config.h"
+
+namespace scipd::daemon {
+
+/// Whether the sensor measures by the light that comes back to it.
+bool sees_light(const SensorConfig& sensor);
+
+inline constexpr std::string_view unseen_media =
+    "no scanner has accuracy: material, so what fills the air changes no scan";
+
+/// That sentence, if the configuration has media and it is true.
+std::vector<std::string> media_notices(const Config& config);
+
+}  // namespace scipd::daemon
