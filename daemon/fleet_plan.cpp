@@ -54,7 +54,7 @@ RequestedBackend requested_backend(const std::string& robot, const SensorConfig&
                              .poses = sensor.motion.value_or(beams),
                              .world_from_sensor = world_from_robot * sensor.robot_from_sensor,
                              .max_range_m = static_cast<float>(max_range_m)};
-    if (sees_light(sensor)) {
+    if (sensor.sees_light()) {
         request.materials = materials;
         request.wavelength_nm = sensor.model.optics.receiver.wavelength_nm;
     }

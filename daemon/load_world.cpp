@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/load_world.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +24,13 @@ std::string movable_models(const sim::Scene& scene) {
 bool moves(const sim::Scene& scene, const std::string& name) {
     const auto model = sim::find_model(scene, name);
     return model && scene.models[*model].movable;
+}
+
+/// Nobody else asks what a material is, so a name that is not known is nothing to warn of.
+bool any_sees_light(const Config& config) {
+    return std::ranges::any_of(config.robots, [](const RobotConfig& robot) {
+        return std::ranges::any_of(robot.sensors, &SensorConfig::sees_light);
+    });
 }
 
 sim::LoadedScene load_scene(const Config& config, const sim::SharedMaterials& materials,
@@ -50,7 +58,7 @@ sim::SceneOptions scene_options(const Config& config, const sim::SharedMaterials
                                       .model_folders = stock_models(),
                                       .strict = config.strict},
                               .map = config.map,
-                              .materials = materials};
+                              .materials = any_sees_light(config) ? materials : nullptr};
     apply(config.limits, options);
     return options;
 }

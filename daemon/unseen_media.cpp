@@ -6,13 +6,9 @@
 
 namespace scipd::daemon {
 
-bool sees_light(const SensorConfig& sensor) {
-    return !sensor.staring && sensor.accuracy == sim::Accuracy::material;
-}
-
 std::vector<std::string> media_notices(const Config& config) {
     const bool seen = std::ranges::any_of(config.robots, [](const RobotConfig& robot) {
-        return std::ranges::any_of(robot.sensors, sees_light);
+        return std::ranges::any_of(robot.sensors, &SensorConfig::sees_light);
     });
     if (config.media.empty() || seen) return {};
     return {config.place_of("media") + std::string(unseen_media)};

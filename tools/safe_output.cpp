@@ -2,8 +2,6 @@
 // Copyright The scipd authors
 #include "tools/safe_output.h"
 
-#include <string_view>
-
 #include "sim/text/quote.h"
 
 namespace scipd::tools {
@@ -13,6 +11,14 @@ SafeOutput::SafeOutput(std::ostream& stream) : stream_(stream), out_(stream.rdbu
 SafeOutput::~SafeOutput() {
     stream_.flush();
     stream_.rdbuf(out_);
+}
+
+void SafeOutput::write_as_is(std::ostream& stream, std::string_view text) {
+    auto* const filter = dynamic_cast<SafeOutput*>(stream.rdbuf());
+    if (filter == nullptr) return void(stream << text);
+    const auto length = static_cast<std::streamsize>(text.size());
+    if (filter->sync() == -1 || filter->out_->sputn(text.data(), length) != length)
+        stream.setstate(std::ios::badbit);
 }
 
 SafeOutput::int_type SafeOutput::overflow(int_type character) {

@@ -8,6 +8,7 @@
 #include <ostream>
 #include <streambuf>
 #include <string>
+#include <string_view>
 
 namespace scipd::tools {
 
@@ -18,6 +19,10 @@ class SafeOutput : public std::streambuf {
     ~SafeOutput() override;
     SafeOutput(const SafeOutput&) = delete;
     SafeOutput& operator=(const SafeOutput&) = delete;
+
+    /// Writes text as it is, for programs that colour it. What others wrote of it must have been
+    /// through sim::shown().
+    static void write_as_is(std::ostream& stream, std::string_view text);
 
   protected:
     int_type overflow(int_type character) override;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <ranges>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -79,6 +80,89 @@ void add_all_hits(ObjectText& text, const sim::Scan& cast, const sim::Scene& sce
     });
 }
 
+std::string_view word(sim::Accuracy accuracy) {
+    switch (accuracy) {
+        case sim::Accuracy::ideal:
+            return "ideal";
+        case sim::Accuracy::sensor:
+            return "sensor";
+        case sim::Accuracy::material:
+            break;
+    }
+    return "material";
+}
+
+std::string_view word(sim::Cause cause) {
+    switch (cause) {
+        case sim::Cause::measured:
+            return "measured";
+        case sim::Cause::nothing:
+            return "nothing";
+        case sim::Cause::too_dark:
+            return "too_dark";
+        case sim::Cause::too_bright:
+            return "too_bright";
+        case sim::Cause::edge:
+            return "edge";
+        case sim::Cause::interference:
+            return "interference";
+        case sim::Cause::lost:
+            break;
+    }
+    return "lost";
+}
+
+/// Appends a list within a list.
+template <class Append>
+void append_list(std::string& text, auto&& things, Append append) {
+    char before = '[';
+    for (const auto& thing : things) {
+        text += std::exchange(before, ',');
+        append(thing);
+    }
+    text += things.empty() ? "[]" : "]";
+}
+
+/// Adds a list for each beam of what came back to it.
+void add_echoes(ObjectText& text, const sim::PerBeam<sim::Echo>& echoes, const sim::Scene& scene) {
+    Names objects(scene.objects);
+    Names materials(scene.materials);
+    const auto append = [&](std::string& list, const sim::Echo& echo) {
+        const bool in_the_air = echo.object == sim::no_object;
+        append_rounded(list += R"({"range_m":)", echo.range_m);
+        append_rounded(list += R"(,"power":)", echo.power);
+        list.append(R"(,"object":)").append(in_the_air ? "null" : objects.of(echo.object));
+        list.append(R"(,"material":)").append(in_the_air ? "null" : materials.of(echo.material));
+        list += '}';
+    };
+    const auto beams = std::views::iota(std::size_t{0}, echoes.beams());
+    text.add_list("echoes", beams, [&](std::string& list, std::size_t beam) {
+        append_list(list, echoes[beam], [&](const sim::Echo& echo) { append(list, echo); });
+    });
+}
+
+void add_sent_echoes(ObjectText& text, const std::vector<protocol::StepEchoes>& steps) {
+    text.add_list("sent_echoes_mm", steps, [](std::string& list, const auto& step) {
+        const std::span told(step.echo.data(), static_cast<std::size_t>(step.count));
+        append_list(list, told,
+                    [&](const protocol::Echo& echo) { list += std::to_string(echo.distance); });
+    });
+}
+
+/// Adds the stages between what the beams met and what was sent.
+void add_stages(ObjectText& text, const ScanRecord& record) {
+    const sim::Scan& cast = *record.cast;
+    text.add("accuracy", word(record.accuracy));
+    text.add_list("read_m", cast.readings, [](std::string& list, const sim::Reading& reading) {
+        append_rounded(list, reading.range_m);
+    });
+    text.add_list("cause", cast.readings, [](std::string& list, const sim::Reading& reading) {
+        list.append(1, '"').append(word(reading.cause)).append(1, '"');
+    });
+    if (!cast.echoes.empty()) add_echoes(text, cast.echoes, *record.scene);
+    if (!record.sent.echoes.empty()) add_sent_echoes(text, record.sent.echoes);
+}
+
 /// Adds what depends on the kind of sensor.
 void add_ranges(ObjectText& text, const StaringRecord& record) {
     const auto* const grid = std::get_if<sim::PinholeGrid>(&record.spec.optics);
@@ -134,6 +218,7 @@ std::string truth_text(const std::string& sensor, const ScanRecord& record) {
     add_all_hits(text, cast, *record.scene);
     text.add("sent_mm", record.sent.distance);
     text.add("intensity", record.sent.intensity);
+    add_stages(text, record);
     return std::move(text).finish();
 }
 

@@ -22,8 +22,11 @@ std::string reading_text(const std::string& sensor, const ScanRecord& record);
 std::string reading_text(const std::string& sensor, const StaringRecord& record);
 
 /// {"sensor","scan","time_s","stamp_ms","backend","backend_reason","poses":[{"time_s","xyz","q"}],
-/// "steps","true_m","object","material","incidence_rad","sent_mm","intensity"}: one pose for each
-/// fan that was cast; the other lists have an element for each step, null where nothing is hit.
+/// "steps","true_m","object","material","incidence_rad","sent_mm","intensity","accuracy","read_m",
+/// "cause"}: one pose for each fan that was cast; the other lists have an element for each step,
+/// null where nothing is hit or read. A scan with echoes adds {"echoes":[[{"range_m","power",
+/// "object","material"}]]}, object and material null for what is in the air; a scanner that tells
+/// several of them {"sent_echoes_mm":[[..]]}.
 std::string truth_text(const std::string& sensor, const ScanRecord& record);
 
 /// The same of a camera or ranger, without what a wire has: {"sensor","scan","time_s","backend",

@@ -17,9 +17,10 @@
 namespace scipd::daemon {
 namespace {
 
-constexpr std::array<std::string_view, 17> sensor_keys{
-    "model", "camera", "ranger", "mount",    "tcp",   "pty",  "backend", "depth",    "accuracy",
-    "echo",  "motion", "timing", "power_up", "clock", "link", "profile", "sees_body"};
+constexpr std::array<std::string_view, 18> sensor_keys{
+    "model",   "camera",   "ranger",   "mount", "tcp",          "pty",
+    "backend", "depth",    "accuracy", "echo",  "interference", "motion",
+    "timing",  "power_up", "clock",    "link",  "profile",      "sees_body"};
 constexpr std::array<std::string_view, 3> depth_keys{"between_pixels", "oversample",
                                                      "widest_pass_deg"};
 constexpr std::array<std::string_view, 2> clock_keys{"ppm", "start_ms"};
@@ -129,6 +130,7 @@ void read_scanner(const Field& field, const Section& section, SensorConfig& sens
     section.read("pty", sensor.pty,
                  [&](const std::string& text) { return parse_pty(text, context.base); });
     section.read("echo", sensor.echo, parse_echo_choice);
+    section.read("interference", sensor.interference, parse_switch);
     section.read("timing", sensor.timing, parse_timing);
     section.read("power_up", sensor.power_up, parse_power_up);
     if (const Field* power_up = section.find("power_up"); power_up && model)

@@ -77,6 +77,8 @@ struct SensorConfig {
     sim::Accuracy accuracy = sim::Accuracy::sensor;
     /// Which echo a scanner tells that tells one, where the accuracy is material.
     sim::EchoChoice echo = sim::EchoChoice::strongest;
+    /// Other scanners of the world disturb it where they look at each other.
+    bool interference = false;
     /// How many poses a sweep has, or a measurement of a camera or ranger; nothing: one a beam.
     std::optional<int> motion;
     Timing timing = Timing::real;
@@ -88,6 +90,11 @@ struct SensorConfig {
     bool sees_body = false;  ///< the robot's own body can stand in its way, too
 
     bool operator==(const SensorConfig&) const = default;
+
+    /// Whether the light that comes back decides what it reads.
+    [[nodiscard]] bool sees_light() const {
+        return !staring && accuracy == sim::Accuracy::material;
+    }
 };
 
 }  // namespace scipd::daemon

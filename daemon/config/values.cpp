@@ -219,8 +219,8 @@ Expected<fs::path> parse_file(std::string_view text, const fs::path& base) {
     if (!file) return file;
     std::error_code error;
     if (!fs::exists(*file, error)) return refuse("there is no file " + quote(file->native()));
-    const auto why = sim::why_no_file(*file);
-    if (!why.empty()) return refuse(quote(file->native()) + ' ' + why + "; name a file");
+    const auto plain = sim::check_plain_file(*file);
+    if (!plain) return refuse(quote(file->native()) + ' ' + plain.error().why + "; name a file");
     return file;
 }
 

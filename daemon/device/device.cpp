@@ -3,6 +3,8 @@
 #include "daemon/device/device.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <spdlog/spdlog.h>
@@ -74,6 +76,7 @@ Device::Device(const std::string& robot, const SensorConfig& config, std::uint64
       chance_{.seed = seed, .sensor = sim::fnv1a<std::uint64_t>(sensor_name(robot, config.name))},
       patience_(config.wait_for_poses),
       clock_(clock),
+      world_(world),
       device_clock_(clock.now(), config.clock.ppm),
       sweep_(world, robot, config,
              sim::Scanner(config.model.optics, {.accuracy = config.accuracy,
@@ -89,6 +92,27 @@ Device::Device(const std::string& robot, const SensorConfig& config, std::uint64
     state_.set_clock(uptime(), std::chrono::milliseconds(config.clock.start_ms));
     boots_told_ = state_.boots();
     follow_motor();
+    sweep_.know_own_lamp(*this);
+    world_.light().lamps().add(*this);
+}
+
+Device::~Device() {
+    world_.light().lamps().remove(*this);
+}
+
+std::optional<LampBeam> Device::shines(sim::Time time) const {
+    if (!state_.laser_on()) return std::nullopt;
+    const sim::Time device_time = device_clock_.device_time(time);
+    const std::int64_t revolution = timing_.revolution_at(device_time);
+    const std::chrono::duration<double> since = device_time - timing_.start(revolution);
+    const std::chrono::duration<double> turn =
+        timing_.start(revolution + 1) - timing_.start(revolution);
+    const sim::SensorSpec& optics = sweep_.optics();
+    const double angle_rad = 2.0 * std::numbers::pi * (since / turn) + optics.angle_rad(0);
+    const sim::Pose pose = sweep_.pose_at(time);
+    return LampBeam{pose.translation_m,
+                    pose.rotation * glm::dvec3{std::cos(angle_rad), std::sin(angle_rad), 0.0},
+                    optics.footprint.half_width_rad};
 }
 
 std::unique_ptr<Endpoint::Client> Device::connect(std::function<void()> on_actions,
@@ -188,6 +212,7 @@ const ScanRecord& Device::measure(std::int64_t revolution) {
     const protocol::Turn now = turn(revolution);
     ScanRecord record{cast(revolution)};
     record.sent = to_wire(*record.cast, now, optics, profile_);
+    record.accuracy = sweep_.accuracy();
     record.stamp_ms = protocol::timestamp_ms(now.start, state_.clock_zero());
     record.front_step = optics.front_step;
     record.steps_per_turn = optics.steps_per_turn;

@@ -33,11 +33,12 @@
 
 namespace scipd::daemon {
 
-class Device : public ScanSource, public Endpoint {
+class Device : public ScanSource, public Endpoint, private Lamp {
   public:
     /// Powered up at this moment. `world` and `clock` must outlive it.
     Device(const std::string& robot, const SensorConfig& config, std::uint64_t seed, World& world,
            Clock& clock);
+    ~Device() override;
 
     [[nodiscard]] std::unique_ptr<Client> connect(std::function<void()> on_actions,
                                                   protocol::LinkKind link) override;
@@ -84,6 +85,9 @@ class Device : public ScanSource, public Endpoint {
     /// know already.
     void tell_clients(const ServedClient* knows = nullptr);
 
+    /// As others see it: a light that turns with its mirror.
+    [[nodiscard]] std::optional<LampBeam> shines(sim::Time time) const override;
+
     [[nodiscard]] protocol::Turn turn(std::int64_t revolution) const;
     /// Lets the mirror turn as the device's state says. To be called after whatever may have
     /// changed that.
@@ -97,6 +101,7 @@ class Device : public ScanSource, public Endpoint {
     sim::ChanceKey chance_;
     sim::Time patience_;
     Clock& clock_;
+    World& world_;
     sim::DeviceClock device_clock_;
     Sweep sweep_;             ///< but for where it is mounted
     sim::ScanTiming timing_;  ///< in device time: the crystal drives the mirror as well

@@ -10,13 +10,15 @@
 
 #include "daemon/device/bridge.h"
 #include "daemon/device/measurement.h"
+#include "sim/sensor/error_model.h"
 #include "sim/sensor/staring.h"
 
 namespace scipd::daemon {
 
 struct ScanRecord : Measurement {
     WireScan sent;
-    std::uint32_t stamp_ms = 0;  ///< the time that the wire gave it
+    sim::Accuracy accuracy = sim::Accuracy::sensor;  ///< of the scanner
+    std::uint32_t stamp_ms = 0;                      ///< the time that the wire gave it
     int front_step = 0;
     int steps_per_turn = 0;
 };

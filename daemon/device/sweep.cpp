@@ -19,6 +19,7 @@ Sweep::Sweep(World& world, std::string robot, const SensorConfig& config, sim::S
       motion_(config.motion),
       sees_body_(config.sees_body),
       looks_around_(!config.staring && 2 * scanner.spec().beams() >= scanner.spec().steps_per_turn),
+      disturbed_(config.interference),
       scanner_(std::move(scanner)) {}
 
 std::size_t Sweep::beams() const {
@@ -43,6 +44,7 @@ Measurement Sweep::measure(std::int64_t revolution, sim::Time start, const Fired
             : nullptr;
     const sim::Conditions conditions{.lit = lit.get(), .on_for = on_for};
     cast(scan, beam_fired, conditions);
+    if (disturbed_) look_at_lamps(scan, beam_fired);
     scanner_.read(scan, conditions);
     return {.cast = std::make_shared<const sim::Scan>(std::move(scan)),
             .scene = world_.names(),
@@ -109,6 +111,26 @@ void Sweep::cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired,
         for (const sim::Mover& mover : movers)
             backend.move(mover.id, mover.path->at(time));
         scanner_.cast(backend, scan, part, conditions, unseen);
+    }
+}
+
+sim::Pose Sweep::pose_at(sim::Time time) const {
+    return world_.robot(robot_)->at(time) * robot_from_sensor_;
+}
+
+void Sweep::look_at_lamps(sim::Scan& scan, const BeamFired& fired) const {
+    for (const Lamp* const lamp : world_.light().lamps().all()) {
+        if (lamp == own_) continue;
+        for (std::size_t beam = 0; beam < beams(); ++beam) {
+            const auto shines = lamp->shines(fired(beam));
+            if (!shines) continue;
+            const bool one_pose = scan.world_from_sensor.size() == 1;
+            const sim::Pose& pose = scan.world_from_sensor[one_pose ? 0 : beam];
+            const glm::dvec3 direction{scanner_.directions()[beam * scan.rays_per_beam]};
+            const Gaze gaze{pose.translation_m, pose.rotation * direction,
+                            optics().footprint.half_width_rad, scan.middle(beam).range_m};
+            if (dazzles(*shines, gaze)) scan.dazzled.push_back(static_cast<std::uint32_t>(beam));
+        }
     }
 }
 

@@ -31,9 +31,14 @@ class Sweep {
     /// sensor_name()
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const sim::SensorSpec& optics() const { return scanner_.spec(); }
+    [[nodiscard]] sim::Accuracy accuracy() const { return scanner_.accuracy(); }
     /// From now on it sits there.
     void mount(const sim::Pose& robot_from_sensor) { robot_from_sensor_ = robot_from_sensor; }
     [[nodiscard]] bool poses_known(sim::Time until) const { return world_.poses_known(until); }
+    /// The scanner's own lamp does not disturb it.
+    void know_own_lamp(const Lamp& lamp) { own_ = &lamp; }
+    /// Where its sensor is at this time.
+    [[nodiscard]] sim::Pose pose_at(sim::Time time) const;
     /// `origin`: what people call world time 0. `on_for`: since when the sensor is switched on.
     [[nodiscard]] Measurement measure(std::int64_t revolution, sim::Time start, const Fired& fired,
                                       sim::Time origin,
@@ -53,6 +58,8 @@ class Sweep {
                      sim::ModelId unseen);
     void cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired,
                              const sim::Conditions& conditions, sim::ModelId unseen);
+    /// Finds the beams that other scanners disturb.
+    void look_at_lamps(sim::Scan& scan, const BeamFired& fired) const;
     void forget_absent(sim::Scan& scan, const BeamFired& fired) const;
 
     World& world_;
@@ -62,6 +69,8 @@ class Sweep {
     std::optional<int> motion_;
     bool sees_body_;
     bool looks_around_;
+    bool disturbed_;  ///< by other scanners
+    const Lamp* own_ = nullptr;
     sim::Scanner scanner_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What is known of the materials of a world and what fills its air, and how a scene looks by that
-// in the light of a scanner. Lives on the I/O thread.
+// What is known of the materials of a world, what fills its air and who shines in it, and how a
+// scene looks by that in the light of a scanner. Lives on the I/O thread.
 #pragma once
 
 #include <map>
@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "daemon/world/lamps.h"
 #include "sim/world/lit_world.h"
 #include "sim/world/material_library.h"
 #include "sim/world/medium.h"
@@ -29,6 +30,9 @@ class Light {
     void configure_media(const std::vector<sim::Medium>& media);
     [[nodiscard]] const std::vector<sim::Medium>& media() const { return media_; }
 
+    /// The scanners that others may see.
+    [[nodiscard]] Lamps& lamps() { return lamps_; }
+
     /// The scene in light of this wavelength.
     [[nodiscard]] sim::SharedLitWorld shine(const sim::SharedScene& scene, int wavelength_nm);
 
@@ -36,6 +40,7 @@ class Light {
     sim::SharedMaterials materials_ = std::make_shared<const sim::MaterialLibrary>();
     std::vector<sim::Medium> media_;
     std::vector<sim::Medium> configured_media_;
+    Lamps lamps_;
     sim::SharedScene scene_;                  ///< the latest that was lit
     std::map<int, sim::SharedLitWorld> lit_;  ///< that scene, by wavelength in nm
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A curve over the range, in linear pieces: constant before the first point and behind the last one.
-// A value; any thread.
+// A curve over the range, in linear pieces: constant before the first point and behind the last
+// one. A value; any thread.
 #pragma once
 
 #include <cstddef>
@@ -48,8 +48,8 @@ class Curve {
         pieces_.push_back({far_m, 0.0, 0.0, 0.0});
     }
 
-    /// Remembers where it was asked last: neighbouring beams mostly lie between the same points, and
-    /// a search for each of them would take longer than the rest of a reading.
+    /// Remembers where it was asked last: neighbouring beams mostly lie between the same points,
+    /// and a search for each of them would take longer than the rest of a reading.
     class Cursor {
       public:
         explicit Cursor(const Curve& curve) : piece_(curve.pieces_.data()) {}

@@ -46,8 +46,8 @@ class Reader {
           losing_(with_purpose(model.key(revolution), Purpose::lost_beams)) {}
 
     /// The reading of a hit without errors. It fills a new reading in place, member by member: a
-    /// Reading that is returned is copied in pieces that the processor has to wait for, which took a
-    /// tenth of a whole revolution.
+    /// Reading that is returned is copied in pieces that the processor has to wait for, which took
+    /// a tenth of a whole revolution.
     void read_ideal(const Hit& hit, Curve::Cursor& white, Reading& reading) const {
         if (!hit.met()) return;
         reading.range_m = hit.range_m;
@@ -215,6 +215,8 @@ void ErrorModel::read(const SensorSpec& spec, Time on_for, Scan& scan) const {
         read_hits(reader, *this, scan);
     else
         read_echoes(reader, *this, scan);
+    for (const std::uint32_t beam : scan.dazzled)
+        scan.readings[beam] = {.cause = Cause::interference};
 }
 
 Reading ErrorModel::read(const SensorSpec& spec, Time on_for, std::int64_t revolution,

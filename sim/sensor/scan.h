@@ -35,10 +35,11 @@ struct Scan {
     /// What the rays met: those of the beam of first_step, the middle one first, then the next
     /// beam.
     std::vector<Hit> hits;
-    std::vector<FartherHit> farther;  ///< by growing ray
-    PerBeam<Echo> echoes;             ///< near to far
-    std::vector<Reading> readings;    ///< one per beam: what a reply with single echoes tells
-    PerBeam<Reading> every_echo;      ///< near to far, of sensors that tell several echoes
+    std::vector<FartherHit> farther;     ///< by growing ray
+    std::vector<std::uint32_t> dazzled;  ///< the beams that another scanner's light disturbs
+    PerBeam<Echo> echoes;                ///< near to far
+    std::vector<Reading> readings;       ///< one per beam: what a reply with single echoes tells
+    PerBeam<Reading> every_echo;         ///< near to far, of sensors that tell several echoes
 
     [[nodiscard]] std::size_t beams() const { return hits.size() / rays_per_beam; }
     /// What the middle of a beam met: the truth about its range.

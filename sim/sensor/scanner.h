@@ -47,6 +47,7 @@ class Scanner {
 
     /// All its rays in S, those of a beam's footprint side by side.
     [[nodiscard]] std::span<const glm::vec3> directions() const { return pattern_.directions(); }
+    [[nodiscard]] Accuracy accuracy() const { return errors_.accuracy; }
     /// Whether it needs to know how the world looks: at Accuracy::material.
     [[nodiscard]] bool sees_light() const { return errors_.accuracy == Accuracy::material; }
 

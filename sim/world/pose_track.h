@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The poses of one moving thing over time. Not a filter: between two poses of one movement it
-// interpolates; what it assumes where it knows none is its policy. Owned by the thread that feeds
-// it; what leaves are values.
+// The poses of one moving thing over time. A track is not a filter: it interpolates between two
+// poses of one movement. Its policy says what holds before the first and after the last pose. The
+// thread that feeds a track owns it. Others get values.
 #pragma once
 
 #include <chrono>
@@ -17,20 +17,24 @@
 
 namespace scipd::sim {
 
-/// What is assumed where no pose is known.
+/// Where a thing is at times for which no pose has come.
 struct PosePolicy {
+    /// What it does after its last pose. The stream of poses is stale when none has come for
+    /// `stale_after`.
     enum class After {
-        hold,         ///< it stays there
-        extrapolate,  ///< it goes on as it moved, until the stream is stale; then it stays there
-        absent,       ///< it stays there until the stream is stale; then it is nowhere
+        hold,         ///< it stays where it is
+        extrapolate,  ///< it keeps its velocity until the stream is stale, and then stays
+        absent,       ///< it stays until the stream is stale, and then is nowhere
     };
-    bool absent_before = false;  ///< until the first pose; else it is at its start
+    /// Whether it is nowhere before its first pose. Otherwise it stands at its start.
+    bool absent_before = false;
     After after = After::hold;
     Time stale_after = std::chrono::milliseconds(500);
 
-    /// Poses farther apart in time do not belong to one movement, nor do those that nothing can
-    /// move between so fast: the thing rests and then is somewhere else. Nothing is seen from
-    /// within a wall that lies between them.
+    /// Two poses belong to one movement if they are at most `longest_gap` apart, and if the thing
+    /// needs at most `fastest_mps` from one to the other. Otherwise it rests at the first and
+    /// jumps to the second. Nothing is interpolated then, so a scanner never looks out from inside
+    /// a wall that stands between the two.
     Time longest_gap = std::chrono::seconds(1);
     double fastest_mps = 20.0;
 
@@ -39,45 +43,45 @@ struct PosePolicy {
 
 class PoseTrack {
   public:
-    /// The start pose holds until the first one that is appended. Keeps at most `capacity` poses,
-    /// four or more: the oldest go first.
+    /// The thing has the start pose until the first one is added. The track keeps at most
+    /// `capacity` poses, which must be four or more, and drops the oldest first.
     explicit PoseTrack(const Pose& start, const PosePolicy& policy = {},
                        std::size_t capacity = 4096);
 
-    /// It is there at that time: moved there from the pose before, or jumped, as the policy has it.
-    /// Extrapolation goes on with `velocity`, or without with that from the pose before. False, and
-    /// nothing changes, where `time` is not later than the last pose's.
+    /// Adds a pose. The policy decides whether the thing moved or jumped there from the pose
+    /// before. Extrapolation uses `velocity`; without it, the velocity from the pose before.
+    /// Returns false and changes nothing if `time` is not later than that of the last pose.
     bool place(Time time, const Pose& pose, const std::optional<Velocity>& velocity = {});
 
-    /// The same, however far away: it has moved there from the pose before.
+    /// The same, but the thing always moved there, however far away it is.
     bool append(Time time, const Pose& pose);
 
-    /// From `time` on the pose is this one, wherever it was before: no interpolation across the
-    /// jump, and what was appended for later is forgotten.
+    /// From `time` on the thing is at `pose`. It jumps there, so nothing is interpolated. Poses
+    /// that were added for later times are dropped.
     void jump(Time time, const Pose& pose);
 
     [[nodiscard]] Pose at(Time time) const;
-    /// The policy has it nowhere then; at() tells where it was last.
+    /// Whether the thing is nowhere at this time, by the policy. at() tells where it was last.
     [[nodiscard]] bool absent(Time time) const;
     [[nodiscard]] const Pose& last() const { return entries_.back().pose; }
-    /// Of last(); the least of all times where that is the start pose.
+    /// The time of last(). For the start pose this is the smallest value of Time.
     [[nodiscard]] Time last_time() const { return entries_.back().time; }
-    /// Poses have come, and the last one is not stale.
+    /// Whether a pose has been added and the stream is not stale.
     [[nodiscard]] bool live(Time time) const;
 
-    /// Whether the pose is the same at every time between the two: one pose then serves a whole
+    /// Whether the pose does not change between the two times. If so, one pose serves a whole
     /// sweep.
     [[nodiscard]] bool still(Time from, Time to) const;
 
-    /// On the way from one place to another, evenly. One of a nanosecond is a jump.
+    /// A movement at constant velocity. A leg that takes one nanosecond is a jump.
     struct Leg {
         Time begin{};
         Time end{};  ///< later
         glm::dvec3 from_m{0.0};
         glm::dvec3 to_m{0.0};
-        double turned_rad = 0.0;  ///< more than half a turn where it goes on by itself
+        double turned_rad = 0.0;  ///< more than half a turn only where it is extrapolated
     };
-    /// All between the two times, in order; at all other times the pose stays what it is.
+    /// All legs between the two times, in order. The pose does not change at any other time.
     [[nodiscard]] std::vector<Leg> legs(Time from, Time to) const;
 
   private:
@@ -94,9 +98,9 @@ class PoseTrack {
     void push(Time time, const Pose& pose);
 
     PosePolicy policy_;
-    Entries entries_;  ///< never empty, times strictly growing
+    Entries entries_;  ///< never empty; each is later than the one before
     std::size_t capacity_;
-    std::optional<Time> first_time_;  ///< of the first pose but the start
+    std::optional<Time> first_time_;  ///< of the first pose after the start pose
     Velocity velocity_;               ///< at the last pose
 };
 

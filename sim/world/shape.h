@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The geometry of one object in its own frame, as a world file gives it: exact where it is exact.
-// Backends that need triangles call tessellate() (mesh.h); the reference backend intersects the
-// shapes themselves.
+// The geometry of one object in its own frame. A shape stays as exact as the world file gives it: a
+// sphere is a sphere. Backends that need triangles call tessellate(). The reference backend
+// intersects the shapes themselves. Values, for any thread.
 #pragma once
 
 #include <memory>
@@ -16,12 +16,12 @@
 
 namespace scipd::sim {
 
-/// Centred on the frame's origin, edges along its axes.
+/// Its centre is the frame's origin, its edges are along the axes.
 struct Box {
     glm::dvec3 size_m;
 };
 
-/// Centred on the origin, axis along z, closed at both ends.
+/// Its centre is the origin, its axis is z, and both ends are closed.
 struct Cylinder {
     double radius_m;
     double length_m;
@@ -31,13 +31,12 @@ struct Sphere {
     double radius_m;
 };
 
-/// A rectangle of this size in the plane through the origin that is normal to z; seen from both
-/// sides.
+/// A rectangle in the plane z = 0, with its centre at the origin. It is seen from both sides.
 struct Plane {
     glm::dvec2 size_m;
 };
 
-/// Shared: many objects may show the same file.
+/// Many objects may share the mesh of one file.
 using SharedMesh = std::shared_ptr<const Mesh>;
 
 using Shape = std::variant<Box, Cylinder, Sphere, Plane, SharedMesh>;
@@ -45,21 +44,21 @@ using Shape = std::variant<Box, Cylinder, Sphere, Plane, SharedMesh>;
 /// How far a tessellated surface may lie from the true one.
 inline constexpr double chord_tolerance_m = 1e-4;
 
-/// Triangles within chord_tolerance_m of the shape, some inside it and some outside. Boxes, planes
-/// and meshes are exact. Spheres of more than 20 m radius are left at a million triangles and lie
-/// farther off.
+/// Returns triangles that lie within chord_tolerance_m of the shape, some inside it and some
+/// outside. Boxes, planes and meshes are exact. A sphere with a radius above 20 m gets a million
+/// triangles and no more, so its triangles lie farther off.
 Mesh tessellate(const Shape& shape);
 
-// What worlds have besides, as triangles from the start; within chord_tolerance_m as well.
+// Worlds have more shapes. They are triangles from the start, within chord_tolerance_m as well.
 
-/// Centred on the origin, axis along z; length_m is that of the straight part, between the two half
-/// spheres.
+/// Its centre is the origin, its axis is z. length_m is the length of the straight part, without
+/// the two half spheres.
 Mesh capsule_mesh(double radius_m, double length_m);
 
-/// Its axis along z: the base at z = -length_m / 2, the tip at z = length_m / 2.
+/// Its axis is z. The base lies at z = -length_m / 2, the tip at z = length_m / 2.
 Mesh cone_mesh(double radius_m, double length_m);
 
-/// Centred on the origin, its half axes along the frame's.
+/// Its centre is the origin, its half axes are along the frame's axes.
 Mesh ellipsoid_mesh(const glm::dvec3& radii_m);
 
 }  // namespace scipd::sim

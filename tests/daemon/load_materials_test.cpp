@@ -36,10 +36,11 @@ class LoadMaterials : public testing::Test {
                "</link></model></world></sdf>";
     }
 
-    std::filesystem::path fleet(const std::string& more) {
+    std::filesystem::path fleet(const std::string& more, const std::string& accuracy = "material") {
         return dir_.write("fleet.yaml",
                           "scene: room.sdf\n" + more +
-                              "robots: {r: {sensors: {s: {model: UST-10LX, pty: auto}}}}\n");
+                              "robots: {r: {sensors: {s: {model: UST-10LX, pty: auto, accuracy: " +
+                              accuracy + "}}}}\n");
     }
 
     template <typename Call>
@@ -100,6 +101,11 @@ TEST_F(LoadMaterials, ChecksTheNamesOfTheWorld) {
     dir_.write("mine.yaml",
                "materials: {cheese: {reflectance: {905: 0.7}, source: a cow, assumed: [905]}}\n");
     EXPECT_THAT(check(fleet("materials: mine.yaml\n"), true), Not(HasSubstr(unknown)));
+}
+
+// Where no sensor sees light, no material matters.
+TEST_F(LoadMaterials, ChecksNoNamesForSensorsThatSeeNoLight) {
+    EXPECT_THAT(check(fleet("strict: true\n", "sensor")), Not(HasSubstr("no library knows")));
 }
 
 TEST_F(LoadMaterials, GoesWithThePlanOfAFleet) {

@@ -28,6 +28,7 @@ robots:
   robot:
     sensors:
       scanner: {model: UST-10LX, pty: tty}
+      multi: {model: UTM-30LX-EW, tcp: "127.0.0.1:0", accuracy: material}
       tof:
         camera: {columns: 8, rows: 6, fov_deg: [40, 30], rate_hz: 25, range_m: [0.1, 7.5]}
         mount: {xyz: [0, 0, 0.3]}
@@ -49,6 +50,7 @@ EXCHANGES = [
     ("GET", READING, "/sensors/robot/sonar/reading", None, 200),
     ("GET", READING, "/sensors/robot/scanner/reading", None, 404),
     ("GET", TRUTH, "/sensors/robot/scanner/truth", None, 200),
+    ("GET", TRUTH, "/sensors/robot/multi/truth", None, 200),
     ("GET", TRUTH, "/sensors/robot/tof/truth", None, 200),
     ("GET", TRUTH, "/sensors/robot/sonar/truth", None, 200),
     ("GET", TRUTH, "/sensors/robot/scanner/truth?scan=x", None, 400),
@@ -212,6 +214,7 @@ def main():
         try:
             assert json.loads(daemon.stdout.readline())["ready"]
             check_stream(document, control, "scanner", "StreamScan")
+            check_stream(document, control, "multi", "StreamScan")
             check_stream(document, control, "tof", "CameraReading")
             check_stream(document, control, "sonar", "RangerReading")
             check_paths(document, control)

@@ -122,7 +122,8 @@ TEST_F(Place, WithinARobotThatIsNotNamedSaysHowToNameIt) {
 
 // Users who start the shipped examples read these warnings in the log.
 TEST_F(Place, OfWhatIsShippedIsFine) {
-    for (const char* file : {"demo.yaml", "two_robots.yaml", "beside_a_scanner.yaml"}) {
+    for (const char* file :
+         {"demo.yaml", "two_robots.yaml", "beside_a_scanner.yaml", "materials_demo.yaml"}) {
         std::ifstream shipped{scene(file)};
         std::string text{std::istreambuf_iterator<char>{shipped}, {}};
         for (const std::string port : {":10940", ":10941", ":10942", ":14550"}) {

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/end_to_end/in_square_room.h"
+#include "tests/support/backend_names.h"
 #include "tests/support/control_request.h"
 
 namespace scipd::tests {
@@ -112,11 +113,12 @@ class SensorFrom : public testing::Test {
     TempDir directory_;
 };
 
-class SensorFromByBackend : public SensorFrom, public testing::WithParamInterface<const char*> {};
+class SensorFromByBackend : public SensorFrom, public testing::WithParamInterface<std::string> {};
 
 // It looks out of the housing, which is its own body.
 TEST_P(SensorFromByBackend, SeesTheWorldFromWhereTheFileHasIt) {
-    if (GetParam() == std::string{"depth"} && !can_draw()) GTEST_SKIP() << "nothing to draw with";
+    const bool draws = GetParam() == sim::drawing_backend().name;
+    if (draws && !can_draw()) GTEST_SKIP() << "nothing to draw with";
     DaemonProcess daemon(directory_,
                          in_world({"--sensor-from", "bot::base::lds", "--backend", GetParam()}));
     ASSERT_NE(daemon.ready_line(), "") << daemon.standard_error();
@@ -124,8 +126,8 @@ TEST_P(SensorFromByBackend, SeesTheWorldFromWhereTheFileHasIt) {
     expect_said(daemon, "UST-10LX fits bot::base::lds best\n");
 }
 
-INSTANTIATE_TEST_SUITE_P(By, SensorFromByBackend, testing::Values("embree", "depth", "reference"),
-                         [](const auto& backend) { return std::string{backend.param}; });
+INSTANTIATE_TEST_SUITE_P(By, SensorFromByBackend, testing::ValuesIn(backend_names()),
+                         [](const auto& backend) { return backend.param; });
 
 TEST_F(SensorFrom, IsTheProductThatFitsBestUnlessOneIsNamed) {
     DaemonProcess best(directory_, in_world({"--sensor-from", "fine"}));

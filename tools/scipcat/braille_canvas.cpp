@@ -23,6 +23,11 @@ std::string braille(unsigned dots) {
 
 }  // namespace
 
+std::string in_colour(std::optional<int> colour, const std::string& text) {
+    if (!colour) return text;
+    return "\x1b[38;5;" + std::to_string(*colour) + "m" + text + "\x1b[0m";
+}
+
 BrailleCanvas::BrailleCanvas(int columns, int rows)
     : columns_(columns), rows_(rows), cells_(static_cast<std::size_t>(columns * rows)) {}
 
@@ -30,6 +35,7 @@ void BrailleCanvas::dot(int x, int y) {
     if (!inside(x, y)) return;
     cell(x, y).dots |=
         bits[static_cast<std::size_t>(y % dots_down)][static_cast<std::size_t>(x % dots_across)];
+    cell(x, y).colour = colour_;
 }
 
 void BrailleCanvas::line(int x0, int y0, int x1, int y1) {
@@ -39,7 +45,9 @@ void BrailleCanvas::line(int x0, int y0, int x1, int y1) {
 }
 
 void BrailleCanvas::mark(int x, int y, std::string_view character) {
-    if (inside(x, y)) cell(x, y).mark = character;
+    if (!inside(x, y)) return;
+    cell(x, y).mark = character;
+    cell(x, y).colour = colour_;
 }
 
 std::vector<std::string> BrailleCanvas::lines() const {
@@ -50,7 +58,8 @@ std::vector<std::string> BrailleCanvas::lines() const {
         for (int column = 0; column < columns_; ++column) {
             const Cell& here = cells_[static_cast<std::size_t>(row * columns_ + column)];
             const bool blank = here.dots == 0 && here.mark.empty();
-            line += blank ? " " : here.mark.empty() ? braille(here.dots) : here.mark;
+            const std::string shown = here.mark.empty() ? braille(here.dots) : here.mark;
+            line += blank ? " " : in_colour(here.colour, shown);
             if (!blank) end = line.size();
         }
         line.resize(end);

@@ -5,11 +5,15 @@
 // which are about as far apart across as down.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace scipd::tools {
+
+/// The text as a terminal shows it in that colour.
+[[nodiscard]] std::string in_colour(std::optional<int> colour, const std::string& text);
 
 class BrailleCanvas {
   public:
@@ -20,6 +24,10 @@ class BrailleCanvas {
 
     [[nodiscard]] int width() const { return columns_ * dots_across; }
     [[nodiscard]] int height() const { return rows_ * dots_down; }
+
+    /// What follows has this colour, one of the 256 that terminals have. A cell has the colour of
+    /// what came last.
+    void choose(std::optional<int> colour) { colour_ = colour; }
 
     /// Ignores dots outside the canvas.
     void dot(int x, int y);
@@ -34,6 +42,7 @@ class BrailleCanvas {
     struct Cell {
         unsigned dots = 0;
         std::string mark;
+        std::optional<int> colour;
     };
     [[nodiscard]] bool inside(int x, int y) const;
     [[nodiscard]] Cell& cell(int x, int y);
@@ -41,6 +50,7 @@ class BrailleCanvas {
     int columns_;
     int rows_;
     std::vector<Cell> cells_;
+    std::optional<int> colour_;
 };
 
 }  // namespace scipd::tools

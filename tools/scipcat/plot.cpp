@@ -5,18 +5,23 @@
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <map>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "tools/page.h"
+#include "tools/safe_output.h"
 #include "tools/scipcat/commands.h"
 #include "tools/scipcat/plot_text.h"
+#include "tools/scipcat/point_colours.h"
 #include "tools/scipcat/polar_plot.h"
 #include "tools/scipcat/scan_options.h"
 #include "tools/scipcat/terminal_plot.h"
 #include "tools/scipcat/top_view.h"
+#include "tools/scipcat/truth.h"
 #include "tools/terminal.h"
 
 namespace scipd::tools {
@@ -29,6 +34,12 @@ struct PlotOptions {
     ScanOptions scan;
     std::string file;  ///< empty: the terminal
     std::string title;
+    std::optional<ColourBy> colour;
+    TruthOptions truth;
+
+    [[nodiscard]] bool need_truth() const {
+        return colour == ColourBy::material || colour == ColourBy::error;
+    }
 };
 
 /// Uses a stream of one scan, which switches the laser on and off by itself.
@@ -47,8 +58,9 @@ PlotText text_of(const Scanner& scanner, const ScanMessage& scan, const TopView&
     std::tm local{};
     localtime_r(&now, &local);
     std::ostringstream of_scan;
-    of_scan << view.points.size() << " points in " << view.directions << " directions  ·  stamp "
-            << scan.stamp_ms << " ms  ·  " << std::put_time(&local, "%F %T");
+    of_scan << view.points.size() << " points in " << view.directions << " directions";
+    if (!view.further.empty()) of_scan << ", " << view.further.size() << " farther echoes";
+    of_scan << "  ·  stamp " << scan.stamp_ms << " ms  ·  " << std::put_time(&local, "%F %T");
     return {
         .title = title.empty() ? scanner.model() : title,
         .scanner = scanner.model() + "  ·  serial " + scanner.version().serial + "  ·  firmware " +
@@ -57,24 +69,43 @@ PlotText text_of(const Scanner& scanner, const ScanMessage& scan, const TopView&
     };
 }
 
-void draw_file(const std::filesystem::path& file, const TopView& view, const PlotText& text) {
-    Page page(file);
-    draw_polar_plot(page.context(), view, text);
+void draw_file(const std::filesystem::path& file, const TopView& view, const Colouring& colouring,
+               const PlotText& text) {
+    Page page(file, height_of_polar_plot(view, colouring));
+    draw_polar_plot(page.context(), view, colouring, text);
     if (const auto trouble = page.finish()) {
         throw std::runtime_error("cannot write " + file.string() + ": " + *trouble);
     }
 }
 
-void plot(const PlotOptions& options) {
+/// Takes the scan, and asks the scipd for its truth before that is forgotten.
+void plot(PlotOptions options) {
+    if (options.scan.intensity && !options.colour) options.colour = ColourBy::intensity;
+    if (options.colour == ColourBy::intensity) options.scan.intensity = true;
     Scanner scanner = options.connection.open();
     const ScanMessage scan = one_scan(scanner, options.scan);
-    const TopView view = make_top_view(scan, scanner.parameters());
+    TopView view = make_top_view(scan, scanner.parameters());
+    if (options.need_truth())
+        add_truth(view, ask_truth(options.truth, options.connection.target, scan.stamp_ms));
+    const Colouring colouring = colour_points(view, options.colour);
     const PlotText text = text_of(scanner, scan, view, options.title);
     if (options.file.empty()) {
-        std::cout << terminal_plot(view, text, terminal_size());
+        SafeOutput::write_as_is(std::cout, terminal_plot(view, colouring, text, terminal_size()));
     } else {
-        draw_file(options.file, view, text);
+        draw_file(options.file, view, colouring, text);
     }
+}
+
+std::map<std::string, ColourBy> colour_names() {
+    return {{"distance", ColourBy::distance},
+            {"intensity", ColourBy::intensity},
+            {"material", ColourBy::material},
+            {"error", ColourBy::error}};
+}
+
+void check(const PlotOptions& options) {
+    if (options.need_truth() && options.scan.cluster > 1)
+        throw CLI::ValidationError("--color material and error need --cluster 1");
 }
 
 }  // namespace
@@ -88,11 +119,24 @@ void add_plot_command(CLI::App& program) {
         ->check(ends_in(".png", ".svg"));
     command->add_option("--title", options->title, "title (default: the model)");
     options->scan.add_to(*command);
-    command->callback([options] { plot(*options); });
+    command->add_flag("--echoes", options->scan.echoes,
+                      "draw the second and third echoes as well, as other marks");
+    command
+        ->add_option("--color", options->colour,
+                     "what colours mean: distance, intensity, or, of a scipd's scanner, material "
+                     "or error (sent - true)")
+        ->transform(CLI::CheckedTransformer(colour_names()).description("WHAT"));
+    options->truth.add_to(*command);
+    command->callback([options] {
+        check(*options);
+        plot(*options);
+    });
     command->footer(
         "Forward is up, and left is left. What is out of range is not drawn.\n"
+        "A scipd's control socket tells the materials and errors of its scanners.\n"
         "Examples:\n"
         "  scipcat plot tcp://127.0.0.1:10940\n"
+        "  scipcat plot tcp://127.0.0.1:10940 --color error\n"
         "  scipcat plot /dev/ttyACM0 -o maze.png --title 'Rescue maze' --intensity");
 }
 

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <sstream>
 
+#include "sim/text/quote.h"
 #include "tools/scipcat/braille_canvas.h"
 
 namespace scipd::tools {
@@ -35,16 +38,54 @@ class Projection {
     double dots_per_m_;
 };
 
-void draw(const TopView& view, const Projection& projection, BrailleCanvas& canvas) {
+/// In the cube of six by six by six colours.
+int terminal_colour(const Colour& colour) {
+    constexpr int first = 16;
+    constexpr int levels = 6;
+    const auto level = [](double part) { return static_cast<int>(std::lround(part * 5.0)); };
+    return first + level(colour.red) * levels * levels + level(colour.green) * levels +
+           level(colour.blue);
+}
+
+void draw(const TopView& view, const Colouring& colouring, const Projection& projection,
+          BrailleCanvas& canvas) {
+    const bool coloured = !colouring.legend.title.empty();
+    const auto choose = [&](const PointStyle& style) {
+        if (coloured) canvas.choose(terminal_colour(style.colour));
+    };
     Dot before{};
-    for (const ViewPoint& point : view.points) {
+    for (std::size_t i = 0; i < view.points.size(); ++i) {
+        const ViewPoint& point = view.points[i];
         const Dot here = projection(point.x_m, point.y_m);
         const Dot from = point.joined ? before : here;
+        choose(colouring.points[i]);
         canvas.line(from.x, from.y, here.x, here.y);
         before = here;
     }
+    for (std::size_t i = 0; i < view.further.size(); ++i) {
+        const Dot here = projection(view.further[i].x_m, view.further[i].y_m);
+        choose(colouring.further[i]);
+        canvas.mark(here.x, here.y, view.further[i].echo == 1 ? "○" : "×");
+    }
+    canvas.choose(std::nullopt);
     const Dot scanner = projection(0.0, 0.0);
     canvas.mark(scanner.x, scanner.y, "▲");
+}
+
+/// One line for each name, or one for a scale.
+std::string legend_text(const TopView& view, const Legend& legend) {
+    std::string text;
+    if (!legend.scale.empty()) {
+        text += legend.title + ": " + legend.least + " ";
+        for (const Colour& colour : legend.scale)
+            text += in_colour(terminal_colour(colour), "█");
+        text += " " + legend.most + "\n";
+    }
+    for (const Legend::Name& name : legend.names)
+        text +=
+            in_colour(terminal_colour(name.style.colour), "⣿") + " " + sim::shown(name.text) + "\n";
+    if (!view.further.empty()) text += "○ second echo  × third echo\n";
+    return text;
 }
 
 std::string scale_bar(double dots_per_m, int columns) {
@@ -62,8 +103,10 @@ std::string scale_bar(double dots_per_m, int columns) {
 
 }  // namespace
 
-std::string terminal_plot(const TopView& view, const PlotText& text, TerminalSize size) {
-    constexpr int lines_of_text = 5;
+std::string terminal_plot(const TopView& view, const Colouring& colouring, const PlotText& text,
+                          TerminalSize size) {
+    const std::string legend = legend_text(view, colouring.legend);
+    const int lines_of_text = 5 + static_cast<int>(std::ranges::count(legend, '\n'));
     constexpr int least_rows = 4;
     constexpr double cell_height = 2.0;  // in widths of a cell
     const double shape = view.bounds.width_m() / view.bounds.height_m() * cell_height;
@@ -73,15 +116,15 @@ std::string terminal_plot(const TopView& view, const PlotText& text, TerminalSiz
     const int columns = std::min(size.columns, static_cast<int>(std::ceil(rows * shape)));
     BrailleCanvas canvas(std::max(columns, 1), rows);
     const Projection projection(view.bounds, canvas);
-    draw(view, projection, canvas);
+    draw(view, colouring, projection, canvas);
 
     std::ostringstream out;
-    out << text.title << "\n";
+    out << sim::shown(text.title) << "\n";
     for (const std::string& line : canvas.lines())
         out << line << '\n';
     out << scale_bar(projection.dots_per_m(), columns) << '\n'
-        << text.scanner << '\n'
-        << text.scan << '\n';
+        << legend << sim::shown(text.scanner) << '\n'
+        << sim::shown(text.scan) << '\n';
     return out.str();
 }
 

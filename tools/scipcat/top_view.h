@@ -7,6 +7,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "protocol/client/device_info.h"
@@ -19,8 +21,13 @@ struct ViewPoint {
     double y_m = 0.0;
     double range_m = 0.0;
     std::uint32_t intensity = 0;
+    int step = 0;           ///< the first of its group
+    int echo = 0;           ///< of its beam, near to far, the first is 0
     bool adjacent = false;  ///< the direction just before has a point as well
     bool joined = false;    ///< and the two points seem to be on one surface
+    // If the truth is known:
+    std::string material;           ///< empty: of nothing that has one
+    std::optional<double> error_m;  ///< how much too far
 };
 
 /// The rectangle of everything to be shown; never empty.
@@ -37,9 +44,10 @@ struct Bounds {
 };
 
 struct TopView {
-    std::vector<ViewPoint> points;  ///< one for each direction with a return
-    std::size_t directions = 0;     ///< all, with and without a return
-    double first_angle_rad = 0.0;   ///< the field of view begins here
+    std::vector<ViewPoint> points;   ///< one for each direction with a return
+    std::vector<ViewPoint> further;  ///< the second and third echoes, if they were asked for
+    std::size_t directions = 0;      ///< all, with and without a return
+    double first_angle_rad = 0.0;    ///< the field of view begins here
     double last_angle_rad = 0.0;
     bool has_intensity = false;
     Bounds bounds;  ///< the points, the scanner and a margin

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "sim/loaders/poses/trajectory_file.h"
+#include "tools/control_client.h"
 #include "tools/options.h"
 #include "tools/scipctl/commands.h"
-#include "tools/scipctl/control_client.h"
 #include "tools/scipctl/pose_text.h"
 #include "tools/scipctl/robots.h"
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "sim/loaders/poses/pose_line.h"
+#include "tools/control_client.h"
 #include "tools/scipctl/commands.h"
-#include "tools/scipctl/control_client.h"
 #include "tools/scipctl/pose_text.h"
 #include "tools/scipctl/robots.h"
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "tools/control_client.h"
 #include "tools/scipctl/commands.h"
-#include "tools/scipctl/control_client.h"
 #include "tools/scipctl/sensor_question.h"
 
 namespace scipd::tools {

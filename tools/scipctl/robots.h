@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/scipctl/control_client.h"
+#include "tools/control_client.h"
 
 namespace scipd::tools {
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "tools/control_client.h"
 #include "tools/options.h"
 #include "tools/scipctl/commands.h"
-#include "tools/scipctl/control_client.h"
 #include "tools/scipctl/pose_text.h"
 #include "tools/scipctl/table.h"
 

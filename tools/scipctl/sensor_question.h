@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "tools/scipctl/control_client.h"
+#include "tools/control_client.h"
 
 namespace scipd::tools {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/control_client.h"
 #include "tools/scipctl/commands.h"
-#include "tools/scipctl/control_client.h"
 #include "tools/scipctl/table.h"
 
 namespace scipd::tools {

@@ -2,13 +2,14 @@
 // Copyright The scipd authors
 #include <cstdint>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "tools/control_client.h"
 #include "tools/scipctl/commands.h"
-#include "tools/scipctl/control_client.h"
 #include "tools/scipctl/sensor_question.h"
 #include "tools/scipctl/table.h"
 
@@ -20,6 +21,8 @@ using Json = ControlClient::Json;
 struct TruthOptions {
     std::string sensor;
     std::optional<std::int64_t> scan;
+    int from = 0;
+    int to = std::numeric_limits<int>::max();
     bool json = false;
 };
 
@@ -32,17 +35,48 @@ std::string name(const Json& value) {
     return value.is_null() ? "-" : value.get<std::string>();
 }
 
-void print(const Json& truth) {
+/// "2.000 m 0.0427 glass, 5.000 m 0.7310 wall": where the light came from, how much, and from what.
+std::string echoes(const Json& of_step) {
+    std::string text;
+    for (const Json& echo : of_step) {
+        const Json& material = echo.at("material");
+        text.append(text.empty() ? "" : ", ").append(number(echo.at("range_m"), "%.3f m "));
+        text.append(number(echo.at("power"), "%.4f "));
+        text += material.is_null() ? "in the air" : material.get<std::string>();
+    }
+    return text.empty() ? "-" : text;
+}
+
+/// The distances of all echoes, if the scanner tells several.
+std::string sent(const Json& truth, std::size_t i) {
+    if (!truth.contains("sent_echoes_mm")) return truth.at("sent_mm")[i].dump();
+    std::string text;
+    for (const Json& distance : truth["sent_echoes_mm"][i])
+        text.append(text.empty() ? "" : " ").append(distance.dump());
+    return text;
+}
+
+Row row_of(const Json& truth, std::size_t i) {
+    Row row{truth["steps"][i].dump(), number(truth["true_m"][i], "%.4f"),
+            number(truth["incidence_rad"][i], "%.4f"), name(truth["material"][i]),
+            name(truth["object"][i])};
+    if (truth.contains("echoes")) row.push_back(echoes(truth["echoes"][i]));
+    row.insert(row.end(), {number(truth["read_m"][i], "%.4f"), name(truth["cause"][i]),
+                           sent(truth, i), truth["intensity"][i].dump()});
+    return row;
+}
+
+void print(const Json& truth, const TruthOptions& options) {
     std::cout << "scan " << truth.at("scan") << ", step 0 at " << number(truth.at("time_s"), "%.6f")
               << " s, stamp " << truth.at("stamp_ms") << " ms, " << truth.at("poses").size()
-              << " pose(s)\n\n";
-    std::vector<Row> rows{
-        {"STEP", "TRUE m", "SENT mm", "INTENSITY", "INCIDENCE rad", "MATERIAL", "OBJECT"}};
+              << " pose(s), accuracy " << name(truth.at("accuracy")) << "\n\n";
+    Row head{"STEP", "TRUE m", "INCIDENCE rad", "MATERIAL", "OBJECT"};
+    if (truth.contains("echoes")) head.emplace_back("ECHOES");
+    head.insert(head.end(), {"READ m", "CAUSE", "SENT mm", "INTENSITY"});
+    std::vector<Row> rows{head};
     for (std::size_t i = 0; i < truth.at("steps").size(); ++i) {
-        rows.push_back({truth["steps"][i].dump(), number(truth["true_m"][i], "%.4f"),
-                        truth["sent_mm"][i].dump(), truth["intensity"][i].dump(),
-                        number(truth["incidence_rad"][i], "%.4f"), name(truth["material"][i]),
-                        name(truth["object"][i])});
+        const int step = truth["steps"][i];
+        if (step >= options.from && step <= options.to) rows.push_back(row_of(truth, i));
     }
     print_table(std::cout, rows);
 }
@@ -71,7 +105,7 @@ void show(const ControlOptions& control, const TruthOptions& options) {
     if (options.json) {
         std::cout << json_text(truth) << '\n';
     } else {
-        truth.contains("steps") ? print(truth) : print_staring(truth);
+        truth.contains("steps") ? print(truth, options) : print_staring(truth);
     }
 }
 
@@ -79,12 +113,16 @@ void show(const ControlOptions& control, const TruthOptions& options) {
 
 void add_truth_command(CLI::App& program, const ControlOptions& control) {
     auto* const command = program.add_subcommand(
-        "truth", "show the true ranges of a scan, beside what the scanner sent");
+        "truth", "show stage by stage what a scanner's beams met, what came back and what it sent");
     const auto options = std::make_shared<TruthOptions>();
     command->add_option("SENSOR", options->sensor, "the sensor, as ROBOT/SENSOR")->required();
     command->add_option("--scan", options->scan,
                         "the number of a scan of the last second; default: the latest");
-    command->add_flag("--json", options->json, "as a JSON document");
+    command->add_option("--from", options->from, "the first step of the table")
+        ->check(CLI::NonNegativeNumber);
+    command->add_option("--to", options->to, "the last step of the table")
+        ->check(CLI::NonNegativeNumber);
+    command->add_flag("--json", options->json, "as a JSON document, with all steps");
     command->callback([&control, options] { show(control, *options); });
 }
 

@@ -22,12 +22,12 @@ std::string reason(int error) {
     return std::generic_category().message(error);
 }
 
-std::string why_not_plain(mode_t mode) {
+Expected<> check_mode(mode_t mode) {
     if (S_ISREG(mode)) return {};
-    if (S_ISDIR(mode)) return "is a directory";
-    if (S_ISFIFO(mode)) return "is a FIFO";
-    if (S_ISSOCK(mode)) return "is a socket";
-    return "is a device";
+    if (S_ISDIR(mode)) return refuse("is a directory");
+    if (S_ISFIFO(mode)) return refuse("is a FIFO");
+    if (S_ISSOCK(mode)) return refuse("is a socket");
+    return refuse("is a device");
 }
 
 File stream_of(int descriptor, const char* mode) {
@@ -39,28 +39,30 @@ File stream_of(int descriptor, const char* mode) {
 
 }  // namespace
 
-std::string why_no_file(const fs::path& path) {
+Expected<> check_plain_file(const fs::path& path) {
     struct stat status {};
-    if (stat(path.c_str(), &status) == 0) return why_not_plain(status.st_mode);
-    return errno == ENOENT || errno == ENOTDIR ? "no such file"
-                                               : "cannot be accessed: " + reason(errno);
+    if (stat(path.c_str(), &status) == 0) return check_mode(status.st_mode);
+    if (errno == ENOENT || errno == ENOTDIR) return refuse("no such file");
+    return refuse("cannot be accessed: " + reason(errno));
 }
 
 File open_file(const fs::path& path) {
-    if (const auto why = why_no_file(path); !why.empty()) throw std::runtime_error(why);
+    if (const auto plain = check_plain_file(path); !plain)
+        throw std::runtime_error(plain.error().why);
     const int descriptor = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     if (descriptor < 0) throw std::runtime_error("cannot be read: " + reason(errno));
     File file = stream_of(descriptor, "rb");
     // Somebody may have put something else there meanwhile.
     struct stat status {};
     fstat(descriptor, &status);
-    if (const auto why = why_not_plain(status.st_mode); !why.empty()) throw std::runtime_error(why);
+    if (const auto plain = check_mode(status.st_mode); !plain)
+        throw std::runtime_error(plain.error().why);
     return file;
 }
 
 std::string beginning_of(const fs::path& path) {
     constexpr std::size_t enough = 4096;
-    if (!why_no_file(path).empty()) return {};
+    if (!check_plain_file(path)) return {};
     std::string text(enough, ' ');
     text.resize(std::fread(text.data(), 1, text.size(), open_file(path).get()));
     return text;

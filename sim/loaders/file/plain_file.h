@@ -11,6 +11,8 @@
 #include <memory>
 #include <string>
 
+#include "sim/expected.h"
+
 namespace scipd::sim {
 
 struct CloseFile {
@@ -18,8 +20,8 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-/// Why this path cannot be read as a file: "no such file", "is a FIFO". Empty if it can.
-std::string why_no_file(const std::filesystem::path& path);
+/// Whether the path names a plain file. The fault says why not: "no such file", "is a FIFO".
+[[nodiscard]] Expected<> check_plain_file(const std::filesystem::path& path);
 
 /// Opens the file for reading. Throws std::runtime_error that says why it cannot.
 File open_file(const std::filesystem::path& path);

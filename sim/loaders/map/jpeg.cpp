@@ -20,7 +20,7 @@ struct Destroy {
 };
 using Decoder = std::unique_ptr<void, Destroy>;
 
-[[noreturn]] void refuse(const Decoder& decoder) {
+[[noreturn]] void refuse_broken(const Decoder& decoder) {
     throw std::invalid_argument("is a broken JPEG: " + printable(tjGetErrorStr2(decoder.get())));
 }
 
@@ -40,7 +40,7 @@ MapImage read_jpeg(std::string_view bytes) {
     int colours = 0;
     if (tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling,
                             &colours) != 0) {
-        refuse(decoder);
+        refuse_broken(decoder);
     }
     check_map_size(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height));
     const bool is_grey = colours == TJCS_GRAY;
@@ -54,7 +54,7 @@ MapImage read_jpeg(std::string_view bytes) {
     const int flags = TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS | TJFLAG_ACCURATEDCT;
     if (tjDecompress2(decoder.get(), data, bytes.size(), samples.data(), width, 0, height,
                       is_grey ? TJPF_GRAY : TJPF_RGB, flags) != 0) {
-        refuse(decoder);
+        refuse_broken(decoder);
     }
     image.samples = std::move(samples);
     return image;

@@ -68,7 +68,7 @@ std::string kind_of(std::string_view bytes) {
     return bytes.starts_with("BM") ? "BMP" : "";
 }
 
-[[noreturn]] void refuse(const std::string& kind, const std::string& why) {
+[[noreturn]] void refuse_broken(const std::string& kind, const std::string& why) {
     throw std::invalid_argument("is a broken " + kind + ": " + why);
 }
 
@@ -76,7 +76,8 @@ std::string kind_of(std::string_view bytes) {
     const char* reason = stbi_failure_reason();
     if (reason == nullptr) throw std::invalid_argument("is a broken " + kind);
     const std::string_view words{reason};
-    refuse(kind, words == "outofmem" ? "it holds more than its header says" : printable(words));
+    refuse_broken(kind,
+                  words == "outofmem" ? "it holds more than its header says" : printable(words));
 }
 
 /// Checks the size that the header announces.
@@ -90,7 +91,7 @@ void check_size(std::size_t width, std::size_t height, std::size_t bytes_a_pixel
 class BmpHeader {
   public:
     explicit BmpHeader(std::string_view bytes) : bytes_(bytes) {
-        if (bytes.size() < 34) refuse("BMP", "it ends within its header");
+        if (bytes.size() < 34) refuse_broken("BMP", "it ends within its header");
     }
 
     void check() const {
@@ -105,7 +106,8 @@ class BmpHeader {
         // Many writers leave out the padding of the last row.
         const std::uint64_t wanted = number(10, 4) + rows * row - 3;
         if (wanted > bytes_.size()) {
-            refuse("BMP", "it ends " + std::to_string(wanted - bytes_.size()) + " bytes too early");
+            refuse_broken("BMP",
+                          "it ends " + std::to_string(wanted - bytes_.size()) + " bytes too early");
         }
     }
 

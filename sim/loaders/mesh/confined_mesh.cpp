@@ -71,8 +71,8 @@ Confines confines_of(const fs::path& file, std::uintmax_t size, const MeshLimits
 
 /// The size in bytes. Throws std::runtime_error if the file cannot be a mesh.
 std::uintmax_t check_file(const fs::path& file) {
-    if (const auto why = why_no_file(file); !why.empty()) {
-        throw std::runtime_error(why + "; a mesh is wanted here");
+    if (const auto plain = check_plain_file(file); !plain) {
+        throw std::runtime_error(plain.error().why + "; a mesh is wanted here");
     }
     if (!is_mesh_file(file)) {
         throw std::runtime_error("is no kind of mesh that is known; name one of " + known_kinds());
@@ -101,7 +101,7 @@ std::vector<MeshPart> read(const MeshSource& source, MeshAxes axes, const MeshLi
 }
 
 bool goes_alone(const fs::path& file) {
-    return extension_of(file) == ".gltf" || !why_no_file(file).empty();
+    return extension_of(file) == ".gltf" || !check_plain_file(file);
 }
 
 }  // namespace

@@ -16,12 +16,12 @@ using nlohmann::json;
 constexpr std::size_t header_bytes = 12;
 constexpr std::size_t chunk_header_bytes = 8;
 
-[[noreturn]] void refuse() {
+[[noreturn]] void refuse_gltf() {
     throw std::runtime_error("is no glTF that can be read");
 }
 
 void keep_only(json& object, std::initializer_list<const char*> wanted) {
-    if (!object.is_object()) refuse();
+    if (!object.is_object()) refuse_gltf();
     json kept = json::object();
     for (const char* name : wanted) {
         if (object.contains(name)) kept[name] = std::move(object[name]);
@@ -33,7 +33,7 @@ void keep_only(json& object, std::initializer_list<const char*> wanted) {
 template <typename Change>
 void for_each(json& object, const char* name, Change change) {
     if (!object.contains(name)) return;
-    if (!object[name].is_array()) refuse();
+    if (!object[name].is_array()) refuse_gltf();
     for (json& element : object[name])
         change(element);
 }
@@ -59,7 +59,7 @@ void relieve_primitive(json& primitive, std::size_t materials) {
 
 std::string relieved_gltf(std::string_view text) {
     json file = json::parse(text, nullptr, false);
-    if (file.is_discarded()) refuse();
+    if (file.is_discarded()) refuse_gltf();
     // The extension that decompresses its numbers would be dropped below.
     if (text.find("_compression\"") != text.npos) {
         throw std::runtime_error("is compressed; save it without compression");
@@ -87,7 +87,7 @@ std::string relieved_glb(std::string_view bytes) {
         return word;
     };
     constexpr std::size_t json_at = header_bytes + chunk_header_bytes;
-    if (bytes.size() < json_at || word_at(header_bytes) > bytes.size() - json_at) refuse();
+    if (bytes.size() < json_at || word_at(header_bytes) > bytes.size() - json_at) refuse_gltf();
     const std::size_t json_size = word_at(header_bytes);
     std::string text = relieved_gltf(bytes.substr(json_at, json_size));
     text.resize((text.size() + 3) / 4 * 4, ' ');

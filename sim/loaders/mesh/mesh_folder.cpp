@@ -48,27 +48,30 @@ MeshFolder::MeshFolder(const fs::path& mesh) : mesh_(mesh) {
     folders_.push_back(fs::canonical(mesh, error).parent_path());
 }
 
-std::string MeshFolder::why_not(const fs::path& file) const {
+Expected<> MeshFolder::check(const fs::path& file) const {
     if (file == mesh_) return {};
-    if (relieved_ && file.extension() == ".mtl") return "is not wanted";
+    if (relieved_ && file.extension() == ".mtl") return refuse("is not wanted");
     // Resolves links and dots.
     std::error_code error;
     const fs::path real = fs::canonical(file, error);
-    if (error) return "no such file";
+    if (error) return refuse("no such file");
     const bool inside = std::ranges::any_of(
         folders_, [&](const fs::path& folder) { return lies_in(real, folder); });
-    return inside ? why_no_file(real) : "does not lie in the folder of the mesh";
+    if (!inside) return refuse("does not lie in the folder of the mesh");
+    return check_plain_file(real);
 }
 
 bool MeshFolder::Exists(const char* file) const {
-    return why_not(file).empty();
+    return check(file).has_value();
 }
 
 Assimp::IOStream* MeshFolder::Open(const char* file, const char* mode) {
-    std::string why = mode[0] == 'r' ? why_not(file) : "is only read";
+    std::string why;
     try {
-        if (why.empty() && relieved_ && file == mesh_) return stream_of(*relieved_);
-        if (why.empty()) return new Stream(open_file(file), file);
+        const auto allowed = mode[0] == 'r' ? check(file) : refuse("is only read");
+        if (allowed && relieved_ && file == mesh_) return stream_of(*relieved_);
+        if (allowed) return new Stream(open_file(file), file);
+        why = allowed.error().why;
     } catch (const std::runtime_error& error) {
         why = error.what();
     }

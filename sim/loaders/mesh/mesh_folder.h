@@ -14,6 +14,8 @@
 
 #include <assimp/DefaultIOSystem.h>
 
+#include "sim/expected.h"
+
 namespace scipd::sim {
 
 class MeshFolder final : public Assimp::DefaultIOSystem {
@@ -32,8 +34,8 @@ class MeshFolder final : public Assimp::DefaultIOSystem {
     [[nodiscard]] const std::string& refusal() const { return refusal_; }
 
   private:
-    /// Why the file may not be opened; empty if it may.
-    [[nodiscard]] std::string why_not(const std::filesystem::path& file) const;
+    /// Whether the file may be opened.
+    [[nodiscard]] Expected<> check(const std::filesystem::path& file) const;
 
     std::filesystem::path mesh_;
     std::optional<std::string> relieved_;

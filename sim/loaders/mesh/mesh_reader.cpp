@@ -79,7 +79,7 @@ bool is_finite(const aiMesh* mesh) {
                                [](const aiVector3D& v) { return std::isfinite(v.x + v.y + v.z); });
 }
 
-[[noreturn]] void refuse(const Assimp::Importer& importer) {
+[[noreturn]] void refuse_mesh(const Assimp::Importer& importer) {
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != reason.npos) throw std::bad_alloc();
     const auto& folder = dynamic_cast<const MeshFolder&>(*importer.GetIOHandler());
@@ -88,7 +88,7 @@ bool is_finite(const aiMesh* mesh) {
 }
 
 /// How one file is to be read.
-struct Wish {
+struct Instructions {
     const std::filesystem::path& file;
     MeshAxes axes;
     unsigned int steps;
@@ -97,40 +97,40 @@ struct Wish {
 };
 
 /// The importer takes ownership of the result.
-MeshFolder* folder_of(const Wish& wish) {
-    auto folder = std::make_unique<MeshFolder>(wish.file);
-    if (wish.contents == MeshContents::relieved) {
+MeshFolder* folder_of(const Instructions& how) {
+    auto folder = std::make_unique<MeshFolder>(how.file);
+    if (how.contents == MeshContents::relieved) {
         folder->relieve(
-            relieved(wish.file, read_file(wish.file, largest_mesh_read, "a mesh is wanted here")));
+            relieved(how.file, read_file(how.file, largest_mesh_read, "a mesh is wanted here")));
     }
     return folder.release();
 }
 
-/// Reads a file, checks it, and applies `wish.steps` to it.
-const aiScene& read(Assimp::Importer& importer, const Wish& wish) {
-    importer.SetIOHandler(folder_of(wish));
+/// Reads a file, checks it, and applies `how.steps` to it.
+const aiScene& read(Assimp::Importer& importer, const Instructions& how) {
+    importer.SetIOHandler(folder_of(how));
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, unwanted_components);
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION,
-                             wish.axes == MeshAxes::as_in_file);
-    const aiScene* scene = importer.ReadFile(wish.file.string(), 0);
-    if (scene == nullptr) refuse(importer);
+                             how.axes == MeshAxes::as_in_file);
+    const aiScene* scene = importer.ReadFile(how.file.string(), 0);
+    if (scene == nullptr) refuse_mesh(importer);
     // Done before the validation, which would refuse the file for what does not matter here, such
     // as two cameras of one name, or a texture.
-    keep_what_matters(*scene, wish.file);
+    keep_what_matters(*scene, how.file);
     importer.ApplyPostProcessing(aiProcess_RemoveComponent);
     scene = importer.ApplyPostProcessing(aiProcess_ValidateDataStructure);
-    if (scene == nullptr) refuse(importer);
-    check_triangle_count(*scene, wish.limits);
-    scene = importer.ApplyPostProcessing(wish.steps);
-    if (scene == nullptr) refuse(importer);
+    if (scene == nullptr) refuse_mesh(importer);
+    check_triangle_count(*scene, how.limits);
+    scene = importer.ApplyPostProcessing(how.steps);
+    if (scene == nullptr) refuse_mesh(importer);
     if (!std::ranges::all_of(meshes_of(*scene), is_finite)) {
         throw std::runtime_error("has a vertex that is not finite");
     }
     // Last, since this step takes a NaN as identical to any vertex and would hide it.
     scene = importer.ApplyPostProcessing(aiProcess_JoinIdenticalVertices);
-    if (scene == nullptr) refuse(importer);
+    if (scene == nullptr) refuse_mesh(importer);
     return *scene;
 }
 

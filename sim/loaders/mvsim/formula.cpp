@@ -21,7 +21,7 @@ namespace {
 constexpr int deepest_formula = 64;
 constexpr std::size_t longest_substituted = 1 << 16;
 
-[[noreturn]] void refuse(const std::string& why) {
+[[noreturn]] void refuse_formula(const std::string& why) {
     throw std::invalid_argument(why);
 }
 
@@ -44,7 +44,7 @@ double call(const std::string& name, const Arguments& x) {
     if (name == "pow" && x.size() == 2) return std::pow(x[0], x[1]);
     if (name == "mod" && x.size() == 2) return std::fmod(x[0], x[1]);
     if (name == "atan2" && x.size() == 2) return std::atan2(x[0], x[1]);
-    refuse("the function " + quote(name) + " is not known here");
+    refuse_formula("the function " + quote(name) + " is not known here");
 }
 
 /// Calculates by recursive descent: or, and, comparison, sum, product, power, sign, atom.
@@ -56,7 +56,7 @@ class Calculator {
     double all() {
         const double value = either();
         skip_blanks();
-        if (!rest_.empty()) refuse("a formula cannot go on with " + quote(rest_));
+        if (!rest_.empty()) refuse_formula("a formula cannot go on with " + quote(rest_));
         return value;
     }
 
@@ -115,7 +115,7 @@ class Calculator {
         }
     }
     double power() {
-        if (++depth_ > deepest_formula) refuse("a formula is nested too deeply");
+        if (++depth_ > deepest_formula) refuse_formula("a formula is nested too deeply");
         double value = 0.0;
         if (take("-")) {
             value = -power();
@@ -131,7 +131,7 @@ class Calculator {
     double atom() {
         if (take("(")) {
             const double value = either();
-            if (!take(")")) refuse("a bracket of a formula is not closed");
+            if (!take(")")) refuse_formula("a bracket of a formula is not closed");
             return value;
         }
         skip_blanks();
@@ -145,13 +145,13 @@ class Calculator {
     }
     double named() {
         const std::string name = word();
-        if (name.empty()) refuse("a formula wants a number where " + quote(rest_) + " is");
+        if (name.empty()) refuse_formula("a formula wants a number where " + quote(rest_) + " is");
         if (take("(")) return call(name, arguments());
         const auto variable = variables_.find(name);
         if (variable == variables_.end() && name == "pi") return std::numbers::pi;
-        if (variable == variables_.end()) refuse("there is no variable " + quote(name));
+        if (variable == variables_.end()) refuse_formula("there is no variable " + quote(name));
         const auto value = parse_number(variable->second);
-        if (!value) refuse(quote(name) + " is no number: " + quote(variable->second));
+        if (!value) refuse_formula(quote(name) + " is no number: " + quote(variable->second));
         return *value;
     }
     Arguments arguments() {
@@ -160,7 +160,7 @@ class Calculator {
         do
             all.push_back(either());
         while (take(","));
-        if (!take(")")) refuse("a bracket of a formula is not closed");
+        if (!take(")")) refuse_formula("a bracket of a formula is not closed");
         return all;
     }
 
@@ -203,7 +203,7 @@ std::string value_of(std::string_view asked, const Variables& variables) {
     const auto bar = asked.find('|');
     const auto known = variables.find(asked.substr(0, bar));
     if (known != variables.end()) return known->second;
-    if (bar == asked.npos) refuse("there is no variable " + quote(asked));
+    if (bar == asked.npos) refuse_formula("there is no variable " + quote(asked));
     return std::string(asked.substr(bar + 1));
 }
 
@@ -213,10 +213,10 @@ bool replace_last(std::string& text, std::string_view begins, const auto& value)
     const auto begin = text.rfind(begins);
     if (begin == text.npos) return false;
     const auto end = text.find('}', begin);
-    if (end == text.npos) refuse(quote(begins) + " is not closed");
+    if (end == text.npos) refuse_formula(quote(begins) + " is not closed");
     const auto first = begin + begins.size();
     text.replace(begin, end + 1 - begin, value(std::string_view(text).substr(first, end - first)));
-    if (text.size() > longest_substituted) refuse("a text grows too long");
+    if (text.size() > longest_substituted) refuse_formula("a text grows too long");
     return true;
 }
 
@@ -230,13 +230,13 @@ std::string number_text(double value) {
 
 double formula(std::string_view text, const Variables& variables) {
     const double value = Calculator{text, variables}.all();
-    if (!std::isfinite(value)) refuse("a formula has no finite value");
+    if (!std::isfinite(value)) refuse_formula("a formula has no finite value");
     return value;
 }
 
 std::string substituted(std::string_view given, const Variables& variables) {
     constexpr int most_replaced = 1000;
-    if (given.size() > longest_substituted) refuse("a text is too long");
+    if (given.size() > longest_substituted) refuse_formula("a text is too long");
     std::string text(given);
     const auto variable = [&](std::string_view asked) { return value_of(asked, variables); };
     const auto result = [&](std::string_view asked) {
@@ -244,10 +244,11 @@ std::string substituted(std::string_view given, const Variables& variables) {
     };
     int replaced = 0;
     while (replace_last(text, "${", variable) || replace_last(text, "$f{", result)) {
-        if (++replaced > most_replaced) refuse("a text has too many variables");
+        if (++replaced > most_replaced) refuse_formula("a text has too many variables");
     }
     if (text.find("$(") != text.npos || text.find("$env{") != text.npos) {
-        refuse("uses a command or the environment, which scipd does not read: " + quote(text));
+        refuse_formula("uses a command or the environment, which scipd does not read: " +
+                       quote(text));
     }
     return text;
 }

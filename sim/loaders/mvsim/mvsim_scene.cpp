@@ -237,7 +237,7 @@ LoadedScene load_mvsim(const fs::path& given, const MapOptions& options) {
     const MvsimVisitor visitor{.visit = [&](const MvsimNode& node) { scene.visit(node); },
                                .leave_out = [&](const std::string& what) { scene.leave_out(what); },
                                .read = [](const fs::path& included) -> std::optional<std::string> {
-                                   if (!why_no_file(included).empty()) return std::nullopt;
+                                   if (!check_plain_file(included)) return std::nullopt;
                                    return read_text(included, largest_mvsim_text,
                                                     "a part of a world is wanted");
                                }};

@@ -39,7 +39,7 @@ struct Close {
 };
 using Dataset = std::unique_ptr<void, Close>;
 
-[[noreturn]] void refuse(const std::string& why) {
+[[noreturn]] void refuse_terrain(const std::string& why) {
     const std::string said = CPLGetLastErrorMsg();
     throw std::runtime_error(why + (said.empty() ? "" : ": " + printable(said)));
 }
@@ -49,9 +49,10 @@ Dataset open(const std::filesystem::path& file) {
     CPLSetErrorHandler(CPLQuietErrorHandler);
     Dataset dataset{GDALOpenEx(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(),
                                nullptr, nullptr)};
-    if (dataset == nullptr) refuse("is neither a picture nor an elevation model in a known format");
+    if (dataset == nullptr)
+        refuse_terrain("is neither a picture nor an elevation model in a known format");
     if (const int bands = GDALGetRasterCount(dataset.get()); bands != 1) {
-        refuse("has " + std::to_string(bands) + " bands; an elevation model has one");
+        refuse_terrain("has " + std::to_string(bands) + " bands; an elevation model has one");
     }
     return dataset;
 }
@@ -130,7 +131,7 @@ struct Shape {
 Shape shape_of(GDALDatasetH dataset) {
     const int width = GDALGetRasterXSize(dataset);
     const int height = GDALGetRasterYSize(dataset);
-    if (width < 1 || height < 1) refuse("holds no points");
+    if (width < 1 || height < 1) refuse_terrain("holds no points");
     const std::size_t side = std::max(side_for(width), side_for(height));
     check_map_size(side, side);
     const auto scaled = [&](int shorter, int longer) {
@@ -154,7 +155,7 @@ void fill_and_measure(GDALRasterBandH band, HeightGrid& grid) {
         low = std::min(low, value);
         high = std::max(high, value);
     }
-    if (low > high) refuse("has no valid elevation");
+    if (low > high) refuse_terrain("has no valid elevation");
     std::ranges::replace_if(
         grid.values, [&](float value) { return !is_known(value); }, low);
     grid.low = low;
@@ -172,7 +173,7 @@ HeightGrid read(const std::filesystem::path& file) {
     if (GDALRasterIOEx(band, GF_Read, 0, 0, shape.width, shape.height, grid.values.data(),
                        shape.wide, shape.high, GDT_Float32, sizeof(float), row_bytes,
                        nullptr) != CE_None) {
-        refuse("cannot be read");
+        refuse_terrain("cannot be read");
     }
     fill_and_measure(band, grid);
     const glm::dvec2 wide_m = extent_m(dataset.get(), shape.width, shape.height);
@@ -216,8 +217,8 @@ HeightGrid read_dem(const std::filesystem::path& file) {
     const Confines confines{.processor_time = std::chrono::seconds{60},
                             .memory_bytes = std::size_t{2} << 30U};
     try {
-        if (const auto why = why_no_file(file); !why.empty()) {
-            throw std::runtime_error(why + "; a terrain is wanted here");
+        if (const auto plain = check_plain_file(file); !plain) {
+            throw std::runtime_error(plain.error().why + "; a terrain is wanted here");
         }
         return take_grid(
             run_confined(confines, [&](std::FILE* out) { put_grid(read(file), out); }).get());

@@ -48,7 +48,7 @@ fs::path there(const fs::path& folder, const fs::path& name, std::vector<std::st
 std::string config_of(const fs::path& folder, std::vector<std::string>& warnings) {
     for (const char* name : {"model.config", "manifest.xml"}) {
         const fs::path config = there(folder, name, warnings);
-        if (!config.empty() && why_no_file(config).empty()) {
+        if (!config.empty() && check_plain_file(config)) {
             return read_file(config, largest_config, "a model.config is wanted here");
         }
     }
@@ -82,16 +82,17 @@ fs::path model_file_of(const fs::path& path, std::vector<std::string>& warnings)
     return found.empty() ? path / best->GetText() : found;
 }
 
-std::string why_no_model(const fs::path& path, const fs::path& model) {
-    const auto why = why_no_file(model);
+Expected<> check_model(const fs::path& path, const fs::path& model) {
+    const auto plain = check_plain_file(model);
     std::error_code error;
-    if (why.empty() || !fs::is_directory(path, error)) return why.empty() ? why : ' ' + why;
-    return " is the folder " + path.string() + ", which has no model.config that names an SDF file";
+    if (plain || !fs::is_directory(path, error)) return plain;
+    return refuse("is the folder " + path.string() +
+                  ", which has no model.config that names an SDF file");
 }
 
 bool calls_itself(const fs::path& folder, const std::string& name) {
     for (const char* file : {"model.config", "manifest.xml", "package.xml"}) {
-        if (!why_no_file(folder / file).empty()) continue;
+        if (!check_plain_file(folder / file)) continue;
         tinyxml2::XMLDocument config;
         try {
             config.Parse(read_file(folder / file, largest_config, "a name is sought here").c_str());

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/expected.h"
+
 namespace scipd::sim {
 
 /// The SDF file in a model's folder with the highest version that scipd reads. If all are newer,
@@ -17,8 +19,9 @@ namespace scipd::sim {
 std::filesystem::path model_file_of(const std::filesystem::path& path,
                                     std::vector<std::string>& warnings);
 
-/// Why `model`, which model_file_of() found in `path`, cannot be read; empty if it can.
-std::string why_no_model(const std::filesystem::path& path, const std::filesystem::path& model);
+/// Whether `model`, which model_file_of() found in `path`, can be read.
+[[nodiscard]] Expected<> check_model(const std::filesystem::path& path,
+                                     const std::filesystem::path& model);
 
 /// Whether the model.config or package.xml of a folder gives it this name. The folder's own name
 /// does not matter.

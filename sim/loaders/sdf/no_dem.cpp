@@ -9,13 +9,13 @@
 namespace scipd::sim {
 
 HeightGrid read_dem(const std::filesystem::path& file) {
-    const auto why = why_no_file(file);
+    const auto plain = check_plain_file(file);
     throw LoadError({file.string() + ": " +
-                     (why.empty() ? "is no picture, and this scipd was built without GDAL, which "
-                                    "reads elevation models; build it where libgdal-dev is "
-                                    "installed, or convert the file with `gdal_translate -of PNG "
-                                    "-ot UInt16 -scale` and name the PNG"
-                                  : why + "; a terrain is wanted here")});
+                     (plain ? "is no picture, and this scipd was built without GDAL, which reads "
+                              "elevation models; build it where libgdal-dev is installed, or "
+                              "convert the file with `gdal_translate -of PNG -ot UInt16 -scale` "
+                              "and name the PNG"
+                            : plain.error().why + "; a terrain is wanted here")});
 }
 
 }  // namespace scipd::sim

@@ -92,8 +92,9 @@ LoadedScene load_sdf(const fs::path& given, const SdfOptions& options) {
                          ": is a folder without a model.config that names an SDF file; name a file "
                          "or the folder of a model"});
     }
-    if (const auto why = why_no_file(file); !why.empty()) {
-        throw LoadError({file.string() + ": " + why + "; name an SDF world or model"});
+    if (const auto plain = check_plain_file(file); !plain) {
+        throw LoadError(
+            {file.string() + ": " + plain.error().why + "; name an SDF world or model"});
     }
     LoadedScene loaded = load({file}, file.parent_path(), options);
     loaded.warnings.insert(loaded.warnings.begin(), of_folder.begin(), of_folder.end());

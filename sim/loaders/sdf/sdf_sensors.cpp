@@ -27,7 +27,7 @@ using tinyxml2::XMLElement;
 constexpr std::array<std::string_view, 4> lidar_types{"ray", "gpu_ray", "lidar", "gpu_lidar"};
 
 /// What is wrong with a sensor.
-struct Fault : std::runtime_error {
+struct SensorFault : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
@@ -56,8 +56,8 @@ std::vector<double> numbers_in(const XMLElement& element) {
         numbers.push_back(number);
     }
     if (std::string_view{at}.find_first_not_of(" \t\r\n") != std::string_view::npos) {
-        throw Fault("<" + std::string{element.Name()} + "> has " + quote(at) +
-                    " where a number is wanted");
+        throw SensorFault("<" + std::string{element.Name()} + "> has " + quote(at) +
+                          " where a number is wanted");
     }
     return numbers;
 }
@@ -65,7 +65,7 @@ std::vector<double> numbers_in(const XMLElement& element) {
 const XMLElement& child_of(const XMLElement& element, const char* name) {
     const auto* child = element.FirstChildElement(name);
     if (child == nullptr) {
-        throw Fault("has no <" + std::string{name} + "> in its <" + element.Name() + ">");
+        throw SensorFault("has no <" + std::string{name} + "> in its <" + element.Name() + ">");
     }
     return *child;
 }
@@ -76,7 +76,7 @@ double number_in(const XMLElement& element, const char* name,
     if (otherwise && element.FirstChildElement(name) == nullptr) return *otherwise;
     const auto numbers = numbers_in(child_of(element, name));
     if (numbers.size() != 1 || std::isnan(numbers[0])) {
-        throw Fault("<" + std::string{name} + "> must be one number");
+        throw SensorFault("<" + std::string{name} + "> must be one number");
     }
     return numbers[0];
 }
@@ -86,7 +86,7 @@ int count_in(const XMLElement& scan, double otherwise) {
     constexpr double most = 1e6;
     const double count =
         std::round(number_in(scan, "samples", otherwise) * number_in(scan, "resolution", 1.0));
-    if (!(count >= 1.0 && count <= most)) throw Fault("<samples> must be 1 to 1000000");
+    if (!(count >= 1.0 && count <= most)) throw SensorFault("<samples> must be 1 to 1000000");
     return static_cast<int>(count);
 }
 
@@ -95,21 +95,21 @@ void check(const Lidar& lidar) {
     constexpr double turn_rad = 2.0 * std::numbers::pi + 0.01;
     const double view_rad = lidar.max_angle_rad - lidar.min_angle_rad;
     if (!(view_rad >= 0.0 && view_rad <= turn_rad)) {
-        throw Fault(
+        throw SensorFault(
             "<max_angle> must be <min_angle> or more, by a turn at most; they are in radians");
     }
     if (!(lidar.min_range_m >= 0.0 && lidar.min_range_m < lidar.max_range_m)) {
-        throw Fault("<min> in its <range> must be 0 or more, and <max> above it");
+        throw SensorFault("<min> in its <range> must be 0 or more, and <max> above it");
     }
     if (!(lidar.rate_hz >= 0.0 && std::isfinite(lidar.rate_hz))) {
-        throw Fault("<update_rate> must not be negative");
+        throw SensorFault("<update_rate> must not be negative");
     }
 }
 
 Lidar lidar_of(const XMLElement& sensor) {
     const auto* ray = sensor.FirstChildElement("lidar");
     if (ray == nullptr) ray = sensor.FirstChildElement("ray");
-    if (ray == nullptr) throw Fault("has neither <lidar> nor <ray>");
+    if (ray == nullptr) throw SensorFault("has neither <lidar> nor <ray>");
     const XMLElement& scan = child_of(*ray, "scan");
     const XMLElement& row = child_of(scan, "horizontal");
     const auto* vertical = scan.FirstChildElement("vertical");
@@ -153,12 +153,12 @@ void check_pose(const XMLElement& pose, const XMLElement& model) {
     const std::size_t wanted = attribute(pose, "rotation_format") == "quat_xyzw" ? 7 : 6;
     const bool finite = std::ranges::all_of(numbers, [](double n) { return std::isfinite(n); });
     if (!finite || (!numbers.empty() && numbers.size() != wanted)) {
-        throw Fault("<pose> must be " + std::to_string(wanted) + " numbers");
+        throw SensorFault("<pose> must be " + std::to_string(wanted) + " numbers");
     }
     for (const char* reference : {"relative_to", "frame"}) {
         const std::string name = attribute(pose, reference);
         if (!name.empty() && !has_frame(model, name)) {
-            throw Fault("its <pose> is relative to " + quote(name) + ", which is no frame");
+            throw SensorFault("its <pose> is relative to " + quote(name) + ", which is no frame");
         }
     }
 }
@@ -190,15 +190,15 @@ class Offer {
             const std::string type = attribute(*sensor, "type");
             const bool is_lidar = std::ranges::find(lidar_types, type) != lidar_types.end();
             if (found_.size() >= most_sensors) {
-                if (!std::exchange(told_, true)) warn(line, link, *sensor, Fault(too_many));
+                if (!std::exchange(told_, true)) warn(line, link, *sensor, SensorFault(too_many));
                 continue;
             }
             try {
-                if (!is_first_of_name) throw Fault("its link is not the first of this name");
+                if (!is_first_of_name) throw SensorFault("its link is not the first of this name");
                 add(model, link, *sensor,
                     {printable(type, longest_type),
                      is_lidar ? std::optional(lidar_of(*sensor)) : std::nullopt});
-            } catch (const Fault& fault) {
+            } catch (const SensorFault& fault) {
                 // For sensors that are not lidars, scipd needs only the pose, so faults get no
                 // warning.
                 if (is_lidar) warn(line, link, *sensor, fault);
@@ -211,12 +211,12 @@ class Offer {
         const auto* pose = sensor.FirstChildElement("pose");
         if (pose != nullptr) check_pose(*pose, model);
         const std::string own_name = attribute(sensor, "name");
-        if (own_name.empty()) throw Fault("has no name");
+        if (own_name.empty()) throw SensorFault("has no name");
         const std::string link_name = attribute(link, "name");
-        if (link_name.empty()) throw Fault("its link has no name");
+        if (link_name.empty()) throw SensorFault("its link has no name");
         const std::string name = link_name + std::string{stands_for_colons} + own_name;
         if (!names_.emplace(&model, name).second) {
-            throw Fault("is not the first of this name in its link");
+            throw SensorFault("is not the first of this name in its link");
         }
         auto* frame = model.InsertNewChildElement("frame");
         frame->SetAttribute("name", name.c_str());
@@ -227,7 +227,8 @@ class Offer {
         found_.push_back(std::move(found));
     }
 
-    void warn(int line, const XMLElement& link, const XMLElement& sensor, const Fault& fault) {
+    void warn(int line, const XMLElement& link, const XMLElement& sensor,
+              const SensorFault& fault) {
         warnings_.push_back(file_.string() + ':' + std::to_string(line) + ": sensor " +
                             quote(attribute(sensor, "name")) + " of link " +
                             quote(attribute(link, "name")) + " of model " +

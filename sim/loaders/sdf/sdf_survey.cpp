@@ -212,12 +212,12 @@ class Surveyor {
         try {
             std::vector<std::string> notes{case_warning(uri, found)};
             fs::path model = model_file_of(found, notes);
-            const auto why = why_no_model(found, model);
+            const auto readable = check_model(found, model);
             for (const auto& note : notes) {
                 if (!note.empty()) survey_.warnings.push_back(place + note);
             }
-            if (why.empty()) return model;
-            leave_out(place + quote(uri, whole_path) + why);
+            if (readable) return model;
+            leave_out(place + quote(uri, whole_path) + ' ' + readable.error().why);
         } catch (const LoadError& error) {
             leave_out(place + error.what());
         }

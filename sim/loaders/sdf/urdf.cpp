@@ -58,8 +58,8 @@ std::vector<std::string> take_materials(XMLElement& link) {
 void keep_joint(XMLElement& robot, const std::string& joint) {
     XMLElement& extension = *robot.InsertNewChildElement("gazebo");
     extension.SetAttribute("reference", joint.c_str());
-    for (const char* wish : {"disableFixedJointLumping", "preserveFixedJoint"})
-        extension.InsertNewChildElement(wish)->SetText("true");
+    for (const char* setting : {"disableFixedJointLumping", "preserveFixedJoint"})
+        extension.InsertNewChildElement(setting)->SetText("true");
 }
 
 /// The sensors in <gazebo reference="LINK">. The library would copy them, and refuse the robot for

@@ -31,8 +31,8 @@ std::string expanded(const fs::path& file) {
     const auto refuse = [&](const std::string& why) {
         throw LoadError({file.string() + ": " + why});
     };
-    if (const auto why = why_no_file(file); !why.empty()) {
-        refuse(why + "; name a robot written in xacro");
+    if (const auto plain = check_plain_file(file); !plain) {
+        refuse(plain.error().why + "; name a robot written in xacro");
     }
     try {
         if (const auto text = output_of(confines, {"xacro", file.string()})) return *text;

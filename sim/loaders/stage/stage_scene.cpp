@@ -57,7 +57,7 @@ bool has_shape(const StageEntity& entity) {
 /// people expect it.
 fs::path path_of(const std::string& name, const fs::path& world, const fs::path& by) {
     const fs::path beside_world = world.parent_path() / name;
-    return why_no_file(beside_world).empty() ? beside_world : by.parent_path() / name;
+    return check_plain_file(beside_world) ? beside_world : by.parent_path() / name;
 }
 
 class StageScene {
@@ -251,7 +251,7 @@ LoadedScene load_stage(const fs::path& given) {
     const auto file = fs::absolute(given).lexically_normal();
     const auto find = [&](const std::string& name, const fs::path& by) -> std::optional<StageText> {
         const fs::path included = path_of(name, file, by);
-        if (!why_no_file(included).empty()) return std::nullopt;
+        if (!check_plain_file(included)) return std::nullopt;
         return StageText{included, read_text(included, largest_text, "a file of Stage is wanted")};
     };
     const std::string text = read_text(file, largest_text, "name a world of Stage");

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "daemon/api/measurement_text.h"
 #include "daemon/api/routes.h"
 #include "daemon/clock/stepped_clock.h"
 #include "daemon/device/device.h"
@@ -81,8 +82,9 @@ TEST_F(TruthTest, IsWhatTheWorldHasAndWhatWasSent) {
     ASSERT_EQ(said["poses"].size(), 1U);
     EXPECT_EQ(said["poses"][0]["xyz"], json({0.0, 0.0, 0.0}));
     EXPECT_EQ(said["poses"][0]["q"], json({0.0, 0.0, 0.0, 1.0}));
-    for (const char* list :
-         {"steps", "true_m", "object", "material", "incidence_rad", "sent_mm", "intensity"})
+    EXPECT_EQ(said["accuracy"], "ideal");
+    for (const char* list : {"steps", "true_m", "object", "material", "incidence_rad", "sent_mm",
+                             "intensity", "read_m", "cause"})
         EXPECT_EQ(said[list].size(), 1081U) << list;
 
     EXPECT_EQ(said["steps"][540], 540);
@@ -94,12 +96,64 @@ TEST_F(TruthTest, IsWhatTheWorldHasAndWhatWasSent) {
         EXPECT_EQ(said["object"][step], "object 0");
         EXPECT_EQ(said["material"][step], "default");
         EXPECT_EQ(said["sent_mm"][step], std::lround(range_m * 1000.0));
+        EXPECT_NEAR(said["read_m"][step], range_m, 2e-6);
+        EXPECT_EQ(said["cause"][step], "measured");
         EXPECT_GT(said["intensity"][step], 0);
     }
     // Behind it there is nothing.
     for (const char* list : {"true_m", "object", "material", "incidence_rad"})
         EXPECT_EQ(said[list][0], nullptr) << list;
     EXPECT_EQ(said["sent_mm"][0], device_.profile().codes.nothing);
+    EXPECT_EQ(said["read_m"][0], nullptr);
+    EXPECT_EQ(said["cause"][0], "nothing");
+    // Geometry knows no echoes.
+    EXPECT_FALSE(said.contains("echoes"));
+    EXPECT_FALSE(said.contains("sent_echoes_mm"));
+}
+
+// A UTM-30LX-EW looks through a pane 2 m ahead at a black wall 4 m ahead; its front step is 540. No
+// distance is read of the wall 4 m ahead that is black enough.
+TEST_F(TruthTest, HasTheEchoesOfAScannerThatSeesLight) {
+    const sim::SharedScene scene =
+        sim::SceneBuilder()
+            .add(sim::Box{{0.01, 1.0, 1.0}}, {{2.005, 0, 0}, {1, 0, 0, 0}}, 1)
+            .add(sim::Box{{1.0, 20.0, 20.0}}, {{4.5, 0, 0}, {1, 0, 0, 0}}, 2)
+            .build();
+    sim::MaterialLibrary library;
+    library.add({.name = "material 1",
+                 .reflectance = {{905, 0.04}},
+                 .specular = 0.9,
+                 .gloss = 2000,
+                 .transmission = 0.9});
+    library.add({.name = "material 2", .reflectance = {{905, 0.001}}});
+    world_.replace_scene(scene, one_backend(scene));
+    world_.light().set_materials(std::make_shared<const sim::MaterialLibrary>(library));
+    SensorConfig config = ideal_sensor("UTM-30LX-EW");
+    config.accuracy = sim::Accuracy::material;
+    Device device{"robot", config, 1, world_, clock_};
+    client_ = device.connect([] {}, protocol::LinkKind::network);
+    client_->receive("ND0540054000000\n");
+    const std::int64_t revolution = device.next_revolution();
+    clock_.advance_to(device.leaves(revolution));
+    device.turn_complete(revolution);
+    const json said = json::parse(truth_text("robot/scanner", *device.log().latest()));
+    EXPECT_EQ(said["accuracy"], "material");
+    ASSERT_EQ(said["echoes"].size(), 1081U);
+    const json& ahead = said["echoes"][540];
+    ASSERT_EQ(ahead.size(), 2U) << ahead;
+    EXPECT_NEAR(ahead[0]["range_m"], 2.0, 0.01);
+    EXPECT_EQ(ahead[0]["object"], "object 0");
+    EXPECT_EQ(ahead[0]["material"], "material 1");
+    EXPECT_NEAR(ahead[1]["range_m"], 4.0, 1e-3);
+    EXPECT_EQ(ahead[1]["material"], "material 2");
+    EXPECT_GT(ahead[0]["power"], ahead[1]["power"]);
+    EXPECT_EQ(said["sent_echoes_mm"][540].size(), 1U);
+    EXPECT_EQ(said["sent_echoes_mm"][540][0], said["sent_mm"][540]);
+    // Beside the pane the wall is all that there is.
+    EXPECT_EQ(said["cause"][740], "too_dark");
+    EXPECT_EQ(said["read_m"][740], nullptr);
+    EXPECT_EQ(said["echoes"][0], json::array());
+    EXPECT_EQ(said["cause"][0], "nothing");
 }
 
 // From the origin to the left at 1 m/s.

@@ -12,6 +12,7 @@
 #include "daemon/models/registry.h"
 #include "sim/world/pose.h"
 #include "tests/daemon/config/config_fixture.h"
+#include "tests/support/backend_names.h"
 
 namespace scipd::daemon {
 namespace {
@@ -142,7 +143,8 @@ TEST_F(ConfigTest, TellsEveryFaultAtOnceInTheOrderOfLines) {
                     "fleet.yaml:14: robots.rescue.sensors.front.tcp: given twice, first in line "
                     "13; keep one",
                     "fleet.yaml:15: robots.rescue.sensors.front.backend: this build has no "
-                    "backend 'opengl'; use auto, embree, depth, reference",
+                    "backend 'opengl'; use auto, " +
+                        tests::listed_backends(),
                     "fleet.yaml:16: robots.rescue.sensors.front.accuracy: must be ideal, "
                     "sensor or material, not 'fine'",
                     "fleet.yaml:17: robots.rescue.sensors.front.echo: must be first, strongest "

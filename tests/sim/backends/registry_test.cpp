@@ -12,6 +12,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/sim/backends/contract.h"
+#include "tests/support/backend_names.h"
 
 namespace scipd::sim {
 namespace {
@@ -56,8 +57,8 @@ TEST(Registry, FindsRowsByTheirNames) {
 
 TEST(Registry, NamesTheChoicesWhereThereIsNoSuchBackend) {
     EXPECT_THAT(([] { make_backend("radar", SceneBuilder().build()); }),
-                ThrowsMessage<std::invalid_argument>(
-                    "no backend 'radar': choose embree, depth, reference"));
+                ThrowsMessage<std::invalid_argument>("no backend 'radar': choose " +
+                                                     tests::listed_backends()));
 }
 
 TEST(Registry, HandsTheSceneOn) {

@@ -22,6 +22,7 @@ namespace scipd::tests {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 struct Extent {
@@ -141,6 +142,42 @@ TEST(ScipcatPlot, ColoursIntensities) {
     EXPECT_GT(picture.extent_of(strongest).right, 0);
 }
 
+TEST(ScipcatPlot, ColoursDistances) {
+    const RoomScanner scanner(daemon::find_model("UST-10LX").profile);
+    const TempDir directory;
+    const auto file = directory.path() / "room.png";
+    const Outcome outcome =
+        run_scipcat({"plot", scanner.tcp_target(), "-o", file, "--color", "distance"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Picture picture(file);
+    ASSERT_TRUE(picture.good());
+    EXPECT_EQ(picture.extent_of(wall_colour).right, -1);
+    // Nearest is the wall behind the scanner, and farthest are the two corners ahead; the legend is
+    // above them.
+    constexpr std::uint32_t nearest = 0x440154;
+    constexpr std::uint32_t farthest = 0xFDE725;
+    EXPECT_GT(picture.extent_of(nearest).bottom, picture.extent_of(farthest).bottom);
+}
+
+TEST(ScipcatPlot, AsksForIntensitiesToColourThem) {
+    const RoomScanner scanner(daemon::find_model("UTM-30LX").profile);
+    const Outcome outcome = run_scipcat({"plot", scanner.tcp_target(), "--color", "intensity"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("\x1b[38;5;"));
+    EXPECT_THAT(outcome.out, HasSubstr("intensity, logarithmic: "));
+}
+
+TEST(ScipcatPlot, NeedsAScipdForTheTruth) {
+    const RoomScanner scanner(daemon::find_model("UST-10LX").profile);
+    const Outcome outcome = run_scipcat(
+        {"plot", scanner.tcp_target(), "--color", "material", "--control", "/no/such.sock"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("cannot reach scipd at /no/such.sock"));
+    const Outcome unknown = run_scipcat({"plot", scanner.tcp_target(), "--color", "smell"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_THAT(unknown.err, HasSubstr("--color"));
+}
+
 TEST(ScipcatPlot, DrawsInTheTerminal) {
     const RoomScanner scanner(daemon::find_model("UST-10LX").profile);
     setenv("COLUMNS", "60", 1);
@@ -151,6 +188,7 @@ TEST(ScipcatPlot, DrawsInTheTerminal) {
     EXPECT_THAT(outcome.out, HasSubstr("▲"));
     EXPECT_THAT(outcome.out, HasSubstr("1012 points in 1081 directions"));
     EXPECT_THAT(outcome.out, HasSubstr("┤ 1 m\n"));
+    EXPECT_THAT(outcome.out, Not(HasSubstr("\x1b")));
     // Braille dots take three bytes each; nothing but the text below may be wider than asked.
     std::size_t start = 0;
     for (std::size_t end; (end = outcome.out.find('\n', start)) != std::string::npos;

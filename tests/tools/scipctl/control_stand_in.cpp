@@ -39,9 +39,17 @@ ControlStandIn::ControlStandIn(std::vector<std::string> robots, std::string cloc
     scan.world_from_sensor = {{}};
     scan.posed_at = {scan.start};
     scan.hits = {{1.5F, 1.0F, 1, 0}, {}};
+    scan.echoes.add({.range_m = 1.5F, .power = 0.25F, .object = 0, .material = 1});
+    scan.echoes.add({.range_m = 4.0F, .power = 0.01F});
+    scan.echoes.finish_beam();
+    scan.echoes.finish_beam();
+    scan.readings = {{.range_m = 1.501F, .cause = sim::Cause::measured}, {}};
     daemon::ScanRecord record;
     record.cast = std::make_shared<const sim::Scan>(scan);
-    record.sent = {.first_step = 44, .distance = {1500, 1}, .intensity = {900, 0}};
+    record.sent = {.first_step = 44, .distance = {1501, 1}, .intensity = {900, 0}};
+    record.sent.echoes = {{.echo = {{{1501, 900}, {4003, 40}}}, .count = 2},
+                          {.echo = {{{1, 0}}}, .count = 1}};
+    record.accuracy = sim::Accuracy::material;
     record.stamp_ms = 2000;
     record.scene = scene_;
     record.backend = std::make_shared<const daemon::BackendChoice>(

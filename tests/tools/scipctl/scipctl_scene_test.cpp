@@ -158,14 +158,30 @@ TEST_F(ScipctlScene, SaysWhatToTypeInstead) {
 TEST_F(ScipctlScene, ShowsTheTruth) {
     const Outcome outcome = scipctl({"truth", "rescue/front"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string echoes = "1.500 m 0.2500 material 1, 4.000 m 0.0100 in the air";
+    const auto blanks = [&](std::size_t used) { return std::string(echoes.size() - used, ' '); };
     EXPECT_EQ(outcome.out,
-              "scan 7, step 0 at 2.000000 s, stamp 2000 ms, 1 pose(s)\n\n"
-              "STEP  TRUE m  SENT mm  INTENSITY  INCIDENCE rad  MATERIAL    OBJECT\n"
-              "44    1.5000  1500     900        0.0000         material 1  object 0\n"
-              "45    -       1        0          -              -           -\n");
+              "scan 7, step 0 at 2.000000 s, stamp 2000 ms, 1 pose(s), accuracy material\n\n"
+              "STEP  TRUE m  INCIDENCE rad  MATERIAL    OBJECT    ECHOES" +
+                  blanks(6) + "  READ m  CAUSE     SENT mm    INTENSITY\n" +
+                  "44    1.5000  0.0000         material 1  object 0  " + echoes +
+                  "  1.5010  measured  1501 4003  900\n" +
+                  "45    -       -              -           -         -" + blanks(1) +
+                  "  -       nothing   1          0\n");
     const auto document =
         nlohmann::json::parse(scipctl({"truth", "rescue/front", "--scan", "7", "--json"}).out);
     EXPECT_EQ(document["true_m"], nlohmann::json({1.5, nullptr}));
+    EXPECT_EQ(document["sent_echoes_mm"], nlohmann::json({{1501, 4003}, {1}}));
+}
+
+TEST_F(ScipctlScene, ShowsTheTruthOfSomeSteps) {
+    const Outcome first = scipctl({"truth", "rescue/front", "--to", "44"});
+    EXPECT_THAT(first.out, HasSubstr("\n44 "));
+    EXPECT_THAT(first.out, Not(HasSubstr("\n45 ")));
+    const Outcome second = scipctl({"truth", "rescue/front", "--from", "45", "--to", "45"});
+    EXPECT_THAT(second.out, Not(HasSubstr("\n44 ")));
+    EXPECT_THAT(second.out, HasSubstr("\n45 "));
+    EXPECT_THAT(refused({"truth", "rescue/front", "--from", "-1"}, 2), HasSubstr("--from"));
 }
 
 // The words as a shell hands them over, the last one being typed.

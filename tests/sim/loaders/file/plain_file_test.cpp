@@ -18,6 +18,7 @@
 #include "sim/loaders/scene_file.h"
 #include "tests/sim/loaders/faults_of.h"
 #include "tests/sim/loaders/sdf/sdf_text.h"
+#include "tests/support/why_not.h"
 
 namespace scipd::sim {
 namespace {
@@ -26,6 +27,7 @@ namespace fs = std::filesystem;
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using tests::why_not;
 
 class PlainFile : public ::testing::Test {
   protected:
@@ -54,12 +56,12 @@ class PlainFile : public ::testing::Test {
 };
 
 TEST_F(PlainFile, saysWhatElseItIs) {
-    EXPECT_EQ(why_no_file(folder_.write("file", "")), "");
-    EXPECT_EQ(why_no_file(folder_.path() / "gone"), "no such file");
-    EXPECT_EQ(why_no_file(folder_.path() / "file/in"), "no such file");
-    EXPECT_EQ(why_no_file(folder_.path()), "is a directory");
-    EXPECT_EQ(why_no_file(fifo("fifo")), "is a FIFO");
-    EXPECT_EQ(why_no_file("/dev/null"), "is a device");
+    EXPECT_EQ(why_not(check_plain_file(folder_.write("file", ""))), std::nullopt);
+    EXPECT_EQ(why_not(check_plain_file(folder_.path() / "gone")), "no such file");
+    EXPECT_EQ(why_not(check_plain_file(folder_.path() / "file/in")), "no such file");
+    EXPECT_EQ(why_not(check_plain_file(folder_.path())), "is a directory");
+    EXPECT_EQ(why_not(check_plain_file(fifo("fifo"))), "is a FIFO");
+    EXPECT_EQ(why_not(check_plain_file("/dev/null")), "is a device");
     EXPECT_THROW(open_file(folder_.path() / "fifo"), std::runtime_error);
 
     const int descriptor = socket(AF_UNIX, SOCK_STREAM, 0);
@@ -67,7 +69,7 @@ TEST_F(PlainFile, saysWhatElseItIs) {
     address.sun_family = AF_UNIX;
     (folder_.path() / "socket").string().copy(address.sun_path, sizeof address.sun_path - 1);
     ASSERT_EQ(bind(descriptor, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
-    EXPECT_EQ(why_no_file(folder_.path() / "socket"), "is a socket");
+    EXPECT_EQ(why_not(check_plain_file(folder_.path() / "socket")), "is a socket");
     close(descriptor);
 }
 

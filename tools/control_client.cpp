@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipctl/control_client.h"
+#include "tools/control_client.h"
 
 #include <cctype>
 #include <chrono>

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Two scanners that look at each other, and whose mirrors drift apart.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "daemon/clock/stepped_clock.h"
+#include "daemon/device/device.h"
+#include "tests/daemon/wall_world.h"
+
+namespace scipd::daemon {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double apart_m = 3.0;
+
+SensorConfig facing(const std::string& name, const sim::Pose& mount, double ppm) {
+    SensorConfig config = ideal_sensor();
+    config.name = name;
+    config.robot_from_sensor = mount;
+    config.interference = true;
+    config.clock.ppm = ppm;
+    return config;
+}
+
+/// One at the origin that looks along x, and one that looks back at it.
+class Interference : public testing::Test {
+  protected:
+    void make(const sim::Scene& scene) {
+        const auto shared = std::make_shared<const sim::Scene>(scene);
+        world_.replace_scene(shared, one_backend(shared));
+        world_.set_robots({{"robot", {}}});
+        here_.emplace("robot", facing("here", {}, 0.0), 1, world_, clock_);
+        const sim::Pose there = sim::pose_from_rpy({apart_m, 0, 0}, {0, 0, std::numbers::pi});
+        there_.emplace("robot", facing("there", there, 1000.0), 1, world_, clock_);
+    }
+    void switch_on(Device& device) {
+        clients_.push_back(device.connect([] {}, protocol::LinkKind::network));
+        clients_.back()->receive("BM\n");
+    }
+    /// In how many of so many scans of the first one a beam is disturbed; `beams` gathers which.
+    int disturbed(int scans) {
+        int count = 0;
+        here_->watch([&](const ScanRecord& record) {
+            if (!record.cast->dazzled.empty()) ++count;
+            beams_.insert(record.cast->dazzled.begin(), record.cast->dazzled.end());
+            for (const std::uint32_t beam : record.cast->dazzled)
+                EXPECT_EQ(record.sent.distance[beam], 65533U);
+        });
+        std::int64_t revolution = here_->next_revolution();
+        for (int i = 0; i < scans; ++i, ++revolution) {
+            clock_.advance_to(here_->leaves(revolution));
+            here_->turn_complete(revolution);
+        }
+        return count;
+    }
+
+    SteppedClock clock_;
+    World world_;
+    std::optional<Device> here_;
+    std::optional<Device> there_;
+    std::vector<std::unique_ptr<Endpoint::Client>> clients_;
+    std::set<std::uint32_t> beams_;
+};
+
+// A clock that runs 1000 ppm too fast turns its mirror once more than the other in 1000 turns. In
+// that time each phase comes once. Both windows and both beams are open for an arc of twice their
+// half widths, and the two overlap for the sum of both arcs.
+TEST_F(Interference, ComesOnceWhileTheMirrorsDriftThroughATurn) {
+    make(sim::Scene{});
+    switch_on(*there_);
+    const double arc_rad = 2.0 * (0.0066 + std::atan2(window_radius_m, apart_m));
+    const double expected = 2.0 * arc_rad / (2.0 * std::numbers::pi) * 1000.0;
+    EXPECT_NEAR(disturbed(1000), expected, 2.0);
+    ASSERT_FALSE(beams_.empty());
+    // Straight ahead is step 540; a step is a quarter of a degree.
+    const double most_steps = 0.5 * arc_rad * 1440 / (2.0 * std::numbers::pi) + 1.0;
+    EXPECT_GE(double(*beams_.begin()), 540 - most_steps);
+    EXPECT_LE(double(*beams_.rbegin()), 540 + most_steps);
+    clients_.clear();
+}
+
+TEST_F(Interference, NeedsALaserThatIsOn) {
+    make(sim::Scene{});
+    EXPECT_EQ(disturbed(1000), 0);
+}
+
+TEST_F(Interference, IsHiddenByAWall) {
+    make(*sim::SceneBuilder()
+              .add(sim::Box{{0.1, 1.0, 1.0}}, sim::pose_from_rpy({1.5, 0, 0}, {0, 0, 0}))
+              .build());
+    switch_on(*there_);
+    EXPECT_EQ(disturbed(1000), 0);
+    clients_.clear();
+}
+
+}  // namespace
+}  // namespace scipd::daemon
