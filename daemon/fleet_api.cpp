@@ -71,7 +71,7 @@ std::vector<sim::Medium> FleetApi::media() const {
 
 std::vector<std::string> FleetApi::set_media(std::vector<sim::Medium> media) {
     const bool seen = media.empty() || std::ranges::any_of(simulation_.stations, [](const auto& s) {
-                          return sees_light(s->config);
+                          return s->config.sees_light();
                       });
     simulation_.world.light().set_media(std::move(media));
     return seen ? std::vector<std::string>{} : std::vector{std::string(unseen_media)};

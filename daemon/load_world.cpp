@@ -2,7 +2,6 @@
 // Copyright The scipd authors
 #include "daemon/load_world.h"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,13 +25,6 @@ bool moves(const sim::Scene& scene, const std::string& name) {
     return model && scene.models[*model].movable;
 }
 
-/// Nobody else asks what a material is, so a name that is not known is nothing to warn of.
-bool any_sees_light(const Config& config) {
-    return std::ranges::any_of(config.robots, [](const RobotConfig& robot) {
-        return std::ranges::any_of(robot.sensors, &SensorConfig::sees_light);
-    });
-}
-
 sim::LoadedScene load_scene(const Config& config, const sim::SharedMaterials& materials,
                             const std::stop_token& stop) {
     sim::SceneOptions options = scene_options(config, materials);
@@ -53,12 +45,13 @@ sim::LoadError named_at(const std::string& place, const sim::LoadError& error) {
     return sim::LoadError(std::move(faults));
 }
 
+// Where no sensor sees light, nobody asks what a material is, and an unknown one is no warning.
 sim::SceneOptions scene_options(const Config& config, const sim::SharedMaterials& materials) {
     sim::SceneOptions options{.sdf = {.geometry = config.geometry,
                                       .model_folders = stock_models(),
                                       .strict = config.strict},
                               .map = config.map,
-                              .materials = any_sees_light(config) ? materials : nullptr};
+                              .materials = config.any_sees_light() ? materials : nullptr};
     apply(config.limits, options);
     return options;
 }

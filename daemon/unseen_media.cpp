@@ -2,19 +2,10 @@
 // Copyright The scipd authors
 #include "daemon/unseen_media.h"
 
-#include <algorithm>
-
 namespace scipd::daemon {
 
-bool sees_light(const SensorConfig& sensor) {
-    return !sensor.staring && sensor.accuracy == sim::Accuracy::material;
-}
-
 std::vector<std::string> media_notices(const Config& config) {
-    const bool seen = std::ranges::any_of(config.robots, [](const RobotConfig& robot) {
-        return std::ranges::any_of(robot.sensors, sees_light);
-    });
-    if (config.media.empty() || seen) return {};
+    if (config.media.empty() || config.any_sees_light()) return {};
     return {config.place_of("media") + std::string(unseen_media)};
 }
 

@@ -13,9 +13,6 @@
 
 namespace scipd::daemon {
 
-/// Whether the sensor measures by the light that comes back to it.
-bool sees_light(const SensorConfig& sensor);
-
 inline constexpr std::string_view unseen_media =
     "no scanner has accuracy: material, so what fills the air changes no scan";
 

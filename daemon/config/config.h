@@ -6,6 +6,7 @@
 // lead to the files that a configuration names. Nothing has been opened or bound yet.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -82,6 +83,13 @@ struct Config {
     /// Where a key stands, "FILE:LINE: KEY: ", for the keys whose faults show only when other files
     /// have been read.
     std::map<std::string, std::string> places;
+
+    /// Whether materials and media change what any sensor reads.
+    [[nodiscard]] bool any_sees_light() const {
+        return std::ranges::any_of(robots, [](const RobotConfig& robot) {
+            return std::ranges::any_of(robot.sensors, &SensorConfig::sees_light);
+        });
+    }
 
     /// Where the key stands; empty where that is unknown, as for command-line options.
     [[nodiscard]] std::string place_of(const std::string& key) const {

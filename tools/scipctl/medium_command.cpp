@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/control_client.h"
 #include "tools/options.h"
 #include "tools/scipctl/commands.h"
-#include "tools/control_client.h"
 #include "tools/scipctl/table.h"
 
 namespace scipd::tools {
