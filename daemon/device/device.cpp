@@ -108,6 +108,8 @@ std::optional<LampBeam> Device::shines(sim::Time time) const {
     const std::chrono::duration<double> turn =
         timing_.start(revolution + 1) - timing_.start(revolution);
     const sim::SensorSpec& optics = sweep_.optics();
+    const double step = optics.steps_per_turn * (since / turn);
+    if (step < optics.first_step || step > optics.last_step) return std::nullopt;
     const double angle_rad = 2.0 * std::numbers::pi * (since / turn) + optics.angle_rad(0);
     const sim::Pose pose = sweep_.pose_at(time);
     return LampBeam{pose.translation_m,

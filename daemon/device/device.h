@@ -85,7 +85,7 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     /// know already.
     void tell_clients(const ServedClient* knows = nullptr);
 
-    /// As others see it: a light that turns with its mirror.
+    /// As others see it: a light that turns with its mirror, and shines where it measures.
     [[nodiscard]] std::optional<LampBeam> shines(sim::Time time) const override;
 
     [[nodiscard]] protocol::Turn turn(std::int64_t revolution) const;

@@ -18,8 +18,12 @@ namespace {
 /// hashing for collision detection of deformable objects, 2003).
 std::uint32_t cube_at(const glm::dvec3& at_m) {
     constexpr double cubes_per_m = 100.0;
+    // Faces mostly lie at round numbers. There rounding would decide which cube a place is in, if
+    // the cubes began there too.
+    constexpr double begin_m = 0.0027182818;
     const auto along = [&](int axis) {
-        return static_cast<std::uint32_t>(std::llround(std::floor(at_m[axis] * cubes_per_m)));
+        return static_cast<std::uint32_t>(
+            std::llround(std::floor((at_m[axis] - begin_m) * cubes_per_m)));
     };
     return (along(0) * 73856093U) ^ (along(1) * 19349663U) ^ (along(2) * 83492791U);
 }
@@ -116,7 +120,8 @@ class EchoFinder {
             if (!hit.met()) continue;
             const Reflection& material = lit_.of(hit.material);
             float power = rays[i].weight * material.returned(hit.cos_incidence);
-            if (material.surface().texture > 0.0F) power *= texture_at(beam, first + i, hit);
+            if (material.surface().texture > 0.0F)
+                power *= texture_at(material, place_of(beam, first + i, hit));
             add(hit, power);
         }
     }
@@ -124,9 +129,12 @@ class EchoFinder {
     void add_farther_hits(std::size_t beam) {
         const std::size_t end = (beam + 1) * pattern_.rays_per_beam();
         for (; farther_ < scan_.farther.size() && scan_.farther[farther_].ray < end; ++farther_) {
-            const auto& [ray, share, hit] = scan_.farther[farther_];
+            const auto& [ray, share, hit, at_m] = scan_.farther[farther_];
             const FootprintRay& of = pattern_.footprint()[ray % pattern_.rays_per_beam()];
-            add(hit, of.weight * share * lit_.of(hit.material).returned(hit.cos_incidence));
+            const Reflection& material = lit_.of(hit.material);
+            float power = of.weight * share * material.returned(hit.cos_incidence);
+            if (material.surface().texture > 0.0F) power *= texture_at(material, at_m);
+            add(hit, power);
         }
     }
 
@@ -138,11 +146,13 @@ class EchoFinder {
         return scan_.world_from_sensor[scan_.world_from_sensor.size() == 1 ? 0 : beam];
     }
 
-    [[nodiscard]] float texture_at(std::size_t beam, std::size_t ray, const Hit& hit) const {
-        const glm::dvec3 at_m =
-            pose_of(beam) * (double{hit.range_m} * glm::dvec3{pattern_.directions()[ray]});
-        const double factor = 1.0 + lit_.of(hit.material).surface().texture *
-                                        texture_chance_.standard_normal(cube_at(at_m));
+    [[nodiscard]] glm::dvec3 place_of(std::size_t beam, std::size_t ray, const Hit& hit) const {
+        return pose_of(beam) * (double{hit.range_m} * glm::dvec3{pattern_.directions()[ray]});
+    }
+
+    [[nodiscard]] float texture_at(const Reflection& material, const glm::dvec3& at_m) const {
+        const double factor =
+            1.0 + material.surface().texture * texture_chance_.standard_normal(cube_at(at_m));
         return static_cast<float>(std::max(0.0, factor));
     }
 

@@ -106,7 +106,8 @@ void follow_light(RangeBackend& backend, const Fan& fan, const LitWorld& lit,
             Hit hit = next[i];
             hit.range_m += leg.gone_m;
             if (!hit.met() || hit.range_m > fan.max_range_m) continue;
-            farther.push_back({first_ray + leg.ray, leg.share, hit});
+            const glm::dvec3 at_m = leg.from_m + double{next[i].range_m} * leg.direction;
+            farther.push_back({first_ray + leg.ray, leg.share, hit, at_m});
         }
         std::swap(legs, further);
     }

@@ -24,6 +24,7 @@ struct FartherHit {
     std::uint32_t ray = 0;  ///< index into the hits
     float share = 0.0F;     ///< of the light, there and back
     Hit hit;                ///< its range is that of the whole way
+    glm::dvec3 at_m{0.0};   ///< where, in W
 };
 
 struct Scan {

@@ -23,9 +23,12 @@ LitWorld::LitWorld(std::span<const Surface> surfaces, std::vector<Medium> media)
 }
 
 bool light_goes_on(const Scene& scene, const MaterialLibrary& materials, int wavelength_nm) {
-    return std::ranges::any_of(scene.materials, [&](const Material& material) {
-        return passes_light(materials.surface(material, wavelength_nm));
-    });
+    std::vector<bool> passes;
+    for (const Material& material : scene.materials)
+        passes.push_back(passes_light(materials.surface(material, wavelength_nm)));
+    // A scene keeps materials of models that it has no more.
+    return std::ranges::any_of(scene.objects,
+                               [&](const Object& object) { return passes[object.material]; });
 }
 
 }  // namespace scipd::sim

@@ -89,11 +89,9 @@ void reflect(Surface& surface, float share) {
 
 Surface as_bright_as(Surface surface, double laser_retro) {
     surface.retro = static_cast<float>(std::clamp((laser_retro - 1.0) / retro_gain(), 0.0, 1.0));
-    surface.transmission = std::min(surface.transmission, 1.0F - surface.retro);
-    const float most = 1.0F - surface.retro - surface.transmission;
-    const float wanted =
-        laser_retro > 1.0 ? surface.diffuse + surface.specular : static_cast<float>(laser_retro);
-    reflect(surface, std::min(wanted, most));
+    reflect(surface, std::min(static_cast<float>(laser_retro), 1.0F - surface.retro));
+    const float gone = surface.diffuse + surface.specular + surface.retro;
+    surface.transmission = std::clamp(1.0F - gone, 0.0F, surface.transmission);
     return surface;
 }
 

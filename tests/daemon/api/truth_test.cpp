@@ -154,6 +154,7 @@ TEST_F(TruthTest, HasTheEchoesOfAScannerThatSeesLight) {
     EXPECT_EQ(said["read_m"][740], nullptr);
     EXPECT_EQ(said["echoes"][0], json::array());
     EXPECT_EQ(said["cause"][0], "nothing");
+    client_.reset();  // before its device
 }
 
 // From the origin to the left at 1 m/s.

@@ -34,12 +34,12 @@ SensorConfig facing(const std::string& name, const sim::Pose& mount, double ppm)
 /// One at the origin that looks along x, and one that looks back at it.
 class Interference : public testing::Test {
   protected:
-    void make(const sim::Scene& scene) {
+    void make(const sim::Scene& scene, double turned_rad = std::numbers::pi) {
         const auto shared = std::make_shared<const sim::Scene>(scene);
         world_.replace_scene(shared, one_backend(shared, {"robot/here", "robot/there"}));
         world_.set_robots({{"robot", {}}});
         here_.emplace("robot", facing("here", {}, 0.0), 1, world_, clock_);
-        const sim::Pose there = sim::pose_from_rpy({apart_m, 0, 0}, {0, 0, std::numbers::pi});
+        const sim::Pose there = sim::pose_from_rpy({apart_m, 0, 0}, {0, 0, turned_rad});
         there_.emplace("robot", facing("there", there, 1000.0), 1, world_, clock_);
     }
     void switch_on(Device& device) {
@@ -91,6 +91,14 @@ TEST_F(Interference, ComesOnceWhileTheMirrorsDriftThroughATurn) {
 TEST_F(Interference, NeedsALaserThatIsOn) {
     make(sim::Scene{});
     EXPECT_EQ(disturbed(1000), 0);
+}
+
+// A UST measures 270 degrees, and its laser is off in the rest.
+TEST_F(Interference, DoesNotComeFromBehindAScanner) {
+    make(sim::Scene{}, 0.0);
+    switch_on(*there_);
+    EXPECT_EQ(disturbed(1000), 0);
+    clients_.clear();
 }
 
 TEST_F(Interference, IsHiddenByAWall) {

@@ -8,6 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/world/lit_world.h"
+#include "sim/world/reflection.h"
+
 namespace scipd::sim {
 namespace {
 
@@ -181,6 +184,42 @@ TEST(Appearance, KeepsWhatSaysSomething) {
     EXPECT_EQ(as_said(0.0, 0.0, 0.4), Appearance{});
     EXPECT_EQ(as_said(std::numeric_limits<double>::quiet_NaN(), {}, {}), Appearance{});
     EXPECT_EQ(as_said(7.0, 0.5, -1.0), (Appearance{1.0, 0.5, 0.0}));
+}
+
+// A greater laser_retro is never darker, whatever the library says of the name.
+TEST(LaserRetro, IsNeverDarkerWhereItIsGreater) {
+    MaterialLibrary library;
+    library.add({.name = "rubber", .reflectance = {{905, 0.02}}});
+    library.add({.name = "pane",
+                 .reflectance = {{905, 0.04}},
+                 .specular = 1.0,
+                 .gloss = 2000,
+                 .transmission = 0.95});
+    for (const char* name : {"rubber", "pane", "unheard of"}) {
+        double before = 0.0;
+        for (const double retro : {0.1, 0.5, 1.0, 1.0001, 1.5, 2.0, 50.0, 4000.0}) {
+            const Surface surface = library.surface({name, retro}, 905);
+            const float all =
+                surface.diffuse + surface.specular + surface.retro + surface.transmission;
+            EXPECT_LE(all, 1.0F + 1e-5F) << name << " " << retro;
+            const double head_on = returned_share(surface, 1.0);
+            EXPECT_GE(head_on, before * (1.0 - 1e-3)) << name << " " << retro;
+            before = head_on;
+        }
+    }
+    EXPECT_NEAR(returned_share(library.surface({"rubber", 2.0}, 905), 1.0), 2.0, 0.01);
+}
+
+// A scene keeps the materials of models that have left it.
+TEST(LightGoesOn, OnlyWhereSomethingIsMadeOfGlass) {
+    MaterialLibrary library;
+    library.add({.name = "glass", .reflectance = {{905, 0.04}}, .transmission = 0.95});
+    Scene scene;
+    scene.materials.push_back({"glass"});
+    EXPECT_FALSE(light_goes_on(scene, library, 905));
+    scene.models.push_back({"pane"});
+    scene.objects.push_back({.name = "pane", .shape = Box{{1, 1, 1}}, .material = 1});
+    EXPECT_TRUE(light_goes_on(scene, library, 905));
 }
 
 }  // namespace
