@@ -52,8 +52,8 @@ TEST_P(Echoes, SpreadOnSlopingWalls) {
     for (const double slope_deg : {0.0, 30.0, 60.0}) {
         const Pose turned = pose_from_rpy({5.0, 0.0, 0.0}, {0.0, 0.0, glm::radians(slope_deg)});
         const auto scene = SceneBuilder().add(Box{{0.0001, 40.0, 20.0}}, turned, 1).build();
-        const Echo& echo =
-            scan(scene, {white, white}, small_scanner(0.004))->echoes[front_beam].front();
+        const auto seen = scan(scene, {white, white}, small_scanner(0.004));
+        const Echo& echo = seen->echoes[front_beam].front();
         EXPECT_NEAR(echo.spread_m, 5.0 * 0.002 * std::tan(glm::radians(slope_deg)), 5e-4)
             << slope_deg;
     }
