@@ -171,6 +171,8 @@ class EchoFinder {
             returns_.push_back(
                 {static_cast<float>(range_m), static_cast<float>(power), no_object, 0});
         }
+        // Light of which nothing is left makes no echo, whose range would be a mean without weight.
+        std::erase_if(returns_, [](const Return& one) { return one.power <= 0.0F; });
     }
 
     /// Each beam gets a share of the light of the beams beside it.

@@ -126,6 +126,15 @@ TEST_P(Echoes, FadeInFogAsBeerAndLambertSay) {
     }
 }
 
+// exp(-2 * 3 * 50) is less than the smallest float.
+TEST_P(Echoes, AreNoneOfFacesThatFogHidesAltogether) {
+    const Medium thick{.name = "thick", .extinction_per_m = 3.0};
+    const auto seen = scan(wall_at(50.0), {white, white}, small_scanner(0.001), {thick});
+    EXPECT_TRUE(seen->middle(front_beam).met());
+    EXPECT_TRUE(seen->echoes[front_beam].empty());
+    EXPECT_EQ(seen->readings[front_beam].cause, Cause::nothing);
+}
+
 TEST_P(Echoes, FadeOnlyWithinTheBoxOfAMedium) {
     const Medium cloud{.name = "cloud",
                        .low_m = {2.0, -0.5, -0.5},
