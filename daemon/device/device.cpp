@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <spdlog/spdlog.h>
@@ -110,7 +109,7 @@ std::optional<LampBeam> Device::shines(sim::Time time) const {
     const sim::SensorSpec& optics = sweep_.optics();
     const double step = optics.steps_per_turn * (since / turn);
     if (step < optics.first_step || step > optics.last_step) return std::nullopt;
-    const double angle_rad = 2.0 * std::numbers::pi * (since / turn) + optics.angle_rad(0);
+    const double angle_rad = optics.angle_rad(step);
     const sim::Pose pose = sweep_.pose_at(time);
     return LampBeam{pose.translation_m,
                     pose.rotation * glm::dvec3{std::cos(angle_rad), std::sin(angle_rad), 0.0},

@@ -3,21 +3,18 @@
 #include "sim/sensor/sensor_spec.h"
 
 #include <algorithm>
-#include <iterator>
 #include <numbers>
 
 #include "sim/sensor/curve.h"
 
 namespace scipd::sim {
-double SensorSpec::angle_rad(int step) const {
+
+double SensorSpec::angle_rad(double step) const {
     return 2.0 * std::numbers::pi * (step - front_step) / steps_per_turn;
 }
 
 double SensorSpec::sigma_m(double range_m) const {
-    const auto after = std::ranges::upper_bound(noise, range_m, {}, &NoiseStep::from_range_m);
-    if (after == noise.begin()) return 0.0;
-    const NoiseStep& step = *std::prev(after);
-    return step.sigma_m + step.sigma_share * range_m;
+    return Curve(noise).at(range_m);
 }
 
 double SensorSpec::bias_m(double range_m) const {

@@ -83,7 +83,7 @@ struct SensorSpec {
 
     [[nodiscard]] int beams() const { return last_step - first_step + 1; }
     /// Counter-clockwise positive seen from above, 0 at the front.
-    [[nodiscard]] double angle_rad(int step) const;
+    [[nodiscard]] double angle_rad(double step) const;
     /// Of the noise at this range; 0 where there is none.
     [[nodiscard]] double sigma_m(double range_m) const;
     [[nodiscard]] double bias_m(double range_m) const;
