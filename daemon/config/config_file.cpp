@@ -72,7 +72,7 @@ class Reader {
 };
 
 RobotConfig Reader::read_robot(const Field& field, SensorContext& context) {
-    const Section section{field, {robot_keys, {}}, faults_};
+    const Section section{field, robot_keys, faults_};
     RobotConfig robot;
     faults_.take(field, parse_name(field.key), robot.name);
     context.robot = robot.name;
@@ -111,7 +111,7 @@ void Reader::note_places(const Section& section, std::initializer_list<std::stri
 
 Config Reader::read(const YAML::Node& document) {
     const Field whole{{}, {}, 1, document};
-    const Section section{whole, {root_keys, {}}, faults_};
+    const Section section{whole, root_keys, faults_};
     Config config;
     if (section.find("scene")) {
         section.read("scene", config.scene, from_base(parse_scene));

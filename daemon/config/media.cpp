@@ -137,7 +137,7 @@ void read_number(const Field& field, MediumRequest& request, Faults& faults) {
 }
 
 void read_box(const Field& field, MediumRequest& request, Faults& faults) {
-    const Section section{field, {box_keys, {}}, faults};
+    const Section section{field, box_keys, faults};
     auto& corners_m = request.box_m.emplace();
     for (std::size_t i = 0; i < box_keys.size(); ++i) {
         section.read_vector(box_keys[i], corners_m[i], parse_metres);
@@ -188,7 +188,7 @@ std::vector<sim::Medium> read_media(const Field& list, Faults& faults) {
     std::vector<sim::Medium> media;
     for (const Field& field : fields) {
         const std::size_t before = faults.count();
-        const Section section{field, {medium_keys, {}}, faults};
+        const Section section{field, medium_keys, faults};
         const MediumRequest request = read_request(section, faults);
         if (faults.count() != before) continue;
         add_medium(request, media, [&](std::string_view key, const std::string& why) {

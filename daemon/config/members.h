@@ -72,7 +72,7 @@ void read_members(const Section& section, const Table& table, Struct& target, Fa
 /// A map within the map.
 template <auto member, const auto& table, class Struct>
 void read_map(const Field& field, Struct& target, Faults& faults) {
-    const Section section{field, {keys_of(table), {}}, faults};
+    const Section section{field, keys_of(table), faults};
     read_members(section, table, target.*member, faults);
 }
 

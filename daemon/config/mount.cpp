@@ -25,7 +25,7 @@ void read_mount(const Section& section, SensorConfig& sensor, Faults& faults,
                 std::map<std::string, std::string>& places) {
     const Field* field = section.find("mount");
     if (!field) return;
-    const Section mount{*field, {mount_keys, {}}, faults};
+    const Section mount{*field, mount_keys, faults};
     glm::dvec3 xyz_m{0.0};
     glm::dvec3 rpy_rad{0.0};
     mount.read_vector("xyz", xyz_m, parse_metres);

@@ -45,7 +45,7 @@ std::vector<Point> read_points(const Field& field, Faults& faults) {
     std::vector<Field> maps;
     faults.take(field, items(field), maps);
     for (const Field& item : maps) {
-        const Section section{item, {keys_of(table), {}}, faults};
+        const Section section{item, keys_of(table), faults};
         read_members(section, table, points.emplace_back(Point{}), faults);
     }
     return points;

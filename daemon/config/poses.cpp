@@ -63,7 +63,7 @@ sim::Pose read_pose(const Section& parent, std::string_view key, Faults& faults)
     static constexpr std::array<std::string_view, 2> keys{"xyz", "rpy"};
     const Field* field = parent.find(key);
     if (!field) return {};
-    const Section section{*field, {keys, {}}, faults};
+    const Section section{*field, keys, faults};
     glm::dvec3 xyz_m{0.0};
     glm::dvec3 rpy_rad{0.0};
     section.read_vector("xyz", xyz_m, parse_metres);
@@ -77,7 +77,7 @@ void read_poses(const Field& field, RobotConfig& robot, const std::filesystem::p
     const Field* source = &field;
     std::optional<Section> section;
     if (field.value.IsMap()) {
-        section.emplace(field, Section::Keys{poses_keys, {}}, faults);
+        section.emplace(field, poses_keys, faults);
         source = section->find("from");
         if (!source) return faults.add(field, "needs from: udp:ADDR:PORT, a trajectory or -");
     }

@@ -201,7 +201,7 @@ Section profile_section(const Field& map, std::span<const std::string_view> besi
     std::vector<std::string_view> keys = keys_of(profile_members, besides);
     for (const std::string_view key : optics_keys())
         keys.push_back(key);
-    return {map, {keys, {}}, faults};
+    return {map, keys, faults};
 }
 
 void override_model(const Section& section, const Field& map, std::optional<Model>& model,

@@ -132,17 +132,13 @@ sim::Expected<std::vector<double>> numbers_of(const YAML::Node& value, std::size
     return numbers;
 }
 
-Section::Section(const Field& map, const Keys& keys, Faults& faults) : faults_(faults) {
-    const auto has = [](std::span<const std::string_view> list, const std::string& key) {
-        return std::find(list.begin(), list.end(), key) != list.end();
-    };
+Section::Section(const Field& map, std::span<const std::string_view> known, Faults& faults)
+    : faults_(faults) {
     for (auto& field : entries(map, faults)) {
-        if (has(keys.known, field.key)) {
+        if (std::find(known.begin(), known.end(), field.key) != known.end()) {
             fields_.push_back(std::move(field));
-        } else if (has(keys.later, field.key)) {
-            faults.add(field, "is not supported by this version; leave it out");
         } else {
-            faults.add(field, unknown_key(field.key, keys.known));
+            faults.add(field, unknown_key(field.key, known));
         }
     }
 }

@@ -86,13 +86,8 @@ sim::Expected<std::vector<double>> numbers_of(const YAML::Node& value, std::size
 /// A map with known keys.
 class Section {
   public:
-    struct Keys {
-        std::span<const std::string_view> known;
-        std::span<const std::string_view> later;  ///< of versions to come
-    };
-
     /// Keys that are not known become faults.
-    Section(const Field& map, const Keys& keys, Faults& faults);
+    Section(const Field& map, std::span<const std::string_view> known, Faults& faults);
 
     /// Null where the key is not there.
     [[nodiscard]] const Field* find(std::string_view key) const;

@@ -51,7 +51,7 @@ std::optional<Model> read_model(const Section& section, const SensorContext& con
 }
 
 sim::DepthOptions read_depth(const Field& field, const std::string& backend, Faults& faults) {
-    const Section section{field, {depth_keys, {}}, faults};
+    const Section section{field, depth_keys, faults};
     sim::DepthOptions depth;
     section.read("between_pixels", depth.between_pixels, parse_between_pixels);
     section.read("oversample", depth.oversample, parse_oversample);
@@ -67,7 +67,7 @@ sim::DepthOptions read_depth(const Field& field, const std::string& backend, Fau
 DeviceClockConfig read_clock(const Section& parent, Faults& faults) {
     DeviceClockConfig clock;
     if (const Field* field = parent.find("clock")) {
-        const Section section{*field, {clock_keys, {}}, faults};
+        const Section section{*field, clock_keys, faults};
         section.read("ppm", clock.ppm, parse_ppm);
         section.read("start_ms", clock.start_ms, parse_device_time);
     }
@@ -84,7 +84,7 @@ sim::Expected<> check_baud(int baud, const protocol::DeviceProfile& profile) {
 
 LinkConfig read_link(const Field& field, const Section& sensor, const std::optional<Model>& model,
                      Faults& faults) {
-    const Section section{field, {link_keys, {}}, faults};
+    const Section section{field, link_keys, faults};
     LinkConfig link;
     section.read("latency_ms", link.latency, parse_link_delay);
     section.read("jitter_ms", link.jitter, parse_link_delay);
@@ -175,7 +175,7 @@ sim::Expected<> check_power_up(PowerUp power_up, const protocol::DeviceProfile& 
 
 SensorConfig read_sensor(const Field& field, SensorContext& context) {
     Faults& faults = context.faults;
-    const Section section{field, {sensor_keys, {}}, faults};
+    const Section section{field, sensor_keys, faults};
     SensorConfig sensor;
     faults.take(field, parse_name(field.key), sensor.name);
     read_mount(section, sensor, faults, context.places);

@@ -50,7 +50,7 @@ void require(const Section& section, const Field& map, Keys keys, Faults& faults
 }
 
 void read_noise(const Field& field, sim::StaringSpec& spec, Faults& faults) {
-    const Section section{field, {noise_keys, {}}, faults};
+    const Section section{field, noise_keys, faults};
     sim::NoiseStep step{};
     section.read("sigma_m", step.sigma_m, parse_length);
     section.read("share", step.sigma_share, parse_share);
@@ -75,7 +75,7 @@ void read_rest(const Section& section, sim::StaringSpec& spec, Faults& faults) {
 }  // namespace
 
 sim::StaringSpec read_camera(const Field& field, Faults& faults) {
-    const Section section{field, {camera_keys, {}}, faults};
+    const Section section{field, camera_keys, faults};
     require(section, field, {"columns", "rows", "fov_deg", "rate_hz", "range_m"}, faults);
     sim::PinholeGrid grid{1, 1, 1.0, 1.0};
     section.read("columns", grid.columns, parse_pixels);
@@ -93,7 +93,7 @@ sim::StaringSpec read_camera(const Field& field, Faults& faults) {
 }
 
 sim::StaringSpec read_ranger(const Field& field, Faults& faults) {
-    const Section section{field, {ranger_keys, {}}, faults};
+    const Section section{field, ranger_keys, faults};
     require(section, field, {"cone_deg", "beams", "rate_hz", "range_m"}, faults);
     sim::RangerOptics optics{.cone = {1.0, 1}};
     section.read("cone_deg", optics.cone.opening_rad, parse_cone);

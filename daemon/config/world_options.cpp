@@ -56,7 +56,7 @@ sim::Expected<std::chrono::seconds> parse_load_time(std::string_view text) {
 }  // namespace
 
 sim::MapOptions read_map(const Field& field, Faults& faults) {
-    const Section section{field, {map_keys, {}}, faults};
+    const Section section{field, map_keys, faults};
     sim::MapOptions options;
     if (const Field* z = section.find("z")) read_heights(*z, options, faults);
     section.read("material", options.material);
@@ -65,7 +65,7 @@ sim::MapOptions read_map(const Field& field, Faults& faults) {
 }
 
 WorldLimits read_limits(const Field& field, Faults& faults) {
-    const Section section{field, {limits_keys, {}}, faults};
+    const Section section{field, limits_keys, faults};
     WorldLimits limits;
     section.read("world_memory_mb", limits.memory_bytes, parse_megabytes);
     section.read("world_triangles", limits.triangles, parse_triangles);
