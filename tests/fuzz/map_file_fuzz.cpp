@@ -5,19 +5,18 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 
-#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/map/map_file.h"
+#include "tests/fuzz/load_faults.h"
 
 namespace {
 
 using namespace scipd::sim;
+using scipd::tests::require;
+using scipd::tests::require_faults_of;
 
-void require(bool holds) {
-    if (!holds) std::abort();
-}
+constexpr const char* file = "map.yaml";
 
 void check(const MapFile& map) {
     require(!map.image.empty());
@@ -28,23 +27,14 @@ void check(const MapFile& map) {
     require(map.occupied_above <= 1.0);
 }
 
-void check(const LoadError& error) {
-    require(!error.faults().empty());
-    for (const auto& fault : error.faults()) {
-        require(fault.starts_with("map.yaml:"));
-        for (const char c : fault)
-            require(c >= ' ' && c <= '~');
-    }
-}
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text{reinterpret_cast<const char*>(data), size};
     try {
-        check(parse_map_file(text, "map.yaml"));
+        check(parse_map_file(text, file));
     } catch (const LoadError& error) {
-        check(error);
+        require_faults_of(file, error);
     }
     return 0;
 }

@@ -5,19 +5,18 @@
 // them, or faults that can be shown.
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 
-#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/materials/materials_file.h"
+#include "tests/fuzz/load_faults.h"
 
 namespace {
 
 using namespace scipd::sim;
+using scipd::tests::require;
+using scipd::tests::require_faults_of;
 
-void require(bool holds) {
-    if (!holds) std::abort();
-}
+constexpr const char* file = "materials.yaml";
 
 void check(const Surface& surface) {
     for (const float share :
@@ -41,23 +40,14 @@ void check(std::vector<MaterialOptics> materials) {
     }
 }
 
-void check(const LoadError& error) {
-    require(!error.faults().empty());
-    for (const auto& fault : error.faults()) {
-        require(fault.starts_with("materials.yaml:"));
-        for (const char c : fault)
-            require(c >= ' ' && c <= '~');
-    }
-}
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text{reinterpret_cast<const char*>(data), size};
     try {
-        check(parse_materials(text, "materials.yaml"));
+        check(parse_materials(text, file));
     } catch (const LoadError& error) {
-        check(error);
+        require_faults_of(file, error);
     }
     return 0;
 }
