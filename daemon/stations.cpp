@@ -7,6 +7,7 @@
 
 #include "daemon/device/device.h"
 #include "daemon/device/staring_sensor.h"
+#include "daemon/faults/fault_injector.h"
 #include "daemon/link/port.h"
 #include "protocol/ideal.h"
 
@@ -58,9 +59,14 @@ std::unique_ptr<Station> make_station(const StationContext& context, const std::
     if (context.lockstep)
         of_device.model.profile = protocol::answering_at_once(of_device.model.profile);
     auto& device = put_in<Device>(*station, context, of_device);
+    std::vector<Port*> served;
     for (const auto& port : {station->ports.tcp, station->ports.pty}) {
-        if (port) port->serve(device, sensor.link);
+        if (!port) continue;
+        port->serve(device, sensor.link);
+        served.push_back(port.get());
     }
+    station->faults =
+        std::make_unique<FaultInjector>(device, std::move(served), sensor.link, context.clock);
     return station;
 }
 

@@ -20,6 +20,7 @@ namespace scipd::daemon {
 
 class Clock;
 class Device;
+class FaultInjector;
 class StaringSensor;
 class World;
 
@@ -37,6 +38,7 @@ struct Station {
     std::variant<std::unique_ptr<Device>, std::unique_ptr<StaringSensor>> sensor;
     std::unique_ptr<ScanLoop> loop;
     SensorPorts ports;
+    std::unique_ptr<FaultInjector> faults;  ///< null: a camera or ranger
     std::unique_ptr<ScanStream::Tap> tap;
 
     [[nodiscard]] std::string name() const { return sensor_name(robot, config.name); }

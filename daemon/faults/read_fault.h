@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Reads faults that a user asks for: one by the control API, many in the steps of a scenario. Both
+// have the same keys and the same sentences. Any thread; nothing shared.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "daemon/config/section.h"
+#include "daemon/faults/fault_plan.h"
+#include "sim/expected.h"
+
+namespace scipd::daemon {
+
+/// A map {kind, at, for, until, every, jitter, seed, the kind's own members}, with `also` as keys
+/// that somebody else reads. Nothing: it has faults, and `faults` has them.
+std::optional<FaultPlan> read_fault(const Field& map, std::span<const std::string_view> also,
+                                    Faults& faults);
+
+/// The same from a JSON object; the fault names the field, such as "for.scans".
+sim::Expected<FaultPlan> parse_fault(const std::string& json);
+
+}  // namespace scipd::daemon
