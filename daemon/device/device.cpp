@@ -127,6 +127,12 @@ sim::ChanceKey Device::chance(sim::Purpose purpose) const {
     return key;
 }
 
+void Device::boot() {
+    state_.boot(uptime(), profile_.boot_time);
+    boots_told_ = state_.boots();
+    tell_clients();
+}
+
 bool Device::driven() const {
     return std::ranges::any_of(clients_,
                                [](const auto* client) { return client->session().measuring(); });

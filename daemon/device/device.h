@@ -52,6 +52,9 @@ class Device : public ScanSource, public Endpoint, private Lamp {
         return device_clock_.device_time(clock_.now());
     }
 
+    /// As if its power came back. Not from within a call of a client's.
+    void boot();
+
     /// From the next scan on it sits there on its robot.
     void mount(const sim::Pose& robot_from_sensor) { sweep_.mount(robot_from_sensor); }
 
