@@ -138,8 +138,10 @@ std::vector<protocol::Send> FaultInjector::leave(const protocol::Session& from,
     look_at(message, replies_);
     std::vector<protocol::Send> leaving;
     leaving.push_back(std::move(message));
-    each_acting(
-        [&](FaultEffect& effect, FaultScene& scene) { effect.messages(from, leaving, scene); });
+    for (const auto& run : runs_) {
+        if (FaultEffect* const effect = run->changing_messages())
+            effect->messages(from, leaving, run->scene());
+    }
     return leaving;
 }
 
