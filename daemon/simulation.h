@@ -13,6 +13,7 @@
 
 #include "daemon/api/scan_stream.h"
 #include "daemon/clock/wall_clock.h"
+#include "daemon/faults/scenario_run.h"
 #include "daemon/fleet_plan.h"
 #include "daemon/poses/lockstep.h"
 #include "daemon/poses/pose_intake.h"
@@ -38,6 +39,8 @@ struct Simulation {
     /// Mounts each sensor where the scene has the place it is mounted on. Returns a warning for
     /// each place that the scene does not have.
     [[nodiscard]] std::vector<std::string> remount();
+    /// All scanners: what a scenario is for.
+    [[nodiscard]] std::vector<ScenarioRun::Target> scanners() const;
 
     WallClock wall_clock;
     std::unique_ptr<Lockstep> lockstep;  ///< null: on the wall clock
@@ -49,6 +52,7 @@ struct Simulation {
     PlaceWatch place_watch{world, worker};
     ScanStream stream;
     Stations stations;
+    ScenarioRun scenario;
     Worker worker;  ///< loads worlds and measures backends, one after the other
 };
 
