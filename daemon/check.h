@@ -12,8 +12,8 @@
 
 namespace scipd::daemon {
 
-/// `options` as they would be given to run it. Warnings and what there is, for a person. Throws ConfigError, or
-/// LoadError with every fault of all the files that a sound configuration names.
+/// `options` as they would be given to run it. Warnings and what there is, for a person. Throws
+/// ConfigError, or LoadError with every fault of all the files that a sound configuration names.
 std::string check(const std::filesystem::path& file, const Options& options = {});
 
 }  // namespace scipd::daemon

@@ -53,7 +53,7 @@ std::vector<std::string> faults_of_file(const std::filesystem::path& file) {
 constexpr const char* whole = R"(seed: 7
 steps:
   - {at: {scan: 200}, sensor: rescue/front, kind: scratch, rate: 0.01, for: {scans: 50}}
-  - {at: {time_s: 12.5}, sensor: rescue/rear, kind: scratch, rate: 1, steps: [400, 500], for: {s: 3}}
+  - {at: {time_s: 12.5}, sensor: rescue/rear, kind: scratch, rate: 1, steps: [4, 5], for: {s: 3}}
   - at: {request: MD, nth: 2}
     sensor: "rescue/front"
     kind: scratch
@@ -74,7 +74,7 @@ TEST(Scenario, HoldsWhatTheFileSays) {
     EXPECT_EQ(scenario.steps[1].fault.start, FaultStart{AtTime{12500ms}});
     EXPECT_EQ(
         scenario.steps[1].fault.said,
-        R"({"at":{"time_s":12.5},"kind":"scratch","rate":1,"steps":[400,500],"for":{"s":3}})");
+        R"({"at":{"time_s":12.5},"kind":"scratch","rate":1,"steps":[4,5],"for":{"s":3}})");
     EXPECT_EQ(
         scenario.steps[2].fault.said,
         R"({"at":{"request":"MD","nth":2},"kind":"scratch","rate":1,"status":"0L","until":"RB"})");
