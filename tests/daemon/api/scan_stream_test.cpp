@@ -94,6 +94,7 @@ class ScanStreamTest : public testing::Test {
     SteppedClock clock_;
     World world_ = wall_world();
     ScanStream stream_;
+    FaultLog log_;
     std::vector<std::unique_ptr<Camera>> cameras_;
 };
 
@@ -159,10 +160,9 @@ TEST_F(ScanStreamTest, AnswersThoseWhoWantOneSensorWithThatOne) {
 
 TEST_F(ScanStreamTest, TellsOfFaultsBesideTheScans) {
     add(2, 1);
-    FaultLog log;
-    cameras_[0]->tap.follow(log);
+    cameras_[0]->tap.follow(log_);
     const auto inject = [&] {
-        log.add({.id = 4,
+        log_.add({.id = 4,
                  .kind = "freeze",
                  .what = "begins",
                  .scan = 7,
@@ -192,12 +192,11 @@ TEST_F(ScanStreamTest, TellsOfFaultsBesideTheScans) {
 
 TEST_F(ScanStreamTest, LosesNoScanForManyFaults) {
     add(1, 1);
-    FaultLog log;
-    cameras_[0]->tap.follow(log);
+    cameras_[0]->tap.follow(log_);
     Client slow(stream_);
     instants(10);
     for (int i = 0; i < 100; ++i)
-        log.add({.kind = "stall", .what = "ends", .bytes = {}, .steps = {}});
+        log_.add({.kind = "stall", .what = "ends", .bytes = {}, .steps = {}});
     std::size_t scans = 0;
     for (const auto& message : slow.take_all())
         scans += nlohmann::json::parse(*message).contains("sensor") ? 1 : 0;
@@ -206,12 +205,11 @@ TEST_F(ScanStreamTest, LosesNoScanForManyFaults) {
 }
 
 TEST_F(ScanStreamTest, LeavesALogAlone) {
-    FaultLog log;
     add(1, 1);
-    cameras_[0]->tap.follow(log);
+    cameras_[0]->tap.follow(log_);
     Client client(stream_);
     cameras_.clear();
-    log.add({.kind = "stall", .what = "ends", .bytes = {}, .steps = {}});
+    log_.add({.kind = "stall", .what = "ends", .bytes = {}, .steps = {}});
     EXPECT_TRUE(client.take_all().empty());
 }
 
