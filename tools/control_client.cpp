@@ -29,7 +29,7 @@ constexpr unsigned http_1_1 = 11;
 using Request = http::request<http::string_body>;
 using Response = http::response<http::string_body>;
 
-/// The detail of a problem document (RFC 9457), or the next best text.
+/// The detail of a problem document (RFC 9457) with its errors, or the next best text.
 std::string sentence_of(const Response& response) {
     const std::string reason(response.reason());
     const auto document = nlohmann::json::parse(response.body(), nullptr, false);
@@ -39,8 +39,11 @@ std::string sentence_of(const Response& response) {
                    ? document[key].get<std::string>()
                    : std::string();
     };
-    const std::string title = text("title").empty() ? reason : text("title");
-    return text("detail").empty() ? title : title + ": " + text("detail");
+    std::string sentence = text("title").empty() ? reason : text("title");
+    if (!text("detail").empty()) sentence += ": " + text("detail");
+    for (const auto& error : document.value("errors", nlohmann::json::array()))
+        sentence += "\n" + error.get<std::string>();
+    return sentence;
 }
 
 }  // namespace

@@ -38,6 +38,11 @@ TRUTH = "/sensors/{robot}/{sensor}/truth"
 READING = "/sensors/{robot}/{sensor}/reading"
 POSE = "/scene/models/{model}/pose"
 MEDIA = "/scene/media"
+FAULTS = "/sensors/{robot}/{sensor}/faults"
+FAULT = FAULTS + "/{fault}"
+LOG = FAULTS + "/log"
+SCANNER = "/sensors/robot/scanner/faults"
+STEPS = "steps:\n- {sensor: robot/scanner, kind: reboot}\n- {sensor: \"*\", kind: stall, for: {scans: 1000}}\n"
 FOG_AND_STEAM = [{"kind": "fog", "visibility_m": 20, "box": {"from": [0, 0, 0], "to": [2, 2, 3]}},
                  {"kind": "custom", "name": "steam", "extinction_per_m": 0.5, "returns_per_m": 2, "brightness": 0.2}]
 # In this order: method, path in the document, path of the request, body, status.
@@ -55,6 +60,35 @@ EXCHANGES = [
     ("GET", TRUTH, "/sensors/robot/sonar/truth", None, 200),
     ("GET", TRUTH, "/sensors/robot/scanner/truth?scan=x", None, 400),
     ("GET", TRUTH, "/sensors/robot/scanner/truth?scan=-5", None, 404),
+    ("GET", "/faults/kinds", "/faults/kinds", None, 200),
+    ("POST", FAULTS, SCANNER, {"kind": "stall", "for": {"s": 0.01}}, 201),
+    ("POST", FAULTS, SCANNER, {"kind": "corrupt", "bytes": {"rate": 0.01}, "at": {"scan": 0}, "seed": 4}, 201),
+    ("POST", FAULTS, SCANNER, {"kind": "reboot", "at": {"request": "MD", "nth": 2}}, 201),
+    ("POST", FAULTS, SCANNER, {"kind": "dance"}, 400),
+    ("POST", FAULTS, "/sensors/robot/other/faults", {"kind": "stall"}, 404),
+    ("POST", FAULTS, "/sensors/robot/tof/faults", {"kind": "stall"}, 409),
+    ("GET", FAULTS, SCANNER, None, 200),
+    ("GET", FAULTS, "/sensors/robot/other/faults", None, 404),
+    ("GET", FAULTS, "/sensors/robot/sonar/faults", None, 409),
+    ("GET", FAULT, SCANNER + "/3", None, 200),
+    ("GET", FAULT, SCANNER + "/99", None, 404),
+    ("GET", FAULT, "/sensors/robot/sonar/faults/1", None, 409),
+    ("GET", LOG, SCANNER + "/log", None, 200),
+    ("GET", LOG, SCANNER + "/log?since=1", None, 200),
+    ("GET", LOG, SCANNER + "/log?since=x", None, 400),
+    ("GET", LOG, "/sensors/robot/other/faults/log", None, 404),
+    ("GET", LOG, "/sensors/robot/sonar/faults/log", None, 409),
+    ("DELETE", FAULT, SCANNER + "/3", None, 204),
+    ("DELETE", FAULT, SCANNER + "/3", None, 404),
+    ("DELETE", FAULT, "/sensors/robot/sonar/faults/1", None, 409),
+    ("DELETE", FAULTS, SCANNER, None, 204),
+    ("DELETE", FAULTS, "/sensors/robot/other/faults", None, 404),
+    ("DELETE", FAULTS, "/sensors/robot/sonar/faults", None, 409),
+    ("GET", "/scenario", "/scenario", None, 404),
+    ("PUT", "/scenario", "/scenario", {"name": "faults.yaml", "yaml": STEPS}, 200),
+    ("GET", "/scenario", "/scenario", None, 200),
+    ("PUT", "/scenario", "/scenario", {"name": "faults.yaml", "yaml": STEPS.replace("stall", "dance")}, 400),
+    ("DELETE", "/scenario", "/scenario", None, 204),
     ("GET", "/robots/{robot}/pose", "/robots/robot/pose", None, 200),
     ("GET", "/robots/{robot}/pose", "/robots/other/pose", None, 404),
     ("PUT", "/robots/{robot}/pose", "/robots/robot/pose", {"xyz": [0.5, 0, 0], "rpy": [0, 0, 1], "t": 5}, 204),
@@ -154,7 +188,7 @@ def message(connection):
             return text
 
 
-def check_stream(document, path, sensor, schema):
+def subscribe(path, sensor):
     connection = socket.socket(socket.AF_UNIX)
     connection.settimeout(60)
     connection.connect(path)
@@ -165,7 +199,26 @@ def check_stream(document, path, sensor, schema):
     while not head.endswith(b"\r\n\r\n"):
         head += connection.recv(1)
     assert b" 101 " in head.splitlines()[0], head
+    return connection
+
+
+def check_stream(document, path, sensor, schema):
+    connection = subscribe(path, sensor)
     document.check({"$ref": "#/components/schemas/" + schema}, json.loads(message(connection)))
+
+
+def check_fault_stream(document, path):
+    connection = subscribe(path, "scanner")
+    answer, content = ask(path, "POST", SCANNER, {"kind": "stall", "for": {"s": 0.01}})
+    assert answer.status == 201, content
+    while "fault" not in (said := json.loads(message(connection))):
+        pass
+    document.check({"$ref": "#/components/schemas/StreamFault"}, said)
+    log = json.loads(ask(path, "GET", SCANNER + "/log")[1])
+    document.check({"$ref": "#/components/schemas/FaultLog"}, log)
+    assert said["fault"] == {"sensor": "robot/scanner", **log["entries"][said["fault"]["n"] - 1]}, (said, log)
+    answer, content = ask(path, "DELETE", SCANNER)
+    assert answer.status == 204, content
 
 
 def check_paths(document, path):
@@ -217,6 +270,7 @@ def main():
             check_stream(document, control, "multi", "StreamScan")
             check_stream(document, control, "tof", "CameraReading")
             check_stream(document, control, "sonar", "RangerReading")
+            check_fault_stream(document, control)
             check_paths(document, control)
             check_exchanges(document, control, scene)
         finally:

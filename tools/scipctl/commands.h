@@ -32,6 +32,12 @@ void add_reading_command(CLI::App& program, const ControlOptions& control);
 /// `scipctl truth ROBOT/SENSOR`
 void add_truth_command(CLI::App& program, const ControlOptions& control);
 
+/// `scipctl fault start|stop|list|log|kinds`
+void add_fault_commands(CLI::App& program, const ControlOptions& control);
+
+/// `scipctl scenario run|stop|status`
+void add_scenario_command(CLI::App& program, const ControlOptions& control);
+
 /// `scipctl completion bash|zsh`. It knows the commands that were added before it.
 void add_completion_command(CLI::App& program);
 

@@ -13,6 +13,7 @@ namespace scipd::tools {
 namespace {
 
 /// The words that may follow each command: "/pose" has "get set play stream --control --help".
+/// $(..) among them are run when somebody asks for completions.
 using Words = std::map<std::string, std::string>;
 
 void add_options(const CLI::App& app, std::string& words) {
@@ -58,7 +59,7 @@ void print_command(const Words& words, const char* typed) {
 void print_bash(const Words& words) {
     std::cout << "# Completions of scipctl for bash.\n_scipctl() {\n";
     print_command(words, "\"${COMP_WORDS[@]:1:COMP_CWORD-1}\"");
-    print_cases(words, "word='", "'");
+    print_cases(words, "word=\"", "\"");
     std::cout << "  esac\n"
                  "  COMPREPLY=($(compgen -W \"$word\" -- \"${COMP_WORDS[COMP_CWORD]}\"))\n"
                  "}\ncomplete -o default -F _scipctl scipctl\n";
@@ -83,6 +84,8 @@ void add_completion_command(CLI::App& program) {
         Words words;
         collect(program, "", "", words);
         words["/completion"].insert(0, "bash zsh ");
+        // A running scipd knows them. In both shells this becomes words.
+        words["/fault/start"].insert(0, "$(scipctl fault kinds --names 2>/dev/null) ");
         words["/scene/medium"].insert(0, "fog dust rain snow custom none ");
         *shell == "bash" ? print_bash(words) : print_zsh(words);
     });

@@ -11,18 +11,17 @@ namespace {
 
 using Json = ControlClient::Json;
 
-/// Throws the same error again; if the name is wrong, one that lists the right names.
-[[noreturn]] void explain(ControlClient& client, const std::string& name,
-                          const ControlError& error) {
-    std::string names;
-    for (const Json& sensor : client.get("/sensors")) {
-        if (sensor.at("name") == name) throw error;
-        names.append(names.empty() ? "" : ", ").append(sensor.at("name").get<std::string>());
-    }
-    throw ControlError(404, "there is no sensor \"" + name + "\"; there are: " + names);
-}
-
 }  // namespace
+
+void explain(ControlClient& client, const std::string& sensor, const ControlError& error) {
+    if (error.status() != 404) throw ControlError(error);
+    std::string names;
+    for (const Json& known : client.get("/sensors")) {
+        if (known.at("name") == sensor) throw ControlError(error);
+        names.append(names.empty() ? "" : ", ").append(known.at("name").get<std::string>());
+    }
+    throw ControlError(404, "there is no sensor \"" + sensor + "\"; there are: " + names);
+}
 
 std::string sensor_path(const std::string& sensor) {
     const auto slash = sensor.find('/');
@@ -36,12 +35,7 @@ std::string sensor_path(const std::string& sensor) {
 }
 
 Json ask_sensor(ControlClient& client, const std::string& sensor, const std::string& path) {
-    try {
-        return client.get(path);
-    } catch (const ControlError& error) {
-        if (error.status() != 404) throw;
-        explain(client, sensor, error);
-    }
+    return about_sensor(client, sensor, [&] { return client.get(path); });
 }
 
 std::string number(const Json& value, const char* format) {

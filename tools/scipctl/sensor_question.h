@@ -18,6 +18,20 @@ namespace scipd::tools {
 [[nodiscard]] ControlClient::Json ask_sensor(ControlClient& client, const std::string& sensor,
                                              const std::string& path);
 
+/// Throws the same error again; if the name of the sensor is wrong, one that lists the right names.
+[[noreturn]] void explain(ControlClient& client, const std::string& sensor,
+                          const ControlError& error);
+
+/// Makes any other request about a sensor, with the same errors.
+template <class Request>
+auto about_sensor(ControlClient& client, const std::string& sensor, Request request) {
+    try {
+        return request();
+    } catch (const ControlError& error) {
+        explain(client, sensor, error);
+    }
+}
+
 /// A number, or a dash for null.
 [[nodiscard]] std::string number(const ControlClient::Json& value, const char* format);
 

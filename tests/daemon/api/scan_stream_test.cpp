@@ -20,6 +20,7 @@
 #include "daemon/clock/stepped_clock.h"
 #include "daemon/device/scan_loop.h"
 #include "daemon/device/staring_sensor.h"
+#include "daemon/faults/fault_log.h"
 #include "tests/daemon/device/ideal_camera.h"
 #include "tests/daemon/wall_world.h"
 
@@ -93,6 +94,7 @@ class ScanStreamTest : public testing::Test {
     SteppedClock clock_;
     World world_ = wall_world();
     ScanStream stream_;
+    FaultLog log_;
     std::vector<std::unique_ptr<Camera>> cameras_;
 };
 
@@ -154,6 +156,61 @@ TEST_F(ScanStreamTest, AnswersThoseWhoWantOneSensorWithThatOne) {
     EXPECT_EQ(cameras_[0]->tap.lost(), 20U - 16U);
     EXPECT_EQ(cameras_[1]->tap.lost(), 2 * (20U - 1U - 16U));
     EXPECT_EQ(cameras_[2]->tap.lost(), 20U - 16U);
+}
+
+TEST_F(ScanStreamTest, TellsOfFaultsBesideTheScans) {
+    add(2, 1);
+    cameras_[0]->tap.follow(log_);
+    const auto inject = [&] {
+        log_.add({.id = 4,
+                 .kind = "freeze",
+                 .what = "begins",
+                 .scan = 7,
+                 .told = 250ms,
+                 .bytes = {},
+                 .steps = {}});
+    };
+    inject();
+    Client client(stream_);
+    struct Reader : WebSocket {
+        void send(std::shared_ptr<const std::string>) override { ++messages; }
+        int messages = 0;
+    } of_other;
+    const auto talk = stream_.subscribe("robot/c1", of_other);
+    inject();
+    const auto messages = client.take_all();
+    ASSERT_EQ(messages.size(), 1U) << "what was before is in the log alone";
+    EXPECT_EQ(nlohmann::json::parse(*messages[0]), nlohmann::json::parse(R"({"fault":{
+        "sensor":"robot/c0","n":2,"id":4,"kind":"freeze","what":"begins","scan":7,
+        "request":null,"time_s":0.25,"bytes":[],"steps":[]}})"));
+    EXPECT_EQ(of_other.messages, 0);
+    instants(1);
+    EXPECT_EQ(client.read(),
+              (std::map<std::string, std::uint64_t>{{"robot/c0", 1}, {"robot/c1", 1}}));
+    EXPECT_EQ(of_other.messages, 1);
+}
+
+TEST_F(ScanStreamTest, LosesNoScanForManyFaults) {
+    add(1, 1);
+    cameras_[0]->tap.follow(log_);
+    Client slow(stream_);
+    instants(10);
+    for (int i = 0; i < 100; ++i)
+        log_.add({.kind = "stall", .what = "ends", .bytes = {}, .steps = {}});
+    std::size_t scans = 0;
+    for (const auto& message : slow.take_all())
+        scans += nlohmann::json::parse(*message).contains("sensor") ? 1 : 0;
+    EXPECT_EQ(scans, 10U);
+    EXPECT_EQ(cameras_[0]->tap.lost(), 0U);
+}
+
+TEST_F(ScanStreamTest, LeavesALogAlone) {
+    add(1, 1);
+    cameras_[0]->tap.follow(log_);
+    Client client(stream_);
+    cameras_.clear();
+    log_.add({.kind = "stall", .what = "ends", .bytes = {}, .steps = {}});
+    EXPECT_TRUE(client.take_all().empty());
 }
 
 // Nine megabytes an instant, and the clients begin at different ones.

@@ -73,6 +73,10 @@ std::vector<Put> ControlStandIn::puts() const {
     return puts_;
 }
 
+void ControlStandIn::log_fault(daemon::FaultLogEntry entry) {
+    boost::asio::post(io_, [this, entry = std::move(entry)] { faults_.entries.add(entry); });
+}
+
 daemon::FleetStatus ControlStandIn::status() const {
     daemon::FleetStatus status;
     status.uptime = std::chrono::seconds(90);

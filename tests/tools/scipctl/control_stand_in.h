@@ -2,8 +2,8 @@
 // Copyright The scipd authors
 //
 // The daemon's control socket with nothing behind it: the real server and routes over two robots
-// that go wherever they are put, at once, a door, and a scanner with one scan of two beams. Lives
-// on a thread of its own.
+// that go wherever they are put, at once, a door, and a scanner with one scan of two beams and with
+// faults that never act. Lives on a thread of its own.
 #pragma once
 
 #include <map>
@@ -18,7 +18,7 @@
 #include "daemon/api/routes.h"
 #include "daemon/device/sensor_record.h"
 #include "daemon/http/server.h"
-#include "tests/support/empty_api.h"
+#include "tests/support/fake_faults.h"
 #include "tests/support/temp_dir.h"
 
 namespace scipd::tests {
@@ -42,9 +42,12 @@ class ControlStandIn : EmptyApi {
     [[nodiscard]] std::vector<Put> puts() const;
     /// The changes of the scene that were asked for, in order.
     [[nodiscard]] std::vector<daemon::SceneEdit> edits() const;
+    /// Something has gone wrong at rescue/front.
+    void log_fault(daemon::FaultLogEntry entry);
 
   private:
     [[nodiscard]] daemon::FleetStatus status() const override;
+    [[nodiscard]] daemon::FaultsApi& faults() override { return faults_; }
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string& robot) const override;
     sim::Expected<> set_robot_pose(const std::string& robot, const sim::PoseLine& said) override;
     [[nodiscard]] std::optional<daemon::SensorLog> log(const std::string& sensor) const override;
@@ -61,6 +64,7 @@ class ControlStandIn : EmptyApi {
     std::vector<daemon::SceneEdit> edits_;
     sim::SharedScene scene_;
     daemon::ScanLog log_;
+    FakeFaults faults_;
     boost::asio::io_context io_;
     daemon::HttpServer server_;
     std::thread thread_;

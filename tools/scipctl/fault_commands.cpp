@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// scipctl fault: has something go wrong at a scanner, and tells what went wrong.
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tools/control_client.h"
+#include "tools/options.h"
+#include "tools/scipctl/commands.h"
+#include "tools/scipctl/fault_text.h"
+#include "tools/scipctl/sensor_question.h"
+#include "tools/scipctl/table.h"
+
+namespace scipd::tools {
+namespace {
+
+using Json = ControlClient::Json;
+
+struct StartOptions {
+    std::string sensor;
+    FaultWords fault;
+    std::string json;
+};
+
+struct StopOptions {
+    std::string sensor;
+    std::string id = "all";
+};
+
+struct ListOptions {
+    std::string sensor;  ///< empty: all of them
+    bool json = false;
+};
+
+struct KindsOptions {
+    bool names = false;
+    bool json = false;
+};
+
+struct LogOptions {
+    std::string sensor;
+    std::optional<std::uint64_t> since;
+    std::optional<std::uint64_t> count;
+    bool follow = false;
+    bool json = false;
+};
+
+std::string faults_path(const std::string& sensor) {
+    return sensor_path(sensor) + "/faults";
+}
+
+Json request_of(const StartOptions& options) {
+    const FaultWords& words = options.fault;
+    if (options.json.empty()) {
+        if (words.kind.empty()) throw WrongInput("say what is to go wrong: fault kinds lists it");
+        return fault_of(words);
+    }
+    if (!words.kind.empty() || fault_of(words).size() > 1)
+        throw WrongInput("--json has all of the fault: leave out what else says of it");
+    Json fault = Json::parse(options.json, nullptr, false);
+    if (!fault.is_object())
+        throw WrongInput(R"(--json must be an object such as {"kind":"stall"})");
+    return fault;
+}
+
+void start(const ControlOptions& control, const StartOptions& options) {
+    const std::string path = faults_path(options.sensor);
+    const Json fault = request_of(options);
+    ControlClient client(control.socket);
+    const Json started =
+        about_sensor(client, options.sensor, [&] { return client.post(path, fault); });
+    for (const auto& note : started.value("notes", Json::array()))
+        std::cerr << "note: " << note.get<std::string>() << '\n';
+    std::cout << started.at("id") << '\n';
+}
+
+void stop(const ControlOptions& control, const StopOptions& options) {
+    std::string path = faults_path(options.sensor);
+    if (options.id != "all") path += "/" + path_segment(options.id);
+    ControlClient client(control.socket);
+    about_sensor(client, options.sensor, [&] { client.remove(path); });
+}
+
+/// Of one scanner, each with its name.
+Json faults_of(ControlClient& client, const std::string& sensor) {
+    Json list = Json::array();
+    for (const Json& fault : ask_sensor(client, sensor, faults_path(sensor))) {
+        Json named{{"sensor", sensor}};
+        named.update(fault);
+        list.push_back(std::move(named));
+    }
+    return list;
+}
+
+/// Cameras and rangers have none.
+Json all_faults(ControlClient& client) {
+    constexpr int no_scanner = 409;
+    Json all = Json::array();
+    for (const Json& sensor : client.get("/sensors")) {
+        try {
+            for (Json& fault : faults_of(client, sensor.at("name")))
+                all.push_back(std::move(fault));
+        } catch (const ControlError& error) {
+            if (error.status() != no_scanner) throw;
+        }
+    }
+    return all;
+}
+
+/// What was asked for, besides the kind.
+std::string rest_of(Json fault) {
+    fault.erase("kind");
+    return fault.empty() ? "-" : json_text(fault);
+}
+
+void list(const ControlOptions& control, const ListOptions& options) {
+    ControlClient client(control.socket);
+    const Json faults =
+        options.sensor.empty() ? all_faults(client) : faults_of(client, options.sensor);
+    if (options.json) return void(std::cout << json_text(faults, 2) << '\n');
+    if (faults.empty()) return void(std::cout << "nothing goes wrong on purpose\n");
+    std::vector<Row> rows{{"SENSOR", "ID", "KIND", "STATE", "HITS", "STEP", "HOW"}};
+    for (const Json& fault : faults) {
+        rows.push_back({fault.at("sensor"), fault.at("id").dump(), fault.at("kind"),
+                        fault.at("state"), fault.at("hits").dump(),
+                        number(fault.at("scenario_step"), "%.0f"), rest_of(fault.at("fault"))});
+    }
+    print_table(std::cout, rows);
+}
+
+std::string joined(const Json& names) {
+    std::string text;
+    for (const Json& name : names)
+        text.append(text.empty() ? "" : ", ").append(name.get<std::string>());
+    return text.empty() ? "-" : text;
+}
+
+void list_kinds(const ControlOptions& control, const KindsOptions& options) {
+    ControlClient client(control.socket);
+    const Json kinds = client.get("/faults/kinds");
+    if (options.json) return void(std::cout << json_text(kinds, 2) << '\n');
+    std::vector<Row> rows{{"KIND", "LAYER", "MEMBERS", "WHAT GOES WRONG"}};
+    for (const Json& kind : kinds) {
+        if (options.names) std::cout << kind.at("kind").get<std::string>() << '\n';
+        rows.push_back(
+            {kind.at("kind"), kind.at("layer"), joined(kind.at("members")), kind.at("summary")});
+    }
+    if (!options.names) print_table(std::cout, rows);
+}
+
+/// Prints the entries, at most `left` of them, and counts these down.
+void print(const Json& entries, bool json, std::uint64_t& left) {
+    for (const Json& entry : entries) {
+        if (left == 0) return;
+        --left;
+        std::cout << (json ? json_text(entry) : line_of(entry)) << '\n';
+    }
+    std::cout.flush();
+}
+
+void show_log(const ControlOptions& control, const LogOptions& options) {
+    constexpr std::chrono::milliseconds pause{200};
+    ControlClient client(control.socket);
+    std::uint64_t since = options.since.value_or(0);
+    std::uint64_t left = options.count.value_or(UINT64_MAX);
+    while (std::cout && left > 0) {
+        const Json log =
+            ask_sensor(client, options.sensor,
+                       faults_path(options.sensor) + "/log?since=" + std::to_string(since));
+        print(log.at("entries"), options.json, left);
+        if (!options.follow) return;
+        // The numbers begin again where the scanner is another one after a reload.
+        since = log.at("last");
+        std::this_thread::sleep_for(pause);
+    }
+}
+
+void add_sensor(CLI::App& command, std::string& sensor) {
+    command.add_option("SENSOR", sensor, "the scanner, as ROBOT/SENSOR")->required();
+}
+
+void add_start_command(CLI::App& fault, const ControlOptions& control) {
+    auto* const command = fault.add_subcommand("start", "have something go wrong; prints its id");
+    const auto options = std::make_shared<StartOptions>();
+    FaultWords& words = options->fault;
+    add_sensor(*command, options->sensor);
+    command->add_option("KIND", words.kind, "what goes wrong; scipctl fault kinds lists it");
+    command->add_option(
+        "MEMBER", words.members,
+        "KEY=VALUE for what the kind wants to know; dots nest, and a value is YAML or JSON");
+    command->add_option("--at", words.at,
+                        "when it begins: scan=N or time_s=T (that scan or time), scans=N or s=T "
+                        "(so long after now), request=MD:NTH (with that request); default: now");
+    command->add_option("--for", words.how_long,
+                        "how long it lasts: scans=N or s=T; default: until it is stopped, or what "
+                        "is over at once is over");
+    command->add_option("--until", words.until,
+                        "the command that ends it, such as RB; RB: until the scanner boots");
+    command->add_option("--every", words.every, "it begins again and again: s=T or scans=N apart");
+    command->add_option("--jitter", words.jitter,
+                        "with --every: by how much earlier or later, s=T or scans=N");
+    command->add_option("--seed", words.seed, "of its chance, a whole number");
+    command->add_option("--json", options->json, "all of the fault, as a JSON object");
+    command->callback([&control, options] { start(control, *options); });
+    command->footer(
+        "Examples:\n"
+        "  scipctl fault start robot/scanner stall --for s=2\n"
+        "  scipctl fault start robot/scanner corrupt bytes.rate=0.01 --at scans=40 --for scans=10\n"
+        "  scipctl fault start robot/scanner dirty 'steps=[400, 500]' reads=near\n"
+        "  scipctl fault start robot/scanner reboot --at request=MD:2\n"
+        "  scipctl fault start robot/scanner --json '{\"kind\":\"stall\",\"for\":{\"s\":2}}'");
+}
+
+void add_stop_command(CLI::App& fault, const ControlOptions& control) {
+    auto* const command = fault.add_subcommand("stop", "end one fault of a scanner, or all");
+    const auto options = std::make_shared<StopOptions>();
+    add_sensor(*command, options->sensor);
+    command->add_option("ID", options->id, "the fault, as start and list tell it, or all")
+        ->capture_default_str();
+    command->callback([&control, options] { stop(control, *options); });
+}
+
+void add_list_command(CLI::App& fault, const ControlOptions& control) {
+    auto* const command =
+        fault.add_subcommand("list", "list the faults that wait, act or have lately ended");
+    const auto options = std::make_shared<ListOptions>();
+    command->add_option("SENSOR", options->sensor,
+                        "the scanner, as ROBOT/SENSOR; without it, all of them");
+    command->add_flag("--json", options->json, "as a JSON document");
+    command->callback([&control, options] { list(control, *options); });
+}
+
+void add_kinds_command(CLI::App& fault, const ControlOptions& control) {
+    auto* const command = fault.add_subcommand("kinds", "list what can go wrong");
+    const auto options = std::make_shared<KindsOptions>();
+    command->add_flag("--names", options->names, "the names alone, one a line");
+    command->add_flag("--json", options->json, "as a JSON document");
+    command->callback([&control, options] { list_kinds(control, *options); });
+}
+
+void add_log_command(CLI::App& fault, const ControlOptions& control) {
+    auto* const command = fault.add_subcommand("log", "tell what went wrong on purpose, and when");
+    const auto options = std::make_shared<LogOptions>();
+    add_sensor(*command, options->sensor);
+    command->add_option("--since", options->since, "only entries after the one of this number");
+    command->add_option("--count", options->count, "end after so many entries");
+    command->add_flag("--follow", options->follow, "go on telling until interrupted");
+    command->add_flag("--json", options->json, "each entry as a JSON object on a line of its own");
+    command->callback([&control, options] { show_log(control, *options); });
+}
+
+}  // namespace
+
+void add_fault_commands(CLI::App& program, const ControlOptions& control) {
+    auto* const fault =
+        program.add_subcommand("fault", "have something go wrong at a scanner on purpose");
+    fault->require_subcommand(1);
+    add_start_command(*fault, control);
+    add_stop_command(*fault, control);
+    add_list_command(*fault, control);
+    add_log_command(*fault, control);
+    add_kinds_command(*fault, control);
+}
+
+}  // namespace scipd::tools
