@@ -3,6 +3,7 @@
 #include "tests/end_to_end/mrpt_driver.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -18,6 +19,19 @@ MrptDriver::MrptDriver(const DaemonProcess& daemon, Link link, std::size_t senso
     urg_.setIntensityMode(intensity);
     // It is private in CHokuyoURG but public in its base.
     static_cast<mrpt::hwdrivers::CGenericSensor&>(urg_).initialize();
+}
+
+MrptDriver::Look MrptDriver::look() {
+    Look look;
+    Scan scan;
+    bool there = false;
+    try {
+        urg_.doProcessSimple(there, scan, look.failed);
+    } catch (const std::exception&) {
+        look.failed = true;
+    }
+    if (there) look.scan = std::move(scan);
+    return look;
 }
 
 MrptDriver::Scan MrptDriver::next_scan() {

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include <mrpt/hwdrivers/CHokuyoURG.h>
@@ -52,6 +53,14 @@ class MrptDriver {
     /// With `intensity` it asks for that too.
     MrptDriver(const DaemonProcess& daemon, Link link, std::size_t sensor = 0,
                bool intensity = false);
+
+    /// What one call of the driver says.
+    struct Look {
+        std::optional<Scan> scan;
+        bool failed = false;  ///< it reports an error of the hardware, or throws
+    };
+    /// A call that gets no scan takes up to 100 ms, and longer where it connects anew.
+    [[nodiscard]] Look look();
 
     /// Throws std::runtime_error if no scan comes for some seconds.
     [[nodiscard]] Scan next_scan();
