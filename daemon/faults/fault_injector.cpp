@@ -51,8 +51,9 @@ FaultInjector::~FaultInjector() {
 std::uint64_t FaultInjector::start(FaultPlan plan, std::uint64_t seed, std::optional<int> step) {
     look_at(moment());
     ++last_id_;
-    // Two faults of one kind that have no seeds of their own must not do the same.
-    const std::uint64_t own_seed = plan.seed.value_or(seed + last_id_);
+    // Two faults of one kind that have no seeds of their own must not do the same. The seeds of the
+    // steps of a scenario differ already, and are the same whenever it is run.
+    const std::uint64_t own_seed = plan.seed.value_or(step ? seed : seed + last_id_);
     runs_.push_back(std::make_unique<FaultRun>(site_, last_id_, std::move(plan), own_seed, step));
     advance();
     settle();

@@ -3,6 +3,7 @@
 //
 // The scenario of a configuration, from its file to the scanners that it is for.
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -12,6 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "daemon/faults/fault_injector.h"
+#include "daemon/faults/fault_kind.h"
+#include "daemon/faults/fault_values.h"
 #include "daemon/fleet.h"
 #include "daemon/fleet_plan.h"
 #include "daemon/simulation.h"
@@ -31,6 +34,24 @@ constexpr const char* front_and_all = R"(steps:
 - {sensor: rescue/front, kind: state, state: laser, at: {scan: 900000000}}
 - {sensor: "*", kind: reboot, at: {scan: 900000000}, seed: 5}
 )";
+
+struct Drawn {
+    std::int64_t scan;
+    double chance;
+};
+std::vector<Drawn> drawn;
+
+/// Keeps its chance.
+class Draw : public FaultEffect {
+  public:
+    using Members = NoMembers;
+    static constexpr auto& members = no_members;
+    static void check(const Members&, const Field&, Faults&) {}
+
+    explicit Draw(const Members&) {}
+
+    void begin(FaultScene& scene) override { drawn.push_back({scene.scan(), scene.chance(0)}); }
+};
 
 class FleetScenarioTest : public testing::Test {
   protected:
@@ -111,6 +132,24 @@ TEST_F(FleetScenarioTest, LeavesFaultsAloneThatWereAskedForSingly) {
     EXPECT_EQ(status().state, "ended");
     ASSERT_EQ(injector.list().size(), 1U);
     EXPECT_EQ(injector.list()[0].id, id);
+}
+
+TEST_F(FleetScenarioTest, HasTheSameChanceWhateverWasRunBefore) {
+    fleet_.apply(of({scanner("front"), scanner("rear")}, {}));
+    const auto targets = simulation().scanners();
+    const auto single = parse_fault(R"({"kind":"reboot"})");
+    ASSERT_TRUE(single);
+    (void)targets.at(0).injector->start(*single, 1);
+    static constexpr FaultKind draw = kind_of<Draw>("draw", "scans", "Draws a number.", true);
+    const Scenario scenario =
+        parse_scenario(R"(steps: [{sensor: "*", kind: draw}])", "draw.yaml", {}, {&draw});
+    // The next scan may begin between the two.
+    do {
+        drawn.clear();
+        simulation().scenario.run(scenario, targets);
+        ASSERT_EQ(drawn.size(), 2U);
+    } while (drawn[0].scan != drawn[1].scan);
+    EXPECT_EQ(drawn[0].chance, drawn[1].chance);
 }
 
 TEST_F(FleetScenarioTest, ThatWasRunByHandStaysWhereTheConfigurationHasNoOther) {
