@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "daemon/api/api.h"
+#include "daemon/fleet_faults.h"
 #include "daemon/poses/pose_intake.h"
 
 namespace scipd::daemon {
@@ -23,7 +24,7 @@ struct Simulation;
 class FleetApi : public Api {
   public:
     /// `simulation` must outlive it.
-    explicit FleetApi(Simulation& simulation) : simulation_(simulation) {}
+    explicit FleetApi(Simulation& simulation) : simulation_(simulation), faults_(simulation) {}
 
     [[nodiscard]] FleetStatus status() const override;
     [[nodiscard]] std::optional<SensorRecord> latest(const std::string& sensor) override;
@@ -38,9 +39,11 @@ class FleetApi : public Api {
     [[nodiscard]] std::vector<std::string> set_media(std::vector<sim::Medium> media) override;
     [[nodiscard]] std::optional<sim::TimedPose> model_pose(const std::string& model) const override;
     sim::Expected<> set_model_pose(const std::string& model, const sim::PoseLine& said) override;
+    [[nodiscard]] FaultsApi& faults() override { return faults_; }
 
   private:
     Simulation& simulation_;
+    FleetFaults faults_;
     std::map<std::string, SenderClock> robot_senders_;  ///< of robots that the API moves
     std::map<std::string, SenderClock> model_senders_;
 };

@@ -13,6 +13,7 @@
 
 #include "daemon/api/scan_stream.h"
 #include "daemon/clock/wall_clock.h"
+#include "daemon/faults/scenario_run.h"
 #include "daemon/fleet_plan.h"
 #include "daemon/poses/lockstep.h"
 #include "daemon/poses/pose_intake.h"
@@ -49,6 +50,7 @@ struct Simulation {
     PlaceWatch place_watch{world, worker};
     ScanStream stream;
     Stations stations;
+    ScenarioRun scenario;
     Worker worker;  ///< loads worlds and measures backends, one after the other
 };
 

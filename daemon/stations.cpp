@@ -67,6 +67,7 @@ std::unique_ptr<Station> make_station(const StationContext& context, const std::
     }
     station->faults =
         std::make_unique<FaultInjector>(device, std::move(served), sensor.link, context.clock);
+    station->tap->follow(station->faults->log());
     return station;
 }
 

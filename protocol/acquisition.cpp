@@ -70,7 +70,7 @@ bool Acquisition::awaits(const Turn& turn) const {
     if (!awaits_scan() || !device_.laser_on() || turn.start < device_.laser_on_since())
         return false;
     if (!profile_.single_scan_is_next) return true;
-    const Uptime period = scan_period_of(device_.settings(), profile_);
+    const Uptime period = mirror_of(device_, profile_).tick;
     const Uptime complete = turn.start + period * profile_.amax / profile_.ares;
     return scan_leaves(complete, device_, profile_) > single_scan_->begun;
 }

@@ -101,6 +101,11 @@ void DeviceState::wake(Uptime now, Uptime wake_time) {
     if (std::exchange(asleep_, false)) motor_up_at_ = now + wake_time;
 }
 
+void DeviceState::spin_up(Uptime until) {
+    motor_up_at_ = until;
+    laser_on_since_ = std::max(laser_on_since_, until);
+}
+
 void DeviceState::reset(Uptime now) {
     partial_reset(now);
     settings_ = {};

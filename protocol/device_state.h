@@ -23,17 +23,12 @@
 #include <optional>
 #include <vector>
 
+#include "protocol/io_words.h"
 #include "protocol/settings.h"
 #include "protocol/state.h"
 #include "protocol/uptime.h"
 
 namespace scipd::protocol {
-
-/// The wires beside the link, as GF, GG, MF and MG show them: 18 bits each.
-struct IoWords {
-    std::uint32_t inputs = 0;
-    std::uint32_t outputs = 0;
-};
 
 class DeviceState {
   public:
@@ -98,11 +93,16 @@ class DeviceState {
     /// The instant at which the clock that the wire shows is 0, which may lie before power-up. RS
     /// and a boot set the clock to 0, set_clock() sets it to anything, near its wrap for example.
     [[nodiscard]] Uptime clock_zero() const { return clock_zero_; }
-    void set_clock(Uptime now, std::chrono::milliseconds shown) { clock_zero_ = now - shown; }
+    void set_clock(Uptime now, Uptime shown) { clock_zero_ = now - shown; }
     /// The pass of step 0 from which on the mirror turns at its present speed. It may be still to
     /// come.
     [[nodiscard]] Uptime mirror_origin() const { return mirror_origin_; }
     void set_mirror_origin(Uptime pass) { mirror_origin_ = pass; }
+    /// The share by which the motor turns faster than it is set to.
+    [[nodiscard]] double motor_error() const { return motor_error_; }
+    void set_motor_error(double share) { motor_error_ = share; }
+    /// The motor has stood still, and gets up to speed again until then.
+    void spin_up(Uptime until);
     [[nodiscard]] Settings& settings() { return settings_; }
     [[nodiscard]] const Settings& settings() const { return settings_; }
 
@@ -138,6 +138,7 @@ class DeviceState {
     Uptime motor_up_at_{};
     Uptime clock_zero_{};
     Uptime mirror_origin_{};
+    double motor_error_ = 0.0;
     Settings settings_;
     IoWords io_;
     Trouble trouble_ = Trouble::none;

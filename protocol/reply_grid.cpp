@@ -32,7 +32,12 @@ Uptime scan_period_of(const Settings& settings, const DeviceProfile& profile) {
 }
 
 Grid mirror_of(const DeviceState& device, const DeviceProfile& profile) {
-    return {device.mirror_origin(), scan_period_of(device.settings(), profile)};
+    const Uptime period = scan_period_of(device.settings(), profile);
+    if (device.motor_error() == 0.0) return {device.mirror_origin(), period};
+    const double share = 1.0 + device.motor_error();
+    return {
+        device.mirror_origin(),
+        std::chrono::round<Uptime>(std::chrono::duration<double, Uptime::period>(period) / share)};
 }
 
 Uptime reply_leaves(Uptime ready, const Command* command, const DeviceState& device,

@@ -129,14 +129,19 @@ void Session::answer_next(Uptime now) {
     const Waiting waiting = std::move(requests_.front());
     requests_.pop_front();
     last_answer_ = now;
+    const auto refused = hook_ == nullptr ? std::nullopt : hook_->refuse(waiting.request);
     if (device_.speaks_scip1()) {
-        answer_scip1(waiting.request.echo, now);
+        answer_scip1(waiting.request.echo, refused, now);
+    } else if (refused) {
+        reply(waiting.request, *refused);
     } else {
         answer(waiting, now);
     }
 }
 
-void Session::answer_scip1(const std::string& line, Uptime now) {
+// A status of SCIP 1.1 has one character.
+void Session::answer_scip1(const std::string& line, std::optional<Status> refused, Uptime now) {
+    if (refused) return send(scip1_reply(line, refused->text().back()));
     const Scip1Request request = parse_scip1(line, profile_);
     const char status = operate_scip1(device_, request, now);
     if (request.kind == Scip1Request::Kind::version) {
@@ -172,7 +177,13 @@ void Session::reply(const Request& request, Status status) {
 }
 
 void Session::send(std::string message, Send::Kind kind) {
-    actions_.emplace_back(Send{std::move(message), kind});
+    Send whole{std::move(message), kind};
+    if (hook_ == nullptr) {
+        actions_.emplace_back(std::move(whole));
+        return;
+    }
+    for (Send& part : hook_->leave(*this, std::move(whole)))
+        actions_.emplace_back(std::move(part));
 }
 
 }  // namespace scipd::protocol

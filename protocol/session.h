@@ -23,6 +23,7 @@
 #include "protocol/refusal.h"
 #include "protocol/request.h"
 #include "protocol/scan_view.h"
+#include "protocol/session_hook.h"
 
 namespace scipd::protocol {
 
@@ -58,6 +59,9 @@ class Session {
     /// The next thing to be done, in order. Nothing: there is none at present.
     [[nodiscard]] std::optional<Action> next_action();
 
+    /// Null: nobody stands between the session and its client. The hook must outlive the session.
+    void set_hook(SessionHook* hook) { hook_ = hook; }
+
     /// The client is gone. What it began (stream, laser, adjust mode) ends as by QT and TM2. What
     /// it asked and what was to be sent is forgotten. What other clients began stays.
     void close();
@@ -82,7 +86,7 @@ class Session {
 
     [[nodiscard]] Uptime due(const Waiting& waiting) const;
     void answer_next(Uptime now);
-    void answer_scip1(const std::string& line, Uptime now);
+    void answer_scip1(const std::string& line, std::optional<Status> refused, Uptime now);
     void answer(const Waiting& waiting, Uptime now);
     void refuse_single_scan(Uptime now);
     [[nodiscard]] std::optional<Status> refusal(const Request& request, Uptime now) const;
@@ -100,6 +104,7 @@ class Session {
     int boots_seen_;
     int rate_told_;  ///< the rate of the serial line in the last SetBitRate
     std::deque<Action> actions_;
+    SessionHook* hook_ = nullptr;
 };
 
 }  // namespace scipd::protocol

@@ -18,6 +18,8 @@ enum class Purpose : std::uint32_t {
     detection,
     texture,
     in_the_air,
+    fault_begin,
+    fault,
 };
 
 struct ChanceKey {

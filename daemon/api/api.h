@@ -28,6 +28,7 @@
 
 namespace scipd::daemon {
 
+class FaultsApi;
 class SenderClock;
 
 /// How long after their ideal instant scans left.
@@ -121,6 +122,8 @@ class Api {
         const std::string& model) const = 0;
     [[nodiscard]] virtual sim::Expected<> set_model_pose(const std::string& model,
                                                          const sim::PoseLine& said) = 0;
+
+    [[nodiscard]] virtual FaultsApi& faults() = 0;
 };
 
 }  // namespace scipd::daemon

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "daemon/api/api.h"
+#include "daemon/api/faults_api.h"
 #include "daemon/http/message.h"
 
 namespace scipd::daemon {
@@ -44,5 +45,19 @@ void put_model_pose(Call&& call);
 void get_media(Call&& call);
 void put_media(Call&& call);
 void delete_media(Call&& call);
+
+// fault_routes.cpp
+void get_fault_kinds(Call&& call);
+void post_fault(Call&& call);
+void get_faults(Call&& call);
+void delete_faults(Call&& call);
+void get_fault_log(Call&& call);
+void get_fault(Call&& call);
+void delete_fault(Call&& call);
+
+// scenario_routes.cpp
+void get_scenario(Call&& call);
+void put_scenario(Call&& call);
+void delete_scenario(Call&& call);
 
 }  // namespace scipd::daemon

@@ -21,12 +21,22 @@ void ask_for_upgrade(Call&& call) {
     call.respond(problem(426, call.request.path + " is a WebSocket: ask with Upgrade: websocket"));
 }
 
-constexpr std::array<Route, 18> table{{
+constexpr std::array<Route, 28> table{{
     {"GET", "/status", get_status},
     {"GET", "/sensors", get_sensors},
     {"GET", "/sensors/{robot}/{sensor}", get_sensor},
     {"GET", "/sensors/{robot}/{sensor}/reading", get_reading},
     {"GET", "/sensors/{robot}/{sensor}/truth", get_truth},
+    {"POST", "/sensors/{robot}/{sensor}/faults", post_fault},
+    {"GET", "/sensors/{robot}/{sensor}/faults", get_faults},
+    {"DELETE", "/sensors/{robot}/{sensor}/faults", delete_faults},
+    {"GET", "/sensors/{robot}/{sensor}/faults/log", get_fault_log},
+    {"GET", "/sensors/{robot}/{sensor}/faults/{fault}", get_fault},
+    {"DELETE", "/sensors/{robot}/{sensor}/faults/{fault}", delete_fault},
+    {"GET", "/faults/kinds", get_fault_kinds},
+    {"GET", "/scenario", get_scenario},
+    {"PUT", "/scenario", put_scenario},
+    {"DELETE", "/scenario", delete_scenario},
     {"GET", "/robots/{robot}/pose", get_robot_pose},
     {"PUT", "/robots/{robot}/pose", put_robot_pose},
     {"GET", "/scene", get_scene},
@@ -89,13 +99,7 @@ HttpResponse method_not_allowed(const HttpRequest& request, std::string allow) {
     return response;
 }
 
-/// Whether a later version is to have this path.
-bool comes_later(const Segments& path) {
-    return path.size() == 4 && path[0] == "sensors" && path[3] == "faults";
-}
-
-HttpResponse not_found(const HttpRequest& request, const Segments& path) {
-    if (comes_later(path)) return problem(404, request.path + " is not in this version");
+HttpResponse not_found(const HttpRequest& request) {
     return problem(404, "there is no " + request.path + "; there are " + all_paths());
 }
 
@@ -108,9 +112,11 @@ std::span<const Route> routes() {
 void route(Api& api, const HttpRequest& request, Respond respond) {
     const Segments path = split(request.path);
     std::string allow;
+    std::string_view meant;  // the first that matches: /faults/log is no /faults/{fault}
     for (const Route& entry : table) {
         const Segments pattern = split(entry.path);
-        if (!matches(pattern, path)) continue;
+        if (!matches(pattern, path) || (!meant.empty() && entry.path != meant)) continue;
+        meant = entry.path;
         if (entry.method == request.method) {
             auto names = names_in(pattern, path);
             if (!names) {
@@ -120,7 +126,7 @@ void route(Api& api, const HttpRequest& request, Respond respond) {
         }
         allow += (allow.empty() ? "" : ", ") + std::string(entry.method);
     }
-    respond(allow.empty() ? not_found(request, path) : method_not_allowed(request, allow));
+    respond(allow.empty() ? not_found(request) : method_not_allowed(request, allow));
 }
 
 std::variant<HttpResponse, Converse> open_socket(Api& api, const HttpRequest& request) {

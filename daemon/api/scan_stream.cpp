@@ -7,6 +7,7 @@
 
 #include <malloc.h>
 
+#include "daemon/api/fault_text.h"
 #include "daemon/api/measurement_text.h"
 #include "daemon/device/device.h"
 #include "daemon/device/staring_sensor.h"
@@ -24,7 +25,7 @@ ScanStream::Tap::Watch ScanStream::Tap::watch_of(Sensor& sensor) {
     return [this, &sensor](bool wanted) {
         if (!wanted) return sensor.watch(nullptr);
         sensor.watch([this](const Record& record) {
-            stream_.send(*this, reading_text(source_->name, record));
+            stream_.send(source_, reading_text(source_->name, record));
         });
     };
 }
@@ -85,6 +86,7 @@ class ScanStream::Subscriber : public Conversation {
 ScanStream::Tap::Tap(ScanStream& stream, std::string name, Watch watch)
     : stream_(stream),
       source_(std::make_shared<Backlog::Source>(Backlog::Source{.name = std::move(name)})),
+      faults_source_(std::make_shared<Backlog::Source>(Backlog::Source{.name = source_->name})),
       watch_(std::move(watch)) {
     stream_.taps_.push_back(this);
     stream_.follow(*this);
@@ -99,6 +101,15 @@ ScanStream::Tap::Tap(ScanStream& stream, std::string name, StaringSensor& sensor
 ScanStream::Tap::~Tap() {
     std::erase(stream_.taps_, this);
     watch_(false);
+    if (faults_ != nullptr) faults_->watch(nullptr);
+}
+
+void ScanStream::Tap::follow(FaultLog& faults) {
+    faults_ = &faults;
+    faults.watch([this](const FaultLogEntry& entry) {
+        const std::string& sensor = source_->name;
+        if (stream_.wanted(sensor)) stream_.send(faults_source_, fault_message(sensor, entry));
+    });
 }
 
 ScanStream::ScanStream()
@@ -111,8 +122,12 @@ std::unique_ptr<Conversation> ScanStream::subscribe(const std::string& sensor, W
 }
 
 void ScanStream::follow(Tap& tap) {
-    tap.watch_(std::ranges::any_of(
-        subscribers_, [&](const Subscriber* client) { return client->wants(tap.source_->name); }));
+    tap.watch_(wanted(tap.source_->name));
+}
+
+bool ScanStream::wanted(const std::string& sensor) const {
+    return std::ranges::any_of(subscribers_,
+                               [&](const Subscriber* client) { return client->wants(sensor); });
 }
 
 void ScanStream::follow_all() {
@@ -121,8 +136,8 @@ void ScanStream::follow_all() {
 }
 
 // A sensor is watched as long as somebody wants its scans.
-void ScanStream::send(const Tap& tap, std::string message) {
-    backlog_.add(tap.source_, std::move(message));
+void ScanStream::send(const std::shared_ptr<Backlog::Source>& source, std::string message) {
+    backlog_.add(source, std::move(message));
     for (Subscriber* client : subscribers_)
         client->go_on();
     forget_what_all_have();

@@ -2,9 +2,10 @@
 // Copyright The scipd authors
 //
 // The WebSocket /stream: it sends every scan of all sensors, or of one, to whoever subscribes, as
-// soon as it is measured. While somebody subscribes scans are cast, whether a driver wants them or
-// not. A message is made once for all clients. A client that is too slow loses whole messages, of
-// all sensors alike; they are counted. Lives on the I/O thread.
+// soon as it is measured, and tells of a fault on purpose as soon as it has acted. While somebody
+// subscribes scans are cast, whether a driver wants them or not. A message is made once for all
+// clients. A client that is too slow loses whole messages, of all sensors alike; scans that are
+// lost are counted. Lives on the I/O thread.
 #pragma once
 
 #include <cstdint>
@@ -19,6 +20,7 @@
 namespace scipd::daemon {
 
 class Device;
+class FaultLog;
 class StaringSensor;
 
 class ScanStream {
@@ -32,7 +34,9 @@ class ScanStream {
         Tap& operator=(const Tap&) = delete;
         ~Tap();
 
-        /// Messages that a subscriber was too slow for.
+        /// Sends what comes into the log as well. The log must outlive the tap.
+        void follow(FaultLog& faults);
+        /// Scans that a subscriber was too slow for.
         [[nodiscard]] std::uint64_t lost() const { return source_->lost; }
 
       private:
@@ -46,6 +50,9 @@ class ScanStream {
 
         ScanStream& stream_;
         std::shared_ptr<Backlog::Source> source_;
+        /// Of the same name: many faults at once cost no client a scan.
+        std::shared_ptr<Backlog::Source> faults_source_;
+        FaultLog* faults_ = nullptr;
         Watch watch_;
     };
 
@@ -62,7 +69,8 @@ class ScanStream {
     /// Its sensor casts as long as somebody subscribes.
     void follow(Tap& tap);
     void follow_all();
-    void send(const Tap& tap, std::string message);
+    [[nodiscard]] bool wanted(const std::string& sensor) const;
+    void send(const std::shared_ptr<Backlog::Source>& source, std::string message);
     void count_lost(Backlog::Number number, const Backlog::Message& message);
     void forget_what_all_have();
 

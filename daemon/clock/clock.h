@@ -42,6 +42,9 @@ class Clock {
     /// of that moment. The daemon does not calculate with it. It adds it when it reports a time.
     [[nodiscard]] virtual sim::Time origin() const { return {}; }
     [[nodiscard]] virtual std::unique_ptr<Alarm> make_alarm() = 0;
+    /// For a call that is made on the way, and that nobody waits for: a clock that goes on only as
+    /// long as somebody waits does not go on for this.
+    [[nodiscard]] virtual std::unique_ptr<Alarm> make_idle_alarm() { return make_alarm(); }
 
     /// With `needed`, `who` needs time to stand still until it calls hold() without. A clock that
     /// waits for nobody ignores this.

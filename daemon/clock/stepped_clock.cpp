@@ -10,7 +10,7 @@ namespace scipd::daemon {
 
 class SteppedClock::QueuedAlarm : public Clock::Alarm {
   public:
-    explicit QueuedAlarm(SteppedClock& clock) : clock_(clock) {}
+    QueuedAlarm(SteppedClock& clock, bool idle) : clock_(clock), counts_(idle ? 0 : 1) {}
     ~QueuedAlarm() override { cancel(); }
 
     void set(sim::Time at, Call call) override {
@@ -18,11 +18,15 @@ class SteppedClock::QueuedAlarm : public Clock::Alarm {
         cancel();
         place_ = clock_.queue_.emplace(at, this);
         call_ = std::move(call);
-        if (!awaited) clock_.on_awaited_();
+        clock_.awaited_ += counts_;
+        if (!awaited && clock_.awaited()) clock_.on_awaited_();
     }
 
     void cancel() override {
-        if (place_) clock_.queue_.erase(*std::exchange(place_, std::nullopt));
+        if (place_) {
+            clock_.queue_.erase(*std::exchange(place_, std::nullopt));
+            clock_.awaited_ -= counts_;
+        }
         call_ = nullptr;
     }
 
@@ -35,12 +39,17 @@ class SteppedClock::QueuedAlarm : public Clock::Alarm {
 
   private:
     SteppedClock& clock_;
+    int counts_;  ///< 1: somebody waits for it
     std::optional<std::multimap<sim::Time, QueuedAlarm*>::iterator> place_;
     Call call_;
 };
 
 std::unique_ptr<Clock::Alarm> SteppedClock::make_alarm() {
-    return std::make_unique<QueuedAlarm>(*this);
+    return std::make_unique<QueuedAlarm>(*this, false);
+}
+
+std::unique_ptr<Clock::Alarm> SteppedClock::make_idle_alarm() {
+    return std::make_unique<QueuedAlarm>(*this, true);
 }
 
 void SteppedClock::hold(const void* who, bool needed) {

@@ -22,15 +22,16 @@ class SteppedClock : public Clock {
     [[nodiscard]] sim::Time origin() const override { return origin_; }
     void set_origin(sim::Time origin) { origin_ = origin; }
     [[nodiscard]] std::unique_ptr<Alarm> make_alarm() override;
+    [[nodiscard]] std::unique_ptr<Alarm> make_idle_alarm() override;
 
     void hold(const void* who, bool needed) override;
     [[nodiscard]] bool held() const { return !holders_.empty(); }
     /// The callback runs when the last holder lets go.
     void on_released(std::function<void()> callback) { on_released_ = std::move(callback); }
 
-    /// Whether an alarm is set.
-    [[nodiscard]] bool awaited() const { return !queue_.empty(); }
-    /// The callback runs when the first alarm is set.
+    /// Whether an alarm is set that is not idle.
+    [[nodiscard]] bool awaited() const { return awaited_ > 0; }
+    /// The callback runs when the first of those is set.
     void on_awaited(std::function<void()> callback) { on_awaited_ = std::move(callback); }
 
     /// Makes the first call that is due by `until`, at its own time. False: none is due, and the
@@ -46,6 +47,7 @@ class SteppedClock : public Clock {
     sim::Time now_{};
     sim::Time origin_{};
     std::multimap<sim::Time, QueuedAlarm*> queue_;  ///< at equal times in the order they were set
+    int awaited_ = 0;                               ///< alarms that are set and not idle
     std::set<const void*> holders_;
     std::function<void()> on_released_ = [] {};
     std::function<void()> on_awaited_ = [] {};

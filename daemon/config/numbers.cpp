@@ -115,6 +115,10 @@ Expected<nanoseconds> parse_stale(std::string_view text) {
         .map(from_seconds);
 }
 
+Expected<nanoseconds> parse_span(std::string_view text) {
+    return parse_within(text, 0.0, 1e6, "be 0 to 1000000 s").map(from_seconds);
+}
+
 Expected<nanoseconds> parse_rate(std::string_view text) {
     return parse_within(text, 1.0, 1000.0, "be 1 to 1000 Hz").map([](double rate_hz) {
         return from_seconds(1.0 / rate_hz);

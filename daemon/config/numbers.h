@@ -45,6 +45,8 @@ sim::Expected<std::chrono::nanoseconds> parse_dead_after(std::string_view text);
 sim::Expected<std::chrono::nanoseconds> parse_wait(std::string_view text);
 /// Seconds, up to an hour: after which a stream of poses is stale.
 sim::Expected<std::chrono::nanoseconds> parse_stale(std::string_view text);
+/// Seconds, up to 1e6: from one moment of a test to another.
+sim::Expected<std::chrono::nanoseconds> parse_span(std::string_view text);
 /// Hz, 1 to 1000, as the time from one measurement to the next. At less than 1 Hz the poses of a
 /// measurement could be forgotten before it is asked for.
 sim::Expected<std::chrono::nanoseconds> parse_rate(std::string_view text);

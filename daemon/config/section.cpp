@@ -16,13 +16,6 @@ constexpr std::size_t most_faults = 100;
 constexpr std::size_t most_entries = 4096;
 constexpr std::size_t longest_sentence = 1000;
 
-std::string joined(std::span<const std::string_view> keys) {
-    std::string text;
-    for (const auto key : keys)
-        text += (text.empty() ? "" : ", ") + std::string{key};
-    return text;
-}
-
 /// Levenshtein: how many letters to insert, drop or change.
 std::size_t edits_between(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
@@ -40,15 +33,9 @@ std::size_t edits_between(std::string_view a, std::string_view b) {
 
 /// What somebody who misspelt a key is told.
 std::string unknown_key(std::string_view key, std::span<const std::string_view> known) {
-    const auto edits = [key](std::string_view other) { return edits_between(key, other); };
-    const auto nearest = std::min_element(known.begin(), known.end(),
-                                          [&](auto a, auto b) { return edits(a) < edits(b); });
-    // Two letters swapped are two edits.
-    const std::size_t most_edits = nearest->size() > 3 ? 2 : 1;
-    if (key.size() < 32 && edits(*nearest) <= most_edits) {
-        return "unknown key; did you mean " + std::string{*nearest} + "?";
-    }
-    return "unknown key; known here are " + joined(known);
+    if (const auto near = meant(key, known))
+        return "unknown key; did you mean " + std::string{*near} + "?";
+    return "unknown key; known here are " + listed(known);
 }
 
 std::string path_of(const Field& map, std::string_view key) {
@@ -66,21 +53,23 @@ std::string Faults::place(int line, std::string_view path) const {
 
 void Faults::add(int line, std::string_view path, std::string_view sentence) {
     // Sentences may hold what a library quotes as it is: a fault stays one line that can be shown.
-    by_line_.emplace_back(line, place(line, path) + sim::printable(sentence, longest_sentence));
-    if (by_line_.size() < most_faults) return;
-    by_line_.emplace_back(line, file_ + ":" + std::to_string(line) +
-                                    ": too many faults; there may be more from here on");
+    found_.push_back({line, {std::string(path), sim::printable(sentence, longest_sentence)}});
+    if (found_.size() < most_faults) return;
+    found_.push_back({line, {{}, "too many faults; there may be more from here on"}});
     throw_if_any();
 }
 
+std::optional<sim::Fault> Faults::first() const {
+    return found_.empty() ? std::nullopt : std::optional(found_.front().fault);
+}
+
 void Faults::throw_if_any() const {
-    if (by_line_.empty()) return;
-    auto ordered = by_line_;
-    std::stable_sort(ordered.begin(), ordered.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    if (found_.empty()) return;
+    auto ordered = found_;
+    std::ranges::stable_sort(ordered, {}, &Found::line);
     std::vector<std::string> faults;
-    for (auto& [line, fault] : ordered)
-        faults.push_back(std::move(fault));
+    for (const auto& [line, fault] : ordered)
+        faults.push_back(place(line, fault.field) + fault.why);
     throw ConfigError(std::move(faults));
 }
 
@@ -111,6 +100,33 @@ std::vector<Field> entries(const Field& map, Faults& faults) {
         fields.push_back(std::move(field));
     }
     return fields;
+}
+
+std::optional<Field> entry_of(const Field& map, std::string_view key) {
+    if (!map.value.IsMap()) return std::nullopt;
+    for (const auto& entry : map.value) {
+        if (!entry.first.IsScalar() || entry.first.Scalar() != key) continue;
+        return Field{std::string(key), path_of(map, key), entry.first.Mark().line + 1,
+                     entry.second};
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string_view> meant(std::string_view word,
+                                      std::span<const std::string_view> known) {
+    if (word.size() >= 32 || known.empty()) return std::nullopt;
+    const auto edits = [word](std::string_view other) { return edits_between(word, other); };
+    const auto nearest = std::ranges::min_element(known, {}, edits);
+    // Two letters swapped are two edits.
+    const std::size_t most_edits = nearest->size() > 3 ? 2 : 1;
+    return edits(*nearest) <= most_edits ? std::optional(*nearest) : std::nullopt;
+}
+
+std::string listed(std::span<const std::string_view> words) {
+    std::string text;
+    for (const auto word : words)
+        text += (text.empty() ? "" : ", ") + std::string{word};
+    return text;
 }
 
 sim::Expected<std::string> text_of(const YAML::Node& value) {

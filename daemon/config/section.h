@@ -7,10 +7,10 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -57,14 +57,22 @@ class Faults {
     /// "FILE:LINE: KEY.PATH: "
     [[nodiscard]] std::string place(int line, std::string_view path) const;
 
-    [[nodiscard]] std::size_t count() const { return by_line_.size(); }
+    [[nodiscard]] std::size_t count() const { return found_.size(); }
+
+    /// The one that was found first, without file and line: for what is no file.
+    [[nodiscard]] std::optional<sim::Fault> first() const;
 
     /// Throws ConfigError, ordered by line, if there is any.
     void throw_if_any() const;
 
   private:
+    struct Found {
+        int line;
+        sim::Fault fault;
+    };
+
     std::string file_;
-    std::vector<std::pair<int, std::string>> by_line_;
+    std::vector<Found> found_;
 };
 
 /// Reads the one YAML document that a configuration is; no text at all is an empty map. A second
@@ -74,6 +82,16 @@ YAML::Node parse_document(const std::string& text, Faults& faults);
 /// The entries of a map, in the order of the file. A value that is no map is a fault, and so is a
 /// key that is no plain name or stands there twice.
 std::vector<Field> entries(const Field& map, Faults& faults);
+
+/// One entry of a map, whatever the others are; nothing where it is not there.
+std::optional<Field> entry_of(const Field& map, std::string_view key);
+
+/// The word that somebody meant who misspelt it; nothing where none is near.
+std::optional<std::string_view> meant(std::string_view word,
+                                      std::span<const std::string_view> known);
+
+/// The words with commas between them.
+std::string listed(std::span<const std::string_view> words);
 
 /// The text of a single value, which is no map and no list.
 sim::Expected<std::string> text_of(const YAML::Node& value);

@@ -41,6 +41,7 @@ class Device::ServedClient final : public Endpoint::Client {
         : Client(device.profile_, device.state_, link),
           on_actions_(std::move(on_actions)),
           device_(device) {
+        session().set_hook(device_.hook_);
         device_.clients_.push_back(this);
     }
     ServedClient(const ServedClient&) = delete;
@@ -127,9 +128,22 @@ sim::ChanceKey Device::chance(sim::Purpose purpose) const {
     return key;
 }
 
-void Device::boot() {
-    state_.boot(uptime(), profile_.boot_time);
-    boots_told_ = state_.boots();
+void Device::set_hook(DeviceHook* hook) {
+    hook_ = hook;
+    for (ServedClient* client : clients_)
+        client->session().set_hook(hook);
+}
+
+void Device::change(const Change& change) {
+    const protocol::Grid mirror = protocol::mirror_of(state_, profile_);
+    const int boots = state_.boots();
+    change(state_, uptime());
+    // Another speed holds from the next pass on, as with CR; a boot has its own.
+    const bool other_speed = protocol::mirror_of(state_, profile_).tick != mirror.tick;
+    if (other_speed && state_.boots() == boots) state_.set_mirror_origin(mirror.after(uptime()));
+    follow_motor();
+    notice_boot();
+    bit_rate_told_ = protocol::bit_rate_of(state_.settings(), profile_);
     tell_clients();
 }
 
@@ -152,8 +166,9 @@ std::int64_t Device::next_revolution() const {
 }
 
 sim::Time Device::leaves(std::int64_t revolution) const {
-    return device_clock_.world_time(
+    const sim::Time leaves = device_clock_.world_time(
         protocol::scan_leaves(timing_.complete(revolution), state_, profile_));
+    return hook_ == nullptr ? leaves : leaves + hook_->late();
 }
 
 bool Device::poses_known(std::int64_t revolution) const {
@@ -167,6 +182,10 @@ void Device::follow_motor() {
 }
 
 void Device::turn_complete(std::int64_t revolution) {
+    if (hook_ != nullptr) {
+        hook_->turn(revolution);
+        if (hook_ != nullptr && !hook_->serves(revolution)) return tell_clients();
+    }
     std::vector<ServedClient*> takers;
     for (ServedClient* client : clients_) {
         if (client->session().turn_complete(turn(revolution))) takers.push_back(client);
@@ -189,15 +208,22 @@ void Device::serve_latest(ServedClient& client) {
     // Once a request is answered, the one behind it may want the latest scan as well.
     for (std::int64_t revolution = next_revolution() - 1;
          revolution >= 0 && session.waits_for(turn(revolution)) &&
-         (patience_ == sim::Time::zero() || poses_known(revolution));) {
+         (patience_ == sim::Time::zero() || poses_known(revolution)) &&
+         (hook_ == nullptr || hook_->serves(revolution));) {
         session.take(measure(revolution).sent.view(), uptime());
     }
     follow_motor();
     if (session.measuring() && on_wanted_) on_wanted_();
     const int bit_rate = protocol::bit_rate_of(state_.settings(), profile_);
-    const bool booted = std::exchange(boots_told_, state_.boots()) != state_.boots();
+    const bool booted = boots_told_ != state_.boots();
+    notice_boot();
     const bool changed = std::exchange(bit_rate_told_, bit_rate) != bit_rate;
     if (booted || changed) tell_clients(&client);
+}
+
+void Device::notice_boot() {
+    if (std::exchange(boots_told_, state_.boots()) == state_.boots()) return;
+    if (hook_ != nullptr) hook_->booted();
 }
 
 void Device::tell_clients(const ServedClient* knows) {
@@ -237,6 +263,11 @@ Measurement Device::cast(std::int64_t revolution) {
     Measurement made =
         sweep_.measure(revolution, device_clock_.world_time(start), fired, clock_.origin(),
                        cold_start_ ? start : sim::Conditions{}.on_for);
+    if (hook_ != nullptr) {
+        sim::Scan scan = *made.cast;
+        hook_->read(scan, sweep_.optics());
+        made.cast = std::make_shared<const sim::Scan>(std::move(scan));
+    }
     const auto slow = pace_.add({.backend = made.backend->backend,
                                  .period = timing_.start(revolution + 1) - start,
                                  .many_poses = made.cast->world_from_sensor.size() > 1,

@@ -17,6 +17,7 @@
 #include "daemon/clock/clock.h"
 #include "daemon/config/config.h"
 #include "daemon/device/bridge.h"
+#include "daemon/device/device_hook.h"
 #include "daemon/device/lateness.h"
 #include "daemon/device/pace.h"
 #include "daemon/device/scan_source.h"
@@ -52,8 +53,23 @@ class Device : public ScanSource, public Endpoint, private Lamp {
         return device_clock_.device_time(clock_.now());
     }
 
-    /// As if its power came back. Not from within a call of a client's.
-    void boot();
+    /// Changes the device from outside, and tells its clients. Not from within a client's call.
+    using Change = std::function<void(protocol::DeviceState& state, protocol::Uptime now)>;
+    void change(const Change& change);
+    /// Null: nobody stands between its mirror and its clients.
+    void set_hook(DeviceHook* hook);
+    /// What is the matter with it, from within a call of the hook.
+    void set_trouble(protocol::Trouble trouble) { state_.set_trouble(trouble); }
+    /// What its clock shows now; it stays in step with its mirror. Any time.
+    void set_clock(protocol::Uptime at, protocol::Uptime shown) { state_.set_clock(at, shown); }
+    /// The instant of step 0, on its own clock.
+    [[nodiscard]] protocol::Uptime start_of(std::int64_t revolution) const {
+        return timing_.start(revolution);
+    }
+    void shift_poses(const PoseShift& shift) { sweep_.shift_poses(shift); }
+    [[nodiscard]] sim::Pose world_from_robot() const { return sweep_.robot_at(clock_.now()); }
+    [[nodiscard]] const sim::SensorSpec& optics() const { return sweep_.optics(); }
+    [[nodiscard]] const std::string& name() const { return sweep_.name(); }
 
     /// From the next scan on it sits there on its robot.
     void mount(const sim::Pose& robot_from_sensor) { sweep_.mount(robot_from_sensor); }
@@ -88,6 +104,8 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     /// know already.
     void tell_clients(const ServedClient* knows = nullptr);
 
+    void notice_boot();
+
     /// As others see it: a light that turns with its mirror, and shines where it measures.
     [[nodiscard]] std::optional<LampBeam> shines(sim::Time time) const override;
 
@@ -114,6 +132,7 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     int boots_told_ = 0;                  ///< how many boots all clients know of
     int bit_rate_told_;                   ///< which rate of the serial line all clients know of
     std::vector<ServedClient*> clients_;  ///< each adds and removes itself
+    DeviceHook* hook_ = nullptr;
     std::function<void()> on_wanted_;
     std::function<void(const ScanRecord&)> watcher_;
     SharedRecord record_;  ///< of the latest that was cast

@@ -55,7 +55,8 @@ Measurement Sweep::measure(std::int64_t revolution, sim::Time start, const Fired
 std::vector<sim::Time> Sweep::pose_times(const BeamFired& fired) const {
     const sim::Time begin = fired(0);
     const sim::Time end = fired(beams() - 1);
-    if (begin == end || world_.robot(robot_)->still(begin, end)) return {begin};
+    if (begin == end || world_.robot(robot_)->still(begin - shift_.late, end - shift_.late))
+        return {begin};
     std::vector<sim::Time> times;
     times.reserve(beams());
     for (std::size_t i = 0; i < most_poses(); ++i) {
@@ -66,14 +67,18 @@ std::vector<sim::Time> Sweep::pose_times(const BeamFired& fired) const {
 }
 
 std::vector<sim::Pose> Sweep::poses_at(const std::vector<sim::Time>& times) const {
-    const sim::PoseTrack& track = *world_.robot(robot_);
     std::vector<sim::Pose> poses;
     poses.reserve(times.size());
     for (const sim::Time time : times) {
         const bool same = !poses.empty() && time == times[poses.size() - 1];
-        poses.push_back(same ? poses.back() : track.at(time) * robot_from_sensor_);
+        poses.push_back(same ? poses.back() : known_pose_at(time) * robot_from_sensor_);
     }
     return poses;
+}
+
+sim::Pose Sweep::known_pose_at(sim::Time time) const {
+    const sim::Pose pose = shift_.stopped ? *shift_.stopped : robot_at(time - shift_.late);
+    return {pose.translation_m + shift_.jump.translation_m, shift_.jump.rotation * pose.rotation};
 }
 
 void Sweep::cast(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions) {

@@ -15,6 +15,7 @@
 
 #include "daemon/config/config.h"
 #include "daemon/device/measurement.h"
+#include "daemon/device/pose_shift.h"
 #include "daemon/world/world.h"
 #include "sim/sensor/scanner.h"
 
@@ -35,6 +36,12 @@ class Sweep {
     /// From now on it sits there.
     void mount(const sim::Pose& robot_from_sensor) { robot_from_sensor_ = robot_from_sensor; }
     [[nodiscard]] bool poses_known(sim::Time until) const { return world_.poses_known(until); }
+    /// From now on it is cast from poses that differ so.
+    void shift_poses(const PoseShift& shift) { shift_ = shift; }
+    /// Where its robot is at this time.
+    [[nodiscard]] sim::Pose robot_at(sim::Time time) const {
+        return world_.robot(robot_)->at(time);
+    }
     /// The scanner's own lamp does not disturb it.
     void know_own_lamp(const Lamp& lamp) { own_ = &lamp; }
     /// Where its sensor is at this time.
@@ -53,6 +60,8 @@ class Sweep {
     [[nodiscard]] std::size_t most_poses() const;
     [[nodiscard]] std::vector<sim::Time> pose_times(const BeamFired& fired) const;
     [[nodiscard]] std::vector<sim::Pose> poses_at(const std::vector<sim::Time>& times) const;
+    /// By what is known of the robot's poses.
+    [[nodiscard]] sim::Pose known_pose_at(sim::Time time) const;
     void cast(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions);
     void cast_as_met(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions,
                      sim::ModelId unseen);
@@ -70,6 +79,7 @@ class Sweep {
     bool sees_body_;
     bool looks_around_;
     bool disturbed_;  ///< by other scanners
+    PoseShift shift_;
     const Lamp* own_ = nullptr;
     sim::Scanner scanner_;
 };

@@ -15,6 +15,7 @@
 #include "protocol/action.h"
 #include "protocol/request.h"
 #include "protocol/status.h"
+#include "protocol/uptime.h"
 #include "sim/sensor/scan.h"
 #include "sim/sensor/sensor_spec.h"
 
@@ -48,6 +49,8 @@ class FaultScene {
     /// Even between 0 and 1, by the fault's seed, the scan or message under way, and `n`. So a run
     /// with the same seed repeats to the byte.
     [[nodiscard]] virtual double chance(std::uint32_t n) const = 0;
+    /// The instant, on the device's own clock, that the stamp told next is of.
+    [[nodiscard]] virtual protocol::Uptime stamped() const = 0;
     /// Writes into the log that the fault has acted. To be called whenever something was touched.
     virtual void touched(FaultTouch touch) = 0;
 };

@@ -63,7 +63,9 @@ std::span<const FaultKind> cut_kinds();      ///< cut_effects.cpp
 std::span<const FaultKind> message_kinds();  ///< message_effects.cpp
 std::span<const FaultKind> device_kinds();   ///< device_effects.cpp
 std::span<const FaultKind> clock_kinds();    ///< clock_effects.cpp
+std::span<const FaultKind> repeat_kinds();   ///< repeat_effects.cpp
 std::span<const FaultKind> scan_kinds();     ///< scan_effects.cpp
+std::span<const FaultKind> window_kinds();   ///< window_effects.cpp
 std::span<const FaultKind> pose_kinds();     ///< pose_effects.cpp
 
 /// All of them, in the order of the layers.

@@ -6,20 +6,27 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "daemon/config/section.h"
+#include "daemon/faults/fault_kind.h"
 #include "daemon/faults/fault_plan.h"
 #include "sim/expected.h"
 
 namespace scipd::daemon {
 
+using FaultKinds = std::vector<const FaultKind*>;
+
 /// A map {kind, at, for, until, every, jitter, seed, the kind's own members}, with `also` as keys
 /// that somebody else reads. Nothing: it has faults, and `faults` has them.
 std::optional<FaultPlan> read_fault(const Field& map, std::span<const std::string_view> also,
-                                    Faults& faults);
+                                    Faults& faults, const FaultKinds& kinds = fault_kinds());
 
 /// The same from a JSON object; the fault names the field, such as "for.scans".
-sim::Expected<FaultPlan> parse_fault(const std::string& json);
+sim::Expected<FaultPlan> parse_fault(const std::string& json,
+                                     const FaultKinds& kinds = fault_kinds());
 
 }  // namespace scipd::daemon

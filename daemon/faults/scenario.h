@@ -10,25 +10,35 @@
 #include <vector>
 
 #include "daemon/faults/fault_plan.h"
+#include "daemon/faults/read_fault.h"
 
 namespace scipd::daemon {
 
 struct ScenarioStep {
     std::string sensor;  ///< "rescue/front", or "*" for all
     FaultPlan fault;
+
+    [[nodiscard]] bool goes_wrong_at(const std::string& name) const {
+        return sensor == "*" || sensor == name;
+    }
 };
 
 struct Scenario {
     std::string name;  ///< of its file
     std::uint64_t seed = 1;
     std::vector<ScenarioStep> steps;
+
+    /// Of the file of this name, which asks for the same.
+    bool operator==(const Scenario& other) const;
 };
 
-/// `name` stands before each fault of the text: "FILE:LINE: KEY: sentence". `sensors` are those
-/// that there are. Throws ConfigError with all faults.
+/// `name` stands before each fault of the text: "FILE:LINE: KEY: sentence", where the third step is
+/// "steps.3". `sensors` are the scanners that there are. Throws ConfigError with all faults.
 Scenario parse_scenario(const std::string& text, const std::string& name,
-                        const std::vector<std::string>& sensors);
+                        const std::vector<std::string>& sensors,
+                        const FaultKinds& kinds = fault_kinds());
 /// The same of a file, which may be missing or too long.
-Scenario load_scenario(const std::filesystem::path& file, const std::vector<std::string>& sensors);
+Scenario load_scenario(const std::filesystem::path& file, const std::vector<std::string>& sensors,
+                       const FaultKinds& kinds = fault_kinds());
 
 }  // namespace scipd::daemon

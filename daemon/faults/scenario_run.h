@@ -38,13 +38,14 @@ class ScenarioRun {
     void run(Scenario scenario, const std::vector<Target>& targets);
     /// Its faults end.
     void stop(const std::vector<Target>& targets);
-    /// A scanner has come: it gets its faults as well.
+    /// A scanner has come: it gets its faults as well, unless they have been stopped.
     void join(const Target& target) const;
     /// Nothing: none was run.
     [[nodiscard]] std::optional<ScenarioStatus> status(const std::vector<Target>& targets) const;
 
   private:
     std::optional<Scenario> scenario_;
+    bool stopped_ = false;
 };
 
 }  // namespace scipd::daemon

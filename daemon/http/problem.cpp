@@ -29,12 +29,14 @@ std::string_view http_title(int status) {
     }
 }
 
-HttpResponse problem(int status, std::string_view detail, std::string_view field) {
+HttpResponse problem(int status, std::string_view detail, std::string_view field,
+                     const std::vector<std::string>& errors) {
     nlohmann::ordered_json document{{"type", "about:blank"},
                                     {"title", http_title(status)},
                                     {"status", status},
                                     {"detail", detail}};
     if (!field.empty()) document["field"] = field;
+    if (!errors.empty()) document["errors"] = errors;
     // Whatever bytes a sentence quotes, the document is JSON.
     return {.status = status,
             .content_type = "application/problem+json",

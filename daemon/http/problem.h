@@ -6,6 +6,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "daemon/http/message.h"
 
@@ -15,7 +16,8 @@ namespace scipd::daemon {
 std::string_view http_title(int status);
 
 /// {"type":"about:blank","title","status","detail"} and, unless it is empty, "field": the part of
-/// the request that is at fault.
-HttpResponse problem(int status, std::string_view detail, std::string_view field = {});
+/// the request that is at fault. "errors" has what is wrong in that part, where it is much.
+HttpResponse problem(int status, std::string_view detail, std::string_view field = {},
+                     const std::vector<std::string>& errors = {});
 
 }  // namespace scipd::daemon

@@ -4,6 +4,7 @@
 // A daemon with nothing in it. Tests override what they need.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,9 +13,29 @@
 #include <vector>
 
 #include "daemon/api/api.h"
+#include "daemon/api/faults_api.h"
 #include "daemon/api/scan_stream.h"
 
 namespace scipd::tests {
+
+/// No scanner can have faults.
+class EmptyFaults : public daemon::FaultsApi {
+  public:
+    [[nodiscard]] std::vector<std::string> scanners() const override { return {}; }
+    daemon::FaultStarted start(const std::string&, daemon::FaultPlan) override { return {}; }
+    bool stop(const std::string&, std::uint64_t) override { return false; }
+    void stop_all(const std::string&) override {}
+    [[nodiscard]] std::vector<daemon::FaultStatus> list(const std::string&) const override {
+        return {};
+    }
+    [[nodiscard]] const daemon::FaultLog& log(const std::string&) const override { return log_; }
+    void run(daemon::Scenario) override {}
+    void stop_scenario() override {}
+    [[nodiscard]] std::optional<daemon::ScenarioStatus> scenario() const override { return {}; }
+
+  private:
+    daemon::FaultLog log_;
+};
 
 class EmptyApi : public daemon::Api {
   public:
@@ -51,11 +72,13 @@ class EmptyApi : public daemon::Api {
         return {};
     }
     sim::Expected<> set_model_pose(const std::string&, const sim::PoseLine&) override { return {}; }
+    [[nodiscard]] daemon::FaultsApi& faults() override { return faults_; }
 
   private:
     sim::SharedScene scene_ = std::make_shared<const sim::Scene>();
     std::vector<sim::Medium> media_;
     daemon::ScanStream stream_;
+    EmptyFaults faults_;
 };
 
 }  // namespace scipd::tests

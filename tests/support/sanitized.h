@@ -21,4 +21,8 @@ inline constexpr const char* sanitizers_want_memory =
 inline constexpr const char* sanitizers_report_crashes =
     "a sanitizer reports a library's crash, although the child process was made for it";
 
+/// For tests whose child process must be done in a limited time.
+inline constexpr const char* sanitizers_take_time =
+    "a sanitizer makes Assimp so slow that its child process passes its limit of two minutes";
+
 }  // namespace scipd::tests

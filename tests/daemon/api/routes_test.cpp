@@ -288,13 +288,6 @@ TEST_F(RoutesTest, UnknownPathsAreNotFound) {
     }
 }
 
-TEST_F(RoutesTest, WhatComesLaterSaysSo) {
-    for (const std::string path : {"/sensors/rescue/front/faults", "/sensors/x/y/faults"}) {
-        EXPECT_EQ(problem_status(get(path)), 404);
-        EXPECT_EQ(document(get(path))["detail"], path + " is not in this version");
-    }
-}
-
 TEST_F(RoutesTest, UnknownPathsAreToldTheKnownOnes) {
     const std::string said = document(get("/dance"))["detail"];
     for (const Route& entry : routes())

@@ -46,6 +46,26 @@ TEST(SteppedClock, CallsWhatIsSetOnTheWay) {
     EXPECT_EQ(calls, 100);
 }
 
+TEST(SteppedClock, CallsAnIdleAlarmOnTheWayAndIsNotAwaitedForIt) {
+    SteppedClock clock;
+    int awaited = 0;
+    clock.on_awaited([&] { ++awaited; });
+    bool called = false;
+    const auto idle = clock.make_idle_alarm();
+    idle->set(10ms, [&] { called = true; });
+    EXPECT_FALSE(clock.awaited());
+    EXPECT_EQ(awaited, 0);
+    const auto alarm = clock.make_alarm();
+    alarm->set(20ms, [] {});
+    EXPECT_TRUE(clock.awaited());
+    EXPECT_EQ(awaited, 1);
+    clock.advance_to(15ms);
+    EXPECT_TRUE(called);
+    EXPECT_TRUE(clock.awaited());
+    alarm->cancel();
+    EXPECT_FALSE(clock.awaited());
+}
+
 TEST(SteppedClock, CallsWhatIsOverdueNowAndNotFromWithinSet) {
     SteppedClock clock;
     clock.advance_to(5s);

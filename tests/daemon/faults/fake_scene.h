@@ -32,6 +32,7 @@ class FakeScene : public FaultScene {
     [[nodiscard]] double chance(std::uint32_t n) const override {
         return (sim::Chance(key_).even(n) + 1.0) / 2.0;
     }
+    [[nodiscard]] protocol::Uptime stamped() const override { return {}; }
     void touched(FaultTouch touch) override { touches.push_back(std::move(touch)); }
 
     /// The next message is under way.

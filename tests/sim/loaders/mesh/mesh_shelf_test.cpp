@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "tests/support/sanitized.h"
 #include "tests/support/temp_dir.h"
 
 namespace scipd::sim {
@@ -55,6 +56,7 @@ std::ptrdiff_t most_children_reading(MeshShelf& shelf, const std::vector<MeshSou
 }
 
 TEST(MeshShelf, ReadsAsManyAtATimeAsTheMemoryIsFor) {
+    if (tests::sanitized) GTEST_SKIP() << tests::sanitizers_take_time;
     const tests::TempDir folder;
     const std::string text = large_obj();
     std::vector<MeshSource> sources;

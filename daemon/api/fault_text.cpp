@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/api/fault_text.h"
+
+#include <utility>
+
+namespace scipd::daemon {
+
+Json fault_document(const FaultStatus& fault) {
+    return {{"id", fault.id},
+            {"kind", fault.kind},
+            {"state", fault.state},
+            {"hits", fault.hits},
+            {"scenario_step", fault.scenario_step ? Json(*fault.scenario_step) : Json(nullptr)},
+            {"fault", Json::parse(fault.said)}};
+}
+
+Json kind_document(const FaultKind& kind) {
+    return {{"kind", kind.name},
+            {"layer", kind.layer},
+            {"summary", kind.summary},
+            {"members", kind.keys()},
+            {"momentary", kind.momentary}};
+}
+
+Json entry_document(const FaultLogEntry& entry) {
+    return {{"n", entry.number},
+            {"id", entry.id},
+            {"kind", entry.kind},
+            {"what", entry.what},
+            {"scan", entry.scan},
+            {"request", entry.request.empty() ? Json(nullptr) : Json(entry.request)},
+            {"time_s", seconds(entry.told)},
+            {"bytes", entry.bytes},
+            {"steps", entry.steps}};
+}
+
+Json log_document(const FaultLog& log, std::uint64_t since) {
+    Json entries = Json::array();
+    for (const FaultLogEntry& entry : log.entries()) {
+        if (entry.number > since) entries.push_back(entry_document(entry));
+    }
+    const bool empty = log.entries().empty();
+    return {{"entries", std::move(entries)},
+            {"first", empty ? 0 : log.entries().front().number},
+            {"last", empty ? 0 : log.entries().back().number}};
+}
+
+std::string fault_message(const std::string& sensor, const FaultLogEntry& entry) {
+    Json message{{"fault", {{"sensor", sensor}}}};
+    message["fault"].update(entry_document(entry));
+    return text_of(message);
+}
+
+Json scenario_document(const ScenarioStatus& scenario) {
+    Json steps = Json::array();
+    for (const auto& [step, sensor, fault] : scenario.steps) {
+        steps.push_back({{"step", step},
+                         {"sensor", sensor},
+                         {"id", fault.id},
+                         {"kind", fault.kind},
+                         {"state", fault.state},
+                         {"hits", fault.hits}});
+    }
+    return {{"name", scenario.name}, {"state", scenario.state}, {"steps", std::move(steps)}};
+}
+
+}  // namespace scipd::daemon

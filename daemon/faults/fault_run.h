@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// One fault of a scanner, from when it is asked for until nobody wants to know of it any more: its
+// schedule, its effect while it acts, and what it has touched. Lives on the I/O thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "daemon/faults/fault_effect.h"
+#include "daemon/faults/fault_log.h"
+#include "daemon/faults/fault_plan.h"
+#include "daemon/faults/fault_schedule.h"
+
+namespace scipd::daemon {
+
+/// What the faults of a scanner share.
+struct FaultSite {
+    Device& device;
+    std::vector<Port*> ports;
+    FaultLog log;
+    FaultMoment now;           ///< of what is looked at
+    std::string request;       ///< the request that is looked at; empty: none
+    std::uint64_t key = 0;     ///< of the chance of what is looked at
+    protocol::Uptime stamped;  ///< FaultScene::stamped()
+};
+
+class FaultRun final : private FaultScene {
+  public:
+    /// `site` must outlive it.
+    FaultRun(FaultSite& site, std::uint64_t id, FaultPlan plan, std::uint64_t seed,
+             std::optional<int> step);
+
+    [[nodiscard]] std::uint64_t id() const { return id_; }
+    [[nodiscard]] const FaultSchedule& schedule() const { return schedule_; }
+    [[nodiscard]] FaultStatus status() const;
+
+    /// Begins or ends, if that is due now.
+    void advance();
+    /// A request of this code is looked at: it may be what begins or ends the fault.
+    void meet_request(std::string_view command);
+    void meet_boot();
+    void stop();
+
+    /// Null: it does not act now.
+    [[nodiscard]] FaultEffect* acting() { return acting_.get(); }
+    [[nodiscard]] const FaultEffect* acting() const { return acting_.get(); }
+    [[nodiscard]] FaultScene& scene() { return *this; }
+
+    /// Lets effects do what they do at their begin and their end. Not from within a call of the
+    /// device or of a port: clients may come and go in here. True: something has begun or ended.
+    bool settle();
+    [[nodiscard]] bool unsettled() const { return !changes_.empty(); }
+
+  private:
+    [[nodiscard]] Device& device() override { return site_.device; }
+    [[nodiscard]] std::span<Port* const> ports() override { return site_.ports; }
+    [[nodiscard]] std::int64_t scan() const override { return site_.now.scan; }
+    [[nodiscard]] double chance(std::uint32_t n) const override;
+    [[nodiscard]] protocol::Uptime stamped() const override { return site_.stamped; }
+    void touched(FaultTouch touch) override;
+
+    void begin();
+    void end();
+    void log(FaultTouch touch);
+
+    struct Change {
+        std::shared_ptr<FaultEffect> effect;
+        bool begins;
+    };
+
+    FaultSite& site_;
+    std::uint64_t id_;
+    FaultPlan plan_;
+    std::uint64_t seed_;
+    std::optional<int> step_;
+    FaultSchedule schedule_;
+    std::shared_ptr<FaultEffect> acting_;
+    std::vector<Change> changes_;  ///< that are not settled
+    std::uint64_t hits_ = 0;
+};
+
+}  // namespace scipd::daemon

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/fleet_faults.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include "daemon/device/device.h"
+#include "daemon/faults/fault_injector.h"
+#include "daemon/simulation.h"
+
+namespace scipd::daemon {
+
+FaultInjector& FleetFaults::injector(const std::string& scanner) const {
+    return *find_station(simulation_.stations, scanner)->faults;
+}
+
+std::vector<ScenarioRun::Target> FleetFaults::targets() const {
+    std::vector<ScenarioRun::Target> targets;
+    for (const auto& station : simulation_.stations) {
+        if (station->faults) targets.push_back({station->name(), station->faults.get()});
+    }
+    return targets;
+}
+
+std::vector<std::string> FleetFaults::scanners() const {
+    std::vector<std::string> names;
+    for (const auto& target : targets())
+        names.push_back(target.sensor);
+    return names;
+}
+
+std::vector<std::string> FleetFaults::notes_on(const std::string& scanner,
+                                               const FaultPlan& plan) const {
+    const auto& sensor = find_station(simulation_.stations, scanner)->sensor;
+    const auto* const scan = std::get_if<AtScan>(&plan.start);
+    const auto* const time = std::get_if<AtTime>(&plan.start);
+    if (scan != nullptr &&
+        scan->scan < std::get<std::unique_ptr<Device>>(sensor)->next_revolution())
+        return {"at.scan has passed, so the fault begins at once"};
+    if (time != nullptr && time->told < simulation_.clock.origin() + simulation_.clock.now())
+        return {"at.time_s has passed, so the fault begins at once"};
+    return {};
+}
+
+FaultStarted FleetFaults::start(const std::string& scanner, FaultPlan plan) {
+    FaultStarted started{.notes = notes_on(scanner, plan)};
+    const std::uint64_t seed =
+        plan.seed.value_or(find_station(simulation_.stations, scanner)->seed);
+    started.id = injector(scanner).start(std::move(plan), seed);
+    return started;
+}
+
+bool FleetFaults::stop(const std::string& scanner, std::uint64_t id) {
+    return injector(scanner).stop(id);
+}
+
+void FleetFaults::stop_all(const std::string& scanner) {
+    injector(scanner).stop_all();
+}
+
+std::vector<FaultStatus> FleetFaults::list(const std::string& scanner) const {
+    return injector(scanner).list();
+}
+
+const FaultLog& FleetFaults::log(const std::string& scanner) const {
+    return injector(scanner).log();
+}
+
+void FleetFaults::run(Scenario scenario) {
+    simulation_.scenario.run(std::move(scenario), targets());
+}
+
+void FleetFaults::stop_scenario() {
+    simulation_.scenario.stop(targets());
+}
+
+std::optional<ScenarioStatus> FleetFaults::scenario() const {
+    return simulation_.scenario.status(targets());
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What the control API asks about faults, of a running fleet. Lives on the I/O thread.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "daemon/api/faults_api.h"
+
+namespace scipd::daemon {
+
+struct Simulation;
+
+class FleetFaults : public FaultsApi {
+  public:
+    /// `simulation` must outlive it.
+    explicit FleetFaults(Simulation& simulation) : simulation_(simulation) {}
+
+    [[nodiscard]] std::vector<std::string> scanners() const override;
+    FaultStarted start(const std::string& scanner, FaultPlan plan) override;
+    bool stop(const std::string& scanner, std::uint64_t id) override;
+    void stop_all(const std::string& scanner) override;
+    [[nodiscard]] std::vector<FaultStatus> list(const std::string& scanner) const override;
+    [[nodiscard]] const FaultLog& log(const std::string& scanner) const override;
+    void run(Scenario scenario) override;
+    void stop_scenario() override;
+    [[nodiscard]] std::optional<ScenarioStatus> scenario() const override;
+
+  private:
+    [[nodiscard]] FaultInjector& injector(const std::string& scanner) const;
+    [[nodiscard]] std::vector<ScenarioRun::Target> targets() const;
+    [[nodiscard]] std::vector<std::string> notes_on(const std::string& scanner,
+                                                    const FaultPlan& plan) const;
+
+    Simulation& simulation_;
+};
+
+}  // namespace scipd::daemon
