@@ -52,13 +52,14 @@ class Bench:
         client.read_until(b"MD0000108000000\n99b\n")
         assert client.ask("QT").endswith(b"QT\n00P\n\n")
         client.close()
+        self.other.read_until(b"MD0000108000000\n99b\n", len(self.other.got))
         self.other.say("QT")
         self.other.read_until(b"QT\n00P\n\n")
         self.other.close()
         stream = self.other.got[self.other.got.index(b"\n\n", self.other.got.index(ENDLESS.encode())) + 2:]
         scans = [Scan(m) for m in stream.split(b"\n\n") if m.startswith(b"MD")]
         gaps = {b.stamp_ms - a.stamp_ms for a, b in zip(scans, scans[1:])}
-        assert len(scans) > 5 and gaps <= {24, 25, 26}, f"the other scanner has gaps of {gaps} ms"
+        assert len(scans) > 2 and gaps <= {24, 25, 26}, f"the other scanner has gaps of {gaps} ms"
         assert all(scan.sound for scan in scans)
         assert not self.lab.log("rear")
 
@@ -159,7 +160,7 @@ def cut_silently(bench):
 
 def refuse(bench):
     client = bench.client()
-    fault = bench.start(kind="cut", how="refuse")
+    fault = bench.start(kind="cut", how="refuse", **{"for": {"s": 1000}})
     assert refused(bench.lab.address("front"))
     assert client.ask("VV").startswith(b"VV\n00P\n"), "who is connected stays"
     client.close()
@@ -168,7 +169,7 @@ def refuse(bench):
 
 
 def mute(bench):
-    fault = bench.start(kind="cut", how="mute")
+    fault = bench.start(kind="cut", how="mute", **{"for": {"s": 1000}})
     client = bench.client()
     client.say("VV")
     assert client.silent(0.4)
@@ -198,8 +199,8 @@ def state(bench):
     client.ask("BM")
     client.ask(ENDLESS)
     fault = bench.start(kind="state", state="abnormal", until="RB")
-    client.read_until(b"MD0000108000000\n0L<\n\n")
-    assert client.ask("BM") == b"BM\n0L<\n\n"
+    client.read_until(b"MD0000108000000\n0Ll\n\n")
+    assert client.ask("BM") == b"BM\n0Ll\n\n"
     assert b"works well" not in client.ask("II")
     client.say("RB")
     client.read_until(b"RB\n01")
@@ -216,9 +217,9 @@ def status(bench):
     assert client.ask("MD0000108000001").startswith(b"MD0000108000001\n00P\n")
     client.read_until(b"MD0000108000000\n99b\n")
     client.read_until(b"\n\n", client.got.index(b"MD0000108000000\n99b\n"))
-    assert client.ask("MD0000108000002") == b"MD0000108000002\n0L<\n\n"
+    assert client.ask("MD0000108000002") == b"MD0000108000002\n0Ll\n\n"
     assert client.ask("VV").startswith(b"VV\n00P\n"), "other commands are answered"
-    assert client.ask("MD0000108000003") == b"MD0000108000003\n0L<\n\n"
+    assert client.ask("MD0000108000003") == b"MD0000108000003\n0Ll\n\n"
     assert client.ask("QT") == b"QT\n00P\n\n"
     bench.wait_until_ended(fault)
     client.close()
@@ -250,8 +251,8 @@ def slow_start(bench):
 def resend(bench):
     client = bench.client()
     fault = bench.start(kind="resend", what="twice", command="VV")
-    answer = client.ask("VV")
-    assert client.read_until(answer, len(answer)) == answer
+    answer = client.ask("VV").split(b"\n\n")[0] + b"\n\n"
+    assert client.read_until(2 * answer) == 2 * answer
     client.ask("PP")
     bench.stop(fault)
     fault = bench.start(kind="resend", what="previous")
