@@ -14,6 +14,7 @@
 
 #include "daemon/config/config_file.h"
 #include "daemon/load_materials.h"
+#include "daemon/load_scenario.h"
 #include "daemon/load_world.h"
 #include "daemon/mounting.h"
 #include "daemon/unseen_media.h"
@@ -83,9 +84,9 @@ std::string summary_of_curves(const Config& config) {
 
 }  // namespace
 
-std::string check(const std::filesystem::path& file, bool strict) {
+std::string check(const std::filesystem::path& file, const Options& options) {
     Config config = load_config(file);
-    config.strict |= strict;
+    options.put_into(config);
     sim::LoadedScene world;
     Sentences faults;
     std::vector<std::string> notices;
@@ -95,6 +96,7 @@ std::string check(const std::filesystem::path& file, bool strict) {
         world = load_world(config, materials.library);
         notices = mount_by_name(config, *world.scene);
     });
+    note_faults(faults, [&] { (void)load_scenario(config); });
     std::size_t sensors = 0;
     for (const RobotConfig& robot : config.robots) {
         check_trajectory(config, robot, faults, world.warnings);

@@ -8,10 +8,12 @@
 #include <filesystem>
 #include <string>
 
+#include "daemon/run_options.h"
+
 namespace scipd::daemon {
 
-/// `strict` as in Config. Warnings and what there is, for a person. Throws ConfigError, or
-/// LoadError with every fault of all the files that a sound configuration names.
-std::string check(const std::filesystem::path& file, bool strict = false);
+/// `options` as they would be given to run it. Warnings and what there is, for a person. Throws
+/// ConfigError, or LoadError with every fault of all the files that a sound configuration names.
+std::string check(const std::filesystem::path& file, const Options& options = {});
 
 }  // namespace scipd::daemon

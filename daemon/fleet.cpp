@@ -74,16 +74,17 @@ void Fleet::take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept {
     for (const RobotConfig& robot : config.robots)
         robots[robot.name] = {robot.world_from_robot, robot.policy, robot.body};
     simulation.world.set_robots(robots);
-    replace_stations(config, ports);
+    const std::vector<Station*> fresh = replace_stations(config, ports);
     (void)simulation.remount();
     ports_ = std::move(ports);
     replace_feeds(std::move(feeds));
+    replace_scenario(std::move(plan.scenario), fresh);
 }
 
 void Fleet::stop() {
     simulation_->worker.stop();
     replace_feeds({});
-    replace_stations({}, {});
+    (void)replace_stations({}, {});
     ports_ = {};
 }
 
@@ -121,19 +122,21 @@ Fleet::Feeds Fleet::open_feeds(const Config& config) {
     return feeds;
 }
 
-void Fleet::replace_stations(const Config& config, const Ports& ports) noexcept {
+std::vector<Station*> Fleet::replace_stations(const Config& config, const Ports& ports) noexcept {
     Stations& old = simulation_->stations;
     const StationContext context{.world = simulation_->world,
                                  .clock = simulation_->clock,
                                  .stream = simulation_->stream,
                                  .lockstep = simulation_->lockstep != nullptr};
     Stations stations;
+    std::vector<Station*> fresh;
     for (const RobotConfig& robot : config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {
             auto station = take_unchanged(old, robot.name, sensor, config.seed);
             if (!station) {
                 station = make_station(context, robot.name, sensor, config.seed,
                                        ports_of(ports, robot.name, sensor));
+                fresh.push_back(station.get());
             }
             stations.push_back(std::move(station));
         }
@@ -142,6 +145,24 @@ void Fleet::replace_stations(const Config& config, const Ports& ports) noexcept 
     // A port that a new device has taken over serves that one already. The others go here, before
     // the devices behind them.
     stop_unneeded(ports_, ports);
+    return fresh;
+}
+
+void Fleet::replace_scenario(std::optional<Scenario> scenario,
+                             const std::vector<Station*>& fresh) noexcept {
+    ScenarioRun& run = simulation_->scenario;
+    if (scenario == scenario_) {
+        for (const Station* const station : fresh) {
+            if (station->faults) run.join({station->name(), station->faults.get()});
+        }
+        return;
+    }
+    if (scenario) {
+        run.run(*scenario, simulation_->scanners());
+    } else {
+        run.stop(simulation_->scanners());
+    }
+    scenario_ = std::move(scenario);
 }
 
 std::map<std::string, Address> Fleet::pose_addresses() const {

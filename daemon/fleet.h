@@ -9,12 +9,14 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <boost/asio/any_io_executor.hpp>
 
 #include "daemon/config/address.h"
+#include "daemon/faults/scenario.h"
 #include "daemon/ports.h"
 
 namespace scipd::daemon {
@@ -22,6 +24,7 @@ namespace scipd::daemon {
 enum class ClockKind;
 struct FleetPlan;
 struct Simulation;
+struct Station;
 
 class Fleet {
   public:
@@ -52,13 +55,18 @@ class Fleet {
     [[nodiscard]] Feeds open_feeds(const Config& config);
     /// The second half of apply(), in which nothing can fail.
     void take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept;
-    void replace_stations(const Config& config, const Ports& ports) noexcept;
+    /// Returns those that are new.
+    std::vector<Station*> replace_stations(const Config& config, const Ports& ports) noexcept;
+    /// One that is the same goes on, also for new scanners.
+    void replace_scenario(std::optional<Scenario> scenario,
+                          const std::vector<Station*>& fresh) noexcept;
     void replace_feeds(Feeds feeds) noexcept;
 
     boost::asio::any_io_executor executor_;
     std::unique_ptr<Simulation> simulation_;
     Ports ports_;
     Feeds feeds_;
+    std::optional<Scenario> scenario_;  ///< of the configuration
 };
 
 }  // namespace scipd::daemon

@@ -17,17 +17,9 @@ FaultInjector& FleetFaults::injector(const std::string& scanner) const {
     return *find_station(simulation_.stations, scanner)->faults;
 }
 
-std::vector<ScenarioRun::Target> FleetFaults::targets() const {
-    std::vector<ScenarioRun::Target> targets;
-    for (const auto& station : simulation_.stations) {
-        if (station->faults) targets.push_back({station->name(), station->faults.get()});
-    }
-    return targets;
-}
-
 std::vector<std::string> FleetFaults::scanners() const {
     std::vector<std::string> names;
-    for (const auto& target : targets())
+    for (const auto& target : simulation_.scanners())
         names.push_back(target.sensor);
     return names;
 }
@@ -70,15 +62,15 @@ const FaultLog& FleetFaults::log(const std::string& scanner) const {
 }
 
 void FleetFaults::run(Scenario scenario) {
-    simulation_.scenario.run(std::move(scenario), targets());
+    simulation_.scenario.run(std::move(scenario), simulation_.scanners());
 }
 
 void FleetFaults::stop_scenario() {
-    simulation_.scenario.stop(targets());
+    simulation_.scenario.stop(simulation_.scanners());
 }
 
 std::optional<ScenarioStatus> FleetFaults::scenario() const {
-    return simulation_.scenario.status(targets());
+    return simulation_.scenario.status(simulation_.scanners());
 }
 
 }  // namespace scipd::daemon

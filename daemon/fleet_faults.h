@@ -32,7 +32,6 @@ class FleetFaults : public FaultsApi {
 
   private:
     [[nodiscard]] FaultInjector& injector(const std::string& scanner) const;
-    [[nodiscard]] std::vector<ScenarioRun::Target> targets() const;
     [[nodiscard]] std::vector<std::string> notes_on(const std::string& scanner,
                                                     const FaultPlan& plan) const;
 

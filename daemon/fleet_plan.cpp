@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "daemon/load_materials.h"
+#include "daemon/load_scenario.h"
 #include "daemon/load_world.h"
 #include "daemon/mounting.h"
 #include "daemon/unseen_media.h"
@@ -64,6 +65,7 @@ RequestedBackend requested_backend(const std::string& robot, const SensorConfig&
 }
 
 FleetPlan make_plan(Config config, const SettledBackends& settled, const std::stop_token& stop) {
+    std::optional<Scenario> scenario = load_scenario(config);
     LoadedMaterials materials = load_materials(config);
     sim::LoadedScene loaded = load_world(config, materials.library, stop);
     std::ranges::move(materials.warnings, std::back_inserter(loaded.warnings));
@@ -85,8 +87,12 @@ FleetPlan make_plan(Config config, const SettledBackends& settled, const std::st
         if (auto notice = blind_spot(request, *loaded.scene, backends))
             notices.push_back(*std::move(notice));
     }
-    return {std::move(config), std::move(loaded), std::move(backends), std::move(notices),
-            std::move(materials.library)};
+    return {std::move(config),
+            std::move(loaded),
+            std::move(backends),
+            std::move(notices),
+            std::move(materials.library),
+            std::move(scenario)};
 }
 
 }  // namespace scipd::daemon

@@ -6,11 +6,13 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "daemon/config/config.h"
+#include "daemon/faults/scenario.h"
 #include "daemon/world/requested_backend.h"
 #include "daemon/world/sensor_backends.h"
 #include "sim/loaders/file/loaded_scene.h"
@@ -24,6 +26,7 @@ struct FleetPlan {
     SensorBackends backends;
     std::vector<std::string> notices;  ///< no faults
     sim::SharedMaterials materials;
+    std::optional<Scenario> scenario;
 };
 
 /// What `auto` has been settled as, by sensor. It holds while the configuration of the sensor stays

@@ -184,6 +184,17 @@ void add_general(CLI::App& app, OptionValues& said) {
            "refuse a world or a trajectory of which scipd would leave out or change anything, "
            "instead of warning")
         ->group(general_title);
+    const auto take_scenario = [&said](const CLI::results_t& texts) {
+        const auto taken =
+            put(parse_file(texts.front(), fs::current_path()), said.options.scenario);
+        if (!taken) throw CLI::ValidationError("--scenario", taken.error().why);
+        return true;
+    };
+    app.add_option(
+           "--scenario", take_scenario,
+           "what goes wrong at the scanners, and when; default: what the configuration says")
+        ->type_name("FILE")
+        ->group(general_title);
     app.set_version_flag("--version", "scipd " SCIPD_VERSION, "tell the version")
         ->group(general_title);
     app.set_help_flag();

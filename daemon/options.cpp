@@ -79,7 +79,7 @@ std::variant<Options, Answer> act(OptionValues& said) {
     if (said.list_models) return model_list();
     if (said.list_backends) return backend_list();
     if (said.probe) return probe();
-    if (!said.check.empty()) return Answer{0, check(said.check, said.options.strict)};
+    if (!said.check.empty()) return Answer{0, check(said.check, said.options)};
     if (said.config.empty()) {
         if (const auto completed = complete(said); !completed)
             return wrong_options(completed.error().why);
@@ -87,7 +87,7 @@ std::variant<Options, Answer> act(OptionValues& said) {
         said.options.config = load_config(said.config);
         said.options.config_file = fs::absolute(said.config);
     }
-    said.options.config.strict |= said.options.strict;
+    said.options.put_into(said.options.config);
     return std::move(said.options);
 }
 

@@ -19,6 +19,16 @@ struct Options {
     /// trace, debug, info, warning (or warn), error, critical or off.
     std::string log_level = "info";
     bool strict = false;  ///< whatever the configuration says
+    /// In the place of what the configuration says; empty: that holds.
+    std::filesystem::path scenario = {};
+
+    /// Puts what holds whatever the configuration says into it.
+    void put_into(Config& read) const {
+        read.strict |= strict;
+        if (scenario.empty()) return;
+        read.scenario = scenario;
+        read.places.erase("scenario");
+    }
 };
 
 }  // namespace scipd::daemon

@@ -126,7 +126,7 @@ Server::Next Server::load_next(const Options& options, const SettledBackends& se
     const bool asks_for_a_start = config.control != started.control ||
                                   config.http != started.http || config.clock != started.clock;
     config.clock = started.clock;
-    config.strict |= options.strict;
+    options.put_into(config);
     return {make_plan(std::move(config), settled, stop), asks_for_a_start};
 }
 

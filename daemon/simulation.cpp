@@ -42,6 +42,14 @@ SettledBackends Simulation::settled_backends() const {
     return settled;
 }
 
+std::vector<ScenarioRun::Target> Simulation::scanners() const {
+    std::vector<ScenarioRun::Target> scanners;
+    for (const auto& station : stations) {
+        if (station->faults) scanners.push_back({station->name(), station->faults.get()});
+    }
+    return scanners;
+}
+
 std::vector<std::string> Simulation::remount() {
     std::vector<std::string> warnings;
     for (const auto& station : stations) {

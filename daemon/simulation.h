@@ -39,6 +39,8 @@ struct Simulation {
     /// Mounts each sensor where the scene has the place it is mounted on. Returns a warning for
     /// each place that the scene does not have.
     [[nodiscard]] std::vector<std::string> remount();
+    /// All scanners: what a scenario is for.
+    [[nodiscard]] std::vector<ScenarioRun::Target> scanners() const;
 
     WallClock wall_clock;
     std::unique_ptr<Lockstep> lockstep;  ///< null: on the wall clock

@@ -74,6 +74,7 @@ struct Config {
     sim::MapOptions map;
     std::filesystem::path materials;  ///< what they say comes before the stock library; empty: none
     std::vector<sim::Medium> media;   ///< what fills the air at the start
+    std::filesystem::path scenario;   ///< what goes wrong; empty: nothing
     WorldLimits limits;
     ClockKind clock = ClockKind::wall;
     std::uint64_t seed = 1;

@@ -32,9 +32,9 @@ namespace fs = std::filesystem;
 constexpr std::size_t largest_file = 1 << 20;
 constexpr std::size_t most_sensors = 4096;
 
-constexpr std::array<std::string_view, 13> root_keys{
-    "scene", "geometry", "strict", "map",    "materials", "media", "limits",
-    "seed",  "clock",    "models", "robots", "control",   "http"};
+constexpr std::array<std::string_view, 14> root_keys{
+    "scene",  "geometry", "strict", "map",    "materials", "media",   "scenario",
+    "limits", "seed",     "clock",  "models", "robots",    "control", "http"};
 constexpr std::array<std::string_view, 4> robot_keys{"pose", "body", "poses", "sensors"};
 
 /// Whether there is no such map or nothing in it. A value that is no map is told elsewhere.
@@ -123,6 +123,7 @@ Config Reader::read(const YAML::Node& document) {
     if (const Field* map = section.find("map")) config.map = read_map(*map, faults_);
     section.read("materials", config.materials, from_base(parse_file));
     if (const Field* media = section.find("media")) config.media = read_media(*media, faults_);
+    section.read("scenario", config.scenario, from_base(parse_file));
     if (const Field* limits = section.find("limits")) {
         config.limits = read_limits(*limits, faults_);
     }
@@ -131,7 +132,7 @@ Config Reader::read(const YAML::Node& document) {
     section.read("control", config.control, from_base(parse_socket));
     section.read("http", config.http, parse_listener);
     claim_sockets(section, config);
-    note_places(section, {"scene", "materials", "media"});
+    note_places(section, {"scene", "materials", "media", "scenario"});
 
     const ModelChoice models{section.find("models"), faults_};
     SensorContext context{models, claims_, base_, faults_, places_};

@@ -52,7 +52,9 @@ YAML::Node parse_document(const std::string& text, Faults& faults) {
     } catch (const YAML::DeepRecursion& error) {
         faults.add(error.mark.line + 1, {}, "nested too deeply to be a configuration");
     } catch (const YAML::Exception& error) {
-        faults.add(error.mark.line + 1, {}, "not YAML: " + error.msg);
+        const bool star = error.msg == YAML::ErrorMsg::ALIAS_NOT_FOUND;
+        const std::string advice = star ? R"(; a star by itself needs quotes: "*")" : "";
+        faults.add(error.mark.line + 1, {}, "not YAML: " + error.msg + advice);
     }
     faults.throw_if_any();
     return {};

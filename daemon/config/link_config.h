@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <optional>
+#include <vector>
 
 namespace scipd::daemon {
 
@@ -25,6 +26,13 @@ struct LinkConfig {
     bool stop_on_close = true;
     /// A TCP client that has acknowledged nothing for this long counts as gone; 0: never.
     std::chrono::nanoseconds dead_after = std::chrono::seconds(30);
+
+    // What only faults ask for.
+
+    /// Messages are split before these of their bytes as well.
+    std::vector<int> split_at = {};
+    /// So much later than a piece leaves the next one of its message.
+    std::chrono::nanoseconds split_pause{};
 
     bool operator==(const LinkConfig&) const = default;
 };

@@ -86,6 +86,10 @@ class FaultEffect {
     virtual void messages(const protocol::Session& /*from*/,
                           std::vector<protocol::Send>& /*leaving*/, FaultScene& /*scene*/) {}
 
+    /// Whether it keeps messages back. Until it lets them go messages() is called, also after its
+    /// end.
+    [[nodiscard]] virtual bool holds() const { return false; }
+
     // The device.
 
     /// Before anything of a revolution, or of a request, is looked at.

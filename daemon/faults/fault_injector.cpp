@@ -5,48 +5,260 @@
 #include <algorithm>
 #include <utility>
 
-#include "daemon/faults/fault_kind.h"
+#include "daemon/device/pose_shift.h"
 
 namespace scipd::daemon {
+namespace {
 
-struct FaultInjector::Run {
-    std::uint64_t id = 0;
-    FaultPlan plan;
-    std::optional<int> step;
-};
+using namespace std::chrono_literals;
+
+// Faults that have ended are kept so that a test can ask what became of them.
+constexpr std::size_t most_ended = 100;
+
+// ScanLoop serves no turn that is later.
+constexpr sim::Time longest_lag = 1s;
+
+// So often is looked again for a scan that nobody asks for, and for a stamp before the first of the
+// poses has come.
+constexpr sim::Time look_again = 100ms;
+
+// The keys of replies are none of scans.
+constexpr std::uint64_t reply_keys = std::uint64_t{1} << 62U;
+
+std::string_view code_of(const protocol::Request& request) {
+    return request.command == nullptr ? std::string_view(request.echo) : request.command->code;
+}
+
+std::string first_line(const std::string& message) {
+    return message.substr(0, message.find('\n'));
+}
+
+}  // namespace
 
 FaultInjector::FaultInjector(Device& device, std::vector<Port*> ports, const LinkConfig& link,
                              Clock& clock)
-    : device_(device), ports_(std::move(ports)), link_(link), clock_(clock) {}
+    : link_(link),
+      clock_(clock),
+      site_{device, std::move(ports), {}, {}, {}, {}, {}},
+      line_{link},
+      alarm_(clock.make_idle_alarm()),
+      soon_(clock.make_alarm()) {}
 
 FaultInjector::~FaultInjector() {
     stop_all();
 }
 
-std::uint64_t FaultInjector::start(FaultPlan plan, std::uint64_t /*seed*/,
-                                   std::optional<int> step) {
-    runs_.push_back(std::make_unique<Run>(Run{++last_id_, std::move(plan), step}));
+std::uint64_t FaultInjector::start(FaultPlan plan, std::uint64_t seed, std::optional<int> step) {
+    look_at(moment());
+    ++last_id_;
+    // Two faults of one kind that have no seeds of their own must not do the same.
+    const std::uint64_t own_seed = plan.seed.value_or(seed + last_id_);
+    runs_.push_back(std::make_unique<FaultRun>(site_, last_id_, std::move(plan), own_seed, step));
+    advance();
+    settle();
     return last_id_;
 }
 
 bool FaultInjector::stop(std::uint64_t id) {
-    return std::erase_if(runs_, [&](const auto& run) { return run->id == id; }) > 0;
+    const auto found =
+        std::ranges::find_if(runs_, [&](const auto& run) { return run->id() == id; });
+    if (found == runs_.end()) return false;
+    look_at(moment());
+    (*found)->stop();
+    settle();
+    std::erase_if(runs_, [&](const auto& run) { return run->id() == id; });
+    tidy();
+    return true;
 }
 
 void FaultInjector::stop_all() {
+    look_at(moment());
+    for (const auto& run : runs_)
+        run->stop();
+    settle();
     runs_.clear();
+    tidy();
 }
 
 std::vector<FaultStatus> FaultInjector::list() const {
     std::vector<FaultStatus> list;
-    for (const auto& run : runs_) {
-        list.push_back({.id = run->id,
-                        .kind = std::string(run->plan.kind->name),
-                        .state = "waiting",
-                        .said = run->plan.said,
-                        .scenario_step = run->step});
-    }
+    for (const auto& run : runs_)
+        list.push_back(run->status());
     return list;
+}
+
+template <class Act>
+void FaultInjector::each_acting(Act act) {
+    for (const auto& run : runs_) {
+        if (FaultEffect* const effect = run->acting()) act(*effect, run->scene());
+    }
+}
+
+// Turns are told late where the machine is slow, and not at all where nobody asks for scans. So
+// while they are told the latest scan is the last one of them, whatever the time is.
+FaultMoment FaultInjector::moment() const {
+    const Device& device = site_.device;
+    const sim::Time now = clock_.now();
+    const bool told = device.wanted() && device.leaves(served_) + longest_lag > now;
+    return {.scan = served_ >= 0 && told ? served_ : device.next_revolution() - 1,
+            .time = now,
+            .origin = clock_.origin()};
+}
+
+void FaultInjector::look_at(const FaultMoment& now) {
+    site_.now = now;
+    site_.key = static_cast<std::uint64_t>(now.scan);
+    site_.request.clear();
+    site_.stamped = site_.device.uptime();
+}
+
+void FaultInjector::look_at(const protocol::Send& message, std::uint64_t& replies) {
+    site_.request = first_line(message.bytes);
+    const bool scan = message.kind == protocol::Send::Kind::scan;
+    site_.key = scan ? static_cast<std::uint64_t>(site_.now.scan) : reply_keys + ++replies;
+}
+
+std::optional<protocol::Status> FaultInjector::refuse(const protocol::Request& request) {
+    look_at(moment());
+    site_.request = request.echo;
+    advance();
+    for (const auto& run : runs_)
+        run->meet_request(code_of(request));
+    settle_soon();
+    std::optional<protocol::Status> status;
+    each_acting([&](FaultEffect& effect, FaultScene& scene) {
+        effect.before(scene);
+        if (!status) status = effect.refuse(request, scene);
+    });
+    return status;
+}
+
+std::vector<protocol::Send> FaultInjector::leave(const protocol::Session& from,
+                                                 protocol::Send message) {
+    look_at(message, replies_);
+    std::vector<protocol::Send> leaving;
+    leaving.push_back(std::move(message));
+    for (const auto& run : runs_) {
+        if (FaultEffect* const effect = run->changing_messages())
+            effect->messages(from, leaving, run->scene());
+    }
+    return leaving;
+}
+
+void FaultInjector::turn(std::int64_t revolution) {
+    served_ = revolution;
+    look_at({.scan = revolution,
+             .serving = true,
+             .time = site_.device.leaves(revolution),
+             .origin = clock_.origin()});
+    site_.stamped = site_.device.start_of(revolution);
+    advance();
+    settle();
+    each_acting([](FaultEffect& effect, FaultScene& scene) { effect.before(scene); });
+}
+
+bool FaultInjector::serves(std::int64_t revolution) {
+    site_.now.scan = revolution;
+    site_.key = static_cast<std::uint64_t>(revolution);
+    bool serves = true;
+    each_acting(
+        [&](FaultEffect& effect, FaultScene& scene) { serves = effect.serves(scene) && serves; });
+    return serves;
+}
+
+void FaultInjector::read(sim::Scan& scan, const sim::SensorSpec& optics) {
+    site_.now.scan = scan.revolution;
+    site_.key = static_cast<std::uint64_t>(scan.revolution);
+    each_acting([&](FaultEffect& effect, FaultScene& scene) { effect.read(scan, optics, scene); });
+}
+
+void FaultInjector::booted() {
+    for (const auto& run : runs_)
+        run->meet_boot();
+    settle_soon();
+}
+
+void FaultInjector::leaving(protocol::Send& message) {
+    look_at(message, replies_sent_);
+    each_acting([&](FaultEffect& effect, FaultScene& scene) { effect.bytes(message, scene); });
+}
+
+void FaultInjector::connected(Port& port) {
+    look_at(moment());
+    each_acting([&](FaultEffect& effect, FaultScene& scene) { effect.connected(port, scene); });
+}
+
+void FaultInjector::advance() {
+    for (const auto& run : runs_)
+        run->advance();
+}
+
+void FaultInjector::settle() {
+    const auto settle_one = [](const auto& run) { return run->settle(); };
+    // One may unsettle another: a boot ends those that last until then.
+    while (std::ranges::any_of(runs_, settle_one))
+        compose();
+    tidy();
+}
+
+void FaultInjector::settle_soon() {
+    const auto unsettled = [](const auto& run) { return run->unsettled(); };
+    if (std::ranges::any_of(runs_, unsettled)) soon_->set(clock_.now(), [this] { settle(); });
+}
+
+void FaultInjector::compose() {
+    LineState line{link_};
+    PoseShift shift;
+    late_ = {};
+    each_acting([&](FaultEffect& effect, FaultScene&) {
+        effect.line(line);
+        effect.poses(shift);
+        late_ += effect.late();
+    });
+    if (line != line_) {
+        for (Port* const port : site_.ports)
+            port->set_line(line);
+    }
+    line_ = line;
+    if (shift != shift_) site_.device.shift_poses(shift);
+    shift_ = shift;
+}
+
+bool FaultInjector::idle() const {
+    return std::ranges::all_of(runs_, [](const auto& run) { return run->gone(); });
+}
+
+void FaultInjector::tidy() {
+    if (std::exchange(hooked_, !idle()) != hooked_) {
+        site_.device.set_hook(hooked_ ? this : nullptr);
+        for (Port* const port : site_.ports)
+            port->set_hook(hooked_ ? this : nullptr);
+    }
+    const auto ended = [](const auto& run) {
+        return run->schedule().phase() == FaultSchedule::Phase::ended;
+    };
+    while (std::ranges::count_if(runs_, ended) > static_cast<std::ptrdiff_t>(most_ended))
+        runs_.erase(std::ranges::find_if(runs_, ended));
+    wait();
+}
+
+void FaultInjector::wait() {
+    const sim::Time now = clock_.now();
+    std::optional<sim::Time> at;
+    const auto or_at = [&](sim::Time time) { at = std::min(at.value_or(time), time); };
+    for (const auto& run : runs_) {
+        const FaultSchedule& schedule = run->schedule();
+        if (const auto scan = schedule.next_scan())
+            or_at(std::max(site_.device.leaves(*scan), now + look_again));
+        const auto time = schedule.next_time(clock_.origin());
+        if (time) or_at(clock_.origin() == sim::Time{} ? std::min(*time, now + look_again) : *time);
+    }
+    if (!at) return alarm_->cancel();
+    alarm_->set(*at, [this] {
+        look_at(moment());
+        advance();
+        settle();
+    });
 }
 
 }  // namespace scipd::daemon

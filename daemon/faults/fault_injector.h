@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "daemon/clock/clock.h"
@@ -16,21 +16,23 @@
 #include "daemon/device/device_hook.h"
 #include "daemon/faults/fault_log.h"
 #include "daemon/faults/fault_plan.h"
+#include "daemon/faults/fault_run.h"
 #include "daemon/link/line_hook.h"
 #include "daemon/link/port.h"
 
 namespace scipd::daemon {
 
-class FaultInjector {
+class FaultInjector : private DeviceHook, private LineHook {
   public:
     /// The ports reach the device over a line like `link`. All must outlive it.
     FaultInjector(Device& device, std::vector<Port*> ports, const LinkConfig& link, Clock& clock);
     FaultInjector(const FaultInjector&) = delete;
     FaultInjector& operator=(const FaultInjector&) = delete;
     /// As stop_all().
-    ~FaultInjector();
+    ~FaultInjector() override;
 
-    /// Asks for a fault and returns its id, from 1. `step`: of a scenario, from 1.
+    /// Asks for a fault and returns its id, from 1. `seed`: of a plan that has none. `step`: of a
+    /// scenario, from 1.
     std::uint64_t start(FaultPlan plan, std::uint64_t seed, std::optional<int> step = {});
     /// Ends a fault and forgets it. False: there is none of this id.
     bool stop(std::uint64_t id);
@@ -38,19 +40,57 @@ class FaultInjector {
 
     /// Those that wait, act, or have lately ended, the oldest first.
     [[nodiscard]] std::vector<FaultStatus> list() const;
-    [[nodiscard]] FaultLog& log() { return log_; }
-    [[nodiscard]] const FaultLog& log() const { return log_; }
+    [[nodiscard]] FaultLog& log() { return site_.log; }
+    [[nodiscard]] const FaultLog& log() const { return site_.log; }
 
   private:
-    struct Run;
+    // SessionHook
+    std::optional<protocol::Status> refuse(const protocol::Request& request) override;
+    std::vector<protocol::Send> leave(const protocol::Session& from,
+                                      protocol::Send message) override;
+    // DeviceHook
+    void turn(std::int64_t revolution) override;
+    bool serves(std::int64_t revolution) override;
+    [[nodiscard]] sim::Time late() const override { return late_; }
+    void read(sim::Scan& scan, const sim::SensorSpec& optics) override;
+    void booted() override;
+    // LineHook
+    void leaving(protocol::Send& message) override;
+    void connected(Port& port) override;
 
-    Device& device_;
-    std::vector<Port*> ports_;
+    [[nodiscard]] FaultMoment moment() const;
+    void look_at(const FaultMoment& now);
+    /// What is looked at is this message.
+    void look_at(const protocol::Send& message, std::uint64_t& replies);
+    /// Begins and ends what is due at the moment that is looked at.
+    void advance();
+    /// Of what has begun or ended, outside of all calls of the device and the ports.
+    void settle();
+    void settle_soon();
+    /// Sets lines, poses and lateness as all acting effects have them.
+    void compose();
+    /// Takes the hooks away that nobody needs, and forgets faults that ended long ago.
+    void tidy();
+    void wait();
+    [[nodiscard]] bool idle() const;
+
+    template <class Act>
+    void each_acting(Act act);
+
     LinkConfig link_;
     Clock& clock_;
-    std::vector<std::unique_ptr<Run>> runs_;
+    FaultSite site_;
+    std::vector<std::unique_ptr<FaultRun>> runs_;
     std::uint64_t last_id_ = 0;
-    FaultLog log_;
+    bool hooked_ = false;
+    std::int64_t served_ = -1;   ///< the latest revolution whose turn was told
+    std::uint64_t replies_ = 0;  ///< that left sessions, and ports, since the first fault
+    std::uint64_t replies_sent_ = 0;
+    sim::Time late_{};
+    LineState line_;
+    PoseShift shift_;
+    std::unique_ptr<Clock::Alarm> alarm_;
+    std::unique_ptr<Clock::Alarm> soon_;
 };
 
 }  // namespace scipd::daemon

@@ -7,7 +7,7 @@ namespace scipd::daemon {
 std::vector<const FaultKind*> fault_kinds() {
     std::vector<const FaultKind*> kinds;
     for (const auto layer :
-         {byte_kinds(), line_kinds(), message_kinds(), device_kinds(), clock_kinds(),
+         {byte_kinds(), line_kinds(), cut_kinds(), message_kinds(), device_kinds(), clock_kinds(),
           repeat_kinds(), scan_kinds(), window_kinds(), pose_kinds()}) {
         for (const FaultKind& kind : layer)
             kinds.push_back(&kind);

@@ -59,6 +59,7 @@ constexpr FaultKind kind_of(std::string_view name, std::string_view layer, std::
 // One for each layer.
 std::span<const FaultKind> byte_kinds();     ///< byte_effects.cpp
 std::span<const FaultKind> line_kinds();     ///< line_effects.cpp
+std::span<const FaultKind> cut_kinds();      ///< cut_effects.cpp
 std::span<const FaultKind> message_kinds();  ///< message_effects.cpp
 std::span<const FaultKind> device_kinds();   ///< device_effects.cpp
 std::span<const FaultKind> clock_kinds();    ///< clock_effects.cpp

@@ -36,7 +36,13 @@ FaultStatus FaultRun::status() const {
             .scenario_step = step_};
 }
 
+bool FaultRun::gone() const {
+    return schedule_.phase() == FaultSchedule::Phase::ended && !unsettled() && !last_;
+}
+
 void FaultRun::advance() {
+    // Who waited for what is kept back has gone, or has got it.
+    if (last_ && (!last_->holds() || !site_.device.driven())) last_ = nullptr;
     if (schedule_.over(site_.now)) end();
     if (schedule_.due(site_.now)) begin();
     if (schedule_.over(site_.now)) end();
@@ -69,6 +75,7 @@ void FaultRun::begin() {
 
 void FaultRun::end() {
     schedule_.end(site_.now);
+    if (acting_->holds()) last_ = acting_;
     changes_.push_back({std::move(acting_), false});
     acting_ = nullptr;
     log({.what = "ends"});

@@ -51,6 +51,10 @@ class FaultRun final : private FaultScene {
     [[nodiscard]] FaultEffect* acting() { return acting_.get(); }
     [[nodiscard]] const FaultEffect* acting() const { return acting_.get(); }
     [[nodiscard]] FaultScene& scene() { return *this; }
+    /// What may change messages: also an effect that has ended and still keeps some back.
+    [[nodiscard]] FaultEffect* changing_messages() { return acting_ ? acting_.get() : last_.get(); }
+    /// Whether it is ended and nothing of it is left.
+    [[nodiscard]] bool gone() const;
 
     /// Lets effects do what they do at their begin and their end. Not from within a call of the
     /// device or of a port: clients may come and go in here. True: something has begun or ended.
@@ -81,7 +85,8 @@ class FaultRun final : private FaultScene {
     std::optional<int> step_;
     FaultSchedule schedule_;
     std::shared_ptr<FaultEffect> acting_;
-    std::vector<Change> changes_;  ///< that are not settled
+    std::shared_ptr<FaultEffect> last_;  ///< has ended, and keeps messages back
+    std::vector<Change> changes_;        ///< that are not settled
     std::uint64_t hits_ = 0;
 };
 

@@ -246,9 +246,9 @@ class WrongStatus : public FaultEffect {
         Members read;
         read_members(section, members, read, faults);
         check(read, fault, faults);
-        const YAML::Node& at = fault.value["at"];
-        if (read.command.empty() && at.IsDefined() && at.IsMap() && at["request"].IsScalar())
-            read.command = at["request"].Scalar();
+        const Field* const at = section.find("at");
+        const auto request = at ? entry_of(*at, "request") : std::nullopt;
+        if (read.command.empty() && request) read.command = text_of(request->value).value_or("");
         return [read] { return std::make_unique<WrongStatus>(read); };
     }
 

@@ -58,16 +58,21 @@ class ReorderedScans : public FaultEffect {
             const bool scan = leaving[0].kind == Send::Kind::scan;
             leaving.insert(scan ? leaving.end() : leaving.begin(), std::move(held->second));
             held_.erase(held);
-        } else if (leaving[0].kind == Send::Kind::scan && scene.chance(0) < members_.rate) {
+        } else if (!ended_ && leaving[0].kind == Send::Kind::scan &&
+                   scene.chance(0) < members_.rate) {
             held_.emplace(&from, std::move(leaving[0]));
             leaving.clear();
             scene.touched({.what = "the scan sent after the next one"});
         }
     }
 
+    void end(FaultScene&) override { ended_ = true; }
+    [[nodiscard]] bool holds() const override { return !held_.empty(); }
+
   private:
     Members members_;
     std::map<const Session*, Send> held_;
+    bool ended_ = false;
 };
 
 }  // namespace

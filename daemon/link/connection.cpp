@@ -33,11 +33,12 @@ std::string heard_by_device(const LinkModel::Piece& piece, int device_rate) {
     return bytes;
 }
 
-LinkModel line_to_device(const Endpoint& scanner, LinkConfig link) {
+LinkConfig to_device(LinkConfig link) {
     // The client cuts and joins its requests itself.
     link.split_bytes = 0;
+    link.split_at.clear();
     link.coalesce = sim::Time::zero();
-    return {link, scanner.chance(sim::Purpose::latency_to_device)};
+    return link;
 }
 
 Outbox outbox_of(const Endpoint& scanner, const LinkConfig& link) {
@@ -56,7 +57,7 @@ Connection::Connection(Descriptor descriptor, Endpoint& scanner, const LinkConfi
       client_(scanner.connect([this] { flush(); }, hooks_.kind)),
       clock_(scanner.clock()),
       alarm_(clock_.make_alarm()),
-      inbox_(line_to_device(scanner, link)),
+      inbox_(to_device(link), scanner.chance(sim::Purpose::latency_to_device)),
       outbox_(outbox_of(scanner, link)),
       device_rate_(link.baud.value_or(0)) {}
 
@@ -70,6 +71,25 @@ void Connection::close() {
     clock_.hold(this, false);
     error_code ignored;
     descriptor_.close(ignored);
+}
+
+void Connection::set_line(const LineState& line) {
+    if (abandoned_) return;
+    inbox_.set_config(to_device(line.link));
+    outbox_.line().set_config(line.link);
+    dead_ = line.dead;
+    if (std::exchange(stalled_, line.stalled) && !stalled_) flush_soon();
+}
+
+void Connection::send_raw(std::string bytes) {
+    asio::post(descriptor_.get_executor(),
+               [self = shared_from_this(), bytes = std::move(bytes)]() mutable {
+                   if (!self->client_ || self->dead_) return;
+                   // Of bytes that nobody waits for there may be too many.
+                   (void)self->outbox_.push({std::move(bytes), protocol::Send::Kind::scan},
+                                            self->clock_.now());
+                   self->flush();
+               });
 }
 
 void Connection::forget() {
@@ -123,7 +143,7 @@ void Connection::drop_input() {
 
 void Connection::take_input(std::size_t count) {
     received_ = std::exchange(drops_reading_, false) ? 0 : count;
-    if (hooks_.somebody_there() && received_ > 0) {
+    if (hooks_.somebody_there() && !dead_ && received_ > 0) {
         if (device_rate_ != 0) inbox_.set_rate(hooks_.client_rate());
         inbox_.send(std::string(input_.data(), received_), clock_.now());
     }
@@ -136,7 +156,7 @@ void Connection::flush() {
     deliver();
     while (auto action = client_->session().next_action()) {
         if (std::holds_alternative<protocol::DropLink>(*action)) return drop();
-        perform(std::move(*action), somebody_there);
+        perform(std::move(*action), somebody_there && !dead_);
     }
     write();
     wait();
@@ -144,6 +164,13 @@ void Connection::flush() {
     // Where time can wait it does so before scans are lost to a client that reads too slowly.
     clock_.hold(this, writing_ && outbox_.half_full());
     end_if_done();
+}
+
+// Who asks may be called by the client itself, or by flush().
+void Connection::flush_soon() {
+    asio::post(descriptor_.get_executor(), [self = shared_from_this()] {
+        if (self->client_) self->flush();
+    });
 }
 
 void Connection::deliver() {
@@ -158,16 +185,24 @@ void Connection::deliver() {
     }
 }
 
-void Connection::perform(protocol::Action action, bool somebody_there) {
+void Connection::perform(protocol::Action action, bool carried) {
     if (auto* message = std::get_if<protocol::Send>(&action)) {
-        if (somebody_there && !outbox_.push(std::move(*message), clock_.now())) ++lost_;
+        if (carried) send(std::move(*message));
     } else if (const auto* rate = std::get_if<protocol::SetBitRate>(&action)) {
         if (device_rate_ != 0) outbox_.line().set_rate(rate->bits_per_second);
     }
 }
 
+void Connection::send(protocol::Send message) {
+    if (hook_) {
+        hook_->leaving(message);
+        if (message.bytes.empty()) return;
+    }
+    if (!outbox_.push(std::move(message), clock_.now())) ++lost_;
+}
+
 void Connection::write() {
-    while (!writing_) {
+    while (!writing_ && !stalled_) {
         if (sending_.empty()) {
             auto piece = outbox_.line().take(clock_.now());
             if (!piece) return;
@@ -196,7 +231,7 @@ void Connection::wait() {
         if (at) next = std::min(next.value_or(*at), *at);
     };
     if (!client_->session().full()) or_at(inbox_.next_at());
-    if (!writing_) or_at(outbox_.line().next_at());
+    if (!writing_ && !stalled_) or_at(outbox_.line().next_at());
     if (!next) return alarm_->cancel();
     alarm_->set(*next, [weak = weak_from_this()] {
         const auto self = weak.lock();

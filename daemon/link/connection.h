@@ -17,6 +17,8 @@
 #include "daemon/clock/clock.h"
 #include "daemon/config/link_config.h"
 #include "daemon/link/endpoint.h"
+#include "daemon/link/line_hook.h"
+#include "daemon/link/line_state.h"
 #include "daemon/link/link_model.h"
 #include "daemon/link/outbox.h"
 
@@ -50,6 +52,16 @@ class Connection : public std::enable_shared_from_this<Connection> {
     void forget();
     /// The same, and what the old one began ends, as by close().
     void hang_up();
+    /// What the line does from here on; but for its rate.
+    void set_line(const LineState& line);
+    /// Null: none.
+    void set_hook(LineHook* hook) { hook_ = hook; }
+    /// Sends bytes outside of all messages, behind what has been sent by the next turn.
+    void send_raw(std::string bytes);
+    /// Nothing goes either way from here on. It is to be closed in the next turn.
+    void abandon() { abandoned_ = dead_ = stalled_ = true; }
+    [[nodiscard]] int descriptor() { return descriptor_.native_handle(); }
+
     /// To be called from within somebody_there(). Drops what has been read and is not yet on its
     /// way to the device.
     void drop_input();
@@ -61,8 +73,10 @@ class Connection : public std::enable_shared_from_this<Connection> {
     void read();
     void take_input(std::size_t count);
     void flush();
+    void flush_soon();
     void deliver();
-    void perform(protocol::Action action, bool somebody_there);
+    void perform(protocol::Action action, bool carried);
+    void send(protocol::Send message);
     void write();
     void wait();
     void end_of_input();
@@ -78,6 +92,10 @@ class Connection : public std::enable_shared_from_this<Connection> {
     std::unique_ptr<Clock::Alarm> alarm_;
     LinkModel inbox_;  ///< requests on their way to the device
     Outbox outbox_;
+    LineHook* hook_ = nullptr;
+    bool stalled_ = false;
+    bool dead_ = false;
+    bool abandoned_ = false;
     int device_rate_;      ///< of the device's side of a serial line; 0: there is none
     std::string sending_;  ///< what is being written
     std::array<char, 4096> input_;

@@ -16,6 +16,8 @@ struct LineState {
     bool dead = false;
     /// A TCP port refuses who connects. A tty hangs up, and there is none under its name.
     bool refuses = false;
+    /// A tty as above; nothing to a TCP port.
+    bool hung_up = false;
 
     bool operator==(const LineState&) const = default;
 };

@@ -38,6 +38,12 @@ void LinkModel::set_rate(int bits_per_second) {
     pieces_.push_back({.at = last_there_, .bytes = {}, .bits_per_second = rate_});
 }
 
+void LinkModel::set_config(const LinkConfig& config) {
+    if (config == config_) return;
+    if (group_) end_group();
+    config_ = config;
+}
+
 std::optional<sim::Time> LinkModel::next_at() const {
     if (!pieces_.empty()) return pieces_.front().at;
     return group_ ? std::optional(group_->leaves) : std::nullopt;
@@ -66,10 +72,17 @@ void LinkModel::leave(std::string message, sim::Time at) {
         last_there_ = std::max(last_there_, line_free_ + delay);
         pieces_.push_back({last_there_, std::move(bytes), rate_});
     };
-    const std::size_t most = piece_bytes();
-    if (message.size() <= most) return add(std::move(message));
-    for (std::size_t begin = 0; begin < message.size(); begin += most)
-        add(message.substr(begin, most));
+    const std::size_t size = message.size();
+    const std::size_t grain = grain_bytes();
+    if (size <= grain && part_end(0, size) == size) return add(std::move(message));
+    for (std::size_t begin = 0; begin < size;) {
+        if (begin > 0) line_free_ += config_.split_pause;
+        for (const std::size_t end = part_end(begin, size); begin < end;) {
+            const std::size_t count = std::min(grain, end - begin);
+            add(message.substr(begin, count));
+            begin += count;
+        }
+    }
 }
 
 void LinkModel::end_group() {
@@ -77,12 +90,20 @@ void LinkModel::end_group() {
     leave(std::move(group.bytes), group.leaves);
 }
 
-std::size_t LinkModel::piece_bytes() const {
-    std::size_t most = std::string::npos;
-    if (config_.split_bytes > 0) most = static_cast<std::size_t>(config_.split_bytes);
-    if (rate_ == 0) return most;
-    const std::int64_t in_a_grain = line_grain / time_of(1);
-    return std::min(most, static_cast<std::size_t>(std::max<std::int64_t>(in_a_grain, 1)));
+std::size_t LinkModel::part_end(std::size_t begin, std::size_t size) const {
+    std::size_t end = size;
+    if (config_.split_bytes > 0)
+        end = std::min(end, begin + static_cast<std::size_t>(config_.split_bytes));
+    for (const int offset : config_.split_at) {
+        const auto at = static_cast<std::size_t>(offset);
+        if (at > begin) end = std::min(end, at);
+    }
+    return end;
+}
+
+std::size_t LinkModel::grain_bytes() const {
+    if (rate_ == 0) return std::string::npos;
+    return static_cast<std::size_t>(std::max<std::int64_t>(line_grain / time_of(1), 1));
 }
 
 sim::Time LinkModel::time_of(std::size_t bytes) const {

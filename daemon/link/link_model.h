@@ -37,6 +37,8 @@ class LinkModel {
     /// Sets the rate of the line from here on. Where that changes the rate, take() gives a piece
     /// without bytes after everything earlier.
     void set_rate(int bits_per_second);
+    /// For what is sent from here on.
+    void set_config(const LinkConfig& config);
     [[nodiscard]] int rate() const { return rate_; }
 
     /// When to take() again.
@@ -57,7 +59,10 @@ class LinkModel {
 
     void leave(std::string message, sim::Time at);
     void end_group();
-    [[nodiscard]] std::size_t piece_bytes() const;
+    /// Where the part of a message that begins there ends.
+    [[nodiscard]] std::size_t part_end(std::size_t begin, std::size_t size) const;
+    /// The most that a serial line brings in one go.
+    [[nodiscard]] std::size_t grain_bytes() const;
     [[nodiscard]] sim::Time time_of(std::size_t bytes) const;
     [[nodiscard]] sim::Time next_delay();
 

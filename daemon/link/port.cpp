@@ -10,8 +10,25 @@ std::uint64_t Port::lost_scans() const {
     return lost_before_ + (connection_ ? connection_->lost() : 0);
 }
 
+void Port::set_line(const LineState& line) {
+    line_ = line;
+    if (connection_) connection_->set_line(line_);
+    follow_line();
+}
+
+void Port::set_hook(LineHook* hook) {
+    hook_ = hook;
+    if (connection_) connection_->set_hook(hook_);
+}
+
+void Port::send_raw(std::string bytes) {
+    if (connected()) connection_->send_raw(std::move(bytes));
+}
+
 void Port::begin(std::shared_ptr<Connection> connection) {
     connection_ = std::move(connection);
+    connection_->set_line(line_);
+    connection_->set_hook(hook_);
     connection_->start();
 }
 

@@ -12,8 +12,13 @@
 #include "daemon/config/link_config.h"
 #include "daemon/link/connection.h"
 #include "daemon/link/endpoint.h"
+#include "daemon/link/line_hook.h"
+#include "daemon/link/line_state.h"
 
 namespace scipd::daemon {
+
+/// How a TCP connection ends: as if its program had closed it, or with a reset.
+enum class Cut { fin, rst };
 
 class Port {
   public:
@@ -26,7 +31,8 @@ class Port {
     /// std::system_error; then all is as before.
     virtual void prepare() = 0;
     /// Whoever connects from now on talks to this scanner, over a link like this; who is connected
-    /// is cut off. The scanner must live until the next serve() or stop().
+    /// is cut off. The line is like its link again. The scanner must live until the next serve()
+    /// or stop().
     virtual void serve(Endpoint& scanner, const LinkConfig& link) = 0;
     /// Cuts off who is connected, and is no place to connect to any more.
     virtual void stop() = 0;
@@ -35,6 +41,20 @@ class Port {
     /// tty's link.
     [[nodiscard]] virtual std::string address() const = 0;
     [[nodiscard]] virtual bool connected() const = 0;
+    [[nodiscard]] virtual protocol::LinkKind kind() const = 0;
+
+    // For faults. All may be called from within a call of the client that is connected.
+
+    /// What the line does from now on, for who is connected and for who comes later.
+    void set_line(const LineState& line);
+    /// Null: none.
+    void set_hook(LineHook* hook);
+    /// Ends the connection in the next turn; nothing goes either way any more. A tty hangs up and
+    /// comes back under its name. The next client is welcome at once, unless the line refuses it.
+    virtual void cut(Cut how) = 0;
+    /// Sends bytes to who is connected, outside of all messages and behind what was sent already.
+    void send_raw(std::string bytes);
+
     /// Scans that clients read too slowly for, since the port was made.
     [[nodiscard]] std::uint64_t lost_scans() const;
 
@@ -45,7 +65,16 @@ class Port {
     /// Null: there is none.
     [[nodiscard]] Connection* connection() const { return connection_.get(); }
 
+    [[nodiscard]] const LineState& line() const { return line_; }
+    /// The line may refuse clients now, or may no longer.
+    virtual void follow_line() = 0;
+    void tell_connected() {
+        if (hook_) hook_->connected(*this);
+    }
+
   private:
+    LineState line_;
+    LineHook* hook_ = nullptr;
     std::shared_ptr<Connection> connection_;
     std::uint64_t lost_before_ = 0;  ///< by connections that have ended
 };

@@ -4,15 +4,17 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
+#include <exception>
 #include <system_error>
 #include <utility>
 
+#include <boost/asio/post.hpp>
 #include <fcntl.h>
 #include <stdlib.h>
 #include <sys/inotify.h>
 #include <sys/ioctl.h>
-#include <sys/stat.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -24,6 +26,9 @@ namespace asio = boost::asio;
 using boost::system::error_code;
 
 namespace {
+
+// After a tty that could not come back: not at once again.
+constexpr std::chrono::milliseconds again_after{100};
 
 int checked(int result, const std::string& what) {
     if (result < 0) throw std::system_error(errno, std::generic_category(), what);
@@ -58,48 +63,26 @@ int make_raw(int slave) {
     return ::tcsetattr(slave, TCSANOW, &settings);
 }
 
-const std::string other_name = "; choose another name for the tty";
-
-bool is_terminal(const std::filesystem::path& path) {
-    const std::string number = path.filename();
-    return path.parent_path() == "/dev/pts" &&
-           number.find_first_not_of("0123456789") == std::string::npos;
-}
-
-// The numbers of terminals are given again: one that is younger than the link is not the one that
-// the link was made for, which is gone.
-bool leads_to_its_own(const std::filesystem::path& link) {
-    struct stat made {};
-    struct stat terminal {};
-    if (::lstat(link.c_str(), &made) != 0 || ::stat(link.c_str(), &terminal) != 0) return false;
-    const auto time = [](const timespec& at) { return std::pair(at.tv_sec, at.tv_nsec); };
-    return time(terminal.st_ctim) <= time(made.st_mtim);
-}
-
-/// Only a link of a scipd that was killed; nobody who lives holds it.
-void remove_left_behind(const std::filesystem::path& link) {
-    if (!std::filesystem::is_symlink(link))
-        throw std::runtime_error(link.string() + " is there and is no link" + other_name);
-    const std::filesystem::path target = std::filesystem::read_symlink(link);
-    const std::string leads = link.string() + " leads to " + target.string();
-    if (!is_terminal(target))
-        throw std::runtime_error(leads + ", which is no tty of scipd's; remove it, or" +
-                                 other_name.substr(1));
-    if (leads_to_its_own(link))
-        throw PathHeld(leads + ", a tty of another program; end that one, or" +
-                       other_name.substr(1));
-    std::filesystem::remove(link);
-}
-
 }  // namespace
 
 PtyPort::PtyPort(const asio::any_io_executor& executor, std::filesystem::path link)
     : executor_(executor),
-      link_(std::move(link)),
+      path_(std::move(link)),
+      again_(executor),
       master_(executor),
       slave_(executor),
       events_(executor),
       next_(executor) {
+    prepare();
+    link_.emplace(executor, path_);
+    link_->lead_to(device_path_);
+}
+
+PtyPort::~PtyPort() {
+    stop();
+}
+
+void PtyPort::make_terminal() {
     const std::string no_tty = "cannot make a pseudo-terminal";
     give(master_, ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC), no_tty);
     checked(::grantpt(master_.native_handle()), no_tty);
@@ -111,12 +94,15 @@ PtyPort::PtyPort(const asio::any_io_executor& executor, std::filesystem::path li
     // Watched from here on, so this open of our own does not count.
     give(events_, ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC), what);
     watch_for_clients(what);
-    prepare();
-    make_link();
+    ++made_;
+    watched_ = false;
 }
 
-PtyPort::~PtyPort() {
-    stop();
+void PtyPort::close_terminal() {
+    error_code ignored;
+    for (auto* const descriptor : {&next_, &master_, &events_, &slave_})
+        descriptor->close(ignored);
+    opens_ = 0;
 }
 
 // The kernel merges an event with an equal one right before it: of two drivers that open the tty
@@ -133,37 +119,85 @@ void PtyPort::watch_for_clients(const std::string& what) {
 
 void PtyPort::prepare() {
     if (next_.is_open()) return;
-    give(next_, ::fcntl(master_.native_handle(), F_DUPFD_CLOEXEC, 0),
-         "cannot use " + device_path_.string());
+    const bool has_terminal = master_.is_open();
+    try {
+        if (!has_terminal) make_terminal();
+        give(next_, ::fcntl(master_.native_handle(), F_DUPFD_CLOEXEC, 0),
+             "cannot use " + device_path_.string());
+    } catch (...) {
+        if (!has_terminal) close_terminal();
+        throw;
+    }
 }
 
 void PtyPort::serve(Endpoint& scanner, const LinkConfig& link) {
     prepare();
-    const bool watched = connection() != nullptr;
     end_connection();
-    stop_on_close_ = link.stop_on_close;
+    scanner_ = &scanner;
+    set_line({.link = link});
+    connect();
+}
+
+void PtyPort::connect() {
+    try {
+        prepare();
+        link_->lead_to(device_path_);
+    } catch (const std::exception&) {
+        again_.expires_after(again_after);
+        return again_.async_wait([self = shared_from_this()](error_code error) {
+            if (!error) self->connect_or_hang_up();
+        });
+    }
     begin(std::make_shared<Connection>(
-        std::move(next_), scanner, link,
+        std::move(next_), *scanner_, line().link,
         Connection::Hooks{.somebody_there = [this] { return somebody_there(); },
                           .client_rate = [this] { return line_rate(master_.native_handle()); },
                           .kind = protocol::LinkKind::tty}));
-    if (watched) return;
+    if (std::exchange(watched_, true)) return;
     watch();
     watch_for_hang_up();
 }
 
 void PtyPort::stop() {
+    scanner_ = nullptr;
+    again_.cancel();
+    hang_up();
+    link_.reset();
+}
+
+void PtyPort::cut(Cut /*how*/) {
+    if (!connection()) return;
+    connection()->abandon();
+    asio::post(executor_, [self = shared_from_this(), client = connection()->weak_from_this()] {
+        const auto cut_off = client.lock();
+        if (!cut_off || cut_off.get() != self->connection()) return;
+        self->hang_up();
+        self->connect_or_hang_up();
+    });
+}
+
+void PtyPort::follow_line() {
+    asio::post(executor_, [self = shared_from_this()] { self->connect_or_hang_up(); });
+}
+
+void PtyPort::connect_or_hang_up() {
+    if (!scanner_) return;
+    const bool away = line().refuses || line().hung_up;
+    if (away && connection()) hang_up();
+    if (!away && !connection()) connect();
+}
+
+// Whoever has the tty open gets EIO, since the other side of it is closed.
+void PtyPort::hang_up() {
     end_connection();
-    error_code ignored;
-    events_.close(ignored);
-    slave_.close(ignored);
-    remove_link();
+    close_terminal();
+    if (link_) link_->remove();
 }
 
 void PtyPort::watch() {
     events_.async_wait(asio::posix::stream_descriptor::wait_read,
-                       [self = shared_from_this()](error_code error) {
-                           if (error) return;
+                       [self = shared_from_this(), made = made_](error_code error) {
+                           if (error || made != self->made_) return;
                            self->somebody_there();
                            self->watch();
                        });
@@ -173,6 +207,7 @@ void PtyPort::watch() {
 // new one is answered.
 bool PtyPort::somebody_there() {
     alignas(inotify_event) std::array<char, 4096> buffer;
+    bool opened = false;
     bool closed = false;
     bool written = false;  // by whoever has it open
     bool unread = false;   // by whoever has closed it
@@ -185,13 +220,14 @@ bool PtyPort::somebody_there() {
             at += static_cast<ssize_t>(sizeof(event) + event.len);
             if (event.wd != tty_watch_) continue;
             if ((event.mask & IN_MODIFY) != 0) written = true;
-            if ((event.mask & IN_OPEN) != 0) ++opens_;
+            if ((event.mask & IN_OPEN) != 0 && ++opens_ == 1) opened = true;
             if ((event.mask & IN_CLOSE) == 0 || opens_ == 0 || --opens_ > 0) continue;
             closed = true;
             unread = unread || std::exchange(written, false);
         }
     }
     if (closed) last_one_closed(written && !unread);
+    if (opened && opens_ > 0) tell_connected();
     return opens_ > 0;
 }
 
@@ -200,7 +236,7 @@ bool PtyPort::somebody_there() {
 // an answer to another one's request.
 void PtyPort::last_one_closed(bool next_was_heard) {
     if (Connection* const client = connection()) {
-        stop_on_close_ ? client->hang_up() : client->forget();
+        line().link.stop_on_close ? client->hang_up() : client->forget();
         if (!next_was_heard) client->drop_input();
     }
     if (!next_was_heard) ::tcflush(master_.native_handle(), TCIFLUSH);
@@ -237,31 +273,11 @@ void PtyPort::reopen() {
 // Those that were cut off may keep their descriptors for long.
 void PtyPort::watch_for_hang_up() {
     slave_.async_wait(asio::posix::stream_descriptor::wait_error,
-                      [self = shared_from_this()](error_code error) {
-                          if (error) return;
+                      [self = shared_from_this(), made = made_](error_code error) {
+                          if (error || made != self->made_) return;
                           self->somebody_there();
                           if (hung_up(self->slave_.native_handle())) self->last_one_closed(true);
                       });
-}
-
-void PtyPort::make_link() {
-    namespace fs = std::filesystem;
-    try {
-        if (link_.has_parent_path()) fs::create_directories(link_.parent_path());
-        hold_.emplace(executor_, link_);
-        if (fs::exists(fs::symlink_status(link_))) remove_left_behind(link_);
-        fs::create_symlink(device_path_, link_);
-    } catch (const std::system_error& error) {
-        throw std::runtime_error("cannot make the link " + link_.string() + ": " +
-                                 error.code().message() + other_name);
-    }
-}
-
-void PtyPort::remove_link() {
-    std::error_code none;
-    if (std::filesystem::read_symlink(link_, none) == device_path_)
-        std::filesystem::remove(link_, none);
-    hold_.reset();
 }
 
 }  // namespace scipd::daemon

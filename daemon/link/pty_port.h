@@ -16,9 +16,10 @@
 
 #include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
+#include <boost/asio/steady_timer.hpp>
 
-#include "daemon/link/path_hold.h"
 #include "daemon/link/port.h"
+#include "daemon/link/tty_link.h"
 
 namespace scipd::daemon {
 
@@ -37,11 +38,20 @@ class PtyPort : public Port, public std::enable_shared_from_this<PtyPort> {
     /// Takes the link away as well.
     void stop() override;
 
-    [[nodiscard]] std::string address() const override { return link_; }
+    [[nodiscard]] std::string address() const override { return path_; }
     /// Whether a driver has the tty open.
     [[nodiscard]] bool connected() const override { return opens_ > 0; }
+    [[nodiscard]] protocol::LinkKind kind() const override { return protocol::LinkKind::tty; }
+    void cut(Cut how) override;
 
   private:
+    void make_terminal();
+    void close_terminal();
+    void follow_line() override;
+    void connect_or_hang_up();
+    /// Tries until there is a tty under its name, or is to be none any more.
+    void connect();
+    void hang_up();
     void watch();
     /// Reads what has happened to the tty since last time. Answers whether somebody has it open
     /// now.
@@ -51,20 +61,21 @@ class PtyPort : public Port, public std::enable_shared_from_this<PtyPort> {
     void reopen();
     void watch_for_hang_up();
     void watch_for_clients(const std::string& what);
-    void make_link();
-    void remove_link();
 
     boost::asio::any_io_executor executor_;
-    std::filesystem::path link_;
-    std::optional<PathHold> hold_;       ///< of the link
-    std::filesystem::path device_path_;  ///< /dev/pts/N
-    boost::asio::posix::stream_descriptor master_;
+    std::filesystem::path path_;
+    std::optional<TtyLink> link_;
+    Endpoint* scanner_ = nullptr;  ///< null: stopped, or not served yet
+    boost::asio::steady_timer again_;
+    std::filesystem::path device_path_;             ///< /dev/pts/N
+    int made_ = 0;                                  ///< counts its pseudo-terminals
+    bool watched_ = false;                          ///< the present one
+    boost::asio::posix::stream_descriptor master_;  ///< closed: there is no tty
     boost::asio::posix::stream_descriptor
         slave_;  ///< kept open, so that the terminal's settings outlive each driver
     boost::asio::posix::stream_descriptor events_;
     int tty_watch_ = -1;           ///< what its own events are marked with
     Connection::Descriptor next_;  ///< of the connection to come; closed: not prepared
-    bool stop_on_close_ = true;
     int opens_ = 0;
 };
 

@@ -2,9 +2,13 @@
 // Copyright The scipd authors
 #include "daemon/link/tcp_port.h"
 
+#include <array>
 #include <chrono>
 #include <stdexcept>
 #include <utility>
+
+#include <boost/asio/post.hpp>
+#include <sys/socket.h>
 
 namespace scipd::daemon {
 
@@ -21,19 +25,31 @@ constexpr int backlog = 4;
 // that does not read, and hand it all of them, long out of date.
 constexpr int kernel_buffer_bytes = 64 * 1024;
 
-// After a failed accept, as when all descriptors are taken: not at once again.
-constexpr std::chrono::milliseconds accept_pause{100};
+// After a failed accept, as when all descriptors are taken, or a failed listen: not at once again.
+constexpr std::chrono::milliseconds listen_again_after{100};
+
+// The kernel resets a connection that is closed with bytes that nobody has read.
+void drop_unread(int socket) {
+    constexpr int most_reads = 64;
+    std::array<char, 4096> buffer;
+    for (int i = 0; i < most_reads; ++i) {
+        if (::recv(socket, buffer.data(), buffer.size(), MSG_DONTWAIT) <= 0) return;
+    }
+}
+
+void reset_on_close(int socket) {
+    const linger at_once{.l_onoff = 1, .l_linger = 0};
+    ::setsockopt(socket, SOL_SOCKET, SO_LINGER, &at_once, sizeof(at_once));
+}
 
 }  // namespace
 
 TcpPort::TcpPort(const asio::any_io_executor& executor, const Address& address)
     : acceptor_(executor), pause_(executor), peer_timer_(executor) {
     try {
-        const tcp::endpoint endpoint(asio::ip::make_address(address.host), address.port);
-        acceptor_.open(endpoint.protocol());
-        acceptor_.set_option(tcp::acceptor::reuse_address(true));
-        acceptor_.bind(endpoint);
-        acceptor_.listen(backlog);
+        endpoint_ = {asio::ip::make_address(address.host), address.port};
+        listen();
+        endpoint_ = acceptor_.local_endpoint();
     } catch (const boost::system::system_error& error) {
         throw std::runtime_error("cannot listen on " + text_of(address) + ": " +
                                  error.code().message() +
@@ -44,8 +60,7 @@ TcpPort::TcpPort(const asio::any_io_executor& executor, const Address& address)
 void TcpPort::serve(Endpoint& scanner, const LinkConfig& link) {
     disconnect();
     scanner_ = &scanner;
-    link_ = link;
-    link_.baud.reset();  // a tty's
+    set_line({.link = link});
     accept();
 }
 
@@ -58,23 +73,72 @@ void TcpPort::stop() {
 }
 
 std::string TcpPort::address() const {
-    const tcp::endpoint endpoint = acceptor_.local_endpoint();
-    return text_of(Address{endpoint.address().to_string(), endpoint.port()});
+    return text_of(Address{endpoint_.address().to_string(), endpoint_.port()});
+}
+
+void TcpPort::cut(Cut how) {
+    if (!connection()) return;
+    connection()->abandon();
+    asio::post(acceptor_.get_executor(),
+               [self = shared_from_this(), how, client = connection()->weak_from_this()] {
+                   const auto cut_off = client.lock();
+                   if (!cut_off || cut_off.get() != self->connection()) return;
+                   how == Cut::fin ? drop_unread(cut_off->descriptor())
+                                   : reset_on_close(cut_off->descriptor());
+                   self->disconnect();
+                   self->accept();
+               });
+}
+
+void TcpPort::follow_line() {
+    if (!scanner_) return;
+    error_code ignored;
+    if (line().refuses) {
+        acceptor_.close(ignored);
+    } else if (!acceptor_.is_open()) {
+        listen_again();
+    }
+}
+
+void TcpPort::listen_again() {
+    try {
+        listen();
+        accept();
+    } catch (const boost::system::system_error&) {
+        pause_.expires_after(listen_again_after);
+        pause_.async_wait([self = shared_from_this()](error_code error) {
+            if (!error) self->follow_line();
+        });
+    }
+}
+
+void TcpPort::listen() {
+    acceptor_.open(endpoint_.protocol());
+    try {
+        acceptor_.set_option(tcp::acceptor::reuse_address(true));
+        acceptor_.bind(endpoint_);
+        acceptor_.listen(backlog);
+    } catch (const boost::system::system_error&) {
+        acceptor_.close();
+        throw;
+    }
 }
 
 void TcpPort::accept() {
-    if (accepting_ || connected()) return;
+    if (accepting_ || connected() || !acceptor_.is_open()) return;
     accepting_ = true;
     acceptor_.async_accept([self = shared_from_this()](error_code error, tcp::socket socket) {
         self->accepting_ = false;
-        if (error == asio::error::operation_aborted || !self->scanner_) return;
+        if (!self->scanner_ || self->line().refuses) return;
+        // It refused clients for a while.
+        if (error == asio::error::operation_aborted) return self->accept();
         if (error) return self->accept_later();
         self->connect(std::move(socket));
     });
 }
 
 void TcpPort::accept_later() {
-    pause_.expires_after(accept_pause);
+    pause_.expires_after(listen_again_after);
     pause_.async_wait([self = shared_from_this()](error_code error) {
         if (!error && self->scanner_) self->accept();
     });
@@ -87,23 +151,27 @@ void TcpPort::connect(tcp::socket socket) {
     const auto executor = socket.get_executor();
     const int descriptor = socket.release(error);
     if (error) return accept();
+    LinkConfig link = line().link;
+    link.baud.reset();  // a tty's
     begin(std::make_shared<Connection>(Connection::Descriptor(executor, descriptor), *scanner_,
-                                       link_, Connection::Hooks{.ended = [this] {
+                                       link, Connection::Hooks{.ended = [this] {
                                            disconnect();
                                            accept();
                                        }}));
     watch(descriptor);
+    tell_connected();
 }
 
 // It looks so often that it notices at most an eighth too late.
 void TcpPort::watch(int socket) {
-    if (link_.dead_after == link_.dead_after.zero()) return;
-    peer_.emplace(socket, link_.dead_after);
+    dead_after_ = line().link.dead_after;
+    if (dead_after_ == dead_after_.zero()) return;
+    peer_.emplace(socket, dead_after_);
     watch_on();
 }
 
 void TcpPort::watch_on() {
-    peer_timer_.expires_after(link_.dead_after / 8);
+    peer_timer_.expires_after(dead_after_ / 8);
     peer_timer_.async_wait([self = shared_from_this()](error_code error) {
         if (error || !self->peer_) return;
         if (!self->peer_->stalled()) return self->watch_on();

@@ -5,6 +5,7 @@
 // gone, as with a real scanner. Lives on the I/O thread.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,8 +32,15 @@ class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
 
     [[nodiscard]] std::string address() const override;
     [[nodiscard]] bool connected() const override { return connection() != nullptr; }
+    [[nodiscard]] protocol::LinkKind kind() const override { return protocol::LinkKind::network; }
+    void cut(Cut how) override;
 
   private:
+    void follow_line() override;
+    /// On the address that it had before.
+    void listen();
+    /// Tries until it listens, or is not to listen any more.
+    void listen_again();
     void accept();
     void accept_later();
     void connect(boost::asio::ip::tcp::socket socket);
@@ -41,11 +49,12 @@ class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
     void watch(int socket);
     void watch_on();
 
-    boost::asio::ip::tcp::acceptor acceptor_;
+    boost::asio::ip::tcp::acceptor acceptor_;  ///< closed: it refuses clients, or was stopped
+    boost::asio::ip::tcp::endpoint endpoint_;  ///< with the port that was really taken
     boost::asio::steady_timer pause_;
     Endpoint* scanner_ = nullptr;  ///< null: stopped, or not served yet
-    LinkConfig link_;
     std::optional<TcpPeer> peer_;  ///< where a silent client has a time limit
+    std::chrono::nanoseconds dead_after_{};
     boost::asio::steady_timer peer_timer_;
     bool accepting_ = false;
 };

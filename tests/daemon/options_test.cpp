@@ -279,6 +279,28 @@ TEST_F(OptionsTest, CheckMakesFaultsOfWarningsOfTrajectoriesWhereItIsStrict) {
     EXPECT_EQ(answer("--check " + file.string()).exit_code, 0);
 }
 
+TEST_F(OptionsTest, RunsAScenarioWhateverTheConfigurationSays) {
+    const auto other = dir_.write("other.yaml", "steps: [{sensor: r/s, kind: reboot}]\n");
+    const auto file = dir_.write("fleet.yaml",
+                                 "scene: room.sdf\nscenario: bad_day.yaml\n"
+                                 "robots: {r: {sensors: {s: {model: UST-20LX, pty: auto}}}}\n");
+    const auto named = dir_.write("bad_day.yaml", "steps:\n- {sensor: r/x, kind: reboot}\n");
+    EXPECT_EQ(run("--config " + file.string()).config.scenario, named);
+    EXPECT_EQ(answer("--check " + file.string()).exit_code, 2);
+    EXPECT_EQ(answer("--check " + file.string()).text,
+              file.string() + ":2: scenario: " + named.string() +
+                  ":2: steps.1.sensor: there is no scanner 'r/x'; there are \"*\" for every one, "
+                  "r/s\n");
+    const std::string scenario = " --scenario " + other.string();
+    EXPECT_EQ(run("--config " + file.string() + scenario).config.scenario, other);
+    EXPECT_EQ(run(scene() + scenario).config.scenario, other);
+    EXPECT_TRUE(run(scene()).config.scenario.empty());
+    EXPECT_EQ(answer("--check " + file.string() + scenario).exit_code, 0);
+    dir_.write("other.yaml", "steps: 3\n");
+    EXPECT_EQ(answer("--check " + file.string() + scenario).text,
+              other.string() + ":1: steps: must be a list of 1 to 1000 steps\n");
+}
+
 TEST_F(OptionsTest, CheckTellsWhereABodyIsMissing) {
     const auto file = dir_.write("fleet.yaml",
                                  "scene: room.sdf\n"
@@ -313,6 +335,7 @@ TEST(Options, SaysInOneSentenceWhatIsWrong) {
     const std::pair<const char*, std::string> table[] = {
         {"--scene /nowhere.sdf", "--scene: there is no file '/nowhere.sdf'"},
         {"--materials /nowhere.yaml", "--materials: there is no file '/nowhere.yaml'"},
+        {"--scenario /nowhere.yaml", "--scenario: there is no file '/nowhere.yaml'"},
         {"--poses /", "--poses: '/' is a directory; name a file"},
         {"--scene /dev/zero", "--scene: '/dev/zero' is a device; name a file"},
         {"--poses /dev/zero", "--poses: '/dev/zero' is a device; name a file"},

@@ -147,6 +147,7 @@ def main():
         for name in ("scenes", "tests"):
             (checker.folder / name).symlink_to(sources / name)
         (checker.folder / "kitti.txt").write_text("1 0 0 0 0 1 0 0 0 0 1 0\n" * 2)
+        (checker.folder / "bad_day.yaml").write_text("steps: [{sensor: '*', kind: reboot}]\n")
         (checker.folder / "stamps.txt").write_text("0\n1\n")
         with concurrent.futures.ThreadPoolExecutor(4) as pool:
             failures = list(pool.map(checker.examples_fail, packs_of(rows)))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# What tests of faults share: a scipd whose time is that of a drive, so that a run repeats to the byte, and a client that
-# keeps all it gets.
+# What tests of faults share: a scipd whose time is that of a drive, so that a run repeats to the byte, and a client
+# that keeps all it gets.
 import http.client
 import json
 import pathlib
@@ -47,9 +47,6 @@ class Lab:
             "robots": {"robot": {"sensors": sensors}}}
         if lockstep:
             configuration["robots"]["robot"]["poses"] = "drive.tum"
-        if faults:
-            (self.folder / "faults.yaml").write_text(json.dumps({"seed": seed, "steps": list(faults)}))
-            configuration["scenario"] = "faults.yaml"
         (self.folder / "lab.yaml").write_text(json.dumps(configuration))
         self.errors = open(self.folder / "stderr", "w+")
         self.process = subprocess.Popen([scipd, "--config", str(self.folder / "lab.yaml")],
@@ -60,6 +57,10 @@ class Lab:
             raise SystemExit("scipd did not start:\n" + (self.folder / "stderr").read_text())
         self.ready = json.loads(line)
         self.control = Control(self.ready["control"])
+        if faults:
+            scenario = json.dumps({"seed": seed, "steps": list(faults)})
+            status, answer = self.control.ask("PUT", "/scenario", {"name": "faults.yaml", "yaml": scenario})
+            assert status == 200, answer
 
     def __enter__(self):
         return self

@@ -4,9 +4,11 @@
 // What a scenario means, and the literal words of every fault in a broken one.
 #include "daemon/faults/scenario.h"
 
+#include <array>
 #include <chrono>
 #include <random>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -51,7 +53,7 @@ std::vector<std::string> faults_of_file(const std::filesystem::path& file) {
 constexpr const char* whole = R"(seed: 7
 steps:
   - {at: {scan: 200}, sensor: rescue/front, kind: scratch, rate: 0.01, for: {scans: 50}}
-  - {at: {time_s: 12.5}, sensor: rescue/rear, kind: scratch, rate: 1, steps: [400, 500], for: {s: 3}}
+  - {at: {time_s: 12.5}, sensor: rescue/rear, kind: scratch, rate: 1, steps: [4, 5], for: {s: 3}}
   - at: {request: MD, nth: 2}
     sensor: "rescue/front"
     kind: scratch
@@ -72,7 +74,7 @@ TEST(Scenario, HoldsWhatTheFileSays) {
     EXPECT_EQ(scenario.steps[1].fault.start, FaultStart{AtTime{12500ms}});
     EXPECT_EQ(
         scenario.steps[1].fault.said,
-        R"({"at":{"time_s":12.5},"kind":"scratch","rate":1,"steps":[400,500],"for":{"s":3}})");
+        R"({"at":{"time_s":12.5},"kind":"scratch","rate":1,"steps":[4,5],"for":{"s":3}})");
     EXPECT_EQ(
         scenario.steps[2].fault.said,
         R"({"at":{"request":"MD","nth":2},"kind":"scratch","rate":1,"status":"0L","until":"RB"})");
@@ -160,8 +162,10 @@ TEST(Scenario, NeedsSteps) {
 TEST(Scenario, IsOneYamlDocumentOfAtMostOneMebibyte) {
     EXPECT_THAT(faults("steps: [{"),
                 ElementsAre(testing::StartsWith("bad_day.yaml:1: not YAML: ")));
-    EXPECT_THAT(faults("steps:\n- {sensor: *, kind: nothing}"),
-                ElementsAre(testing::StartsWith("bad_day.yaml:2: not YAML: ")));
+    EXPECT_THAT(
+        faults("steps:\n- {sensor: *, kind: nothing}"),
+        ElementsAre("bad_day.yaml:2: not YAML: alias not found after *; a star by itself needs "
+                    "quotes: \"*\""));
     EXPECT_THAT(faults(std::string(whole) + "---\n{}\n"),
                 ElementsAre("bad_day.yaml:12: a second YAML document; keep one"));
     const std::string step = "steps: [{sensor: '*', kind: nothing}]\n#";
@@ -241,7 +245,7 @@ std::string mutated(std::string text, std::mt19937& random) {
 TEST(Scenario, IsReadOrRefusedWhateverItSays) {
     std::mt19937 random{15};
     int read = 0;
-    constexpr int rounds = 3000;
+    constexpr int rounds = 1000;
     for (int i = 0; i < rounds; ++i) {
         const std::string text = mutated(whole, random);
         try {
@@ -257,6 +261,42 @@ TEST(Scenario, IsReadOrRefusedWhateverItSays) {
     // Neither all nor none, or the test would say nothing.
     EXPECT_GT(read, rounds / 20);
     EXPECT_LT(read, rounds * 19 / 20);
+}
+
+/// With every key that a step of the kind can have, but nothing in the values that makes sense.
+std::string nonsense_of(const FaultKind& kind, std::mt19937& random) {
+    constexpr std::array values{"1",          "0.5",         "-1",        "true",
+                                "[400, 500]", "{rate: 0.1}", "{at: []}",  "{request: MD}",
+                                "0L",         "~",           "[{}, [~]]", "{s: 1}",
+                                "{every: 3}"};
+    std::string step = "{sensor: '*', kind: " + std::string(kind.name);
+    std::vector<std::string_view> keys = kind.keys();
+    keys.insert(keys.end(), {"at", "for"});
+    for (const std::string_view key : keys) {
+        if (random() % 2 != 0)
+            step += ", " + std::string(key) + ": " + values[random() % values.size()];
+    }
+    return step + "}";
+}
+
+TEST(Scenario, SurvivesNonsenseForEachKind) {
+    std::mt19937 random{15};
+    for (const FaultKind* const kind : fault_kinds()) {
+        for (int i = 0; i < 200; ++i) {
+            const std::string step = nonsense_of(*kind, random);
+            try {
+                const auto scenario =
+                    parse_scenario("steps: [" + step + "]", "nonsense.yaml", scanners);
+                const auto& fault = scenario.steps.at(0).fault;
+                EXPECT_TRUE(parse_fault(fault.said)) << step;
+                EXPECT_TRUE(fault.make()) << step;
+            } catch (const ConfigError& error) {
+                EXPECT_FALSE(error.faults().empty());
+            } catch (const std::exception& error) {
+                ADD_FAILURE() << step << ": " << error.what();
+            }
+        }
+    }
 }
 
 }  // namespace

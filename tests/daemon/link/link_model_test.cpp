@@ -165,6 +165,29 @@ TEST(LinkModel, SplitsWhatItHasCoalesced) {
     EXPECT_THAT(arrivals(link), ElementsAre(Arrival{5ms, "abcd"}, Arrival{5ms, "ef"}));
 }
 
+TEST(LinkModel, SplitsAtPlacesAndPausesBetween) {
+    LinkModel link({.latency = 1ms, .split_at = {12, 5, 99}, .split_pause = 3ms}, chance);
+    link.send(text(20), 1s);
+    link.send("abc", 1s);
+    EXPECT_THAT(arrivals(link),
+                ElementsAre(Arrival{1s + 1ms, text(5)}, Arrival{1s + 4ms, text(12).substr(5)},
+                            Arrival{1s + 7ms, text(20).substr(12)}, Arrival{1s + 7ms, "abc"}));
+}
+
+TEST(LinkModel, TakesAnotherConfigForWhatIsSentFromThenOn) {
+    LinkModel link({.latency = 50ms, .coalesce = 10ms}, chance);
+    link.send("a", 0ms);
+    link.set_config({.split_bytes = 1});
+    link.send("bc", 5ms);  // would be there first
+    EXPECT_THAT(arrivals(link),
+                ElementsAre(Arrival{60ms, "a"}, Arrival{60ms, "b"}, Arrival{60ms, "c"}));
+    link.send("de", 100ms);
+    EXPECT_THAT(arrivals(link), ElementsAre(Arrival{100ms, "d"}, Arrival{100ms, "e"}));
+    link.set_config({.latency = 20ms});
+    link.send("fg", 101ms);
+    EXPECT_THAT(arrivals(link), ElementsAre(Arrival{121ms, "fg"}));
+}
+
 TEST(LinkModel, BringsAByteWhenItsLastBitIsThere) {
     for (const int rate : {19200, 38400, 57600, 115200, 250000, 500000, 750000}) {
         LinkModel link({}, chance);

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The name of a tty: a symlink that leads to one pseudo-terminal after the other, or is away while
+// there is none. The name is held all the time. Lives on the I/O thread.
+#pragma once
+
+#include <filesystem>
+
+#include <boost/asio/any_io_executor.hpp>
+
+#include "daemon/link/path_hold.h"
+
+namespace scipd::daemon {
+
+class TtyLink {
+  public:
+    /// Makes its folder and holds the name. Throws PathHeld where somebody uses it, else
+    /// std::runtime_error.
+    TtyLink(const boost::asio::any_io_executor& executor, const std::filesystem::path& path);
+    TtyLink(const TtyLink&) = delete;
+    TtyLink& operator=(const TtyLink&) = delete;
+    /// As remove().
+    ~TtyLink() { remove(); }
+
+    /// Makes the link, in place of one that a scipd left behind that was killed, but of nothing
+    /// else. Throws as the constructor. Where it has been made already it stays as it is.
+    void lead_to(const std::filesystem::path& terminal);
+    void remove();
+
+  private:
+    std::filesystem::path path_;
+    PathHold hold_;
+    std::filesystem::path terminal_;  ///< empty: it is away
+};
+
+}  // namespace scipd::daemon

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The scenario of a configuration, from its file to the scanners that it is for.
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "daemon/faults/fault_injector.h"
+#include "daemon/fleet.h"
+#include "daemon/fleet_plan.h"
+#include "daemon/simulation.h"
+#include "sim/loaders/file/load_error.h"
+#include "tests/daemon/device/ideal_camera.h"
+#include "tests/daemon/wall_world.h"
+#include "tests/support/temp_dir.h"
+
+namespace scipd::daemon {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// So far away that they wait until the test is over.
+constexpr const char* front_and_all = R"(steps:
+- {sensor: rescue/front, kind: state, state: laser, at: {scan: 900000000}}
+- {sensor: "*", kind: reboot, at: {scan: 900000000}, seed: 5}
+)";
+
+class FleetScenarioTest : public testing::Test {
+  protected:
+    static SensorConfig scanner(const std::string& name) {
+        SensorConfig sensor = ideal_sensor();
+        sensor.name = name;
+        sensor.tcp = Address{"127.0.0.1", 0};
+        return sensor;
+    }
+
+    Config of(std::vector<SensorConfig> sensors, const std::string& scenario) const {
+        Config config;
+        config.scene = SCIPD_SCENES "/square_room.sdf";
+        config.robots.push_back({.name = "rescue", .sensors = std::move(sensors)});
+        if (!scenario.empty()) config.scenario = directory_.write("bad_day.yaml", scenario);
+        return config;
+    }
+
+    [[nodiscard]] ScenarioStatus status() {
+        const auto told = simulation().scenario.status(simulation().scanners());
+        return told.value_or(ScenarioStatus{.name = "none", .state = "none", .steps = {}});
+    }
+
+    /// "1 rescue/front state 1": step, sensor, kind and id of each fault.
+    [[nodiscard]] std::vector<std::string> steps() {
+        std::vector<std::string> steps;
+        for (const ScenarioStepStatus& step : status().steps)
+            steps.push_back(std::to_string(step.step) + " " + step.sensor + " " + step.fault.kind +
+                            " " + std::to_string(step.fault.id));
+        return steps;
+    }
+
+    [[nodiscard]] Simulation& simulation() { return fleet_.simulation(); }
+
+    boost::asio::io_context io_;
+    tests::TempDir directory_;
+    Fleet fleet_{io_.get_executor(), ClockKind::wall};
+};
+
+TEST_F(FleetScenarioTest, BeginsWithItsConfiguration) {
+    fleet_.apply(of({scanner("front"), scanner("rear"), ideal_camera(4, 25.0)}, front_and_all));
+    EXPECT_EQ(status().name, (directory_.path() / "bad_day.yaml").string());
+    EXPECT_EQ(status().state, "running");
+    EXPECT_THAT(steps(), ElementsAre("1 rescue/front state 1", "2 rescue/front reboot 2",
+                                     "2 rescue/rear reboot 1"));
+    EXPECT_EQ(status().steps[2].fault.state, "waiting");
+    EXPECT_EQ(status().steps[2].fault.said,
+              R"({"kind":"reboot","at":{"scan":900000000},"seed":5})");
+}
+
+TEST_F(FleetScenarioTest, GoesOnWhereItIsTheSameAndTakesNewScannersIn) {
+    fleet_.apply(of({scanner("front")}, front_and_all));
+    fleet_.apply(of({scanner("front"), scanner("rear")}, std::string("# again\n") + front_and_all));
+    EXPECT_THAT(steps(), ElementsAre("1 rescue/front state 1", "2 rescue/front reboot 2",
+                                     "2 rescue/rear reboot 1"));
+}
+
+TEST_F(FleetScenarioTest, IsReplacedByAnotherAndStoppedByNone) {
+    fleet_.apply(of({scanner("front")}, front_and_all));
+    fleet_.apply(of({scanner("front")}, std::string("seed: 2\n") + front_and_all));
+    EXPECT_THAT(steps(), ElementsAre("1 rescue/front state 3", "2 rescue/front reboot 4"));
+    fleet_.apply(of({scanner("front")}, {}));
+    EXPECT_THAT(steps(), IsEmpty());
+    EXPECT_EQ(status().state, "ended");
+    // A scanner that comes later has none either.
+    fleet_.apply(of({scanner("front"), scanner("rear")}, {}));
+    EXPECT_THAT(steps(), IsEmpty());
+}
+
+TEST_F(FleetScenarioTest, LeavesFaultsAloneThatWereAskedForSingly) {
+    fleet_.apply(of({scanner("front")}, front_and_all));
+    FaultInjector& injector = *simulation().scanners().at(0).injector;
+    const auto single = parse_fault(R"({"kind":"reboot","at":{"scan":900000000}})");
+    ASSERT_TRUE(single);
+    const std::uint64_t id = injector.start(*single, 1);
+    EXPECT_EQ(steps().size(), 2U);
+    simulation().scenario.stop(simulation().scanners());
+    EXPECT_EQ(status().state, "ended");
+    ASSERT_EQ(injector.list().size(), 1U);
+    EXPECT_EQ(injector.list()[0].id, id);
+}
+
+TEST_F(FleetScenarioTest, ThatWasRunByHandStaysWhereTheConfigurationHasNoOther) {
+    const Config config = of({scanner("front")}, front_and_all);
+    fleet_.apply(config);
+    const Scenario by_hand = parse_scenario(
+        R"(steps: [{sensor: "*", kind: reboot, at: {scan: 900000000}}])", "by_hand", {});
+    simulation().scenario.run(by_hand, simulation().scanners());
+    EXPECT_THAT(steps(), ElementsAre("1 rescue/front reboot 3"));
+    fleet_.apply(config);
+    EXPECT_EQ(status().name, "by_hand");
+    EXPECT_THAT(steps(), ElementsAre("1 rescue/front reboot 3"));
+}
+
+TEST_F(FleetScenarioTest, ChangesNothingWhereItIsWrong) {
+    fleet_.apply(of({scanner("front")}, front_and_all));
+    Config wrong = of({scanner("front"), ideal_camera(4, 25.0)}, "seed: x\nsteps: []\n");
+    wrong.places["scenario"] = "fleet.yaml:3: scenario: ";
+    const std::string place =
+        "fleet.yaml:3: scenario: " + (directory_.path() / "bad_day.yaml").string();
+    try {
+        fleet_.apply(wrong);
+        FAIL();
+    } catch (const sim::LoadError& error) {
+        EXPECT_THAT(error.faults(),
+                    ElementsAre(place + ":1: seed: must be a whole number from 0 to "
+                                        "18446744073709551615, not 'x'",
+                                place + ":2: steps: must be a list of 1 to 1000 steps"));
+    }
+    EXPECT_THAT(steps(), ElementsAre("1 rescue/front state 1", "2 rescue/front reboot 2"));
+}
+
+TEST_F(FleetScenarioTest, IsForScannersAlone) {
+    const SensorConfig camera = ideal_camera(4, 25.0);
+    const std::string sensor = "rescue/" + camera.name;
+    try {
+        fleet_.apply(
+            of({scanner("front"), camera}, "steps: [{sensor: " + sensor + ", kind: reboot}]"));
+        FAIL();
+    } catch (const sim::LoadError& error) {
+        EXPECT_THAT(error.faults(),
+                    ElementsAre((directory_.path() / "bad_day.yaml").string() +
+                                ":1: steps.1.sensor: there is no scanner '" + sensor +
+                                "'; there are \"*\" for every one, rescue/front"));
+    }
+}
+
+}  // namespace
+}  // namespace scipd::daemon
