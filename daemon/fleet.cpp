@@ -146,7 +146,8 @@ std::vector<Station*> Fleet::replace_stations(const Config& config, const Ports&
                                  .stream = simulation_->stream,
                                  .lockstep = simulation_->lockstep != nullptr};
     Stations stations = take_unchanged(old, config);
-    // Their ports may soon be those of other scanners, to which no fault of theirs must do anything.
+    // Their ports may soon be those of other scanners, to which no fault of theirs must do
+    // anything.
     end_faults(old);
     std::vector<Station*> fresh;
     auto station = stations.begin();
