@@ -20,6 +20,7 @@ class Bench:
     """A scipd with a scanner that is at fault, and one beside it that streams and misses nothing."""
 
     def __init__(self, scipd, scene):
+        self.scipd, self.scene = scipd, scene
         self.lab = Lab(scipd, scene, sensors={"front": UST, "rear": UST, "serial": URG}, lockstep=False)
         self.other = Client(self.lab.address("rear"))
         self.other.ask("BM")
@@ -316,9 +317,32 @@ def hangup(bench):
     os.close(descriptor)
 
 
+def repeatable(bench):
+    """The same scans are hit at the same bytes in another run, although a driver comes at another time."""
+    fault = {"kind": "corrupt", "bytes": {"rate": 0.01}, "at": {"scan": 60}, "for": {"scans": 20}, "seed": 5}
+
+    def hits(lab, wait_s):
+        assert lab.control.ask("POST", "/sensors/robot/front/faults", fault)[0] == 201
+        time.sleep(wait_s)
+        client = Client(lab.address("front"))
+        client.ask("BM")
+        client.ask(ENDLESS)
+        wait_for(lambda: lab.faults("front")[-1]["state"] == "ended" or not client.read(), "it does not end")
+        client.close()
+        return {entry["scan"]: entry["bytes"] for entry in lab.log("front") if entry["bytes"]}
+
+    with Lab(bench.scipd, bench.scene, sensors={"front": UST}, lockstep=False) as one:
+        first = hits(one, 0)
+    with Lab(bench.scipd, bench.scene, sensors={"front": UST}, lockstep=False) as other:
+        second = hits(other, 1.4)  # about when it begins
+    both = first.keys() & second.keys()
+    assert len(first) > 10 and all(60 <= scan < 80 for scan in first.keys() | second.keys()), (first.keys(), second.keys())
+    assert all(first[scan] == second[scan] for scan in both)
+
+
 CASES = {case.__name__: case for case in (
     delay, coalesce, split, stall, cut_by_fin, cut_by_rst, cut_silently, refuse, mute, reboot, state, status, sleep,
-    slow_start, resend, text_sums, late, hangup)}
+    slow_start, resend, text_sums, late, hangup, repeatable)}
 
 
 def main(scipd, scene, *names):
