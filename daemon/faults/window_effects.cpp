@@ -195,10 +195,10 @@ class StuckSector : public FaultEffect {
 
 std::span<const FaultKind> window_kinds() {
     static constexpr FaultKind kinds[] = {
-        kind_of<DirtyWindow>("dirty", "scans", "Dirt on the window covers a sector."),
-        kind_of<BlindSector>("blind", "scans", "A sector sees nothing."),
-        kind_of<Salt>("interference", "scans", "Other light is read here and there."),
-        kind_of<StuckSector>("stick", "scans", "A sector reads one range all the time."),
+        kind_of<DirtyWindow>("dirty", "scans", "dirt on the window covers a sector"),
+        kind_of<BlindSector>("blind", "scans", "a sector sees nothing"),
+        kind_of<Salt>("interference", "scans", "other light is read here and there"),
+        kind_of<StuckSector>("stick", "scans", "a sector reads one range all the time"),
     };
     return kinds;
 }
