@@ -7,6 +7,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "daemon/faults/fault_injector.h"
 #include "daemon/fleet_plan.h"
 #include "daemon/link/port.h"
 #include "daemon/load_world.h"
@@ -23,6 +24,22 @@ bool can_serve(const std::string& robot, const PoseSource& source, const RobotCo
     const bool changes_hands = source.kind == PoseSource::Kind::standard_input ||
                                (source.kind == PoseSource::Kind::udp && source.address.port != 0);
     return source == *other.poses && (changes_hands || robot == other.name);
+}
+
+/// Those that the configuration still has, in its order; null for the others.
+Stations take_unchanged(Stations& old, const Config& config) {
+    Stations kept;
+    for (const RobotConfig& robot : config.robots) {
+        for (const SensorConfig& sensor : robot.sensors)
+            kept.push_back(take_unchanged(old, robot.name, sensor, config.seed));
+    }
+    return kept;
+}
+
+void end_faults(const Stations& stations) {
+    for (const auto& station : stations) {
+        if (station->faults) station->faults->stop_all();
+    }
 }
 
 void log_findings(const FleetPlan& plan) {
@@ -128,17 +145,20 @@ std::vector<Station*> Fleet::replace_stations(const Config& config, const Ports&
                                  .clock = simulation_->clock,
                                  .stream = simulation_->stream,
                                  .lockstep = simulation_->lockstep != nullptr};
-    Stations stations;
+    Stations stations = take_unchanged(old, config);
+    // Their ports may soon be those of other scanners, to which no fault of theirs must do
+    // anything.
+    end_faults(old);
     std::vector<Station*> fresh;
+    auto station = stations.begin();
     for (const RobotConfig& robot : config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {
-            auto station = take_unchanged(old, robot.name, sensor, config.seed);
-            if (!station) {
-                station = make_station(context, robot.name, sensor, config.seed,
-                                       ports_of(ports, robot.name, sensor));
-                fresh.push_back(station.get());
+            if (!*station) {
+                *station = make_station(context, robot.name, sensor, config.seed,
+                                        ports_of(ports, robot.name, sensor));
+                fresh.push_back(station->get());
             }
-            stations.push_back(std::move(station));
+            ++station;
         }
     }
     stations.swap(old);

@@ -58,10 +58,8 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     void change(const Change& change);
     /// Null: nobody stands between its mirror and its clients.
     void set_hook(DeviceHook* hook);
-    /// What is the matter with it, from within a call of the hook.
-    void set_trouble(protocol::Trouble trouble) { state_.set_trouble(trouble); }
-    /// What its clock shows now; it stays in step with its mirror. Any time.
-    void set_clock(protocol::Uptime at, protocol::Uptime shown) { state_.set_clock(at, shown); }
+    /// The same of what no client waits for. For the hook, from within a call of the device's.
+    void amend(const Change& change) { change(state_, uptime()); }
     /// The instant of step 0, on its own clock.
     [[nodiscard]] protocol::Uptime start_of(std::int64_t revolution) const {
         return timing_.start(revolution);

@@ -67,17 +67,24 @@ std::vector<sim::Time> Sweep::pose_times(const BeamFired& fired) const {
 }
 
 std::vector<sim::Pose> Sweep::poses_at(const std::vector<sim::Time>& times) const {
+    const sim::PoseTrack& track = *world_.robot(robot_);
+    const bool shifted = shift_ != PoseShift{};
     std::vector<sim::Pose> poses;
     poses.reserve(times.size());
     for (const sim::Time time : times) {
         const bool same = !poses.empty() && time == times[poses.size() - 1];
-        poses.push_back(same ? poses.back() : known_pose_at(time) * robot_from_sensor_);
+        if (same) {
+            poses.push_back(poses.back());
+        } else {
+            const sim::Pose robot = shifted ? shifted_pose_at(track, time) : track.at(time);
+            poses.push_back(robot * robot_from_sensor_);
+        }
     }
     return poses;
 }
 
-sim::Pose Sweep::known_pose_at(sim::Time time) const {
-    const sim::Pose pose = shift_.stopped ? *shift_.stopped : robot_at(time - shift_.late);
+sim::Pose Sweep::shifted_pose_at(const sim::PoseTrack& track, sim::Time time) const {
+    const sim::Pose pose = shift_.stopped ? *shift_.stopped : track.at(time - shift_.late);
     return {pose.translation_m + shift_.jump.translation_m, shift_.jump.rotation * pose.rotation};
 }
 

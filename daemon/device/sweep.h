@@ -60,8 +60,7 @@ class Sweep {
     [[nodiscard]] std::size_t most_poses() const;
     [[nodiscard]] std::vector<sim::Time> pose_times(const BeamFired& fired) const;
     [[nodiscard]] std::vector<sim::Pose> poses_at(const std::vector<sim::Time>& times) const;
-    /// By what is known of the robot's poses.
-    [[nodiscard]] sim::Pose known_pose_at(sim::Time time) const;
+    [[nodiscard]] sim::Pose shifted_pose_at(const sim::PoseTrack& track, sim::Time time) const;
     void cast(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions);
     void cast_as_met(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions,
                      sim::ModelId unseen);

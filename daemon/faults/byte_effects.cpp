@@ -9,12 +9,14 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "daemon/config/numbers.h"
 #include "daemon/faults/fault_kind.h"
+#include "daemon/faults/fault_values.h"
+#include "daemon/faults/message_lines.h"
 #include "daemon/link/port.h"
-#include "sim/text/quote.h"
 
 namespace scipd::daemon {
 namespace {
@@ -38,35 +40,10 @@ constexpr Member<ByteChoice> byte_choice_members[] = {
     {"at", read_list<&ByteChoice::at, parse_offset>},
 };
 
-/// Nothing: all messages.
-sim::Expected<std::optional<Send::Kind>> parse_messages(std::string_view text) {
-    if (text == "all") return std::optional<Send::Kind>();
-    if (text == "scans") return std::optional(Send::Kind::scan);
-    if (text == "replies") return std::optional(Send::Kind::reply);
-    return sim::refuse("must be all, scans or replies, not " + sim::quote(text));
-}
-
 /// True: only sums.
-sim::Expected<bool> parse_within_sums(std::string_view text) {
-    if (text == "all" || text == "sums") return text == "sums";
-    return sim::refuse("must be all or sums, not " + sim::quote(text));
-}
-
-/// Where the sums of a message stand: at the end of each line behind the echo. SCIP 1.1 has none:
-/// its status is one character.
-std::vector<std::size_t> sums_of(std::string_view message) {
-    constexpr std::size_t status_with_sum = 3;
-    std::vector<std::size_t> sums;
-    std::size_t begin = message.find('\n');
-    if (begin == std::string_view::npos) return sums;
-    ++begin;
-    if (message.find('\n', begin) != begin + status_with_sum) return sums;
-    for (std::size_t end = 0; (end = message.find('\n', begin)) != std::string_view::npos;) {
-        if (end > begin) sums.push_back(end - 1);
-        begin = end + 1;
-    }
-    return sums;
-}
+constexpr std::pair<std::string_view, bool> within_words[] = {{"all", false}, {"sums", true}};
+/// True: random.
+constexpr std::pair<std::string_view, bool> noise_words[] = {{"nul", false}, {"random", true}};
 
 std::string bytes_text(std::size_t count) {
     return std::to_string(count) + (count == 1 ? " byte" : " bytes");
@@ -76,12 +53,12 @@ class ByteEffect : public FaultEffect {
   public:
     struct Members {
         ByteChoice bytes;
-        std::optional<Send::Kind> messages;
+        MessageChoice messages = MessageChoice::all;
         bool only_sums = false;
     };
     static constexpr Member<Members> members[] = {
         {"bytes", read_map<&Members::bytes, byte_choice_members>},
-        {"messages", read_as<&Members::messages, parse_messages>},
+        {"messages", read_as<&Members::messages, parse_word<message_choices>>},
     };
     static void check(const Members& members, const Field& fault, Faults& faults) {
         if (members.bytes.rate.has_value() != members.bytes.at.has_value()) return;
@@ -93,7 +70,7 @@ class ByteEffect : public FaultEffect {
     }
 
     void bytes(Send& message, FaultScene& scene) final {
-        if (members_.messages && *members_.messages != message.kind) return;
+        if (!chooses(members_.messages, message)) return;
         std::vector<std::size_t> offsets = chosen(message.bytes, scene);
         if (offsets.empty()) return;
         change(message.bytes, offsets, scene);
@@ -128,7 +105,7 @@ class ByteEffect : public FaultEffect {
             if (is_chosen(offset, scene)) offsets.push_back(offset);
         };
         if (members_.only_sums) {
-            std::ranges::for_each(sums_of(message), consider);
+            std::ranges::for_each(places_of_sums(message, SumsOf::all), consider);
         } else {
             for (std::size_t i = 0; i < message.size(); ++i)
                 consider(i);
@@ -145,7 +122,7 @@ class Corrupt final : public ByteEffect {
     static constexpr Member<Members> members[] = {
         ByteEffect::members[0],
         ByteEffect::members[1],
-        {"within", read_as<&Members::only_sums, parse_within_sums>},
+        {"within", read_as<&Members::only_sums, parse_word<within_words>>},
     };
     using ByteEffect::ByteEffect;
 
@@ -202,12 +179,6 @@ sim::Expected<int> parse_noise_count(std::string_view text) {
     return parse_whole(text, 1, most);
 }
 
-/// True: random, false: NUL.
-sim::Expected<bool> parse_noise_value(std::string_view text) {
-    if (text == "nul" || text == "random") return text == "random";
-    return sim::refuse("must be nul or random, not " + sim::quote(text));
-}
-
 /// As a line's driver makes where it is switched on.
 class Noise final : public FaultEffect {
   public:
@@ -217,7 +188,7 @@ class Noise final : public FaultEffect {
     };
     static constexpr Member<Members> members[] = {
         {"count", read_as<&Members::count, parse_noise_count>},
-        {"value", read_as<&Members::random, parse_noise_value>},
+        {"value", read_as<&Members::random, parse_word<noise_words>>},
     };
     static void check(const Members& /*members*/, const Field& /*fault*/, Faults& /*faults*/) {}
 

@@ -101,7 +101,8 @@ class WrongClock : public FaultEffect {
     }
 
     void set_zero(FaultScene& scene, Uptime zero) {
-        scene.device().set_clock(zero, Uptime::zero());
+        scene.device().amend(
+            [&](protocol::DeviceState& state, Uptime) { state.set_clock(zero, Uptime::zero()); });
         zero_set_ = zero;
     }
 
@@ -116,7 +117,7 @@ class WrongClock : public FaultEffect {
 
 std::span<const FaultKind> clock_kinds() {
     static constexpr FaultKind kinds[] = {
-        kind_of<WrongClock>("clock", "device", "The clock jumps, drifts, wraps or stands still."),
+        kind_of<WrongClock>("clock", "device", "the clock jumps, drifts, wraps or stands still"),
     };
     return kinds;
 }

@@ -2,17 +2,15 @@
 // Copyright The scipd authors
 //
 // A line that is cut, and a tty that hangs up.
-#include <algorithm>
-#include <array>
 #include <string>
 #include <string_view>
+#include <utility>
 
-#include "daemon/config/numbers.h"
 #include "daemon/config/values.h"
 #include "daemon/device/device.h"
 #include "daemon/faults/fault_kind.h"
+#include "daemon/faults/fault_values.h"
 #include "daemon/link/port.h"
-#include "sim/text/quote.h"
 
 namespace scipd::daemon {
 namespace {
@@ -25,12 +23,11 @@ enum class CutKind {
     mute,    ///< who connects is accepted, and not answered
 };
 
-sim::Expected<CutKind> parse_cut(std::string_view text) {
-    constexpr std::array<std::string_view, 5> names = {"fin", "rst", "silent", "refuse", "mute"};
-    const auto* const found = std::ranges::find(names, text);
-    if (found != names.end()) return static_cast<CutKind>(found - names.begin());
-    return sim::refuse("must be fin, rst, silent, refuse or mute, not " + sim::quote(text));
-}
+constexpr std::pair<std::string_view, CutKind> cut_words[] = {{"fin", CutKind::fin},
+                                                              {"rst", CutKind::rst},
+                                                              {"silent", CutKind::silent},
+                                                              {"refuse", CutKind::refuse},
+                                                              {"mute", CutKind::mute}};
 
 std::size_t cut_off(FaultScene& scene, Cut how) {
     std::size_t clients = 0;
@@ -43,9 +40,10 @@ std::size_t cut_off(FaultScene& scene, Cut how) {
 
 /// Its cable carries power.
 void boot_device(FaultScene& scene) {
+    Device& device = scene.device();
+    const protocol::Uptime boot_time = device.profile().boot_time;
     scene.touched({.what = "the device boots"});
-    const protocol::Uptime boot_time = scene.device().profile().boot_time;
-    scene.device().change(
+    device.change(
         [&](protocol::DeviceState& state, protocol::Uptime now) { state.boot(now, boot_time); });
 }
 
@@ -56,7 +54,7 @@ class CutLine final : public FaultEffect {
         bool boots = false;
     };
     static constexpr Member<Members> members[] = {
-        {"how", read_as<&Members::how, parse_cut>},
+        {"how", read_as<&Members::how, parse_word<cut_words>>},
         {"boot", read_as<&Members::boots, parse_switch>},
     };
     static void check(const Members& members, const Field& fault, Faults& faults) {
@@ -117,8 +115,8 @@ class CutLine final : public FaultEffect {
 
 class HangUp final : public FaultEffect {
   public:
-    struct Members {};
-    static constexpr std::array<Member<Members>, 0> members{};
+    using Members = NoMembers;
+    static constexpr auto members = no_members;
     static void check(const Members& /*members*/, const Field& /*fault*/, Faults& /*faults*/) {}
 
     explicit HangUp(const Members& /*members*/) {}

@@ -74,7 +74,10 @@ class InTrouble : public FaultEffect {
     void end(FaultScene& scene) override {
         if (scene.device().state().trouble() == members_.state) set(scene, Trouble::none);
     }
-    void booted(FaultScene& scene) override { scene.device().set_trouble(members_.state); }
+    void booted(FaultScene& scene) override {
+        scene.device().amend(
+            [&](DeviceState& state, Uptime) { state.set_trouble(members_.state); });
+    }
 
   private:
     static void set(FaultScene& scene, Trouble trouble) {
@@ -130,6 +133,11 @@ class Motor : public FaultEffect {
             if (members_.spin_up) state.spin_up(now + *members_.spin_up);
         });
     }
+    void booted(FaultScene& scene) override {
+        scene.device().amend([&](DeviceState& state, Uptime) {
+            if (members_.percent) state.set_motor_error(*members_.percent);
+        });
+    }
     void end(FaultScene& scene) override {
         scene.device().change([&](DeviceState& state, Uptime now) {
             if (members_.percent) state.set_motor_error(0.0);
@@ -145,10 +153,10 @@ class Motor : public FaultEffect {
 
 std::span<const FaultKind> device_kinds() {
     static constexpr FaultKind kinds[] = {
-        kind_of<Reboot>("reboot", "device", "The device boots.", true),
-        kind_of<InTrouble>("state", "device", "The device is in trouble, and says so."),
-        kind_of<Asleep>("sleep", "device", "The device sleeps, and streams end."),
-        kind_of<Motor>("motor", "device", "The motor is not at its speed."),
+        kind_of<Reboot>("reboot", "device", "the device boots", true),
+        kind_of<InTrouble>("state", "device", "the device is in trouble, and says so"),
+        kind_of<Asleep>("sleep", "device", "the device sleeps, and streams end"),
+        kind_of<Motor>("motor", "device", "the motor is not at its speed"),
     };
     return kinds;
 }

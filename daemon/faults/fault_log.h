@@ -41,6 +41,8 @@ class FaultLog {
   public:
     using Watcher = std::function<void(const FaultLogEntry&)>;
     static constexpr std::size_t capacity = 4096;
+    /// Of the bytes and steps of all entries together: the oldest entries go beyond.
+    static constexpr std::size_t most_places = 1'000'000;
 
     void add(FaultLogEntry entry);
     [[nodiscard]] const std::deque<FaultLogEntry>& entries() const { return entries_; }
@@ -49,6 +51,7 @@ class FaultLog {
 
   private:
     std::deque<FaultLogEntry> entries_;  ///< the latest
+    std::size_t places_ = 0;             ///< bytes and steps of all entries
     std::uint64_t last_ = 0;
     Watcher watcher_;
 };

@@ -70,7 +70,7 @@ void FaultRun::begin() {
     schedule_.begin(site_.now);
     acting_ = plan_.make();
     changes_.push_back({acting_, true});
-    log({.what = "begins"});
+    log(spdlog::level::info, {.what = "begins"});
 }
 
 void FaultRun::end() {
@@ -78,7 +78,7 @@ void FaultRun::end() {
     if (acting_->holds()) last_ = acting_;
     changes_.push_back({std::move(acting_), false});
     acting_ = nullptr;
-    log({.what = "ends"});
+    log(spdlog::level::info, {.what = "ends"});
 }
 
 bool FaultRun::settle() {
@@ -100,11 +100,12 @@ double FaultRun::chance(std::uint32_t n) const {
 
 void FaultRun::touched(FaultTouch touch) {
     ++hits_;
-    log(std::move(touch));
+    log(spdlog::level::debug, std::move(touch));
 }
 
-void FaultRun::log(FaultTouch touch) {
-    spdlog::debug("{}: fault {} ({}): {}", site_.device.name(), id_, plan_.kind->name, touch.what);
+void FaultRun::log(spdlog::level::level_enum level, FaultTouch touch) {
+    spdlog::log(level, "{}: fault {}, {}, at scan {}: {}", site_.device.name(), id_,
+                plan_.kind->name, site_.now.scan, touch.what);
     site_.log.add({.id = id_,
                    .kind = std::string(plan_.kind->name),
                    .what = std::move(touch.what),

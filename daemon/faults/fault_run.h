@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include <spdlog/common.h>
+
 #include "daemon/faults/fault_effect.h"
 #include "daemon/faults/fault_log.h"
 #include "daemon/faults/fault_plan.h"
@@ -71,7 +73,7 @@ class FaultRun final : private FaultScene {
 
     void begin();
     void end();
-    void log(FaultTouch touch);
+    void log(spdlog::level::level_enum level, FaultTouch touch);
 
     struct Change {
         std::shared_ptr<FaultEffect> effect;

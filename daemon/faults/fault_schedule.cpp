@@ -99,10 +99,16 @@ bool FaultSchedule::ends_with(std::string_view command) const {
     return phase_ == Phase::active && request != nullptr && request->command == command;
 }
 
+// What is due is noticed late where nobody asks for scans, or where the machine is slow. It lasts
+// from when it was due.
 void FaultSchedule::begin(const FaultMoment& now) {
+    const auto scan = next_scan();
+    const auto time = next_time(now.origin);
+    first_scan_ =
+        scan ? std::clamp(*scan, std::min(asked_.scan + 1, now.next_scan()), now.next_scan())
+             : now.next_scan();
+    begun_ = time ? std::min(std::max(*time, asked_.time), now.time) : now.time;
     phase_ = Phase::active;
-    first_scan_ = now.next_scan();
-    begun_ = now.time;
 }
 
 void FaultSchedule::end(const FaultMoment& now) {

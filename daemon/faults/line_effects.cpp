@@ -3,7 +3,6 @@
 //
 // A line that is late, stalls, joins or splits what is sent. cut_effects.cpp has those that end.
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstddef>
 #include <optional>
@@ -13,6 +12,7 @@
 
 #include "daemon/config/numbers.h"
 #include "daemon/faults/fault_kind.h"
+#include "daemon/faults/fault_values.h"
 
 namespace scipd::daemon {
 namespace {
@@ -78,7 +78,7 @@ sim::Expected<int> parse_place(std::string_view text) {
     return parse_whole(text, 1, largest_message);
 }
 
-/// Before which bytes of a message it is split: those that stand there, or each so-manieth.
+/// Before which bytes of a message it is split: those that stand there, or each Nth.
 struct SplitChoice {
     std::vector<int> at;
     int every = 0;
@@ -142,8 +142,8 @@ class Split final : public FaultEffect {
 
 class Stall final : public FaultEffect {
   public:
-    struct Members {};
-    static constexpr std::array<Member<Members>, 0> members{};
+    using Members = NoMembers;
+    static constexpr auto members = no_members;
     static void check(const Members& /*members*/, const Field& /*fault*/, Faults& /*faults*/) {}
 
     explicit Stall(const Members& /*members*/) {}

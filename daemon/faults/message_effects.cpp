@@ -274,13 +274,13 @@ class WrongStatus : public FaultEffect {
 
 std::span<const FaultKind> message_kinds() {
     static constexpr FaultKind kinds[] = {
-        kind_of<WrongSums>("sums", "protocol", "Sums are wrong."),
-        kind_of<Truncated>("truncate", "protocol", "The ends of messages are missing."),
-        kind_of<MissingLineFeeds>("linefeed", "protocol", "Line feeds are missing."),
-        kind_of<WrongEcho>("echo", "protocol", "A character of the echo is another one."),
+        kind_of<WrongSums>("sums", "protocol", "sums are wrong"),
+        kind_of<Truncated>("truncate", "protocol", "the ends of messages are missing"),
+        kind_of<MissingLineFeeds>("linefeed", "protocol", "line feeds are missing"),
+        kind_of<WrongEcho>("echo", "protocol", "a character of the echo is another one"),
         kind_of<Resent>("resend", "protocol",
-                        "A request is answered twice, or with the reply to the one before."),
-        {"status", "protocol", "Requests are refused with a status.", false,
+                        "a request is answered twice, or with the reply to the one before"),
+        {"status", "protocol", "requests are refused with a status", false,
          [] { return keys_of(WrongStatus::members); }, WrongStatus::read},
     };
     return kinds;

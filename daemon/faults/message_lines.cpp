@@ -24,6 +24,7 @@ std::vector<std::size_t> places_of_sums(std::string_view message, SumsOf of) {
         const bool text =
             content.size() > 2 && content[content.size() - 2] == ';' && content.find(':') == 4;
         // SCIP 1.1 has statuses of one character, and no sums.
+        if (line == 1 && content.size() == 1) break;
         if (content.size() > 1 && chosen(of, line, text)) places.push_back(end - 1);
         begin = end + 1;
     }

@@ -72,7 +72,7 @@ class WrongPoses : public FaultEffect {
 
 std::span<const FaultKind> pose_kinds() {
     static constexpr FaultKind kinds[] = {
-        kind_of<WrongPoses>("poses", "world", "The robot's poses stop, come late or jump."),
+        kind_of<WrongPoses>("poses", "world", "the robot's poses stop, come late or jump"),
     };
     return kinds;
 }

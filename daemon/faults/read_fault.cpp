@@ -217,6 +217,14 @@ std::string text_of_json(const Json& json, bool ascii) {
     return json.dump(-1, ' ', ascii, Json::error_handler_t::replace);
 }
 
+void require_an_end(const Section& section, const FaultPlan& plan, Faults& faults) {
+    const Field* const every = section.find("every");
+    const bool lasts = plan.kind != nullptr && !plan.kind->momentary &&
+                       section.find("for") == nullptr && section.find("until") == nullptr;
+    if (every && lasts)
+        faults.add(*every, "needs for or until: what does not end does not begin again");
+}
+
 }  // namespace
 
 std::optional<FaultPlan> read_fault(const Field& map, std::span<const std::string_view> also,
@@ -228,6 +236,7 @@ std::optional<FaultPlan> read_fault(const Field& map, std::span<const std::strin
     if (const Field* const at = section.find("at")) read_start(*at, plan.start, faults);
     read_end(section, plan.end, faults);
     read_repetition(section, plan.every, faults);
+    require_an_end(section, plan, faults);
     section.read("seed", plan.seed, parse_seed);
     if (plan.kind) plan.make = plan.kind->read(map, section, faults);
     if (faults.count() != before) return std::nullopt;

@@ -79,8 +79,8 @@ class ReorderedScans : public FaultEffect {
 
 std::span<const FaultKind> repeat_kinds() {
     static constexpr FaultKind kinds[] = {
-        kind_of<RepeatedScans>("repeat", "scans", "Scans come twice."),
-        kind_of<ReorderedScans>("reorder", "scans", "Scans change places with the next one."),
+        kind_of<RepeatedScans>("repeat", "scans", "scans come twice"),
+        kind_of<ReorderedScans>("reorder", "scans", "scans change places with the next one"),
     };
     return kinds;
 }

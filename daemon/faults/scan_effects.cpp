@@ -162,11 +162,11 @@ class NoIntensity : public FaultEffect {
 
 std::span<const FaultKind> scan_kinds() {
     static constexpr FaultKind kinds[] = {
-        kind_of<FrozenScans>("freeze", "scans", "Every scan has the readings of the first one."),
-        kind_of<MissingScans>("skip", "scans", "Scans are missing."),
-        kind_of<LateScans>("late", "scans", "Scans leave late."),
-        kind_of<ShiftedScans>("shift", "scans", "Readings stand at other steps."),
-        kind_of<NoIntensity>("intensity", "scans", "All intensities are 0."),
+        kind_of<FrozenScans>("freeze", "scans", "every scan has the readings of the first one"),
+        kind_of<MissingScans>("skip", "scans", "scans are missing"),
+        kind_of<LateScans>("late", "scans", "scans leave late"),
+        kind_of<ShiftedScans>("shift", "scans", "readings stand at other steps"),
+        kind_of<NoIntensity>("intensity", "scans", "all intensities are 0"),
     };
     return kinds;
 }

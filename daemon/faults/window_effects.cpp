@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "daemon/config/numbers.h"
+#include "daemon/device/device.h"
 #include "daemon/faults/fault_kind.h"
 #include "daemon/faults/fault_values.h"
 
@@ -39,6 +40,16 @@ void check_sector(const Sector& sector, const Field& fault, Faults& faults, bool
     if (sector.steps.empty() && !needed) return;
     if (sector.steps.size() != 2 || sector.steps[0] > sector.steps[1])
         faults.add(fault, "needs steps: the first and the last, such as [400, 500]");
+}
+
+/// Tells whoever has taken the steps of another model.
+void begin_sector(const Sector& sector, FaultScene& scene) {
+    const sim::SensorSpec& optics = scene.device().optics();
+    if (sector.steps.empty()) return;
+    if (sector.steps[1] >= optics.first_step && sector.steps[0] <= optics.last_step) return;
+    scene.touched({.what = "nothing is changed: the scanner measures the steps from " +
+                           std::to_string(optics.first_step) + " to " +
+                           std::to_string(optics.last_step)});
 }
 
 /// Puts one reading into the place of all of a beam.
@@ -82,6 +93,7 @@ class DirtyWindow : public FaultEffect {
 
     explicit DirtyWindow(const Members& members) : members_(members) {}
 
+    void begin(FaultScene& scene) override { begin_sector(members_, scene); }
     void read(sim::Scan& scan, const sim::SensorSpec& optics, FaultScene& scene) override {
         change_sector(scan, optics, members_, scene, "the window is dirty",
                       [&](int, Reading& reading) {
@@ -115,6 +127,7 @@ class BlindSector : public FaultEffect {
 
     explicit BlindSector(const Members& members) : members_(members) {}
 
+    void begin(FaultScene& scene) override { begin_sector(members_, scene); }
     void read(sim::Scan& scan, const sim::SensorSpec& optics, FaultScene& scene) override {
         change_sector(scan, optics, members_, scene, "the sector is blind",
                       [](int, Reading& reading) {
@@ -143,6 +156,7 @@ class Salt : public FaultEffect {
 
     explicit Salt(const Members& members) : members_(members) {}
 
+    void begin(FaultScene& scene) override { begin_sector(members_, scene); }
     void read(sim::Scan& scan, const sim::SensorSpec& optics, FaultScene& scene) override {
         change_sector(
             scan, optics, members_, scene, "other light is read", [&](int step, Reading& reading) {
@@ -174,6 +188,7 @@ class StuckSector : public FaultEffect {
 
     explicit StuckSector(const Members& members) : members_(members) {}
 
+    void begin(FaultScene& scene) override { begin_sector(members_, scene); }
     void read(sim::Scan& scan, const sim::SensorSpec& optics, FaultScene& scene) override {
         if (first_.empty()) first_ = scan.readings;
         change_sector(scan, optics, members_, scene, "the readings are stuck",
@@ -195,10 +210,10 @@ class StuckSector : public FaultEffect {
 
 std::span<const FaultKind> window_kinds() {
     static constexpr FaultKind kinds[] = {
-        kind_of<DirtyWindow>("dirty", "scans", "Dirt on the window covers a sector."),
-        kind_of<BlindSector>("blind", "scans", "A sector sees nothing."),
-        kind_of<Salt>("interference", "scans", "Other light is read here and there."),
-        kind_of<StuckSector>("stick", "scans", "A sector reads one range all the time."),
+        kind_of<DirtyWindow>("dirty", "scans", "dirt on the window covers a sector"),
+        kind_of<BlindSector>("blind", "scans", "a sector sees nothing"),
+        kind_of<Salt>("interference", "scans", "other light is read here and there"),
+        kind_of<StuckSector>("stick", "scans", "a sector reads one range all the time"),
     };
     return kinds;
 }

@@ -16,6 +16,8 @@
 
 #include "daemon/clock/stepped_clock.h"
 #include "daemon/device/device.h"
+#include "daemon/faults/fault_injector.h"
+#include "daemon/faults/read_fault.h"
 #include "daemon/models/registry.h"
 #include "daemon/world/world.h"
 #include "sim/backends/registry.h"
@@ -63,6 +65,11 @@ class Revolutions {
         }
     }
 
+    void start_fault(const char* json) {
+        injector_.emplace(*device_, std::vector<daemon::Port*>{}, daemon::LinkConfig{}, clock_);
+        injector_->start(daemon::parse_fault(json).value(), 1);
+    }
+
     void move(sim::Time time) { (void)world_.place_robot("robot", {time, turning_at(time)}); }
 
     /// When the next revolution is complete.
@@ -83,11 +90,14 @@ class Revolutions {
     daemon::World world_;
     std::optional<daemon::Device> device_;
     std::unique_ptr<daemon::Endpoint::Client> client_;
+    std::optional<daemon::FaultInjector> injector_;
     std::int64_t revolution_ = 0;
 };
 
-void run(benchmark::State& state, sim::Accuracy accuracy, bool moving) {
+void run(benchmark::State& state, sim::Accuracy accuracy, bool moving,
+         const char* fault = nullptr) {
     Revolutions revolutions(accuracy);
+    if (fault != nullptr) revolutions.start_fault(fault);
     std::size_t bytes = 0;
     for (auto _ : state) {
         // Poses are 25 ms apart. The sweep lies between two of them.
@@ -105,6 +115,15 @@ BENCHMARK_CAPTURE(run, still_material, sim::Accuracy::material, false)
 BENCHMARK_CAPTURE(run, moving_material, sim::Accuracy::material, true)
     ->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(run, moving_sensor, sim::Accuracy::sensor, true)->Unit(benchmark::kMicrosecond);
+
+// What a fault costs that waits, and one that acts. Without one nothing is measured that the cases
+// above do not have: compare still_sensor with that of a version without faults.
+BENCHMARK_CAPTURE(run, still_sensor_and_a_fault_waits, sim::Accuracy::sensor, false,
+                  R"({"kind":"sums","at":{"scan":900000000}})")
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(run, still_sensor_and_a_fault_acts, sim::Accuracy::sensor, false,
+                  R"({"kind":"sums"})")
+    ->Unit(benchmark::kMicrosecond);
 
 /// All rays of a revolution that sees light, and nothing else: what a revolution is measured by.
 void cast_alone(benchmark::State& state, bool moving) {

@@ -322,6 +322,23 @@ TEST_F(FleetTest, HandsAPortToAnotherScanner) {
     EXPECT_TRUE(answers(wire, "UTM-30LX"));
 }
 
+TEST_F(FleetTest, HandsAPortOnWithoutTheFaultsOfTheScannerBefore) {
+    Config config = of({on_tty("tty")});
+    config.scenario =
+        directory_.write("bad_day.yaml", "steps: [{sensor: '*', kind: delay, ms: 1}]\n");
+    fleet_.apply(config);
+    ScannerWire wire = ScannerWire::tty(*sensor().pty);
+    EXPECT_TRUE(answers(wire, "UST-10LX"));
+
+    // The line of the new scanner is not that which the end of the old one's fault brings back.
+    config.scenario.clear();
+    config.robots[0].sensors[0].link.latency = 100ms;
+    fleet_.apply(config);
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_TRUE(answers(wire, "UST-10LX"));
+    EXPECT_GE(std::chrono::steady_clock::now() - begin, 200ms);
+}
+
 TEST_F(FleetTest, MovesRobotsForTheControlApi) {
     fleet_.apply(of({on_tcp("front")}));
     EXPECT_FALSE(api_.robot_pose("nobody"));

@@ -163,12 +163,12 @@ TEST_F(ScanStreamTest, TellsOfFaultsBesideTheScans) {
     cameras_[0]->tap.follow(log_);
     const auto inject = [&] {
         log_.add({.id = 4,
-                 .kind = "freeze",
-                 .what = "begins",
-                 .scan = 7,
-                 .told = 250ms,
-                 .bytes = {},
-                 .steps = {}});
+                  .kind = "freeze",
+                  .what = "begins",
+                  .scan = 7,
+                  .told = 250ms,
+                  .bytes = {},
+                  .steps = {}});
     };
     inject();
     Client client(stream_);

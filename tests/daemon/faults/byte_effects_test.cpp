@@ -173,11 +173,11 @@ TEST(ByteEffects, SayWhatIsWrongWithTheirMembers) {
     EXPECT_THAT(refusal("lose", "{bytes: {rate: 2}}"), HasSubstr("'2'"));
     EXPECT_THAT(refusal("lose", "{bytes: {rate: 1}, within: sums}"), HasSubstr("within"));
     EXPECT_THAT(refusal("corrupt", "{bytes: {rate: 1}, within: lines}"),
-                HasSubstr("must be all or sums, not 'lines'"));
+                HasSubstr("must be one of all, sums, not 'lines'"));
     EXPECT_THAT(refusal("corrupt", "{bytes: {rate: 1}, messages: some}"),
-                HasSubstr("must be all, scans or replies, not 'some'"));
+                HasSubstr("must be one of all, scans, replies, not 'some'"));
     EXPECT_THAT(refusal("noise", "{count: 0}"), HasSubstr("from 1 to 4096"));
-    EXPECT_THAT(refusal("noise", "{value: white}"), HasSubstr("must be nul or random"));
+    EXPECT_THAT(refusal("noise", "{value: white}"), HasSubstr("must be one of nul, random"));
 }
 
 }  // namespace

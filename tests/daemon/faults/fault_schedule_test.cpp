@@ -58,6 +58,17 @@ TEST(FaultSchedule, BeginsAtOnceWhereItsScanHasPassed) {
     EXPECT_EQ(active_scans(schedule, 101, 110), (Scans{101, 102}));
 }
 
+TEST(FaultSchedule, LastsFromWhenItWasDueWhereThatIsNoticedLate) {
+    FaultSchedule scans(plan_of(lasting, AtScan{5}, ForScans{10}), 1, {});
+    const FaultMoment late{.scan = 8, .time = 9 * period + 1ms};
+    ASSERT_TRUE(scans.due(late));
+    scans.begin(late);
+    EXPECT_EQ(active_scans(scans, 9, 20), (Scans{9, 10, 11, 12, 13, 14}));
+    FaultSchedule time(plan_of(lasting, AfterTime{100ms}, ForTime{200ms}), 1, {});
+    time.begin({.time = 130ms});
+    EXPECT_EQ(time.next_time({}), 300ms);
+}
+
 TEST(FaultSchedule, CountsScansFromWhereItWasAskedFor) {
     FaultSchedule schedule(plan_of(lasting, AfterScans{4}, ForScans{2}), 1, serving(10));
     EXPECT_EQ(active_scans(schedule, 11, 30), (Scans{14, 15}));

@@ -81,7 +81,7 @@ TEST(LineEffects, SayWhatIsWrongWithTheirMembers) {
     EXPECT_THAT(refusal("split", "{bytes: {at: [0]}}"), HasSubstr("from 1 to 65535"));
     EXPECT_THAT(refusal("stall", "{ms: 1}"), HasSubstr("ms"));
     EXPECT_THAT(refusal("cut", "{how: gently}"),
-                HasSubstr("must be fin, rst, silent, refuse or mute, not 'gently'"));
+                HasSubstr("must be one of fin, rst, silent, refuse, mute, not 'gently'"));
     EXPECT_THAT(refusal("cut", "{how: mute}"), HasSubstr("needs for or until"));
 }
 

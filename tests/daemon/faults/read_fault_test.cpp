@@ -205,5 +205,14 @@ TEST(ReadFault, ReadsAnyTextThatJsonCanHold) {
     }
 }
 
+TEST(ReadFault, RefusesToRepeatWhatDoesNotEnd) {
+    const auto refused = parse_fault(R"({"kind":"stall","every":{"s":5}})");
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().field, "every");
+    EXPECT_EQ(refused.error().why, "needs for or until: what does not end does not begin again");
+    EXPECT_TRUE(parse_fault(R"({"kind":"stall","every":{"s":5},"for":{"s":1}})"));
+    EXPECT_TRUE(parse_fault(R"({"kind":"reboot","every":{"s":5}})"));
+}
+
 }  // namespace
 }  // namespace scipd::daemon

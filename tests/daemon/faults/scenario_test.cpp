@@ -72,9 +72,8 @@ TEST(Scenario, HoldsWhatTheFileSays) {
     EXPECT_EQ(scenario.steps[0].fault.start, FaultStart{AtScan{200}});
     EXPECT_EQ(scenario.steps[0].fault.end, FaultEnd{ForScans{50}});
     EXPECT_EQ(scenario.steps[1].fault.start, FaultStart{AtTime{12500ms}});
-    EXPECT_EQ(
-        scenario.steps[1].fault.said,
-        R"({"at":{"time_s":12.5},"kind":"scratch","rate":1,"steps":[4,5],"for":{"s":3}})");
+    EXPECT_EQ(scenario.steps[1].fault.said,
+              R"({"at":{"time_s":12.5},"kind":"scratch","rate":1,"steps":[4,5],"for":{"s":3}})");
     EXPECT_EQ(
         scenario.steps[2].fault.said,
         R"({"at":{"request":"MD","nth":2},"kind":"scratch","rate":1,"status":"0L","until":"RB"})");

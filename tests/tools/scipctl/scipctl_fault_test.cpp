@@ -99,7 +99,7 @@ TEST_F(ScipctlFault, ReadsWhenAndForHowLong) {
               json::parse(R"({"kind":"stall","at":{"scan":120},"until":"RB","seed":7})"));
     EXPECT_EQ(asked_for({"stall", "--at", "request=MD:2", "--for", "scans=10"}),
               json::parse(R"({"kind":"stall","at":{"request":"MD","nth":2},"for":{"scans":10}})"));
-    EXPECT_EQ(asked_for({"stall", "--at", "request=02"})["at"], json::parse(R"({"request":"02"})"));
+    EXPECT_EQ(asked_for({"stall", "--at", "request=BM"})["at"], json::parse(R"({"request":"BM"})"));
     EXPECT_EQ(asked_for({"stall", "--for", "s=1", "--every", "s=10", "--jitter", "s=2.5"}),
               json::parse(R"({"kind":"stall","for":{"s":1},"every":{"s":10},"jitter":{"s":2.5}})"));
 }
@@ -205,7 +205,7 @@ TEST(ScipctlFaultCompletion, KnowsTheKindsOfTheDaemon) {
                  "compdef() {}; _files() {}; compadd() { print -r -- \"$@\" }; source <(" SCIPCTL
                  " completion zsh); words=(scipctl fault start x ''); CURRENT=5; _scipctl"})
             .out;
-    EXPECT_THAT(zsh, StartsWith("-- st cut --at --for"));
+    EXPECT_THAT(zsh, StartsWith("-- st cut --help --at --for"));
 }
 
 }  // namespace

@@ -192,7 +192,7 @@ TEST_F(ScipctlScene, CompletesInBash) {
                         "); COMP_CWORD=" + cursor + "; _scipctl; echo \"${COMPREPLY[@]}\""})
             .out;
     };
-    EXPECT_EQ(complete("scipctl s", "1"), "status sensors scene\n");
+    EXPECT_EQ(complete("scipctl s", "1"), "status sensors scene scenario\n");
     EXPECT_EQ(complete("scipctl --control x pose st", "4"), "stream\n");
     EXPECT_EQ(complete("scipctl scene ''", "2"),
               "list load add move remove medium --help --control\n");

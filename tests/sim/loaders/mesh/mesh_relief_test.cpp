@@ -228,7 +228,10 @@ INSTANTIATE_TEST_SUITE_P(Of, MeshRelief, ::testing::ValuesIn(cases()),
                          [](const auto& one) { return std::string{one.param.title}; });
 
 TEST_P(MeshRelief, TheTriangleIsWhereItIs) {
-    const bool crashes_assimp = GetParam().title == std::string_view{"skin_without_bones"};
+    // The second does so with ThreadSanitizer's allocator only, which leaves nothing behind an
+    // array.
+    const bool crashes_assimp = GetParam().title == std::string_view{"skin_without_bones"} ||
+                                GetParam().title == std::string_view{"skin_of_a_joint_too_many"};
     if (tests::sanitized && crashes_assimp) GTEST_SKIP() << tests::sanitizers_report_crashes;
     folder_.write("bad.mtl", "newmtl oak\nKd a b c\nmap_Kd gone.png\n");
     const auto parts = load_mesh_parts(folder_.write(GetParam().file, GetParam().text));

@@ -1,0 +1,366 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright The scipd authors
+#
+# The faults that a client notices by time or by its connection: on the wall clock, over TCP and a tty. Bounds of time
+# are wide, since the machine may be busy. fault_lines_test.py SCIPD SCENE [CASE..]
+import errno
+import os
+import socket
+import sys
+import time
+
+from fault_lab import PATIENCE_S, Client, Lab, Scan, wait_for
+
+UST = {"model": "UST-10LX", "tcp": "127.0.0.1:0", "mount": {"xyz": [0, 0, 0.3]}}
+URG = {"model": "URG-04LX", "pty": "tty", "mount": {"xyz": [0, 0, 0.3]}, "timing": "ideal"}
+ENDLESS = "MD0000108000000"
+
+
+class Bench:
+    """A scipd with a scanner that is at fault, and one beside it that streams and misses nothing."""
+
+    def __init__(self, scipd, scene):
+        self.scipd, self.scene = scipd, scene
+        self.lab = Lab(scipd, scene, sensors={"front": UST, "rear": UST, "serial": URG}, lockstep=False)
+        self.other = Client(self.lab.address("rear"))
+        self.other.ask("BM")
+        self.other.ask(ENDLESS)
+
+    def start(self, sensor="front", **fault):
+        status, answer = self.lab.control.ask("POST", f"/sensors/robot/{sensor}/faults", fault)
+        assert status == 201, answer
+        return answer["id"]
+
+    def state(self, fault, sensor="front"):
+        return self.lab.control.ask("GET", f"/sensors/robot/{sensor}/faults/{fault}")[1]["state"]
+
+    def wait_until_ended(self, fault, sensor="front"):
+        wait_for(lambda: self.state(fault, sensor) == "ended", f"fault {fault} does not end")
+
+    def stop(self, fault, sensor="front"):
+        assert self.lab.control.ask("DELETE", f"/sensors/robot/{sensor}/faults/{fault}")[0] == 204
+
+    def client(self):
+        return Client(self.lab.address("front"))
+
+    def finish(self):
+        """The scanner is sound again, and the other one has missed nothing."""
+        client = self.client()
+        assert client.ask("VV").startswith(b"VV\n00P\nVEND")
+        assert b"sensor is working normally" in client.ask("II")
+        assert client.ask("BM") in (b"BM\n00P\n\n", b"BM\n02R\n\n")
+        client.ask("MD0000108000003")
+        client.read_until(b"MD0000108000000\n99b\n")
+        assert client.ask("QT").endswith(b"QT\n00P\n\n")
+        client.close()
+        self.other.read_until(b"MD0000108000000\n99b\n", len(self.other.got))
+        self.other.say("QT")
+        self.other.read_until(b"QT\n00P\n\n")
+        self.other.close()
+        stream = self.other.got[self.other.got.index(b"\n\n", self.other.got.index(ENDLESS.encode())) + 2:]
+        scans = [Scan(m) for m in stream.split(b"\n\n") if m.startswith(b"MD")]
+        gaps = {b.stamp_ms - a.stamp_ms for a, b in zip(scans, scans[1:])}
+        assert len(scans) > 2 and gaps <= {24, 25, 26}, f"the other scanner has gaps of {gaps} ms"
+        assert all(scan.sound for scan in scans)
+        assert not self.lab.log("rear")
+
+
+def refused(address):
+    try:
+        socket.create_connection(address, timeout=5).close()
+    except ConnectionRefusedError:
+        return True
+    return False
+
+
+def closed(client):
+    """How the connection ends."""
+    try:
+        while client.read():
+            pass
+        return "ended"
+    except ConnectionResetError:
+        return "reset"
+
+
+def delay(bench):
+    client = bench.client()
+    fault = bench.start(kind="delay", ms=300)
+    begin = time.monotonic()
+    client.ask("VV")
+    assert time.monotonic() - begin >= 0.6, "each way is 300 ms late"
+    bench.stop(fault)
+    fast = []
+    for _ in range(20):
+        begin = time.monotonic()
+        client.ask("VV")
+        fast.append(time.monotonic() - begin)
+    assert min(fast) < 0.3
+    client.close()
+
+
+def coalesce(bench):
+    client = bench.client()
+    bench.start(kind="coalesce", ms=500, **{"for": {"s": 5}})
+    for line in ("VV", "PP", "II"):
+        client.say(line)
+    first = client.read()
+    # The first answer waits for the others.
+    assert first.count(b"\n\n") == 3, first
+    client.close()
+
+
+def split(bench):
+    client = bench.client()
+    fault = bench.start(kind="split", bytes={"at": [3, 10]}, pause_ms=100)
+    client.say("VV")
+    pieces = [client.read(), client.read(), client.read()]
+    assert [len(piece) for piece in pieces[:2]] == [3, 7], pieces
+    bench.stop(fault)
+    client.close()
+
+
+def stall(bench):
+    client = bench.client()
+    fault = bench.start(kind="stall")
+    client.say("VV")
+    assert client.silent(0.4)
+    bench.stop(fault)
+    assert client.read_until(b"\n\n").startswith(b"VV\n00P\n")
+    client.close()
+
+
+def cut_by_fin(bench):
+    client = bench.client()
+    bench.start(kind="cut", how="fin")
+    assert closed(client) == "ended"
+    client.close()
+
+
+def cut_by_rst(bench):
+    client = bench.client()
+    client.ask("VV")
+    fault = bench.start(kind="cut", how="rst", **{"for": {"s": 0.5}})
+    assert closed(client) == "reset"
+    assert refused(bench.lab.address("front"))
+    bench.wait_until_ended(fault)
+    client.close()
+
+
+def cut_silently(bench):
+    client = bench.client()
+    client.ask("VV")
+    fault = bench.start(kind="cut", how="silent", boot=True, **{"for": {"s": 0.6}})
+    client.say("VV")
+    assert client.silent(0.3)
+    assert closed(client) == "reset", "the scanner knows nothing of it any more"
+    bench.wait_until_ended(fault)
+    wait_for(lambda: "boots" in str(bench.lab.log("front")), "it does not boot")
+    client.close()
+
+
+def refuse(bench):
+    client = bench.client()
+    fault = bench.start(kind="cut", how="refuse", **{"for": {"s": 1000}})
+    assert refused(bench.lab.address("front"))
+    assert client.ask("VV").startswith(b"VV\n00P\n"), "who is connected stays"
+    client.close()
+    bench.stop(fault)
+    wait_for(lambda: not refused(bench.lab.address("front")), "it goes on refusing")
+
+
+def mute(bench):
+    fault = bench.start(kind="cut", how="mute", **{"for": {"s": 1000}})
+    client = bench.client()
+    client.say("VV")
+    assert client.silent(0.4)
+    bench.stop(fault)
+    assert client.ask("PP").startswith(b"PP\n00P\n"), "it goes on"
+    assert b"VV" not in client.got
+    client.close()
+
+
+def reboot(bench):
+    client = bench.client()
+    client.ask("BM")
+    client.ask(ENDLESS)
+    bench.start(kind="reboot", boot_s=0.5)
+    closed(client)
+    client.close()
+    client = bench.client()
+    begin = time.monotonic()
+    assert b"TIME:" in client.ask("II")
+    assert b"LASR:OFF" in client.got
+    assert time.monotonic() - begin < PATIENCE_S
+    client.close()
+
+
+def state(bench):
+    client = bench.client()
+    client.ask("BM")
+    client.ask(ENDLESS)
+    fault = bench.start(kind="state", state="abnormal", until="RB")
+    client.read_until(b"MD0000108000000\n0Ll\n\n")
+    assert client.ask("BM") == b"BM\n0Ll\n\n"
+    assert b"works well" not in client.ask("II")
+    client.say("RB")
+    client.read_until(b"RB\n01")
+    client.say("RB")
+    closed(client)
+    client.close()
+    bench.wait_until_ended(fault)
+
+
+def status(bench):
+    client = bench.client()
+    fault = bench.start(kind="status", status="0L", at={"request": "MD", "nth": 2}, until="QT")
+    client.ask("BM")
+    assert client.ask("MD0000108000001").startswith(b"MD0000108000001\n00P\n")
+    client.read_until(b"MD0000108000000\n99b\n")
+    client.read_until(b"\n\n", client.got.index(b"MD0000108000000\n99b\n"))
+    assert client.ask("MD0000108000002") == b"MD0000108000002\n0Ll\n\n"
+    assert client.ask("VV").startswith(b"VV\n00P\n"), "other commands are answered"
+    assert client.ask("MD0000108000003") == b"MD0000108000003\n0Ll\n\n"
+    assert client.ask("QT") == b"QT\n00P\n\n"
+    bench.wait_until_ended(fault)
+    client.close()
+
+
+def sleep(bench):
+    client = bench.client()
+    client.ask("BM")
+    client.ask(ENDLESS)
+    fault = bench.start(kind="sleep", **{"for": {"s": 0.5}})
+    wait_for(lambda: bench.state(fault) == "ended", "it does not wake")
+    begin = len(client.got)
+    assert b"LASR:OFF" in client.ask("II", b"STAT") and len(client.got) > begin
+    client.close()
+
+
+def slow_start(bench):
+    client = bench.client()
+    client.ask("BM")
+    begin = time.monotonic()
+    fault = bench.start(kind="motor", spin_up_s=0.7, **{"for": {"s": 2}})
+    client.ask(ENDLESS)
+    client.read_until(b"99b")
+    assert time.monotonic() - begin >= 0.6
+    client.close()
+    bench.wait_until_ended(fault)
+
+
+def resend(bench):
+    client = bench.client()
+    fault = bench.start(kind="resend", what="twice", command="VV")
+    answer = client.ask("VV").split(b"\n\n")[0] + b"\n\n"
+    assert client.read_until(2 * answer) == 2 * answer
+    client.ask("PP")
+    bench.stop(fault)
+    fault = bench.start(kind="resend", what="previous")
+    client.ask("VV")
+    assert client.ask("PP").startswith(b"VV\n00P\n")
+    bench.stop(fault)
+    assert client.ask("PP").startswith(b"PP\n00P\n")
+    client.close()
+
+
+def text_sums(bench):
+    client = bench.client()
+    fault = bench.start(kind="sums", of="text", command="VV")
+    wrong = client.ask("VV")
+    right = client.ask("PP")
+    bench.stop(fault)
+    again = client.ask("VV")
+    differ = [i for i, (a, b) in enumerate(zip(wrong, again)) if a != b]
+    assert len(wrong) == len(again) and len(differ) == 5 and all(wrong[i + 1:i + 2] == b"\n" for i in differ)
+    assert client.ask("PP") == right
+    client.close()
+
+
+def late(bench):
+    client = bench.client()
+    client.ask("BM")
+    fault = bench.start(kind="late", ms=600)
+    begin = time.monotonic()
+    client.ask("MD0000108000001")
+    client.read_until(b"MD0000108000000\n99b\n")
+    assert time.monotonic() - begin >= 0.55
+    bench.stop(fault)
+    client.close()
+
+
+def hangup(bench):
+    tty = bench.lab.tty("serial")
+    descriptor = os.open(tty, os.O_RDWR | os.O_NOCTTY)
+    os.write(descriptor, b"VV\n")
+    assert os.read(descriptor, 2) == b"VV"
+    fault = bench.start("serial", kind="hangup", **{"for": {"s": 0.5}})
+    wait_for(lambda: not os.path.exists(tty), "the link stays")
+    end = time.monotonic() + PATIENCE_S
+    while True:
+        assert time.monotonic() < end, "it is not hung up"
+        try:
+            if not os.read(descriptor, 4096):
+                break
+        except OSError as error:
+            assert error.errno == errno.EIO, error
+            break
+    os.close(descriptor)
+    bench.wait_until_ended(fault, "serial")
+    wait_for(lambda: os.path.exists(tty), "the link does not come back")
+    descriptor = os.open(tty, os.O_RDWR | os.O_NOCTTY)
+    os.write(descriptor, b"VV\n")
+    got = b""
+    while b"\n\n" not in got:
+        got += os.read(descriptor, 4096)
+    assert got.startswith(b"VV\n00P\n"), got
+    os.close(descriptor)
+
+
+def repeatable(bench):
+    """The same scans are hit at the same bytes in another run, although a driver comes at another time."""
+    fault = {"kind": "corrupt", "bytes": {"rate": 0.01}, "at": {"scan": 60}, "for": {"scans": 20}, "seed": 5}
+
+    def hits(lab, wait_s):
+        assert lab.control.ask("POST", "/sensors/robot/front/faults", fault)[0] == 201
+        time.sleep(wait_s)
+        client = Client(lab.address("front"))
+        client.ask("BM")
+        client.ask(ENDLESS)
+        wait_for(lambda: lab.faults("front")[-1]["state"] == "ended" or not client.read(), "it does not end")
+        client.close()
+        return {entry["scan"]: entry["bytes"] for entry in lab.log("front") if entry["bytes"]}
+
+    with Lab(bench.scipd, bench.scene, sensors={"front": UST}, lockstep=False) as one:
+        first = hits(one, 0)
+    with Lab(bench.scipd, bench.scene, sensors={"front": UST}, lockstep=False) as other:
+        second = hits(other, 1.4)  # about when it begins
+    both = first.keys() & second.keys()
+    scans = first.keys() | second.keys()
+    assert len(first) > 10 and min(scans) >= 60 and max(scans) < 80, (first.keys(), second.keys())
+    assert all(first[scan] == second[scan] for scan in both)
+
+
+CASES = {case.__name__: case for case in (
+    delay, coalesce, split, stall, cut_by_fin, cut_by_rst, cut_silently, refuse, mute, reboot, state, status, sleep,
+    slow_start, resend, text_sums, late, hangup, repeatable)}
+
+
+def main(scipd, scene, *names):
+    failed = []
+    for name in names or CASES:
+        bench = Bench(scipd, scene)
+        with bench.lab:
+            try:
+                CASES[name](bench)
+                bench.finish()
+                print(f"{name}: fine", flush=True)
+            except (AssertionError, OSError, TimeoutError, ValueError) as error:
+                failed.append(name)
+                print(f"{name}: {type(error).__name__}: {str(error)[:400]}", flush=True)
+    if failed:
+        sys.exit(f"failed: {', '.join(failed)}")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
