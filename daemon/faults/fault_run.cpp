@@ -64,6 +64,8 @@ void FaultRun::meet_boot() {
 
 void FaultRun::stop() {
     if (schedule_.phase() == FaultSchedule::Phase::active) end();
+    schedule_.stop();
+    stopped_ = true;
 }
 
 void FaultRun::begin() {
@@ -78,7 +80,6 @@ void FaultRun::end() {
     if (acting_->holds()) last_ = acting_;
     changes_.push_back({std::move(acting_), false});
     acting_ = nullptr;
-    log(spdlog::level::info, {.what = "ends"});
 }
 
 bool FaultRun::settle() {
@@ -87,8 +88,13 @@ bool FaultRun::settle() {
     while (!changes_.empty()) {
         const Change change = std::move(changes_.front());
         changes_.erase(changes_.begin());
-        change.begins ? change.effect->begin(*this) : change.effect->end(*this);
         settled = true;
+        if (change.begins) {
+            change.effect->begin(*this);
+        } else {
+            change.effect->end(*this);
+            log(spdlog::level::info, {.what = "ends"});
+        }
     }
     return settled;
 }

@@ -7,6 +7,7 @@ import errno
 import os
 import socket
 import sys
+import threading
 import time
 
 from fault_lab import PATIENCE_S, Client, Lab, Scan, wait_for
@@ -25,6 +26,8 @@ class Bench:
         self.other = Client(self.lab.address("rear"))
         self.other.ask("BM")
         self.other.ask(ENDLESS)
+        self.reader = threading.Thread(target=self.other.read_until, args=(b"QT\n00P\n\n",), daemon=True)
+        self.reader.start()
 
     def start(self, sensor="front", **fault):
         status, answer = self.lab.control.ask("POST", f"/sensors/robot/{sensor}/faults", fault)
@@ -53,9 +56,10 @@ class Bench:
         client.read_until(b"MD0000108000000\n99b\n")
         assert client.ask("QT").endswith(b"QT\n00P\n\n")
         client.close()
-        self.other.read_until(b"MD0000108000000\n99b\n", len(self.other.got))
+        begin = len(self.other.got)
+        wait_for(lambda: self.other.got.count(b"99b", begin) > 3, "the other scanner is silent")
         self.other.say("QT")
-        self.other.read_until(b"QT\n00P\n\n")
+        self.reader.join(PATIENCE_S)
         self.other.close()
         stream = self.other.got[self.other.got.index(b"\n\n", self.other.got.index(ENDLESS.encode())) + 2:]
         scans = [Scan(m) for m in stream.split(b"\n\n") if m.startswith(b"MD")]
