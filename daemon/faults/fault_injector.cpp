@@ -43,6 +43,7 @@ FaultInjector::FaultInjector(Device& device, std::vector<Port*> ports, const Lin
       condition_(device),
       line_{link},
       alarm_(clock.make_idle_alarm()),
+      end_alarm_(clock.make_alarm()),
       soon_(clock.make_alarm()) {}
 
 FaultInjector::~FaultInjector() {
@@ -275,22 +276,31 @@ void FaultInjector::tidy() {
 }
 
 void FaultInjector::wait() {
-    const sim::Time now = clock_.now();
-    std::optional<sim::Time> at;
-    const auto or_at = [&](sim::Time time) { at = std::min(at.value_or(time), time); };
+    std::optional<sim::Time> idle;
+    std::optional<sim::Time> awaited;
     for (const auto& run : runs_) {
-        const FaultSchedule& schedule = run->schedule();
-        if (const auto scan = schedule.next_scan())
-            or_at(std::max(site_.device.leaves(*scan), now + look_again));
-        const auto time = schedule.next_time(clock_.origin());
-        if (time) or_at(clock_.origin() == sim::Time{} ? std::min(*time, now + look_again) : *time);
+        std::optional<sim::Time>& at = run->awaited() ? awaited : idle;
+        if (const auto next = next_look(run->schedule())) at = std::min(at.value_or(*next), *next);
     }
-    if (!at) return alarm_->cancel();
-    alarm_->set(*at, [this] {
-        look_at(moment());
-        advance();
-        settle();
-    });
+    const auto set = [this](Clock::Alarm& alarm, std::optional<sim::Time> at) {
+        if (!at) return alarm.cancel();
+        alarm.set(*at, [this] {
+            look_at(moment());
+            advance();
+            settle();
+        });
+    };
+    set(*alarm_, idle);
+    set(*end_alarm_, awaited);
+}
+
+std::optional<sim::Time> FaultInjector::next_look(const FaultSchedule& schedule) const {
+    const sim::Time now = clock_.now();
+    if (const auto scan = schedule.next_scan())
+        return std::max(site_.device.leaves(*scan), now + look_again);
+    const sim::Time origin = clock_.origin();
+    const auto time = schedule.next_time(origin);
+    return time && origin == sim::Time{} ? std::min(*time, now + look_again) : time;
 }
 
 }  // namespace scipd::daemon

@@ -74,6 +74,7 @@ class FaultInjector : private DeviceHook, private LineHook {
     /// Takes the hooks away that nobody needs, and forgets faults that ended long ago.
     void tidy();
     void wait();
+    [[nodiscard]] std::optional<sim::Time> next_look(const FaultSchedule& schedule) const;
     [[nodiscard]] bool idle() const;
 
     template <class Act>
@@ -97,7 +98,8 @@ class FaultInjector : private DeviceHook, private LineHook {
     FaultedDevice condition_;
     LineState line_;
     PoseShift shift_;
-    std::unique_ptr<Clock::Alarm> alarm_;
+    std::unique_ptr<Clock::Alarm> alarm_;      ///< for what begins, and ends, on the way
+    std::unique_ptr<Clock::Alarm> end_alarm_;  ///< for what a driver waits for
     std::unique_ptr<Clock::Alarm> soon_;
 };
 

@@ -69,6 +69,7 @@ void FaultRun::stop() {
 }
 
 void FaultRun::begin() {
+    drove_ = site_.device.driven();
     schedule_.begin(site_.now);
     acting_ = plan_.make();
     changes_.push_back({acting_, true});

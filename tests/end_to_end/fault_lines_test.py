@@ -434,6 +434,28 @@ def keeps_its_lateness(bench):
     client.close()
 
 
+def in_lockstep(bench):
+    """Time goes on while the only driver is kept out, so that the fault ends."""
+    for fault in ({"kind": "cut", "how": "rst"}, {"kind": "state", "state": "abnormal"}):
+        fault = {"sensor": "robot/front", "at": {"scans": 30}, "for": {"s": 3}, **fault}
+        with Lab(bench.scipd, bench.scene, sensors={"front": UST}, faults=[fault]) as lab:
+            end = time.monotonic() + PATIENCE_S
+            streams = 0
+            while streams < 3:
+                assert time.monotonic() < end, lab.faults("front")
+                try:
+                    client = Client(lab.address("front"))
+                    client.socket.settimeout(5)
+                    client.ask("BM")
+                    client.say("MD0000108000040")
+                    client.read_until(b"MD0000108000000\n99b\n")
+                    streams += 1
+                except (OSError, TimeoutError):
+                    time.sleep(0.02)
+                client.close()
+            assert lab.faults("front")[0]["state"] == "ended"
+
+
 def repeatable(bench):
     """The same scans are hit at the same bytes in another run, although a driver comes at another time."""
     fault = {"kind": "corrupt", "bytes": {"rate": 0.01}, "at": {"scan": 60}, "for": {"scans": 20}, "seed": 5}
@@ -461,7 +483,7 @@ def repeatable(bench):
 CASES = {case.__name__: case for case in (
     delay, coalesce, split, stall, cut_by_fin, cut_by_rst, cut_silently, refuse, mute, reboot, state, status, sleep,
     slow_start, resend, text_sums, late, hangup, two_clocks, two_states, spins_up_too_long,
-    sleeps_already, next_client, stopped_while_it_holds, keeps_its_lateness, repeatable)}
+    sleeps_already, next_client, stopped_while_it_holds, keeps_its_lateness, in_lockstep, repeatable)}
 
 
 def main(scipd, scene, *names):
