@@ -104,6 +104,14 @@ def delay(bench):
     client.ask("VV")
     assert time.monotonic() - begin >= 0.6, "each way is 300 ms late"
     bench.stop(fault)
+    # What is still under way arrives with the end of the fault.
+    fault = bench.start(kind="delay", ms=10000)
+    client.say("PP")
+    bench.stop(fault)
+    begin = time.monotonic()
+    client.read_until(b"PP\n00P\n")
+    client.read_until(b"\n\n", client.got.index(b"PP\n00P\n"))
+    assert time.monotonic() - begin < 5
     fast = []
     for _ in range(20):
         begin = time.monotonic()
