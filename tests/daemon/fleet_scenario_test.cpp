@@ -139,17 +139,21 @@ TEST_F(FleetScenarioTest, HasTheSameChanceWhateverWasRunBefore) {
     const auto targets = simulation().scanners();
     const auto single = parse_fault(R"({"kind":"reboot"})");
     ASSERT_TRUE(single);
-    (void)targets.at(0).injector->start(*single, 1);
     static constexpr FaultKind draw = kind_of<Draw>("draw", "scans", "Draws a number.", true);
     const Scenario scenario =
         parse_scenario(R"(steps: [{sensor: "*", kind: draw}])", "draw.yaml", {}, {&draw});
-    // The next scan may begin between the two.
+    // The next scan may begin in between.
     do {
         drawn.clear();
         simulation().scenario.run(scenario, targets);
-        ASSERT_EQ(drawn.size(), 2U);
-    } while (drawn[0].scan != drawn[1].scan);
-    EXPECT_EQ(drawn[0].chance, drawn[1].chance);
+        (void)targets.at(0).injector->start(*single, 1);
+        simulation().scenario.run(scenario, targets);
+        ASSERT_EQ(drawn.size(), 4U);
+    } while (drawn[0].scan != drawn[2].scan || drawn[0].scan != drawn[1].scan);
+    EXPECT_EQ(drawn[0].chance, drawn[2].chance);
+    EXPECT_EQ(drawn[1].chance, drawn[3].chance);
+    EXPECT_NE(drawn[0].chance, drawn[1].chance)
+        << "what is one step for two scanners hits both alike";
 }
 
 TEST_F(FleetScenarioTest, ThatWasRunByHandStaysWhereTheConfigurationHasNoOther) {
