@@ -40,8 +40,10 @@ constexpr std::chrono::milliseconds accept_pause{100};
 template <class Protocol>
 class Listener : public HttpPort, public std::enable_shared_from_this<Listener<Protocol>> {
   public:
-    Listener(typename Protocol::acceptor acceptor, std::shared_ptr<HttpService> service)
+    Listener(typename Protocol::acceptor acceptor, std::shared_ptr<HttpService> service,
+             std::shared_ptr<const Gate> gate)
         : service_(std::move(service)),
+          gate_(std::move(gate)),
           acceptor_(std::move(acceptor)),
           pause_(acceptor_.get_executor()) {}
 
@@ -50,7 +52,8 @@ class Listener : public HttpPort, public std::enable_shared_from_this<Listener<P
                                                                  typename Protocol::socket socket) {
             if (self->service_->closed) return;
             if (error) return self->accept_later();
-            std::make_shared<HttpConnection<Protocol>>(std::move(socket), self->service_)
+            std::make_shared<HttpConnection<Protocol>>(std::move(socket), self->service_,
+                                                       self->gate_)
                 ->read_header();
             self->accept();
         });
@@ -71,6 +74,7 @@ class Listener : public HttpPort, public std::enable_shared_from_this<Listener<P
     }
 
     std::shared_ptr<HttpService> service_;
+    std::shared_ptr<const Gate> gate_;
     typename Protocol::acceptor acceptor_;
     asio::steady_timer pause_;
 };
@@ -122,7 +126,7 @@ void HttpServer::listen(const fs::path& socket) {
         acceptor.bind(Local::endpoint{socket.string()});
         sockets_.push_back(socket);
         acceptor.listen();
-        const auto port = std::make_shared<Listener<Local>>(std::move(acceptor), service_);
+        const auto port = std::make_shared<Listener<Local>>(std::move(acceptor), service_, nullptr);
         port->accept();
         ports_.push_back(port);
     });
@@ -134,7 +138,8 @@ Address HttpServer::listen(const Address& address) {
         const tcp::endpoint wanted{asio::ip::make_address(address.host), address.port};
         tcp::acceptor acceptor{executor_, wanted};
         taken = {address.host, acceptor.local_endpoint().port()};
-        const auto port = std::make_shared<Listener<tcp>>(std::move(acceptor), service_);
+        const auto port = std::make_shared<Listener<tcp>>(std::move(acceptor), service_,
+                                                          std::make_shared<Gate>());
         port->accept();
         ports_.push_back(port);
     });

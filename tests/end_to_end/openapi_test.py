@@ -24,6 +24,7 @@ LIDAR = ("<model name='l'><link name='l'><sensor name='s' type='gpu_lidar'><lida
 FLEET = """
 scene: SCENE
 control: control.sock
+http: 127.0.0.1:0
 robots:
   robot:
     sensors:
@@ -124,6 +125,12 @@ EXCHANGES = [
     ("GET", "/stream", "/stream", None, 426),
     ("GET", "/poses", "/poses", None, 101),
     ("GET", "/stream", "/stream", None, 101),
+]
+# Over TCP: the answer of the document, its status, and the header fields of the request, which has a body.
+REFUSALS = [
+    ("Forbidden", 403, {"Host": "evil.example"}),
+    ("Forbidden", 403, {"Origin": "http://evil.example"}),
+    ("NotJson", 415, {"Content-Type": "text/plain"}),
 ]
 METHODS = ["GET", "PUT", "POST", "DELETE", "PATCH"]
 UPGRADE = {"Connection": "Upgrade", "Upgrade": "websocket", "Sec-WebSocket-Version": "13",
@@ -256,6 +263,17 @@ def check_exchanges(document, path, scene):
     assert not unseen, unseen
 
 
+def check_refusals(document, where):
+    for name, status, fields in REFUSALS:
+        connection = http.client.HTTPConnection(where, timeout=60)
+        connection.request("PUT", "/robots/robot/pose", "{}", {"Content-Type": "application/json", **fields})
+        answer = connection.getresponse()
+        assert answer.status == status, (name, answer.status)
+        (kind, media), = document.root["components"]["responses"][name]["content"].items()
+        assert answer.headers["Content-Type"] == kind, (name, answer.headers["Content-Type"])
+        document.check(media["schema"], json.loads(answer.read()))
+
+
 def main():
     scipd, document, scene = (str(pathlib.Path(argument).resolve()) for argument in sys.argv[1:])
     document = Document(document)
@@ -265,7 +283,7 @@ def main():
         fleet.write_text(FLEET.replace("SCENE", scene))
         daemon = subprocess.Popen([scipd, "--config", str(fleet)], stdout=subprocess.PIPE)
         try:
-            assert json.loads(daemon.stdout.readline())["ready"]
+            ready = json.loads(daemon.stdout.readline())
             check_stream(document, control, "scanner", "StreamScan")
             check_stream(document, control, "multi", "StreamScan")
             check_stream(document, control, "tof", "CameraReading")
@@ -273,6 +291,7 @@ def main():
             check_fault_stream(document, control)
             check_paths(document, control)
             check_exchanges(document, control, scene)
+            check_refusals(document, ready["http"])
         finally:
             daemon.terminate()
             daemon.wait(20)
