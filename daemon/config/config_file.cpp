@@ -13,6 +13,7 @@
 
 #include "daemon/config/claims.h"
 #include "daemon/config/demo_world.h"
+#include "daemon/config/doors.h"
 #include "daemon/config/media.h"
 #include "daemon/config/models.h"
 #include "daemon/config/poses.h"
@@ -129,8 +130,10 @@ Config Reader::read(const YAML::Node& document) {
     }
     section.read("seed", config.seed, parse_seed);
     section.read("clock", config.clock, parse_clock);
-    section.read("control", config.control, from_base(parse_socket));
-    section.read("http", config.http, parse_listener);
+    if (const Field* control = section.find("control")) {
+        read_control(*control, base_, config, faults_);
+    }
+    if (const Field* http = section.find("http")) read_http(*http, base_, config, faults_);
     claim_sockets(section, config);
     note_places(section, {"scene", "materials", "media", "scenario"});
 

@@ -3,6 +3,7 @@
 #include "daemon/http/gate.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include <boost/beast/core/string.hpp>
 #include <boost/beast/http/field.hpp>
@@ -65,6 +66,31 @@ HttpResponse preflight_answer(std::string_view origin) {
                         {"Vary", "Origin"}}};
 }
 
+/// Looks at all of both, so that the time it takes does not tell how much of a guess is right.
+bool is_same(std::string_view said, std::string_view token) {
+    unsigned differences = said.size() == token.size() ? 0 : 1;
+    for (std::size_t i = 0; i < said.size(); ++i)
+        differences |= static_cast<unsigned char>(said[i] ^ token[i % token.size()]);
+    return differences == 0;
+}
+
+bool knows(const Gate::Header& request, std::string_view token) {
+    constexpr std::string_view scheme = "Bearer ";
+    const std::string_view said = field(request, http::field::authorization);
+    return request.count(http::field::authorization) == 1 &&
+           same_letters(said.substr(0, scheme.size()), scheme) &&
+           is_same(said.substr(scheme.size()), token);
+}
+
+HttpResponse unknown_client() {
+    auto response = problem(401,
+                            "Authorization must be `Bearer TOKEN`, with the first line of the "
+                            "file that token_file under http in the configuration names",
+                            "Authorization");
+    response.headers = {{"WWW-Authenticate", "Bearer"}};
+    return response;
+}
+
 bool is_json(std::string_view content_type) {
     std::string_view type = content_type.substr(0, content_type.find(';'));
     while (type.ends_with(' ') || type.ends_with('\t'))
@@ -99,6 +125,7 @@ std::optional<HttpResponse> Gate::answer(const Header& request, bool has_body,
     const std::string_view origin = field(request, http::field::origin);
     if (origins > 1 || (origins == 1 && !is_own(origin, hosts))) return wrong_origin(hosts);
     if (is_preflight(request) && origins == 1) return preflight_answer(origin);
+    if (!token_.empty() && !knows(request, token_)) return unknown_client();
     if (has_body && !is_json(field(request, http::field::content_type))) {
         return problem(415, "a body must have the Content-Type application/json", "Content-Type");
     }

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <boost/beast/http/message.hpp>
@@ -23,11 +24,17 @@ class Gate {
   public:
     using Header = boost::beast::http::request_header<>;
 
+    /// Clients must know the token, unless it is empty.
+    explicit Gate(std::string token = {}) : token_(std::move(token)) {}
+
     /// Nothing: the request may come in. Otherwise it is answered with this and not heard: a
     /// refusal, or what a browser asks for before a request. `here` is where the client has
     /// connected to.
     [[nodiscard]] std::optional<HttpResponse> answer(const Header& request, bool has_body,
                                                      const Address& here) const;
+
+  private:
+    std::string token_;
 };
 
 /// How clients write this address as a Host: with a port, and without where that is 80. A loopback

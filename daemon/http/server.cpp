@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/http/server.h"
 
+#include <cerrno>
 #include <exception>
 #include <stdexcept>
 #include <string>
@@ -12,6 +13,7 @@
 #include <boost/asio/local/stream_protocol.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "daemon/http/connection.h"
 #include "daemon/http/problem.h"
@@ -92,6 +94,14 @@ void remove_stale(const fs::path& path, const asio::any_io_executor& executor) {
     fs::remove(path);
 }
 
+void let_in(const fs::path& socket, std::optional<unsigned> group) {
+    if (group && ::lchown(socket.c_str(), static_cast<uid_t>(-1), *group) != 0) {
+        throw std::runtime_error("cannot give it to its group: " +
+                                 std::generic_category().message(errno));
+    }
+    fs::permissions(socket, fs::perms(0660));
+}
+
 template <class Listen>
 void name_failures(const std::string& where, Listen listen) {
     try {
@@ -117,14 +127,16 @@ HttpServer::~HttpServer() {
     close();
 }
 
-void HttpServer::listen(const fs::path& socket) {
+void HttpServer::listen(const fs::path& socket, std::optional<unsigned> group) {
     name_failures(socket.string(), [&] {
         remove_stale(socket, executor_);
         Local::acceptor acceptor{executor_, Local{}};
         // On Linux the file inherits the mode of its descriptor: at no instant can others open it.
+        // The umask takes from that mode, and the file is not of the group yet.
         ::fchmod(acceptor.native_handle(), S_IRUSR | S_IWUSR);
         acceptor.bind(Local::endpoint{socket.string()});
         sockets_.push_back(socket);
+        let_in(socket, group);
         acceptor.listen();
         const auto port = std::make_shared<Listener<Local>>(std::move(acceptor), service_, nullptr);
         port->accept();
@@ -132,14 +144,14 @@ void HttpServer::listen(const fs::path& socket) {
     });
 }
 
-Address HttpServer::listen(const Address& address) {
+Address HttpServer::listen(const Address& address, const std::string& token) {
     Address taken;
     name_failures(text_of(address), [&] {
         const tcp::endpoint wanted{asio::ip::make_address(address.host), address.port};
         tcp::acceptor acceptor{executor_, wanted};
         taken = {address.host, acceptor.local_endpoint().port()};
         const auto port = std::make_shared<Listener<tcp>>(std::move(acceptor), service_,
-                                                          std::make_shared<Gate>());
+                                                          std::make_shared<Gate>(token));
         port->accept();
         ports_.push_back(port);
     });

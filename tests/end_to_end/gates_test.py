@@ -3,9 +3,12 @@
 #
 # Who may come in to a running scipd, and what they may do there: gates_test.py SCIPD SCENE
 import contextlib
+import grp
 import json
+import os
 import pathlib
 import socket
+import stat
 import subprocess
 import sys
 import tempfile
@@ -155,9 +158,54 @@ def check_the_web(program, scene, folder):
         the_unix_socket_takes_what_curl_sends(scipd)
 
 
+def configured(folder, scene, text):
+    file = folder / "fleet.yaml"
+    file.write_text(f"scene: {scene}\n{text}\nrobots: {{robot: {{sensors: {{scanner: {{model: UST-10LX, "
+                    "tcp: '0.0.0.0:0'}}}}\n")
+    return "--config", str(file)
+
+
+def check_the_token(program, scene, folder):
+    """All addresses of this machine, of which the test reaches loopback."""
+    token = folder / "token"
+    token.write_text("0123456789abcdef\n")
+    token.chmod(0o600)
+    with Scipd(program, folder, *configured(folder, scene, "http: {listen: '0.0.0.0:0', token_file: token}")) as scipd:
+        scipd.ready["http"] = scipd.ready["http"].replace("0.0.0.0", "127.0.0.1")
+        answer = scipd.tcp("GET", "/status")
+        answer.refused(401, "Authorization")
+        assert answer.fields["www-authenticate"] == "Bearer"
+        scipd.tcp("PUT", POSE, MOVED, Content_Type="application/json").refused(401)
+        upgrade = {key.replace("-", "_"): value for key, value in UPGRADE.items()}
+        for path in ("/poses", "/stream"):
+            scipd.tcp("GET", path, Authorization="Bearer 0123456789abcdeg", **upgrade).refused(401)
+        knows = {"Authorization": "Bearer 0123456789abcdef"}
+        assert scipd.tcp("GET", "/status", **knows).status == 200
+        assert scipd.tcp("GET", "/poses", **knows, **upgrade).status == 101
+        scipd.tcp("GET", "/status", Origin=EVIL, **knows).refused(403, "Origin")
+        scipd.tcp("GET", "/status", host="0.0.0.0:" + scipd.ready["http"].rpartition(":")[2], **knows).refused(403)
+        assert scipd.unix("GET", "/status").status == 200
+        log = scipd.end()[1]
+    assert log.count(f"robot/scanner listens on {scipd.ready['sensors'][0]['tcp']}: everybody") == 1, log
+    assert "0123456789abcdef" not in log
+    with Scipd(program, folder, *configured(folder, scene, "http: 0.0.0.0:0")) as scipd:
+        code, log = scipd.end()
+        assert code == 2 and ":2: http: other machines reach 0.0.0.0:0" in log, (code, log)
+
+
+def check_the_group(program, scene, folder):
+    """A group of which the user of the test is a member; root can take any."""
+    group = grp.getgrgid(max(os.getgroups() + [os.getegid()]) if os.geteuid() else 100)
+    control = f"control: {{socket: control.sock, group: {group.gr_name}}}"
+    with Scipd(program, folder, *configured(folder, scene, control)) as scipd:
+        socket_file = os.stat(scipd.ready["control"])
+        assert socket_file.st_gid == group.gr_gid and stat.S_IMODE(socket_file.st_mode) == 0o660, socket_file
+        assert scipd.unix("GET", "/status").status == 200
+
+
 def main():
     program, scene = (str(pathlib.Path(argument).resolve()) for argument in sys.argv[1:])
-    for check in (check_the_web,):
+    for check in (check_the_web, check_the_token, check_the_group):
         with tempfile.TemporaryDirectory() as folder:
             check(program, scene, pathlib.Path(folder))
             print(check.__name__, "holds")

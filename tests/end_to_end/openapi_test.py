@@ -24,7 +24,7 @@ LIDAR = ("<model name='l'><link name='l'><sensor name='s' type='gpu_lidar'><lida
 FLEET = """
 scene: SCENE
 control: control.sock
-http: 127.0.0.1:0
+http: {listen: 127.0.0.1:0, token_file: token}
 robots:
   robot:
     sensors:
@@ -127,7 +127,9 @@ EXCHANGES = [
     ("GET", "/stream", "/stream", None, 101),
 ]
 # Over TCP: the answer of the document, its status, and the header fields of the request, which has a body.
+TOKEN = "0123456789abcdef"
 REFUSALS = [
+    ("Unauthorized", 401, {"Authorization": "Bearer " + "x" * 16}),
     ("Forbidden", 403, {"Host": "evil.example"}),
     ("Forbidden", 403, {"Origin": "http://evil.example"}),
     ("NotJson", 415, {"Content-Type": "text/plain"}),
@@ -266,7 +268,8 @@ def check_exchanges(document, path, scene):
 def check_refusals(document, where):
     for name, status, fields in REFUSALS:
         connection = http.client.HTTPConnection(where, timeout=60)
-        connection.request("PUT", "/robots/robot/pose", "{}", {"Content-Type": "application/json", **fields})
+        connection.request("PUT", "/robots/robot/pose", "{}", 
+                           {"Authorization": "Bearer " + TOKEN, "Content-Type": "application/json", **fields})
         answer = connection.getresponse()
         assert answer.status == status, (name, answer.status)
         (kind, media), = document.root["components"]["responses"][name]["content"].items()
@@ -281,6 +284,9 @@ def main():
         control = folder + "/control.sock"
         fleet = pathlib.Path(folder) / "fleet.yaml"
         fleet.write_text(FLEET.replace("SCENE", scene))
+        token = pathlib.Path(folder) / "token"
+        token.write_text(TOKEN + "\n")
+        token.chmod(0o600)
         daemon = subprocess.Popen([scipd, "--config", str(fleet)], stdout=subprocess.PIPE)
         try:
             ready = json.loads(daemon.stdout.readline())

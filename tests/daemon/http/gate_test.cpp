@@ -126,6 +126,31 @@ TEST(Gate, LetsBodiesInThatAreJson) {
     }
 }
 
+TEST(Gate, AsksForTheToken) {
+    const Gate gate{"correct-horse-battery"};
+    auto request = asked_of("localhost:8080");
+    const auto status = [&] {
+        const auto answer = gate.answer(request, false, loopback);
+        return answer ? answer->status : 200;
+    };
+    const auto refusal = gate.answer(request, false, loopback);
+    ASSERT_TRUE(refusal);
+    EXPECT_EQ(refusal->status, 401);
+    EXPECT_THAT(refusal->headers,
+                testing::ElementsAre(testing::Pair("WWW-Authenticate", "Bearer")));
+    for (const char* said :
+         {"", "Bearer", "Bearer ", "Bearer correct-horse-batterx", "Bearer correct-horse-batter",
+          "Bearer correct-horse-battery2", "Bearer correct-horse-batterycorrect-horse-battery",
+          "Basic correct-horse-battery", "correct-horse-battery"}) {
+        request.set(http::field::authorization, said);
+        EXPECT_EQ(status(), 401) << said;
+    }
+    request.set(http::field::authorization, "bearer correct-horse-battery");
+    EXPECT_EQ(status(), 200);
+    request.set(http::field::origin, "http://evil.example");
+    EXPECT_EQ(status(), 403);
+}
+
 /// A server that answers everything with "heard", and WebSockets with a 404 that says the same.
 class GateOfAServer : public testing::Test {
   protected:

@@ -23,6 +23,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "tests/support/temp_dir.h"
 
@@ -378,11 +379,14 @@ TEST_F(HttpServerTest, DropsAClientThatNeverFinishes) {
     EXPECT_EQ(rest(slow), "");
 }
 
-TEST_F(HttpServerTest, TheSocketIsForItsUserAndGoesAtTheEnd) {
+TEST_F(HttpServerTest, TheSocketIsForItsUserAndGroupAndGoesAtTheEnd) {
+    const mode_t before = ::umask(077);
     start();
+    ::umask(before);
     struct stat status {};
     ASSERT_EQ(::stat(socket_path_.c_str(), &status), 0);
-    EXPECT_EQ(status.st_mode & 0777, 0600u);
+    EXPECT_EQ(status.st_mode & 0777, 0660u);
+    EXPECT_EQ(status.st_gid, ::getegid());
     on_server([this] { server_->close(); });
     EXPECT_FALSE(std::filesystem::exists(socket_path_));
 }
