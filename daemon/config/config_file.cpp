@@ -24,6 +24,7 @@
 #include "daemon/config/world_options.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/plain_file.h"
+#include "sim/loaders/scene_file.h"
 
 namespace scipd::daemon {
 namespace {
@@ -33,9 +34,9 @@ namespace fs = std::filesystem;
 constexpr std::size_t largest_file = 1 << 20;
 constexpr std::size_t most_sensors = 4096;
 
-constexpr std::array<std::string_view, 14> root_keys{
-    "scene",  "geometry", "strict", "map",    "materials", "media",   "scenario",
-    "limits", "seed",     "clock",  "models", "robots",    "control", "http"};
+constexpr std::array<std::string_view, 15> root_keys{
+    "scene", "geometry", "strict", "map",    "materials", "media", "scenario", "limits",
+    "seed",  "clock",    "models", "robots", "control",   "http",  "allow"};
 constexpr std::array<std::string_view, 4> robot_keys{"pose", "body", "poses", "sensors"};
 
 /// Whether there is no such map or nothing in it. A value that is no map is told elsewhere.
@@ -134,6 +135,8 @@ Config Reader::read(const YAML::Node& document) {
         read_control(*control, base_, config, faults_);
     }
     if (const Field* http = section.find("http")) read_http(*http, base_, config, faults_);
+    config.allow = {base_, sim::folder_of_scene(config.scene)};
+    if (const Field* allow = section.find("allow")) read_allow(*allow, base_, config, faults_);
     claim_sockets(section, config);
     note_places(section, {"scene", "materials", "media", "scenario"});
 

@@ -69,6 +69,13 @@ sim::Expected<unsigned> parse_group(const std::string& name) {
     return sim::refuse("there is no group " + sim::quote(name) + "; `getent group` tells them");
 }
 
+sim::Expected<fs::path> parse_folder(const std::string& text, const fs::path& base) {
+    return parse_scene(text, base).and_then([](fs::path folder) -> sim::Expected<fs::path> {
+        if (fs::is_directory(folder)) return folder;
+        return sim::refuse(sim::quote(folder.native()) + " is a file; name its folder");
+    });
+}
+
 std::string needs_a_token(const Address& address) {
     return "other machines reach " + text_of(address) +
            ": in a configuration, http: {listen: ADDRESS:PORT, token_file: FILE} lets in who has "
@@ -105,6 +112,17 @@ void read_control(const Field& field, const fs::path& base, Config& config, Faul
     const Section section{field, control_keys, faults};
     section.read("socket", config.control, parse);
     section.read("group", config.control_group, parse_group);
+}
+
+void read_allow(const Field& field, const fs::path& base, Config& config, Faults& faults) {
+    if (!field.value.IsSequence())
+        return faults.add(field, "must be a list of folders, such as [worlds]");
+    config.allow.clear();
+    for (const YAML::Node& item : field.value) {
+        fs::path& folder = config.allow.emplace_back();
+        const auto parse = [&](const std::string& text) { return parse_folder(text, base); };
+        faults.take(field, text_of(item).and_then(parse), folder);
+    }
 }
 
 }  // namespace scipd::daemon

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Who may come in by the doors of the control API: the keys `http` and `control` of a
-// configuration. Any thread; nothing shared.
+// Who may come in by the doors of the control API, and which files they may name: the keys `http`,
+// `control` and `allow` of a configuration. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>
@@ -22,6 +22,10 @@ void read_http(const Field& field, const std::filesystem::path& base, Config& co
 /// A path, or {socket, group}.
 void read_control(const Field& field, const std::filesystem::path& base, Config& config,
                   Faults& faults);
+
+/// A list of folders.
+void read_allow(const Field& field, const std::filesystem::path& base, Config& config,
+                Faults& faults);
 
 /// ADDRESS:PORT of loopback, or nothing for `none`: where nobody can say a token.
 sim::Expected<std::optional<Address>> parse_http(std::string_view text);

@@ -203,9 +203,40 @@ def check_the_group(program, scene, folder):
         assert scipd.unix("GET", "/status").status == 200
 
 
+def try_files(scipd, files):
+    """[(file, status)]: as a world, as a model and as a mesh. What may be read and is none of these gets a 400."""
+    for file, status in files:
+        for method, path, body in (("PUT", "/scene", {"file": str(file)}),
+                                   ("POST", "/scene/models", {"name": "m", "file": str(file)}),
+                                   ("POST", "/scene/models", {"name": "m", "mesh": str(file)})):
+            answer = scipd.unix(method, path, json.dumps(body))
+            assert answer.status == status, (file, body, answer.status, answer.body)
+            if status == 403:
+                assert "`allow`" in answer.refused(403, next(reversed(body))), answer.body
+
+
+def check_the_files(program, scene, folder):
+    """All are rubbish: a 400 tells that scipd has read them."""
+    home, other, away = folder / "home", folder / "other", folder / "away"
+    for place in (home, other, away):
+        place.mkdir()
+        (place / "x.stl").write_text("rubbish")
+    (home / "link").symlink_to(other)
+    (home / "link.stl").symlink_to(other / "x.stl")
+    with Scipd(program, folder, *configured(home, scene, "seed: 1")) as scipd:
+        try_files(scipd, [(home / "x.stl", 400), (other / "x.stl", 403), (home / "link.stl", 403),
+                          (home / "link/x.stl", 403), (home / "../other/x.stl", 403), (other / "none.stl", 403),
+                          ("/proc/self/environ", 403)])
+        assert scipd.unix("PUT", "/scene", json.dumps({"file": scene})).status == 200
+    with Scipd(program, folder, *configured(home, scene, "allow: [../other]")) as scipd:
+        try_files(scipd, [(home / "x.stl", 403), (other / "x.stl", 400), (home / "link/x.stl", 400), (scene, 403)])
+    with Scipd(program, folder, "--scene", scene, cwd=other) as scipd:
+        try_files(scipd, [(other / "x.stl", 400), (away / "x.stl", 403)])
+
+
 def main():
     program, scene = (str(pathlib.Path(argument).resolve()) for argument in sys.argv[1:])
-    for check in (check_the_web, check_the_token, check_the_group):
+    for check in (check_the_web, check_the_token, check_the_group, check_the_files):
         with tempfile.TemporaryDirectory() as folder:
             check(program, scene, pathlib.Path(folder))
             print(check.__name__, "holds")

@@ -91,5 +91,21 @@ TEST_F(DoorsTest, TheControlSocketMayHaveAGroup) {
     EXPECT_EQ(parse(rooted("control: c.sock")).control_group, std::nullopt);
 }
 
+TEST_F(DoorsTest, FilesMayBeReadFromTheFoldersOfTheConfigurationAndItsScene) {
+    dir_.write("worlds/room.sdf", "");
+    EXPECT_THAT(parse("scene: worlds/room.sdf\nrobots: {r: {sensors: {s: {pty: auto, model: "
+                      "UST-10LX}}}}")
+                    .allow,
+                ElementsAre(dir_.path(), dir_.path() / "worlds"));
+    EXPECT_THAT(parse(rooted("allow: [worlds, /tmp]")).allow,
+                ElementsAre(dir_.path() / "worlds", "/tmp"));
+    EXPECT_THAT(parse(rooted("allow: []")).allow, IsEmpty());
+    EXPECT_THAT(faults(rooted("allow: worlds")),
+                ElementsAre("fleet.yaml:3: allow: must be a list of folders, such as [worlds]"));
+    EXPECT_THAT(faults(rooted("allow: [nowhere, room.sdf]")),
+                ElementsAre("fleet.yaml:3: allow: there is no file 'nowhere'",
+                            "fleet.yaml:3: allow: 'room.sdf' is a file; name its folder"));
+}
+
 }  // namespace
 }  // namespace scipd::daemon
