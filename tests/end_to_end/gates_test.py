@@ -7,11 +7,13 @@ import grp
 import json
 import os
 import pathlib
+import signal
 import socket
 import stat
 import subprocess
 import sys
 import tempfile
+import time
 
 MOVED = json.dumps({"xyz": [0.5, 0, 0]})
 POSE = "/robots/robot/pose"
@@ -203,6 +205,13 @@ def check_the_group(program, scene, folder):
         assert scipd.unix("GET", "/status").status == 200
 
 
+def wait_until(holds):
+    end = time.monotonic() + 60
+    while not holds():
+        assert time.monotonic() < end
+        time.sleep(0.1)
+
+
 def try_files(scipd, files):
     """[(file, status)]: as a world, as a model and as a mesh. What may be read and is none of these gets a 400."""
     for file, status in files:
@@ -230,6 +239,10 @@ def check_the_files(program, scene, folder):
         assert scipd.unix("PUT", "/scene", json.dumps({"file": scene})).status == 200
     with Scipd(program, folder, *configured(home, scene, "allow: [../other]")) as scipd:
         try_files(scipd, [(home / "x.stl", 403), (other / "x.stl", 400), (home / "link/x.stl", 400), (scene, 403)])
+        configured(home, scene, "allow: [../away]")
+        scipd.process.send_signal(signal.SIGHUP)
+        wait_until(lambda: scipd.unix("PUT", "/scene", json.dumps({"file": str(away / "x.stl")})).status == 400)
+        try_files(scipd, [(other / "x.stl", 403), (away / "x.stl", 400)])
     with Scipd(program, folder, "--scene", scene, cwd=other) as scipd:
         try_files(scipd, [(other / "x.stl", 400), (away / "x.stl", 403)])
 
