@@ -82,7 +82,7 @@ void Fleet::take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept {
     log_findings(plan);
     Simulation& simulation = *simulation_;
     const Config& config = plan.config;
-    simulation.editor.set_file(config.scene, scene_options(config, plan.materials));
+    simulation.editor.set_file(config.scene, scene_options(config, plan.materials), config.allow);
     simulation.world.light().set_materials(plan.materials);
     simulation.world.light().configure_media(config.media);
     simulation.worker.discard(std::make_shared<SensorBackends>(simulation.world.replace_scene(

@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "daemon/config/doors.h"
 #include "daemon/config/mount.h"
 #include "daemon/config/sensor.h"
 #include "daemon/config/values.h"
@@ -150,8 +151,8 @@ void add_daemon(CLI::App& app, OptionValues& said) {
                   return put(parse_socket(text, fs::current_path()), config.control);
               });
     group.add("--http", "ADDR:PORT",
-              "where the control API listens on TCP too, or none; default: none",
-              [&](const auto& text) { return put(parse_listener(text), config.http); });
+              "where the control API listens on TCP too, on loopback, or none; default: none",
+              [&](const auto& text) { return put(parse_http(text), config.http); });
 }
 
 constexpr const char* alone_title = "Instead of the above";

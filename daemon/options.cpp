@@ -15,6 +15,7 @@
 #include "daemon/config/sensor.h"
 #include "daemon/option_groups.h"
 #include "sim/loaders/file/load_error.h"
+#include "sim/loaders/scene_file.h"
 
 namespace scipd::daemon {
 namespace {
@@ -69,6 +70,7 @@ sim::Expected<> complete(OptionValues& said) {
 
     said.robot.sensors = {said.sensor};
     config.robots = {said.robot};
+    config.allow = {sim::folder_of_scene(config.scene), fs::current_path()};
     if (!said.sensor.tcp && !said.sensor.pty)
         return sim::refuse("--tcp none and --pty none: nobody could reach the scanner");
     if (mount && mount->chooses_model) return {};

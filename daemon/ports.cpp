@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include "daemon/config/config.h"
@@ -44,6 +45,17 @@ std::shared_ptr<Port> open_tty(const boost::asio::any_io_executor& executor,
     }
 }
 
+// SCIP has no passwords.
+std::shared_ptr<Port> open_tcp(const boost::asio::any_io_executor& executor,
+                               const std::string& robot, const SensorConfig& sensor) {
+    auto port = std::make_shared<TcpPort>(executor, *sensor.tcp);
+    if (!is_loopback(*sensor.tcp)) {
+        spdlog::warn("{} listens on {}: everybody who reaches this machine can use it",
+                     sensor_name(robot, sensor.name), port->address());
+    }
+    return port;
+}
+
 template <class Open>
 std::shared_ptr<Port> open_or_else(const Ports& ports, const std::string& key, Open open) {
     const auto found = ports.find(key);
@@ -59,8 +71,8 @@ Ports open_ports(const boost::asio::any_io_executor& executor, const Config& con
         for (const SensorConfig& sensor : robot.sensors) {
             if (sensor.tcp) {
                 const std::string key = tcp_key(robot.name, sensor);
-                ports[key] = open_or_else(
-                    open, key, [&] { return std::make_shared<TcpPort>(executor, *sensor.tcp); });
+                ports[key] =
+                    open_or_else(open, key, [&] { return open_tcp(executor, robot.name, sensor); });
             }
             if (sensor.pty) {
                 const std::string key = pty_key(robot.name, sensor);

@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -39,7 +40,7 @@ Server::Server(const Options& options, FleetPlan&& plan)
           [this](const HttpRequest& request) { return open_socket(api_, request); }) {
     // The control socket next: if another scipd has it, its ttys are not touched either.
     listen_for_control();
-    if (options_.config.http) http_ = text_of(control_.listen(*options_.config.http));
+    if (options_.config.http) listen_for_http(*options_.config.http);
     fleet_.apply(std::move(plan));
     fleet_.simulation().choose_backends();
     wait_for_signal();
@@ -62,7 +63,15 @@ void Server::listen_for_control() {
         control_socket_.replace_filename("control-" + std::to_string(::getpid()) + ".sock");
         control_hold_.emplace(io_.get_executor(), control_socket_);
     }
-    control_.listen(control_socket_);
+    control_.listen(control_socket_, options_.config.control_group);
+}
+
+void Server::listen_for_http(const Address& address) {
+    http_ = text_of(control_.listen(address, options_.config.http_token));
+    if (!is_loopback(address)) {
+        spdlog::warn("the control API listens on {}: other machines can use it with the token",
+                     *http_);
+    }
 }
 
 std::string Server::ready_line() const {
@@ -123,8 +132,10 @@ Server::Next Server::load_next(const Options& options, const SettledBackends& se
                                const std::stop_token& stop) {
     const Config& started = options.config;
     Config config = load_config(*options.config_file);
-    const bool asks_for_a_start = config.control != started.control ||
-                                  config.http != started.http || config.clock != started.clock;
+    const auto set_at_the_start = [](const Config& of) {
+        return std::tie(of.control, of.control_group, of.http, of.http_token, of.clock);
+    };
+    const bool asks_for_a_start = set_at_the_start(config) != set_at_the_start(started);
     config.clock = started.clock;
     options.put_into(config);
     return {make_plan(std::move(config), settled, stop), asks_for_a_start};

@@ -78,6 +78,8 @@ Json scene_document(const Api& api, const SceneView& view) {
 
 int status_of(EditOutcome::Result result) {
     switch (result) {
+        case EditOutcome::Result::forbidden:
+            return 403;
         case EditOutcome::Result::unknown:
             return 404;
         case EditOutcome::Result::taken:
@@ -105,7 +107,8 @@ void edit(const Call& call, SceneEdit wanted, int status, std::string field) {
             if (!outcome.notes.empty()) document["notes"] = outcome.notes;
             return respond(ok(document, status));
         }
-        const bool named = outcome.result == EditOutcome::Result::faulty;
+        const bool named = outcome.result == EditOutcome::Result::faulty ||
+                           outcome.result == EditOutcome::Result::forbidden;
         respond(problem(status_of(outcome.result), lines_of(outcome.messages), named ? field : ""));
     };
     call.api.edit_scene(std::move(wanted), std::move(done), call.request.withdrawn);

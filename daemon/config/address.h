@@ -23,4 +23,9 @@ inline std::string text_of(const Address& address) {
     return (v6 ? "[" + address.host + "]" : address.host) + ":" + std::to_string(address.port);
 }
 
+/// Whether only programs on this machine reach it. The address is written as parse_address() does.
+inline bool is_loopback(const Address& address) {
+    return address.host.starts_with("127.") || address.host == "::1";
+}
+
 }  // namespace scipd::daemon

@@ -79,8 +79,11 @@ struct Config {
     ClockKind clock = ClockKind::wall;
     std::uint64_t seed = 1;
     std::vector<RobotConfig> robots;
-    std::filesystem::path control;  ///< empty: control.sock in the run directory
+    std::filesystem::path control;          ///< empty: control.sock in the run directory
+    std::optional<unsigned> control_group;  ///< who may use it besides its owner, by number
     std::optional<Address> http;
+    std::string http_token;                    ///< that its clients must know; empty: none
+    std::vector<std::filesystem::path> allow;  ///< folders of files that its clients may name
     /// Where a key stands, "FILE:LINE: KEY: ", for the keys whose faults show only when other files
     /// have been read.
     std::map<std::string, std::string> places;

@@ -13,6 +13,7 @@
 
 #include "daemon/config/claims.h"
 #include "daemon/config/demo_world.h"
+#include "daemon/config/doors.h"
 #include "daemon/config/media.h"
 #include "daemon/config/models.h"
 #include "daemon/config/poses.h"
@@ -23,6 +24,7 @@
 #include "daemon/config/world_options.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/plain_file.h"
+#include "sim/loaders/scene_file.h"
 
 namespace scipd::daemon {
 namespace {
@@ -32,9 +34,9 @@ namespace fs = std::filesystem;
 constexpr std::size_t largest_file = 1 << 20;
 constexpr std::size_t most_sensors = 4096;
 
-constexpr std::array<std::string_view, 14> root_keys{
-    "scene",  "geometry", "strict", "map",    "materials", "media",   "scenario",
-    "limits", "seed",     "clock",  "models", "robots",    "control", "http"};
+constexpr std::array<std::string_view, 15> root_keys{
+    "scene", "geometry", "strict", "map",    "materials", "media", "scenario", "limits",
+    "seed",  "clock",    "models", "robots", "control",   "http",  "allow"};
 constexpr std::array<std::string_view, 4> robot_keys{"pose", "body", "poses", "sensors"};
 
 /// Whether there is no such map or nothing in it. A value that is no map is told elsewhere.
@@ -129,8 +131,12 @@ Config Reader::read(const YAML::Node& document) {
     }
     section.read("seed", config.seed, parse_seed);
     section.read("clock", config.clock, parse_clock);
-    section.read("control", config.control, from_base(parse_socket));
-    section.read("http", config.http, parse_listener);
+    if (const Field* control = section.find("control")) {
+        read_control(*control, base_, config, faults_);
+    }
+    if (const Field* http = section.find("http")) read_http(*http, base_, config, faults_);
+    config.allow = {base_, sim::folder_of_scene(config.scene)};
+    if (const Field* allow = section.find("allow")) read_allow(*allow, base_, config, faults_);
     claim_sockets(section, config);
     note_places(section, {"scene", "materials", "media", "scenario"});
 

@@ -33,6 +33,22 @@ bool has_ended(int socket) {
     return ::poll(&state, 1, 0) == 1;
 }
 
+/// Where its client has connected to. A client that has gone meanwhile was nowhere.
+Address address_of(const asio::ip::tcp::socket& socket) {
+    error_code error;
+    const auto here = socket.local_endpoint(error);
+    auto host = here.address();
+    if (host.is_v6() && host.to_v6().is_v4_mapped()) {
+        host = asio::ip::make_address_v4(asio::ip::v4_mapped, host.to_v6());
+    }
+    return {host.to_string(), here.port()};
+}
+
+/// A Unix socket has no gate that asks.
+Address address_of(const asio::local::stream_protocol::socket&) {
+    return {};
+}
+
 HttpRequest to_plain(const http::request<http::string_body>& request) {
     const std::string target{request.target().data(), request.target().size()};
     const auto mark = target.find('?');
@@ -53,6 +69,9 @@ http::response<http::string_body> to_beast(HttpResponse plain, bool keep_alive) 
     if (!plain.content_type.empty()) response.set(http::field::content_type, plain.content_type);
     if (!plain.allow.empty()) response.set(http::field::allow, plain.allow);
     if (plain.status == 426) response.set(http::field::upgrade, "websocket");
+    for (const auto& [name, value] : plain.headers)
+        response.set(name, value);
+    if (!plain.body.empty()) response.set("X-Content-Type-Options", "nosniff");
     response.body() = std::move(plain.body);
     response.keep_alive(keep_alive);
     // A 204 has no length, not even 0 (RFC 9110, 8.6).
@@ -81,8 +100,12 @@ std::optional<HttpResponse> unreadable(const error_code& error, const HttpLimits
 
 template <class Protocol>
 HttpConnection<Protocol>::HttpConnection(typename Protocol::socket socket,
-                                         std::shared_ptr<HttpService> service)
-    : service_(std::move(service)), stream_(std::move(socket)), glance_(stream_.get_executor()) {
+                                         std::shared_ptr<HttpService> service,
+                                         std::shared_ptr<const Gate> gate)
+    : service_(std::move(service)),
+      gate_(std::move(gate)),
+      stream_(std::move(socket)),
+      glance_(stream_.get_executor()) {
     service_->clients.insert(this);
 }
 
@@ -100,8 +123,21 @@ void HttpConnection<Protocol>::read_header() {
     http::async_read_header(stream_, buffer_, *parser_,
                             [self = this->shared_from_this()](const Error& error, std::size_t) {
                                 if (error) return self->refuse(error);
-                                self->allow_body();
+                                self->come_in();
                             });
+}
+
+template <class Protocol>
+void HttpConnection<Protocol>::come_in() {
+    if (service_->closed) return;
+    if (!gate_) return allow_body();
+    const auto& request = parser_->get();
+    const bool has_body = !parser_->is_done();
+    auto answer = gate_->answer(request, has_body, address_of(stream_.socket()));
+    if (!answer) return allow_body();
+    // A body that nobody reads cannot be told from the next request.
+    write(std::move(*answer), request.keep_alive() && !has_body,
+          request.method() != http::verb::head);
 }
 
 /// A client that asks before it sends a large body waits for the answer.

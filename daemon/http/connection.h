@@ -17,6 +17,7 @@
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http.hpp>
 
+#include "daemon/http/gate.h"
 #include "daemon/http/service.h"
 
 namespace scipd::daemon {
@@ -25,7 +26,9 @@ template <class Protocol>
 class HttpConnection : public HttpClient,
                        public std::enable_shared_from_this<HttpConnection<Protocol>> {
   public:
-    HttpConnection(typename Protocol::socket socket, std::shared_ptr<HttpService> service);
+    /// Without a gate everybody may come in who can connect.
+    HttpConnection(typename Protocol::socket socket, std::shared_ptr<HttpService> service,
+                   std::shared_ptr<const Gate> gate);
     ~HttpConnection() override;
 
     void read_header();
@@ -34,6 +37,7 @@ class HttpConnection : public HttpClient,
   private:
     using Error = boost::system::error_code;
 
+    void come_in();
     void allow_body();
     void read_body();
     void answer();
@@ -45,6 +49,7 @@ class HttpConnection : public HttpClient,
     void drop_input();
 
     std::shared_ptr<HttpService> service_;
+    std::shared_ptr<const Gate> gate_;
     boost::beast::basic_stream<Protocol> stream_;
     boost::beast::flat_buffer buffer_;
     std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;

@@ -7,6 +7,8 @@
 #include <functional>
 #include <stop_token>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace scipd::daemon {
 
@@ -24,6 +26,7 @@ struct HttpResponse {
     std::string content_type = "application/json";
     std::string body;
     std::string allow = {};  ///< of a 405: the methods that the path has
+    std::vector<std::pair<std::string, std::string>> headers = {};  ///< others, by name
 };
 
 /// To be called once, at any time, on the I/O thread. It takes the response by value, since bodies

@@ -10,6 +10,10 @@ std::string_view http_title(int status) {
     switch (status) {
         case 400:
             return "Bad Request";
+        case 401:
+            return "Unauthorized";
+        case 403:
+            return "Forbidden";
         case 404:
             return "Not Found";
         case 405:
@@ -18,6 +22,8 @@ std::string_view http_title(int status) {
             return "Conflict";
         case 413:
             return "Payload Too Large";
+        case 415:
+            return "Unsupported Media Type";
         case 426:
             return "Upgrade Required";
         case 431:

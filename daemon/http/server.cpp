@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/http/server.h"
 
+#include <cerrno>
 #include <exception>
 #include <stdexcept>
 #include <string>
@@ -12,6 +13,7 @@
 #include <boost/asio/local/stream_protocol.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "daemon/http/connection.h"
 #include "daemon/http/problem.h"
@@ -40,8 +42,10 @@ constexpr std::chrono::milliseconds accept_pause{100};
 template <class Protocol>
 class Listener : public HttpPort, public std::enable_shared_from_this<Listener<Protocol>> {
   public:
-    Listener(typename Protocol::acceptor acceptor, std::shared_ptr<HttpService> service)
+    Listener(typename Protocol::acceptor acceptor, std::shared_ptr<HttpService> service,
+             std::shared_ptr<const Gate> gate)
         : service_(std::move(service)),
+          gate_(std::move(gate)),
           acceptor_(std::move(acceptor)),
           pause_(acceptor_.get_executor()) {}
 
@@ -50,7 +54,8 @@ class Listener : public HttpPort, public std::enable_shared_from_this<Listener<P
                                                                  typename Protocol::socket socket) {
             if (self->service_->closed) return;
             if (error) return self->accept_later();
-            std::make_shared<HttpConnection<Protocol>>(std::move(socket), self->service_)
+            std::make_shared<HttpConnection<Protocol>>(std::move(socket), self->service_,
+                                                       self->gate_)
                 ->read_header();
             self->accept();
         });
@@ -71,6 +76,7 @@ class Listener : public HttpPort, public std::enable_shared_from_this<Listener<P
     }
 
     std::shared_ptr<HttpService> service_;
+    std::shared_ptr<const Gate> gate_;
     typename Protocol::acceptor acceptor_;
     asio::steady_timer pause_;
 };
@@ -86,6 +92,14 @@ void remove_stale(const fs::path& path, const asio::any_io_executor& executor) {
     if (!error) throw std::runtime_error("another program listens there");
     if (error != asio::error::connection_refused) throw boost::system::system_error{error};
     fs::remove(path);
+}
+
+void let_in(const fs::path& socket, std::optional<unsigned> group) {
+    if (group && ::lchown(socket.c_str(), static_cast<uid_t>(-1), *group) != 0) {
+        throw std::runtime_error("cannot give it to its group: " +
+                                 std::generic_category().message(errno));
+    }
+    fs::permissions(socket, fs::perms(0660));
 }
 
 template <class Listen>
@@ -113,28 +127,31 @@ HttpServer::~HttpServer() {
     close();
 }
 
-void HttpServer::listen(const fs::path& socket) {
+void HttpServer::listen(const fs::path& socket, std::optional<unsigned> group) {
     name_failures(socket.string(), [&] {
         remove_stale(socket, executor_);
         Local::acceptor acceptor{executor_, Local{}};
         // On Linux the file inherits the mode of its descriptor: at no instant can others open it.
+        // The umask takes from that mode, and the file is not of the group yet.
         ::fchmod(acceptor.native_handle(), S_IRUSR | S_IWUSR);
         acceptor.bind(Local::endpoint{socket.string()});
         sockets_.push_back(socket);
+        let_in(socket, group);
         acceptor.listen();
-        const auto port = std::make_shared<Listener<Local>>(std::move(acceptor), service_);
+        const auto port = std::make_shared<Listener<Local>>(std::move(acceptor), service_, nullptr);
         port->accept();
         ports_.push_back(port);
     });
 }
 
-Address HttpServer::listen(const Address& address) {
+Address HttpServer::listen(const Address& address, const std::string& token) {
     Address taken;
     name_failures(text_of(address), [&] {
         const tcp::endpoint wanted{asio::ip::make_address(address.host), address.port};
         tcp::acceptor acceptor{executor_, wanted};
         taken = {address.host, acceptor.local_endpoint().port()};
-        const auto port = std::make_shared<Listener<tcp>>(std::move(acceptor), service_);
+        const auto port = std::make_shared<Listener<tcp>>(std::move(acceptor), service_,
+                                                          std::make_shared<Gate>(token));
         port->accept();
         ports_.push_back(port);
     });

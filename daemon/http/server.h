@@ -8,6 +8,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -30,12 +32,14 @@ class HttpServer {
     HttpServer(const HttpServer&) = delete;
     HttpServer& operator=(const HttpServer&) = delete;
 
-    /// Makes a socket that this user alone can open (mode 0600). Replaces a socket that nobody
-    /// listens on any more. Both listen() throw std::runtime_error.
-    void listen(const std::filesystem::path& socket);
+    /// Makes a socket that this user and a group can open (mode 0660), by default the group of this
+    /// process. Replaces a socket that nobody listens on any more. Both listen() throw
+    /// std::runtime_error.
+    void listen(const std::filesystem::path& socket, std::optional<unsigned> group = {});
 
-    /// Returns the address with the port that was really taken.
-    Address listen(const Address& address);
+    /// Lets in clients that gate.h has nothing against. They must know the token, unless it is
+    /// empty. Returns the address with the port that was really taken.
+    Address listen(const Address& address, const std::string& token = {});
 
     /// Ends all connections and removes the sockets.
     void close();

@@ -40,9 +40,10 @@ using SceneEdit = std::variant<LoadWorld, AddModel, RemoveModel>;
 struct EditOutcome {
     enum class Result {
         done,
-        faulty,   ///< it cannot be loaded
-        unknown,  ///< no such model
-        taken,    ///< there is a model of this name
+        faulty,     ///< it cannot be loaded
+        forbidden,  ///< its file lies where nobody may have files read
+        unknown,    ///< no such model
+        taken,      ///< there is a model of this name
     };
     Result result = Result::done;
     /// Warnings where it is done; else why not.

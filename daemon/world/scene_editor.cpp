@@ -13,6 +13,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "daemon/world/allowed_folder.h"
 #include "daemon/world/backend_maker.h"
 #include "sim/expected.h"
 #include "sim/loaders/file/load_error.h"
@@ -42,6 +43,7 @@ struct Present {
     std::filesystem::path file;
     sim::SharedScene scene;
     sim::SceneOptions options;
+    std::vector<std::filesystem::path> allow;
 };
 
 /// The new scene, before its backends are made.
@@ -56,8 +58,19 @@ struct Edited {
 /// An error is an outcome that is told as it is; what cannot be loaded is thrown as a LoadError.
 using EditedOrNot = tl::expected<Edited, EditOutcome>;
 
+tl::unexpected<EditOutcome> forbid(const std::filesystem::path& file,
+                                   const std::vector<std::filesystem::path>& allow) {
+    std::string folders;
+    for (const auto& folder : allow)
+        folders += (folders.empty() ? "" : ", ") + folder.string();
+    return refuse(Result::forbidden,
+                  file.string() + " is not in a folder that `allow` in the configuration names; " +
+                      (folders.empty() ? "it names none" : "it names " + folders));
+}
+
 EditedOrNot edited(const LoadWorld& edit, const Present& present) {
     const auto file = (sim::folder_of_scene(present.file) / edit.file).lexically_normal();
+    if (!lies_in_one_of(present.allow, file)) return forbid(file, present.allow);
     auto [scene, warnings, notes] = sim::load_scene(file, present.options);
     return Edited{file, scene, scene, std::move(warnings), std::move(notes)};
 }
@@ -72,12 +85,17 @@ sim::LoadedScene load_whole(const std::filesystem::path& file, const AddModel& e
     return sim::load_model_file(file, edit.placement, options);
 }
 
+/// The file that it names, if it names one.
+std::filesystem::path file_of(const AddModel& edit, const Present& present) {
+    return sim::folder_of_scene(present.file) / (edit.file.empty() ? edit.mesh : edit.file);
+}
+
 sim::LoadedScene load_model(const AddModel& edit, const Present& present) {
     const std::filesystem::path folder = sim::folder_of_scene(present.file);
     sim::SceneOptions options = present.options;
     options.sdf = sim::within_a_models_share(options.sdf);
     return sim::load_confined(edit.placement.name, options.limits, [&] {
-        const auto file = folder / (edit.file.empty() ? edit.mesh : edit.file);
+        const auto file = file_of(edit, present);
         const bool is_text = !edit.sdf.empty();
         if (!is_text && !edit.file.empty() && !sim::is_mesh_file(file))
             return load_whole(file, edit, options);
@@ -116,6 +134,9 @@ EditedOrNot edited(const AddModel& edit, const Present& present) {
         }
         scene = sim::without_model(*scene, name);
     }
+    const auto file = file_of(edit, present);
+    if (edit.sdf.empty() && !lies_in_one_of(present.allow, file))
+        return forbid(file, present.allow);
     auto [added, warnings, notes] = load_model(edit, present);
     scene = sim::with_models(*scene, *added);
     check_triangles(*scene, present.options.sdf.most_triangles);
@@ -132,7 +153,7 @@ EditedOrNot edited(const RemoveModel& edit, const Present& present) {
 
 void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn) {
     auto begin = [this, edit = std::move(edit), done = std::move(done)]() -> Worker::Work {
-        Present present{file_, world_.scene(), options_};
+        Present present{file_, world_.scene(), options_, allow_};
         present.options.limits.stop = worker_.stopping();
         return [this, edit, done, present = std::move(present),
                 requests = requests_()]() mutable -> Worker::Finish {

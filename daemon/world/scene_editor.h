@@ -29,10 +29,13 @@ class SceneEditor {
     SceneEditor(World& world, Worker& worker, const Clock& clock, Requests requests)
         : world_(world), worker_(worker), clock_(clock), requests_(std::move(requests)) {}
 
-    /// Somebody else has loaded the world from this file. Later edits load with the same options.
-    void set_file(std::filesystem::path file, sim::SceneOptions options) {
+    /// Somebody else has loaded the world from this file. Later edits load with the same options,
+    /// and name files of these folders alone. What these files name in turn may lie anywhere.
+    void set_file(std::filesystem::path file, sim::SceneOptions options,
+                  std::vector<std::filesystem::path> allow) {
         file_ = std::move(file);
         options_ = std::move(options);
+        allow_ = std::move(allow);
     }
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
@@ -52,6 +55,7 @@ class SceneEditor {
     Requests requests_;
     std::filesystem::path file_;
     sim::SceneOptions options_;
+    std::vector<std::filesystem::path> allow_;
 };
 
 }  // namespace scipd::daemon

@@ -58,8 +58,10 @@ class FleetTest : public testing::Test {
         return sensor;
     }
 
-    static Config of(std::vector<SensorConfig> sensors, const std::string& robot = "rescue") {
+    [[nodiscard]] Config of(std::vector<SensorConfig> sensors,
+                            const std::string& robot = "rescue") const {
         Config config;
+        config.allow = {SCIPD_SCENES, directory_.path()};
         config.scene = SCIPD_SCENES "/square_room.sdf";
         config.robots.push_back({.name = robot, .sensors = std::move(sensors)});
         return config;

@@ -370,6 +370,12 @@ TEST(Options, SaysInOneSentenceWhatIsWrong) {
         EXPECT_EQ(answer(line).exit_code, 2) << line;
 }
 
+TEST(Options, WhatOtherMachinesReachNeedsATokenThatOptionsCannotSay) {
+    const Answer refused = answer("--http 0.0.0.0:8080");
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.text, testing::StartsWith("scipd: --http: other machines reach 0.0.0.0"));
+}
+
 TEST(Options, ASocketPathMustFitTheSystem) {
     EXPECT_EQ(answer("--control /" + std::string(200, 'x')).text,
               "scipd: --control: must be shorter: a socket's path has at most 107 bytes, this has "

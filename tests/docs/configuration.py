@@ -34,6 +34,8 @@ def with_sensor(text, scene=ROOM):
 # For each section a document with a hole, and what is there besides unless a row gives it.
 SECTIONS = {
     "root": ("{@}", {"scene": "scenes/square_room.sdf", "robots": ROBOTS}),
+    "control": (with_root("control: {@}"), {}),
+    "http": (with_root("http: {@}"), {"listen": "127.0.0.1:0"}),
     "map": (with_root("map: {@}"), {}),
     "media": (with_root("media: [{@}]"), {"kind": "custom", "extinction_per_m": "0.1"}),
     "limits": (with_root("limits: {@}"), {}),
@@ -149,6 +151,9 @@ def main():
         (checker.folder / "kitti.txt").write_text("1 0 0 0 0 1 0 0 0 0 1 0\n" * 2)
         (checker.folder / "bad_day.yaml").write_text("steps: [{sensor: '*', kind: reboot}]\n")
         (checker.folder / "stamps.txt").write_text("0\n1\n")
+        (checker.folder / "stamps.txt").chmod(0o644)
+        (checker.folder / "token").write_text("0123456789abcdef\n")
+        (checker.folder / "token").chmod(0o600)
         with concurrent.futures.ThreadPoolExecutor(4) as pool:
             failures = list(pool.map(checker.examples_fail, packs_of(rows)))
             failures += pool.map(checker.wrong_value_fails, rows)

@@ -50,6 +50,8 @@ TEST_P(EmptyWorld, IsFilledAndEmptied) {
     const TempDir directory;
     const std::string nothing =
         directory.write("nothing.sdf", "<sdf version='1.9'><world name='w'/></sdf>");
+    const std::string room = directory.path() / "room.sdf";
+    std::filesystem::copy_file(scene("square_room.sdf"), room);
     const DaemonProcess daemon(directory, {"--scene", nothing, "--backend", backend, "--accuracy",
                                            "ideal", "--tcp", "127.0.0.1:0"});
     ASSERT_NE(daemon.ready_line(), "") << daemon.standard_error();
@@ -70,7 +72,7 @@ TEST_P(EmptyWorld, IsFilledAndEmptied) {
         EXPECT_EQ(ask(daemon, "DELETE", "/scene/models/cube"), 204);
     }
     EXPECT_TRUE(comes_to(daemon, wire, std::nullopt));
-    EXPECT_EQ(ask(daemon, "PUT", "/scene", {{"file", scene("square_room.sdf").string()}}), 200);
+    EXPECT_EQ(ask(daemon, "PUT", "/scene", {{"file", room}}), 200);
     EXPECT_TRUE(comes_to(daemon, wire, 3.0));
     EXPECT_EQ(ask(daemon, "PUT", "/scene", {{"file", nothing}}), 200);
     EXPECT_TRUE(comes_to(daemon, wire, std::nullopt));

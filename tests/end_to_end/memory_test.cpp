@@ -44,14 +44,16 @@ std::string many_balls() {
 TEST(Memory, OfALargeWorldGoesBackWithIt) {
     if (sanitized) GTEST_SKIP() << "sanitizers keep what is given back";
     const TempDir directory;
-    const DaemonProcess daemon(directory, on_tcp({"--backend", "embree"}));
+    const std::string small = directory.path() / "small.sdf";
+    std::filesystem::copy_file(scene("square_room.sdf"), small);
+    const DaemonProcess daemon(directory, {"--scene", small, "--backend", "embree", "--tcp",
+                                           "127.0.0.1:0", "--pty", "none"});
     ASSERT_NE(daemon.ready_line(), "") << daemon.standard_error();
     const auto load = [&](const std::string& file) {
         const nlohmann::json body{{"file", file}};
         const auto answer = control_request(daemon.control(), "PUT", "/scene", body.dump());
         EXPECT_EQ(answer.status, 200) << answer.body;
     };
-    const std::string small = scene("square_room.sdf");
     const std::string large = directory.write("large.sdf", many_balls());
     const double fresh_mb = memory_mb(daemon.pid());
     for (int round = 0; round < 2; ++round) {

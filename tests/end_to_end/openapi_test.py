@@ -24,6 +24,7 @@ LIDAR = ("<model name='l'><link name='l'><sensor name='s' type='gpu_lidar'><lida
 FLEET = """
 scene: SCENE
 control: control.sock
+http: {listen: 127.0.0.1:0, token_file: token}
 robots:
   robot:
     sensors:
@@ -103,6 +104,7 @@ EXCHANGES = [
     ("POST", "/scene/models", "/scene/models", {"name": "m", "sdf": SDF, "replace": True, "static": False}, 201),
     ("POST", "/scene/models", "/scene/models", {"name": "n"}, 400),
     ("POST", "/scene/models", "/scene/models", {"name": "n", "file": "no such file"}, 400),
+    ("POST", "/scene/models", "/scene/models", {"name": "n", "file": "/etc/hostname"}, 403),
     ("POST", "/scene/models", "/scene/models", {"name": "lidar", "sdf": LIDAR}, 201),
     ("GET", "/scene", "/scene", None, 200),
     ("GET", POSE, "/scene/models/m/pose", None, 200),
@@ -120,10 +122,19 @@ EXCHANGES = [
     ("DELETE", MEDIA, MEDIA, None, 204),
     ("PUT", "/scene", "/scene", {"file": "SCENE"}, 200),
     ("PUT", "/scene", "/scene", {"file": "no such file"}, 400),
+    ("PUT", "/scene", "/scene", {"file": "/etc/hostname"}, 403),
     ("GET", "/poses", "/poses", None, 426),
     ("GET", "/stream", "/stream", None, 426),
     ("GET", "/poses", "/poses", None, 101),
     ("GET", "/stream", "/stream", None, 101),
+]
+# Over TCP: the answer of the document, its status, and the header fields of the request, which has a body.
+TOKEN = "0123456789abcdef"
+REFUSALS = [
+    ("Unauthorized", 401, {"Authorization": "Bearer " + "x" * 16}),
+    ("Forbidden", 403, {"Host": "evil.example"}),
+    ("Forbidden", 403, {"Origin": "http://evil.example"}),
+    ("NotJson", 415, {"Content-Type": "text/plain"}),
 ]
 METHODS = ["GET", "PUT", "POST", "DELETE", "PATCH"]
 UPGRADE = {"Connection": "Upgrade", "Upgrade": "websocket", "Sec-WebSocket-Version": "13",
@@ -256,6 +267,18 @@ def check_exchanges(document, path, scene):
     assert not unseen, unseen
 
 
+def check_refusals(document, where):
+    for name, status, fields in REFUSALS:
+        connection = http.client.HTTPConnection(where, timeout=60)
+        connection.request("PUT", "/robots/robot/pose", "{}", 
+                           {"Authorization": "Bearer " + TOKEN, "Content-Type": "application/json", **fields})
+        answer = connection.getresponse()
+        assert answer.status == status, (name, answer.status)
+        (kind, media), = document.root["components"]["responses"][name]["content"].items()
+        assert answer.headers["Content-Type"] == kind, (name, answer.headers["Content-Type"])
+        document.check(media["schema"], json.loads(answer.read()))
+
+
 def main():
     scipd, document, scene = (str(pathlib.Path(argument).resolve()) for argument in sys.argv[1:])
     document = Document(document)
@@ -263,9 +286,12 @@ def main():
         control = folder + "/control.sock"
         fleet = pathlib.Path(folder) / "fleet.yaml"
         fleet.write_text(FLEET.replace("SCENE", scene))
+        token = pathlib.Path(folder) / "token"
+        token.write_text(TOKEN + "\n")
+        token.chmod(0o600)
         daemon = subprocess.Popen([scipd, "--config", str(fleet)], stdout=subprocess.PIPE)
         try:
-            assert json.loads(daemon.stdout.readline())["ready"]
+            ready = json.loads(daemon.stdout.readline())
             check_stream(document, control, "scanner", "StreamScan")
             check_stream(document, control, "multi", "StreamScan")
             check_stream(document, control, "tof", "CameraReading")
@@ -273,6 +299,7 @@ def main():
             check_fault_stream(document, control)
             check_paths(document, control)
             check_exchanges(document, control, scene)
+            check_refusals(document, ready["http"])
         finally:
             daemon.terminate()
             daemon.wait(20)

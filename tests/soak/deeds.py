@@ -130,7 +130,7 @@ def streams(scipd, rng):
     with contextlib.ExitStack() as clients:
         for _ in range(25):
             client = clients.enter_context(connected(scipd.http, receive_buffer=4096))
-            request = wire.http_request("GET", "/stream", fields=wire.UPGRADE)
+            request = wire.http_request(scipd.http, "GET", "/stream", fields=wire.UPGRADE)
             client.sendall(request)
             yield len(request)
             yield from rest(rng.choice([0.1, 2.0]))
@@ -145,7 +145,7 @@ def answers(scipd, rng):
             for i in range(20):
                 client = clients.enter_context(connected(scipd.http, receive_buffer=4096))
                 paths = ["/sensors/victim/tof/reading"] if i == 0 else rng.choices(LONG_ANSWERS, k=20)
-                requests = b"".join(wire.http_request("GET", path) for path in paths)
+                requests = b"".join(wire.http_request(scipd.http, "GET", path) for path in paths)
                 client.sendall(requests)
                 yield len(requests)
             yield from rest(1.0)
@@ -159,11 +159,11 @@ def http(scipd, rng):
                 lambda: rng.randbytes(rng.randrange(1, 4096)),
                 lambda: (f"{rng.choice(['GET', 'PATCH', 'BREW', 'PUT'])} {rng.choice(PATHS)} "
                          f"HTTP/{rng.choice(['1.1', '1.0', '9'])}\r\n\r\n").encode(),
-                lambda: wire.http_request("PUT", "/robots/victim/pose", rng.randbytes(200)),
-                lambda: wire.http_request("POST", "/scene/models", b"ffff\r\nxx",
+                lambda: wire.http_request(scipd.http, "PUT", "/robots/victim/pose", rng.randbytes(200)),
+                lambda: wire.http_request(scipd.http, "POST", "/scene/models", b"ffff\r\nxx",
                                           fields="Transfer-Encoding: chunked\r\n"),
-                lambda: wire.http_request("GET", "/poses", fields=wire.UPGRADE) + rng.randbytes(2000),
-                lambda: wire.http_request("GET", "/stream", fields=wire.UPGRADE)[:-rng.randrange(1, 100)],
+                lambda: wire.http_request(scipd.http, "GET", "/poses", fields=wire.UPGRADE) + rng.randbytes(2000),
+                lambda: wire.http_request(scipd.http, "GET", "/stream", fields=wire.UPGRADE)[:-rng.randrange(1, 100)],
             ])()
             client.sendall(data)
             if rng.random() < 0.5:
@@ -179,7 +179,7 @@ def headers(scipd, rng):
     while True:
         with contextlib.ExitStack() as clients:
             slow = [clients.enter_context(connected(scipd.http)) for _ in range(20)]
-            for byte in wire.http_request("GET", "/status")[:-2]:
+            for byte in wire.http_request(scipd.http, "GET", "/status")[:-2]:
                 for client in slow:
                     client.sendall(bytes([byte]))
                 yield len(slow)
@@ -196,7 +196,8 @@ def bodies(scipd, rng):
         path = rng.choice(["/scene", "/scene/models", "/robots/victim/pose"])
         length = rng.choice([1 << 20, 100 << 20, 1 << 63])
         with connected(scipd.http) as client, contextlib.suppress(OSError):
-            client.sendall(f"PUT {path} HTTP/1.1\r\nHost: scipd\r\nContent-Length: {length}\r\n\r\n".encode())
+            head = wire.http_request(scipd.http, "PUT", path, fields=f"Content-Length: {length}\r\n" + wire.JSON)
+            client.sendall(head)
             for _ in range(rng.randrange(32)):
                 client.sendall(bytes(65536))
                 yield 65536
@@ -211,7 +212,7 @@ def deep(scipd, rng):
                            b'{"a":' * (depth // 3)])
         method, path = rng.choice([("PUT", "/scene"), ("POST", "/scene/models"), ("PUT", "/robots/victim/pose")])
         with connected(scipd.http) as client:
-            client.sendall(wire.http_request(method, path, text))
+            client.sendall(wire.http_request(scipd.http, method, path, text))
             yield len(text)
             client.recv(65536)
         time.sleep(0.02)
@@ -221,7 +222,7 @@ def junk_poses(scipd, rng):
     """Messages with a megabyte of lines that are no poses, to the WebSocket /poses. Some clients read the answers."""
     while True:
         with connected(scipd.http) as client:
-            client.sendall(wire.http_request("GET", "/poses", fields=wire.UPGRADE))
+            client.sendall(wire.http_request(scipd.http, "GET", "/poses", fields=wire.UPGRADE))
             client.recv(65536)
             line = rng.choice(POSES + [b"x"] * 10) + b"\n"
             message = line * (1_000_000 // len(line))
@@ -250,7 +251,7 @@ def abandon(scipd, rng):
     """Requests to load worlds, from clients that leave at once."""
     while True:
         with connected(scipd.http) as client:
-            request = wire.http_request("PUT", "/scene", {"file": f"{scipd.scenes}/rescue_maze.sdf"})
+            request = wire.http_request(scipd.http, "PUT", "/scene", {"file": f"{scipd.scenes}/rescue_maze.sdf"})
             client.sendall(request)
             if rng.random() < 0.5:
                 reset(client)
@@ -272,7 +273,7 @@ def scenes(scipd, rng):
                              for _ in range(5)]
                 requests.append(("DELETE", f"/scene/models/m{rng.randrange(10)}", None))
             for method, path, body in requests:
-                request = wire.http_request(method, path, body)
+                request = wire.http_request(scipd.http, method, path, body)
                 client.sendall(request)
                 yield len(request)
                 if not client.recv(65536):

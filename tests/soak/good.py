@@ -148,7 +148,7 @@ class Http:
     async def ask(self, method, path, body=None):
         if self.reader is None:
             self.reader, self.writer = await asyncio.open_connection(*self.where)
-        self.writer.write(wire.http_request(method, path, body))
+        self.writer.write(wire.http_request(self.where, method, path, body))
         head = await self.reader.readuntil(b"\r\n\r\n")
         fields = dict(line.lower().split(": ", 1) for line in head.decode().split("\r\n")[1:] if line)
         length = int(fields.get("content-length", 0))
@@ -207,7 +207,7 @@ class PoseSenders:
         datagrams, _ = await asyncio.get_running_loop().create_datagram_endpoint(
             asyncio.DatagramProtocol, remote_addr=("127.0.0.1", self.scipd.udp["driven"]))
         reader, writer = await asyncio.open_connection(*self.scipd.http)
-        writer.write(wire.http_request("GET", "/poses", fields=wire.UPGRADE))
+        writer.write(wire.http_request(self.scipd.http, "GET", "/poses", fields=wire.UPGRADE))
         await reader.readuntil(b"\r\n\r\n")
         hearing = asyncio.ensure_future(self.hear(reader))
         due = time.monotonic()

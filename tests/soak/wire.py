@@ -12,6 +12,7 @@ import tty
 
 UPGRADE = ("Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: " +
            base64.b64encode(bytes(16)).decode() + "\r\n")
+JSON = "Content-Type: application/json\r\n"
 TEXT_FRAME = 0x81  # the frame is the last of its message
 
 
@@ -26,10 +27,11 @@ def decoded(characters):
     return value
 
 
-def http_request(method, path, body=None, fields=""):
+def http_request(where, method, path, body=None, fields=""):
+    """`where`: the address and the port that it goes to."""
     text = b"" if body is None else body if isinstance(body, bytes) else json.dumps(body).encode()
-    length = f"Content-Length: {len(text)}\r\n" if body is not None else ""
-    return f"{method} {path} HTTP/1.1\r\nHost: scipd\r\n{fields}{length}\r\n".encode() + text
+    length = f"{JSON}Content-Length: {len(text)}\r\n" if body is not None else ""
+    return f"{method} {path} HTTP/1.1\r\nHost: {where[0]}:{where[1]}\r\n{fields}{length}\r\n".encode() + text
 
 
 def text_frame(text):

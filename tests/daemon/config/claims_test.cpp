@@ -98,9 +98,11 @@ TEST(Claims, AreOfTheAddressesThatTheKernelDoesNotGiveTwice) {
 class ClaimsTest : public ConfigFixture {};
 
 TEST_F(ClaimsTest, AreOfAddresses) {
+    std::filesystem::permissions(dir_.write("token", "0123456789abcdef"),
+                                 std::filesystem::perms(0600));
     EXPECT_THAT(
         faults(R"(scene: room.sdf
-http: 0.0.0.0:1002
+http: {listen: 0.0.0.0:1002, token_file: token}
 robots:
   a:
     poses: udp:127.0.0.1:1001

@@ -23,6 +23,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "tests/support/temp_dir.h"
 
@@ -156,9 +157,19 @@ class HttpServerTest : public testing::Test {
         return holds;
     }
 
+    /// The request with the Host that the gate of TCP wants, in the place of "x".
+    [[nodiscard]] std::string to_tcp(std::string request) const {
+        const std::string host = "Host: x\r\n";
+        const auto at = request.find(host);
+        if (at == request.npos) return request;
+        return request.replace(
+            at, host.size(),
+            "Host: 127.0.0.1:" + std::to_string(port_) + "\r\nContent-Type: application/json\r\n");
+    }
+
     template <class Socket>
-    static std::string ask(Socket socket, const std::string& bytes) {
-        asio::write(socket, asio::buffer(bytes));
+    std::string ask(Socket socket, const std::string& bytes) {
+        asio::write(socket, asio::buffer(to_tcp(bytes)));
         return rest(socket);
     }
 
@@ -208,7 +219,7 @@ TEST_F(HttpServerTest, ServesManyAtOnce) {
     for (int i = 0; i < 64; ++i)
         clients.push_back(connect());
     for (auto client = clients.rbegin(); client != clients.rend(); ++client) {
-        asio::write(*client, asio::buffer("GET / HTTP/1.1\r\nHost: x\r\n" + last + "\r\n"));
+        asio::write(*client, asio::buffer(to_tcp("GET / HTTP/1.1\r\nHost: x\r\n" + last + "\r\n")));
         EXPECT_THAT(rest(*client), HasSubstr("GET / [] 0"));
     }
 }
@@ -233,9 +244,9 @@ TEST_F(HttpServerTest, HeadIsGetWithoutItsBody) {
 TEST_F(HttpServerTest, LetsAClientSendABodyThatItAsksFor) {
     start();
     auto socket = connect();
-    asio::write(socket, asio::buffer("PUT /x HTTP/1.1\r\nHost: x\r\nExpect: 100-continue\r\n"
-                                     "Content-Length: 4\r\n" +
-                                     last + "\r\n"));
+    asio::write(socket, asio::buffer(to_tcp("PUT /x HTTP/1.1\r\nHost: x\r\nExpect: 100-continue\r\n"
+                                            "Content-Length: 4\r\n" +
+                                            last + "\r\n")));
     const std::string expected = "HTTP/1.1 100 Continue\r\n\r\n";
     std::string text(expected.size(), '\0');
     asio::read(socket, asio::buffer(text));
@@ -293,7 +304,7 @@ TEST_F(HttpServerTest, NoticesThatAClientWhoWaitsHasHungUp) {
     auto stays = connect();
     auto goes = connect();
     auto goes_in_a_hurry = connect_local();
-    const std::string request = "GET /never HTTP/1.1\r\nHost: x\r\n\r\n";
+    const std::string request = to_tcp("GET /never HTTP/1.1\r\nHost: x\r\n\r\n");
     asio::write(stays, asio::buffer(request));
     const auto asked = [&](std::size_t clients) {
         return eventually([&] { return waiting.size() == clients; });
@@ -368,11 +379,14 @@ TEST_F(HttpServerTest, DropsAClientThatNeverFinishes) {
     EXPECT_EQ(rest(slow), "");
 }
 
-TEST_F(HttpServerTest, TheSocketIsForItsUserAndGoesAtTheEnd) {
+TEST_F(HttpServerTest, TheSocketIsForItsUserAndGroupAndGoesAtTheEnd) {
+    const mode_t before = ::umask(077);
     start();
+    ::umask(before);
     struct stat status {};
     ASSERT_EQ(::stat(socket_path_.c_str(), &status), 0);
-    EXPECT_EQ(status.st_mode & 0777, 0600u);
+    EXPECT_EQ(status.st_mode & 0777, 0660u);
+    EXPECT_EQ(status.st_gid, ::getegid());
     on_server([this] { server_->close(); });
     EXPECT_FALSE(std::filesystem::exists(socket_path_));
 }

@@ -95,7 +95,7 @@ class AddedFromFiles : public testing::Test {
         options.sdf.strict = strict;
         options.sdf.most_memory_bytes = 8 * 20'000'000;  // of which a model may take an eighth
         options.materials = materials_;
-        editor_.set_file(folder_.path() / "world.sdf", options);
+        editor_.set_file(folder_.path() / "worlds/world.sdf", options, {folder_.path() / "worlds"});
         std::optional<EditOutcome> outcome;
         edit.placement.name = "added";
         edit.replace = true;
@@ -114,7 +114,7 @@ class AddedFromFiles : public testing::Test {
 };
 
 TEST_F(AddedFromFiles, ObeyStrictOfAnyKind) {
-    folder_.write("a.world", "model ( size [1 1 1] pose [1 0 90] )\n");
+    folder_.write("worlds/a.world", "model ( size [1 1 1] pose [1 0 90] )\n");
     EXPECT_EQ(add("a.world", true).result, EditOutcome::Result::faulty);
     const EditOutcome lenient = add("a.world", false);
     EXPECT_EQ(lenient.result, EditOutcome::Result::done);
@@ -124,14 +124,40 @@ TEST_F(AddedFromFiles, ObeyStrictOfAnyKind) {
     EXPECT_THAT(add("a.world", true).messages, warned);
 }
 
+TEST_F(AddedFromFiles, LieInFoldersThatAreAllowed) {
+    const std::string box = "model ( size [1 1 1] pose [1 0 0 90] )\n";
+    folder_.write("worlds/a.world", box);
+    folder_.write("b.world", box);
+    const std::filesystem::path within = folder_.path() / "worlds";
+    std::filesystem::create_symlink("../b.world", within / "link.world");
+    for (const std::filesystem::path& file : {std::filesystem::path("a.world"), within / "a.world"})
+        EXPECT_EQ(add(file, false).result, EditOutcome::Result::done) << file;
+    const std::filesystem::path outside = folder_.path() / "b.world";
+    AddModel mesh;
+    mesh.mesh = "../b.world";
+    EXPECT_EQ(add(mesh, false).result, EditOutcome::Result::forbidden);
+    for (const std::filesystem::path& file :
+         {std::filesystem::path("../b.world"), std::filesystem::path("link.world"), outside,
+          std::filesystem::path("../no such file"), std::filesystem::path("/etc/passwd")}) {
+        const EditOutcome outcome = add(file, false);
+        EXPECT_EQ(outcome.result, EditOutcome::Result::forbidden) << file;
+        EXPECT_THAT(outcome.messages,
+                    testing::ElementsAre(testing::HasSubstr("`allow` in the configuration")));
+    }
+    std::optional<EditOutcome> loaded;
+    editor_.edit(LoadWorld{outside}, [&](const EditOutcome& answer) { loaded = answer; });
+    EXPECT_TRUE(run_until(io_, [&] { return loaded.has_value(); }));
+    EXPECT_EQ(loaded.value_or(EditOutcome{}).result, EditOutcome::Result::forbidden);
+}
+
 TEST_F(AddedFromFiles, TellOfMaterialsThatNobodyKnows) {
     materials_ = std::make_shared<const sim::MaterialLibrary>();
     const std::string sdf =
         "<sdf version='1.9' xmlns:scipd='urn:scipd:sdf'><model name='m'><link name='l'>"
         "<visual name='v'><scipd:material>cheese</scipd:material><geometry><box>"
         "<size>1 1 1</size></box></geometry></visual></link></model></sdf>";
-    folder_.write("a.sdf", sdf);
-    folder_.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl oak\nf 1 2 3\n");
+    folder_.write("worlds/a.sdf", sdf);
+    folder_.write("worlds/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl oak\nf 1 2 3\n");
     AddModel of_file;
     of_file.file = "a.sdf";
     AddModel of_text;
@@ -155,8 +181,8 @@ TEST_F(AddedFromFiles, TellWhatTheyTakeWhereItIsMuch) {
         visuals += "<visual name='v" + std::to_string(i) +
                    "'><geometry><box><size>1 1 1</size></box></geometry></visual>";
     }
-    folder_.write("a.sdf", "<sdf version='1.9'><model name='m'><link name='l'>" + visuals +
-                               "</link></model></sdf>");
+    folder_.write("worlds/a.sdf", "<sdf version='1.9'><model name='m'><link name='l'>" + visuals +
+                                      "</link></model></sdf>");
     const EditOutcome large = add("a.sdf", false);
     EXPECT_EQ(large.result, EditOutcome::Result::done);
     EXPECT_THAT(large.messages, testing::IsEmpty());

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/config/doors.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <fstream>
+#include <string>
+
+#include <grp.h>
+
+#include "daemon/config/values.h"
+#include "sim/text/quote.h"
+
+namespace scipd::daemon {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 2> http_keys{"listen", "token_file"};
+constexpr std::array<std::string_view, 2> control_keys{"socket", "group"};
+constexpr std::size_t shortest_token = 16;
+constexpr std::size_t longest_token = 1024;
+
+bool is_visible(char c) {
+    return c > ' ' && c <= '~';
+}
+
+/// Only its owner and its group may read it.
+sim::Expected<> check_privacy(const fs::path& file) {
+    std::error_code error;
+    const auto permissions = fs::status(file, error).permissions();
+    const auto of_others = permissions & (fs::perms::others_read | fs::perms::others_write);
+    if (error || of_others == fs::perms::none) return {};
+    return sim::refuse("others may read or write " + sim::quote(file.native()) +
+                       "; `chmod o= FILE` forbids it");
+}
+
+/// The first line of the file.
+sim::Expected<std::string> token_in(const fs::path& file) {
+    std::string token(longest_token + 1, '\0');
+    std::ifstream stream{file, std::ios::binary};
+    if (!stream) return sim::refuse("cannot read " + sim::quote(file.native()));
+    stream.read(token.data(), std::ssize(token));
+    token.resize(static_cast<std::size_t>(stream.gcount()));
+    token.resize(std::min(token.find_first_of("\r\n"), token.size()));
+    if (token.size() < shortest_token || token.size() > longest_token ||
+        !std::ranges::all_of(token, is_visible)) {
+        return sim::refuse("the first line of " + sim::quote(file.native()) +
+                           " must be a token of 16 to 1024 letters, digits and signs of ASCII, "
+                           "without spaces; `openssl rand -hex 32` makes one");
+    }
+    return token;
+}
+
+sim::Expected<std::string> parse_token_file(std::string_view text, const fs::path& base) {
+    return parse_file(text, base).and_then([](const fs::path& file) {
+        return check_privacy(file).and_then([&] { return token_in(file); });
+    });
+}
+
+sim::Expected<unsigned> parse_group(const std::string& name) {
+    std::array<char, 16'384> buffer{};
+    group entry{};
+    group* found = nullptr;
+    ::getgrnam_r(name.c_str(), &entry, buffer.data(), buffer.size(), &found);
+    if (found != nullptr) return found->gr_gid;
+    return sim::refuse("there is no group " + sim::quote(name) + "; `getent group` tells them");
+}
+
+sim::Expected<fs::path> parse_folder(const std::string& text, const fs::path& base) {
+    return parse_scene(text, base).and_then([](fs::path folder) -> sim::Expected<fs::path> {
+        if (fs::is_directory(folder)) return folder;
+        return sim::refuse(sim::quote(folder.native()) + " is a file; name its folder");
+    });
+}
+
+std::string needs_a_token(const Address& address) {
+    return "other machines reach " + text_of(address) +
+           ": in a configuration, http: {listen: ADDRESS:PORT, token_file: FILE} lets in who has "
+           "the token; or use 127.0.0.1";
+}
+
+}  // namespace
+
+sim::Expected<std::optional<Address>> parse_http(std::string_view text) {
+    auto listen = parse_listener(text);
+    if (listen && *listen && !is_loopback(**listen)) return sim::refuse(needs_a_token(**listen));
+    return listen;
+}
+
+void read_http(const Field& field, const fs::path& base, Config& config, Faults& faults) {
+    if (!field.value.IsMap()) {
+        return faults.take(field, text_of(field.value).and_then(parse_http), config.http);
+    }
+    const Section section{field, http_keys, faults};
+    const Field* const listen = section.find("listen");
+    if (!listen) return faults.add(field, "needs listen: ADDRESS:PORT");
+    section.read("listen", config.http, parse_listener);
+    section.read("token_file", config.http_token,
+                 [&](const std::string& text) { return parse_token_file(text, base); });
+    if (config.http && !is_loopback(*config.http) && !section.find("token_file"))
+        faults.add(*listen, needs_a_token(*config.http));
+}
+
+void read_control(const Field& field, const fs::path& base, Config& config, Faults& faults) {
+    const auto parse = [&](const std::string& text) { return parse_socket(text, base); };
+    if (!field.value.IsMap()) {
+        return faults.take(field, text_of(field.value).and_then(parse), config.control);
+    }
+    const Section section{field, control_keys, faults};
+    section.read("socket", config.control, parse);
+    section.read("group", config.control_group, parse_group);
+}
+
+void read_allow(const Field& field, const fs::path& base, Config& config, Faults& faults) {
+    if (!field.value.IsSequence())
+        return faults.add(field, "must be a list of folders, such as [worlds]");
+    config.allow.clear();
+    for (const YAML::Node& item : field.value) {
+        fs::path& folder = config.allow.emplace_back();
+        const auto parse = [&](const std::string& text) { return parse_folder(text, base); };
+        faults.take(field, text_of(item).and_then(parse), folder);
+    }
+}
+
+}  // namespace scipd::daemon

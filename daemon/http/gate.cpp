@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/http/gate.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include <boost/beast/core/string.hpp>
+#include <boost/beast/http/field.hpp>
+#include <boost/beast/http/verb.hpp>
+
+#include "daemon/http/problem.h"
+
+namespace scipd::daemon {
+namespace {
+
+namespace http = boost::beast::http;
+
+using Hosts = std::vector<std::string>;
+
+std::string_view field(const Gate::Header& request, http::field name) {
+    const auto value = request[name];
+    return {value.data(), value.size()};
+}
+
+bool same_letters(std::string_view a, std::string_view b) {
+    return boost::beast::iequals({a.data(), a.size()}, {b.data(), b.size()});
+}
+
+bool is_one_of(std::string_view host, const Hosts& hosts) {
+    return std::ranges::any_of(hosts, [&](const auto& known) { return same_letters(known, host); });
+}
+
+/// Whether a page of scipd's own has sent this.
+bool is_own(std::string_view origin, const Hosts& hosts) {
+    constexpr std::string_view scheme = "http://";
+    return origin.starts_with(scheme) && is_one_of(origin.substr(scheme.size()), hosts);
+}
+
+HttpResponse wrong_host(const Hosts& hosts) {
+    return problem(403,
+                   "Host must be the address that scipd listens on, " + hosts.front() +
+                       ": another name may have been made to mean this address by somebody else",
+                   "Host");
+}
+
+HttpResponse wrong_origin(const Hosts& hosts) {
+    return problem(403,
+                   "Origin must be scipd's own, http://" + hosts.front() +
+                       ": pages of others may not use the control API",
+                   "Origin");
+}
+
+bool is_preflight(const Gate::Header& request) {
+    return request.method() == http::verb::options &&
+           request.count(http::field::access_control_request_method) != 0;
+}
+
+HttpResponse preflight_answer(std::string_view origin) {
+    return {.status = 204,
+            .content_type = {},
+            .body = {},
+            .headers = {{"Access-Control-Allow-Origin", std::string(origin)},
+                        {"Access-Control-Allow-Methods", "GET, PUT, POST, DELETE"},
+                        {"Access-Control-Allow-Headers", "Authorization, Content-Type"},
+                        {"Vary", "Origin"}}};
+}
+
+/// Looks at all of both, so that the time it takes does not tell how much of a guess is right.
+bool is_same(std::string_view said, std::string_view token) {
+    unsigned differences = said.size() == token.size() ? 0 : 1;
+    for (std::size_t i = 0; i < said.size(); ++i)
+        differences |= static_cast<unsigned char>(said[i] ^ token[i % token.size()]);
+    return differences == 0;
+}
+
+bool knows(const Gate::Header& request, std::string_view token) {
+    constexpr std::string_view scheme = "Bearer ";
+    const std::string_view said = field(request, http::field::authorization);
+    return request.count(http::field::authorization) == 1 &&
+           same_letters(said.substr(0, scheme.size()), scheme) &&
+           is_same(said.substr(scheme.size()), token);
+}
+
+HttpResponse unknown_client() {
+    auto response = problem(401,
+                            "Authorization must be `Bearer TOKEN`, with the first line of the "
+                            "file that token_file under http in the configuration names",
+                            "Authorization");
+    response.headers = {{"WWW-Authenticate", "Bearer"}};
+    return response;
+}
+
+bool is_json(std::string_view content_type) {
+    std::string_view type = content_type.substr(0, content_type.find(';'));
+    while (type.ends_with(' ') || type.ends_with('\t'))
+        type.remove_suffix(1);
+    return same_letters(type, "application/json");
+}
+
+}  // namespace
+
+std::vector<std::string> hosts_of(const Address& here) {
+    std::vector<Address> addresses{here};
+    if (is_loopback(here)) {
+        for (const char* name : {"127.0.0.1", "::1", "localhost"})
+            addresses.push_back({name, here.port});
+    }
+    Hosts hosts;
+    for (const Address& address : addresses) {
+        hosts.push_back(text_of(address));
+        if (here.port == 80) hosts.push_back(hosts.back().substr(0, hosts.back().rfind(':')));
+    }
+    return hosts;
+}
+
+std::optional<HttpResponse> Gate::answer(const Header& request, bool has_body,
+                                         const Address& here) const {
+    const Hosts hosts = hosts_of(here);
+    if (request.count(http::field::host) != 1 ||
+        !is_one_of(field(request, http::field::host), hosts)) {
+        return wrong_host(hosts);
+    }
+    const auto origins = request.count(http::field::origin);
+    const std::string_view origin = field(request, http::field::origin);
+    if (origins > 1 || (origins == 1 && !is_own(origin, hosts))) return wrong_origin(hosts);
+    if (is_preflight(request) && origins == 1) return preflight_answer(origin);
+    if (!token_.empty() && !knows(request, token_)) return unknown_client();
+    if (has_body && !is_json(field(request, http::field::content_type))) {
+        return problem(415, "a body must have the Content-Type application/json", "Content-Type");
+    }
+    return std::nullopt;
+}
+
+}  // namespace scipd::daemon
