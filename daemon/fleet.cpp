@@ -8,6 +8,7 @@
 #include <spdlog/spdlog.h>
 
 #include "daemon/faults/fault_injector.h"
+#include "daemon/fleet_metrics.h"
 #include "daemon/fleet_plan.h"
 #include "daemon/link/port.h"
 #include "daemon/load_world.h"
@@ -149,6 +150,7 @@ std::vector<Station*> Fleet::replace_stations(const Config& config, const Ports&
     // Their ports may soon be those of other scanners, to which no fault of theirs must do
     // anything.
     end_faults(old);
+    keep_counts(old, *simulation_);
     std::vector<Station*> fresh;
     auto station = stations.begin();
     for (const RobotConfig& robot : config.robots) {

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "daemon/api/fleet_metrics.h"
 #include "daemon/device/sensor_log.h"
 #include "daemon/http/web_socket.h"
 #include "daemon/world/scene_edit.h"
@@ -80,6 +81,7 @@ class Api {
     virtual ~Api() = default;
 
     [[nodiscard]] virtual FleetStatus status() const = 0;
+    [[nodiscard]] virtual FleetMetrics metrics() const = 0;
 
     /// The latest measurement of "rescue/front". A scanner has none (null) before anybody asks it
     /// for scans; a camera or ranger measures now. Nothing: there is no such sensor.
