@@ -37,7 +37,8 @@ class Control(http.client.HTTPConnection):
 class Lab:
     """A running scipd, ended with the block that uses it."""
 
-    def __init__(self, scipd, scene, *, sensors, faults=(), seed=7, lockstep=True, drive_s=60, **more):
+    def __init__(self, scipd, scene, *, sensors, faults=(), seed=7, lockstep=True, drive_s=60, options=(),
+                 **more):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="scipd-faults-"))
         (self.folder / "drive.tum").write_text("".join(
             f"{i / 10:.1f} {0.002 * i:.4f} 0 0 0 0 0 1\n" for i in range(10 * drive_s + 1)))
@@ -49,7 +50,7 @@ class Lab:
             configuration["robots"]["robot"]["poses"] = "drive.tum"
         (self.folder / "lab.yaml").write_text(json.dumps(configuration))
         self.errors = open(self.folder / "stderr", "w+")
-        self.process = subprocess.Popen([scipd, "--config", str(self.folder / "lab.yaml")],
+        self.process = subprocess.Popen([scipd, "--config", str(self.folder / "lab.yaml"), *options],
                                         stdout=subprocess.PIPE, stderr=self.errors, text=True)
         line = self.process.stdout.readline()
         if not line:

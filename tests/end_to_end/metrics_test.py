@@ -2,7 +2,7 @@
 # Copyright The scipd authors
 #
 # /metrics counts what a client sees, in the format of Prometheus, and docs/operations.md lists all of it; /health
-# answers. metrics_test.py SCIPD SCENE OPERATIONS.MD
+# answers; the log is JSON. metrics_test.py SCIPD SCENE OPERATIONS.MD
 import collections
 import http.client
 import json
@@ -195,10 +195,19 @@ def check_health(lab):
     read_metrics(tcp)
 
 
+def check_log(lab):
+    entries = [json.loads(line) for line in (lab.folder / "stderr").read_text().splitlines()]
+    assert all(re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z", entry["time"]) for entry in entries), entries
+    fault, = [entry for entry in entries if entry["message"].endswith("begins")]
+    assert fault["sensor"] == "robot/front" and fault["message"].startswith("fault 1, status, at scan "), fault
+    assert {**entries[-1], "time": ""} == {"time": "", "level": "info", "message": "ended by signal 15"}, entries[-1]
+
+
 def main():
     scipd, scene, page = sys.argv[1:]
     sensors = {"front": FRONT, "serial": SERIAL, "sonar": SONAR}
-    with Lab(scipd, scene, sensors=sensors, lockstep=False, http="127.0.0.1:0") as lab:
+    with Lab(scipd, scene, sensors=sensors, lockstep=False, options=["--log-format", "json"],
+             http="127.0.0.1:0") as lab:
         check_health(lab)
         received = check_scans(lab)
         refused_bytes, refused = check_refusals(lab)
@@ -206,6 +215,7 @@ def main():
         check_poses(lab)
         check_document(lab, page)
         check_reload(lab, received + refused_bytes + with_faults, refused, hits)
+    check_log(lab)
     print("all is counted")
 
 
