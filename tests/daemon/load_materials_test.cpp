@@ -91,16 +91,19 @@ TEST_F(LoadMaterials, TellsFaultsWithBothPlaces) {
 
 TEST_F(LoadMaterials, ChecksTheNamesOfTheWorld) {
     const std::string unknown = "no library knows the material 'cheese'";
+    Options strict;
+    strict.strict = true;
     const std::string said = check(fleet(""));
     EXPECT_THAT(said, HasSubstr(unknown));
     EXPECT_THAT(said, HasSubstr(", materials: " + summary_of(*load_materials({}).library)));
-    EXPECT_THAT(faults_of([&] { (void)check(fleet(""), true); }), ElementsAre(HasSubstr(unknown)));
+    EXPECT_THAT(faults_of([&] { (void)check(fleet(""), strict); }),
+                ElementsAre(HasSubstr(unknown)));
     EXPECT_THAT(faults_of([&] { (void)check(fleet("strict: true\n")); }),
                 ElementsAre(HasSubstr(unknown)));
 
     dir_.write("mine.yaml",
                "materials: {cheese: {reflectance: {905: 0.7}, source: a cow, assumed: [905]}}\n");
-    EXPECT_THAT(check(fleet("materials: mine.yaml\n"), true), Not(HasSubstr(unknown)));
+    EXPECT_THAT(check(fleet("materials: mine.yaml\n"), strict), Not(HasSubstr(unknown)));
 }
 
 // Where no sensor sees light, no material matters.

@@ -51,7 +51,7 @@ int missed_turns(std::uint16_t port, const std::stop_token& stop) {
 TEST_F(MrptFaultsTest, TakesNoCodeForARange) {
     start_configuration(scene("faults") / "codes_by_cause.yaml");
     for (const auto& [link, sensor] : {std::pair{Link::tcp, 0U}, std::pair{Link::tty, 1U}}) {
-        const auto scan = MrptDriver(*daemon_, link, sensor).next_scan();
+        const auto scan = connect(link, sensor)->next_scan();
         int codes = 0;
         for (std::size_t beam = 0; beam < scan.getScanSize(); ++beam) {
             const bool code = scan.getScanRange(beam) < 0.0195F;
@@ -64,10 +64,8 @@ TEST_F(MrptFaultsTest, TakesNoCodeForARange) {
 
 TEST_F(MrptFaultsTest, LeavesScip11ByItself) {
     start_configuration(scene("faults") / "starts_in_scip11.yaml");
-    for (const Link link : {Link::tcp, Link::tty}) {
-        MrptDriver driver(*daemon_, link);
-        expect_scans(driver);
-    }
+    (void)connect(Link::tcp);
+    (void)connect(Link::tty);
 }
 
 TEST_F(MrptFaultsTest, NeverFindsAnotherBaudRate) {
@@ -78,7 +76,7 @@ TEST_F(MrptFaultsTest, NeverFindsAnotherBaudRate) {
 
 TEST_F(MrptFaultsTest, TakesRangesBeyond30Metres) {
     start_configuration(scene("faults") / "beyond_30_m.yaml");
-    const auto scan = MrptDriver(*daemon_, Link::tcp).next_scan();
+    const auto scan = connect(Link::tcp)->next_scan();
     const std::size_t ahead = scan.getScanSize() / 2;
     EXPECT_TRUE(scan.getScanRangeValidity(ahead));
     EXPECT_NEAR(scan.getScanRange(ahead), 45.0, 0.3);
@@ -86,10 +84,10 @@ TEST_F(MrptFaultsTest, TakesRangesBeyond30Metres) {
 
 TEST_F(MrptFaultsTest, TakesPointsBetweenThingsForThings) {
     start_configuration(scene("faults") / "between_objects.yaml");
-    MrptDriver driver(*daemon_, Link::tcp);
+    const auto driver = connect(Link::tcp);
     int found = 0;
     for (int i = 0; i < 20; ++i) {
-        const auto scan = driver.next_scan();
+        const auto scan = driver->next_scan();
         for (int beam = 4; beam < utm_30lx.beams() - 4; ++beam) {
             if (scan.getScanRangeValidity(beam) && between(scan.getScanRange(beam), beam)) ++found;
         }
@@ -101,16 +99,15 @@ TEST_F(MrptFaultsTest, LosesOneOfTwoScannersAndNoScanOfTheOther) {
     start_configuration(scene("two_robots.yaml"));
     constexpr std::size_t rescue_front = 0;
     constexpr std::size_t scout_front = 2;
-    MrptDriver driver(*daemon_, Link::tcp, rescue_front);
-    (void)driver.next_scan();
+    const auto driver = connect(Link::tcp, rescue_front);
     int missed = -1;
     std::jthread other([&](const std::stop_token& stop) {
         missed = missed_turns(daemon_->port(scout_front), stop);
     });
     run("one_of_two_scanners.yaml");
-    const Seen seen = watch_until_over(driver);
+    const Seen seen = watch_until_over(*driver);
     EXPECT_TRUE(seen.silent);
-    expect_scans(driver);
+    expect_scans(*driver);
     other.request_stop();
     other.join();
     EXPECT_EQ(missed, 0);

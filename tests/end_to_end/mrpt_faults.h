@@ -6,7 +6,9 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -25,7 +27,7 @@ namespace scipd::tests {
 struct Seen {
     int scans = 0;
     int failures = 0;
-    int off_time = 0;     ///< scans whose stamps are wrong by more than a second
+    int off_time = 0;     ///< scans whose stamps are wrong by more than 10 s
     int in_a_row = 0;     ///< the last scans, with no failure among them
     bool silent = false;  ///< at some time no scan came for half a second
     std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
@@ -63,14 +65,15 @@ class MrptFaultsTest : public testing::Test {
     /// The configuration, with its ports free ones.
     void start_configuration(const std::filesystem::path& file);
 
+    /// A driver that gets scans. MRPT has little patience with a busy machine, so it may try again.
+    [[nodiscard]] std::unique_ptr<MrptDriver> connect(Link link, std::size_t sensor = 0) const;
+
     /// Has the scenario run from now on.
     void run(const std::string& file);
     [[nodiscard]] bool over() const;
 
     /// Lets the driver work until the scenario is over.
     Seen watch_until_over(MrptDriver& driver);
-    /// On the tty: the scanner is sound, whatever a driver makes of it.
-    void expect_scans_for_another();
 
     TempDir directory_;
     std::optional<DaemonProcess> daemon_;
