@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -50,9 +51,10 @@ struct SensorStatus {
     std::optional<std::string> pty;  ///< the link
     std::uint64_t clients = 0;       ///< connected now
     std::uint64_t scans = 0;
-    std::uint64_t lost = 0;                  ///< scans that drivers did not get
-    std::uint64_t stream_lost = 0;           ///< and clients of /stream
-    std::optional<LatenessStatus> lateness;  ///< nothing: no scan yet
+    std::map<std::string, std::uint64_t> casts;  ///< by backend
+    std::uint64_t lost = 0;                      ///< scans that drivers did not get
+    std::uint64_t stream_lost = 0;               ///< and clients of /stream
+    std::optional<LatenessStatus> lateness;      ///< nothing: no scan yet
 };
 
 struct PosesStatus {
