@@ -106,6 +106,11 @@ void DeviceState::spin_up(Uptime until) {
     laser_on_since_ = std::max(laser_on_since_, until);
 }
 
+void DeviceState::spun_up(Uptime now) {
+    motor_up_at_ = std::min(motor_up_at_, now);
+    laser_on_since_ = std::min(laser_on_since_, now);
+}
+
 void DeviceState::reset(Uptime now) {
     partial_reset(now);
     settings_ = {};

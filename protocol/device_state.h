@@ -103,6 +103,8 @@ class DeviceState {
     void set_motor_error(double share) { motor_error_ = share; }
     /// The motor has stood still, and gets up to speed again until then.
     void spin_up(Uptime until);
+    /// It is at its speed already.
+    void spun_up(Uptime now);
     [[nodiscard]] Settings& settings() { return settings_; }
     [[nodiscard]] const Settings& settings() const { return settings_; }
 

@@ -91,6 +91,7 @@ void Session::close() {
 }
 
 void Session::forget() {
+    if (hook_ != nullptr) hook_->forget(*this);
     requests_.clear();
     acquisition_.forget_scan();
     // The rate of the line is the device's and outlives its clients.

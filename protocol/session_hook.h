@@ -25,6 +25,8 @@ class SessionHook {
     virtual std::optional<Status> refuse(const Request& request) = 0;
     /// These leave in the place of the message, in order.
     virtual std::vector<Send> leave(const Session& from, Send message) = 0;
+    /// The client of this session is another one from here on, or there is none.
+    virtual void forget(const Session& session) = 0;
 };
 
 }  // namespace scipd::protocol

@@ -137,6 +137,11 @@ void Device::set_hook(DeviceHook* hook) {
         client->session().set_hook(hook);
 }
 
+void Device::set_late(sim::Time late) {
+    if (late < late_) punctual_from_ = clock_.now();
+    late_ = late;
+}
+
 void Device::change(const Change& change) {
     const protocol::Grid mirror = protocol::mirror_of(state_, profile_);
     const int boots = state_.boots();
@@ -176,9 +181,8 @@ std::int64_t Device::next_revolution() const {
 }
 
 sim::Time Device::leaves(std::int64_t revolution) const {
-    const sim::Time leaves = device_clock_.world_time(
-        protocol::scan_leaves(timing_.complete(revolution), state_, profile_));
-    return hook_ == nullptr ? leaves : leaves + hook_->late();
+    return late_ + device_clock_.world_time(
+                       protocol::scan_leaves(timing_.complete(revolution), state_, profile_));
 }
 
 bool Device::poses_known(std::int64_t revolution) const {
@@ -205,7 +209,8 @@ void Device::turn_complete(std::int64_t revolution) {
         for (ServedClient* client : takers)
             client->session().take(scan, uptime());
         ++counts_.scans;
-        counts_.lateness.add(clock_.now() - leaves(revolution));
+        if (leaves(revolution) >= punctual_from_)
+            counts_.lateness.add(clock_.now() - leaves(revolution));
     }
     if (watcher_) watcher_(measure(revolution));
     // A client that has not taken it may wait in vain, because another one has switched the laser

@@ -56,6 +56,8 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     /// Changes the device from outside, and tells its clients. Not from within a client's call.
     using Change = std::function<void(protocol::DeviceState& state, protocol::Uptime now)>;
     void change(const Change& change);
+    /// From now on scans leave so much later than they should.
+    void set_late(sim::Time late);
     /// Null: nobody stands between its mirror and its clients.
     void set_hook(DeviceHook* hook);
     /// The same of what no client waits for. For the hook, from within a call of the device's.
@@ -133,6 +135,8 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     int bit_rate_told_;                   ///< which rate of the serial line all clients know of
     std::vector<ServedClient*> clients_;  ///< each adds and removes itself
     DeviceHook* hook_ = nullptr;
+    sim::Time late_{};
+    sim::Time punctual_from_ = sim::Time::min();  ///< what leaves earlier was to be late
     std::function<void()> on_wanted_;
     std::function<void(const ScanRecord&)> watcher_;
     SharedRecord record_;  ///< of the latest that was cast

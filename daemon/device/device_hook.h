@@ -10,7 +10,6 @@
 #include "protocol/session_hook.h"
 #include "sim/sensor/scan.h"
 #include "sim/sensor/sensor_spec.h"
-#include "sim/time.h"
 
 namespace scipd::daemon {
 
@@ -20,8 +19,6 @@ class DeviceHook : public protocol::SessionHook {
     virtual void turn(std::int64_t revolution) = 0;
     /// Whether anybody gets the scan of a complete revolution.
     virtual bool serves(std::int64_t revolution) = 0;
-    /// How much later than usual scans leave.
-    [[nodiscard]] virtual sim::Time late() const = 0;
     /// May change what the sensor read.
     virtual void read(sim::Scan& scan, const sim::SensorSpec& optics) = 0;
     virtual void booted() = 0;

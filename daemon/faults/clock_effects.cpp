@@ -44,7 +44,6 @@ sim::Expected<int> parse_repeat(std::string_view text) {
     return parse_whole(text, 2, 1000);
 }
 
-/// A device whose clock is set anew, by RS or a boot, has a clock that goes wrong from there on.
 class WrongClock : public FaultEffect {
   public:
     using Members = ClockMembers;
@@ -60,57 +59,40 @@ class WrongClock : public FaultEffect {
                           (read.frozen ? 1 : 0) + (read.repeat ? 1 : 0);
         if (given != 1)
             faults.add(fault, "needs one of jump_ms, ppm, wrap_in_s, frozen: true and repeat");
+        if (read.jump_ms == 0 || read.ppm == 0.0)
+            faults.add(fault, "must not leave the clock right");
     }
 
     explicit WrongClock(const Members& members) : members_(members) {}
 
     void begin(FaultScene& scene) override {
         scene.touched({.what = "the clock goes wrong"});
-        apply(scene);
-    }
-    void before(FaultScene& scene) override { apply(scene); }
-    void end(FaultScene& scene) override {
-        if (scene.device().state().clock_zero() == zero_set_) set_zero(scene, zero_);
-    }
-
-  private:
-    void apply(FaultScene& scene) {
-        const Uptime zero = scene.device().state().clock_zero();
-        if (!begun_ || zero != zero_set_) {
-            zero_ = zero;
-            begun_ = scene.stamped();
-            first_scan_ = scene.scan();
-        }
-        set_zero(scene, zero_ + shift(scene));
+        first_scan_ = scene.scan();
+        begun_ = scene.stamped();
+        const Uptime shown = *begun_ - scene.device().state().clock_zero();
+        if (members_.wrap_in) to_wrap_ = shown % counter_range - counter_range + *members_.wrap_in;
     }
 
-    /// By how much later its zero is than it was.
-    [[nodiscard]] Uptime shift(FaultScene& scene) const {
+    std::optional<Uptime> clock_shift(FaultScene& scene) override {
+        if (!begun_) return std::nullopt;
         const Uptime since = scene.stamped() - *begun_;
         if (members_.jump_ms) return -milliseconds(*members_.jump_ms);
         if (members_.ppm) {
             return -std::chrono::round<Uptime>(
                 std::chrono::duration<double, Uptime::period>(since) * *members_.ppm * 1e-6);
         }
-        if (members_.wrap_in)
-            return (*begun_ - zero_) % counter_range - counter_range + *members_.wrap_in;
+        if (members_.wrap_in) return to_wrap_;
         if (members_.frozen) return since;
         const std::int64_t passed = (scene.scan() - first_scan_) % *members_.repeat;
         Device& device = scene.device();
         return device.start_of(scene.scan()) - device.start_of(scene.scan() - passed);
     }
 
-    void set_zero(FaultScene& scene, Uptime zero) {
-        scene.device().amend(
-            [&](protocol::DeviceState& state, Uptime) { state.set_clock(zero, Uptime::zero()); });
-        zero_set_ = zero;
-    }
-
+  private:
     Members members_;
     std::optional<Uptime> begun_;
     std::int64_t first_scan_ = 0;
-    Uptime zero_{};      ///< without the fault
-    Uptime zero_set_{};  ///< as it was set last
+    Uptime to_wrap_{};
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 //
 // A scanner that boots, sleeps, is in trouble, or whose motor is not at its speed.
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -46,7 +47,6 @@ class Reboot : public FaultEffect {
     Members members_;
 };
 
-/// What the device says of itself. A boot does not heal it while the fault lasts.
 class InTrouble : public FaultEffect {
   public:
     static constexpr std::pair<std::string_view, Trouble> states[] = {
@@ -67,27 +67,17 @@ class InTrouble : public FaultEffect {
 
     explicit InTrouble(const Members& members) : members_(members) {}
 
-    void begin(FaultScene& scene) override {
-        scene.touched({.what = "the device is in trouble"});
-        set(scene, members_.state);
-    }
-    void end(FaultScene& scene) override {
-        if (scene.device().state().trouble() == members_.state) set(scene, Trouble::none);
-    }
-    void booted(FaultScene& scene) override {
-        scene.device().amend(
-            [&](DeviceState& state, Uptime) { state.set_trouble(members_.state); });
+    void begin(FaultScene& scene) override { scene.touched({.what = "the device is in trouble"}); }
+    /// The worst one counts.
+    void condition(DeviceCondition& condition) const override {
+        condition.trouble = std::max(condition.trouble, members_.state);
     }
 
   private:
-    static void set(FaultScene& scene, Trouble trouble) {
-        scene.device().change([&](DeviceState& state, Uptime) { state.set_trouble(trouble); });
-    }
-
     Members members_;
 };
 
-/// As by %SL, and by a BM when it ends.
+/// As by %SL.
 class Asleep : public FaultEffect {
   public:
     using Members = NoMembers;
@@ -98,12 +88,8 @@ class Asleep : public FaultEffect {
 
     void begin(FaultScene& scene) override {
         scene.touched({.what = "the motor stops, and the laser goes off"});
-        scene.device().change([](DeviceState& state, Uptime) { state.sleep(); });
     }
-    void end(FaultScene& scene) override {
-        const Uptime wake_time = scene.device().profile().wake_time;
-        scene.device().change([&](DeviceState& state, Uptime now) { state.wake(now, wake_time); });
-    }
+    void condition(DeviceCondition& condition) const override { condition.asleep = true; }
 };
 
 class Motor : public FaultEffect {
@@ -120,33 +106,27 @@ class Motor : public FaultEffect {
         {"spin_up_s", read_as<&Members::spin_up, parse_up_to_hour>},
     };
     static void check(const Members& members, const Field& fault, Faults& faults) {
-        if (!members.percent && !members.spin_up)
-            faults.add(fault, "needs percent, of its speed, or spin_up_s");
+        if (members.percent.value_or(0.0) == 0.0 && !members.spin_up)
+            faults.add(fault, "needs percent, of its speed and not 0, or spin_up_s");
     }
 
     explicit Motor(const Members& members) : members_(members) {}
 
     void begin(FaultScene& scene) override {
         scene.touched({.what = "the motor is not at its speed"});
-        scene.device().change([&](DeviceState& state, Uptime now) {
-            if (members_.percent) state.set_motor_error(*members_.percent);
-            if (members_.spin_up) state.spin_up(now + *members_.spin_up);
-        });
+        if (members_.spin_up) up_at_ = scene.device().uptime() + *members_.spin_up;
     }
-    void booted(FaultScene& scene) override {
-        scene.device().amend([&](DeviceState& state, Uptime) {
-            if (members_.percent) state.set_motor_error(*members_.percent);
-        });
-    }
-    void end(FaultScene& scene) override {
-        scene.device().change([&](DeviceState& state, Uptime now) {
-            if (members_.percent) state.set_motor_error(0.0);
-            if (members_.spin_up && state.waking(now)) state.spin_up(now);
-        });
+    void condition(DeviceCondition& condition) const override {
+        if (members_.percent)
+            condition.motor_error = (1.0 + condition.motor_error) * (1.0 + *members_.percent) - 1.0;
+        if (up_at_)
+            condition.spins_up_until =
+                std::max(condition.spins_up_until.value_or(*up_at_), *up_at_);
     }
 
   private:
     Members members_;
+    std::optional<Uptime> up_at_;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "daemon/faults/device_condition.h"
 #include "daemon/link/line_state.h"
 #include "protocol/action.h"
 #include "protocol/request.h"
@@ -85,6 +86,8 @@ class FaultEffect {
     /// What is about to leave a session; it begins as one message.
     virtual void messages(const protocol::Session& /*from*/,
                           std::vector<protocol::Send>& /*leaving*/, FaultScene& /*scene*/) {}
+    /// The client of this session is another one from here on, or there is none.
+    virtual void forget(const protocol::Session& /*session*/) {}
 
     /// Whether it keeps messages back. Until it lets them go messages() is called, also after its
     /// end.
@@ -92,8 +95,13 @@ class FaultEffect {
 
     // The device.
 
-    /// Before anything of a revolution, or of a request, is looked at.
-    virtual void before(FaultScene& /*scene*/) {}
+    /// As line().
+    virtual void condition(DeviceCondition& /*condition*/) const {}
+    /// How much later the zero of the device's clock is than it would be. Asked before anything of a
+    /// revolution, or of a request, is looked at. Nothing: the clock is right.
+    virtual std::optional<protocol::Uptime> clock_shift(FaultScene& /*scene*/) {
+        return std::nullopt;
+    }
     virtual void booted(FaultScene& /*scene*/) {}
 
     // Scans.

@@ -40,12 +40,16 @@ FaultInjector::FaultInjector(Device& device, std::vector<Port*> ports, const Lin
     : link_(link),
       clock_(clock),
       site_{device, std::move(ports), {}, {}, {}, {}, {}},
+      condition_(device),
       line_{link},
       alarm_(clock.make_idle_alarm()),
+      end_alarm_(clock.make_alarm()),
       soon_(clock.make_alarm()) {}
 
 FaultInjector::~FaultInjector() {
     stop_all();
+    runs_.clear();
+    tidy();
 }
 
 std::uint64_t FaultInjector::start(FaultPlan plan, std::uint64_t seed, std::optional<int> step) {
@@ -53,7 +57,9 @@ std::uint64_t FaultInjector::start(FaultPlan plan, std::uint64_t seed, std::opti
     ++last_id_;
     // Two faults of one kind that have no seeds of their own must not do the same. The seeds of the
     // steps of a scenario differ already, and are the same whenever it is run.
-    const std::uint64_t own_seed = plan.seed.value_or(step ? seed : seed + last_id_);
+    const std::uint64_t said_seed = plan.seed.value_or(step ? seed : seed + last_id_);
+    // Nor must two scanners that one step is for.
+    const std::uint64_t own_seed = said_seed ^ site_.device.chance(sim::Purpose::fault).sensor;
     runs_.push_back(std::make_unique<FaultRun>(site_, last_id_, std::move(plan), own_seed, step));
     advance();
     settle();
@@ -61,14 +67,12 @@ std::uint64_t FaultInjector::start(FaultPlan plan, std::uint64_t seed, std::opti
 }
 
 bool FaultInjector::stop(std::uint64_t id) {
-    const auto found =
-        std::ranges::find_if(runs_, [&](const auto& run) { return run->id() == id; });
+    const auto found = std::ranges::find_if(
+        runs_, [&](const auto& run) { return run->id() == id && !run->stopped(); });
     if (found == runs_.end()) return false;
     look_at(moment());
     (*found)->stop();
     settle();
-    std::erase_if(runs_, [&](const auto& run) { return run->id() == id; });
-    tidy();
     return true;
 }
 
@@ -77,14 +81,13 @@ void FaultInjector::stop_all() {
     for (const auto& run : runs_)
         run->stop();
     settle();
-    runs_.clear();
-    tidy();
 }
 
 std::vector<FaultStatus> FaultInjector::list() const {
     std::vector<FaultStatus> list;
-    for (const auto& run : runs_)
-        list.push_back(run->status());
+    for (const auto& run : runs_) {
+        if (!run->stopped()) list.push_back(run->status());
+    }
     return list;
 }
 
@@ -127,8 +130,8 @@ std::optional<protocol::Status> FaultInjector::refuse(const protocol::Request& r
         run->meet_request(code_of(request));
     settle_soon();
     std::optional<protocol::Status> status;
+    set_clock();
     each_acting([&](FaultEffect& effect, FaultScene& scene) {
-        effect.before(scene);
         if (!status) status = effect.refuse(request, scene);
     });
     return status;
@@ -155,7 +158,30 @@ void FaultInjector::turn(std::int64_t revolution) {
     site_.stamped = site_.device.start_of(revolution);
     advance();
     settle();
-    each_acting([](FaultEffect& effect, FaultScene& scene) { effect.before(scene); });
+    set_clock();
+}
+
+void FaultInjector::forget(const protocol::Session& session) {
+    for (const auto& run : runs_) {
+        if (FaultEffect* const effect = run->changing_messages()) effect->forget(session);
+    }
+}
+
+// A zero that is another than was set here has been set by RS or a boot: the clock goes wrong from
+// there on.
+void FaultInjector::set_clock() {
+    std::optional<protocol::Uptime> shift;
+    each_acting([&](FaultEffect& effect, FaultScene& scene) {
+        if (const auto one = effect.clock_shift(scene)) shift = shift.value_or(0ns) + *one;
+    });
+    if (!shift && !wrong_clock_) return;
+    const protocol::Uptime zero = site_.device.state().clock_zero();
+    if (!wrong_clock_ || zero != wrong_clock_->set) wrong_clock_ = WrongClock{.right = zero};
+    wrong_clock_->set = wrong_clock_->right + shift.value_or(0ns);
+    site_.device.amend([&](protocol::DeviceState& state, protocol::Uptime) {
+        state.set_clock(wrong_clock_->set, 0ns);
+    });
+    if (!shift) wrong_clock_.reset();
 }
 
 bool FaultInjector::serves(std::int64_t revolution) {
@@ -174,6 +200,7 @@ void FaultInjector::read(sim::Scan& scan, const sim::SensorSpec& optics) {
 }
 
 void FaultInjector::booted() {
+    condition_.booted();
     for (const auto& run : runs_)
         run->meet_boot();
     settle_soon();
@@ -210,12 +237,17 @@ void FaultInjector::settle_soon() {
 void FaultInjector::compose() {
     LineState line{link_};
     PoseShift shift;
-    late_ = {};
+    DeviceCondition condition;
+    sim::Time late{};
     each_acting([&](FaultEffect& effect, FaultScene&) {
         effect.line(line);
         effect.poses(shift);
-        late_ += effect.late();
+        effect.condition(condition);
+        late += effect.late();
     });
+    condition_.set(condition);
+    site_.device.set_late(late);
+    set_clock();
     if (line != line_) {
         for (Port* const port : site_.ports)
             port->set_line(line);
@@ -235,31 +267,40 @@ void FaultInjector::tidy() {
         for (Port* const port : site_.ports)
             port->set_hook(hooked_ ? this : nullptr);
     }
-    const auto ended = [](const auto& run) {
-        return run->schedule().phase() == FaultSchedule::Phase::ended;
-    };
-    while (std::ranges::count_if(runs_, ended) > static_cast<std::ptrdiff_t>(most_ended))
-        runs_.erase(std::ranges::find_if(runs_, ended));
+    // What has been stopped may still keep a message back.
+    std::erase_if(runs_, [](const auto& run) { return run->stopped() && run->gone(); });
+    const auto gone = [](const auto& run) { return run->gone(); };
+    while (std::ranges::count_if(runs_, gone) > static_cast<std::ptrdiff_t>(most_ended))
+        runs_.erase(std::ranges::find_if(runs_, gone));
     wait();
 }
 
 void FaultInjector::wait() {
-    const sim::Time now = clock_.now();
-    std::optional<sim::Time> at;
-    const auto or_at = [&](sim::Time time) { at = std::min(at.value_or(time), time); };
+    std::optional<sim::Time> idle;
+    std::optional<sim::Time> awaited;
     for (const auto& run : runs_) {
-        const FaultSchedule& schedule = run->schedule();
-        if (const auto scan = schedule.next_scan())
-            or_at(std::max(site_.device.leaves(*scan), now + look_again));
-        const auto time = schedule.next_time(clock_.origin());
-        if (time) or_at(clock_.origin() == sim::Time{} ? std::min(*time, now + look_again) : *time);
+        std::optional<sim::Time>& at = run->awaited() ? awaited : idle;
+        if (const auto next = next_look(run->schedule())) at = std::min(at.value_or(*next), *next);
     }
-    if (!at) return alarm_->cancel();
-    alarm_->set(*at, [this] {
-        look_at(moment());
-        advance();
-        settle();
-    });
+    const auto set = [this](Clock::Alarm& alarm, std::optional<sim::Time> at) {
+        if (!at) return alarm.cancel();
+        alarm.set(*at, [this] {
+            look_at(moment());
+            advance();
+            settle();
+        });
+    };
+    set(*alarm_, idle);
+    set(*end_alarm_, awaited);
+}
+
+std::optional<sim::Time> FaultInjector::next_look(const FaultSchedule& schedule) const {
+    const sim::Time now = clock_.now();
+    if (const auto scan = schedule.next_scan())
+        return std::max(site_.device.leaves(*scan), now + look_again);
+    const sim::Time origin = clock_.origin();
+    const auto time = schedule.next_time(origin);
+    return time && origin == sim::Time{} ? std::min(*time, now + look_again) : time;
 }
 
 }  // namespace scipd::daemon

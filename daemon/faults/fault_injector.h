@@ -14,6 +14,7 @@
 #include "daemon/clock/clock.h"
 #include "daemon/device/device.h"
 #include "daemon/device/device_hook.h"
+#include "daemon/faults/device_condition.h"
 #include "daemon/faults/fault_log.h"
 #include "daemon/faults/fault_plan.h"
 #include "daemon/faults/fault_run.h"
@@ -48,10 +49,10 @@ class FaultInjector : private DeviceHook, private LineHook {
     std::optional<protocol::Status> refuse(const protocol::Request& request) override;
     std::vector<protocol::Send> leave(const protocol::Session& from,
                                       protocol::Send message) override;
+    void forget(const protocol::Session& session) override;
     // DeviceHook
     void turn(std::int64_t revolution) override;
     bool serves(std::int64_t revolution) override;
-    [[nodiscard]] sim::Time late() const override { return late_; }
     void read(sim::Scan& scan, const sim::SensorSpec& optics) override;
     void booted() override;
     // LineHook
@@ -67,11 +68,13 @@ class FaultInjector : private DeviceHook, private LineHook {
     /// Of what has begun or ended, outside of all calls of the device and the ports.
     void settle();
     void settle_soon();
-    /// Sets lines, poses and lateness as all acting effects have them.
+    void set_clock();
+    /// Sets lines, poses and the device as all acting effects have them.
     void compose();
     /// Takes the hooks away that nobody needs, and forgets faults that ended long ago.
     void tidy();
     void wait();
+    [[nodiscard]] std::optional<sim::Time> next_look(const FaultSchedule& schedule) const;
     [[nodiscard]] bool idle() const;
 
     template <class Act>
@@ -86,10 +89,17 @@ class FaultInjector : private DeviceHook, private LineHook {
     std::int64_t served_ = -1;   ///< the latest revolution whose turn was told
     std::uint64_t replies_ = 0;  ///< that left sessions, and ports, since the first fault
     std::uint64_t replies_sent_ = 0;
-    sim::Time late_{};
+    /// The zero of the device's clock.
+    struct WrongClock {
+        protocol::Uptime right;  ///< without any fault
+        protocol::Uptime set{};
+    };
+    std::optional<WrongClock> wrong_clock_;
+    FaultedDevice condition_;
     LineState line_;
     PoseShift shift_;
-    std::unique_ptr<Clock::Alarm> alarm_;
+    std::unique_ptr<Clock::Alarm> alarm_;      ///< for what begins, and ends, on the way
+    std::unique_ptr<Clock::Alarm> end_alarm_;  ///< for what a driver waits for
     std::unique_ptr<Clock::Alarm> soon_;
 };
 

@@ -64,9 +64,12 @@ void FaultRun::meet_boot() {
 
 void FaultRun::stop() {
     if (schedule_.phase() == FaultSchedule::Phase::active) end();
+    schedule_.stop();
+    stopped_ = true;
 }
 
 void FaultRun::begin() {
+    drove_ = site_.device.driven();
     schedule_.begin(site_.now);
     acting_ = plan_.make();
     changes_.push_back({acting_, true});
@@ -78,7 +81,6 @@ void FaultRun::end() {
     if (acting_->holds()) last_ = acting_;
     changes_.push_back({std::move(acting_), false});
     acting_ = nullptr;
-    log(spdlog::level::info, {.what = "ends"});
 }
 
 bool FaultRun::settle() {
@@ -87,8 +89,13 @@ bool FaultRun::settle() {
     while (!changes_.empty()) {
         const Change change = std::move(changes_.front());
         changes_.erase(changes_.begin());
-        change.begins ? change.effect->begin(*this) : change.effect->end(*this);
         settled = true;
+        if (change.begins) {
+            change.effect->begin(*this);
+        } else {
+            change.effect->end(*this);
+            log(spdlog::level::info, {.what = "ends"});
+        }
     }
     return settled;
 }

@@ -47,7 +47,11 @@ class FaultRun final : private FaultScene {
     /// A request of this code is looked at: it may be what begins or ends the fault.
     void meet_request(std::string_view command);
     void meet_boot();
+    /// It ends, and nobody wants to know of it any more.
     void stop();
+    [[nodiscard]] bool stopped() const { return stopped_; }
+    /// It acts, and a driver that may have lost its scanner by it waits for its end.
+    [[nodiscard]] bool awaited() const { return acting_ && drove_; }
 
     /// Null: it does not act now.
     [[nodiscard]] FaultEffect* acting() { return acting_.get(); }
@@ -90,6 +94,8 @@ class FaultRun final : private FaultScene {
     std::shared_ptr<FaultEffect> last_;  ///< has ended, and keeps messages back
     std::vector<Change> changes_;        ///< that are not settled
     std::uint64_t hits_ = 0;
+    bool stopped_ = false;
+    bool drove_ = false;  ///< a driver was asking for scans when it began
 };
 
 }  // namespace scipd::daemon

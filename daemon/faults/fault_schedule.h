@@ -47,6 +47,9 @@ class FaultSchedule {
     /// It waits for its next repetition, or is ended for good.
     void end(const FaultMoment& now);
 
+    /// It is ended for good.
+    void stop() { phase_ = Phase::ended; }
+
     /// What it waits for, unless that is a request.
     [[nodiscard]] std::optional<std::int64_t> next_scan() const;
     [[nodiscard]] std::optional<sim::Time> next_time(sim::Time origin) const;

@@ -82,8 +82,9 @@ class WrongSums : public FaultEffect {
                 bytes[sums[i]] = static_cast<char>('0' + ((bytes[sums[i]] - '0' + more) & 0x3f));
             }
             if (sums.empty()) return;
+            const char* const noun = sums.size() == 1 ? " sum of " : " sums of ";
             scene.touched(
-                {.what = std::to_string(sums.size()) + " sums of " + name_of(bytes) + " made wrong",
+                {.what = std::to_string(sums.size()) + noun + name_of(bytes) + " made wrong",
                  .bytes = sums});
         });
     }
@@ -218,6 +219,8 @@ class Resent : public FaultEffect {
                 {.what = name_of(reply) + " answered with the reply to " + name_of(previous)});
         }
     }
+
+    void forget(const Session& session) override { previous_.erase(&session); }
 
   private:
     Members members_;

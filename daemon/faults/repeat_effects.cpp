@@ -66,6 +66,7 @@ class ReorderedScans : public FaultEffect {
         }
     }
 
+    void forget(const Session& session) override { held_.erase(&session); }
     void end(FaultScene&) override { ended_ = true; }
     [[nodiscard]] bool holds() const override { return !held_.empty(); }
 

@@ -75,10 +75,11 @@ void Connection::close() {
 
 void Connection::set_line(const LineState& line) {
     if (abandoned_) return;
-    inbox_.set_config(to_device(line.link));
-    outbox_.line().set_config(line.link);
+    inbox_.set_config(to_device(line.link), clock_.now());
+    outbox_.line().set_config(line.link, clock_.now());
     dead_ = line.dead;
-    if (std::exchange(stalled_, line.stalled) && !stalled_) flush_soon();
+    stalled_ = line.stalled;
+    flush_soon();
 }
 
 void Connection::send_raw(std::string bytes) {

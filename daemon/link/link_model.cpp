@@ -38,10 +38,16 @@ void LinkModel::set_rate(int bits_per_second) {
     pieces_.push_back({.at = last_there_, .bytes = {}, .bits_per_second = rate_});
 }
 
-void LinkModel::set_config(const LinkConfig& config) {
+void LinkModel::set_config(const LinkConfig& config, sim::Time now) {
     if (config == config_) return;
     if (group_) end_group();
+    const bool faster = config.latency + config.jitter < config_.latency + config_.jitter;
     config_ = config;
+    // On a serial line it is the rate that takes the time.
+    if (!faster || rate_ != 0) return;
+    last_there_ = std::min(last_there_, now + config.latency + config.jitter);
+    for (Piece& piece : pieces_)
+        piece.at = std::min(piece.at, last_there_);
 }
 
 std::optional<sim::Time> LinkModel::next_at() const {

@@ -37,8 +37,9 @@ class LinkModel {
     /// Sets the rate of the line from here on. Where that changes the rate, take() gives a piece
     /// without bytes after everything earlier.
     void set_rate(int bits_per_second);
-    /// For what is sent from here on.
-    void set_config(const LinkConfig& config);
+    /// For what is sent from here on. Where messages take less time now, those that are under way
+    /// do so as well.
+    void set_config(const LinkConfig& config, sim::Time now);
     [[nodiscard]] int rate() const { return rate_; }
 
     /// When to take() again.

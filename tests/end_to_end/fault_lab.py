@@ -100,8 +100,9 @@ class Client:
     def say(self, line):
         self.socket.sendall(line.encode() + b"\n")
 
-    def read(self, patience_s=PATIENCE_S):
+    def read(self, patience_s=None):
         """Some more bytes; none: the scanner has closed the connection."""
+        patience_s = patience_s or self.socket.gettimeout()
         ready, _, _ = select.select([self.socket], [], [], patience_s)
         if not ready:
             raise TimeoutError(f"nothing came within {patience_s} s after {self.got[-200:]!r}")

@@ -7,6 +7,7 @@ import errno
 import os
 import socket
 import sys
+import threading
 import time
 
 from fault_lab import PATIENCE_S, Client, Lab, Scan, wait_for
@@ -21,10 +22,22 @@ class Bench:
 
     def __init__(self, scipd, scene):
         self.scipd, self.scene = scipd, scene
-        self.lab = Lab(scipd, scene, sensors={"front": UST, "rear": UST, "serial": URG}, lockstep=False)
+        self.lab = Lab(scipd, scene, sensors={"front": UST, "rear": UST, "third": UST, "serial": URG}, lockstep=False)
         self.other = Client(self.lab.address("rear"))
         self.other.ask("BM")
         self.other.ask(ENDLESS)
+        self.reader = threading.Thread(target=self.read_other, daemon=True)
+        self.reader.start()
+
+    def read_other(self):
+        try:
+            self.other.read_until(b"QT\n00P\n\n")
+        except OSError:
+            pass  # a case has failed, and scipd ends
+
+    def beside(self):
+        """A client of a third scanner."""
+        return Client(self.lab.address("third"))
 
     def start(self, sensor="front", **fault):
         status, answer = self.lab.control.ask("POST", f"/sensors/robot/{sensor}/faults", fault)
@@ -53,9 +66,10 @@ class Bench:
         client.read_until(b"MD0000108000000\n99b\n")
         assert client.ask("QT").endswith(b"QT\n00P\n\n")
         client.close()
-        self.other.read_until(b"MD0000108000000\n99b\n", len(self.other.got))
+        begin = len(self.other.got)
+        wait_for(lambda: self.other.got.count(b"99b", begin) > 3, "the other scanner is silent")
         self.other.say("QT")
-        self.other.read_until(b"QT\n00P\n\n")
+        self.reader.join(PATIENCE_S)
         self.other.close()
         stream = self.other.got[self.other.got.index(b"\n\n", self.other.got.index(ENDLESS.encode())) + 2:]
         scans = [Scan(m) for m in stream.split(b"\n\n") if m.startswith(b"MD")]
@@ -90,6 +104,14 @@ def delay(bench):
     client.ask("VV")
     assert time.monotonic() - begin >= 0.6, "each way is 300 ms late"
     bench.stop(fault)
+    # What is still under way arrives with the end of the fault.
+    fault = bench.start(kind="delay", ms=10000)
+    client.say("PP")
+    bench.stop(fault)
+    begin = time.monotonic()
+    client.read_until(b"PP\n00P\n")
+    client.read_until(b"\n\n", client.got.index(b"PP\n00P\n"))
+    assert time.monotonic() - begin < 5
     fast = []
     for _ in range(20):
         begin = time.monotonic()
@@ -317,6 +339,131 @@ def hangup(bench):
     os.close(descriptor)
 
 
+def stamp_ms(client):
+    client.ask("BM")
+    return Scan(client.ask("GD0000001001")[:-2]).stamp_ms
+
+
+def two_clocks(bench):
+    """Faults of one kind add up, and the clock is right after the last one."""
+    client, other = bench.client(), bench.beside()
+
+    def ahead_ms():
+        return min((stamp_ms(client) - stamp_ms(other) for _ in range(3)), key=abs)
+
+    before_ms = ahead_ms()
+    far = bench.start(kind="clock", jump_ms=10000)
+    near = bench.start(kind="clock", jump_ms=1000)
+    for _ in range(3):
+        assert abs(ahead_ms() - before_ms - 11000) < 500, ahead_ms()
+    bench.stop(far)
+    assert abs(ahead_ms() - before_ms - 1000) < 500, ahead_ms()
+    bench.stop(near)
+    assert abs(ahead_ms() - before_ms) < 500, ahead_ms()
+    client.close()
+
+
+def two_states(bench):
+    client = bench.client()
+    abnormal = bench.start(kind="state", state="abnormal")
+    bench.stop(bench.start(kind="state", state="laser"))
+    assert client.ask("BM") == b"BM\n0Ll\n\n", "the worse one is still there"
+    bench.stop(abnormal)
+    assert client.ask("BM") == b"BM\n00P\n\n"
+    client.close()
+
+
+def spins_up_too_long(bench):
+    client = bench.client()
+    client.ask("BM")
+    fault = bench.start(kind="motor", spin_up_s=3000, **{"for": {"s": 0.3}})
+    bench.wait_until_ended(fault)
+    client.ask("MD0000108000001")
+    client.read_until(b"99b")
+    client.close()
+
+
+def sleeps_already(bench):
+    client = bench.client()
+    client.ask("%SL")
+    asleep = client.ask("%ST")
+    assert b"005" in asleep
+    fault = bench.start(kind="sleep", **{"for": {"s": 0.2}})
+    bench.wait_until_ended(fault)
+    assert client.ask("%ST") == asleep, "the fault wakes whom a client has put to sleep"
+    client.ask("BM")
+    client.close()
+
+
+def next_client(bench):
+    """Nothing that a client was to get reaches the next one."""
+    faults = [bench.start(kind="reorder"), bench.start(kind="resend", what="previous")]
+    for _ in range(6):
+        client = bench.client()
+        client.ask("PP")
+        client.ask("BM")
+        client.say(ENDLESS)
+        client.read_until(b"99b")
+        client.close()
+        client = bench.client()
+        assert client.ask("II").startswith(b"II\n"), client.got[:60]
+        client.close()
+    for fault in faults:
+        bench.stop(fault)
+
+
+def stopped_while_it_holds(bench):
+    """A scan that waits for the next one is not lost where the fault is stopped."""
+    client = bench.client()
+    client.ask("BM")
+    client.ask(ENDLESS)
+    for i in range(16):
+        fault = bench.start(kind="reorder")
+        time.sleep(0.05 + 0.007 * i)
+        bench.stop(fault)
+    client.say("QT")
+    client.read_until(b"QT\n00P\n\n")
+    scans = [Scan(m) for m in client.got.split(b"\n\n") if m.startswith(b"MD") and b"\n99b" in m]
+    stamps = sorted(scan.stamp_ms for scan in scans)
+    assert {b - a for a, b in zip(stamps, stamps[1:])} <= {24, 25, 26}, stamps
+    client.close()
+
+
+def keeps_its_lateness(bench):
+    client = bench.client()
+    client.ask("BM")
+    client.ask(ENDLESS)
+    fault = bench.start(kind="late", ms=800, **{"for": {"s": 1}})
+    bench.wait_until_ended(fault)
+    for _ in range(80):
+        client.read_until(b"99b", len(client.got))
+    lateness = bench.lab.control.ask("GET", "/sensors/robot/front")[1]["lateness_ms"]
+    assert lateness["max"] < 700, lateness
+    client.close()
+
+
+def in_lockstep(bench):
+    """Time goes on while the only driver is kept out, so that the fault ends."""
+    for fault in ({"kind": "cut", "how": "rst"}, {"kind": "state", "state": "abnormal"}):
+        fault = {"sensor": "robot/front", "at": {"scans": 30}, "for": {"s": 3}, **fault}
+        with Lab(bench.scipd, bench.scene, sensors={"front": UST}, faults=[fault]) as lab:
+            end = time.monotonic() + PATIENCE_S
+            streams = 0
+            while streams < 3:
+                assert time.monotonic() < end, lab.faults("front")
+                try:
+                    client = Client(lab.address("front"))
+                    client.socket.settimeout(5)
+                    client.ask("BM")
+                    client.say("MD0000108000040")
+                    client.read_until(b"MD0000108000000\n99b\n")
+                    streams += 1
+                except (OSError, TimeoutError):
+                    time.sleep(0.02)
+                client.close()
+            assert lab.faults("front")[0]["state"] == "ended"
+
+
 def repeatable(bench):
     """The same scans are hit at the same bytes in another run, although a driver comes at another time."""
     fault = {"kind": "corrupt", "bytes": {"rate": 0.01}, "at": {"scan": 60}, "for": {"scans": 20}, "seed": 5}
@@ -343,7 +490,8 @@ def repeatable(bench):
 
 CASES = {case.__name__: case for case in (
     delay, coalesce, split, stall, cut_by_fin, cut_by_rst, cut_silently, refuse, mute, reboot, state, status, sleep,
-    slow_start, resend, text_sums, late, hangup, repeatable)}
+    slow_start, resend, text_sums, late, hangup, two_clocks, two_states, spins_up_too_long,
+    sleeps_already, next_client, stopped_while_it_holds, keeps_its_lateness, in_lockstep, repeatable)}
 
 
 def main(scipd, scene, *names):

@@ -174,16 +174,16 @@ TEST(LinkModel, SplitsAtPlacesAndPausesBetween) {
                             Arrival{1s + 7ms, text(20).substr(12)}, Arrival{1s + 7ms, "abc"}));
 }
 
-TEST(LinkModel, TakesAnotherConfigForWhatIsSentFromThenOn) {
+TEST(LinkModel, TakesAnotherConfigForWhatIsSentFromThenOnAndHurriesWhatIsUnderWay) {
     LinkModel link({.latency = 50ms, .coalesce = 10ms}, chance);
     link.send("a", 0ms);
-    link.set_config({.split_bytes = 1});
-    link.send("bc", 5ms);  // would be there first
+    link.set_config({.split_bytes = 1}, 3ms);
+    link.send("bc", 5ms);
     EXPECT_THAT(arrivals(link),
-                ElementsAre(Arrival{60ms, "a"}, Arrival{60ms, "b"}, Arrival{60ms, "c"}));
+                ElementsAre(Arrival{3ms, "a"}, Arrival{5ms, "b"}, Arrival{5ms, "c"}));
     link.send("de", 100ms);
     EXPECT_THAT(arrivals(link), ElementsAre(Arrival{100ms, "d"}, Arrival{100ms, "e"}));
-    link.set_config({.latency = 20ms});
+    link.set_config({.latency = 20ms}, 100ms);
     link.send("fg", 101ms);
     EXPECT_THAT(arrivals(link), ElementsAre(Arrival{121ms, "fg"}));
 }
