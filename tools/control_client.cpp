@@ -40,7 +40,10 @@ std::string sentence_of(const Response& response) {
                    : std::string();
     };
     std::string sentence = text("title").empty() ? reason : text("title");
-    if (!text("detail").empty()) sentence += ": " + text("detail");
+    if (!text("detail").empty()) {
+        const bool says_field = text("detail").find(text("field")) != std::string::npos;
+        sentence += ": " + (says_field ? "" : text("field") + ": ") + text("detail");
+    }
     for (const auto& error : document.value("errors", nlohmann::json::array()))
         sentence += "\n" + error.get<std::string>();
     return sentence;

@@ -61,7 +61,8 @@ class ByteEffect : public FaultEffect {
         {"messages", read_as<&Members::messages, parse_word<message_choices>>},
     };
     static void check(const Members& members, const Field& fault, Faults& faults) {
-        if (members.bytes.rate.has_value() != members.bytes.at.has_value()) return;
+        const bool none = members.bytes.at && members.bytes.at->empty();
+        if (members.bytes.rate.has_value() != members.bytes.at.has_value() && !none) return;
         faults.add(fault, "needs either bytes: {rate: 0..1} or bytes: {at: [offsets]}");
     }
 

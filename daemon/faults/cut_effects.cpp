@@ -58,9 +58,11 @@ class CutLine final : public FaultEffect {
         {"boot", read_as<&Members::boots, parse_switch>},
     };
     static void check(const Members& members, const Field& fault, Faults& faults) {
+        if (fault.value["until"])
+            return faults.add(fault, "needs for instead of until: no request comes in meanwhile");
         if (members.how == CutKind::fin || members.how == CutKind::rst) return;
-        if (!fault.value["for"] && !fault.value["until"])
-            faults.add(fault, "needs for or until: a cut that is silent, refuse or mute lasts");
+        if (!fault.value["for"])
+            faults.add(fault, "needs for: a cut that is silent, refuse or mute lasts");
     }
 
     explicit CutLine(const Members& members) : members_(members) {}

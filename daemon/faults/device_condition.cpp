@@ -29,6 +29,18 @@ void FaultedDevice::set(const DeviceCondition& condition) {
     });
 }
 
+// A zero that is another than was set here has been set by RS or a boot: the clock goes wrong from
+// there on.
+void FaultedDevice::shift_clock(std::optional<Uptime> shift) {
+    if (!shift && !clock_zero_) return;
+    const Uptime zero = device_.state().clock_zero();
+    if (!clock_zero_ || zero != clock_zero_->set) clock_zero_ = Zero{.right = zero};
+    clock_zero_->set = clock_zero_->right + shift.value_or(Uptime::zero());
+    device_.amend(
+        [&](DeviceState& state, Uptime) { state.set_clock(clock_zero_->set, Uptime::zero()); });
+    if (!shift) clock_zero_.reset();
+}
+
 void FaultedDevice::booted() {
     slept_ = false;
     device_.amend([&](DeviceState& state, Uptime) {

@@ -31,13 +31,21 @@ class FaultedDevice {
 
     /// Not from within a call of the device's.
     void set(const DeviceCondition& condition);
+    /// By how much later the zero of its clock is than it would be; nothing: the clock is right.
+    /// Any time.
+    void shift_clock(std::optional<protocol::Uptime> shift);
     /// A boot has taken the device out of its condition: puts it there again.
     void booted();
 
   private:
     Device& device_;
     DeviceCondition condition_;
-    bool slept_ = false;  ///< a client had put it to sleep before
+    struct Zero {
+        protocol::Uptime right{};  ///< without a fault
+        protocol::Uptime set{};
+    };
+    std::optional<Zero> clock_zero_;  ///< nothing: the clock is right
+    bool slept_ = false;              ///< a client had put it to sleep before
 };
 
 }  // namespace scipd::daemon

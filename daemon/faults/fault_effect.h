@@ -97,8 +97,8 @@ class FaultEffect {
 
     /// As line().
     virtual void condition(DeviceCondition& /*condition*/) const {}
-    /// How much later the zero of the device's clock is than it would be. Asked before anything of a
-    /// revolution, or of a request, is looked at. Nothing: the clock is right.
+    /// How much later the zero of the device's clock is than it would be. Asked before anything of
+    /// a revolution, or of a request, is looked at. Nothing: the clock is right.
     virtual std::optional<protocol::Uptime> clock_shift(FaultScene& /*scene*/) {
         return std::nullopt;
     }

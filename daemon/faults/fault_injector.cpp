@@ -25,8 +25,10 @@ constexpr sim::Time look_again = 100ms;
 // The keys of replies are none of scans.
 constexpr std::uint64_t reply_keys = std::uint64_t{1} << 62U;
 
-std::string_view code_of(const protocol::Request& request) {
-    return request.command == nullptr ? std::string_view(request.echo) : request.command->code;
+std::string_view code_of(const protocol::Request& request, const protocol::DeviceState& device) {
+    const std::string_view echo = request.echo;
+    if (device.speaks_scip1() && !echo.starts_with("SCIP")) return echo.substr(0, 1);
+    return request.command == nullptr ? echo : request.command->code;
 }
 
 std::string first_line(const std::string& message) {
@@ -127,7 +129,7 @@ std::optional<protocol::Status> FaultInjector::refuse(const protocol::Request& r
     site_.request = request.echo;
     advance();
     for (const auto& run : runs_)
-        run->meet_request(code_of(request));
+        run->meet_request(code_of(request, site_.device.state()));
     settle_soon();
     std::optional<protocol::Status> status;
     set_clock();
@@ -167,21 +169,12 @@ void FaultInjector::forget(const protocol::Session& session) {
     }
 }
 
-// A zero that is another than was set here has been set by RS or a boot: the clock goes wrong from
-// there on.
 void FaultInjector::set_clock() {
     std::optional<protocol::Uptime> shift;
     each_acting([&](FaultEffect& effect, FaultScene& scene) {
         if (const auto one = effect.clock_shift(scene)) shift = shift.value_or(0ns) + *one;
     });
-    if (!shift && !wrong_clock_) return;
-    const protocol::Uptime zero = site_.device.state().clock_zero();
-    if (!wrong_clock_ || zero != wrong_clock_->set) wrong_clock_ = WrongClock{.right = zero};
-    wrong_clock_->set = wrong_clock_->right + shift.value_or(0ns);
-    site_.device.amend([&](protocol::DeviceState& state, protocol::Uptime) {
-        state.set_clock(wrong_clock_->set, 0ns);
-    });
-    if (!shift) wrong_clock_.reset();
+    condition_.shift_clock(shift);
 }
 
 bool FaultInjector::serves(std::int64_t revolution) {

@@ -89,12 +89,6 @@ class FaultInjector : private DeviceHook, private LineHook {
     std::int64_t served_ = -1;   ///< the latest revolution whose turn was told
     std::uint64_t replies_ = 0;  ///< that left sessions, and ports, since the first fault
     std::uint64_t replies_sent_ = 0;
-    /// The zero of the device's clock.
-    struct WrongClock {
-        protocol::Uptime right;  ///< without any fault
-        protocol::Uptime set{};
-    };
-    std::optional<WrongClock> wrong_clock_;
     FaultedDevice condition_;
     LineState line_;
     PoseShift shift_;

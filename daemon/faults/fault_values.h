@@ -27,6 +27,9 @@ auto parse_word(std::string_view text) -> sim::Expected<decltype(table[0].second
     return sim::refuse("must be one of " + words + ", not " + sim::quote(text));
 }
 
+/// The code of a command, or the letter of one of SCIP 1.1.
+sim::Expected<std::string> parse_code(std::string_view text);
+
 /// Which messages of a scanner.
 enum class MessageChoice { all, scans, replies };
 inline constexpr std::pair<std::string_view, MessageChoice> message_choices[] = {

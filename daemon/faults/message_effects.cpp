@@ -24,11 +24,6 @@ using protocol::Session;
 /// The number of the chance that decides whether a message is chosen.
 constexpr std::uint32_t whether = 0xffff'ffff;
 
-sim::Expected<std::string> parse_command(std::string_view text) {
-    if (text.size() >= 2 && text.size() <= 4) return std::string(text);
-    return sim::refuse("must be the code of a command, such as MD, not " + sim::quote(text));
-}
-
 sim::Expected<int> parse_keep(std::string_view text) {
     return parse_whole(text, 0, 1'000'000);
 }
@@ -66,7 +61,7 @@ class WrongSums : public FaultEffect {
     static constexpr Member<Members> members[] = {
         {"of", read_as<&Members::of, parse_word<sums_choices>>},
         {"messages", read_as<&Members::messages, parse_word<message_choices>>},
-        {"command", read_as<&Members::command, parse_command>},
+        {"command", read_as<&Members::command, parse_code>},
         {"rate", read_as<&Members::rate, parse_share>},
     };
     static void check(const Members&, const Field&, Faults&) {}
@@ -101,7 +96,7 @@ class Truncated : public FaultEffect {
     static constexpr Member<Members> members[] = {
         {"keep", read_as<&Members::keep, parse_keep>},
         {"messages", read_as<&Members::messages, parse_word<message_choices>>},
-        {"command", read_as<&Members::command, parse_command>},
+        {"command", read_as<&Members::command, parse_code>},
         {"rate", read_as<&Members::rate, parse_share>},
     };
     static void check(const Members&, const Field&, Faults&) {}
@@ -135,7 +130,7 @@ class MissingLineFeeds : public FaultEffect {
     static constexpr Member<Members> members[] = {
         {"lines", read_as<&Members::lines, parse_word<lines>>},
         {"messages", read_as<&Members::messages, parse_word<message_choices>>},
-        {"command", read_as<&Members::command, parse_command>},
+        {"command", read_as<&Members::command, parse_code>},
         {"rate", read_as<&Members::rate, parse_share>},
     };
     static void check(const Members&, const Field&, Faults&) {}
@@ -164,7 +159,7 @@ class WrongEcho : public FaultEffect {
     struct Members : Selection {};
     static constexpr Member<Members> members[] = {
         {"messages", read_as<&Members::messages, parse_word<message_choices>>},
-        {"command", read_as<&Members::command, parse_command>},
+        {"command", read_as<&Members::command, parse_code>},
         {"rate", read_as<&Members::rate, parse_share>},
     };
     static void check(const Members&, const Field&, Faults&) {}
@@ -198,7 +193,7 @@ class Resent : public FaultEffect {
     };
     static constexpr Member<Members> members[] = {
         {"what", read_as<&Members::what, parse_word<whats>>},
-        {"command", read_as<&Members::command, parse_command>},
+        {"command", read_as<&Members::command, parse_code>},
         {"rate", read_as<&Members::rate, parse_share>},
     };
     static void check(const Members&, const Field&, Faults&) {}
@@ -239,7 +234,7 @@ class WrongStatus : public FaultEffect {
     }
     static constexpr Member<Members> members[] = {
         {"status", read_as<&Members::status, parse_status>},
-        {"command", read_as<&Members::command, parse_command>},
+        {"command", read_as<&Members::command, parse_code>},
     };
     static void check(const Members& members, const Field& fault, Faults& faults) {
         if (!members.status) faults.add(fault, "needs status: what is answered, such as 0L");

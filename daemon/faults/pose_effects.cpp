@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 //
 // A sensor that knows wrongly where it is.
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -40,6 +41,10 @@ class WrongPoses : public FaultEffect {
         if (members.how == How::late && members.late <= sim::Time::zero())
             faults.add(fault, "needs ms: how late the poses are");
         if (members.xyz_m.size() != 3) faults.add(fault, "xyz must be three numbers, [X, Y, Z]");
+        const auto zero = [](double number) { return number == 0.0; };
+        if (members.how == How::jump && std::ranges::all_of(members.xyz_m, zero) &&
+            std::ranges::all_of(members.rpy_rad, zero))
+            faults.add(fault, "needs xyz or rpy: how far the robot jumps");
         if (members.rpy_rad.size() != 3)
             faults.add(fault, "rpy must be three numbers, [ROLL, PITCH, YAW]");
     }

@@ -60,14 +60,6 @@ Expected<sim::Time> parse_lasting(std::string_view text) {
     });
 }
 
-Expected<std::string> parse_request_code(std::string_view text) {
-    const auto table = protocol::command_table();
-    if (std::ranges::find(table, text, &protocol::Command::code) != table.end())
-        return std::string(text);
-    return sim::refuse("must be the code of a command, such as MD, GD, QT or RB, not " +
-                       sim::quote(text));
-}
-
 template <class Value, auto parse, class Choice>
 void read_as_choice(const Field& field, Choice& choice, Faults& faults) {
     const auto wrapped = [](auto value) { return Value{std::move(value)}; };
@@ -79,7 +71,7 @@ constexpr std::array<Member<FaultStart>, 5> starts{{
     {"time_s", read_as_choice<AtTime, parse_told_time>},
     {"scans", read_as_choice<AfterScans, parse_scan_number>},
     {"s", read_as_choice<AfterTime, parse_span>},
-    {"request", read_as_choice<AtRequest, parse_request_code>},
+    {"request", read_as_choice<AtRequest, parse_code>},
 }};
 constexpr std::array<Member<FaultEnd>, 2> ends{{
     {"scans", read_as_choice<ForScans, parse_scan_count>},
@@ -124,7 +116,7 @@ void read_end(const Section& section, FaultEnd& end, Faults& faults) {
     const Field* const lasts = section.find("for");
     const Field* const until = section.find("until");
     if (lasts) read_one_of(ends, *lasts, end, faults);
-    if (until) read_as_choice<UntilRequest, parse_request_code>(*until, end, faults);
+    if (until) read_as_choice<UntilRequest, parse_code>(*until, end, faults);
     if (lasts && until) faults.add(*until, "cannot stand beside for; leave one of them out");
 }
 
@@ -225,6 +217,21 @@ void require_an_end(const Section& section, const FaultPlan& plan, Faults& fault
         faults.add(*every, "needs for or until: what does not end does not begin again");
 }
 
+/// A key that stands twice in one object. JSON leaves open which of its values counts.
+std::optional<std::string> repeated_key(const std::string& json) {
+    std::vector<std::set<std::string>> open;
+    std::optional<std::string> repeated;
+    const auto look = [&](int, Json::parse_event_t event, const Json& value) {
+        if (event == Json::parse_event_t::object_start) open.emplace_back();
+        if (event == Json::parse_event_t::object_end) open.pop_back();
+        if (event == Json::parse_event_t::key && !open.back().insert(value).second)
+            repeated = value.get<std::string>();
+        return true;
+    };
+    [[maybe_unused]] const Json parsed = Json::parse(json, look);
+    return repeated;
+}
+
 }  // namespace
 
 std::optional<FaultPlan> read_fault(const Field& map, std::span<const std::string_view> also,
@@ -254,6 +261,7 @@ Expected<FaultPlan> parse_fault(const std::string& json, const FaultKinds& kinds
     if (!object) return sim::refuse("must be a JSON object: " + object.error().why);
     if (!object->is_object())
         return sim::refuse(R"(must be a JSON object such as {"kind":"reboot"})");
+    if (const auto key = repeated_key(json)) return sim::refuse(*key, "is given twice");
     Faults faults{"fault"};
     try {
         // Written anew: YAML knows no pairs of surrogates, and its tabs are no blanks.

@@ -45,6 +45,7 @@ void LinkModel::set_config(const LinkConfig& config, sim::Time now) {
     config_ = config;
     // On a serial line it is the rate that takes the time.
     if (!faster || rate_ != 0) return;
+    line_free_ = std::min(line_free_, now);
     last_there_ = std::min(last_there_, now + config.latency + config.jitter);
     for (Piece& piece : pieces_)
         piece.at = std::min(piece.at, last_there_);

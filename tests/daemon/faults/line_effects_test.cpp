@@ -51,7 +51,7 @@ TEST(LineEffects, AddToWhatTheLineDoes) {
     EXPECT_EQ(line_of("cut", "{how: fin}"), LineState{.refuses = true});
     EXPECT_EQ(line_of("cut", "{how: refuse, for: {s: 1}}"), LineState{.refuses = true});
     EXPECT_EQ(line_of("cut", "{how: silent, for: {s: 1}}"), LineState{.dead = true});
-    EXPECT_EQ(line_of("cut", "{how: mute, until: QT}"), LineState{.dead = true});
+    EXPECT_EQ(line_of("cut", "{how: mute, for: {s: 1}}"), LineState{.dead = true});
     EXPECT_EQ(line_of("hangup", "{}"), LineState{.hung_up = true});
 }
 
@@ -82,7 +82,7 @@ TEST(LineEffects, SayWhatIsWrongWithTheirMembers) {
     EXPECT_THAT(refusal("stall", "{ms: 1}"), HasSubstr("ms"));
     EXPECT_THAT(refusal("cut", "{how: gently}"),
                 HasSubstr("must be one of fin, rst, silent, refuse, mute, not 'gently'"));
-    EXPECT_THAT(refusal("cut", "{how: mute}"), HasSubstr("needs for or until"));
+    EXPECT_THAT(refusal("cut", "{how: mute}"), HasSubstr("needs for: a cut"));
 }
 
 class CutEffects : public testing::Test {

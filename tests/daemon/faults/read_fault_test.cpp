@@ -205,6 +205,15 @@ TEST(ReadFault, ReadsAnyTextThatJsonCanHold) {
     }
 }
 
+TEST(ReadFault, RefusesAKeyThatStandsTwice) {
+    const auto refused = parse_fault(R"({"kind":"stall","for":{"s":1},"kind":"freeze"})");
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().field, "kind");
+    EXPECT_EQ(refused.error().why, "is given twice");
+    EXPECT_EQ(parse_fault(R"({"kind":"stall","for":{"s":1,"s":2}})").error().field, "s");
+    EXPECT_TRUE(parse_fault(R"({"kind":"stall","at":{"s":1},"for":{"s":2}})"));
+}
+
 TEST(ReadFault, RefusesToRepeatWhatDoesNotEnd) {
     const auto refused = parse_fault(R"({"kind":"stall","every":{"s":5}})");
     ASSERT_FALSE(refused);
