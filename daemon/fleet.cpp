@@ -8,9 +8,11 @@
 #include <spdlog/spdlog.h>
 
 #include "daemon/faults/fault_injector.h"
+#include "daemon/fleet_metrics.h"
 #include "daemon/fleet_plan.h"
 #include "daemon/link/port.h"
 #include "daemon/load_world.h"
+#include "daemon/logging.h"
 #include "daemon/poses/pose_feed.h"
 #include "daemon/simulation.h"
 
@@ -40,6 +42,15 @@ void end_faults(const Stations& stations) {
     for (const auto& station : stations) {
         if (station->faults) station->faults->stop_all();
     }
+}
+
+std::vector<std::string> names_of_sensors(const Config& config) {
+    std::vector<std::string> names;
+    for (const RobotConfig& robot : config.robots) {
+        for (const SensorConfig& sensor : robot.sensors)
+            names.push_back(sensor_name(robot.name, sensor.name));
+    }
+    return names;
 }
 
 void log_findings(const FleetPlan& plan) {
@@ -79,6 +90,7 @@ void Fleet::apply(FleetPlan&& plan) {
 
 // An exception on the way would leave ports behind that serve devices which are gone.
 void Fleet::take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept {
+    tell_log_of(names_of_sensors(plan.config));
     log_findings(plan);
     Simulation& simulation = *simulation_;
     const Config& config = plan.config;
@@ -149,6 +161,7 @@ std::vector<Station*> Fleet::replace_stations(const Config& config, const Ports&
     // Their ports may soon be those of other scanners, to which no fault of theirs must do
     // anything.
     end_faults(old);
+    keep_counts(old, *simulation_);
     std::vector<Station*> fresh;
     auto station = stations.begin();
     for (const RobotConfig& robot : config.robots) {

@@ -9,6 +9,7 @@
 
 #include "daemon/device/device.h"
 #include "daemon/device/staring_sensor.h"
+#include "daemon/fleet_metrics.h"
 #include "daemon/fleet_status.h"
 #include "daemon/simulation.h"
 #include "daemon/unseen_media.h"
@@ -28,6 +29,10 @@ SharedStaringRecord latest_of(StaringSensor& sensor) {
 
 FleetStatus FleetApi::status() const {
     return status_of(simulation_);
+}
+
+FleetMetrics FleetApi::metrics() const {
+    return metrics_of(simulation_);
 }
 
 std::optional<SensorRecord> FleetApi::latest(const std::string& sensor) {

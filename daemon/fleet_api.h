@@ -27,6 +27,7 @@ class FleetApi : public Api {
     explicit FleetApi(Simulation& simulation) : simulation_(simulation), faults_(simulation) {}
 
     [[nodiscard]] FleetStatus status() const override;
+    [[nodiscard]] FleetMetrics metrics() const override;
     [[nodiscard]] std::optional<SensorRecord> latest(const std::string& sensor) override;
     [[nodiscard]] std::optional<SensorLog> log(const std::string& sensor) const override;
     std::unique_ptr<Conversation> subscribe(const std::string& sensor, WebSocket& socket) override;

@@ -28,11 +28,19 @@ std::optional<LatenessStatus> summary_of(const Lateness& lateness) {
     return LatenessStatus{*lateness.quantile(0.5), *lateness.quantile(0.99), *lateness.max()};
 }
 
+std::map<std::string, std::uint64_t> casts_of(const SensorCounts& counts) {
+    std::map<std::string, std::uint64_t> casts;
+    for (const auto& [backend, count] : counts.casts)
+        casts[backend] = count.casts;
+    return casts;
+}
+
 void describe(const Device& device, SensorStatus& status) {
     status.model = device.profile().name;
     status.state = state_of(device);
     status.scans = device.scans_sent();
     status.lateness = summary_of(device.lateness());
+    status.casts = casts_of(device.counts());
 }
 
 void describe(const StaringSensor& sensor, SensorStatus& status) {
@@ -40,6 +48,7 @@ void describe(const StaringSensor& sensor, SensorStatus& status) {
     status.state = sensor.wanted() ? "measuring" : "standby";
     status.scans = sensor.measured();
     status.lateness = summary_of(sensor.lateness());
+    status.casts = casts_of(sensor.counts());
 }
 
 void add(const Port& port, std::optional<std::string>& address, SensorStatus& status) {

@@ -4,7 +4,9 @@
 
 #include <chrono>
 #include <memory>
+#include <mutex>
 #include <semaphore>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -13,6 +15,7 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include "daemon/log_line.h"
 #include "sim/text/quote.h"
 
 namespace scipd::daemon {
@@ -36,14 +39,18 @@ class Sink : public spdlog::sinks::ansicolor_stderr_sink_mt {
   public:
     using Base = spdlog::sinks::ansicolor_stderr_sink_mt;
 
+    explicit Sink(LogFormat format) : format_(format) {}
+
     void watch(std::weak_ptr<Thread> thread) { thread_ = std::move(thread); }
+    /// Any thread.
+    void know(const std::vector<std::string>& sensors) {
+        const std::lock_guard lock(sensors_mutex_);
+        sensors_.insert(sensors.begin(), sensors.end());
+    }
 
     void log(const spdlog::details::log_msg& line) override {
         tell_what_was_lost();
-        const std::string text = fit_for_terminals(line.payload);
-        spdlog::details::log_msg fit = line;
-        fit.payload = text;
-        Base::log(fit);
+        write(line);
     }
 
     void flush() override {
@@ -55,6 +62,23 @@ class Sink : public spdlog::sinks::ansicolor_stderr_sink_mt {
     [[nodiscard]] bool flushed() { return flushed_.try_acquire_for(patience); }
 
   private:
+    void write(const spdlog::details::log_msg& line) {
+        const std::string text =
+            format_ == LogFormat::json ? json(line) : fit_for_terminals(line.payload);
+        spdlog::details::log_msg fit = line;
+        fit.payload = text;
+        Base::log(fit);
+    }
+
+    std::string json(const spdlog::details::log_msg& line) {
+        const auto level = spdlog::level::to_string_view(line.level);
+        const std::lock_guard lock(sensors_mutex_);
+        return json_log_line({.time = line.time,
+                              .level = {level.data(), level.size()},
+                              .message = {line.payload.data(), line.payload.size()}},
+                             sensors_);
+    }
+
     void tell_what_was_lost() {
         const auto thread = thread_.lock();
         const std::size_t lost = thread ? thread->overrun_counter() : told_;
@@ -62,9 +86,12 @@ class Sink : public spdlog::sinks::ansicolor_stderr_sink_mt {
         if (untold == 0) return;
         const std::string text = std::to_string(untold) + (untold == 1 ? " line of log was lost"
                                                                        : " lines of log were lost");
-        Base::log({"scipd", spdlog::level::warn, text});
+        write({"scipd", spdlog::level::warn, text});
     }
 
+    LogFormat format_;
+    std::mutex sensors_mutex_;
+    std::set<std::string, std::less<>> sensors_;
     std::weak_ptr<Thread> thread_;
     std::size_t told_ = 0;
     std::counting_semaphore<> flushed_{0};
@@ -83,19 +110,23 @@ Log& the_log() {
 
 }  // namespace
 
-void start_logging(const std::string& level, std::size_t most_waiting) {
+void start_logging(const std::string& level, LogFormat format, std::size_t most_waiting) {
     const auto parsed = spdlog::level::from_str(level);
     if (parsed == spdlog::level::off && level != "off") {
         throw std::invalid_argument("there is no log level \"" + level +
                                     "\"; use trace, debug, info, warning, error, critical or off");
     }
-    the_log() = {std::make_shared<Thread>(most_waiting, 1), std::make_shared<Sink>()};
+    the_log() = {std::make_shared<Thread>(most_waiting, 1), std::make_shared<Sink>(format)};
     const auto& [thread, sink] = the_log();
     sink->watch(thread);
     spdlog::set_default_logger(std::make_shared<spdlog::async_logger>(
         "scipd", sink, thread, spdlog::async_overflow_policy::overrun_oldest));
-    spdlog::set_pattern("%Y-%m-%d %H:%M:%S.%e %^%l%$ %v");
+    spdlog::set_pattern(format == LogFormat::json ? "%v" : "%Y-%m-%d %H:%M:%S.%e %^%l%$ %v");
     spdlog::set_level(parsed);
+}
+
+void tell_log_of(const std::vector<std::string>& sensors) {
+    if (const auto& sink = the_log().sink) sink->know(sensors);
 }
 
 bool finish_logging() {

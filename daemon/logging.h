@@ -8,13 +8,20 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace scipd::daemon {
 
-/// Logs go to standard error, each line beginning with the time and the level; standard output
-/// belongs to the ready line. `level` is one of spdlog's names; throws std::invalid_argument for
-/// another. At most so many lines wait to be written.
-void start_logging(const std::string& level, std::size_t most_waiting = 4096);
+/// Of text, each line begins with the time and the level; of JSON, each is a document.
+enum class LogFormat { text, json };
+
+/// Logs go to standard error; standard output belongs to the ready line. `level` is one of spdlog's
+/// names; throws std::invalid_argument for another. At most so many lines wait to be written.
+void start_logging(const std::string& level, LogFormat format = LogFormat::text,
+                   std::size_t most_waiting = 4096);
+
+/// There are sensors of these names, or there were: what is logged from here on may be about them.
+void tell_log_of(const std::vector<std::string>& sensors);
 
 /// Waits until all that was logged is written, but no longer than a second. False: standard error
 /// does not take it, the thread still waits, and only std::_Exit() ends the program. Nothing is

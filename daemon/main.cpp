@@ -52,12 +52,20 @@ void print_error(const std::exception& error) {
 
 enum ExitCode { ended_as_asked = 0, failed_while_running = 1, cannot_start = 2 };
 
+bool in_json(const scipd::daemon::Options& options) {
+    return options.log_format == "json";
+}
+
 int serve(const scipd::daemon::Options& options) {
     std::optional<scipd::daemon::Server> server;
     try {
         server.emplace(options);
     } catch (const std::exception& error) {
-        if (scipd::daemon::finish_logging()) print_error(error);
+        if (in_json(options) && options.log_level != "off") {
+            spdlog::critical("{}", error.what());
+        } else if (scipd::daemon::finish_logging()) {
+            print_error(error);
+        }
         return cannot_start;
     }
     print(server->ready_line() + "\n");
@@ -72,7 +80,9 @@ int serve(const scipd::daemon::Options& options) {
 
 int run(const scipd::daemon::Options& options) {
     try {
-        scipd::daemon::start_logging(options.log_level);
+        using scipd::daemon::LogFormat;
+        scipd::daemon::start_logging(options.log_level,
+                                     in_json(options) ? LogFormat::json : LogFormat::text);
     } catch (const std::exception& error) {
         print_error(error);
         return cannot_start;

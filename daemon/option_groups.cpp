@@ -180,6 +180,12 @@ void add_general(CLI::App& app, OptionValues& said) {
             {"trace", "debug", "info", "warning", "warn", "error", "critical", "off"}))
         ->capture_default_str()
         ->group(general_title);
+    app.add_option("--log-format", said.options.log_format,
+                   "text for people, or json: a document a line")
+        ->type_name("text|json")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->capture_default_str()
+        ->group(general_title);
     app.add_flag(
            "--strict", said.options.strict,
            "refuse a world or a trajectory of which scipd would leave out or change anything, "

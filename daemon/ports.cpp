@@ -64,6 +64,14 @@ std::shared_ptr<Port> open_or_else(const Ports& ports, const std::string& key, O
 
 }  // namespace
 
+LinkCounts SensorPorts::counts() const {
+    LinkCounts counts;
+    for (const auto& port : {tcp, pty}) {
+        if (port) counts += port->counts();
+    }
+    return counts;
+}
+
 Ports open_ports(const boost::asio::any_io_executor& executor, const Config& config,
                  const Ports& open) {
     Ports ports;

@@ -11,6 +11,8 @@
 
 #include <boost/asio/any_io_executor.hpp>
 
+#include "daemon/link/link_counts.h"
+
 namespace scipd::daemon {
 
 class Port;
@@ -23,6 +25,9 @@ using Ports = std::map<std::string, std::shared_ptr<Port>>;
 struct SensorPorts {
     std::shared_ptr<Port> tcp;
     std::shared_ptr<Port> pty;
+
+    /// Of both.
+    [[nodiscard]] LinkCounts counts() const;
 };
 
 /// All ports that the configuration asks for: those that are open already, and new ones for the

@@ -18,7 +18,8 @@ struct Options {
     std::optional<std::filesystem::path> config_file;
     /// trace, debug, info, warning (or warn), error, critical or off.
     std::string log_level = "info";
-    bool strict = false;  ///< whatever the configuration says
+    std::string log_format = "text";  ///< or "json"
+    bool strict = false;              ///< whatever the configuration says
     /// In the place of what the configuration says; empty: that holds.
     std::filesystem::path scenario = {};
 

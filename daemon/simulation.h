@@ -5,6 +5,7 @@
 // configures it, FleetApi reads and changes it for the control API. Lives on the I/O thread.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 
 #include "daemon/api/scan_stream.h"
 #include "daemon/clock/wall_clock.h"
+#include "daemon/device/sensor_counts.h"
 #include "daemon/faults/scenario_run.h"
 #include "daemon/fleet_plan.h"
 #include "daemon/poses/lockstep.h"
@@ -52,6 +54,7 @@ struct Simulation {
     PlaceWatch place_watch{world, worker};
     ScanStream stream;
     Stations stations;
+    std::map<std::string, SensorCounts> counted_before;  ///< by sensors that are gone, by name
     ScenarioRun scenario;
     Worker worker;  ///< loads worlds and measures backends, one after the other
 };

@@ -65,6 +65,7 @@ std::unique_ptr<Station> make_station(const StationContext& context, const std::
         port->serve(device, sensor.link);
         served.push_back(port.get());
     }
+    station->served_before = station->ports.counts();
     station->faults =
         std::make_unique<FaultInjector>(device, std::move(served), sensor.link, context.clock);
     station->tap->follow(station->faults->log());

@@ -14,6 +14,7 @@
 #include "daemon/api/scan_stream.h"
 #include "daemon/config/sensor_config.h"
 #include "daemon/device/scan_loop.h"
+#include "daemon/link/link_counts.h"
 #include "daemon/ports.h"
 
 namespace scipd::daemon {
@@ -38,6 +39,7 @@ struct Station {
     std::variant<std::unique_ptr<Device>, std::unique_ptr<StaringSensor>> sensor;
     std::unique_ptr<ScanLoop> loop;
     SensorPorts ports;
+    LinkCounts served_before;               ///< by its ports, for other sensors
     std::unique_ptr<FaultInjector> faults;  ///< null: a camera or ranger
     std::unique_ptr<ScanStream::Tap> tap;
 

@@ -142,7 +142,7 @@ void Session::answer_next(Uptime now) {
 
 // A status of SCIP 1.1 has one character.
 void Session::answer_scip1(const std::string& line, std::optional<Status> refused, Uptime now) {
-    if (refused) return send(scip1_reply(line, refused->text().back()));
+    if (refused) return reply_scip1(line, refused->text().back());
     const Scip1Request request = parse_scip1(line, profile_);
     const char status = operate_scip1(device_, request, now);
     if (request.kind == Scip1Request::Kind::version) {
@@ -150,7 +150,7 @@ void Session::answer_scip1(const std::string& line, std::optional<Status> refuse
     } else if (request.kind == Scip1Request::Kind::scan && status == scip1_status::ok) {
         acquisition_.await_scan({{.echo = line}, request.window});
     } else {
-        send(scip1_reply(line, status));
+        reply_scip1(line, status);
     }
 }
 
@@ -165,7 +165,7 @@ void Session::answer(const Waiting& waiting, Uptime now) {
 
 void Session::refuse_single_scan(Uptime now) {
     const Request request = acquisition_.give_up_scan();
-    if (request.command == nullptr) return send(scip1_reply(request.echo, scip1_status::unknown));
+    if (request.command == nullptr) return reply_scip1(request.echo, scip1_status::unknown);
     reply(request, refusal(request, now).value_or(status::denied));
 }
 
@@ -174,7 +174,13 @@ std::optional<Status> Session::refusal(const Request& request, Uptime now) const
 }
 
 void Session::reply(const Request& request, Status status) {
+    if (status != status::ok) ++refused_[std::string(status.text())];
     send(Reply(request.echo, status).finish());
+}
+
+void Session::reply_scip1(const std::string& line, char status) {
+    if (status != scip1_status::ok) ++refused_[std::string(1, status)];
+    send(scip1_reply(line, status));
 }
 
 void Session::send(std::string message, Send::Kind kind) {

@@ -24,6 +24,7 @@
 #include "protocol/request.h"
 #include "protocol/scan_view.h"
 #include "protocol/session_hook.h"
+#include "protocol/status_counts.h"
 
 namespace scipd::protocol {
 
@@ -62,6 +63,9 @@ class Session {
     /// Null: nobody stands between the session and its client. The hook must outlive the session.
     void set_hook(SessionHook* hook) { hook_ = hook; }
 
+    /// The requests that were not answered with 00 (0 in SCIP 1.1), in all its life.
+    [[nodiscard]] const StatusCounts& refused() const { return refused_; }
+
     /// The client is gone. What it began (stream, laser, adjust mode) ends as by QT and TM2. What
     /// it asked and what was to be sent is forgotten. What other clients began stays.
     void close();
@@ -91,6 +95,7 @@ class Session {
     void refuse_single_scan(Uptime now);
     [[nodiscard]] std::optional<Status> refusal(const Request& request, Uptime now) const;
     void reply(const Request& request, Status status);
+    void reply_scip1(const std::string& line, char status);
     void send(std::string message, Send::Kind kind = Send::Kind::reply);
 
     const DeviceProfile& profile_;
@@ -105,6 +110,7 @@ class Session {
     int rate_told_;  ///< the rate of the serial line in the last SetBitRate
     std::deque<Action> actions_;
     SessionHook* hook_ = nullptr;
+    StatusCounts refused_;
 };
 
 }  // namespace scipd::protocol

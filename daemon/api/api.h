@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -15,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "daemon/api/fleet_metrics.h"
 #include "daemon/device/sensor_log.h"
 #include "daemon/http/web_socket.h"
 #include "daemon/world/scene_edit.h"
@@ -49,9 +51,10 @@ struct SensorStatus {
     std::optional<std::string> pty;  ///< the link
     std::uint64_t clients = 0;       ///< connected now
     std::uint64_t scans = 0;
-    std::uint64_t lost = 0;                  ///< scans that drivers did not get
-    std::uint64_t stream_lost = 0;           ///< and clients of /stream
-    std::optional<LatenessStatus> lateness;  ///< nothing: no scan yet
+    std::map<std::string, std::uint64_t> casts;  ///< by backend
+    std::uint64_t lost = 0;                      ///< scans that drivers did not get
+    std::uint64_t stream_lost = 0;               ///< and clients of /stream
+    std::optional<LatenessStatus> lateness;      ///< nothing: no scan yet
 };
 
 struct PosesStatus {
@@ -80,6 +83,7 @@ class Api {
     virtual ~Api() = default;
 
     [[nodiscard]] virtual FleetStatus status() const = 0;
+    [[nodiscard]] virtual FleetMetrics metrics() const = 0;
 
     /// The latest measurement of "rescue/front". A scanner has none (null) before anybody asks it
     /// for scans; a camera or ranger measures now. Nothing: there is no such sensor.

@@ -29,6 +29,10 @@ void get_sensor(Call&& call);
 void get_reading(Call&& call);
 void get_truth(Call&& call);
 
+// metrics_routes.cpp
+void get_metrics(Call&& call);
+void get_health(Call&& call);
+
 // pose_routes.cpp
 void get_robot_pose(Call&& call);
 void put_robot_pose(Call&& call);

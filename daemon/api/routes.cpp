@@ -21,8 +21,10 @@ void ask_for_upgrade(Call&& call) {
     call.respond(problem(426, call.request.path + " is a WebSocket: ask with Upgrade: websocket"));
 }
 
-constexpr std::array<Route, 28> table{{
+constexpr std::array<Route, 30> table{{
     {"GET", "/status", get_status},
+    {"GET", "/health", get_health},
+    {"GET", "/metrics", get_metrics},
     {"GET", "/sensors", get_sensors},
     {"GET", "/sensors/{robot}/{sensor}", get_sensor},
     {"GET", "/sensors/{robot}/{sensor}/reading", get_reading},

@@ -41,6 +41,7 @@ Json to_json(const SensorStatus& sensor) {
             {"pty", or_null(sensor.pty)},
             {"clients", sensor.clients},
             {"scans", sensor.scans},
+            {"casts", Json(sensor.casts)},
             {"lost", sensor.lost},
             {"stream_lost", sensor.stream_lost},
             {"lateness_ms", to_json(sensor.lateness)}};

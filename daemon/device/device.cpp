@@ -46,7 +46,10 @@ class Device::ServedClient final : public Endpoint::Client {
     }
     ServedClient(const ServedClient&) = delete;
     ServedClient& operator=(const ServedClient&) = delete;
-    ~ServedClient() override { std::erase(device_.clients_, this); }
+    ~ServedClient() override {
+        add(session().refused(), device_.counts_.refused);
+        std::erase(device_.clients_, this);
+    }
 
     void receive(std::string_view bytes) override {
         session().receive(bytes, device_.uptime());
@@ -152,6 +155,13 @@ void Device::change(const Change& change) {
     tell_clients();
 }
 
+SensorCounts Device::counts() const {
+    SensorCounts counts = counts_;
+    for (const ServedClient* client : clients_)
+        add(client->session().refused(), counts.refused);
+    return counts;
+}
+
 bool Device::driven() const {
     return std::ranges::any_of(clients_,
                                [](const auto* client) { return client->session().measuring(); });
@@ -198,8 +208,9 @@ void Device::turn_complete(std::int64_t revolution) {
         const protocol::ScanView scan = measure(revolution).sent.view();
         for (ServedClient* client : takers)
             client->session().take(scan, uptime());
-        ++scans_sent_;
-        if (leaves(revolution) >= punctual_from_) lateness_.add(clock_.now() - leaves(revolution));
+        ++counts_.scans;
+        if (leaves(revolution) >= punctual_from_)
+            counts_.lateness.add(clock_.now() - leaves(revolution));
     }
     if (watcher_) watcher_(measure(revolution));
     // A client that has not taken it may wait in vain, because another one has switched the laser
@@ -264,9 +275,11 @@ Measurement Device::cast(std::int64_t revolution) {
     };
     const sim::Time begin = clock_.now();
     const sim::Time start = timing_.start(revolution);
+    const CastWatch watch;
     Measurement made =
         sweep_.measure(revolution, device_clock_.world_time(start), fired, clock_.origin(),
                        cold_start_ ? start : sim::Conditions{}.on_for);
+    watch.stop(made.backend->backend, counts_);
     if (hook_ != nullptr) {
         sim::Scan scan = *made.cast;
         hook_->read(scan, sweep_.optics());

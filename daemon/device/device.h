@@ -18,9 +18,9 @@
 #include "daemon/config/config.h"
 #include "daemon/device/bridge.h"
 #include "daemon/device/device_hook.h"
-#include "daemon/device/lateness.h"
 #include "daemon/device/pace.h"
 #include "daemon/device/scan_source.h"
+#include "daemon/device/sensor_counts.h"
 #include "daemon/device/sensor_log.h"
 #include "daemon/device/sensor_record.h"
 #include "daemon/device/sweep.h"
@@ -88,8 +88,10 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     [[nodiscard]] bool poses_known(std::int64_t revolution) const override;
     void turn_complete(std::int64_t revolution) override;
 
-    [[nodiscard]] std::uint64_t scans_sent() const { return scans_sent_; }
-    [[nodiscard]] const Lateness& lateness() const { return lateness_; }
+    [[nodiscard]] std::uint64_t scans_sent() const { return counts_.scans; }
+    [[nodiscard]] const Lateness& lateness() const { return counts_.lateness; }
+    /// But for what links and faults count.
+    [[nodiscard]] SensorCounts counts() const;
     [[nodiscard]] sim::SharedScan latest_scan() const { return record_ ? record_->cast : nullptr; }
     [[nodiscard]] const ScanLog& log() const { return log_; }
     [[nodiscard]] std::size_t clients() const { return clients_.size(); }
@@ -140,8 +142,7 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     SharedRecord record_;  ///< of the latest that was cast
     Pace pace_;
     ScanLog log_;
-    std::uint64_t scans_sent_ = 0;
-    Lateness lateness_;
+    SensorCounts counts_;  ///< without what living sessions have refused
 };
 
 }  // namespace scipd::daemon

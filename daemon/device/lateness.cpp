@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
+#include <span>
 
 namespace scipd::daemon {
 namespace {
@@ -21,6 +24,20 @@ void Lateness::add(Duration lateness) {
     ++buckets_[std::min(bucket, buckets_.size() - 1)];
     ++count_;
     max_ = std::max(max_, lateness);
+    sum_ += std::max(lateness, Duration::zero());
+}
+
+std::uint64_t Lateness::below(int octave) const {
+    const std::span within = std::span(buckets_).first(std::size_t(buckets_per_octave) * octave);
+    return std::accumulate(within.begin(), within.end(), std::uint64_t(0));
+}
+
+Lateness& Lateness::operator+=(const Lateness& other) {
+    std::ranges::transform(buckets_, other.buckets_, buckets_.begin(), std::plus());
+    count_ += other.count_;
+    max_ = std::max(max_, other.max_);
+    sum_ += other.sum_;
+    return *this;
 }
 
 std::optional<Lateness::Duration> Lateness::quantile(double share) const {

@@ -22,6 +22,14 @@ class Lateness {
     [[nodiscard]] std::optional<Duration> quantile(double share) const;
     [[nodiscard]] std::optional<Duration> max() const;
 
+    /// How many there were.
+    [[nodiscard]] std::uint64_t count() const { return count_; }
+    /// How many of them were less than 2^octave microseconds late.
+    [[nodiscard]] std::uint64_t below(int octave) const;
+    /// Of all of them; what came too early adds nothing.
+    [[nodiscard]] Duration sum() const { return sum_; }
+    Lateness& operator+=(const Lateness& other);
+
   private:
     static constexpr int buckets_per_octave = 8;
     static constexpr int octaves = 27;  ///< to about two minutes
@@ -29,6 +37,7 @@ class Lateness {
     std::array<std::uint64_t, buckets_per_octave * octaves> buckets_{};
     std::uint64_t count_ = 0;
     Duration max_{};
+    Duration sum_{};
 };
 
 }  // namespace scipd::daemon

@@ -66,7 +66,7 @@ bool StaringSensor::poses_known(std::int64_t number) const {
 void StaringSensor::turn_complete(std::int64_t number) {
     if (!watcher_) return;
     watcher_(*measure(number));
-    lateness_.add(clock_.now() - leaves(number));
+    counts_.lateness.add(clock_.now() - leaves(number));
 }
 
 SharedStaringRecord StaringSensor::latest() {
@@ -87,11 +87,13 @@ SharedStaringRecord StaringSensor::measure(std::int64_t number) {
         return rolling_ ? instant - spec().period * left / spec().beams() : instant;
     };
     const sim::Time begin = clock_.now();
+    const CastWatch watch;
     StaringRecord record{sweep_.measure(number, instant, fired, clock_.origin())};
+    watch.stop(record.backend->backend, counts_);
     record.spec = spec();
     record.range_m = staring_.read(*record.cast);
     if (watcher_) note_pace(record, begin);
-    ++measured_;
+    ++counts_.scans;
     const auto shared = std::make_shared<const StaringRecord>(std::move(record));
     log_.add(shared);
     return shared;

@@ -16,9 +16,9 @@
 
 #include "daemon/clock/clock.h"
 #include "daemon/config/config.h"
-#include "daemon/device/lateness.h"
 #include "daemon/device/pace.h"
 #include "daemon/device/scan_source.h"
+#include "daemon/device/sensor_counts.h"
 #include "daemon/device/sensor_log.h"
 #include "daemon/device/sensor_record.h"
 #include "daemon/device/sweep.h"
@@ -57,8 +57,9 @@ class StaringSensor : public ScanSource {
     SharedStaringRecord latest();
     [[nodiscard]] const StaringLog& log() const { return log_; }
 
-    [[nodiscard]] std::uint64_t measured() const { return measured_; }
-    [[nodiscard]] const Lateness& lateness() const { return lateness_; }
+    [[nodiscard]] std::uint64_t measured() const { return counts_.scans; }
+    [[nodiscard]] const Lateness& lateness() const { return counts_.lateness; }
+    [[nodiscard]] const SensorCounts& counts() const { return counts_; }
 
   private:
     [[nodiscard]] std::int64_t number_at(sim::Time time) const;
@@ -77,8 +78,7 @@ class StaringSensor : public ScanSource {
     std::function<void(const StaringRecord&)> watcher_;
     StaringLog log_;
     Pace pace_;
-    std::uint64_t measured_ = 0;
-    Lateness lateness_;
+    SensorCounts counts_;
 };
 
 }  // namespace scipd::daemon

@@ -199,7 +199,7 @@ void Connection::send(protocol::Send message) {
         hook_->leaving(message);
         if (message.bytes.empty()) return;
     }
-    if (!outbox_.push(std::move(message), clock_.now())) ++lost_;
+    if (!outbox_.push(std::move(message), clock_.now())) ++counts_.lost_scans;
 }
 
 void Connection::write() {
@@ -219,6 +219,7 @@ void Connection::write() {
                 self->writing_ = false;
                 if (!self->client_) return;
                 if (error && error != asio::error::operation_aborted) return self->end();
+                self->counts_.sent_bytes += count;
                 // Of what has been dropped meanwhile nothing is left.
                 self->sending_.erase(0, count);
                 self->flush();

@@ -19,6 +19,7 @@
 #include "daemon/link/endpoint.h"
 #include "daemon/link/line_hook.h"
 #include "daemon/link/line_state.h"
+#include "daemon/link/link_counts.h"
 #include "daemon/link/link_model.h"
 #include "daemon/link/outbox.h"
 
@@ -66,8 +67,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
     /// way to the device.
     void drop_input();
 
-    /// Scans that the client read too slowly for.
-    [[nodiscard]] std::uint64_t lost() const { return lost_; }
+    [[nodiscard]] const LinkCounts& counts() const { return counts_; }
+    [[nodiscard]] std::uint64_t lost() const { return counts_.lost_scans; }
 
   private:
     void read();
@@ -104,7 +105,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     bool reading_ = false;
     bool writing_ = false;
     bool input_ended_ = false;
-    std::uint64_t lost_ = 0;
+    LinkCounts counts_;
 };
 
 }  // namespace scipd::daemon

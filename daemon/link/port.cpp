@@ -6,8 +6,10 @@
 
 namespace scipd::daemon {
 
-std::uint64_t Port::lost_scans() const {
-    return lost_before_ + (connection_ ? connection_->lost() : 0);
+LinkCounts Port::counts() const {
+    LinkCounts counts = counts_before_;
+    if (connection_) counts += connection_->counts();
+    return counts;
 }
 
 void Port::set_line(const LineState& line) {
@@ -34,7 +36,7 @@ void Port::begin(std::shared_ptr<Connection> connection) {
 
 void Port::end_connection() {
     if (!connection_) return;
-    lost_before_ += connection_->lost();
+    counts_before_ += connection_->counts();
     connection_->close();
     connection_.reset();
 }

@@ -14,6 +14,7 @@
 #include "daemon/link/endpoint.h"
 #include "daemon/link/line_hook.h"
 #include "daemon/link/line_state.h"
+#include "daemon/link/link_counts.h"
 
 namespace scipd::daemon {
 
@@ -55,8 +56,9 @@ class Port {
     /// Sends bytes to who is connected, outside of all messages and behind what was sent already.
     void send_raw(std::string bytes);
 
-    /// Scans that clients read too slowly for, since the port was made.
-    [[nodiscard]] std::uint64_t lost_scans() const;
+    /// Since the port was made.
+    [[nodiscard]] LinkCounts counts() const;
+    [[nodiscard]] std::uint64_t lost_scans() const { return counts().lost_scans; }
 
   protected:
     void begin(std::shared_ptr<Connection> connection);
@@ -76,7 +78,7 @@ class Port {
     LineState line_;
     LineHook* hook_ = nullptr;
     std::shared_ptr<Connection> connection_;
-    std::uint64_t lost_before_ = 0;  ///< by connections that have ended
+    LinkCounts counts_before_;  ///< by connections that have ended
 };
 
 }  // namespace scipd::daemon

@@ -11,9 +11,12 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <poll.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
+
+#include "daemon/log_line.h"
 
 namespace scipd::daemon {
 namespace {
@@ -91,7 +94,7 @@ TEST(Logging, LosesTheOldestLinesOfWhoeverDoesNotReadAndTellsHowMany) {
     Pipe pipe;
     constexpr std::size_t most_waiting = 16;
     constexpr std::size_t lines = 1000;
-    start_logging("info", most_waiting);
+    start_logging("info", LogFormat::text, most_waiting);
     const std::string filler(1000, '.');  // the pipe holds three
     for (std::size_t i = 0; i < lines; ++i)
         spdlog::warn("line {} {}", i, filler);
@@ -111,6 +114,36 @@ TEST(Logging, ShowsWhatOthersWroteAsOneEntryThatDoesNoHarm) {
     EXPECT_THAT(pipe.read_until("\\xff\"\n"),
                 testing::EndsWith(" warning no model \"\\x1b[2J\n"
                                   "    2026-01-01 00:00:00.000 info all is well\\xff\"\n"));
+}
+
+TEST(Logging, WritesADocumentForEachEntry) {
+    Pipe pipe;
+    start_logging("info", LogFormat::json);
+    tell_log_of({"rescue/front"});
+    spdlog::info("rescue/front: auto takes embree: it is quicker");
+    spdlog::error("rescue/rear: is none of them,\nand {}", "\x1b[2J\xff");
+    EXPECT_TRUE(finish_logging());
+    const std::string text = pipe.read_until("\\ufffd\"}\n");
+    const auto end = text.find('\n');
+    const auto about_sensor = nlohmann::json::parse(text.substr(0, end));
+    EXPECT_EQ(about_sensor["level"], "info");
+    EXPECT_EQ(about_sensor["sensor"], "rescue/front");
+    EXPECT_EQ(about_sensor["message"], "auto takes embree: it is quicker");
+    EXPECT_THAT(text, testing::Not(HasSubstr("\x1b")));
+    const auto other = nlohmann::json::parse(text.substr(end));
+    EXPECT_EQ(other["level"], "error");
+    EXPECT_FALSE(other.contains("sensor"));
+    EXPECT_EQ(other["message"], "rescue/rear: is none of them,\nand \x1b[2J\uFFFD");
+}
+
+TEST(Logging, TellsTheTimeInUtcAsRfc3339Has) {
+    using namespace std::chrono_literals;
+    const auto line = [](std::chrono::system_clock::duration since_1970) {
+        return json_log_line({std::chrono::system_clock::time_point(since_1970), "info", "x"}, {});
+    };
+    EXPECT_EQ(line(1'000'000'000s + 7ms),
+              R"({"time":"2001-09-09T01:46:40.007Z","level":"info","message":"x"})");
+    EXPECT_THAT(line(-1ms), HasSubstr("1969-12-31T23:59:59.999Z"));
 }
 
 TEST(Logging, RefusesALevelThatThereIsNot) {

@@ -134,6 +134,8 @@ TEST_F(OptionsTest, EachOptionHasItsPlace) {
     EXPECT_EQ(run(base + "--http none").config.http, std::nullopt);
     EXPECT_EQ(run(base + "--clock wall").config, run(base).config);
     EXPECT_EQ(run(base + "--log-level debug").log_level, "debug");
+    EXPECT_EQ(run(base).log_format, "text");
+    EXPECT_EQ(run(base + "--log-format json").log_format, "json");
     EXPECT_EQ(run(base + "--log-level warning").log_level, "warning");  // as log lines have it
 }
 
@@ -366,7 +368,8 @@ TEST(Options, SaysInOneSentenceWhatIsWrong) {
         EXPECT_EQ(refused.exit_code, 2) << line;
         EXPECT_EQ(refused.text, "scipd: " + sentence + "; see scipd --help\n");
     }
-    for (const char* line : {"--sceen x", "extra", "--tcp", "--seed 1 --seed 2", "--log-level x"})
+    for (const char* line :
+         {"--sceen x", "extra", "--tcp", "--seed 1 --seed 2", "--log-level x", "--log-format xml"})
         EXPECT_EQ(answer(line).exit_code, 2) << line;
 }
 

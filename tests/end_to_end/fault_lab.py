@@ -37,19 +37,20 @@ class Control(http.client.HTTPConnection):
 class Lab:
     """A running scipd, ended with the block that uses it."""
 
-    def __init__(self, scipd, scene, *, sensors, faults=(), seed=7, lockstep=True, drive_s=60):
+    def __init__(self, scipd, scene, *, sensors, faults=(), seed=7, lockstep=True, drive_s=60, options=(),
+                 **more):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="scipd-faults-"))
         (self.folder / "drive.tum").write_text("".join(
             f"{i / 10:.1f} {0.002 * i:.4f} 0 0 0 0 0 1\n" for i in range(10 * drive_s + 1)))
         configuration = {
             "scene": str(scene), "seed": seed, "clock": "poses" if lockstep else "wall",
             "control": str(self.folder / "control.sock"),
-            "robots": {"robot": {"sensors": sensors}}}
+            "robots": {"robot": {"sensors": sensors}}, **more}
         if lockstep:
             configuration["robots"]["robot"]["poses"] = "drive.tum"
         (self.folder / "lab.yaml").write_text(json.dumps(configuration))
         self.errors = open(self.folder / "stderr", "w+")
-        self.process = subprocess.Popen([scipd, "--config", str(self.folder / "lab.yaml")],
+        self.process = subprocess.Popen([scipd, "--config", str(self.folder / "lab.yaml"), *options],
                                         stdout=subprocess.PIPE, stderr=self.errors, text=True)
         line = self.process.stdout.readline()
         if not line:

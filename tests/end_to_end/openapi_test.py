@@ -49,6 +49,8 @@ FOG_AND_STEAM = [{"kind": "fog", "visibility_m": 20, "box": {"from": [0, 0, 0], 
 # In this order: method, path in the document, path of the request, body, status.
 EXCHANGES = [
     ("GET", "/status", "/status", None, 200),
+    ("GET", "/health", "/health", None, 200),
+    ("GET", "/metrics", "/metrics", None, 200),
     ("GET", "/sensors", "/sensors", None, 200),
     ("GET", "/sensors/{robot}/{sensor}", "/sensors/robot/scanner", None, 200),
     ("GET", "/sensors/{robot}/{sensor}", "/sensors/robot/other", None, 404),
@@ -260,7 +262,7 @@ def check_exchanges(document, path, scene):
         if "content" in response:
             (kind, media), = response["content"].items()
             assert answer.headers["Content-Type"] == kind, (target, answer.headers["Content-Type"])
-            document.check(media["schema"], json.loads(content))
+            document.check(media["schema"], json.loads(content) if "json" in kind else content.decode())
         else:
             assert content == b"", (target, content)
         unseen.discard((method, template, status))

@@ -18,6 +18,7 @@ namespace {
 using namespace std::chrono_literals;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using ::testing::Pair;
 using ::testing::StartsWith;
 
 DeviceProfile prompt(Family family = Family::ust) {
@@ -78,6 +79,16 @@ TEST(Session, WithoutAGridItAnswersAtOnce) {
     Shell shell(prompt());
     shell.advance_to(333us);
     EXPECT_EQ(ask(shell, "BM\nBM"), "BM\n00P\n\nBM\n02R\n\n");
+}
+
+TEST(Session, CountsTheStatusesOfRequestsThatItRefuses) {
+    Shell shell(prompt());
+    EXPECT_THAT(shell.session().refused(), IsEmpty());
+    for (const char* request : {"BM", "BM", "TM7", "BM", "VV", "QT"})
+        ask(shell, request);
+    EXPECT_THAT(shell.session().refused(), ElementsAre(Pair("01", 1), Pair("02", 2)));
+    shell.session().close();
+    EXPECT_THAT(shell.session().refused(), ElementsAre(Pair("01", 1), Pair("02", 2)));
 }
 
 TEST(Session, IsSilentOnEmptyLines) {

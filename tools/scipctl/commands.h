@@ -17,6 +17,9 @@ struct ControlOptions {
 /// parsing.
 void add_status_commands(CLI::App& program, const ControlOptions& control);
 
+/// `scipctl top`
+void add_top_command(CLI::App& program, const ControlOptions& control);
+
 /// `scipctl pose get|set|play|stream`
 void add_pose_commands(CLI::App& program, const ControlOptions& control);
 void add_pose_play_command(CLI::App& pose, const ControlOptions& control);

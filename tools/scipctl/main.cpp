@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
     program.add_option("--control", control.socket, "scipd's control socket")
         ->capture_default_str();
     add_status_commands(program, control);
+    add_top_command(program, control);
     add_pose_commands(program, control);
     add_scene_commands(program, control);
     add_fault_commands(program, control);
@@ -27,6 +28,7 @@ int main(int argc, char** argv) {
     program.footer(
         "Examples:\n"
         "  scipctl status\n"
+        "  scipctl top\n"
         "  scipctl pose set 1.5,2,0\n"
         "  scipctl pose play lap.tum --speed 2 --loop\n"
         "  scipctl scene add crate crate.stl --scale 0.001 --pose 1,2,0\n"

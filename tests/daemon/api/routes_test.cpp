@@ -125,6 +125,7 @@ FleetStatus busy_status() {
     front.tcp = "127.0.0.1:10940";
     front.clients = 1;
     front.scans = 4000;
+    front.casts = {{"embree", 4001}, {"depth", 2}};
     front.lost = 2;
     front.stream_lost = 3;
     front.lateness = LatenessStatus{0.125ms, 0.5ms, 2ms};
@@ -150,12 +151,14 @@ constexpr const char* front_text =
     R"({"name":"rescue/front","model":"UST-10LX","backend":"embree",)"
     R"("backend_reason":"embree takes 0.030 ms, depth takes 0.600 ms",)"
     R"("state":"measuring","warning":null,)"
-    R"("tcp":"127.0.0.1:10940","pty":null,"clients":1,"scans":4000,"lost":2,"stream_lost":3,)"
+    R"("tcp":"127.0.0.1:10940","pty":null,"clients":1,"scans":4000,)"
+    R"("casts":{"depth":2,"embree":4001},"lost":2,"stream_lost":3,)"
     R"("lateness_ms":{"p50":0.125,"p99":0.5,"max":2.0}})";
 constexpr const char* rear_text =
     R"({"name":"rescue/rear","model":"URG-04LX","backend":"reference","backend_reason":null,)"
     R"("state":"idle","warning":"is inside model hull",)"
-    R"("tcp":null,"pty":"/run/scipd/rear","clients":0,"scans":0,"lost":0,"stream_lost":0,)"
+    R"("tcp":null,"pty":"/run/scipd/rear","clients":0,"scans":0,)"
+    R"("casts":{},"lost":0,"stream_lost":0,)"
     R"("lateness_ms":{"p50":null,"p99":null,"max":null}})";
 
 TEST_F(RoutesTest, StatusIsTheWholeDocument) {

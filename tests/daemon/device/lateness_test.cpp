@@ -43,6 +43,23 @@ TEST(Lateness, HoldsWhatIsTooEarlyOrVeryLate) {
     lateness.add(1h);
     EXPECT_EQ(lateness.max(), 1h);
     EXPECT_GT(*lateness.quantile(1.0), 100s);
+    EXPECT_EQ(lateness.sum(), 1h);
+}
+
+TEST(Lateness, AddsUpWithThatOfOthers) {
+    Lateness lateness;
+    lateness.add(3us);
+    lateness.add(100us);
+    Lateness other;
+    other.add(5us);
+    lateness += other;
+    EXPECT_EQ(lateness.count(), 3U);
+    EXPECT_EQ(lateness.below(1), 0U);
+    EXPECT_EQ(lateness.below(2), 1U);
+    EXPECT_EQ(lateness.below(3), 2U);
+    EXPECT_EQ(lateness.below(7), 3U);
+    EXPECT_EQ(lateness.sum(), 108us);
+    EXPECT_EQ(lateness.max(), 100us);
 }
 
 }  // namespace

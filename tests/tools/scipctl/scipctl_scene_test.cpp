@@ -151,7 +151,7 @@ TEST_F(ScipctlScene, SaysWhatToTypeInstead) {
     EXPECT_THAT(refused({"truth", "rescue/front", "--scan", "9"}), HasSubstr("from 7 to 7"));
     EXPECT_THAT(
         refused({"dance"}, 2),
-        HasSubstr("there is no command \"dance\"; there are: status, sensors, pose, scene"));
+        HasSubstr("there is no command \"dance\"; there are: status, sensors, top, pose, scene"));
     EXPECT_THAT(refused({"scene"}, 2), HasSubstr("name a command; there are: list, load, add"));
 }
 

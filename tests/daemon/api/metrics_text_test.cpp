@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/api/metrics_text.h"
+
+#include <gtest/gtest.h>
+
+#include "daemon/api/exposition.h"
+
+namespace scipd::daemon {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(Exposition, WritesWhatTheFormatSays) {
+    Exposition text;
+    text.metric("a_total", Exposition::Type::counter, "Things.");
+    text.sample({{"sensor", "r/s"}, {"backend", "embree"}}, std::uint64_t(1) << 60U);
+    text.metric("b", Exposition::Type::gauge, "Others.");
+    text.sample({}, 0.25);
+    EXPECT_EQ(text.finish(),
+              "# HELP a_total Things.\n"
+              "# TYPE a_total counter\n"
+              "a_total{sensor=\"r/s\",backend=\"embree\"} 1152921504606846976\n"
+              "# HELP b Others.\n"
+              "# TYPE b gauge\n"
+              "b 0.25\n");
+}
+
+TEST(Exposition, EscapesWhatWouldEndALabel) {
+    Exposition text;
+    text.metric("a", Exposition::Type::gauge, "Things.");
+    text.sample({{"name", "a\"b\\c\nd"}}, std::uint64_t(1));
+    EXPECT_NE(text.finish().find("a{name=\"a\\\"b\\\\c\\nd\"} 1\n"), std::string::npos);
+}
+
+TEST(Exposition, WritesNumbersThatReadBackTheSame) {
+    for (const double value : {0.0, 6.4e-05, 1.048576, 1e300, 0.1})
+        EXPECT_EQ(std::stod(Exposition::number(value)), value);
+}
+
+// Every bound holds those below it.
+TEST(MetricsText, CountsLatenessUpToEachBound) {
+    SensorMetrics sensor{.name = "robot/front"};
+    for (const auto late : {1us, 63us, 65us, 1000us, 1023us, 1025us, 2000000us})
+        sensor.counts.lateness.add(late);
+    const std::string text = metrics_text({.sensors = {sensor}});
+    const auto told = [&](const std::string& sample, const std::string& value) {
+        return text.find("\nscipd_lateness_seconds_" + sample + "} " + value + "\n") != text.npos;
+    };
+    const std::string bucket = "bucket{sensor=\"robot/front\",le=\"";
+    EXPECT_TRUE(told(bucket + "6.4e-05\"", "2")) << text;
+    EXPECT_TRUE(told(bucket + "0.000128\"", "3")) << text;
+    EXPECT_TRUE(told(bucket + "0.001024\"", "5")) << text;
+    EXPECT_TRUE(told(bucket + "0.002048\"", "6")) << text;
+    EXPECT_TRUE(told(bucket + "1.048576\"", "6")) << text;
+    EXPECT_TRUE(told(bucket + "+Inf\"", "7")) << text;
+    EXPECT_TRUE(told("count{sensor=\"robot/front\"", "7")) << text;
+    EXPECT_TRUE(told("sum{sensor=\"robot/front\"", "2.003177")) << text;
+}
+
+TEST(SensorCounts, AddUp) {
+    SensorCounts counts{.scans = 1, .lost = 2, .sent_bytes = 10, .faults = 3};
+    counts.casts["embree"] = {2, 2s};
+    counts.refused["0E"] = 1;
+    counts.lateness.add(3us);
+    SensorCounts more{.scans = 4, .lost = 1, .sent_bytes = 5, .faults = 1};
+    more.casts["embree"] = {1, 1s};
+    more.casts["depth"] = {7, 1s};
+    more.refused["0E"] = 2;
+    more.refused["10"] = 1;
+    more.lateness.add(5us);
+    counts += more;
+    EXPECT_EQ(counts.scans, 5U);
+    EXPECT_EQ(counts.lost, 3U);
+    EXPECT_EQ(counts.sent_bytes, 15U);
+    EXPECT_EQ(counts.faults, 4U);
+    EXPECT_EQ(counts.casts["embree"].casts, 3U);
+    EXPECT_EQ(counts.casts["embree"].spent, 3s);
+    EXPECT_EQ(counts.casts["depth"].casts, 7U);
+    EXPECT_EQ(counts.refused, (protocol::StatusCounts{{"0E", 3}, {"10", 1}}));
+    EXPECT_EQ(counts.lateness.count(), 2U);
+    EXPECT_EQ(counts.lateness.sum(), 8us);
+    EXPECT_EQ(counts.lateness.max(), 5us);
+}
+
+}  // namespace
+}  // namespace scipd::daemon
