@@ -28,6 +28,7 @@ class Control(http.client.HTTPConnection):
         self.sock.connect(self.path)
 
     def ask(self, method, target, body=None):
+        self.close()  # scipd may have ended a connection that was idle for long
         self.request(method, target, None if body is None else json.dumps(body))
         response = self.getresponse()
         text = response.read().decode()
