@@ -39,9 +39,8 @@ std::vector<std::string> FleetFaults::notes_on(const std::string& scanner,
 
 FaultStarted FleetFaults::start(const std::string& scanner, FaultPlan plan) {
     FaultStarted started{.notes = notes_on(scanner, plan)};
-    const std::uint64_t seed =
-        plan.seed.value_or(find_station(simulation_.stations, scanner)->seed);
-    started.id = injector(scanner).start(std::move(plan), seed);
+    const Station& station = *find_station(simulation_.stations, scanner);
+    started.id = station.faults->start(std::move(plan), station.seed);
     return started;
 }
 

@@ -6,6 +6,7 @@
 
 #include "daemon/device/device.h"
 #include "daemon/device/staring_sensor.h"
+#include "daemon/faults/fault_injector.h"
 #include "daemon/link/port.h"
 #include "daemon/simulation.h"
 
@@ -18,7 +19,7 @@ SensorCounts counts_of(const Station& station) {
     const LinkCounts links = station.ports.counts();
     counts.lost = station.loop->missed() + links.lost_scans - station.served_before.lost_scans;
     counts.sent_bytes = links.sent_bytes - station.served_before.sent_bytes;
-    counts.faults = station.tap->fault_hits();
+    if (station.faults) counts.faults = station.faults->log().hits();
     return counts;
 }
 

@@ -107,7 +107,6 @@ ScanStream::Tap::~Tap() {
 void ScanStream::Tap::follow(FaultLog& faults) {
     faults_ = &faults;
     faults.watch([this](const FaultLogEntry& entry) {
-        if (entry.what != "begins" && entry.what != "ends") ++fault_hits_;
         const std::string& sensor = source_->name;
         if (stream_.wanted(sensor)) stream_.send(faults_source_, fault_message(sensor, entry));
     });

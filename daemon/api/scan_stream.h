@@ -38,8 +38,6 @@ class ScanStream {
         void follow(FaultLog& faults);
         /// Scans that a subscriber was too slow for.
         [[nodiscard]] std::uint64_t lost() const { return source_->lost; }
-        /// How often the faults that it follows have acted.
-        [[nodiscard]] std::uint64_t fault_hits() const { return fault_hits_; }
 
       private:
         friend class ScanStream;
@@ -55,7 +53,6 @@ class ScanStream {
         /// Of the same name: many faults at once cost no client a scan.
         std::shared_ptr<Backlog::Source> faults_source_;
         FaultLog* faults_ = nullptr;
-        std::uint64_t fault_hits_ = 0;
         Watch watch_;
     };
 

@@ -45,6 +45,10 @@ class FaultLog {
     static constexpr std::size_t most_places = 1'000'000;
 
     void add(FaultLogEntry entry);
+    /// A fault has acted.
+    void count_hit() { ++hits_; }
+    /// How often faults have acted, also those that are forgotten.
+    [[nodiscard]] std::uint64_t hits() const { return hits_; }
     [[nodiscard]] const std::deque<FaultLogEntry>& entries() const { return entries_; }
     /// Is told of each entry from here on; null: nobody.
     void watch(Watcher watcher) { watcher_ = std::move(watcher); }
@@ -53,6 +57,7 @@ class FaultLog {
     std::deque<FaultLogEntry> entries_;  ///< the latest
     std::size_t places_ = 0;             ///< bytes and steps of all entries
     std::uint64_t last_ = 0;
+    std::uint64_t hits_ = 0;
     Watcher watcher_;
 };
 

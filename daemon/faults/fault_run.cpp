@@ -107,6 +107,7 @@ double FaultRun::chance(std::uint32_t n) const {
 
 void FaultRun::touched(FaultTouch touch) {
     ++hits_;
+    site_.log.count_hit();
     log(spdlog::level::debug, std::move(touch));
 }
 

@@ -41,8 +41,7 @@ void ScenarioRun::join(const Target& target) const {
     for (const ScenarioStep& step : scenario_->steps) {
         ++number;
         if (!step.goes_wrong_at(target.sensor)) continue;
-        target.injector->start(step.fault,
-                               step.fault.seed.value_or(seed_of_step(*scenario_, number)), number);
+        target.injector->start(step.fault, seed_of_step(*scenario_, number), number);
     }
 }
 

@@ -15,7 +15,6 @@ STREAM = f"MD00001080000{SCANS}"
 STREAM_WITH_INTENSITY = f"ME00001080000{SCANS}"
 MODEL = {"model": "UTM-30LX-EW", "tcp": "127.0.0.1:0", "mount": {"xyz": [0, 0, 0.3]}}
 UST = {**MODEL, "model": "UST-10LX"}
-TTY = {"model": "URG-04LX", "pty": "tty"}
 QUESTIONS = ["VV", "PP", "II"]
 
 

@@ -7,10 +7,15 @@ import http.client
 import json
 import pathlib
 import select
+import shutil
 import socket
 import subprocess
+import sys
 import tempfile
 import time
+
+sys.path.append(str(pathlib.Path(__file__).parents[1] / "soak"))
+from wire import decoded, sum_is_right  # noqa: E402
 
 PATIENCE_S = 60
 
@@ -72,6 +77,8 @@ class Lab:
         self.process.wait(PATIENCE_S)
         self.process.stdout.close()
         self.errors.close()
+        self.said = (self.folder / "stderr").read_text()  # its log, for who asks afterwards
+        shutil.rmtree(self.folder)
 
     def address(self, sensor):
         told = next(s for s in self.ready["sensors"] if s["name"] == f"robot/{sensor}")
@@ -126,17 +133,6 @@ class Client:
     def silent(self, seconds):
         """Whether nothing comes for so long."""
         return not select.select([self.socket], [], [], seconds)[0]
-
-
-def sum_is_right(line):
-    return len(line) > 1 and (sum(line[:-1]) & 0x3F) + 0x30 == line[-1]
-
-
-def decoded(characters):
-    value = 0
-    for character in characters:
-        value = value << 6 | character - 0x30
-    return value
 
 
 class Scan:

@@ -196,7 +196,7 @@ def check_health(lab):
 
 
 def check_log(lab):
-    entries = [json.loads(line) for line in (lab.folder / "stderr").read_text().splitlines()]
+    entries = [json.loads(line) for line in lab.said.splitlines()]
     assert all(re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z", entry["time"]) for entry in entries), entries
     fault, = [entry for entry in entries if entry["message"].endswith("begins")]
     assert fault["sensor"] == "robot/front" and fault["message"].startswith("fault 1, status, at scan "), fault

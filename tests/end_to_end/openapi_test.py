@@ -15,6 +15,8 @@ import tempfile
 import jsonschema
 import yaml
 
+from fault_lab import Control
+
 SDF = ("<model name='m'><link name='l'><visual name='v'><geometry><box><size>0.1 0.1 0.1</size></box></geometry>"
        "</visual></link></model>")
 LIDAR = ("<model name='l'><link name='l'><sensor name='s' type='gpu_lidar'><lidar><scan><horizontal>"
@@ -141,17 +143,6 @@ REFUSALS = [
 METHODS = ["GET", "PUT", "POST", "DELETE", "PATCH"]
 UPGRADE = {"Connection": "Upgrade", "Upgrade": "websocket", "Sec-WebSocket-Version": "13",
            "Sec-WebSocket-Key": "dGhlIHNhbXBsZSBub25jZQ=="}
-
-
-class Control(http.client.HTTPConnection):
-    def __init__(self, path):
-        super().__init__("localhost", timeout=60)
-        self.path = path
-
-    def connect(self):
-        self.sock = socket.socket(socket.AF_UNIX)
-        self.sock.settimeout(self.timeout)
-        self.sock.connect(self.path)
 
 
 def ask(path, method, target, body=None, headers=None):
