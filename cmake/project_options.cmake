@@ -35,7 +35,8 @@ endif()
 
 function(scipd_library name)
   add_library(${name} STATIC ${ARGN})
-  target_link_libraries(${name} PUBLIC scipd_options)
+  # Those who use an installed library have warnings and include paths of their own.
+  target_link_libraries(${name} PUBLIC $<BUILD_INTERFACE:scipd_options>)
 endfunction()
 
 # scipd_alone(sources...): keeps these sources out of the batches of a unity build (presets release and ci). It is for
