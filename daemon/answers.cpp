@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/answers.h"
 
+#include "daemon/completions.h"
 #include "daemon/models/registry.h"
 #include "sim/backends/registry.h"
 
@@ -19,6 +20,20 @@ Answer backend_list() {
     for (const auto& backend : sim::backends())
         text += std::string{backend.name} + "  " + std::string{backend.description} + "\n";
     return {0, text};
+}
+
+Answer completion_script(const CLI::App& app, const std::string& shell) {
+    std::string model_names;
+    std::string last;
+    for (const Model& model : models()) {
+        if (model.profile.name == last) continue;
+        last = model.profile.name;
+        model_names += (model_names.empty() ? "" : " ") + last;
+    }
+    std::string backend_names = "auto";
+    for (const auto& backend : sim::backends())
+        backend_names += " " + std::string{backend.name};
+    return {0, completions(app, shell, {{"/--model", model_names}, {"/--backend", backend_names}})};
 }
 
 Answer probe() {

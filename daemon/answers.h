@@ -6,6 +6,10 @@
 
 #include <string>
 
+namespace CLI {
+class App;
+}
+
 namespace scipd::daemon {
 
 /// The end of the program: --help, --version, the lists, a checked configuration, wrong options.
@@ -18,6 +22,8 @@ struct Answer {
 /// A line for each product and firmware, and for each way to cast.
 Answer model_list();
 Answer backend_list();
+/// What the shell has to read so that it completes the options of `app`.
+Answer completion_script(const CLI::App& app, const std::string& shell);
 /// Whether this machine has what the backends need. The text tells it either way; the exit code is
 /// for scripts.
 Answer probe();

@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "daemon/completions.h"
 #include "daemon/config/doors.h"
 #include "daemon/config/mount.h"
 #include "daemon/config/sensor.h"
@@ -171,6 +172,10 @@ void add_alone(CLI::App& app, OptionValues& said) {
     group.add_flag(
         "--probe", said.probe,
         "tell what this machine offers to a depth buffer, and end with 1 if it cannot draw");
+    app.add_option("--completion", said.completion, "print completions for a shell")
+        ->type_name("SHELL")
+        ->check(CLI::IsMember(completion_shells()))
+        ->group(alone_title);
 }
 
 /// Adds the options that go with all others.

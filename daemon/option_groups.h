@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include <CLI/App.hpp>
 
@@ -30,6 +31,7 @@ struct OptionValues {
     bool list_models = false;
     bool list_backends = false;
     bool probe = false;
+    std::string completion;
 };
 
 /// Their texts go through the parsers of daemon/config, whose refusals become CLI's.

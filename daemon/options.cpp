@@ -103,6 +103,7 @@ std::variant<Options, Answer> parse_options(int argc, const char* const* argv) {
     try {
         app.parse(argc, argv);
         if (const auto alone = check_alone(app); !alone) return wrong_options(alone.error().why);
+        if (!said.completion.empty()) return completion_script(app, said.completion);
         return act(said);
     } catch (const CLI::CallForHelp&) {
         return Answer{0, app.help()};

@@ -21,6 +21,7 @@
 #include "sim/loaders/materials/materials_file.h"
 #include "sim/loaders/scene_file.h"
 #include "sim/sensor/scanner.h"
+#include "tools/completion_command.h"
 #include "tools/options.h"
 #include "tools/scipbench/chart.h"
 #include "tools/scipbench/compare.h"
@@ -214,5 +215,6 @@ int main(int argc, char** argv) {
                    "scipd")
         ->excludes("--json");
     add_plot(*compare, said);
+    add_completion_command(program);
     return run(program, argc, argv);
 }

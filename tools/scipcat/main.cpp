@@ -4,6 +4,7 @@
 // scipcat: talks to any SCIP scanner, real or emulated, over TCP or a tty.
 #include <CLI/CLI.hpp>
 
+#include "tools/completion_command.h"
 #include "tools/options.h"
 #include "tools/scipcat/commands.h"
 
@@ -14,5 +15,6 @@ int main(int argc, char** argv) {
     scipd::tools::add_info_command(program);
     scipd::tools::add_record_command(program);
     scipd::tools::add_plot_command(program);
+    scipd::tools::add_completion_command(program);
     return scipd::tools::run(program, argc, argv);
 }

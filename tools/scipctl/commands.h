@@ -41,7 +41,4 @@ void add_fault_commands(CLI::App& program, const ControlOptions& control);
 /// `scipctl scenario run|stop|status`
 void add_scenario_command(CLI::App& program, const ControlOptions& control);
 
-/// `scipctl completion bash|zsh`. It knows the commands that were added before it.
-void add_completion_command(CLI::App& program);
-
 }  // namespace scipd::tools

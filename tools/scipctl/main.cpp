@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "daemon/config/run_directory.h"
+#include "tools/completion_command.h"
 #include "tools/options.h"
 #include "tools/scipctl/commands.h"
 
@@ -24,7 +25,9 @@ int main(int argc, char** argv) {
     add_scenario_command(program, control);
     add_reading_command(program, control);
     add_truth_command(program, control);
-    add_completion_command(program);
+    // A running scipd knows them.
+    add_completion_command(program,
+                           {{"/fault/start", "$(scipctl fault kinds --names 2>/dev/null) "}});
     program.footer(
         "Examples:\n"
         "  scipctl status\n"

@@ -200,7 +200,7 @@ TEST_F(ScipctlScene, CompletesInBash) {
     EXPECT_EQ(complete("scipctl scene medium f", "3"), "fog\n");
     EXPECT_EQ(complete("scipctl scene medium fog --v", "4"), "--visibility\n");
     EXPECT_EQ(complete("scipctl scene list --s", "3"), "--sensors\n");
-    EXPECT_EQ(complete("scipctl completion ''", "2"), "bash zsh --help --control\n");
+    EXPECT_EQ(complete("scipctl completion ''", "2"), "bash zsh fish --help --control\n");
     EXPECT_EQ(complete("scipctl truth x", "2"), "\n");
 }
 

@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+# Copyright The scipd authors
+"""
+What shells offer, asked of the shells themselves: completions_test.py COMPLETIONS. A shell that is not there is left
+out, but bash must be.
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+FOLDER = pathlib.Path(sys.argv[1]).resolve()
+
+# What is typed up to the cursor, and words that must be offered, and words that must not.
+CASES = [
+    ("scipd --acc", ["--accuracy"], ["--model"]),
+    ("scipd --accuracy ", ["ideal", "sensor", "material"], ["--accuracy"]),
+    ("scipd --model UTM", ["UTM-30LX", "UTM-30LX-EW"], ["UST-10LX"]),
+    ("scipd --backend ", ["auto", "reference"], ["--model"]),
+    ("scipcat ", ["info", "record", "plot", "completion"], ["--baud"]),
+    ("scipcat plot --in", ["--intensity"], ["info"]),
+    ("scipctl pose p", ["play"], ["get"]),
+    ("scipctl --control x pose play --sp", ["--speed"], ["--control"]),
+    ("scipctl scene add --con", ["--control"], ["--scale"]),
+    ("scipctl scene medium ", ["fog", "rain"], ["list"]),
+    ("scipctl completion ", ["bash", "zsh", "fish"], ["status"]),
+    ("scipbench com", ["compare", "completion"], ["table3"]),
+]
+
+
+def bash(program, line, home):
+    words = line.split(" ")
+    script = (f"source {FOLDER}/{program}.bash; COMP_WORDS=(); for word in \"$@\"; do COMP_WORDS+=(\"$word\"); done; "
+              f"COMP_CWORD={len(words) - 1}; $(complete -p {program} | sed 's/.*-F \\([^ ]*\\).*/\\1/'); "
+              "printf '%s\\n' \"${COMPREPLY[@]}\"")
+    return run(["bash", "-c", script, "bash", *words], home)
+
+
+def fish(program, line, home):
+    return run(["fish", "--no-config", "-c", f"source {FOLDER}/{program}.fish; complete --do-complete '{line}'"], home)
+
+
+def zsh(program, line, home):
+    """zsh finds the function in a folder. What it hands to compadd is offered where it begins as typed."""
+    shutil.copy(FOLDER / f"{program}.zsh", home / f"_{program}")
+    script = (f"fpath=({home} $fpath); autoload -Uz _{program}; _files() {{}}; "
+              "compadd() { shift; print -rl -- \"$@\" }; "
+              f"words=(\"$@\"); CURRENT=$#; _{program}")
+    words = line.split(" ")
+    return [word for word in run(["zsh", "-fc", script, "zsh", *words], home) if word.startswith(words[-1])]
+
+
+def run(command, home):
+    environment = {"HOME": str(home), "PATH": "/usr/bin:/bin", "TERM": "dumb", "LC_ALL": "C.UTF-8"}
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60, env=environment, check=True)
+    return [line.split("\t")[0].strip() for line in done.stdout.splitlines()]
+
+
+def faults(shell, line, wanted, unwanted, home):
+    program = line.split(" ")[0]
+    if not (FOLDER / f"{program}.bash").exists():
+        return  # scipbench, of a build without a depth buffer
+    offered = shell(program, line, home)
+    for word in wanted:
+        if word not in offered:
+            yield f"{shell.__name__}: {line!r} does not offer {word}, but {offered}"
+    for word in unwanted:
+        if word in offered:
+            yield f"{shell.__name__}: {line!r} offers {word}"
+
+
+def main():
+    found = []
+    with tempfile.TemporaryDirectory() as home:
+        for shell in (bash, zsh, fish):
+            if shutil.which(shell.__name__) is None:
+                print(f"{shell.__name__} is not here")
+                assert shell is not bash
+                continue
+            for line, wanted, unwanted in CASES:
+                found += faults(shell, line, wanted, unwanted, pathlib.Path(home))
+    sys.exit("\n".join(found) or None)
+
+
+if __name__ == "__main__":
+    main()
