@@ -1,0 +1,135 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Copyright The scipd authors
+#
+# What tools/test-packages does with the packages in a tree of Debian: use_packages.sh STEP. The steps are the functions
+# below, in their order.
+set -eu
+
+first=/packages/first
+next=/packages/next
+# libsdformat writes a log in the home of whoever runs it. What lies in homes is not the packages' own.
+export HOME=/tmp
+
+fail() {
+    echo "test-packages: $1" >&2
+    exit 1
+}
+
+apt_get() {
+    apt-get -y -qq -o Dpkg::Use-Pty=0 "$@" >/packages/apt.log || fail "apt-get $*: $(cat /packages/apt.log)"
+}
+
+# Everything that is there but for what apt, dpkg and caches keep for themselves.
+files() {
+    find / -xdev \( -path /proc -o -path /packages -o -path /tmp -o -path /var/lib/apt -o -path /var/lib/dpkg \
+        -o -path /var/cache -o -path /var/log \) -prune -o -print | sort
+}
+
+users() {
+    getent passwd
+    getent group
+}
+
+# All that the packages need and recommend, so that only they make a difference later.
+prepare() {
+    apt-get update -qq
+    for package in scipd scipd-tools; do
+        apt_get satisfy "$(dpkg-deb -f $first/${package}_*.deb Depends Recommends |
+            sed -n 's/^[A-Za-z]*: //p' | paste -sd, | sed 's/, scipd-tools//')"
+    done
+    apt_get satisfy --no-install-recommends "$(dpkg-deb -f $first/libscipd-dev_*.deb Depends)"
+    # What this test uses beside them.
+    apt_get install --no-install-recommends cmake g++ make man-db bash-completion
+    files >/packages/before
+    users >/packages/users-before
+}
+
+install() {
+    apt_get install $first/*.deb
+    for package in scipd scipd-tools libscipd-dev; do
+        [ "$(dpkg-query -W -f '${Status}' $package)" = 'install ok installed' ] || fail "$package is not installed"
+    done
+    for file in bash-completion/completions/scipctl zsh/vendor-completions/_scipcat fish/vendor_completions.d/scipd.fish; do
+        [ -s /usr/share/$file ] || fail "/usr/share/$file is missing"
+    done
+    for page in scipd scipctl scipcat scipbench scipd.yaml; do
+        man $page | grep -q 'SEE ALSO' || fail "man $page shows no page"
+    done
+    man -k scanner | grep -q '^scipd ' || fail "apropos does not find scipd"
+    if [ -e /usr/lib/systemd/system/scipd.service ]; then
+        systemctl is-enabled -q scipd.service || fail "scipd.service is not enabled"
+        getent passwd scipd >/dev/null || fail "there is no user scipd"
+    fi
+}
+
+# The user of the unit, or nobody where there is no unit.
+user() {
+    id -un scipd 2>/dev/null || echo nobody
+}
+
+# start_scipd: runs it as its unit does, and waits until it listens.
+start_scipd() {
+    rm -f /tmp/ready
+    mkdir -p /run/scipd
+    chown "$(user)": /run/scipd
+    chmod 755 /run/scipd
+    setpriv --reuid "$(user)" --regid "$(id -g "$(user)")" --clear-groups env RUNTIME_DIRECTORY=/run/scipd \
+        scipd --config /etc/scipd/scipd.yaml >/tmp/ready 2>/tmp/log &
+    scipd=$!
+    for _ in $(seq 300); do
+        if grep -qs '"ready":true' /tmp/ready; then return; fi
+        kill -0 $scipd || fail "scipd ended: $(cat /tmp/log)"
+        sleep 0.1
+    done
+    fail "scipd is not ready: $(cat /tmp/log)"
+}
+
+stop_scipd() {
+    kill $scipd
+    wait $scipd || fail "scipd ended with $?"
+}
+
+use() {
+    scipd --check /etc/scipd/scipd.yaml || fail "the configuration has faults"
+    scipd --probe >/tmp/probe || fail "scipd cannot draw with what it recommends: $(cat /tmp/probe)"
+    start_scipd
+    scipcat info tcp://127.0.0.1:10940 | grep -q UST-10LX || fail "scipcat info shows no scanner"
+    scipcat info "$(readlink -f /run/scipd/rescue-front)" | grep -q UST-10LX || fail "there is no scanner on the tty"
+    scipctl --control /run/scipd/control.sock status | grep -q rescue/front || fail "scipctl status shows no scanner"
+    stop_scipd
+    scipbench compare --scene /usr/share/scipd/scenes/square_room.sdf --poses 3 --light | grep -q embree ||
+        fail "scipbench compares nothing"
+}
+
+build_example() {
+    cmake -S /usr/share/doc/libscipd-dev/examples -B /tmp/examples >/dev/null
+    cmake --build /tmp/examples >/dev/null
+    /tmp/examples/scan_a_room /usr/share/scipd/scenes/square_room.sdf | grep -q '3.000 m straight ahead' ||
+        fail "the example casts no scan"
+    start_scipd
+    /tmp/examples/ask_scanner 127.0.0.1 10940 | grep -q '1081 ranges' || fail "the example gets no scan"
+    stop_scipd
+    rm -rf /tmp/examples
+}
+
+upgrade() {
+    sed -i 's/UST-10LX/UST-20LX/' /etc/scipd/scipd.yaml
+    apt_get install $next/*.deb
+    dpkg-query -W -f '${Version}' scipd | grep -q -- '-2$' || fail "scipd was not upgraded"
+    grep -q 'model: UST-20LX' /etc/scipd/scipd.yaml || fail "the upgrade has changed the configuration"
+    start_scipd
+    scipcat info tcp://127.0.0.1:10940 | grep -q UST-20LX || fail "the upgraded scipd does not run the configuration"
+    stop_scipd
+}
+
+purge() {
+    apt_get remove scipd
+    grep -q 'model: UST-20LX' /etc/scipd/scipd.yaml || fail "removing it without purging takes the configuration away"
+    apt_get purge scipd scipd-tools libscipd-dev
+    files >/packages/after
+    diff /packages/before /packages/after || fail "the packages leave files behind"
+    users | diff /packages/users-before - || fail "the packages leave a user behind"
+}
+
+"$1"
