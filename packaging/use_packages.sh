@@ -17,7 +17,7 @@ fail() {
 }
 
 apt_get() {
-    apt-get -y -qq -o Dpkg::Use-Pty=0 "$@" >/packages/apt.log || fail "apt-get $*: $(cat /packages/apt.log)"
+    apt-get -y -qq -o Dpkg::Use-Pty=0 "$@" >/packages/apt.log 2>&1 || fail "apt-get $*: $(cat /packages/apt.log)"
 }
 
 # Everything that is there but for what apt, dpkg and caches keep for themselves.
