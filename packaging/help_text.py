@@ -28,11 +28,9 @@ class Help:
 
 def printed(command):
     """It names no folder of whoever builds the page."""
-    folder = "$XDG_RUNTIME_DIR"
-    left_out = ("RUNTIME_DIRECTORY", "LD_PRELOAD")
-    environment = {key: value for key, value in os.environ.items() if key not in left_out}
+    environment = {key: value for key, value in os.environ.items() if key != "RUNTIME_DIRECTORY"}
     done = subprocess.run([*command, "--help"], capture_output=True, text=True, check=True, timeout=60,
-                          env=environment | {"XDG_RUNTIME_DIR": folder})
+                          env=environment | {"XDG_RUNTIME_DIR": "$XDG_RUNTIME_DIR"})
     return done.stdout.splitlines()
 
 

@@ -26,9 +26,10 @@ files() {
         -o -path /var/cache -o -path /var/log \) -prune -o -print | sort
 }
 
+# The group render is udev's. systemd-sysusers makes it where udev is not installed, and it has nobody then.
 users() {
     getent passwd
-    getent group
+    getent group | grep -v '^render:[^:]*:[0-9]*:$'
 }
 
 # All that the packages need and recommend, so that only they make a difference later.
@@ -130,6 +131,37 @@ purge() {
     files >/packages/after
     diff /packages/before /packages/after || fail "the packages leave files behind"
     users | diff /packages/users-before - || fail "the packages leave a user behind"
+}
+
+main_pid() {
+    systemctl show -P MainPID scipd.service
+}
+
+# answers MODEL: the service runs and its scanner is this one.
+answers() {
+    systemctl is-active -q scipd.service || fail "scipd.service does not run: $(journalctl -u scipd --no-pager -n 30)"
+    scipcat info tcp://127.0.0.1:10940 | grep -q "$1" || fail "the service has no $1"
+}
+
+# In a tree that was booted: what becomes of the service.
+serve() {
+    apt_get install $first/*.deb
+    answers UST-10LX
+    before=$(main_pid)
+    sed -i 's/UST-10LX/UST-20LX/' /etc/scipd/scipd.yaml
+    apt_get install $next/*.deb
+    answers UST-20LX
+    [ "$(main_pid)" != "$before" ] || fail "the upgrade does not start the service again"
+    apt_get remove scipd
+    if systemctl is-active -q scipd.service; then fail "the service runs on without its package"; fi
+    apt_get install $next/*.deb
+    answers UST-20LX
+    systemctl disable -q --now scipd.service
+    apt_get install --reinstall $next/*.deb
+    if systemctl is-active -q scipd.service; then fail "a service that was disabled runs after an upgrade"; fi
+    apt_get purge scipd scipd-tools libscipd-dev
+    left=$(find / -xdev -path /packages -prune -o -name '*scipd*' -print; find /run -name '*scipd*')
+    [ -z "$left" ] || fail "purged, the packages leave $left"
 }
 
 "$1"
