@@ -45,7 +45,7 @@ macro(scipd_completions program component)
   install(FILES ${texts}/${program}.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions
           COMPONENT not_packaged RENAME _${program})
   install(FILES ${texts}/${program}.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions
-          COMPONENT ${component} EXCLUDE_FROM_ALL RENAME _${program})
+          COMPONENT ${component}-debian EXCLUDE_FROM_ALL RENAME _${program})
 endmacro()
 
 set(tools scipctl scipcat)

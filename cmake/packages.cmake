@@ -2,7 +2,7 @@
 # Copyright The scipd authors
 #
 # Debian packages: `cpack` in the build folder of the release preset makes scipd, scipd-tools and libscipd-dev. Each is
-# a component of what is installed. packaging/README.md tells what lies there.
+# the component of its name, and PACKAGE-debian. packaging/README.md tells what lies there.
 
 set(SCIPD_MAINTAINER "The scipd authors <scipd@users.noreply.github.com>" CACHE STRING "Who makes the packages")
 set(SCIPD_HOMEPAGE "https://github.com/scipd/scipd" CACHE STRING "Where people find the sources")
@@ -11,20 +11,21 @@ set(SCIPD_REVISION 1 CACHE STRING "Of the packages of one version of scipd")
 set(packaging ${CMAKE_SOURCE_DIR}/packaging)
 set(made ${CMAKE_BINARY_DIR}/packaging)
 
-# What only Debian wants is in no plain installation: EXCLUDE_FROM_ALL.
+# What only Debian wants is a component of its own, which is in no plain installation: nobody loses a configuration in
+# /etc by cmake --install.
 string(TIMESTAMP package_date "%Y-%m-%dT%H:%M:%S" UTC)
 execute_process(COMMAND date --utc --rfc-email --date ${package_date} OUTPUT_VARIABLE package_date
                 OUTPUT_STRIP_TRAILING_WHITESPACE)
 configure_file(${packaging}/changelog.Debian.in ${made}/changelog.Debian @ONLY)
 foreach(package scipd scipd-tools libscipd-dev)
   install(FILES ${packaging}/copyright ${made}/changelog.Debian DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
-          COMPONENT ${package} EXCLUDE_FROM_ALL)
+          COMPONENT ${package}-debian EXCLUDE_FROM_ALL)
   install(FILES ${CMAKE_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
-          COMPONENT ${package} EXCLUDE_FROM_ALL RENAME changelog)
+          COMPONENT ${package}-debian EXCLUDE_FROM_ALL RENAME changelog)
   install(FILES ${packaging}/${package}/lintian-overrides DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides
-          COMPONENT ${package} EXCLUDE_FROM_ALL RENAME ${package})
+          COMPONENT ${package}-debian EXCLUDE_FROM_ALL RENAME ${package})
 endforeach()
-install(FILES ${packaging}/scipd/scipd.yaml DESTINATION /etc/scipd COMPONENT scipd EXCLUDE_FROM_ALL)
+install(FILES ${packaging}/scipd/scipd.yaml DESTINATION /etc/scipd COMPONENT scipd-debian EXCLUDE_FROM_ALL)
 
 # The documentation, with the links between its pages.
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/scipd COMPONENT scipd)
@@ -32,9 +33,16 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/scipd COMPONENT 
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libscipd-dev COMPONENT libscipd-dev)
 
 set(CPACK_GENERATOR DEB)
-set(CPACK_COMPONENTS_ALL scipd scipd-tools libscipd-dev)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
+set(CPACK_COMPONENTS_ALL "")
+foreach(package scipd scipd-tools libscipd-dev)
+  foreach(component ${package} ${package}-debian)
+    list(APPEND CPACK_COMPONENTS_ALL ${component})
+    string(TOUPPER ${component} component)
+    set(CPACK_COMPONENT_${component}_GROUP ${package})
+  endforeach()
+endforeach()
 set(CPACK_SET_DESTDIR ON) # /etc/scipd does not lie below /usr
 set(CPACK_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
