@@ -160,7 +160,10 @@ serve() {
     apt_get install --reinstall $next/*.deb
     if systemctl is-active -q scipd.service; then fail "a service that was disabled runs after an upgrade"; fi
     apt_get purge scipd scipd-tools libscipd-dev
-    left=$(find / -xdev -path /packages -prune -o -name '*scipd*' -print; find /run -name '*scipd*')
+    left=$(
+        find / -xdev \( -path /packages -o -path /var/cache \) -prune -o -name '*scipd*' -print
+        find /run -name '*scipd*'
+    )
     [ -z "$left" ] || fail "purged, the packages leave $left"
 }
 
