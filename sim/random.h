@@ -21,6 +21,7 @@ enum class Purpose : std::uint32_t {
     in_the_air,
     fault_begin,
     fault,
+    mirror_phase,
 };
 
 struct ChanceKey {
