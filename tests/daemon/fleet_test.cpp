@@ -109,6 +109,20 @@ class FleetTest : public testing::Test {
     FleetApi api_{fleet_.simulation()};
 };
 
+// A hundred scanners of a fleet are not measured a hundred times.
+TEST_F(FleetTest, MeasuresBackendsOnceForSensorsThatAskAlike) {
+    SensorConfig other = on_tcp("other");
+    other.model = find_model("URG-04LX");
+    fleet_.apply(of({on_tcp("a"), on_tcp("b"), other}));
+    Simulation& simulation = fleet_.simulation();
+    const auto choice = [&](const char* sensor) { return simulation.world.choice_of(sensor); };
+    simulation.choose_backends();
+    ASSERT_TRUE(run_until(io_, [&] { return choice("rescue/other")->faces.has_value(); }));
+    EXPECT_TRUE(choice("rescue/a")->faces);
+    EXPECT_EQ(choice("rescue/a"), choice("rescue/b"));
+    EXPECT_NE(choice("rescue/a"), choice("rescue/other"));
+}
+
 std::vector<protocol::Uptime> phases(Fleet& fleet) {
     std::vector<protocol::Uptime> phases;
     for (const auto& station : fleet.simulation().stations)
