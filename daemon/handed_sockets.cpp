@@ -51,10 +51,11 @@ std::string address_of(int descriptor) {
     return text_of(Address{endpoint.address().to_string(), endpoint.port()});
 }
 
-/// By whatever names of its folders.
-bool is_same(const std::string& where, const fs::path& socket) {
+/// By whatever name of its folder.
+bool is_same(const fs::path& where, const fs::path& socket) {
     std::error_code ignored;
-    return where.starts_with('/') && fs::equivalent(where, socket, ignored);
+    return where.is_absolute() && where.filename() == socket.filename() &&
+           fs::equivalent(where.parent_path(), fs::absolute(socket).parent_path(), ignored);
 }
 
 }  // namespace
