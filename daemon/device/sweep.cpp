@@ -150,12 +150,13 @@ void Sweep::look_at_lamps(sim::Scan& scan, const BeamFired& fired) const {
 void Sweep::forget_absent(sim::Scan& scan, const BeamFired& fired) const {
     const sim::PoseTrack& track = *world_.robot(robot_);
     for (std::size_t i = 0; i < most_poses(); ++i) {
-        const auto [first, count] = sim::equal_part(beams(), i, most_poses());
-        if (!track.absent(fired(sim::middle_of({first, count})))) continue;
-        const std::size_t rays = scan.rays_per_beam;
-        std::ranges::fill(std::span(scan.hits).subspan(first * rays, count * rays), sim::Hit{});
+        const sim::Beams part = sim::equal_part(beams(), i, most_poses());
+        if (!track.absent(fired(sim::middle_of(part)))) continue;
+        const std::size_t first = part.first * scan.rays_per_beam;
+        const std::size_t end = first + part.count * scan.rays_per_beam;
+        std::ranges::fill(std::span(scan.hits).subspan(first, end - first), sim::Hit{});
         std::erase_if(scan.farther, [&](const sim::FartherHit& hit) {
-            return hit.ray >= first * rays && hit.ray < (first + count) * rays;
+            return hit.ray >= first && hit.ray < end;
         });
     }
 }
