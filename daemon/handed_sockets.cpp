@@ -52,7 +52,7 @@ std::string address_of(int descriptor) {
 }
 
 /// By whatever name of its folder.
-bool is_same(const fs::path& where, const fs::path& socket) {
+bool is_socket_at(const fs::path& where, const fs::path& socket) {
     std::error_code ignored;
     return where.is_absolute() && where.filename() == socket.filename() &&
            fs::equivalent(where.parent_path(), fs::absolute(socket).parent_path(), ignored);
@@ -91,7 +91,7 @@ std::optional<int> HandedSockets::at(const Address& address) const {
 
 std::optional<int> HandedSockets::at(const fs::path& socket) const {
     const auto found = std::ranges::find_if(
-        sockets_, [&](const Handed& handed) { return is_same(handed.where, socket); });
+        sockets_, [&](const Handed& handed) { return is_socket_at(handed.where, socket); });
     if (found == sockets_.end()) return std::nullopt;
     return of_our_own(found->descriptor);
 }
@@ -101,7 +101,7 @@ std::vector<std::string> HandedSockets::unneeded(const std::vector<std::string>&
     std::vector<std::string> warnings;
     for (const Handed& handed : sockets_) {
         const bool needed = std::ranges::find(addresses, handed.where) != addresses.end() ||
-                            is_same(handed.where, socket);
+                            is_socket_at(handed.where, socket);
         if (needed) continue;
         const std::string name = " (" + sim::quote(handed.name) + ")";
         warnings.push_back(

@@ -4,8 +4,8 @@
 // Sockets on which systemd listened before it started scipd, and that it has handed over
 // (sd_listen_fds(3)): the client that comes first has scipd started. Where a socket listens decides
 // what it is for, as the configuration has it; its name in the socket unit does not matter. systemd
-// keeps the sockets open, so they stay here for as long as scipd runs. Any thread, as long as nobody
-// changes the environment.
+// keeps the sockets open, so they stay here for as long as scipd runs. Any thread, as long as
+// nobody changes the environment.
 #pragma once
 
 #include <filesystem>

@@ -24,8 +24,8 @@ using Sensors = std::set<std::string, std::less<>>;
 /// of these. Empty: there is none.
 [[nodiscard]] std::string_view sensor_of(std::string_view message, const Sensors& sensors);
 
-/// {"time","level","sensor","message"} without line end, in plain ASCII. The sensor that it is about
-/// is no part of the message there; other messages have none.
+/// {"time","level","sensor","message"} without line end, in plain ASCII. The sensor is no part of
+/// the message there. Messages that are about none have none.
 [[nodiscard]] std::string json_log_line(const LogEntry& entry, const Sensors& sensors);
 
 }  // namespace scipd::daemon

@@ -51,7 +51,8 @@ int priority_of(spdlog::level::level_enum level) {
     }
 }
 
-/// Standard error, or the journal behind it; on the thread that writes. Never made unblocking: other programs share it.
+/// Standard error, or the journal behind it; on the thread that writes. Never made
+/// unblocking: other programs share it.
 class Sink : public spdlog::sinks::ansicolor_stderr_sink_mt {
   public:
     using Base = spdlog::sinks::ansicolor_stderr_sink_mt;

@@ -2,8 +2,8 @@
 // Copyright The scipd authors
 //
 // What scipd tells systemd about itself (sd_notify(3)). Without systemd ($NOTIFY_SOCKET is not set)
-// nothing of this has any effect. A status is a line for people, as `systemctl status` shows it. Any
-// thread, as long as nobody changes the environment.
+// nothing of this has any effect. A status is a line for people, as `systemctl status` shows it.
+// Any thread, as long as nobody changes the environment.
 #pragma once
 
 #include <chrono>

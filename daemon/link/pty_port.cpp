@@ -64,8 +64,8 @@ int make_raw(int slave) {
     return ::tcsetattr(slave, TCSANOW, &settings);
 }
 
-// As the control socket is. The group that terminals are made for can only write to them. Where this
-// is not to be had, the tty is for this user alone.
+// As into the control socket: the kernel gives terminals to a group that can only write to them.
+// Where scipd cannot give its tty away, it is for this user alone.
 void let_group_in(int slave) {
     const bool ours = ::fchown(slave, static_cast<uid_t>(-1), ::getegid()) == 0;
     if (ours) ::fchmod(slave, S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP);

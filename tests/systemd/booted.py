@@ -35,11 +35,16 @@ def run(*command, check=True):
 
 
 def journal():
-    return subprocess.run(["journalctl", "--no-pager", "-n", "60", "-u", "scipd*"], capture_output=True, text=True).stdout
+    return subprocess.run(["journalctl", "--no-pager", "-n", "60", "-u", "scipd*"], capture_output=True,
+                          text=True).stdout
 
 
 def show(unit, name):
     return run("systemctl", "show", "--property", name, "--value", unit).strip()
+
+
+def main_process(unit):
+    return int(show(unit, "MainPID"))
 
 
 def wait_for(what, condition):
@@ -147,8 +152,8 @@ def it_starts():
     run("systemctl", "start", "scipd")
     assert show("scipd", "ActiveState") == "active"
     status = show("scipd", "StatusText")
-    assert status.startswith("2 sensors in rescue_maze.sdf: rescue/front on 127.0.0.1:10940 and /run/scipd/rescue-front, "
-                             "rescue/rear on /run/scipd/rear"), status
+    assert status.startswith("2 sensors in rescue_maze.sdf: rescue/front on 127.0.0.1:10940 and "
+                             "/run/scipd/rescue-front, rescue/rear on /run/scipd/rear"), status
     assert b"UST-10LX" in Driver(FRONT).ask(b"VV")
     for tty, model in (("rescue-front", b"UST-10LX"), ("rear", b"URG-04LX")):
         assert model in ask_tty(RUN / tty), tty
@@ -221,7 +226,7 @@ def a_reload_is_told():
 def everything_comes_back_after_a_kill():
     driver = Driver(FRONT)
     driver.ask(b"MD0540054000000")
-    run("systemctl", "kill", "--signal=KILL", "scipd")
+    os.kill(main_process("scipd"), signal.SIGKILL)
     assert driver.cut_off()
     wait_for("a restart", lambda: show("scipd", "NRestarts") == "1" and show("scipd", "ActiveState") == "active")
     driver = Driver(FRONT)
@@ -243,7 +248,7 @@ def a_stuck_one_is_started_again():
     time.sleep(5)
     assert show("scipd", "NRestarts") == "0"  # its laser is off
     driver.ask(b"MD0540054000000")
-    os.kill(int(show("scipd", "MainPID")), signal.SIGSTOP)
+    os.kill(main_process("scipd"), signal.SIGSTOP)
     wait_for("a restart", lambda: show("scipd", "NRestarts") == "1" and show("scipd", "ActiveState") == "active")
     assert "Watchdog timeout" in journal()
     assert b"UST-10LX" in Driver(FRONT).ask(b"VV")
@@ -266,6 +271,11 @@ def the_first_client_starts_an_instance():
     run("systemctl", "daemon-reload")
     configure("demo", {"front": {"model": "UST-20LX", "tcp": "127.0.0.1:10950", "pty": "auto"}})
     run("systemctl", "start", "scipd@demo.socket")
+    assert not as_user("stranger", get, RUN / "demo/control.sock")
+    assert show("scipd@demo", "ActiveState") == "inactive"
+    assert as_user("robot", get, RUN / "demo/control.sock")
+    assert show("scipd@demo", "ActiveState") == "active"
+    run("systemctl", "stop", "scipd@demo")
     for _ in range(2):
         assert show("scipd@demo", "ActiveState") == "inactive"
         assert b"UST-20LX" in Driver(DEMO).ask(b"VV")
@@ -273,11 +283,9 @@ def the_first_client_starts_an_instance():
         assert b"UST-20LX" in ask_tty(RUN / "demo/rescue-front")
         assert "hands over" not in run("journalctl", "-u", "scipd@demo")
         run("systemctl", "stop", "scipd@demo")
-    assert as_user("robot", get, RUN / "demo/control.sock")  # starts it, too
-    assert not as_user("stranger", get, RUN / "demo/control.sock")
-    assert show("scipd@demo", "ActiveState") == "active"
+    assert b"UST-20LX" in Driver(DEMO).ask(b"VV")
     assert len(get(RUN / "control.sock")["sensors"]) == 2  # the other one is as it was
-    run("systemctl", "kill", "--signal=KILL", "scipd@demo")
+    os.kill(main_process("scipd@demo"), signal.SIGKILL)
     assert b"UST-20LX" in Driver(DEMO).ask(b"VV")
     run("systemctl", "stop", "scipd@demo.socket", "scipd@demo", "scipd")
     assert show("scipd@demo", "Result") == "success"

@@ -13,7 +13,8 @@ import tempfile
 SKIPPED = 77
 UNITS = ["scipd.service", "scipd@demo.service", "scipd@demo.socket"]
 WORST_EXPOSURE = 2.0
-NEEDED = ["Type=notify", "WatchdogSec=", "Restart=on-failure", "ExecReload=/bin/kill -HUP $MAINPID", "OOMPolicy=continue"]
+NEEDED = ["Type=notify", "WatchdogSec=", "Restart=on-failure", "ExecReload=/bin/kill -HUP $MAINPID",
+          "OOMPolicy=continue"]
 
 
 def run(*command):
