@@ -62,6 +62,15 @@ def files_in(folder):
     return [path.name for path in folder.iterdir() if not path.is_dir()]
 
 
+def reload():
+    """systemd does not wait for the end of it."""
+    def done():
+        return run("journalctl", "-u", "scipd").count("SIGHUP: ")
+    before = done()
+    run("systemctl", "reload", "scipd")
+    wait_for("the end of the reload", lambda: done() > before)
+
+
 def configure(name, sensors, scene=f"{SCENES}/rescue_maze.sdf", **more):
     ETC.mkdir(exist_ok=True)
     (ETC / f"{name}.yaml").write_text(json.dumps(
@@ -199,26 +208,26 @@ def the_journal_knows_scanners():
                run("journalctl", "-o", "json", "SCIPD_SENSOR=rescue/small").splitlines()]
     assert not entries, entries
     configure("scipd", {**SENSORS, "front": {**SENSORS["front"], "backend": "auto"}})
-    run("systemctl", "reload", "scipd")
+    reload()
     wait_for("an entry", lambda: run("journalctl", "-o", "json", "SCIPD_SENSOR=rescue/front"))
     entry = json.loads(run("journalctl", "-o", "json", "SCIPD_SENSOR=rescue/front").splitlines()[0])
     assert entry["MESSAGE"].startswith("rescue/front: ") and entry["_SYSTEMD_UNIT"] == "scipd.service", entry
     configure("scipd", SENSORS)
-    run("systemctl", "reload", "scipd")
+    reload()
 
 
 def a_reload_is_told():
     driver = Driver(FRONT)
     configure("scipd", {**SENSORS, "third": {"model": "UST-20LX", "tcp": "127.0.0.1:10942"}})
-    run("systemctl", "reload", "scipd")
+    reload()
     wait_for("the third", lambda: show("scipd", "StatusText").startswith("3 sensors"))
     assert b"UST-20LX" in Driver(("127.0.0.1", 10942)).ask(b"VV")
     (ETC / "scipd.yaml").write_text("robots: {}\n")
-    run("systemctl", "reload", "scipd")
+    reload()
     wait_for("a word", lambda: "the last reload changed nothing: " in show("scipd", "StatusText"))
     assert show("scipd", "ActiveState") == "active" and show("scipd", "NRestarts") == "0"
     configure("scipd", SENSORS)
-    run("systemctl", "reload", "scipd")
+    reload()
     wait_for("two", lambda: re.match("2 sensors(?!.*changed nothing)", show("scipd", "StatusText")))
     assert b"UST-10LX" in driver.ask(b"VV")  # it was connected all the time
 
