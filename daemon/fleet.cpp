@@ -71,8 +71,11 @@ struct Fleet::Feed {
     std::shared_ptr<PoseFeed> feed;
 };
 
-Fleet::Fleet(const boost::asio::any_io_executor& executor, ClockKind clock)
-    : executor_(executor), simulation_(std::make_unique<Simulation>(executor, clock)) {}
+Fleet::Fleet(const boost::asio::any_io_executor& executor, ClockKind clock,
+             const HandedSockets* handed)
+    : executor_(executor),
+      handed_(handed),
+      simulation_(std::make_unique<Simulation>(executor, clock)) {}
 
 Fleet::~Fleet() {
     stop();
@@ -118,7 +121,7 @@ void Fleet::stop() {
 }
 
 Ports Fleet::prepare_ports(const Config& config) const {
-    Ports ports = open_ports(executor_, config, ports_);
+    Ports ports = open_ports(executor_, config, ports_, handed_);
     const Stations& stations = simulation_->stations;
     for (const RobotConfig& robot : config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {

@@ -28,7 +28,9 @@ struct Station;
 
 class Fleet {
   public:
-    Fleet(const boost::asio::any_io_executor& executor, ClockKind clock);
+    /// `handed`, sockets for its scanners, must outlive it; null: none.
+    Fleet(const boost::asio::any_io_executor& executor, ClockKind clock,
+          const HandedSockets* handed = nullptr);
     Fleet(const Fleet&) = delete;
     Fleet& operator=(const Fleet&) = delete;
     /// As stop().
@@ -63,6 +65,7 @@ class Fleet {
     void replace_feeds(Feeds feeds) noexcept;
 
     boost::asio::any_io_executor executor_;
+    const HandedSockets* handed_;
     std::unique_ptr<Simulation> simulation_;
     Ports ports_;
     Feeds feeds_;

@@ -13,6 +13,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::string_view separator = ": ";
+
 /// RFC 3339, to the millisecond.
 std::string in_utc(std::chrono::system_clock::time_point time) {
     const auto since = time.time_since_epoch();
@@ -29,15 +31,17 @@ std::string in_utc(std::chrono::system_clock::time_point time) {
 
 }  // namespace
 
-std::string json_log_line(const LogEntry& entry,
-                          const std::set<std::string, std::less<>>& sensors) {
-    constexpr std::string_view separator = ": ";
+std::string_view sensor_of(std::string_view message, const Sensors& sensors) {
+    const std::string_view name = message.substr(0, message.find(separator));
+    return name.size() < message.size() && sensors.contains(name) ? name : std::string_view{};
+}
+
+std::string json_log_line(const LogEntry& entry, const Sensors& sensors) {
     Json line{{"time", in_utc(entry.time)}, {"level", entry.level}};
     std::string_view message = entry.message;
-    const auto end = message.find(separator);
-    if (end != message.npos && sensors.contains(message.substr(0, end))) {
-        line["sensor"] = message.substr(0, end);
-        message.remove_prefix(end + separator.size());
+    if (const std::string_view sensor = sensor_of(message, sensors); !sensor.empty()) {
+        line["sensor"] = sensor;
+        message.remove_prefix(sensor.size() + separator.size());
     }
     line["message"] = message;
     constexpr bool ascii = true;

@@ -18,10 +18,14 @@ struct LogEntry {
     std::string_view message;
 };
 
-/// {"time","level","sensor","message"} without line end, in plain ASCII. Messages about a sensor
-/// begin with its name and a colon: where that is one of these, it is the sensor and no part of the
-/// message. Other messages have no sensor.
-[[nodiscard]] std::string json_log_line(const LogEntry& entry,
-                                        const std::set<std::string, std::less<>>& sensors);
+using Sensors = std::set<std::string, std::less<>>;
+
+/// The sensor that a message is about: such messages begin with its name and a colon, and it is one
+/// of these. Empty: there is none.
+[[nodiscard]] std::string_view sensor_of(std::string_view message, const Sensors& sensors);
+
+/// {"time","level","sensor","message"} without line end, in plain ASCII. The sensor is no part of
+/// the message there. Messages that are about none have none.
+[[nodiscard]] std::string json_log_line(const LogEntry& entry, const Sensors& sensors);
 
 }  // namespace scipd::daemon

@@ -15,6 +15,7 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include "daemon/journal.h"
 #include "daemon/log_line.h"
 #include "sim/text/quote.h"
 
@@ -34,7 +35,24 @@ std::string fit_for_terminals(spdlog::string_view_t payload) {
     return text;
 }
 
-/// Standard error; on the thread that writes. Never made unblocking: other programs share it.
+/// As syslog(3) has it.
+int priority_of(spdlog::level::level_enum level) {
+    switch (level) {
+        case spdlog::level::critical:
+            return 2;
+        case spdlog::level::err:
+            return 3;
+        case spdlog::level::warn:
+            return 4;
+        case spdlog::level::info:
+            return 6;
+        default:
+            return 7;
+    }
+}
+
+/// Standard error, or the journal behind it; on the thread that writes. Never made
+/// unblocking: other programs share it.
 class Sink : public spdlog::sinks::ansicolor_stderr_sink_mt {
   public:
     using Base = spdlog::sinks::ansicolor_stderr_sink_mt;
@@ -63,6 +81,7 @@ class Sink : public spdlog::sinks::ansicolor_stderr_sink_mt {
 
   private:
     void write(const spdlog::details::log_msg& line) {
+        if (format_ == LogFormat::journal && write_to_journal(entry(line))) return;
         const std::string text =
             format_ == LogFormat::json ? json(line) : fit_for_terminals(line.payload);
         spdlog::details::log_msg fit = line;
@@ -79,6 +98,14 @@ class Sink : public spdlog::sinks::ansicolor_stderr_sink_mt {
                              sensors_);
     }
 
+    JournalEntry entry(const spdlog::details::log_msg& line) {
+        const std::lock_guard lock(sensors_mutex_);
+        const std::string_view message{line.payload.data(), line.payload.size()};
+        return {.priority = priority_of(line.level),
+                .message = sim::shown(message),
+                .sensor = std::string{sensor_of(message, sensors_)}};
+    }
+
     void tell_what_was_lost() {
         const auto thread = thread_.lock();
         const std::size_t lost = thread ? thread->overrun_counter() : told_;
@@ -91,7 +118,7 @@ class Sink : public spdlog::sinks::ansicolor_stderr_sink_mt {
 
     LogFormat format_;
     std::mutex sensors_mutex_;
-    std::set<std::string, std::less<>> sensors_;
+    Sensors sensors_;
     std::weak_ptr<Thread> thread_;
     std::size_t told_ = 0;
     std::counting_semaphore<> flushed_{0};

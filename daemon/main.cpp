@@ -15,9 +15,11 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "daemon/journal.h"
 #include "daemon/logging.h"
 #include "daemon/options.h"
 #include "daemon/server.h"
+#include "daemon/service_notify.h"
 #include "sim/backends/depth.h"
 #include "sim/text/quote.h"
 
@@ -52,8 +54,11 @@ void print_error(const std::exception& error) {
 
 enum ExitCode { ended_as_asked = 0, failed_while_running = 1, cannot_start = 2 };
 
-bool in_json(const scipd::daemon::Options& options) {
-    return options.log_format == "json";
+using scipd::daemon::LogFormat;
+
+LogFormat log_format(const scipd::daemon::Options& options) {
+    if (options.log_format == "json") return LogFormat::json;
+    return scipd::daemon::leads_to_journal(STDERR_FILENO) ? LogFormat::journal : LogFormat::text;
 }
 
 int serve(const scipd::daemon::Options& options) {
@@ -61,7 +66,8 @@ int serve(const scipd::daemon::Options& options) {
     try {
         server.emplace(options);
     } catch (const std::exception& error) {
-        if (in_json(options) && options.log_level != "off") {
+        scipd::daemon::service_notify::status(std::string{"cannot start: "} + error.what());
+        if (log_format(options) != LogFormat::text && options.log_level != "off") {
             spdlog::critical("{}", error.what());
         } else if (scipd::daemon::finish_logging()) {
             print_error(error);
@@ -80,9 +86,7 @@ int serve(const scipd::daemon::Options& options) {
 
 int run(const scipd::daemon::Options& options) {
     try {
-        using scipd::daemon::LogFormat;
-        scipd::daemon::start_logging(options.log_level,
-                                     in_json(options) ? LogFormat::json : LogFormat::text);
+        scipd::daemon::start_logging(options.log_level, log_format(options));
     } catch (const std::exception& error) {
         print_error(error);
         return cannot_start;

@@ -3,6 +3,7 @@
 #include "daemon/ports.h"
 
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include <spdlog/spdlog.h>
@@ -10,6 +11,7 @@
 
 #include "daemon/config/config.h"
 #include "daemon/config/run_directory.h"
+#include "daemon/handed_sockets.h"
 #include "daemon/link/pty_port.h"
 #include "daemon/link/tcp_port.h"
 
@@ -47,8 +49,10 @@ std::shared_ptr<Port> open_tty(const boost::asio::any_io_executor& executor,
 
 // SCIP has no passwords.
 std::shared_ptr<Port> open_tcp(const boost::asio::any_io_executor& executor,
-                               const std::string& robot, const SensorConfig& sensor) {
-    auto port = std::make_shared<TcpPort>(executor, *sensor.tcp);
+                               const std::string& robot, const SensorConfig& sensor,
+                               const HandedSockets* handed) {
+    auto port = std::make_shared<TcpPort>(executor, *sensor.tcp,
+                                          handed ? handed->at(*sensor.tcp) : std::nullopt);
     if (!is_loopback(*sensor.tcp)) {
         spdlog::warn("{} listens on {}: everybody who reaches this machine can use it",
                      sensor_name(robot, sensor.name), port->address());
@@ -73,14 +77,14 @@ LinkCounts SensorPorts::counts() const {
 }
 
 Ports open_ports(const boost::asio::any_io_executor& executor, const Config& config,
-                 const Ports& open) {
+                 const Ports& open, const HandedSockets* handed) {
     Ports ports;
     for (const RobotConfig& robot : config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {
             if (sensor.tcp) {
                 const std::string key = tcp_key(robot.name, sensor);
-                ports[key] =
-                    open_or_else(open, key, [&] { return open_tcp(executor, robot.name, sensor); });
+                ports[key] = open_or_else(
+                    open, key, [&] { return open_tcp(executor, robot.name, sensor, handed); });
             }
             if (sensor.pty) {
                 const std::string key = pty_key(robot.name, sensor);

@@ -15,6 +15,7 @@
 
 namespace scipd::daemon {
 
+class HandedSockets;
 class Port;
 struct Config;
 struct SensorConfig;
@@ -31,9 +32,10 @@ struct SensorPorts {
 };
 
 /// All ports that the configuration asks for: those that are open already, and new ones for the
-/// others. Throws std::runtime_error.
+/// others, by TCP on the sockets that were handed over for their addresses (null: none). Throws
+/// std::runtime_error.
 [[nodiscard]] Ports open_ports(const boost::asio::any_io_executor& executor, const Config& config,
-                               const Ports& open);
+                               const Ports& open, const HandedSockets* handed);
 
 /// Of the ports that open_ports() has opened for the sensor.
 [[nodiscard]] SensorPorts ports_of(const Ports& ports, const std::string& robot,

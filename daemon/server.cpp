@@ -14,6 +14,7 @@
 #include "daemon/api/routes.h"
 #include "daemon/config/config_file.h"
 #include "daemon/config/run_directory.h"
+#include "daemon/service_notify.h"
 #include "daemon/simulation.h"
 
 namespace scipd::daemon {
@@ -25,13 +26,16 @@ namespace asio = boost::asio;
 // part of the heap that other threads have, so that this one does not wait while the memory is
 // given back.
 Server::Server(const Options& options)
-    : Server(options,
-             std::async(std::launch::async, [&] { return make_plan(options.config); }).get()) {}
+    : Server(options, std::async(std::launch::async, [&] {
+                          service_notify::status("loads " + options.config.scene.string());
+                          return make_plan(options.config);
+                      }).get()) {}
 
 Server::Server(const Options& options, FleetPlan&& plan)
     : options_(options),
       signals_(io_, SIGINT, SIGTERM, SIGHUP),
-      fleet_(io_.get_executor(), options_.config.clock),
+      fleet_(io_.get_executor(), options_.config.clock, &handed_),
+      service_(io_.get_executor(), fleet_.simulation()),
       control_(
           io_.get_executor(),
           [this](const HttpRequest& request, Respond respond) {
@@ -43,6 +47,7 @@ Server::Server(const Options& options, FleetPlan&& plan)
     if (options_.config.http) listen_for_http(*options_.config.http);
     fleet_.apply(std::move(plan));
     fleet_.simulation().choose_backends();
+    warn_of_unneeded();
     wait_for_signal();
 }
 
@@ -63,11 +68,11 @@ void Server::listen_for_control() {
         control_socket_.replace_filename("control-" + std::to_string(::getpid()) + ".sock");
         control_hold_.emplace(io_.get_executor(), control_socket_);
     }
-    control_.listen(control_socket_, options_.config.control_group);
+    control_.listen(control_socket_, options_.config.control_group, handed_.at(control_socket_));
 }
 
 void Server::listen_for_http(const Address& address) {
-    http_ = text_of(control_.listen(address, options_.config.http_token));
+    http_ = text_of(control_.listen(address, options_.config.http_token, handed_.at(address)));
     if (!is_loopback(address)) {
         spdlog::warn("the control API listens on {}: other machines can use it with the token",
                      *http_);
@@ -93,7 +98,18 @@ std::string Server::ready_line() const {
     return line.dump(-1, ' ', ascii, nlohmann::json::error_handler_t::replace);
 }
 
+void Server::warn_of_unneeded() const {
+    std::vector<std::string> addresses;
+    for (const SensorStatus& sensor : api_.status().sensors) {
+        if (sensor.tcp) addresses.push_back(*sensor.tcp);
+    }
+    if (http_) addresses.push_back(*http_);
+    for (const std::string& warning : handed_.unneeded(addresses, control_socket_))
+        spdlog::warn("{}", warning);
+}
+
 void Server::run() {
+    service_.ready();
     io_.run();
 }
 
@@ -112,8 +128,10 @@ void Server::wait_for_signal() {
 void Server::reload() {
     if (!options_.config_file) {
         spdlog::warn("SIGHUP: started from options, so there is no configuration to read again");
-        return;
+        service_.reloading("nothing");
+        return service_.reloaded("scipd was started from options");
     }
+    service_.reloading(options_.config_file->string());
     asked_again_ = std::exchange(loading_, true);
     if (asked_again_) return;
     Simulation& simulation = fleet_.simulation();
@@ -151,14 +169,18 @@ void Server::take_up(std::future<Next> loaded) {
                 "SIGHUP: control, http and clock stay as they are until scipd is started again");
         }
         fleet_.simulation().choose_backends();
+        warn_of_unneeded();
         spdlog::info("SIGHUP: {} is running now", options_.config_file->string());
+        service_.reloaded();
     } catch (const std::exception& error) {
         spdlog::error("SIGHUP: nothing was changed, since\n{}", error.what());
+        service_.reloaded(error.what());
     }
     if (asked_again_) reload();
 }
 
 void Server::stop() {
+    service_.stopping();
     control_.close();
     fleet_.stop();
 }

@@ -19,9 +19,11 @@
 #include "daemon/fleet.h"
 #include "daemon/fleet_api.h"
 #include "daemon/fleet_plan.h"
+#include "daemon/handed_sockets.h"
 #include "daemon/http/server.h"
 #include "daemon/link/path_hold.h"
 #include "daemon/run_options.h"
+#include "daemon/service.h"
 
 namespace scipd::daemon {
 
@@ -54,11 +56,16 @@ class Server {
     void take_up(std::future<Next> loaded);
     void stop();
 
+    /// Of the sockets that were handed over.
+    void warn_of_unneeded() const;
+
     const Options options_;  ///< that it was started with
+    const HandedSockets handed_;
     boost::asio::io_context io_{1};
     boost::asio::signal_set signals_;
     Fleet fleet_;
     FleetApi api_{fleet_.simulation()};
+    Service service_;
     std::filesystem::path control_socket_;
     std::optional<PathHold> control_hold_;
     HttpServer control_;

@@ -58,24 +58,16 @@ install() {
         man $page | grep -q 'SEE ALSO' || fail "man $page shows no page"
     done
     man -k scanner | grep -q '^scipd ' || fail "apropos does not find scipd"
-    if [ -e /usr/lib/systemd/system/scipd.service ]; then
-        systemctl is-enabled -q scipd.service || fail "scipd.service is not enabled"
-        getent passwd scipd >/dev/null || fail "there is no user scipd"
-    fi
-}
-
-# The user of the unit, or nobody where there is no unit.
-user() {
-    id -un scipd 2>/dev/null || echo nobody
+    systemctl is-enabled -q scipd.service || fail "scipd.service is not enabled"
+    getent passwd scipd >/dev/null || fail "there is no user scipd"
 }
 
 # start_scipd: runs it as its unit does, and waits until it listens.
 start_scipd() {
     rm -f /tmp/ready
     mkdir -p /run/scipd
-    chown "$(user)": /run/scipd
-    chmod 755 /run/scipd
-    setpriv --reuid "$(user)" --regid "$(id -g "$(user)")" --clear-groups env RUNTIME_DIRECTORY=/run/scipd \
+    chown scipd: /run/scipd
+    setpriv --reuid scipd --regid scipd --clear-groups env RUNTIME_DIRECTORY=/run/scipd \
         scipd --config /etc/scipd/scipd.yaml >/tmp/ready 2>/tmp/log &
     scipd=$!
     for _ in $(seq 300); do

@@ -28,6 +28,7 @@ void ScanLoop::wake() {
 
 void ScanLoop::wait(sim::Time until) {
     waiting_ = true;
+    until_ = until;
     alarm_->set(until, [this] {
         waiting_ = false;
         serve();
@@ -36,6 +37,10 @@ void ScanLoop::wait(sim::Time until) {
 
 void ScanLoop::poses_came() {
     if (lacks_poses_ && source_.poses_known(revolution_)) wait(clock_.now());
+}
+
+bool ScanLoop::overdue() const {
+    return waiting_ ? clock_.now() > until_ : source_.wanted();
 }
 
 void ScanLoop::serve() {

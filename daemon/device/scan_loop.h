@@ -31,6 +31,12 @@ class ScanLoop {
     /// Counts those that somebody who watches waited for.
     [[nodiscard]] std::uint64_t missed_by_watchers() const { return missed_by_watchers_; }
 
+    /// The turn that it is to end next.
+    [[nodiscard]] std::int64_t turn() const { return revolution_; }
+    /// Whether it should have gone on by now: what it waits for has come, or somebody wants scans
+    /// and it does not wait. Where nobody wants scans, or time stands still, it is not.
+    [[nodiscard]] bool overdue() const;
+
   private:
     void wake();
     void wait(sim::Time until);
@@ -41,6 +47,7 @@ class ScanLoop {
     std::unique_ptr<Clock::Alarm> alarm_;
     std::int64_t revolution_ = 0;  ///< the next to be served
     bool waiting_ = false;
+    sim::Time until_{};  ///< it waits
     bool lacks_poses_ = false;
     std::uint64_t missed_ = 0;
     std::uint64_t missed_by_watchers_ = 0;

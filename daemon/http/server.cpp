@@ -127,28 +127,41 @@ HttpServer::~HttpServer() {
     close();
 }
 
-void HttpServer::listen(const fs::path& socket, std::optional<unsigned> group) {
+void HttpServer::make_socket(Local::acceptor& acceptor, const fs::path& socket,
+                             std::optional<unsigned> group) {
+    remove_stale(socket, executor_);
+    acceptor.open(Local{});
+    // On Linux the file inherits the mode of its descriptor: at no instant can others open it.
+    // The umask takes from that mode, and the file is not of the group yet.
+    ::fchmod(acceptor.native_handle(), S_IRUSR | S_IWUSR);
+    acceptor.bind(Local::endpoint{socket.string()});
+    sockets_.push_back(socket);
+    let_in(socket, group);
+    acceptor.listen();
+}
+
+void HttpServer::listen(const fs::path& socket, std::optional<unsigned> group,
+                        std::optional<int> handed) {
     name_failures(socket.string(), [&] {
-        remove_stale(socket, executor_);
-        Local::acceptor acceptor{executor_, Local{}};
-        // On Linux the file inherits the mode of its descriptor: at no instant can others open it.
-        // The umask takes from that mode, and the file is not of the group yet.
-        ::fchmod(acceptor.native_handle(), S_IRUSR | S_IWUSR);
-        acceptor.bind(Local::endpoint{socket.string()});
-        sockets_.push_back(socket);
-        let_in(socket, group);
-        acceptor.listen();
+        Local::acceptor acceptor{executor_};
+        if (handed) {
+            acceptor.assign(Local{}, *handed);
+        } else {
+            make_socket(acceptor, socket, group);
+        }
         const auto port = std::make_shared<Listener<Local>>(std::move(acceptor), service_, nullptr);
         port->accept();
         ports_.push_back(port);
     });
 }
 
-Address HttpServer::listen(const Address& address, const std::string& token) {
+Address HttpServer::listen(const Address& address, const std::string& token,
+                           std::optional<int> handed) {
     Address taken;
     name_failures(text_of(address), [&] {
         const tcp::endpoint wanted{asio::ip::make_address(address.host), address.port};
-        tcp::acceptor acceptor{executor_, wanted};
+        tcp::acceptor acceptor = handed ? tcp::acceptor{executor_, wanted.protocol(), *handed}
+                                        : tcp::acceptor{executor_, wanted};
         taken = {address.host, acceptor.local_endpoint().port()};
         const auto port = std::make_shared<Listener<tcp>>(std::move(acceptor), service_,
                                                           std::make_shared<Gate>(token));

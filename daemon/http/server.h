@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <boost/asio/any_io_executor.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
 
 #include "daemon/config/address.h"
 #include "daemon/http/service.h"
@@ -33,18 +34,23 @@ class HttpServer {
     HttpServer& operator=(const HttpServer&) = delete;
 
     /// Makes a socket that this user and a group can open (mode 0660), by default the group of this
-    /// process. Replaces a socket that nobody listens on any more. Both listen() throw
+    /// process. Replaces a socket that nobody listens on any more. Or takes the descriptor of a
+    /// socket that somebody else has made there, and leaves its file as it is. Both listen() throw
     /// std::runtime_error.
-    void listen(const std::filesystem::path& socket, std::optional<unsigned> group = {});
+    void listen(const std::filesystem::path& socket, std::optional<unsigned> group = {},
+                std::optional<int> handed = {});
 
     /// Lets in clients that gate.h has nothing against. They must know the token, unless it is
     /// empty. Returns the address with the port that was really taken.
-    Address listen(const Address& address, const std::string& token = {});
+    Address listen(const Address& address, const std::string& token = {},
+                   std::optional<int> handed = {});
 
     /// Ends all connections and removes the sockets.
     void close();
 
   private:
+    void make_socket(boost::asio::local::stream_protocol::acceptor& acceptor,
+                     const std::filesystem::path& socket, std::optional<unsigned> group);
     static std::variant<HttpResponse, Converse> no_web_sockets(const HttpRequest& request);
 
     boost::asio::any_io_executor executor_;

@@ -15,6 +15,7 @@
 #include <stdlib.h>
 #include <sys/inotify.h>
 #include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -63,6 +64,13 @@ int make_raw(int slave) {
     return ::tcsetattr(slave, TCSANOW, &settings);
 }
 
+// As into the control socket: the kernel gives terminals to a group that can only write to them.
+// Where scipd cannot give its tty away, it is for this user alone.
+void let_group_in(int slave) {
+    const bool ours = ::fchown(slave, static_cast<uid_t>(-1), ::getegid()) == 0;
+    if (ours) ::fchmod(slave, S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP);
+}
+
 }  // namespace
 
 PtyPort::PtyPort(const asio::any_io_executor& executor, std::filesystem::path link)
@@ -91,6 +99,7 @@ void PtyPort::make_terminal() {
     const std::string what = "cannot use " + device_path_.string();
     give(slave_, ::open(device_path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC), what);
     checked(make_raw(slave_.native_handle()), what);
+    let_group_in(slave_.native_handle());
     // Watched from here on, so this open of our own does not count.
     give(events_, ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC), what);
     watch_for_clients(what);

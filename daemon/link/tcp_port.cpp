@@ -44,11 +44,17 @@ void reset_on_close(int socket) {
 
 }  // namespace
 
-TcpPort::TcpPort(const asio::any_io_executor& executor, const Address& address)
-    : acceptor_(executor), pause_(executor), peer_timer_(executor) {
+TcpPort::TcpPort(const asio::any_io_executor& executor, const Address& address,
+                 std::optional<int> handed)
+    : acceptor_(executor), handed_(handed.has_value()), pause_(executor), peer_timer_(executor) {
     try {
         endpoint_ = {asio::ip::make_address(address.host), address.port};
-        listen();
+        if (handed) {
+            acceptor_.assign(endpoint_.protocol(), *handed);
+            acceptor_.listen(backlog);
+        } else {
+            listen();
+        }
         endpoint_ = acceptor_.local_endpoint();
     } catch (const boost::system::system_error& error) {
         throw std::runtime_error("cannot listen on " + text_of(address) + ": " +
@@ -91,7 +97,7 @@ void TcpPort::cut(Cut how) {
 }
 
 void TcpPort::follow_line() {
-    if (!scanner_) return;
+    if (!scanner_ || handed_) return;
     error_code ignored;
     if (line().refuses) {
         acceptor_.close(ignored);
@@ -129,10 +135,11 @@ void TcpPort::accept() {
     accepting_ = true;
     acceptor_.async_accept([self = shared_from_this()](error_code error, tcp::socket socket) {
         self->accepting_ = false;
-        if (!self->scanner_ || self->line().refuses) return;
+        if (!self->scanner_ || (self->line().refuses && !self->handed_)) return;
         // It refused clients for a while.
         if (error == asio::error::operation_aborted) return self->accept();
         if (error) return self->accept_later();
+        if (self->line().refuses) return self->turn_away(std::move(socket));
         self->connect(std::move(socket));
     });
 }
@@ -142,6 +149,13 @@ void TcpPort::accept_later() {
     pause_.async_wait([self = shared_from_this()](error_code error) {
         if (!error && self->scanner_) self->accept();
     });
+}
+
+void TcpPort::turn_away(tcp::socket socket) {
+    reset_on_close(socket.native_handle());
+    error_code ignored;
+    socket.close(ignored);
+    accept();
 }
 
 void TcpPort::connect(tcp::socket socket) {

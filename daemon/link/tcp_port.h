@@ -22,8 +22,10 @@ namespace scipd::daemon {
 
 class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
   public:
-    /// Binds and listens. Throws std::runtime_error.
-    TcpPort(const boost::asio::any_io_executor& executor, const Address& address);
+    /// Binds and listens; or takes the descriptor of a socket that listens there already, and that
+    /// somebody else holds open as well. Throws std::runtime_error.
+    TcpPort(const boost::asio::any_io_executor& executor, const Address& address,
+            std::optional<int> handed = {});
 
     /// Its serve() needs nothing.
     void prepare() override {}
@@ -43,6 +45,8 @@ class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
     void listen_again();
     void accept();
     void accept_later();
+    /// For a socket that goes on listening where the line refuses clients.
+    void turn_away(boost::asio::ip::tcp::socket socket);
     void connect(boost::asio::ip::tcp::socket socket);
     void disconnect();
     /// Looks whether the client's machine is still there, until it disconnects.
@@ -50,6 +54,7 @@ class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
     void watch_on();
 
     boost::asio::ip::tcp::acceptor acceptor_;  ///< closed: it refuses clients, or was stopped
+    bool handed_;                              ///< whoever handed it over would listen on
     boost::asio::ip::tcp::endpoint endpoint_;  ///< with the port that was really taken
     boost::asio::steady_timer pause_;
     Endpoint* scanner_ = nullptr;  ///< null: stopped, or not served yet

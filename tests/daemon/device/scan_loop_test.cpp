@@ -107,6 +107,34 @@ TEST_F(ScanLoopTest, CountsForThoseWhoWaited) {
     EXPECT_EQ(loop_->missed_by_watchers(), unwatched);
 }
 
+TEST_F(ScanLoopTest, IsOverdueOnlyWhereScansAreWantedAndNoTurnEnds) {
+    std::this_thread::sleep_for(60ms);
+    EXPECT_FALSE(loop_->overdue());  // its laser is off
+    const auto client = device_.connect([] {}, protocol::LinkKind::network);
+    client->receive("MD0540054000000\n");
+    EXPECT_FALSE(loop_->overdue());
+    std::this_thread::sleep_for(60ms);
+    EXPECT_TRUE(loop_->overdue());
+    const std::int64_t turn = loop_->turn();
+    EXPECT_TRUE(run_until(io_, [&] { return !loop_->overdue(); }));
+    EXPECT_GT(loop_->turn(), turn);
+}
+
+TEST_F(ScanLoopTest, IsNotOverdueWhereTimeStandsStill) {
+    SteppedClock clock;
+    World world = wall_world();
+    Device device("robot", ideal_sensor(), 1, world, clock);
+    ScanLoop loop(device, clock);
+    const auto client = device.connect([] {}, protocol::LinkKind::network);
+    client->receive("MD0540054000000\n");
+    for (int turn = 0; turn < 10; ++turn) {
+        EXPECT_FALSE(loop.overdue());
+        clock.advance_to(clock.now() + 25ms);
+    }
+    EXPECT_GT(device.scans_sent(), 5U);
+    EXPECT_FALSE(loop.overdue());
+}
+
 TEST_F(ScanLoopTest, ServesNobodyOnceItIsGone) {
     const auto client = device_.connect([] {}, protocol::LinkKind::network);
     client->receive("MD0540054000000\n");

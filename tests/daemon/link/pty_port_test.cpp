@@ -104,6 +104,14 @@ TEST_F(PtyPortTest, MakesItsLinkAndTakesItAway) {
     let_things_end();
 }
 
+TEST_F(PtyPortTest, LetsItsGroupInAndNobodyElse) {
+    const auto port = make(link_);
+    struct stat tty {};
+    ASSERT_EQ(::stat(link_.c_str(), &tty), 0);
+    EXPECT_EQ(tty.st_mode & ALLPERMS, 0660U);
+    EXPECT_EQ(tty.st_gid, ::getegid());
+}
+
 TEST_F(PtyPortTest, TakesItsLinkAwayEvenIfItNeverServed) {
     make(link_).reset();
     EXPECT_FALSE(fs::is_symlink(link_));
