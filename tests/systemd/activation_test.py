@@ -97,7 +97,7 @@ def keeps_them_over_a_reload(program, scenes, folder):
         assert driver.ask("VV")
         scipd.configure(sockets.configuration(scenes, "front"))
         assert scipd.reload().startswith("1 sensor ")
-        assert f"systemd hands over a socket on {text_of(sockets.rear)}" in scipd.log(), scipd.log()
+        assert scipd.logs(f"systemd hands over a socket on {text_of(sockets.rear)}"), scipd.log()
         assert driver.ask("VV")
         waiting = Client(sockets.rear.getsockname())
         waiting.say("VV")

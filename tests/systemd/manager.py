@@ -125,6 +125,13 @@ class Manager:
     def log(self):
         return (self.folder / "stderr").read_text()
 
+    def logs(self, text):
+        """Whether it does so in time: a thread of its own writes the log."""
+        end = time.monotonic() + PATIENCE_S
+        while text not in self.log() and time.monotonic() < end:
+            time.sleep(0.01)
+        return text in self.log()
+
     def address(self, sensor):
         told = next(s for s in self.line["sensors"] if s["name"] == sensor)
         host, port = told["tcp"].rsplit(":", 1)
