@@ -141,6 +141,9 @@ serve() {
     answers UST-10LX
     before=$(main_pid)
     sed -i 's/UST-10LX/UST-20LX/' /etc/scipd/scipd.yaml
+    systemctl reload scipd.service
+    answers UST-20LX
+    [ "$(main_pid)" = "$before" ] || fail "a reload starts the service again"
     apt_get install $next/*.deb
     answers UST-20LX
     [ "$(main_pid)" != "$before" ] || fail "the upgrade does not start the service again"
