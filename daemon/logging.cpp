@@ -14,6 +14,7 @@
 #include <spdlog/async.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <syslog.h>
 
 #include "daemon/journal.h"
 #include "daemon/log_line.h"
@@ -39,15 +40,15 @@ std::string fit_for_terminals(spdlog::string_view_t payload) {
 int priority_of(spdlog::level::level_enum level) {
     switch (level) {
         case spdlog::level::critical:
-            return 2;
+            return LOG_CRIT;
         case spdlog::level::err:
-            return 3;
+            return LOG_ERR;
         case spdlog::level::warn:
-            return 4;
+            return LOG_WARNING;
         case spdlog::level::info:
-            return 6;
+            return LOG_INFO;
         default:
-            return 7;
+            return LOG_DEBUG;
     }
 }
 

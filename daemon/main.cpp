@@ -13,6 +13,7 @@
 #include <fcntl.h>
 #include <malloc.h>
 #include <spdlog/spdlog.h>
+#include <syslog.h>
 #include <unistd.h>
 
 #include "daemon/journal.h"
@@ -52,6 +53,19 @@ void print_error(const std::exception& error) {
     print(scipd::sim::shown(error.what()) + "\n", stderr);
 }
 
+void tell_systemd_of_no_start(const std::string& why) {
+    scipd::daemon::service_notify::status("cannot start: " + why);
+}
+
+/// What is wrong with the options or the configuration, as there is no log yet.
+void print_refusal(const std::string& text) {
+    const std::string why = text.substr(0, text.find_last_not_of('\n') + 1);
+    tell_systemd_of_no_start(why);
+    const bool to_journal = scipd::daemon::leads_to_journal(STDERR_FILENO);
+    if (!to_journal || !scipd::daemon::write_to_journal({.priority = LOG_CRIT, .message = why}))
+        print(text, stderr);
+}
+
 enum ExitCode { ended_as_asked = 0, failed_while_running = 1, cannot_start = 2 };
 
 using scipd::daemon::LogFormat;
@@ -66,7 +80,7 @@ int serve(const scipd::daemon::Options& options) {
     try {
         server.emplace(options);
     } catch (const std::exception& error) {
-        scipd::daemon::service_notify::status(std::string{"cannot start: "} + error.what());
+        tell_systemd_of_no_start(error.what());
         if (log_format(options) != LogFormat::text && options.log_level != "off") {
             spdlog::critical("{}", error.what());
         } else if (scipd::daemon::finish_logging()) {
@@ -107,7 +121,12 @@ int main(int argc, char** argv) {
     scipd::sim::prepare_drivers();
     auto parsed = scipd::daemon::parse_options(argc, argv);
     if (const auto* answer = std::get_if<scipd::daemon::Answer>(&parsed)) {
-        print(scipd::sim::shown(answer->text), answer->exit_code == cannot_start ? stderr : stdout);
+        const std::string text = scipd::sim::shown(answer->text);
+        if (answer->exit_code == cannot_start) {
+            print_refusal(text);
+        } else {
+            print(text);
+        }
         return answer->exit_code;
     }
     return run(std::get<scipd::daemon::Options>(std::move(parsed)));

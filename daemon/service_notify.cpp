@@ -3,6 +3,7 @@
 #include "daemon/service_notify.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <ctime>
@@ -15,6 +16,8 @@ namespace scipd::daemon::service_notify {
 namespace {
 
 constexpr int keep_environment = 0;
+/// systemd passes over a message of more than 4096 bytes.
+constexpr std::size_t longest_status = 2048;
 
 void tell(const std::string& assignments) {
     ::sd_notify(keep_environment, assignments.c_str());
@@ -23,6 +26,7 @@ void tell(const std::string& assignments) {
 /// A line end would begin another assignment.
 std::string status_line(const std::string& text) {
     std::string line = "STATUS=" + sim::shown(text);
+    line.resize(sim::whole_characters(line, longest_status));
     std::ranges::replace(line, '\n', ' ');
     return line;
 }

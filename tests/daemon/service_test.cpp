@@ -4,6 +4,7 @@
 // When the watchdog is fed. tests/systemd/ has the rest of what systemd hears.
 #include "daemon/service.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <string>
@@ -18,6 +19,7 @@
 #include "daemon/config/config.h"
 #include "daemon/device/device.h"
 #include "daemon/fleet.h"
+#include "daemon/service_notify.h"
 #include "daemon/simulation.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/temp_dir.h"
@@ -48,12 +50,18 @@ class Listener {
     Listener(const Listener&) = delete;
     Listener& operator=(const Listener&) = delete;
 
+    /// Empty: it was told nothing more.
+    std::string hear() {
+        std::array<char, 16'384> message;
+        const ssize_t size = ::recv(socket_, message.data(), message.size(), 0);
+        return {message.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0))};
+    }
+
     /// How often it was fed since the last question.
     int meals() {
         int count = 0;
-        std::array<char, 4096> message;
-        for (ssize_t size = 0; (size = ::recv(socket_, message.data(), message.size(), 0)) > 0;)
-            count += std::string(message.data(), static_cast<std::size_t>(size)) == "WATCHDOG=1";
+        for (std::string told = hear(); !told.empty(); told = hear())
+            count += told == "WATCHDOG=1";
         return count;
     }
 
@@ -78,6 +86,16 @@ class BrokenClock : public Clock {
   private:
     const Clock& right_;
 };
+
+// More than 4096 bytes would be passed over as a whole.
+TEST(Service, IsReadyHoweverMuchThereIsToSay) {
+    Listener systemd;
+    service_notify::ready("first\nsecond" + std::string(10'000, 'x'));
+    const std::string told = systemd.hear();
+    EXPECT_TRUE(told.starts_with("READY=1\nSTATUS=first secondxxx")) << told.substr(0, 40);
+    EXPECT_GT(told.size(), 2000U);
+    EXPECT_LT(told.size(), 4096U);
+}
 
 TEST(Service, FeedsTheWatchdogUntilAScanLoopIsStuck) {
     Listener systemd;

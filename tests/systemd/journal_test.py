@@ -88,6 +88,10 @@ def says_there_why_it_cannot_start(program, scenes, folder):
     with Journal() as journal, start(program, scenes, folder, tcp="192.0.2.1:10940") as scipd:
         assert journal.find("192.0.2.1:10940")["PRIORITY"] == "2"
         assert scipd.process.wait(PATIENCE_S) == 2
+    with tempfile.TemporaryDirectory(dir=folder) as life, Journal() as journal, \
+            start(program, scenes, life, seed="no number") as scipd:
+        assert journal.find("service.yaml:1: seed: ")["PRIORITY"] == "2"
+        assert scipd.process.wait(PATIENCE_S) == 2 and scipd.log() == "", scipd.log()
 
 
 def logs_text_where_standard_error_is_something_else(program, scenes, folder):

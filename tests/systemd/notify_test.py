@@ -4,6 +4,7 @@
 # What scipd tells systemd, and when it feeds the watchdog: notify_test.py SCIPD SCENES
 import os
 import pathlib
+import re
 import signal
 import sys
 import tempfile
@@ -79,6 +80,14 @@ def says_why_it_cannot_start(program, scenes, folder):
         assert not any("READY" in message for message in scipd.told)
 
 
+def says_what_is_wrong_with_its_configuration(program, scenes, folder):
+    with Manager(program, folder, "robots: 1\nscene: nowhere.sdf\n") as scipd:
+        assert scipd.process.wait(PATIENCE_S) == 2
+        status = scipd.hear("STATUS", patience_s=1)["STATUS"]
+        assert re.match(r"cannot start: \S+/service\.yaml:\d: .*/service\.yaml:\d: ", status), status
+        assert "service.yaml:" in scipd.log(), scipd.log()
+
+
 def feeds_the_watchdog_whoever_wants_scans(program, scenes, folder):
     with start(program, folder, configuration(scenes, "front"), watchdog_s=WATCHDOG_S) as scipd:
         assert scipd.meals(2 * WATCHDOG_S) >= 3  # its laser is off
@@ -137,8 +146,9 @@ def serves_as_always_where_nobody_hears(program, scenes, folder):
 def main():
     program, scenes = sys.argv[1], pathlib.Path(sys.argv[2])
     tests = [says_what_it_serves_and_where, names_some_of_many, tells_every_reload_from_its_beginning_to_its_end,
-             tells_of_another_world, says_why_it_cannot_start, feeds_the_watchdog_whoever_wants_scans,
-             feeds_it_while_time_stands_still, feeds_it_beside_a_fault_on_purpose, feeds_nothing_while_it_is_stuck,
+             tells_of_another_world, says_why_it_cannot_start, says_what_is_wrong_with_its_configuration,
+             feeds_the_watchdog_whoever_wants_scans, feeds_it_while_time_stands_still,
+             feeds_it_beside_a_fault_on_purpose, feeds_nothing_while_it_is_stuck,
              feeds_no_watchdog_of_another, serves_as_always_where_nobody_hears]
 
     for test in tests:
