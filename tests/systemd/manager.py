@@ -125,6 +125,13 @@ class Manager:
     def log(self):
         return (self.folder / "stderr").read_text()
 
+    def wait_for_log(self, text):
+        """It is written by a thread of its own."""
+        end = time.monotonic() + PATIENCE_S
+        while text not in self.log():
+            assert time.monotonic() < end, self.log()
+            time.sleep(0.05)
+
     def address(self, sensor):
         told = next(s for s in self.line["sensors"] if s["name"] == sensor)
         host, port = told["tcp"].rsplit(":", 1)
