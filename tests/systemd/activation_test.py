@@ -78,7 +78,7 @@ def answers_who_came_before_it_started(program, scenes, folder):
         for client in (local, browser):
             assert health(client) == (200, {"ready": True, "alive": True}), client
         assert scipd.control.ask("GET", "/status")[0] == 200
-        assert "systemd" not in scipd.log(), scipd.log()
+    assert "systemd" not in scipd.log(), scipd.log()
     # They are systemd's: the next client has scipd started again.
     assert pathlib.Path(sockets.path).is_socket()
     late = Client(sockets.front.getsockname())
@@ -97,7 +97,7 @@ def keeps_them_over_a_reload(program, scenes, folder):
         assert driver.ask("VV")
         scipd.configure(sockets.configuration(scenes, "front"))
         assert scipd.reload().startswith("1 sensor ")
-        assert scipd.logs(f"systemd hands over a socket on {text_of(sockets.rear)}"), scipd.log()
+        scipd.wait_for_log(f"systemd hands over a socket on {text_of(sockets.rear)}")
         assert driver.ask("VV")
         waiting = Client(sockets.rear.getsockname())
         waiting.say("VV")

@@ -125,12 +125,12 @@ class Manager:
     def log(self):
         return (self.folder / "stderr").read_text()
 
-    def logs(self, text):
-        """Whether it does so in time: a thread of its own writes the log."""
+    def wait_for_log(self, text):
+        """It is written by a thread of its own."""
         end = time.monotonic() + PATIENCE_S
-        while text not in self.log() and time.monotonic() < end:
-            time.sleep(0.01)
-        return text in self.log()
+        while text not in self.log():
+            assert time.monotonic() < end, self.log()
+            time.sleep(0.05)
 
     def address(self, sensor):
         told = next(s for s in self.line["sensors"] if s["name"] == sensor)
