@@ -83,6 +83,10 @@ void write_daemon(Exposition& text, const FleetMetrics& fleet) {
     text.sample({}, fleet.poses);
     text.metric("scipd_poses_refused_total", Type::counter, "Poses that were refused.");
     text.sample({}, fleet.poses_refused);
+    text.metric("scipd_limited_total", Type::counter,
+                "What was refused since it was more than a limit allows.");
+    for (const auto& [limit, count] : fleet.limited)
+        text.sample({{"limit", limit}}, count);
     text.metric("scipd_build_info", Type::gauge, "Always 1; the label tells the version.");
     text.sample({{"version", SCIPD_VERSION}}, std::uint64_t(1));
 }

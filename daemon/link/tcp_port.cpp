@@ -18,9 +18,6 @@ using boost::system::error_code;
 
 namespace {
 
-// Enough for a driver that reconnects before its old connection is gone.
-constexpr int backlog = 4;
-
 // A scanner has little memory: without a bound the kernel would keep minutes of scans for a client
 // that does not read, and hand it all of them, long out of date.
 constexpr int kernel_buffer_bytes = 64 * 1024;
@@ -61,6 +58,7 @@ void TcpPort::serve(Endpoint& scanner, const LinkConfig& link) {
     disconnect();
     scanner_ = &scanner;
     set_line({.link = link});
+    serve_next();
     accept();
 }
 
@@ -68,6 +66,7 @@ void TcpPort::stop() {
     error_code ignored;
     acceptor_.close(ignored);
     pause_.cancel();
+    turn_all_away();
     disconnect();
     scanner_ = nullptr;
 }
@@ -86,7 +85,7 @@ void TcpPort::cut(Cut how) {
                    how == Cut::fin ? drop_unread(cut_off->descriptor())
                                    : reset_on_close(cut_off->descriptor());
                    self->disconnect();
-                   self->accept();
+                   self->serve_next();
                });
 }
 
@@ -95,6 +94,7 @@ void TcpPort::follow_line() {
     error_code ignored;
     if (line().refuses) {
         acceptor_.close(ignored);
+        turn_all_away();
     } else if (!acceptor_.is_open()) {
         listen_again();
     }
@@ -117,7 +117,7 @@ void TcpPort::listen() {
     try {
         acceptor_.set_option(tcp::acceptor::reuse_address(true));
         acceptor_.bind(endpoint_);
-        acceptor_.listen(backlog);
+        acceptor_.listen();
     } catch (const boost::system::system_error&) {
         acceptor_.close();
         throw;
@@ -125,7 +125,7 @@ void TcpPort::listen() {
 }
 
 void TcpPort::accept() {
-    if (accepting_ || connected() || !acceptor_.is_open()) return;
+    if (accepting_ || !acceptor_.is_open()) return;
     accepting_ = true;
     acceptor_.async_accept([self = shared_from_this()](error_code error, tcp::socket socket) {
         self->accepting_ = false;
@@ -133,8 +133,30 @@ void TcpPort::accept() {
         // It refused clients for a while.
         if (error == asio::error::operation_aborted) return self->accept();
         if (error) return self->accept_later();
-        self->connect(std::move(socket));
+        self->take_in(std::move(socket));
+        self->accept();
     });
+}
+
+void TcpPort::take_in(tcp::socket socket) {
+    if (!connected()) return connect(std::move(socket));
+    if (waiting_.size() + 1 < limits()[Limit::scanner_connections])
+        return waiting_.push_back(std::move(socket));
+    limits().refuse(Limit::scanner_connections, address());
+}
+
+void TcpPort::serve_next() {
+    if (connected() || waiting_.empty()) return;
+    tcp::socket socket = std::move(waiting_.front());
+    waiting_.pop_front();
+    connect(std::move(socket));
+}
+
+// As the kernel does with those whom nobody has accepted.
+void TcpPort::turn_all_away() {
+    for (tcp::socket& socket : waiting_)
+        reset_on_close(socket.native_handle());
+    waiting_.clear();
 }
 
 void TcpPort::accept_later() {
@@ -150,13 +172,13 @@ void TcpPort::connect(tcp::socket socket) {
     socket.set_option(tcp::socket::send_buffer_size(kernel_buffer_bytes), error);
     const auto executor = socket.get_executor();
     const int descriptor = socket.release(error);
-    if (error) return accept();
+    if (error) return serve_next();
     LinkConfig link = line().link;
     link.baud.reset();  // a tty's
     begin(std::make_shared<Connection>(Connection::Descriptor(executor, descriptor), *scanner_,
                                        link, Connection::Hooks{.ended = [this] {
                                            disconnect();
-                                           accept();
+                                           serve_next();
                                        }}));
     watch(descriptor);
     tell_connected();
@@ -176,7 +198,7 @@ void TcpPort::watch_on() {
         if (error || !self->peer_) return;
         if (!self->peer_->stalled()) return self->watch_on();
         self->disconnect();
-        self->accept();
+        self->serve_next();
     });
 }
 
