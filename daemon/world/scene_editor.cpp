@@ -13,10 +13,11 @@
 
 #include <spdlog/spdlog.h>
 
-#include "daemon/world/allowed_folder.h"
 #include "daemon/world/backend_maker.h"
 #include "sim/expected.h"
+#include "sim/loaders/file/allowed_folder.h"
 #include "sim/loaders/file/load_error.h"
+#include "sim/loaders/sdf/resources.h"
 
 namespace scipd::daemon {
 
@@ -49,6 +50,14 @@ struct Present {
     LimitValues limits;
 };
 
+/// What the API may name, and what is there for all worlds by the will of who started this.
+sim::Folders to_read(const Present& present) {
+    sim::Folders folders = present.allow;
+    for (const auto& more : {sim::resource_folders(), present.options.sdf.model_folders})
+        folders.insert(folders.end(), more.begin(), more.end());
+    return folders;
+}
+
 /// The new scene, before its backends are made.
 struct Edited {
     std::filesystem::path file;
@@ -74,7 +83,7 @@ tl::unexpected<EditOutcome> forbid(const std::filesystem::path& file,
 
 EditedOrNot edited(const LoadWorld& edit, const Present& present) {
     const auto file = (sim::folder_of_scene(present.file) / edit.file).lexically_normal();
-    if (!lies_in_one_of(present.allow, file)) return forbid(file, present.allow);
+    if (!sim::lies_in_one_of(present.allow, file)) return forbid(file, present.allow);
     auto [scene, warnings, notes] = sim::load_scene(file, present.options);
     return Edited{file, scene, scene, std::move(warnings), std::move(notes), {}};
 }
@@ -160,7 +169,7 @@ EditedOrNot edited(const AddModel& edit, const Present& present) {
         scene = sim::without_model(*scene, name);
     }
     const auto file = file_of(edit, present);
-    if (edit.sdf.empty() && !lies_in_one_of(present.allow, file))
+    if (edit.sdf.empty() && !sim::lies_in_one_of(present.allow, file))
         return forbid(file, present.allow);
     SceneEditor::Added all = present.added;
     std::size_t& triangles = all[name];
@@ -191,6 +200,7 @@ void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn)
     auto begin = [this, edit = std::move(edit), done = std::move(done)]() -> Worker::Work {
         Present present{file_, world_.scene(), options_, allow_, added_, limits_->values()};
         present.options.limits.stop = worker_.stopping();
+        present.options.limits.folders = to_read(present);
         return [this, edit, done, present = std::move(present),
                 requests = requests_()]() mutable -> Worker::Finish {
             // `done` belongs to the I/O thread and is moved back there. If a copy stayed here, the

@@ -40,7 +40,7 @@ class SceneEditor {
           limits_(std::move(limits)) {}
 
     /// Somebody else has loaded the world from this file. Later edits load with the same options,
-    /// and name files of these folders alone. What these files name in turn may lie anywhere.
+    /// and read files of these folders alone, and of those in which all worlds find models.
     void set_file(std::filesystem::path file, sim::SceneOptions options,
                   std::vector<std::filesystem::path> allow) {
         added_.clear();
