@@ -48,9 +48,12 @@ TcpPort::TcpPort(const asio::any_io_executor& executor, const Address& address)
         listen();
         endpoint_ = acceptor_.local_endpoint();
     } catch (const boost::system::system_error& error) {
+        const bool taken = error.code() == asio::error::address_in_use;
         throw std::runtime_error("cannot listen on " + text_of(address) + ": " +
                                  error.code().message() +
-                                 "; choose another address, or port 0 for any");
+                                 (taken ? ", maybe by another scipd" : "") +
+                                 "; choose another address, or port 0 for a free one, such as "
+                                 "--tcp 127.0.0.1:0");
     }
 }
 
