@@ -248,7 +248,7 @@ void run_program(const std::vector<std::string>& command, std::FILE* out) {
     }
     const std::string words = from_its_beginning(told.get());
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : failed_with_words;
-    if (code == cannot_be_held && words.empty()) {
+    if (folders_to_read() != nullptr && code == cannot_be_held && words.empty()) {
         throw std::runtime_error(
             "this kernel has no Landlock, which would hold it to the folders that `allow` in the "
             "configuration names");
