@@ -17,6 +17,7 @@ pkg_check_modules(console_bridge REQUIRED IMPORTED_TARGET console_bridge)
 pkg_check_modules(tinyxml2 REQUIRED IMPORTED_TARGET tinyxml2)
 pkg_check_modules(turbojpeg REQUIRED IMPORTED_TARGET libturbojpeg)
 pkg_check_modules(assimp REQUIRED IMPORTED_TARGET assimp)
+pkg_check_modules(prometheus REQUIRED IMPORTED_TARGET prometheus-cpp-core)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
 find_path(stb_folder stb/stb_image.h REQUIRED) # headers only
 

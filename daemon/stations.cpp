@@ -3,6 +3,7 @@
 #include "daemon/stations.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "daemon/device/device.h"
@@ -10,6 +11,8 @@
 #include "daemon/faults/fault_injector.h"
 #include "daemon/link/port.h"
 #include "protocol/ideal.h"
+#include "sim/fnv1a.h"
+#include "sim/random.h"
 
 namespace scipd::daemon {
 namespace {
@@ -20,6 +23,18 @@ bool is_same(const SensorConfig& a, const SensorConfig& b) {
     SensorConfig moved = a;
     moved.robot_from_sensor = b.robot_from_sensor;
     return moved == b;
+}
+
+/// Real scanners are switched on at any moment. If all mirrors passed step 0 at once, all scans
+/// would have to be cast at once.
+sim::Time phase_of(const Station& station, const StationContext& context) {
+    const sim::Time period = station.config.model.optics.scan_period;
+    if (station.config.clock.phase) return *station.config.clock.phase % period;
+    if (context.lockstep) return sim::Time::zero();
+    const sim::Chance chance({.seed = station.seed,
+                              .sensor = sim::fnv1a<std::uint64_t>(station.name()),
+                              .purpose = sim::Purpose::mirror_phase});
+    return std::chrono::duration_cast<sim::Time>(0.5 * (1.0 + chance.even(0)) * period);
 }
 
 template <class Sensor>
@@ -58,6 +73,7 @@ std::unique_ptr<Station> make_station(const StationContext& context, const std::
     // Time that stands still would never come to the tick of a reply.
     if (context.lockstep)
         of_device.model.profile = protocol::answering_at_once(of_device.model.profile);
+    of_device.clock.phase = phase_of(*station, context);
     auto& device = put_in<Device>(*station, context, of_device);
     std::vector<Port*> served;
     for (const auto& port : {station->ports.tcp, station->ports.pty}) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <ranges>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -58,8 +57,7 @@ class Names {
 /// Adds a list with one element for each beam: of what its middle met.
 template <class Append>
 void add_hits(ObjectText& text, std::string_view name, const sim::Scan& scan, Append append) {
-    const auto beams = std::views::iota(std::size_t{0}, scan.beams());
-    text.add_list(name, beams, [&](std::string& list, std::size_t beam) {
+    text.add_list(name, scan.beams(), [&](std::string& list, std::size_t beam) {
         const sim::Hit& hit = scan.middle(beam);
         hit.met() ? append(list, hit) : void(list += "null");
     });
@@ -135,8 +133,7 @@ void add_echoes(ObjectText& text, const sim::PerBeam<sim::Echo>& echoes, const s
         list.append(R"(,"material":)").append(in_the_air ? "null" : materials.of(echo.material));
         list += '}';
     };
-    const auto beams = std::views::iota(std::size_t{0}, echoes.beams());
-    text.add_list("echoes", beams, [&](std::string& list, std::size_t beam) {
+    text.add_list("echoes", echoes.beams(), [&](std::string& list, std::size_t beam) {
         append_list(list, echoes[beam], [&](const sim::Echo& echo) { append(list, echo); });
     });
 }

@@ -4,101 +4,154 @@
 
 #include <chrono>
 #include <cmath>
+#include <utility>
+#include <vector>
 
-#include "daemon/api/exposition.h"
+#include <prometheus/text_serializer.h>
 
 namespace scipd::daemon {
 namespace {
 
+using prometheus::ClientMetric;
+using prometheus::MetricFamily;
+using prometheus::MetricType;
+using Families = std::vector<MetricFamily>;
+using Labels = std::vector<ClientMetric::Label>;
 using Seconds = std::chrono::duration<double>;
-using Type = Exposition::Type;
-using Labels = Exposition::Labels;
 
 // From 64 us, which nobody notices, to 1.05 s: scans that would be later are lost.
 constexpr int first_octave = 6;
 constexpr int last_octave = 20;
 
-/// One sample for each sensor.
-template <class Value>
-void write_each(Exposition& text, const FleetMetrics& fleet, Value value) {
+void add_counter(MetricFamily& family, Labels labels, double value) {
+    family.metric.push_back({.label = std::move(labels), .counter = {value}});
+}
+
+void add_gauge(MetricFamily& family, Labels labels, double value) {
+    family.metric.push_back({.label = std::move(labels), .gauge = {value}});
+}
+
+/// A counter for each sensor.
+template <class Count>
+MetricFamily of_each(const FleetMetrics& fleet, const char* name, const char* help, Count count) {
+    MetricFamily family{name, help, MetricType::Counter, {}};
     for (const SensorMetrics& sensor : fleet.sensors)
-        text.sample({{"sensor", sensor.name}}, value(sensor));
+        add_counter(family, {{"sensor", sensor.name}}, static_cast<double>(count(sensor)));
+    return family;
 }
 
-void write_lateness(Exposition& text, const SensorMetrics& sensor) {
-    const Lateness& lateness = sensor.counts.lateness;
-    for (int octave = first_octave; octave <= last_octave; ++octave) {
-        const std::string bound = Exposition::number(std::exp2(octave) / 1e6);
-        text.sample("_bucket", {{"sensor", sensor.name}, {"le", bound}}, lateness.below(octave));
-    }
-    text.sample("_bucket", {{"sensor", sensor.name}, {"le", "+Inf"}}, lateness.count());
-    text.sample("_sum", {{"sensor", sensor.name}}, Seconds(lateness.sum()).count());
-    text.sample("_count", {{"sensor", sensor.name}}, lateness.count());
-}
-
-/// One sample for each backend of each sensor.
-template <class Value>
-void write_casts(Exposition& text, const FleetMetrics& fleet, Value value) {
+/// A counter for each backend of each sensor.
+template <class Count>
+MetricFamily of_casts(const FleetMetrics& fleet, const char* name, const char* help, Count count) {
+    MetricFamily family{name, help, MetricType::Counter, {}};
     for (const SensorMetrics& sensor : fleet.sensors) {
-        for (const auto& [backend, count] : sensor.counts.casts)
-            text.sample({{"sensor", sensor.name}, {"backend", backend}}, value(count));
+        for (const auto& [backend, casts] : sensor.counts.casts) {
+            add_counter(family, {{"sensor", sensor.name}, {"backend", backend}},
+                        static_cast<double>(count(casts)));
+        }
     }
+    return family;
 }
 
-void write_scans(Exposition& text, const FleetMetrics& fleet) {
-    text.metric("scipd_scans_total", Type::counter,
-                "Scans that left when their turn was complete.");
-    write_each(text, fleet, [](const auto& sensor) { return sensor.counts.scans; });
-    text.metric("scipd_scans_lost_total", Type::counter,
-                "Scans that a driver wanted and did not get.");
-    write_each(text, fleet, [](const auto& sensor) { return sensor.counts.lost; });
-    text.metric("scipd_lateness_seconds", Type::histogram,
-                "How long after their ideal instant scans left.");
+MetricFamily of_daemon(const char* name, const char* help, std::uint64_t count) {
+    MetricFamily family{name, help, MetricType::Counter, {}};
+    add_counter(family, {}, static_cast<double>(count));
+    return family;
+}
+
+// The library adds the bucket of all, le="+Inf".
+ClientMetric::Histogram histogram(const Lateness& lateness) {
+    ClientMetric::Histogram told{lateness.count(), Seconds(lateness.sum()).count(), {}};
+    for (int octave = first_octave; octave <= last_octave; ++octave)
+        told.bucket.push_back({lateness.below(octave), std::exp2(octave) / 1e6});
+    return told;
+}
+
+MetricFamily of_lateness(const FleetMetrics& fleet) {
+    MetricFamily family{"scipd_lateness_seconds",
+                        "How long after their ideal instant scans left.",
+                        MetricType::Histogram,
+                        {}};
+    for (const SensorMetrics& sensor : fleet.sensors) {
+        family.metric.push_back(
+            {.label = {{"sensor", sensor.name}}, .histogram = histogram(sensor.counts.lateness)});
+    }
+    return family;
+}
+
+MetricFamily of_refusals(const FleetMetrics& fleet) {
+    MetricFamily family{"scipd_refused_requests_total",
+                        "Requests of drivers that were answered with another status than 00.",
+                        MetricType::Counter,
+                        {}};
+    for (const SensorMetrics& sensor : fleet.sensors) {
+        for (const auto& [status, count] : sensor.counts.refused) {
+            add_counter(family, {{"sensor", sensor.name}, {"status", status}},
+                        static_cast<double>(count));
+        }
+    }
+    return family;
+}
+
+MetricFamily of_clients(const FleetMetrics& fleet) {
+    MetricFamily family{
+        "scipd_clients", "Drivers that are connected by TCP or tty.", MetricType::Gauge, {}};
     for (const SensorMetrics& sensor : fleet.sensors)
-        write_lateness(text, sensor);
-    text.metric("scipd_casts_total", Type::counter, "Sweeps that were cast into the world.");
-    write_casts(text, fleet, [](const CastCount& count) { return count.casts; });
-    text.metric("scipd_cast_seconds_total", Type::counter, "Time spent on casting them.");
-    write_casts(text, fleet, [](const CastCount& count) { return Seconds(count.spent).count(); });
+        add_gauge(family, {{"sensor", sensor.name}}, static_cast<double>(sensor.clients));
+    return family;
 }
 
-void write_links(Exposition& text, const FleetMetrics& fleet) {
-    text.metric("scipd_clients", Type::gauge, "Drivers that are connected by TCP or tty.");
-    write_each(text, fleet, [](const auto& sensor) { return sensor.clients; });
-    text.metric("scipd_sent_bytes_total", Type::counter, "Bytes sent to drivers.");
-    write_each(text, fleet, [](const auto& sensor) { return sensor.counts.sent_bytes; });
-    text.metric("scipd_refused_requests_total", Type::counter,
-                "Requests of drivers that were answered with another status than 00.");
-    for (const SensorMetrics& sensor : fleet.sensors) {
-        for (const auto& [status, count] : sensor.counts.refused)
-            text.sample({{"sensor", sensor.name}, {"status", status}}, count);
-    }
-    text.metric("scipd_faults_injected_total", Type::counter,
-                "How often faults on purpose have acted.");
-    write_each(text, fleet, [](const auto& sensor) { return sensor.counts.faults; });
-}
-
-void write_daemon(Exposition& text, const FleetMetrics& fleet) {
-    text.metric("scipd_poses_total", Type::counter, "Poses that were taken.");
-    text.sample({}, fleet.poses);
-    text.metric("scipd_poses_refused_total", Type::counter, "Poses that were refused.");
-    text.sample({}, fleet.poses_refused);
-    text.metric("scipd_limited_total", Type::counter,
-                "What was refused since it was more than a limit allows.");
+MetricFamily of_limits(const FleetMetrics& fleet) {
+    MetricFamily family{"scipd_limited_total",
+                        "What was refused since it was more than a limit allows.",
+                        MetricType::Counter,
+                        {}};
     for (const auto& [limit, count] : fleet.limited)
-        text.sample({{"limit", limit}}, count);
-    text.metric("scipd_build_info", Type::gauge, "Always 1; the label tells the version.");
-    text.sample({{"version", SCIPD_VERSION}}, std::uint64_t(1));
+        add_counter(family, {{"limit", limit}}, static_cast<double>(count));
+    return family;
+}
+
+MetricFamily of_build() {
+    MetricFamily family{
+        "scipd_build_info", "Always 1; the label tells the version.", MetricType::Gauge, {}};
+    add_gauge(family, {{"version", SCIPD_VERSION}}, 1);
+    return family;
+}
+
+Families of_scans(const FleetMetrics& fleet) {
+    return {of_each(fleet, "scipd_scans_total", "Scans that left when their turn was complete.",
+                    [](const auto& sensor) { return sensor.counts.scans; }),
+            of_each(fleet, "scipd_scans_lost_total", "Scans that a driver wanted and did not get.",
+                    [](const auto& sensor) { return sensor.counts.lost; }),
+            of_lateness(fleet),
+            of_casts(fleet, "scipd_casts_total", "Sweeps that were cast into the world.",
+                     [](const CastCount& count) { return count.casts; }),
+            of_casts(fleet, "scipd_cast_seconds_total", "Time spent on casting them.",
+                     [](const CastCount& count) { return Seconds(count.spent).count(); })};
+}
+
+Families of_links(const FleetMetrics& fleet) {
+    return {of_clients(fleet),
+            of_each(fleet, "scipd_sent_bytes_total", "Bytes sent to drivers.",
+                    [](const auto& sensor) { return sensor.counts.sent_bytes; }),
+            of_refusals(fleet),
+            of_each(fleet, "scipd_faults_injected_total", "How often faults on purpose have acted.",
+                    [](const auto& sensor) { return sensor.counts.faults; })};
+}
+
+Families of_whole(const FleetMetrics& fleet) {
+    return {of_daemon("scipd_poses_total", "Poses that were taken.", fleet.poses),
+            of_daemon("scipd_poses_refused_total", "Poses that were refused.", fleet.poses_refused),
+            of_limits(fleet), of_build()};
 }
 
 }  // namespace
 
 std::string metrics_text(const FleetMetrics& fleet) {
-    Exposition text;
-    write_scans(text, fleet);
-    write_links(text, fleet);
-    write_daemon(text, fleet);
-    return text.finish();
+    Families families = of_scans(fleet);
+    for (const Families& more : {of_links(fleet), of_whole(fleet)})
+        families.insert(families.end(), more.begin(), more.end());
+    return prometheus::TextSerializer().Serialize(families);
 }
 
 }  // namespace scipd::daemon

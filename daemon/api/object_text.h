@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "daemon/api/documents.h"
 
@@ -21,18 +22,24 @@ class ObjectText {
 
     void add(std::string_view name, const Json& value);
 
-    /// `append(text, element)` appends the JSON of one.
-    template <class List, class Append>
-    void add_list(std::string_view name, const List& list, Append append) {
+    /// `append(text, i)` appends the JSON of element i.
+    template <class Append>
+    void add_list(std::string_view name, std::size_t size, Append append) {
         begin(name);
         constexpr std::size_t likely = 10;  // characters of an element
-        text_.reserve(text_.size() + likely * list.size());
+        text_.reserve(text_.size() + likely * size);
         char before = '[';
-        for (const auto& element : list) {
+        for (std::size_t i = 0; i < size; ++i) {
             text_ += std::exchange(before, ',');
-            append(text_, element);
+            append(text_, i);
         }
-        text_ += list.empty() ? "[]" : "]";
+        text_ += size == 0 ? "[]" : "]";
+    }
+    /// `append(text, element)` appends the JSON of one.
+    template <class Element, class Append>
+    void add_list(std::string_view name, const std::vector<Element>& list, Append append) {
+        add_list(name, list.size(),
+                 [&](std::string& text, std::size_t i) { append(text, list[i]); });
     }
 
     [[nodiscard]] std::string finish() &&;

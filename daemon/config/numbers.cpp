@@ -24,6 +24,7 @@ using std::chrono::nanoseconds;
 constexpr double above_zero = std::numeric_limits<double>::denorm_min();
 constexpr double angle_limit_rad = 1e6;
 constexpr double largest_ppm = 10'000.0;
+constexpr int longest_phase_ms = 1000;
 constexpr int largest_device_time_ms = (1 << 24) - 1;
 constexpr int longest_period_ms = 600'000;
 constexpr int longest_link_delay_ms = 10'000;
@@ -89,6 +90,10 @@ Expected<std::uint32_t> parse_device_time(std::string_view text) {
     return parse_whole(text, 0, largest_device_time_ms).map([](int time_ms) {
         return static_cast<std::uint32_t>(time_ms);
     });
+}
+
+Expected<nanoseconds> parse_phase(std::string_view text) {
+    return parse_milliseconds(text, longest_phase_ms);
 }
 
 Expected<nanoseconds> parse_period(std::string_view text) {

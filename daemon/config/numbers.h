@@ -33,6 +33,8 @@ sim::Expected<double> parse_ppm(std::string_view text);
 /// What a device's clock can show: 24 bits of milliseconds.
 sim::Expected<std::uint32_t> parse_device_time(std::string_view text);
 
+/// Milliseconds, up to a second: when a mirror passes step 0.
+sim::Expected<std::chrono::nanoseconds> parse_phase(std::string_view text);
 /// Milliseconds, up to 10 minutes: how long a device takes for something.
 sim::Expected<std::chrono::nanoseconds> parse_period(std::string_view text);
 /// Milliseconds, up to 10 seconds: what a link adds.

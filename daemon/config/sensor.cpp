@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 18> sensor_keys{
     "timing",  "power_up", "clock",    "link",  "profile",      "sees_body"};
 constexpr std::array<std::string_view, 3> depth_keys{"between_pixels", "oversample",
                                                      "widest_pass_deg"};
-constexpr std::array<std::string_view, 2> clock_keys{"ppm", "start_ms"};
+constexpr std::array<std::string_view, 3> clock_keys{"ppm", "start_ms", "phase_ms"};
 constexpr std::array<std::string_view, 7> link_keys{
     "latency_ms", "jitter_ms", "baud", "split_bytes", "coalesce_ms", "on_close", "dead_after_s"};
 
@@ -70,6 +70,7 @@ DeviceClockConfig read_clock(const Section& parent, Faults& faults) {
         const Section section{*field, clock_keys, faults};
         section.read("ppm", clock.ppm, parse_ppm);
         section.read("start_ms", clock.start_ms, parse_device_time);
+        section.read("phase_ms", clock.phase, parse_phase);
     }
     return clock;
 }

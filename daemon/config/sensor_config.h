@@ -48,6 +48,8 @@ enum class PowerUp {
 struct DeviceClockConfig {
     double ppm = 0.0;            ///< how much too fast it runs
     std::uint32_t start_ms = 0;  ///< what it shows at the start
+    /// How long after power-up the mirror first passes step 0. Not said: a chance of each scanner.
+    std::optional<std::chrono::nanoseconds> phase{};
 
     bool operator==(const DeviceClockConfig&) const = default;
 };

@@ -74,12 +74,11 @@ std::uint32_t distance_on_wire(float range_m, const protocol::DeviceProfile& pro
 WireScan to_wire(const sim::Scan& scan, const protocol::Turn& turn, const sim::SensorSpec& optics,
                  const protocol::DeviceProfile& profile) {
     WireScan wire{.turn = turn, .first_step = optics.first_step};
-    wire.distance.reserve(scan.readings.size());
-    wire.intensity.reserve(scan.readings.size());
-    for (const sim::Reading& reading : scan.readings) {
-        wire.distance.push_back(on_wire(reading, profile));
-        wire.intensity.push_back(intensity_on_wire(reading));
-    }
+    wire.distance.resize(scan.readings.size());
+    wire.intensity.resize(scan.readings.size());
+    std::ranges::transform(scan.readings, wire.distance.begin(),
+                           [&](const sim::Reading& reading) { return on_wire(reading, profile); });
+    std::ranges::transform(scan.readings, wire.intensity.begin(), intensity_on_wire);
     wire.echoes.reserve(scan.every_echo.beams());
     for (std::size_t beam = 0; beam < scan.every_echo.beams(); ++beam) {
         // Of a beam that another scanner disturbs there are no echoes to tell.

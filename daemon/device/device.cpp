@@ -87,13 +87,14 @@ Device::Device(const std::string& robot, const SensorConfig& config, std::uint64
                                                 .sensor = chance_.sensor,
                                                 .choice = config.echo,
                                                 .tells_every_echo = profile_.multi_echo})),
-      timing_(sweep_.optics(), sim::Time::zero()),
+      timing_(sweep_.optics(), config.clock.phase.value_or(sim::Time::zero())),
       cold_start_(config.power_up == PowerUp::boot),
       bit_rate_told_(protocol::bit_rate_of(state_.settings(), profile_)) {
     if (config.power_up == PowerUp::scip1) state_.power_up_in_scip1(uptime());
     if (config.power_up == PowerUp::boot) state_.boot(uptime(), profile_.boot_time);
     state_.set_clock(uptime(), std::chrono::milliseconds(config.clock.start_ms));
     boots_told_ = state_.boots();
+    state_.set_mirror_origin(timing_.start(0));
     follow_motor();
     sweep_.know_own_lamp(*this);
     world_.light().lamps().add(*this);

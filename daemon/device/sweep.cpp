@@ -8,8 +8,25 @@
 
 #include "sim/sensor/encounters.h"
 #include "sim/sensor/equal_parts.h"
+#include "sim/world/poses_along.h"
 
 namespace scipd::daemon {
+namespace {
+
+/// Within a turn the mirror's speed does not change, so its beams are fired evenly. To ask when
+/// each of them is fired would take longer than to work out where the sensor is then.
+std::vector<sim::Time> evenly_between(sim::Time begin, sim::Time end, std::size_t count) {
+    const double apart_ns =
+        static_cast<double>((end - begin).count()) / static_cast<double>(count - 1);
+    std::vector<sim::Time> times(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double since_ns = apart_ns * static_cast<double>(i) + 0.5;
+        times[i] = begin + sim::Time(static_cast<std::int64_t>(since_ns));
+    }
+    return times;
+}
+
+}  // namespace
 
 Sweep::Sweep(World& world, std::string robot, const SensorConfig& config, sim::Scanner scanner)
     : world_(world),
@@ -57,6 +74,7 @@ std::vector<sim::Time> Sweep::pose_times(const BeamFired& fired) const {
     const sim::Time end = fired(beams() - 1);
     if (begin == end || world_.robot(robot_)->still(begin - shift_.late, end - shift_.late))
         return {begin};
+    if (most_poses() == beams()) return evenly_between(begin, end, beams());
     std::vector<sim::Time> times;
     times.reserve(beams());
     for (std::size_t i = 0; i < most_poses(); ++i) {
@@ -68,18 +86,11 @@ std::vector<sim::Time> Sweep::pose_times(const BeamFired& fired) const {
 
 std::vector<sim::Pose> Sweep::poses_at(const std::vector<sim::Time>& times) const {
     const sim::PoseTrack& track = *world_.robot(robot_);
-    const bool shifted = shift_ != PoseShift{};
+    if (shift_ == PoseShift{}) return sim::poses_along(track, robot_from_sensor_, times);
     std::vector<sim::Pose> poses;
     poses.reserve(times.size());
-    for (const sim::Time time : times) {
-        const bool same = !poses.empty() && time == times[poses.size() - 1];
-        if (same) {
-            poses.push_back(poses.back());
-        } else {
-            const sim::Pose robot = shifted ? shifted_pose_at(track, time) : track.at(time);
-            poses.push_back(robot * robot_from_sensor_);
-        }
-    }
+    for (const sim::Time time : times)
+        poses.push_back(shifted_pose_at(track, time) * robot_from_sensor_);
     return poses;
 }
 
@@ -150,12 +161,13 @@ void Sweep::look_at_lamps(sim::Scan& scan, const BeamFired& fired) const {
 void Sweep::forget_absent(sim::Scan& scan, const BeamFired& fired) const {
     const sim::PoseTrack& track = *world_.robot(robot_);
     for (std::size_t i = 0; i < most_poses(); ++i) {
-        const auto [first, count] = sim::equal_part(beams(), i, most_poses());
-        if (!track.absent(fired(sim::middle_of({first, count})))) continue;
-        const std::size_t rays = scan.rays_per_beam;
-        std::ranges::fill(std::span(scan.hits).subspan(first * rays, count * rays), sim::Hit{});
+        const sim::Beams part = sim::equal_part(beams(), i, most_poses());
+        if (!track.absent(fired(sim::middle_of(part)))) continue;
+        const std::size_t first = part.first * scan.rays_per_beam;
+        const std::size_t end = first + part.count * scan.rays_per_beam;
+        std::ranges::fill(std::span(scan.hits).subspan(first, end - first), sim::Hit{});
         std::erase_if(scan.farther, [&](const sim::FartherHit& hit) {
-            return hit.ray >= first * rays && hit.ray < (first + count) * rays;
+            return hit.ray >= first && hit.ray < end;
         });
     }
 }

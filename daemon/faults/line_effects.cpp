@@ -105,9 +105,9 @@ class Split final : public FaultEffect {
     }
 
     explicit Split(const Members& members) : members_(members) {
-        std::ranges::sort(members_.bytes.at);
-        const auto twice = std::ranges::unique(members_.bytes.at);
-        members_.bytes.at.erase(twice.begin(), twice.end());
+        std::vector<int>& at = members_.bytes.at;
+        std::ranges::sort(at);
+        at.erase(std::unique(at.begin(), at.end()), at.end());
     }
 
     void line(LineState& line) const override {

@@ -26,8 +26,11 @@ Worker::Work BackendChooser::next() {
     }
     std::vector<RequestedBackend> requests = requests_();
     for (RequestedBackend& request : requests) {
-        const auto known = measured_.choices.find(request.sensor);
-        if (known != measured_.choices.end()) request.settled = known->second;
+        if (!measured_.maker->is_open(request)) continue;
+        const auto known = std::ranges::find_if(measured_.answers, [&](const Answer& answer) {
+            return ask_alike(answer.request, request);
+        });
+        if (known != measured_.answers.end()) request.settled = known->choice;
     }
     const auto open = std::ranges::find_if(requests, [&](const RequestedBackend& request) {
         return measured_.maker->is_open(request);
@@ -40,15 +43,15 @@ Worker::Work BackendChooser::measure(RequestedBackend request) {
             stopping = worker_.stopping()]() -> Worker::Finish {
         const auto ended = [&] { return stopping.stop_requested(); };
         const SharedChoice choice = maker->measure(request, ended);
-        return [this, maker, sensor = request.sensor, choice] {
-            measured_.choices[sensor] = choice;
+        return [this, maker, request, choice] {
+            measured_.answers.push_back({request, choice});
             step();
         };
     };
 }
 
 Worker::Work BackendChooser::take_up(std::vector<RequestedBackend> requests) {
-    if (measured_.choices.empty()) return [this] { return [this] { end(); }; };
+    if (measured_.answers.empty()) return [this] { return [this] { end(); }; };
     return [this, maker = measured_.maker, requests = std::move(requests)]() -> Worker::Finish {
         const auto chosen = std::make_shared<SensorBackends>();
         try {
@@ -69,7 +72,7 @@ Worker::Work BackendChooser::take_up(std::vector<RequestedBackend> requests) {
 
 void BackendChooser::end() {
     busy_ = false;
-    measured_.choices.clear();
+    measured_.answers.clear();
     worker_.discard(std::exchange(measured_.maker, nullptr));
 }
 

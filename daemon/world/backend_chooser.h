@@ -2,14 +2,13 @@
 // Copyright The scipd authors
 //
 // Finds out which backend `auto` takes for each sensor, by measuring on the worker's thread. It
-// measures one sensor at a time, so that other work waits for one sensor and not for all. What was
-// measured in a scene that has been replaced meanwhile does not count. Lives on the I/O thread.
+// measures one sensor at a time, so that other work waits for one sensor and not for all. Sensors
+// that ask alike are measured once, where the first of them is. What was measured in a scene that
+// has been replaced meanwhile does not count. Lives on the I/O thread.
 #pragma once
 
 #include <functional>
-#include <map>
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -32,9 +31,13 @@ class BackendChooser {
     void choose();
 
   private:
+    struct Answer {
+        RequestedBackend request;
+        SharedChoice choice;
+    };
     struct Measured {
-        std::shared_ptr<BackendMaker> maker;          ///< for the scene; null: nothing is measured
-        std::map<std::string, SharedChoice> choices;  ///< by sensor
+        std::shared_ptr<BackendMaker> maker;  ///< for the scene; null: nothing is measured
+        std::vector<Answer> answers;
     };
 
     void step();

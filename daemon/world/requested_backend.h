@@ -34,4 +34,11 @@ struct RequestedBackend {
     SharedChoice settled;
 };
 
+/// Whether what is measured for one holds for the other. Where they are in the world can make one
+/// backend somewhat faster or slower, but hardly the slower one the faster.
+[[nodiscard]] inline bool ask_alike(const RequestedBackend& a, const RequestedBackend& b) {
+    return a.depth == b.depth && a.poses == b.poses && a.max_range_m == b.max_range_m &&
+           a.directions == b.directions;
+}
+
 }  // namespace scipd::daemon

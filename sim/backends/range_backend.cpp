@@ -35,7 +35,7 @@ void RangeBackend::cast(const Fan& fan, std::span<Hit> hits, std::span<glm::vec3
 }
 
 void RangeBackend::do_cast_with_normals(const Fan&, std::span<Hit>, std::span<glm::vec3>) {
-    assert(!"this backend tells no normals: ask follows_light() first");
+    assert(false && "this backend tells no normals: ask follows_light() first");
 }
 
 void RangeBackend::check([[maybe_unused]] const Fan& fan,

@@ -266,6 +266,7 @@ std::vector<Part> Sweeping::parts(std::span<const Mover> movers,
 std::vector<Part> parts_of_sweep(const SensorSpec& optics, std::span<const Pose> world_from_sensor,
                                  const std::function<Time(std::size_t beam)>& fired,
                                  std::span<const Mover> movers) {
+    if (movers.empty()) return {{.beams = {0, static_cast<std::size_t>(optics.beams())}}};
     const Sweeping sweep(optics, world_from_sensor, fired);
     std::vector<Encounter> met;
     met.reserve(movers.size());

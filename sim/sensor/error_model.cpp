@@ -58,18 +58,18 @@ class Reader {
     [[nodiscard]] Curve::Cursor bias() const { return Curve::Cursor(bias_); }
     [[nodiscard]] Curve::Cursor sigma() const { return Curve::Cursor(sigma_); }
 
-    /// Adds the errors that follow from the range alone.
-    void add_errors(Reading& reading, std::uint32_t beam, Curve::Cursor& bias,
+    /// Adds the errors that follow from the range alone. `normal`: the chance of this beam.
+    void add_errors(Reading& reading, std::uint32_t beam, double normal, Curve::Cursor& bias,
                     Curve::Cursor& sigma) const {
         if (reading.cause != Cause::measured) return;
         if (loses(beam)) {
             reading = {.cause = Cause::lost};
         } else {
-            // The noise comes first: what is worked out before a call has to be stored during it.
-            const double noise_m = sigma.at(reading.range_m) * noise_.standard_normal(beam);
+            const double noise_m = sigma.at(reading.range_m) * normal;
             reading.range_m = told_m(reading.range_m + bias.at(reading.range_m) + noise_m);
         }
     }
+    [[nodiscard]] const Chance& noise() const { return noise_; }
 
     /// All errors of all echoes of a beam that the sensor notices; or one reading that tells why
     /// there are none. Good until the next call.
@@ -177,8 +177,13 @@ void read_hits(const Reader& reader, const ErrorModel& model, Scan& scan) {
     if (model.accuracy == Accuracy::ideal) return;
     Curve::Cursor bias = reader.bias();
     Curve::Cursor sigma = reader.sigma();
-    for (std::size_t beam = 0; beam < scan.readings.size(); ++beam)
-        reader.add_errors(scan.readings[beam], static_cast<std::uint32_t>(beam), bias, sigma);
+    std::array<double, 64> normals;
+    for (std::size_t beam = 0; beam < scan.readings.size(); ++beam) {
+        const std::size_t i = beam % normals.size();
+        if (i == 0) reader.noise().standard_normals(static_cast<std::uint32_t>(beam), normals);
+        reader.add_errors(scan.readings[beam], static_cast<std::uint32_t>(beam), normals[i], bias,
+                          sigma);
+    }
 }
 
 void read_echoes(Reader& reader, const ErrorModel& model, Scan& scan) {
@@ -227,7 +232,8 @@ Reading ErrorModel::read(const SensorSpec& spec, Time on_for, std::int64_t revol
     Curve::Cursor sigma = reader.sigma();
     Reading reading;
     reader.read_ideal(hit, white, reading);
-    if (accuracy != Accuracy::ideal) reader.add_errors(reading, beam, bias, sigma);
+    if (accuracy != Accuracy::ideal)
+        reader.add_errors(reading, beam, reader.noise().standard_normal(beam), bias, sigma);
     return reading;
 }
 

@@ -115,6 +115,24 @@ bool PoseTrack::still(Time from, Time to) const {
     return true;
 }
 
+PoseTrack::Stretch PoseTrack::stretch(Time time) const {
+    const auto after = first_later_than(time);
+    if (after == entries_.begin()) return {ever_since, after->time, after->pose, {}};
+    const Entry& before = *std::prev(after);
+    if (after != entries_.end()) {
+        const bool rests = before.pose == after->pose;
+        const auto velocity = [&] {
+            return velocity_between(before.pose, after->pose,
+                                    Seconds(after->time - before.time).count());
+        };
+        return {before.time, after->time, before.pose, rests ? Velocity{} : velocity()};
+    }
+    if (!moves_on()) return {before.time, Time::max(), before.pose, {}};
+    const Time stale = before.time + policy_.stale_after;
+    if (time < stale) return {before.time, stale, before.pose, velocity_};
+    return {stale, Time::max(), after_last(stale), {}};
+}
+
 std::vector<PoseTrack::Leg> PoseTrack::legs(Time from, Time to) const {
     std::vector<Leg> legs;
     auto entry = first_later_than(from);

@@ -73,6 +73,17 @@ class PoseTrack {
     /// sweep.
     [[nodiscard]] bool still(Time from, Time to) const;
 
+    /// A time during which the thing rests or moves evenly: at `time` it is at
+    /// moved(from, velocity, time - begin).
+    struct Stretch {
+        Time begin{};
+        Time end{};  ///< later; from then on something else holds
+        Pose from;
+        Velocity velocity;
+    };
+    /// The one that holds at `time`.
+    [[nodiscard]] Stretch stretch(Time time) const;
+
     /// A movement at constant velocity. A leg that takes one nanosecond is a jump.
     struct Leg {
         Time begin{};

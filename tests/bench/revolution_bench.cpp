@@ -125,16 +125,15 @@ BENCHMARK_CAPTURE(run, still_sensor_and_a_fault_acts, sim::Accuracy::sensor, fal
                   R"({"kind":"sums"})")
     ->Unit(benchmark::kMicrosecond);
 
-/// All rays of a revolution that sees light, and nothing else: what a revolution is measured by.
-void cast_alone(benchmark::State& state, bool moving) {
+/// All rays of a revolution, and nothing else: what a revolution is measured by.
+void cast_alone(benchmark::State& state, sim::Accuracy accuracy, bool moving) {
     const sim::SharedScene scene = sim::load_sdf(SCIPD_SCENES "/rescue_maze.sdf").scene;
     const auto backend = sim::preferred_backend().make(scene, {});
-    const sim::Scanner scanner(daemon::find_model("UST-10LX").optics,
-                               {.accuracy = sim::Accuracy::material});
+    const sim::Scanner scanner(daemon::find_model("UST-10LX").optics, {.accuracy = accuracy});
     const auto beams = static_cast<std::size_t>(scanner.spec().beams());
     std::vector<sim::Pose> poses(moving ? beams : 1);
     for (std::size_t i = 0; i < poses.size(); ++i)
-        poses[i] = turning_at(i * 17us) * scanner_config(sim::Accuracy::material).robot_from_sensor;
+        poses[i] = turning_at(i * 17us) * scanner_config(accuracy).robot_from_sensor;
     std::vector<sim::Hit> hits(scanner.directions().size());
     for (auto _ : state) {
         backend->cast({.directions = scanner.directions(),
@@ -145,8 +144,12 @@ void cast_alone(benchmark::State& state, bool moving) {
     }
     state.counters["rays"] = double(hits.size());
 }
-BENCHMARK_CAPTURE(cast_alone, still, false)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(cast_alone, moving, true)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(cast_alone, still, sim::Accuracy::sensor, false)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(cast_alone, moving, sim::Accuracy::sensor, true)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(cast_alone, still_material, sim::Accuracy::material, false)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(cast_alone, moving_material, sim::Accuracy::material, true)
+    ->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 

@@ -16,6 +16,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "daemon/device/device.h"
 #include "daemon/fleet_api.h"
 #include "daemon/fleet_plan.h"
 #include "daemon/models/registry.h"
@@ -107,6 +108,52 @@ class FleetTest : public testing::Test {
     Fleet fleet_{io_.get_executor(), ClockKind::wall};
     FleetApi api_{fleet_.simulation()};
 };
+
+// A hundred scanners of a fleet are not measured a hundred times.
+TEST_F(FleetTest, MeasuresBackendsOnceForSensorsThatAskAlike) {
+    SensorConfig other = on_tcp("other");
+    other.model = find_model("URG-04LX");
+    fleet_.apply(of({on_tcp("a"), on_tcp("b"), other}));
+    Simulation& simulation = fleet_.simulation();
+    const auto choice = [&](const char* sensor) { return simulation.world.choice_of(sensor); };
+    simulation.choose_backends();
+    ASSERT_TRUE(run_until(io_, [&] { return choice("rescue/other")->faces.has_value(); }));
+    EXPECT_TRUE(choice("rescue/a")->faces);
+    EXPECT_EQ(choice("rescue/a"), choice("rescue/b"));
+    EXPECT_NE(choice("rescue/a"), choice("rescue/other"));
+}
+
+std::vector<protocol::Uptime> phases(Fleet& fleet) {
+    std::vector<protocol::Uptime> phases;
+    for (const auto& station : fleet.simulation().stations)
+        phases.push_back(std::get<std::unique_ptr<Device>>(station->sensor)->start_of(0));
+    return phases;
+}
+
+// If all mirrors were in step, all scans would have to be cast at once.
+TEST_F(FleetTest, SpreadsItsMirrorsOverATurn) {
+    std::vector<SensorConfig> sensors;
+    for (int i = 0; i < 100; ++i)
+        sensors.push_back(on_tcp(std::to_string(i)));
+    sensors[7].clock.phase = 12ms;
+    sensors[8].clock.phase = 30ms;
+    fleet_.apply(of(sensors));
+    const std::vector<protocol::Uptime> spread = phases(fleet_);
+    EXPECT_EQ(spread[7], 12ms);
+    EXPECT_EQ(spread[8], 30ms % ideal_sensor().model.optics.scan_period);
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        const auto within = std::ranges::count_if(spread, [&](protocol::Uptime phase) {
+            return phase >= quarter * 6250us && phase < (quarter + 1) * 6250us;
+        });
+        EXPECT_GT(within, 10) << quarter;
+    }
+    Fleet again{io_.get_executor(), ClockKind::wall};
+    again.apply(of(sensors));
+    EXPECT_EQ(phases(again), spread);
+    Fleet lockstep{io_.get_executor(), ClockKind::poses};
+    lockstep.apply(of({on_tcp("0"), on_tcp("1")}));
+    EXPECT_EQ(phases(lockstep), (std::vector<protocol::Uptime>{0ms, 0ms}));
+}
 
 TEST_F(FleetTest, TellsWhatThereIs) {
     fleet_.apply(of({on_tcp("front"), on_tty("rear")}));

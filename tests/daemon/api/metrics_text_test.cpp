@@ -4,38 +4,19 @@
 
 #include <gtest/gtest.h>
 
-#include "daemon/api/exposition.h"
-
 namespace scipd::daemon {
 namespace {
 
 using namespace std::chrono_literals;
 
-TEST(Exposition, WritesWhatTheFormatSays) {
-    Exposition text;
-    text.metric("a_total", Exposition::Type::counter, "Things.");
-    text.sample({{"sensor", "r/s"}, {"backend", "embree"}}, std::uint64_t(1) << 60U);
-    text.metric("b", Exposition::Type::gauge, "Others.");
-    text.sample({}, 0.25);
-    EXPECT_EQ(text.finish(),
-              "# HELP a_total Things.\n"
-              "# TYPE a_total counter\n"
-              "a_total{sensor=\"r/s\",backend=\"embree\"} 1152921504606846976\n"
-              "# HELP b Others.\n"
-              "# TYPE b gauge\n"
-              "b 0.25\n");
-}
-
-TEST(Exposition, EscapesWhatWouldEndALabel) {
-    Exposition text;
-    text.metric("a", Exposition::Type::gauge, "Things.");
-    text.sample({{"name", "a\"b\\c\nd"}}, std::uint64_t(1));
-    EXPECT_NE(text.finish().find("a{name=\"a\\\"b\\\\c\\nd\"} 1\n"), std::string::npos);
-}
-
-TEST(Exposition, WritesNumbersThatReadBackTheSame) {
-    for (const double value : {0.0, 6.4e-05, 1.048576, 1e300, 0.1})
-        EXPECT_EQ(std::stod(Exposition::number(value)), value);
+// A number that is rounded on its way would be another bucket, or a counter that stands still.
+TEST(MetricsText, WritesLargeCountsInFull) {
+    SensorMetrics sensor{.name = "robot/front"};
+    sensor.counts.sent_bytes = 123'456'789'012'345;
+    const std::string text = metrics_text({.sensors = {sensor}});
+    EXPECT_NE(text.find("scipd_sent_bytes_total{sensor=\"robot/front\"} 123456789012345\n"),
+              text.npos)
+        << text;
 }
 
 TEST(MetricsText, TellsWhatEachLimitHasRefused) {

@@ -115,13 +115,17 @@ TEST_F(ConfigSensorTest, HasAClockThatRunsAsItLikes) {
     EXPECT_THAT(
         sensor_faults("clock: {ppm: 10001, start_ms: 16777216, drift: 1}"),
         ElementsAre(
-            at("clock.drift: unknown key; known here are ppm, start_ms"),
+            at("clock.drift: unknown key; known here are ppm, start_ms, phase_ms"),
             at("clock.ppm: must lie within 10000 ppm, not '10001'"),
             at("clock.start_ms: must be a whole number from 0 to 16777215, not '16777216'")));
     EXPECT_THAT(sensor_faults("clock: {ppm: fast, start_ms: -1}"),
                 ElementsAre(at("clock.ppm: must be a number, not 'fast'"),
                             at("clock.start_ms: must be a whole number from 0 to 16777215, not "
                                "'-1'")));
+    EXPECT_EQ(sensor("clock: {}").clock.phase, std::nullopt);
+    EXPECT_EQ(sensor("clock: {phase_ms: 12.5}").clock.phase, 12500us);
+    EXPECT_THAT(sensor_faults("clock: {phase_ms: 1001}"),
+                ElementsAre(at("clock.phase_ms: must be 0 to 1000 ms, not '1001'")));
     EXPECT_THAT(sensor_faults("clock: 50"),
                 ElementsAre(at("clock: must be a map of keys and values")));
 }

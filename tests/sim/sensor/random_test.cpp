@@ -106,6 +106,30 @@ TEST_P(EveryPart, NeverRepeats) {
     EXPECT_EQ(std::set<double>(numbers.begin(), numbers.end()).size(), numbers.size());
 }
 
+// What even() leaves on both sides of it is the chance of a number as far from zero as the normal
+// one. random.cpp tells by how much the table may be off.
+TEST(Chance, GivesNormalNumbersThatAreExact) {
+    const Chance chance({.seed = 5});
+    double worst = 0.0;
+    for (std::uint32_t beam = 0; beam < 1'000'000; ++beam) {
+        const double number = chance.standard_normal(beam);
+        const double even = chance.even(beam);
+        ASSERT_EQ(std::signbit(number), std::signbit(even));
+        const double farther = std::erfc(std::abs(number) / std::numbers::sqrt2);
+        const double density = std::sqrt(2.0 / std::numbers::pi) * std::exp(-0.5 * number * number);
+        worst = std::max(worst, std::abs(farther - (1.0 - std::abs(even))) / density);
+    }
+    EXPECT_LT(worst, 3e-7);
+}
+
+TEST(Chance, GivesTheNumbersOfManyBeamsAtOnce) {
+    const Chance chance({.seed = 5});
+    std::vector<double> numbers(100);
+    chance.standard_normals(1000, numbers);
+    for (std::uint32_t i = 0; i < 100; ++i)
+        EXPECT_EQ(numbers[i], chance.standard_normal(1000 + i));
+}
+
 INSTANTIATE_TEST_SUITE_P(Chance, EveryPart,
                          testing::Values(Part{"beam", by_beam}, Part{"scan", by_scan},
                                          Part{"sensor", by_sensor}, Part{"seed", by_seed}),
