@@ -97,6 +97,7 @@ void Fleet::take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept {
     log_findings(plan);
     Simulation& simulation = *simulation_;
     const Config& config = plan.config;
+    simulation.limits->set(config.client_limits);
     simulation.editor.set_file(config.scene, scene_options(config, plan.materials), config.allow);
     simulation.world.light().set_materials(plan.materials);
     simulation.world.light().configure_media(config.media);
@@ -122,6 +123,8 @@ void Fleet::stop() {
 
 Ports Fleet::prepare_ports(const Config& config) const {
     Ports ports = open_ports(executor_, config, ports_, handed_);
+    for (const auto& [key, port] : ports)
+        port->hold_to(simulation_->limits);
     const Stations& stations = simulation_->stations;
     for (const RobotConfig& robot : config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {

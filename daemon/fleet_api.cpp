@@ -52,6 +52,10 @@ std::unique_ptr<Conversation> FleetApi::subscribe(const std::string& sensor, Web
     return simulation_.stream.subscribe(sensor, socket);
 }
 
+sim::Expected<> FleetApi::admit_pose(Rate& sender) {
+    return simulation_.intake.admit(sender);
+}
+
 sim::Expected<> FleetApi::take_pose_line(std::string_view line, SenderClock& sender) {
     return simulation_.intake.take_line(line, {}, sender, simulation_.clock.now());
 }

@@ -33,6 +33,7 @@ class FleetApi : public Api {
     std::unique_ptr<Conversation> subscribe(const std::string& sensor, WebSocket& socket) override;
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string& robot) const override;
     sim::Expected<> set_robot_pose(const std::string& robot, const sim::PoseLine& said) override;
+    sim::Expected<> admit_pose(Rate& sender) override;
     sim::Expected<> take_pose_line(std::string_view line, SenderClock& sender) override;
     [[nodiscard]] SceneView scene() const override;
     void edit_scene(SceneEdit edit, EditDone done, std::stop_token withdrawn) override;

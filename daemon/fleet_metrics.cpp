@@ -39,6 +39,10 @@ SensorMetrics metrics_of(const Station& station, const Simulation& simulation) {
 FleetMetrics metrics_of(const Simulation& simulation) {
     FleetMetrics metrics{.poses = simulation.intake.accepted(),
                          .poses_refused = simulation.intake.refused()};
+    for (std::size_t i = 0; i < limit_table.size(); ++i) {
+        metrics.limited[std::string(limit_table[i].key)] =
+            simulation.limits->refused(static_cast<Limit>(i));
+    }
     for (const auto& station : simulation.stations)
         metrics.sensors.push_back(metrics_of(*station, simulation));
     return metrics;

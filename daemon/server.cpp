@@ -41,7 +41,8 @@ Server::Server(const Options& options, FleetPlan&& plan)
           [this](const HttpRequest& request, Respond respond) {
               route(api_, request, std::move(respond));
           },
-          [this](const HttpRequest& request) { return open_socket(api_, request); }) {
+          [this](const HttpRequest& request) { return open_socket(api_, request); },
+          fleet_.simulation().limits) {
     // The control socket next: if another scipd has it, its ttys are not touched either.
     listen_for_control();
     if (options_.config.http) listen_for_http(*options_.config.http);

@@ -10,7 +10,8 @@ Simulation::Simulation(const boost::asio::any_io_executor& executor, ClockKind k
     : wall_clock(executor),
       lockstep(kind == ClockKind::poses ? std::make_unique<Lockstep>(executor) : nullptr),
       clock(lockstep ? static_cast<Clock&>(lockstep->clock()) : wall_clock),
-      editor(world, worker, clock, [this] { return requested_backends(); }),
+      editor(
+          world, worker, clock, [this] { return requested_backends(); }, limits),
       chooser(world, worker, [this] { return requested_backends(); }),
       worker(executor) {
     world.on_placed([this] {

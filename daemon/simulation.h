@@ -17,6 +17,7 @@
 #include "daemon/device/sensor_counts.h"
 #include "daemon/faults/scenario_run.h"
 #include "daemon/fleet_plan.h"
+#include "daemon/limits/limits.h"
 #include "daemon/poses/lockstep.h"
 #include "daemon/poses/pose_intake.h"
 #include "daemon/stations.h"
@@ -44,15 +45,16 @@ struct Simulation {
     /// All scanners: what a scenario is for.
     [[nodiscard]] std::vector<ScenarioRun::Target> scanners() const;
 
+    const SharedLimits limits = std::make_shared<Limits>();
     WallClock wall_clock;
     std::unique_ptr<Lockstep> lockstep;  ///< null: on the wall clock
     Clock& clock;
     World world;
-    PoseIntake intake{world, lockstep.get()};
+    PoseIntake intake{world, lockstep.get(), limits};
     SceneEditor editor;
     BackendChooser chooser;
     PlaceWatch place_watch{world, worker};
-    ScanStream stream;
+    ScanStream stream{limits};
     Stations stations;
     std::map<std::string, SensorCounts> counted_before;  ///< by sensors that are gone, by name
     ScenarioRun scenario;

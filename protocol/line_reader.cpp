@@ -12,7 +12,7 @@ std::optional<Line> LineReader::next(std::string_view& bytes) {
         if (line_.text.empty())
             bytes.remove_prefix(std::min(bytes.find_first_not_of('\0'), bytes.size()));
         const std::size_t end = std::min(bytes.find_first_of("\r\n"), bytes.size());
-        const std::size_t room = max_length - line_.text.size();
+        const std::size_t room = longest_ - line_.text.size();
         line_.text.append(bytes.substr(0, std::min(end, room)));
         line_.overlong |= end > room;
 

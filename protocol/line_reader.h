@@ -17,7 +17,7 @@ namespace scipd::protocol {
 
 struct Line {
     std::string text;       ///< without its terminator, never empty
-    bool overlong = false;  ///< the line exceeds max_length; the text is its beginning
+    bool overlong = false;  ///< the line is too long; the text is its beginning
 };
 
 class LineReader {
@@ -26,11 +26,17 @@ class LineReader {
     /// is undocumented.
     static constexpr std::size_t max_length = 128;
 
+    explicit LineReader(std::size_t longest = max_length) : longest_(longest) {}
+
     /// Takes bytes off the front of `bytes` until a line is complete. Nothing: all bytes were taken
     /// and more are needed.
     std::optional<Line> next(std::string_view& bytes);
 
+    /// Forgets what has come of a line.
+    void forget() { line_ = {}; }
+
   private:
+    std::size_t longest_;
     Line line_;  ///< of what has come so far
 };
 

@@ -23,9 +23,16 @@ Session::Session(const DeviceProfile& profile, DeviceState& device, LinkKind lin
       rate_told_(bit_rate_of(device.settings(), profile)) {}
 
 void Session::receive(std::string_view bytes, Uptime now) {
-    while (auto line = reader_.next(bytes))
+    while (auto line = reader_.next(bytes)) {
+        if (line->overlong && on_overlong_) on_overlong_();
         requests_.push_back({parse_request(std::move(*line), profile_), now});
+    }
     advance(now);
+}
+
+void Session::limit_lines(std::size_t longest, std::function<void()> on_overlong) {
+    reader_ = LineReader(longest);
+    on_overlong_ = std::move(on_overlong);
 }
 
 std::optional<Uptime> Session::wake_at() const {
@@ -97,7 +104,7 @@ void Session::forget() {
     // The rate of the line is the device's and outlives its clients.
     std::erase_if(actions_,
                   [](const Action& action) { return !std::holds_alternative<SetBitRate>(action); });
-    reader_ = {};
+    reader_.forget();
 }
 
 void Session::lose_link() {

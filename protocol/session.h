@@ -11,6 +11,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,6 +36,9 @@ class Session {
     Session& operator=(const Session&) = delete;
     /// As close().
     ~Session() { close(); }
+
+    /// To be called before any bytes come. Longer requests are refused, each after it was told.
+    void limit_lines(std::size_t longest, std::function<void()> on_overlong);
 
     /// Takes bytes in any pieces. Answers what is due at `now`; the rest waits for advance().
     void receive(std::string_view bytes, Uptime now);
@@ -102,6 +106,7 @@ class Session {
     DeviceState& device_;
     LinkKind link_;
     LineReader reader_;
+    std::function<void()> on_overlong_;
     std::deque<Waiting> requests_;
     Acquisition acquisition_;
     Uptime last_answer_ = Uptime::min();

@@ -31,6 +31,7 @@
 namespace scipd::daemon {
 
 class FaultsApi;
+class Rate;
 class SenderClock;
 
 /// How long after their ideal instant scans left.
@@ -105,6 +106,9 @@ class Api {
     /// pose is of now. The pose holds when this returns, unless it is refused.
     [[nodiscard]] virtual sim::Expected<> set_robot_pose(const std::string& robot,
                                                          const sim::PoseLine& said) = 0;
+
+    /// To be asked before each pose that a connection brings: whether that is not too many.
+    [[nodiscard]] virtual sim::Expected<> admit_pose(Rate& sender) = 0;
 
     /// One line of a stream of many.
     [[nodiscard]] virtual sim::Expected<> take_pose_line(std::string_view line,

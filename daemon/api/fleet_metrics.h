@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct SensorMetrics {
 struct FleetMetrics {
     std::uint64_t poses = 0;
     std::uint64_t poses_refused = 0;
+    std::map<std::string, std::uint64_t> limited;  ///< how often something was too much, by limit
     std::vector<SensorMetrics> sensors;
 };
 

@@ -101,6 +101,16 @@ MetricFamily of_clients(const FleetMetrics& fleet) {
     return family;
 }
 
+MetricFamily of_limits(const FleetMetrics& fleet) {
+    MetricFamily family{"scipd_limited_total",
+                        "What was refused since it was more than a limit allows.",
+                        MetricType::Counter,
+                        {}};
+    for (const auto& [limit, count] : fleet.limited)
+        add_counter(family, {{"limit", limit}}, static_cast<double>(count));
+    return family;
+}
+
 MetricFamily of_build() {
     MetricFamily family{
         "scipd_build_info", "Always 1; the label tells the version.", MetricType::Gauge, {}};
@@ -132,7 +142,7 @@ Families of_links(const FleetMetrics& fleet) {
 Families of_whole(const FleetMetrics& fleet) {
     return {of_daemon("scipd_poses_total", "Poses that were taken.", fleet.poses),
             of_daemon("scipd_poses_refused_total", "Poses that were refused.", fleet.poses_refused),
-            of_build()};
+            of_limits(fleet), of_build()};
 }
 
 }  // namespace

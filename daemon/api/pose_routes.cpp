@@ -46,8 +46,11 @@ HttpResponse bad_request(const sim::Fault& fault) {
     return problem(400, fault.why, fault.field);
 }
 
-HttpResponse accepted(const sim::Expected<>& placed) {
-    return placed ? no_content() : problem(409, placed.error().why);
+HttpResponse placed(const Call& call, const std::function<sim::Expected<>()>& place) {
+    if (const auto admitted = call.api.admit_pose(*call.request.rate); !admitted)
+        return problem(429, admitted.error().why);
+    const auto taken = place();
+    return taken ? no_content() : problem(409, taken.error().why);
 }
 
 void get_robot_pose(Call&& call) {
@@ -61,7 +64,7 @@ void put_robot_pose(Call&& call) {
     if (!call.api.robot_pose(robot)) return call.respond(no_robot(robot));
     const auto said = pose_in(call, "robot");
     if (!said) return call.respond(bad_request(said.error()));
-    call.respond(accepted(call.api.set_robot_pose(robot, *said)));
+    call.respond(placed(call, [&] { return call.api.set_robot_pose(robot, *said); }));
 }
 
 }  // namespace scipd::daemon

@@ -4,6 +4,7 @@
 // What all requests for poses share, of robots and of models.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "daemon/api/documents.h"
@@ -22,7 +23,7 @@ Json pose_line_document(const char* kind, const std::string& name, const sim::Ti
 sim::Expected<sim::PoseLine> pose_in(const Call& call, const char* kind);
 /// 400
 HttpResponse bad_request(const sim::Fault& fault);
-/// 204, or 409 where the world has refused it.
-HttpResponse accepted(const sim::Expected<>& placed);
+/// 204, 429 where the client sends too many, or 409 where the world has refused it.
+HttpResponse placed(const Call& call, const std::function<sim::Expected<>()>& place);
 
 }  // namespace scipd::daemon

@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "daemon/api/documents.h"
-#include "daemon/api/pose_routes.h"
+#include "daemon/http/problem.h"
+#include "daemon/limits/rate.h"
 #include "daemon/poses/pose_intake.h"
 #include "daemon/poses/some_lines.h"
 
@@ -30,20 +31,26 @@ class PoseSocket : public Conversation {
     struct Refused {
         std::uint64_t lines = 0;
         std::uint64_t first_line = 0;
-        sim::Fault first_fault;
+        HttpResponse first_answer;
     };
 
     void take_line(std::string_view line) {
         ++lines_;
         if (sim::says_nothing(line)) return;
-        auto taken = api_.take_pose_line(line, sender_);
-        if (!taken && ++refused_.lines == 1) refused_ = {1, lines_, std::move(taken.error())};
+        if (const auto admitted = api_.admit_pose(rate_); !admitted)
+            return refuse(429, admitted.error());
+        if (const auto taken = api_.take_pose_line(line, sender_); !taken)
+            refuse(400, taken.error());
+    }
+
+    void refuse(int status, const sim::Fault& fault) {
+        if (++refused_.lines == 1) refused_ = {1, lines_, problem(status, fault.why, fault.field)};
     }
 
     void answer() {
         const Refused refused = std::exchange(refused_, {});
         if (refused.lines == 0) return;
-        Json document = Json::parse(bad_request(refused.first_fault).body);
+        Json document = Json::parse(refused.first_answer.body);
         document["line"] = refused.first_line;
         document["refused"] = refused.lines;
         socket_.send(std::make_shared<const std::string>(text_of(document)));
@@ -52,6 +59,7 @@ class PoseSocket : public Conversation {
     Api& api_;
     WebSocket& socket_;
     SenderClock sender_;
+    Rate rate_;
     std::uint64_t lines_ = 0;  ///< since the beginning, empty ones as well
     Refused refused_;
 };

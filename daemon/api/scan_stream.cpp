@@ -112,10 +112,10 @@ void ScanStream::Tap::follow(FaultLog& faults) {
     });
 }
 
-ScanStream::ScanStream()
-    : backlog_([this](Backlog::Number number, const Backlog::Message& message) {
-          count_lost(number, message);
-      }) {}
+ScanStream::ScanStream(SharedLimits limits)
+    : backlog_([this](Backlog::Number number,
+                      const Backlog::Message& message) { count_lost(number, message); },
+               std::move(limits)) {}
 
 std::unique_ptr<Conversation> ScanStream::subscribe(const std::string& sensor, WebSocket& socket) {
     return std::make_unique<Subscriber>(*this, sensor, socket);

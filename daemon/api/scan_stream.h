@@ -56,7 +56,7 @@ class ScanStream {
         Watch watch_;
     };
 
-    ScanStream();
+    explicit ScanStream(SharedLimits limits = std::make_shared<Limits>());
     ScanStream(const ScanStream&) = delete;
     ScanStream& operator=(const ScanStream&) = delete;
 

@@ -84,6 +84,8 @@ int status_of(EditOutcome::Result result) {
             return 404;
         case EditOutcome::Result::taken:
             return 409;
+        case EditOutcome::Result::too_much:
+            return 413;
         default:
             return 400;
     }
@@ -158,7 +160,7 @@ void put_model_pose(Call&& call) {
     if (!call.api.model_pose(name)) return call.respond(no_model(name));
     const auto said = pose_in(call, "model");
     if (!said) return call.respond(bad_request(said.error()));
-    call.respond(accepted(call.api.set_model_pose(name, *said)));
+    call.respond(placed(call, [&] { return call.api.set_model_pose(name, *said); }));
 }
 
 }  // namespace scipd::daemon

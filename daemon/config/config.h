@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "daemon/config/sensor_config.h"
+#include "daemon/limits/limit.h"
 #include "sim/loaders/map/ros_map.h"
 #include "sim/loaders/poses/trajectory.h"
 #include "sim/loaders/sdf/sdf.h"
@@ -76,6 +77,7 @@ struct Config {
     std::vector<sim::Medium> media;   ///< what fills the air at the start
     std::filesystem::path scenario;   ///< what goes wrong; empty: nothing
     WorldLimits limits;
+    LimitValues client_limits;  ///< of the same section
     ClockKind clock = ClockKind::wall;
     std::uint64_t seed = 1;
     std::vector<RobotConfig> robots;

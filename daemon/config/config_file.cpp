@@ -126,9 +126,7 @@ Config Reader::read(const YAML::Node& document) {
     section.read("materials", config.materials, from_base(parse_file));
     if (const Field* media = section.find("media")) config.media = read_media(*media, faults_);
     section.read("scenario", config.scenario, from_base(parse_file));
-    if (const Field* limits = section.find("limits")) {
-        config.limits = read_limits(*limits, faults_);
-    }
+    if (const Field* limits = section.find("limits")) read_limits(*limits, config, faults_);
     section.read("seed", config.seed, parse_seed);
     section.read("clock", config.clock, parse_clock);
     if (const Field* control = section.find("control")) {

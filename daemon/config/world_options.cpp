@@ -6,14 +6,15 @@
 #include <array>
 #include <string>
 
+#include "daemon/config/members.h"
 #include "daemon/config/numbers.h"
 
 namespace scipd::daemon {
 namespace {
 
 constexpr std::array<std::string_view, 3> map_keys{"z", "material", "unknown"};
-constexpr std::array<std::string_view, 3> limits_keys{"world_memory_mb", "world_triangles",
-                                                      "world_load_s"};
+constexpr std::array<std::string_view, 3> world_keys{"world_memory_mb", "world_triangles",
+                                                     "world_load_s"};
 
 sim::Expected<sim::UnknownCells> parse_unknown(std::string_view text) {
     if (text == "free") return sim::UnknownCells::free;
@@ -64,13 +65,17 @@ sim::MapOptions read_map(const Field& field, Faults& faults) {
     return options;
 }
 
-WorldLimits read_limits(const Field& field, Faults& faults) {
-    const Section section{field, limits_keys, faults};
-    WorldLimits limits;
-    section.read("world_memory_mb", limits.memory_bytes, parse_megabytes);
-    section.read("world_triangles", limits.triangles, parse_triangles);
-    section.read("world_load_s", limits.load_time, parse_load_time);
-    return limits;
+void read_limits(const Field& field, Config& config, Faults& faults) {
+    const Section section{field, keys_of(limit_table, world_keys), faults};
+    WorldLimits& world = config.limits;
+    section.read("world_memory_mb", world.memory_bytes, parse_megabytes);
+    section.read("world_triangles", world.triangles, parse_triangles);
+    section.read("world_load_s", world.load_time, parse_load_time);
+    for (std::size_t i = 0; i < limit_table.size(); ++i) {
+        const LimitRow& row = limit_table[i];
+        section.read(row.key, config.client_limits.values[i],
+                     [&](std::string_view text) { return parse_whole(text, row.least, row.most); });
+    }
 }
 
 void apply(const WorldLimits& limits, sim::SceneOptions& options) {

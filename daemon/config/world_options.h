@@ -3,7 +3,8 @@
 //
 // Reads how a world is to be loaded: `map: {z: [BOTTOM, TOP], material: NAME, unknown: ..}` for
 // what a ROS map does not say of its walls, and `limits: {world_memory_mb: 8000, world_triangles:
-// 50000000, world_load_s: 900}` for what a world may take. Any thread; nothing shared.
+// 50000000, world_load_s: 900}` for what a world may take. The
+// limits of clients stand under `limits`, too. Any thread; nothing shared.
 #pragma once
 
 #include "daemon/config/config.h"
@@ -17,7 +18,7 @@ namespace scipd::daemon {
 sim::MapOptions read_map(const Field& field, Faults& faults);
 
 /// `field` is the value of the root's key `limits`.
-WorldLimits read_limits(const Field& field, Faults& faults);
+void read_limits(const Field& field, Config& config, Faults& faults);
 
 /// Sets the limits for all that is loaded with these options. One mesh of a world may be as large
 /// as all of it. The memory is what libsdformat may take, by estimate, and what the readers of its

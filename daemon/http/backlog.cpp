@@ -10,10 +10,6 @@ namespace {
 /// The messages of one source that are kept: a third of a second of a UST-10LX.
 constexpr std::size_t most_of_a_source = 16;
 
-/// The bytes of all sources together. Beyond them only the newest message of each source is kept,
-/// however many and large these are, so that no source is heard at the cost of another.
-constexpr std::size_t most_bytes = std::size_t{64} << 20U;
-
 }  // namespace
 
 void Backlog::add(const std::shared_ptr<Source>& source, std::string text) {
@@ -35,11 +31,16 @@ void Backlog::forget_before(Number number) {
         erase(messages_.begin());
 }
 
+// Beyond the bytes of all sources together only the newest message of each source is kept, however
+// many and large these are, so that no source is heard at the cost of another.
 void Backlog::make_room(Source& source) {
+    const std::size_t most_bytes = (*limits_)[Limit::websocket_queue_bytes];
     if (source.kept.size() > most_of_a_source) lose(messages_.find(source.kept.front()));
     for (auto message = messages_.begin(); bytes_ > most_bytes && message != messages_.end();) {
         const auto oldest = message++;
-        if (oldest->second.source->kept.size() > 1) lose(oldest);
+        if (oldest->second.source->kept.size() <= 1) continue;
+        limits_->refuse(Limit::websocket_queue_bytes, "/stream");
+        lose(oldest);
     }
 }
 

@@ -16,6 +16,8 @@
 #include <string>
 #include <utility>
 
+#include "daemon/limits/limits.h"
+
 namespace scipd::daemon {
 
 class Backlog {
@@ -36,7 +38,8 @@ class Backlog {
     using Lose = std::function<void(Number, const Message&)>;
 
     /// The backlog calls `lose` before a message goes for lack of room.
-    explicit Backlog(Lose lose) : lose_(std::move(lose)) {}
+    explicit Backlog(Lose lose, SharedLimits limits = std::make_shared<Limits>())
+        : lose_(std::move(lose)), limits_(std::move(limits)) {}
 
     void add(const std::shared_ptr<Source>& source, std::string text);
     /// Finds the first message from `number` on, and sets `number` to its own; null: there is none
@@ -56,6 +59,7 @@ class Backlog {
     void erase(Messages::iterator message);
 
     Lose lose_;
+    SharedLimits limits_;
     Messages messages_;
     Number end_ = 0;
     std::size_t bytes_ = 0;

@@ -49,7 +49,8 @@ Address address_of(const asio::local::stream_protocol::socket&) {
     return {};
 }
 
-HttpRequest to_plain(const http::request<http::string_body>& request) {
+HttpRequest to_plain(const http::request<http::string_body>& request,
+                     const std::shared_ptr<Rate>& rate) {
     const std::string target{request.target().data(), request.target().size()};
     const auto mark = target.find('?');
     // HEAD is GET without the body of the answer.
@@ -59,7 +60,8 @@ HttpRequest to_plain(const http::request<http::string_body>& request) {
             .path = target.substr(0, mark),
             .query = mark == target.npos ? "" : target.substr(mark + 1),
             .body = request.body(),
-            .withdrawn = {}};
+            .withdrawn = {},
+            .rate = rate};
 }
 
 http::response<http::string_body> to_beast(HttpResponse plain, bool keep_alive) {
@@ -80,15 +82,14 @@ http::response<http::string_body> to_beast(HttpResponse plain, bool keep_alive) 
 }
 
 /// What to tell a client whose request cannot be read, or nothing where it is gone.
-std::optional<HttpResponse> unreadable(const error_code& error, const HttpLimits& limits) {
+std::optional<HttpResponse> unreadable(const error_code& error, Limits& limits,
+                                       const HttpDoor& door) {
     if (error == http::error::end_of_stream || error == http::error::partial_message) return {};
     if (error == http::error::body_limit) {
-        return problem(413,
-                       "the body is larger than " + std::to_string(limits.body_bytes) + " bytes");
+        return problem(413, limits.refuse(Limit::http_body_bytes, door.name));
     }
     if (error == http::error::header_limit || error == http::error::buffer_overflow) {
-        return problem(
-            431, "the header is larger than " + std::to_string(limits.header_bytes) + " bytes");
+        return problem(431, limits.refuse(Limit::http_header_bytes, door.name));
     }
     if (error.category() == make_error_code(http::error::bad_method).category()) {
         return problem(400, "not HTTP/1.1: " + error.message());
@@ -100,10 +101,9 @@ std::optional<HttpResponse> unreadable(const error_code& error, const HttpLimits
 
 template <class Protocol>
 HttpConnection<Protocol>::HttpConnection(typename Protocol::socket socket,
-                                         std::shared_ptr<HttpService> service,
-                                         std::shared_ptr<const Gate> gate)
+                                         std::shared_ptr<HttpService> service, SharedDoor door)
     : service_(std::move(service)),
-      gate_(std::move(gate)),
+      door_(std::move(door)),
       stream_(std::move(socket)),
       glance_(stream_.get_executor()) {
     service_->clients.insert(this);
@@ -117,9 +117,10 @@ HttpConnection<Protocol>::~HttpConnection() {
 template <class Protocol>
 void HttpConnection<Protocol>::read_header() {
     parser_.emplace();
-    parser_->header_limit(service_->limits.header_bytes);
-    parser_->body_limit(service_->limits.body_bytes);
-    stream_.expires_after(service_->limits.idle);
+    const Limits& limits = *service_->limits;
+    parser_->header_limit(static_cast<std::uint32_t>(limits[Limit::http_header_bytes]));
+    parser_->body_limit(limits[Limit::http_body_bytes]);
+    stream_.expires_after(service_->idle);
     http::async_read_header(stream_, buffer_, *parser_,
                             [self = this->shared_from_this()](const Error& error, std::size_t) {
                                 if (error) return self->refuse(error);
@@ -128,12 +129,18 @@ void HttpConnection<Protocol>::read_header() {
 }
 
 template <class Protocol>
+void HttpConnection<Protocol>::turn_away(HttpResponse why) {
+    stream_.expires_after(linger);
+    write(std::move(why), false);
+}
+
+template <class Protocol>
 void HttpConnection<Protocol>::come_in() {
     if (service_->closed) return;
-    if (!gate_) return allow_body();
+    if (!door_->gate) return allow_body();
     const auto& request = parser_->get();
     const bool has_body = !parser_->is_done();
-    auto answer = gate_->answer(request, has_body, address_of(stream_.socket()));
+    auto answer = door_->gate->answer(request, has_body, address_of(stream_.socket()));
     if (!answer) return allow_body();
     // A body that nobody reads cannot be told from the next request.
     write(std::move(*answer), request.keep_alive() && !has_body,
@@ -176,7 +183,7 @@ void HttpConnection<Protocol>::answer() {
     };
     answered_ = false;
     hung_up_ = {};
-    HttpRequest plain = to_plain(request);
+    HttpRequest plain = to_plain(request, rate_);
     plain.withdrawn = hung_up_.get_token();
     try {
         service_->handler(plain, respond);
@@ -201,18 +208,19 @@ void HttpConnection<Protocol>::watch() {
 template <class Protocol>
 void HttpConnection<Protocol>::upgrade() {
     const auto& request = parser_->get();
-    auto answer = service_->open_web_socket(to_plain(request));
+    auto answer = service_->open_web_socket(to_plain(request, rate_));
     if (auto* refusal = std::get_if<HttpResponse>(&answer)) {
         return write(std::move(*refusal), request.keep_alive());
     }
-    std::make_shared<WebSocketConnection<Protocol>>(std::move(stream_), service_)
+    std::make_shared<WebSocketConnection<Protocol>>(std::move(stream_), service_, door_)
         ->open(request, std::get<Converse>(std::move(answer)));
 }
 
 template <class Protocol>
 void HttpConnection<Protocol>::refuse(const Error& error) {
     if (service_->closed) return;
-    if (auto refusal = unreadable(error, service_->limits)) write(std::move(*refusal), false);
+    if (auto refusal = unreadable(error, *service_->limits, *door_))
+        write(std::move(*refusal), false);
 }
 
 template <class Protocol>

@@ -17,7 +17,6 @@
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http.hpp>
 
-#include "daemon/http/gate.h"
 #include "daemon/http/service.h"
 
 namespace scipd::daemon {
@@ -26,12 +25,13 @@ template <class Protocol>
 class HttpConnection : public HttpClient,
                        public std::enable_shared_from_this<HttpConnection<Protocol>> {
   public:
-    /// Without a gate everybody may come in who can connect.
     HttpConnection(typename Protocol::socket socket, std::shared_ptr<HttpService> service,
-                   std::shared_ptr<const Gate> gate);
+                   SharedDoor door);
     ~HttpConnection() override;
 
     void read_header();
+    /// Tells the client why nothing is read from it, and closes.
+    void turn_away(HttpResponse why);
     void close() override { stream_.close(); }
 
   private:
@@ -49,10 +49,11 @@ class HttpConnection : public HttpClient,
     void drop_input();
 
     std::shared_ptr<HttpService> service_;
-    std::shared_ptr<const Gate> gate_;
+    SharedDoor door_;
     boost::beast::basic_stream<Protocol> stream_;
     boost::beast::flat_buffer buffer_;
     std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
+    const std::shared_ptr<Rate> rate_ = std::make_shared<Rate>();
     bool answered_ = false;
     std::stop_source hung_up_;
     boost::asio::steady_timer glance_;  ///< when to look whether it has

@@ -5,10 +5,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "daemon/limits/rate.h"
 
 namespace scipd::daemon {
 
@@ -19,6 +22,8 @@ struct HttpRequest {
     std::string body;
     /// Stop is requested, on the I/O thread, when the client hangs up before it has its answer.
     std::stop_token withdrawn = {};
+    /// Of what comes by this connection, for a handler that bounds it.
+    std::shared_ptr<Rate> rate = std::make_shared<Rate>();
 };
 
 struct HttpResponse {

@@ -26,10 +26,14 @@ std::string_view http_title(int status) {
             return "Unsupported Media Type";
         case 426:
             return "Upgrade Required";
+        case 429:
+            return "Too Many Requests";
         case 431:
             return "Request Header Fields Too Large";
         case 500:
             return "Internal Server Error";
+        case 503:
+            return "Service Unavailable";
         default:
             return "Error";
     }

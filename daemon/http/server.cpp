@@ -39,13 +39,22 @@ namespace {
 /// After a failed accept, as when all descriptors are taken: not at once again.
 constexpr std::chrono::milliseconds accept_pause{100};
 
+/// So many clients at once are told that there are too many; others only find their connections
+/// closed.
+constexpr long most_turned_away = 16;
+
+long clients_of(const SharedDoor& door) {
+    return door.use_count() - 1;  // the listener's
+}
+
 template <class Protocol>
 class Listener : public HttpPort, public std::enable_shared_from_this<Listener<Protocol>> {
   public:
     Listener(typename Protocol::acceptor acceptor, std::shared_ptr<HttpService> service,
-             std::shared_ptr<const Gate> gate)
+             const HttpDoor& door)
         : service_(std::move(service)),
-          gate_(std::move(gate)),
+          door_(std::make_shared<const HttpDoor>(door)),
+          way_out_(std::make_shared<const HttpDoor>(door)),
           acceptor_(std::move(acceptor)),
           pause_(acceptor_.get_executor()) {}
 
@@ -54,9 +63,7 @@ class Listener : public HttpPort, public std::enable_shared_from_this<Listener<P
                                                                  typename Protocol::socket socket) {
             if (self->service_->closed) return;
             if (error) return self->accept_later();
-            std::make_shared<HttpConnection<Protocol>>(std::move(socket), self->service_,
-                                                       self->gate_)
-                ->read_header();
+            self->take_in(std::move(socket));
             self->accept();
         });
     }
@@ -68,6 +75,17 @@ class Listener : public HttpPort, public std::enable_shared_from_this<Listener<P
     }
 
   private:
+    using Connection = HttpConnection<Protocol>;
+
+    void take_in(typename Protocol::socket socket) {
+        Limits& limits = *service_->limits;
+        if (clients_of(door_) < static_cast<long>(limits[door_->most]))
+            return std::make_shared<Connection>(std::move(socket), service_, door_)->read_header();
+        const HttpResponse why = problem(503, limits.refuse(door_->most, door_->name));
+        if (clients_of(way_out_) < most_turned_away)
+            std::make_shared<Connection>(std::move(socket), service_, way_out_)->turn_away(why);
+    }
+
     void accept_later() {
         pause_.expires_after(accept_pause);
         pause_.async_wait([self = this->shared_from_this()](const error_code&) {
@@ -76,7 +94,8 @@ class Listener : public HttpPort, public std::enable_shared_from_this<Listener<P
     }
 
     std::shared_ptr<HttpService> service_;
-    std::shared_ptr<const Gate> gate_;
+    SharedDoor door_;
+    SharedDoor way_out_;  ///< of clients that are turned away
     typename Protocol::acceptor acceptor_;
     asio::steady_timer pause_;
 };
@@ -116,11 +135,11 @@ void name_failures(const std::string& where, Listen listen) {
 }  // namespace
 
 HttpServer::HttpServer(asio::any_io_executor executor, HttpHandler handler,
-                       OpenWebSocket open_web_socket, const HttpLimits& limits)
+                       OpenWebSocket open_web_socket, SharedLimits limits)
     : executor_(std::move(executor)), service_(std::make_shared<HttpService>()) {
     service_->handler = std::move(handler);
     service_->open_web_socket = std::move(open_web_socket);
-    service_->limits = limits;
+    service_->limits = std::move(limits);
 }
 
 HttpServer::~HttpServer() {
@@ -149,7 +168,8 @@ void HttpServer::listen(const fs::path& socket, std::optional<unsigned> group,
         } else {
             make_socket(acceptor, socket, group);
         }
-        const auto port = std::make_shared<Listener<Local>>(std::move(acceptor), service_, nullptr);
+        const auto port = std::make_shared<Listener<Local>>(
+            std::move(acceptor), service_, HttpDoor{socket.string(), Limit::control_connections});
         port->accept();
         ports_.push_back(port);
     });
@@ -163,8 +183,9 @@ Address HttpServer::listen(const Address& address, const std::string& token,
         tcp::acceptor acceptor = handed ? tcp::acceptor{executor_, wanted.protocol(), *handed}
                                         : tcp::acceptor{executor_, wanted};
         taken = {address.host, acceptor.local_endpoint().port()};
-        const auto port = std::make_shared<Listener<tcp>>(std::move(acceptor), service_,
-                                                          std::make_shared<Gate>(token));
+        const auto port = std::make_shared<Listener<tcp>>(
+            std::move(acceptor), service_,
+            HttpDoor{text_of(taken), Limit::http_connections, Gate(token)});
         port->accept();
         ports_.push_back(port);
     });

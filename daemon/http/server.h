@@ -6,6 +6,7 @@
 // of clients; whatever a client sends ends at most its own connection. Lives on the I/O thread.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -28,7 +29,8 @@ class HttpServer {
     /// The server calls the handler on the executor, and no more once it is closed. The handler
     /// responds when it can; until then the client and its further requests wait.
     HttpServer(boost::asio::any_io_executor executor, HttpHandler handler,
-               OpenWebSocket open_web_socket = no_web_sockets, const HttpLimits& limits = {});
+               OpenWebSocket open_web_socket = no_web_sockets,
+               SharedLimits limits = std::make_shared<Limits>());
     ~HttpServer();
     HttpServer(const HttpServer&) = delete;
     HttpServer& operator=(const HttpServer&) = delete;
@@ -44,6 +46,9 @@ class HttpServer {
     /// empty. Returns the address with the port that was really taken.
     Address listen(const Address& address, const std::string& token = {},
                    std::optional<int> handed = {});
+
+    /// A connection ends where no whole request has come for so long.
+    void set_idle(std::chrono::milliseconds idle) { service_->idle = idle; }
 
     /// Ends all connections and removes the sockets.
     void close();

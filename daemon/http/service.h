@@ -6,24 +6,21 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <set>
+#include <string>
 
+#include "daemon/http/gate.h"
 #include "daemon/http/message.h"
 #include "daemon/http/web_socket.h"
+#include "daemon/limits/limits.h"
 
 namespace scipd::daemon {
 
 /// Answers a request, at once or later.
 using HttpHandler = std::function<void(const HttpRequest&, Respond)>;
-
-struct HttpLimits {
-    std::uint32_t header_bytes = 16 * 1024;
-    std::uint64_t body_bytes = 1024 * 1024;
-    /// A connection ends where no whole request has come for so long.
-    std::chrono::milliseconds idle{60'000};
-};
 
 /// What a server can do with a connection, whatever it runs over.
 class HttpClient {
@@ -32,11 +29,22 @@ class HttpClient {
     virtual void close() = 0;
 };
 
+/// A place where clients connect. Each client has a hold of it until its connection ends, so that
+/// the holds tell how many there are.
+struct HttpDoor {
+    std::string name;               ///< for the log
+    Limit most;                     ///< of clients
+    std::optional<Gate> gate = {};  ///< without one everybody may come in who can connect
+};
+using SharedDoor = std::shared_ptr<const HttpDoor>;
+
 /// The server and its connections hold it together, since connections may end later.
 struct HttpService {
     HttpHandler handler;
     OpenWebSocket open_web_socket;
-    HttpLimits limits;
+    SharedLimits limits;
+    /// A connection ends where no whole request has come for so long.
+    std::chrono::milliseconds idle{60'000};
     bool closed = false;
     std::set<HttpClient*> clients;  ///< each adds and removes itself
 };

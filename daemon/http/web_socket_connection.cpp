@@ -2,6 +2,8 @@
 // Copyright The scipd authors
 #include "daemon/http/web_socket_connection.h"
 
+#include <algorithm>
+#include <chrono>
 #include <string_view>
 #include <utility>
 
@@ -19,16 +21,23 @@ namespace websocket = boost::beast::websocket;
 /// A client with so many messages before it is not listened to until it has read some.
 constexpr std::size_t most_unread = 64;
 
+/// How long a client may take to read why it is refused.
+constexpr std::chrono::seconds last_words{5};
+
 }  // namespace
 
 template <class Protocol>
 WebSocketConnection<Protocol>::WebSocketConnection(Stream stream,
-                                                   std::shared_ptr<HttpService> service)
-    : service_(std::move(service)), socket_(std::move(stream)) {
+                                                   std::shared_ptr<HttpService> service,
+                                                   SharedDoor door)
+    : service_(std::move(service)),
+      door_(std::move(door)),
+      socket_(std::move(stream)),
+      patience_(socket_.get_executor()) {
     service_->clients.insert(this);
     boost::beast::get_lowest_layer(socket_).expires_never();
     socket_.set_option(websocket::stream_base::timeout::suggested(boost::beast::role_type::server));
-    socket_.read_message_max(service_->limits.body_bytes);
+    socket_.read_message_max((*service_->limits)[Limit::http_body_bytes]);
     socket_.text(true);
     socket_.auto_fragment(false);
 }
@@ -60,7 +69,12 @@ void WebSocketConnection<Protocol>::read() {
 template <class Protocol>
 void WebSocketConnection<Protocol>::received(const Error& error) {
     // The conversation may hold what refers to others that end before the last handler does.
-    if (error || service_->closed) return conversation_.reset();
+    Limits& limits = *service_->limits;
+    if (error == websocket::error::message_too_big)
+        limits.refuse(Limit::http_body_bytes, door_->name);
+    if (error || service_->closed || refused_) return conversation_.reset();
+    if (!rate_.admit(limits[Limit::websocket_messages_per_s]))
+        return refuse(Limit::websocket_messages_per_s);
     work_off();
 }
 
@@ -77,6 +91,12 @@ void WebSocketConnection<Protocol>::work_off() {
 
 template <class Protocol>
 void WebSocketConnection<Protocol>::send(std::shared_ptr<const std::string> message) {
+    const std::size_t bytes = queue_bytes_ + message->size();
+    if (refused_) return;
+    // A single message may be of any size.
+    if (!queue_.empty() && bytes > (*service_->limits)[Limit::websocket_queue_bytes])
+        return refuse(Limit::websocket_queue_bytes);
+    queue_bytes_ = bytes;
     queue_.push_back(std::move(message));
     if (queue_.size() == 1) write();
 }
@@ -92,11 +112,29 @@ void WebSocketConnection<Protocol>::write() {
 template <class Protocol>
 void WebSocketConnection<Protocol>::written(const Error& error) {
     if (error || service_->closed) return conversation_.reset();
+    queue_bytes_ -= queue_.front()->size();
     queue_.pop_front();
     if (!queue_.empty()) write();
     if (!conversation_) return;
     conversation_->left();
     if (waits_for_room_) read();
+}
+
+// In another turn, since the conversation itself may be sending.
+template <class Protocol>
+void WebSocketConnection<Protocol>::refuse(Limit limit) {
+    refused_ = true;
+    const std::string why = service_->limits->refuse(limit, door_->name);
+    asio::post(socket_.get_executor(), [self = this->shared_from_this(), why] {
+        self->conversation_.reset();
+        websocket::close_reason reason(websocket::close_code::policy_error);
+        reason.reason.assign(why.data(), std::min(why.size(), reason.reason.max_size()));
+        self->socket_.async_close(reason, [self](const Error&) { self->patience_.cancel(); });
+        self->patience_.expires_after(last_words);
+        self->patience_.async_wait([self](const Error& error) {
+            if (!error) self->close();
+        });
+    });
 }
 
 template <class Protocol>

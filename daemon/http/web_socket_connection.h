@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 
+#include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/basic_stream.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http.hpp>
@@ -26,7 +27,7 @@ class WebSocketConnection : public HttpClient,
     using Stream = boost::beast::basic_stream<Protocol>;
     using Request = boost::beast::http::request<boost::beast::http::string_body>;
 
-    WebSocketConnection(Stream stream, std::shared_ptr<HttpService> service);
+    WebSocketConnection(Stream stream, std::shared_ptr<HttpService> service, SharedDoor door);
     ~WebSocketConnection() override;
 
     /// Accepts the request and begins the conversation.
@@ -43,12 +44,19 @@ class WebSocketConnection : public HttpClient,
     void work_off();
     void write();
     void written(const Error& error);
+    /// Closes, and tells the client why.
+    void refuse(Limit limit);
 
     std::shared_ptr<HttpService> service_;
+    SharedDoor door_;
     boost::beast::websocket::stream<Stream> socket_;
     boost::beast::flat_buffer buffer_;
     std::deque<std::shared_ptr<const std::string>> queue_;
-    bool waits_for_room_ = false;  ///< whether it reads on once the queue is shorter
+    std::size_t queue_bytes_ = 0;
+    Rate rate_;  ///< of messages that come
+    bool refused_ = false;
+    boost::asio::steady_timer patience_;  ///< with a client that is refused and does not read
+    bool waits_for_room_ = false;         ///< whether it reads on once the queue is shorter
     std::unique_ptr<Conversation> conversation_;
 };
 

@@ -61,6 +61,12 @@ Connection::Connection(Descriptor descriptor, Endpoint& scanner, const LinkConfi
       outbox_(outbox_of(scanner, link)),
       device_rate_(link.baud.value_or(0)) {}
 
+void Connection::hold_to(const SharedLimits& limits, const std::string& here) {
+    constexpr Limit of_lines = Limit::scip_line_bytes;
+    client_->session().limit_lines((*limits)[of_lines],
+                                   [limits, here] { limits->refuse(of_lines, here); });
+}
+
 void Connection::start() {
     read();
 }

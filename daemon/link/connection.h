@@ -16,6 +16,7 @@
 
 #include "daemon/clock/clock.h"
 #include "daemon/config/link_config.h"
+#include "daemon/limits/limits.h"
 #include "daemon/link/endpoint.h"
 #include "daemon/link/line_hook.h"
 #include "daemon/link/line_state.h"
@@ -45,6 +46,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
     /// `scanner` must live until close() or ended.
     Connection(Descriptor descriptor, Endpoint& scanner, const LinkConfig& link, Hooks hooks);
 
+    /// To be called before start(). `here` is what the log calls the place.
+    void hold_to(const SharedLimits& limits, const std::string& here);
     void start();
     void close();
     /// The client is gone, and whoever comes next is a new one. The new one gets nothing of what

@@ -29,6 +29,7 @@ void Port::send_raw(std::string bytes) {
 
 void Port::begin(std::shared_ptr<Connection> connection) {
     connection_ = std::move(connection);
+    connection_->hold_to(limits_, address());
     connection_->set_line(line_);
     connection_->set_hook(hook_);
     connection_->start();

@@ -8,8 +8,10 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "daemon/config/link_config.h"
+#include "daemon/limits/limits.h"
 #include "daemon/link/connection.h"
 #include "daemon/link/endpoint.h"
 #include "daemon/link/line_hook.h"
@@ -28,6 +30,8 @@ class Port {
     Port& operator=(const Port&) = delete;
     virtual ~Port() = default;
 
+    /// What holds for all who connect from now on; before, the usual limits do.
+    void hold_to(SharedLimits limits) { limits_ = std::move(limits); }
     /// Gets all that the next serve() needs, so that serve() does not fail. Throws
     /// std::system_error; then all is as before.
     virtual void prepare() = 0;
@@ -67,6 +71,7 @@ class Port {
     /// Null: there is none.
     [[nodiscard]] Connection* connection() const { return connection_.get(); }
 
+    [[nodiscard]] Limits& limits() const { return *limits_; }
     [[nodiscard]] const LineState& line() const { return line_; }
     /// The line may refuse clients now, or may no longer.
     virtual void follow_line() = 0;
@@ -75,6 +80,7 @@ class Port {
     }
 
   private:
+    SharedLimits limits_ = std::make_shared<Limits>();
     LineState line_;
     LineHook* hook_ = nullptr;
     std::shared_ptr<Connection> connection_;

@@ -18,9 +18,6 @@ using boost::system::error_code;
 
 namespace {
 
-// Enough for a driver that reconnects before its old connection is gone.
-constexpr int backlog = 4;
-
 // A scanner has little memory: without a bound the kernel would keep minutes of scans for a client
 // that does not read, and hand it all of them, long out of date.
 constexpr int kernel_buffer_bytes = 64 * 1024;
@@ -51,15 +48,17 @@ TcpPort::TcpPort(const asio::any_io_executor& executor, const Address& address,
         endpoint_ = {asio::ip::make_address(address.host), address.port};
         if (handed) {
             acceptor_.assign(endpoint_.protocol(), *handed);
-            acceptor_.listen(backlog);
         } else {
             listen();
         }
         endpoint_ = acceptor_.local_endpoint();
     } catch (const boost::system::system_error& error) {
+        const bool taken = error.code() == asio::error::address_in_use;
         throw std::runtime_error("cannot listen on " + text_of(address) + ": " +
                                  error.code().message() +
-                                 "; choose another address, or port 0 for any");
+                                 (taken ? ", maybe by another scipd" : "") +
+                                 "; choose another address, or port 0 for a free one, such as "
+                                 "--tcp 127.0.0.1:0");
     }
 }
 
@@ -67,6 +66,7 @@ void TcpPort::serve(Endpoint& scanner, const LinkConfig& link) {
     disconnect();
     scanner_ = &scanner;
     set_line({.link = link});
+    serve_next();
     accept();
 }
 
@@ -74,6 +74,7 @@ void TcpPort::stop() {
     error_code ignored;
     acceptor_.close(ignored);
     pause_.cancel();
+    turn_all_away();
     disconnect();
     scanner_ = nullptr;
 }
@@ -92,15 +93,16 @@ void TcpPort::cut(Cut how) {
                    how == Cut::fin ? drop_unread(cut_off->descriptor())
                                    : reset_on_close(cut_off->descriptor());
                    self->disconnect();
-                   self->accept();
+                   self->serve_next();
                });
 }
 
 void TcpPort::follow_line() {
-    if (!scanner_ || handed_) return;
+    if (!scanner_) return;
     error_code ignored;
     if (line().refuses) {
-        acceptor_.close(ignored);
+        if (!handed_) acceptor_.close(ignored);
+        turn_all_away();
     } else if (!acceptor_.is_open()) {
         listen_again();
     }
@@ -123,7 +125,7 @@ void TcpPort::listen() {
     try {
         acceptor_.set_option(tcp::acceptor::reuse_address(true));
         acceptor_.bind(endpoint_);
-        acceptor_.listen(backlog);
+        acceptor_.listen();
     } catch (const boost::system::system_error&) {
         acceptor_.close();
         throw;
@@ -131,7 +133,7 @@ void TcpPort::listen() {
 }
 
 void TcpPort::accept() {
-    if (accepting_ || connected() || !acceptor_.is_open()) return;
+    if (accepting_ || !acceptor_.is_open()) return;
     accepting_ = true;
     acceptor_.async_accept([self = shared_from_this()](error_code error, tcp::socket socket) {
         self->accepting_ = false;
@@ -139,9 +141,32 @@ void TcpPort::accept() {
         // It refused clients for a while.
         if (error == asio::error::operation_aborted) return self->accept();
         if (error) return self->accept_later();
-        if (self->line().refuses) return self->turn_away(std::move(socket));
-        self->connect(std::move(socket));
+        self->take_in(std::move(socket));
+        self->accept();
     });
+}
+
+void TcpPort::take_in(tcp::socket socket) {
+    // Where somebody else holds the socket open, it goes on listening while the line refuses.
+    if (line().refuses) return reset_on_close(socket.native_handle());
+    if (!connected()) return connect(std::move(socket));
+    if (waiting_.size() + 1 < limits()[Limit::scanner_connections])
+        return waiting_.push_back(std::move(socket));
+    limits().refuse(Limit::scanner_connections, address());
+}
+
+void TcpPort::serve_next() {
+    if (connected() || waiting_.empty()) return;
+    tcp::socket socket = std::move(waiting_.front());
+    waiting_.pop_front();
+    connect(std::move(socket));
+}
+
+// As the kernel does with those whom nobody has accepted.
+void TcpPort::turn_all_away() {
+    for (tcp::socket& socket : waiting_)
+        reset_on_close(socket.native_handle());
+    waiting_.clear();
 }
 
 void TcpPort::accept_later() {
@@ -151,26 +176,19 @@ void TcpPort::accept_later() {
     });
 }
 
-void TcpPort::turn_away(tcp::socket socket) {
-    reset_on_close(socket.native_handle());
-    error_code ignored;
-    socket.close(ignored);
-    accept();
-}
-
 void TcpPort::connect(tcp::socket socket) {
     error_code error;
     socket.set_option(tcp::no_delay(true), error);
     socket.set_option(tcp::socket::send_buffer_size(kernel_buffer_bytes), error);
     const auto executor = socket.get_executor();
     const int descriptor = socket.release(error);
-    if (error) return accept();
+    if (error) return serve_next();
     LinkConfig link = line().link;
     link.baud.reset();  // a tty's
     begin(std::make_shared<Connection>(Connection::Descriptor(executor, descriptor), *scanner_,
                                        link, Connection::Hooks{.ended = [this] {
                                            disconnect();
-                                           accept();
+                                           serve_next();
                                        }}));
     watch(descriptor);
     tell_connected();
@@ -190,7 +208,7 @@ void TcpPort::watch_on() {
         if (error || !self->peer_) return;
         if (!self->peer_->stalled()) return self->watch_on();
         self->disconnect();
-        self->accept();
+        self->serve_next();
     });
 }
 

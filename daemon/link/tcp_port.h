@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A scanner's TCP port: one client at a time; the next one waits in the backlog until the first is
-// gone, as with a real scanner. Lives on the I/O thread.
+// A scanner's TCP port: one client at a time; the next ones wait until the first is gone, as with a
+// real scanner. Of more than a few, the last are turned away. Lives on the I/O thread.
 #pragma once
 
 #include <chrono>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,8 +46,9 @@ class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
     void listen_again();
     void accept();
     void accept_later();
-    /// For a socket that goes on listening where the line refuses clients.
-    void turn_away(boost::asio::ip::tcp::socket socket);
+    void take_in(boost::asio::ip::tcp::socket socket);
+    void serve_next();
+    void turn_all_away();
     void connect(boost::asio::ip::tcp::socket socket);
     void disconnect();
     /// Looks whether the client's machine is still there, until it disconnects.
@@ -62,6 +64,7 @@ class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
     std::chrono::nanoseconds dead_after_{};
     boost::asio::steady_timer peer_timer_;
     bool accepting_ = false;
+    std::deque<boost::asio::ip::tcp::socket> waiting_;  ///< clients, the next one first
 };
 
 }  // namespace scipd::daemon

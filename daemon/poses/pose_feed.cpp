@@ -18,8 +18,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "daemon/limits/rate.h"
+#include "daemon/limits/throttle.h"
+#include "daemon/poses/sender_rates.h"
 #include "daemon/poses/some_lines.h"
-#include "daemon/poses/throttle.h"
 #include "sim/loaders/poses/pose_line.h"
 
 namespace scipd::daemon {
@@ -58,8 +60,11 @@ class LineSink {
         });
     }
 
+    /// Whose lines come next.
+    void count_for(Rate& rate) { rate_ = &rate; }
+
     void take(std::string_view line) {
-        if (sim::says_nothing(line)) return;
+        if (sim::says_nothing(line) || !context_.intake.admit(*rate_)) return;
         const auto taken = context_.intake.take_line(line, robot_, sender_, context_.clock.now());
         if (!taken) tell(taken.error().why);
     }
@@ -80,6 +85,8 @@ class LineSink {
     FeedContext context_;
     const std::string& robot_;
     SenderClock sender_;
+    Rate only_rate_;
+    Rate* rate_ = &only_rate_;
     bool ended_ = false;
     Throttle throttle_;
 };
@@ -124,15 +131,16 @@ class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
     }
 
     void receive() {
-        socket_.async_receive(asio::buffer(datagram_),
-                              [self = shared_from_this()](error_code error, std::size_t size) {
-                                  // After stop(), a datagram that had come is still handed in.
-                                  if (!self->socket_.is_open()) return;
-                                  self->take({self->datagram_.data(), error ? 0 : size});
-                              });
+        socket_.async_receive_from(asio::buffer(datagram_), from_,
+                                   [self = shared_from_this()](error_code error, std::size_t size) {
+                                       // After stop(), a datagram that had come is still handed in.
+                                       if (!self->socket_.is_open()) return;
+                                       self->take({self->datagram_.data(), error ? 0 : size});
+                                   });
     }
 
     void take(std::string_view datagram) {
+        sink_.count_for(rates_.of(from_.address(), std::chrono::steady_clock::now()));
         sink_.take_lines(datagram, shared_from_this(), [weak = weak_from_this()] {
             if (const auto feed = weak.lock()) feed->receive();
         });
@@ -140,6 +148,8 @@ class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
 
     LineSink sink_;
     asio::ip::udp::socket socket_;
+    asio::ip::udp::endpoint from_;
+    SenderRates rates_;
     std::array<char, 65536> datagram_;
 };
 

@@ -88,6 +88,11 @@ void SenderClock::extend_run(sim::Time arrival_minus_stamp, sim::Time arrival) {
     if (first || (side == Side::late) == (arrival_minus_stamp < least)) least = arrival_minus_stamp;
 }
 
+sim::Expected<> PoseIntake::admit(Rate& sender) {
+    if (lockstep_ != nullptr || sender.admit((*limits_)[Limit::poses_per_s])) return {};
+    return count(sim::refuse(limits_->refuse(Limit::poses_per_s, "poses")));
+}
+
 sim::Expected<> PoseIntake::take_line(std::string_view line, std::string_view robot,
                                       SenderClock& sender, sim::Time arrival) {
     const auto said = sim::parse_pose_line(line);

@@ -9,13 +9,17 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "daemon/limits/limits.h"
+#include "daemon/limits/rate.h"
+#include "daemon/limits/throttle.h"
 #include "daemon/poses/lockstep.h"
 #include "daemon/poses/stamp_leap.h"
-#include "daemon/poses/throttle.h"
 #include "daemon/world/world.h"
 #include "sim/expected.h"
 #include "sim/loaders/poses/pose_line.h"
@@ -67,8 +71,13 @@ class SenderClock {
 class PoseIntake {
   public:
     /// `world` must outlive this, and so must `lockstep`; null: on the wall clock.
-    explicit PoseIntake(World& world, Lockstep* lockstep = nullptr)
-        : world_(world), lockstep_(lockstep) {}
+    explicit PoseIntake(World& world, Lockstep* lockstep = nullptr,
+                        SharedLimits limits = std::make_shared<Limits>())
+        : world_(world), lockstep_(lockstep), limits_(std::move(limits)) {}
+
+    /// To be asked before each pose of this sender. A pose that is one too many is counted and is
+    /// to be told. In lockstep none is: time waits for poses, and two runs have to be the same.
+    [[nodiscard]] sim::Expected<> admit(Rate& sender);
 
     /// One line of a stream. A line without a name means `robot`, or the only robot where `robot`
     /// is empty. A refused line is counted and changes nothing.
@@ -95,6 +104,7 @@ class PoseIntake {
 
     World& world_;
     Lockstep* lockstep_;
+    SharedLimits limits_;
     std::uint64_t accepted_ = 0;
     std::uint64_t refused_ = 0;
     std::optional<std::string> last_refusal_;

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "daemon/limits/limit.h"
 #include "sim/loaders/sdf/model_fragment.h"
 
 namespace scipd::daemon {
@@ -44,12 +45,14 @@ struct EditOutcome {
         forbidden,  ///< its file lies where nobody may have files read
         unknown,    ///< no such model
         taken,      ///< there is a model of this name
+        too_much,   ///< `limit` says of what
     };
     Result result = Result::done;
     /// Warnings where it is done; else why not.
     std::vector<std::string> messages;
     /// What is worth knowing where it is done, and no warning.
     std::vector<std::string> notes = {};
+    Limit limit = {};
 };
 
 using EditDone = std::function<void(const EditOutcome&)>;

@@ -13,10 +13,11 @@
 
 #include <spdlog/spdlog.h>
 
-#include "daemon/world/allowed_folder.h"
 #include "daemon/world/backend_maker.h"
 #include "sim/expected.h"
+#include "sim/loaders/file/allowed_folder.h"
 #include "sim/loaders/file/load_error.h"
+#include "sim/loaders/sdf/resources.h"
 
 namespace scipd::daemon {
 
@@ -28,6 +29,7 @@ struct SceneEditor::Next {
     std::set<std::string> placed_anew;  ///< models that are where the scene has them
     std::vector<std::string> warnings;
     std::vector<std::string> notes;
+    Added added;
 };
 
 namespace {
@@ -44,7 +46,17 @@ struct Present {
     sim::SharedScene scene;
     sim::SceneOptions options;
     std::vector<std::filesystem::path> allow;
+    SceneEditor::Added added;
+    LimitValues limits;
 };
+
+/// What the API may name, and what is there for all worlds by the will of who started this.
+sim::Folders to_read(const Present& present) {
+    sim::Folders folders = present.allow;
+    for (const auto& more : {sim::resource_folders(), present.options.sdf.model_folders})
+        folders.insert(folders.end(), more.begin(), more.end());
+    return folders;
+}
 
 /// The new scene, before its backends are made.
 struct Edited {
@@ -53,6 +65,7 @@ struct Edited {
     sim::SharedScene added;  ///< what of it is new
     std::vector<std::string> warnings;
     std::vector<std::string> notes;
+    SceneEditor::Added all_added;
 };
 
 /// An error is an outcome that is told as it is; what cannot be loaded is thrown as a LoadError.
@@ -70,9 +83,9 @@ tl::unexpected<EditOutcome> forbid(const std::filesystem::path& file,
 
 EditedOrNot edited(const LoadWorld& edit, const Present& present) {
     const auto file = (sim::folder_of_scene(present.file) / edit.file).lexically_normal();
-    if (!lies_in_one_of(present.allow, file)) return forbid(file, present.allow);
+    if (!sim::lies_in_one_of(present.allow, file)) return forbid(file, present.allow);
     auto [scene, warnings, notes] = sim::load_scene(file, present.options);
-    return Edited{file, scene, scene, std::move(warnings), std::move(notes)};
+    return Edited{file, scene, scene, std::move(warnings), std::move(notes), {}};
 }
 
 /// Loads a file that has its own materials and scale.
@@ -108,8 +121,7 @@ sim::LoadedScene load_model(const AddModel& edit, const Present& present) {
     });
 }
 
-/// Many small models may together be too large.
-void check_triangles(const sim::Scene& scene, std::size_t most) {
+std::size_t triangles_of(const sim::Scene& scene) {
     std::set<sim::SharedMesh> meshes;  // each of which many objects may show
     for (const sim::Object& object : scene.objects) {
         const auto* mesh = std::get_if<sim::SharedMesh>(&object.shape);
@@ -118,10 +130,32 @@ void check_triangles(const sim::Scene& scene, std::size_t most) {
     std::size_t triangles = 0;
     for (const sim::SharedMesh& mesh : meshes)
         triangles += mesh->triangles.size();
-    if (triangles <= most) return;
+    return triangles;
+}
+
+/// Many small models may together be too large.
+void check_triangles(const sim::Scene& scene, std::size_t most) {
+    if (triangles_of(scene) <= most) return;
     throw sim::LoadError({"with this one the world has more than " + std::to_string(most) +
                           " triangles; world_triangles under limits in the configuration allows "
                           "more"});
+}
+
+tl::unexpected<EditOutcome> too_much(Limit limit, const Present& present) {
+    EditOutcome outcome{Result::too_much, {beyond(limit, present.limits[limit])}};
+    outcome.limit = limit;
+    return tl::unexpected(std::move(outcome));
+}
+
+bool within(const LimitValues& limits, Limit limit, std::size_t count) {
+    return count <= static_cast<std::size_t>(limits[limit]);
+}
+
+std::size_t triangles_of(const SceneEditor::Added& added) {
+    std::size_t triangles = 0;
+    for (const auto& [name, count] : added)
+        triangles += count;
+    return triangles;
 }
 
 EditedOrNot edited(const AddModel& edit, const Present& present) {
@@ -135,32 +169,48 @@ EditedOrNot edited(const AddModel& edit, const Present& present) {
         scene = sim::without_model(*scene, name);
     }
     const auto file = file_of(edit, present);
-    if (edit.sdf.empty() && !lies_in_one_of(present.allow, file))
+    if (edit.sdf.empty() && !sim::lies_in_one_of(present.allow, file))
         return forbid(file, present.allow);
+    SceneEditor::Added all = present.added;
+    std::size_t& triangles = all[name];
+    if (!within(present.limits, Limit::added_models, all.size()))
+        return too_much(Limit::added_models, present);
     auto [added, warnings, notes] = load_model(edit, present);
+    triangles = triangles_of(*added);
+    if (!within(present.limits, Limit::added_triangles, triangles_of(all)))
+        return too_much(Limit::added_triangles, present);
     scene = sim::with_models(*scene, *added);
     check_triangles(*scene, present.options.sdf.most_triangles);
-    return Edited{present.file, std::move(scene), added, std::move(warnings), std::move(notes)};
+    return Edited{present.file,        std::move(scene), added,
+                  std::move(warnings), std::move(notes), std::move(all)};
 }
 
 EditedOrNot edited(const RemoveModel& edit, const Present& present) {
     sim::SharedScene rest = sim::without_model(*present.scene, edit.name);
     if (!rest) return refuse(Result::unknown, "there is no model \"" + edit.name + "\"");
-    return Edited{present.file, std::move(rest), std::make_shared<const sim::Scene>(), {}, {}};
+    SceneEditor::Added others = present.added;
+    others.erase(edit.name);
+    return Edited{present.file, std::move(rest),  std::make_shared<const sim::Scene>(), {},
+                  {},           std::move(others)};
 }
 
 }  // namespace
 
 void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn) {
     auto begin = [this, edit = std::move(edit), done = std::move(done)]() -> Worker::Work {
-        Present present{file_, world_.scene(), options_, allow_};
+        Present present{file_, world_.scene(), options_, allow_, added_, limits_->values()};
         present.options.limits.stop = worker_.stopping();
+        present.options.limits.folders = to_read(present);
         return [this, edit, done, present = std::move(present),
                 requests = requests_()]() mutable -> Worker::Finish {
             // `done` belongs to the I/O thread and is moved back there. If a copy stayed here, the
             // worker's thread might be the one that destroys it.
             const auto refused = [&](EditOutcome why) {
-                return [done = std::move(done), outcome = std::move(why)] { done(outcome); };
+                return [this, done = std::move(done), outcome = std::move(why)] {
+                    if (outcome.result == Result::too_much)
+                        limits_->refuse(outcome.limit, "scene edit");
+                    done(outcome);
+                };
             };
             try {
                 EditedOrNot now =
@@ -174,7 +224,8 @@ void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn)
                          make_backends(requests, now->scene),
                          {},
                          std::move(now->warnings),
-                         std::move(now->notes)};
+                         std::move(now->notes),
+                         std::move(now->all_added)};
                 for (const sim::Model& model : now->added->models)
                     next->placed_anew.insert(model.name);
                 return [this, next, done = std::move(done)] {
@@ -194,6 +245,7 @@ void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn)
 
 void SceneEditor::take_up(Next& next) {
     file_ = next.file;
+    added_ = std::move(next.added);
     worker_.discard(std::make_shared<SensorBackends>(world_.replace_scene(
         std::move(next.scene), std::move(next.backends), next.placed_anew, clock_.now())));
 }

@@ -5,13 +5,18 @@
 // whole, between two scans. An edit that fails changes nothing. Lives on the I/O thread.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <memory>
 #include <stop_token>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "daemon/clock/clock.h"
+#include "daemon/limits/limits.h"
 #include "daemon/world/requested_backend.h"
 #include "daemon/world/scene_edit.h"
 #include "daemon/world/worker.h"
@@ -26,13 +31,19 @@ class SceneEditor {
     using Requests = std::function<std::vector<RequestedBackend>()>;
 
     /// `world`, `worker` and `clock` must outlive it.
-    SceneEditor(World& world, Worker& worker, const Clock& clock, Requests requests)
-        : world_(world), worker_(worker), clock_(clock), requests_(std::move(requests)) {}
+    SceneEditor(World& world, Worker& worker, const Clock& clock, Requests requests,
+                SharedLimits limits = std::make_shared<Limits>())
+        : world_(world),
+          worker_(worker),
+          clock_(clock),
+          requests_(std::move(requests)),
+          limits_(std::move(limits)) {}
 
     /// Somebody else has loaded the world from this file. Later edits load with the same options,
-    /// and name files of these folders alone. What these files name in turn may lie anywhere.
+    /// and read files of these folders alone, and of those in which all worlds find models.
     void set_file(std::filesystem::path file, sim::SceneOptions options,
                   std::vector<std::filesystem::path> allow) {
+        added_.clear();
         file_ = std::move(file);
         options_ = std::move(options);
         allow_ = std::move(allow);
@@ -42,6 +53,9 @@ class SceneEditor {
     /// Takes effect after all edits that were asked for before. `done` is called when the edit is
     /// in effect or refused; it is not called where the edit is withdrawn before it has begun.
     void edit(SceneEdit edit, EditDone done, std::stop_token withdrawn = {});
+
+    /// How many triangles each model has that was added since the world was loaded.
+    using Added = std::map<std::string, std::size_t>;
 
   private:
     struct Next;
@@ -53,6 +67,8 @@ class SceneEditor {
     Worker& worker_;
     const Clock& clock_;
     Requests requests_;
+    SharedLimits limits_;
+    Added added_;
     std::filesystem::path file_;
     sim::SceneOptions options_;
     std::vector<std::filesystem::path> allow_;

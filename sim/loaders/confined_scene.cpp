@@ -189,8 +189,9 @@ class Receiver {
     std::FILE* in_;
 };
 
-void work(std::FILE* out, const std::function<LoadedScene()>& load) {
+void work(std::FILE* out, const LoadLimits& limits, const std::function<LoadedScene()>& load) {
     try {
+        if (limits.folders) read_only_from(*limits.folders);
         const LoadedScene loaded = load();
         put(true, out);
         put_texts(loaded.warnings, out);
@@ -217,7 +218,8 @@ LoadedScene load_confined(const std::string& name, const LoadLimits& limits,
             .stop = limits.stop,
             .more_memory = {},
             .more_time = "world_load_s under limits in the configuration allows more"};
-        const File answer = run_confined(confines, [&](std::FILE* out) { work(out, load); });
+        const File answer =
+            run_confined(confines, [&](std::FILE* out) { work(out, limits, load); });
         const bool is_loaded = take<bool>(answer.get());
         Texts texts = take_texts(answer.get());
         if (!is_loaded) throw LoadError(std::move(texts));

@@ -7,9 +7,11 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 
+#include "sim/loaders/file/allowed_folder.h"
 #include "sim/loaders/file/loaded_scene.h"
 
 namespace scipd::sim {
@@ -18,6 +20,7 @@ struct LoadLimits {
     std::size_t memory_bytes = std::size_t{16} << 30U;
     std::chrono::seconds wall_time = std::chrono::minutes{10};
     std::stop_token stop = {};
+    std::optional<Folders> folders = {};  ///< nothing is read elsewhere; without: anything is
 };
 
 /// Runs `load` in the child and returns its scene. Throws LoadError: the one that `load` threw, or

@@ -27,6 +27,7 @@ FLEET = """
 scene: SCENE
 control: control.sock
 http: {listen: 127.0.0.1:0, token_file: token}
+limits: {added_models: 2}
 robots:
   robot:
     sensors:
@@ -110,6 +111,7 @@ EXCHANGES = [
     ("POST", "/scene/models", "/scene/models", {"name": "n", "file": "no such file"}, 400),
     ("POST", "/scene/models", "/scene/models", {"name": "n", "file": "/etc/hostname"}, 403),
     ("POST", "/scene/models", "/scene/models", {"name": "lidar", "sdf": LIDAR}, 201),
+    ("POST", "/scene/models", "/scene/models", {"name": "n", "sdf": SDF}, 413),
     ("GET", "/scene", "/scene", None, 200),
     ("GET", POSE, "/scene/models/m/pose", None, 200),
     ("GET", POSE, "/scene/models/n/pose", None, 404),

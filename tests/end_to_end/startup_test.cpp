@@ -3,13 +3,16 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include "tests/end_to_end/in_square_room.h"
+#include "tests/support/child.h"
 #include "tests/support/control_request.h"
 #include "tests/support/udp_sender.h"
 
@@ -31,6 +34,12 @@ class Startup : public testing::Test {
         EXPECT_EQ(daemon.standard_output(), "");
         EXPECT_THAT(daemon.standard_error(), EndsWith("\n"));
         return daemon.standard_error();
+    }
+
+    /// What scipctl says of the sensors of the scipd that it finds by itself.
+    [[nodiscard]] Outcome scipctl() const {
+        return run({"/usr/bin/env", "XDG_RUNTIME_DIR=" + directory_.path().string(), SCIPCTL,
+                    "sensors", "--json"});
     }
 
     [[nodiscard]] fs::path run_directory() const { return directory_.path() / "scipd"; }
@@ -90,6 +99,32 @@ robots:
     EXPECT_EQ(ScannerWire::tcp(first.port()).ask("VV"), "00");
 }
 
+// Drivers are pointed at that port: they would speak to the wrong scanner if it were another one.
+TEST_F(Startup, RefusesAPortOfAnotherScipdAndSaysWhatToDo) {
+    DaemonProcess first(directory_, on_tcp());
+    const std::string address = "127.0.0.1:" + std::to_string(first.port());
+    const std::string why = refusal(in_square_room({"--tcp", address, "--pty", "none"}));
+    EXPECT_THAT(why, HasSubstr("cannot listen on " + address +
+                               ": Address already in use, maybe by "
+                               "another scipd; "));
+    EXPECT_THAT(why, HasSubstr("--tcp 127.0.0.1:0"));
+    EXPECT_EQ(ScannerWire::tcp(first.port()).ask("VV"), "00");
+    EXPECT_EQ(first.get("/status").at("sensors").size(), 1U);
+}
+
+TEST_F(Startup, SaysWhatToNameWhereSeveralRunAndNoneIsTheUsualOne) {
+    std::optional<DaemonProcess> first(std::in_place, directory_, on_tty());
+    DaemonProcess second(directory_, on_tty());
+    DaemonProcess third(directory_, on_tty());
+    first->signal(SIGKILL);  // its socket stays, and nobody listens there
+    EXPECT_EQ(first->wait(), 128 + SIGKILL);
+    const Outcome outcome = scipctl();
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("several scipd run; name the socket of one with --control"));
+    EXPECT_THAT(outcome.err, HasSubstr(second.control().string()));
+    EXPECT_THAT(outcome.err, HasSubstr(third.control().string()));
+}
+
 TEST_F(Startup, LeavesAnotherScipdAlone) {
     DaemonProcess first(directory_, on_tty());
     const std::string used =
@@ -115,9 +150,16 @@ TEST_F(Startup, GivesItsProcessToTheNamesThatTheFirstScipdHas) {
         EXPECT_EQ(ScannerWire::tty(daemon->tty()).ask("VV"), "00");
         EXPECT_EQ(daemon->get("/sensors")[0].at("pty"), daemon->tty().string());
     }
+    const Outcome of_several = scipctl();
+    EXPECT_THAT(of_several.out, HasSubstr(first.tty().string()));
+    EXPECT_EQ(of_several.err, "several scipd run; this is the one at " + first.control().string() +
+                                  ". --control names another: " + second.control().string() + "\n");
     // The end of one does not affect the other.
     first.signal(SIGTERM);
     EXPECT_EQ(first.wait(), 0);
+    const Outcome of_the_second = scipctl();
+    EXPECT_THAT(of_the_second.out, HasSubstr(second.tty().string()));
+    EXPECT_EQ(of_the_second.err, "");
     EXPECT_EQ(ScannerWire::tty(second.tty()).ask("VV"), "00");
     EXPECT_EQ(second.get("/sensors").size(), 1U);
     DaemonProcess third(directory_, on_tty());

@@ -13,8 +13,8 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-std::vector<std::string> lines_of(std::string_view bytes, std::size_t piece) {
-    LineReader reader;
+std::vector<std::string> lines_of(std::string_view bytes, std::size_t piece,
+                                  LineReader reader = LineReader{}) {
     std::vector<std::string> lines;
     while (!bytes.empty()) {
         std::string_view part = bytes.substr(0, piece);
@@ -49,6 +49,11 @@ TEST(LineReader, CutsAtItsLimitAndNotBefore) {
     const std::string longest(LineReader::max_length, 'x');
     EXPECT_THAT(lines_of(longest + "\n", 7), ElementsAre(longest));
     EXPECT_THAT(lines_of(longest + "y\nVV\n", 7), ElementsAre("overlong " + longest, "VV"));
+}
+
+TEST(LineReader, TakesAnotherLimitAndKeepsIt) {
+    EXPECT_THAT(lines_of("12345\n123456\n12345\n", 2, LineReader(5)),
+                ElementsAre("12345", "overlong 12345", "12345"));
 }
 
 TEST(LineReader, KeepsAnyOtherByte) {

@@ -145,7 +145,7 @@ void Listener::said(std::string_view bytes) {
 }
 
 void Listener::forget() {
-    reader_ = {};
+    reader_ = LineReader{};
     requests_.clear();
     stream_.reset();
 }

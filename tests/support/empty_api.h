@@ -58,6 +58,7 @@ class EmptyApi : public daemon::Api {
         return {};
     }
     sim::Expected<> set_robot_pose(const std::string&, const sim::PoseLine&) override { return {}; }
+    sim::Expected<> admit_pose(daemon::Rate&) override { return {}; }
     sim::Expected<> take_pose_line(std::string_view, daemon::SenderClock&) override { return {}; }
     daemon::ScanStream& stream() { return stream_; }
     [[nodiscard]] daemon::SceneView scene() const override { return {"empty.sdf", scene_}; }

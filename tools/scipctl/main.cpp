@@ -8,6 +8,7 @@
 #include "tools/completion_command.h"
 #include "tools/options.h"
 #include "tools/scipctl/commands.h"
+#include "tools/which_scipd.h"
 
 int main(int argc, char** argv) {
     using namespace scipd::tools;
@@ -15,8 +16,12 @@ int main(int argc, char** argv) {
     CLI::App program("Speaks to a running scipd.", "scipctl");
     program.require_subcommand(1);
     program.fallthrough();
-    program.add_option("--control", control.socket, "scipd's control socket")
-        ->capture_default_str();
+    const CLI::Option* const named =
+        program.add_option("--control", control.socket, "scipd's control socket")
+            ->capture_default_str();
+    program.parse_complete_callback([&] {
+        if (named->empty()) control.socket = socket_of_the_scipd_meant(control.socket);
+    });
     add_status_commands(program, control);
     add_top_command(program, control);
     add_pose_commands(program, control);

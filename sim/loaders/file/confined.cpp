@@ -19,7 +19,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "sim/loaders/file/allowed_folder.h"
 #include "sim/loaders/file/between_processes.h"
+#include "sim/loaders/file/landlock.h"
 
 namespace scipd::sim {
 namespace {
@@ -27,6 +29,7 @@ namespace {
 constexpr int failed_with_words = 1;
 /// The status by which a shell reports this.
 constexpr int no_such_program = 127;
+constexpr int cannot_be_held = 126;
 /// Enough for a world of about so many models, each of which is a file.
 constexpr rlim_t most_descriptors = 1024;
 
@@ -219,6 +222,8 @@ namespace {
     dup2(fileno(said), STDOUT_FILENO);
     dup2(fileno(told), STDERR_FILENO);
     std::vector<char*> words;
+    if (const Folders* folders = folders_to_read(); folders && !hold_program_to(*folders))
+        _exit(cannot_be_held);
     for (const std::string& word : command)
         words.push_back(const_cast<char*>(word.c_str()));
     words.push_back(nullptr);
@@ -243,6 +248,11 @@ void run_program(const std::vector<std::string>& command, std::FILE* out) {
     }
     const std::string words = from_its_beginning(told.get());
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : failed_with_words;
+    if (folders_to_read() != nullptr && code == cannot_be_held && words.empty()) {
+        throw std::runtime_error(
+            "this kernel has no Landlock, which would hold it to the folders that `allow` in the "
+            "configuration names");
+    }
     const bool is_there = code != no_such_program || !words.empty();
     if (code != 0 && is_there) {
         throw std::runtime_error(words.empty() ? "ends with " + std::to_string(code) : words);

@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "sim/loaders/file/allowed_folder.h"
 #include "sim/loaders/file/load_error.h"
 
 namespace scipd::sim {
@@ -40,6 +41,7 @@ File stream_of(int descriptor, const char* mode) {
 }  // namespace
 
 Expected<> check_plain_file(const fs::path& path) {
+    if (const auto allowed = check_allowed(path); !allowed) return allowed;
     struct stat status {};
     if (stat(path.c_str(), &status) == 0) return check_mode(status.st_mode);
     if (errno == ENOENT || errno == ENOTDIR) return refuse("no such file");
@@ -53,6 +55,9 @@ File open_file(const fs::path& path) {
     if (descriptor < 0) throw std::runtime_error("cannot be read: " + reason(errno));
     File file = stream_of(descriptor, "rb");
     // Somebody may have put something else there meanwhile.
+    const fs::path opened = "/proc/self/fd/" + std::to_string(descriptor);
+    if (const auto allowed = check_allowed(opened); !allowed)
+        throw std::runtime_error(allowed.error().why);
     struct stat status {};
     fstat(descriptor, &status);
     if (const auto plain = check_mode(status.st_mode); !plain)

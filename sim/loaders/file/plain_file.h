@@ -2,7 +2,8 @@
 // Copyright The scipd authors
 //
 // Opens files that a user named. A FIFO or a device in place of a file would block whoever opens
-// it, so these are refused without opening them. Any thread; nothing shared.
+// it, so these are refused without opening them, and so is what lies where this process may not
+// read (allowed_folder.h). Any thread; nothing shared.
 #pragma once
 
 #include <cstdint>

@@ -9,6 +9,7 @@
 
 #include <tinyxml2.h>
 
+#include "sim/loaders/file/allowed_folder.h"
 #include "sim/loaders/file/any_case.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/plain_file.h"
@@ -83,6 +84,7 @@ fs::path model_file_of(const fs::path& path, std::vector<std::string>& warnings)
 }
 
 Expected<> check_model(const fs::path& path, const fs::path& model) {
+    if (const auto allowed = check_allowed(path); !allowed) return allowed;
     const auto plain = check_plain_file(model);
     std::error_code error;
     if (plain || !fs::is_directory(path, error)) return plain;

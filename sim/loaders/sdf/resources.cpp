@@ -167,27 +167,44 @@ fs::path downloaded_to(const fs::path& cache, const Uri& uri) {
     return is_there(found) ? found : fs::path{};
 }
 
-fs::path find_download(const Uri& uri) {
+std::vector<fs::path> caches() {
     std::vector<fs::path> caches;
     if (const char* cache = std::getenv("GZ_FUEL_CACHE_PATH")) caches.emplace_back(cache);
     if (const char* home = std::getenv("HOME")) {
         caches.push_back(fs::path{home} / ".gz/fuel");
         caches.push_back(fs::path{home} / ".ignition/fuel");
     }
-    for (const auto& cache : caches) {
+    return caches;
+}
+
+fs::path find_download(const Uri& uri) {
+    for (const auto& cache : caches()) {
         if (auto found = downloaded_to(cache, uri); !found.empty()) return found;
     }
     return {};
 }
 
-}  // namespace
-
-Resources::Resources(fs::path folder, std::vector<fs::path> more) : folder_(std::move(folder)) {
+std::vector<fs::path> folders_of_variables() {
+    std::vector<fs::path> all;
     for (const char* variable : variables) {
         const char* value = std::getenv(variable);
         const auto folders = folders_of(value == nullptr ? "" : value);
-        search_path_.insert(search_path_.end(), folders.begin(), folders.end());
+        all.insert(all.end(), folders.begin(), folders.end());
     }
+    return all;
+}
+
+}  // namespace
+
+std::vector<fs::path> resource_folders() {
+    auto folders = folders_of_variables();
+    for (auto& cache : caches())
+        folders.push_back(std::move(cache));
+    return folders;
+}
+
+Resources::Resources(fs::path folder, std::vector<fs::path> more)
+    : folder_(std::move(folder)), search_path_(folders_of_variables()) {
     search_path_.insert(search_path_.end(), more.begin(), more.end());
 }
 

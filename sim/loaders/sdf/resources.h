@@ -45,6 +45,10 @@ class Resources {
     std::vector<std::filesystem::path> search_path_;
 };
 
+/// The folders of those variables, and where downloads are kept: whoever starts this program has
+/// named them.
+std::vector<std::filesystem::path> resource_folders();
+
 /// A shell command that downloads `uri`; empty if Gazebo would not download it. All files of a
 /// model have the same command.
 std::string download_command(const std::string& uri);

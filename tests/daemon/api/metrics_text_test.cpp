@@ -19,6 +19,16 @@ TEST(MetricsText, WritesLargeCountsInFull) {
         << text;
 }
 
+TEST(MetricsText, TellsWhatEachLimitHasRefused) {
+    const std::string text =
+        metrics_text({.limited = {{"http_body_bytes", 3}, {"poses_per_s", 0}}});
+    EXPECT_NE(text.find("# TYPE scipd_limited_total counter\n"
+                        "scipd_limited_total{limit=\"http_body_bytes\"} 3\n"
+                        "scipd_limited_total{limit=\"poses_per_s\"} 0\n"),
+              text.npos)
+        << text;
+}
+
 // Every bound holds those below it.
 TEST(MetricsText, CountsLatenessUpToEachBound) {
     SensorMetrics sensor{.name = "robot/front"};

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "daemon/limits/rate.h"
 #include "tests/support/empty_api.h"
 
 namespace scipd::daemon {
@@ -22,6 +23,10 @@ using nlohmann::json;
 /// Refuses what is rubbish.
 class FakeApi : public tests::EmptyApi {
   public:
+    sim::Expected<> admit_pose(Rate& sender) override {
+        if (sender.admit(most_, Rate::Time{})) return {};
+        return sim::refuse("too many");
+    }
     sim::Expected<> take_pose_line(std::string_view line, SenderClock&) override {
         ++lines_;
         if (line.starts_with("rubbish"))
@@ -30,6 +35,7 @@ class FakeApi : public tests::EmptyApi {
     }
 
     std::size_t lines_ = 0;
+    std::size_t most_ = 1'000'000;
 };
 
 class Client : public WebSocket {
@@ -89,6 +95,22 @@ TEST_F(PoseSocketTest, TakesALongMessageOfGoodLinesInParts) {
     EXPECT_LE(send(repeated(std::string(4000, ' ') + "good\n", 100)), 2U);
     EXPECT_EQ(api_.lines_, lines + 100);
     EXPECT_TRUE(client_.told_.empty());
+}
+
+TEST_F(PoseSocketTest, SaysWhenAPoseIsOneTooMany) {
+    api_.most_ = 3;
+    send("good\ngood\ngood");
+    EXPECT_TRUE(client_.told_.empty());
+    send("good\ngood");
+    EXPECT_EQ(api_.lines_, 3U);
+    ASSERT_EQ(client_.told_.size(), 1U);
+    EXPECT_EQ(client_.told_[0]["status"], 429);
+    EXPECT_EQ(client_.told_[0]["title"], "Too Many Requests");
+    EXPECT_EQ(client_.told_[0]["detail"], "too many");
+    EXPECT_EQ(client_.told_[0]["refused"], 2);
+    const auto other = take_poses(api_, client_);
+    other->take("good");
+    EXPECT_EQ(api_.lines_, 4U) << "another WebSocket is another sender";
 }
 
 TEST_F(PoseSocketTest, TellsOfEachMessageItsFirstRefusal) {

@@ -234,11 +234,31 @@ TEST_F(ConfigTest, ReadsWhatAWorldMayTake) {
     EXPECT_EQ(parse(robots).limits, WorldLimits{});
     EXPECT_THAT(faults(robots + "limits: {world_memory_mb: 0, world_triangles: 8GiB, memory: 2}"),
                 ElementsAre("fleet.yaml:2: limits.memory: unknown key; known here are "
-                            "world_memory_mb, world_triangles, world_load_s",
+                            "world_memory_mb, world_triangles, world_load_s, scip_line_bytes, "
+                            "scanner_connections, http_connections, control_connections, "
+                            "http_header_bytes, http_body_bytes, websocket_messages_per_s, "
+                            "websocket_queue_bytes, added_models, added_triangles, poses_per_s",
                             "fleet.yaml:2: limits.world_memory_mb: must be a whole number from 1 "
                             "to 1000000, not '0'",
                             "fleet.yaml:2: limits.world_triangles: must be a whole number from 1 "
                             "to 1000000000, not '8GiB'"));
+}
+
+TEST_F(ConfigTest, ReadsWhatClientsMay) {
+    const std::string robots = "robots: {r: {sensors: {s: {pty: auto, model: UST-10LX}}}}\n";
+    EXPECT_EQ(parse(robots).client_limits, LimitValues{});
+    const auto config = parse(robots + "limits: {http_body_bytes: 5, poses_per_s: 7}");
+    EXPECT_EQ(config.client_limits[Limit::http_body_bytes], 5);
+    EXPECT_EQ(config.client_limits[Limit::poses_per_s], 7);
+    EXPECT_EQ(config.client_limits[Limit::scip_line_bytes], 128);
+    EXPECT_THAT(faults(robots + "limits:\n  scip_line_bytes: 31\n  http_connections: 0\n"
+                                "  added_models: -1"),
+                ElementsAre("fleet.yaml:3: limits.scip_line_bytes: must be a whole number from 32 "
+                            "to 4096, not '31'",
+                            "fleet.yaml:4: limits.http_connections: must be a whole number from 1 "
+                            "to 10000, not '0'",
+                            "fleet.yaml:5: limits.added_models: must be a whole number from 1 to "
+                            "1000000, not '-1'"));
 }
 
 TEST_F(ConfigTest, LimitsWithAWorldWhatItsMeshesMayTake) {

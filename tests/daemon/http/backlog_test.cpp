@@ -54,6 +54,23 @@ TEST_F(BacklogTest, KeepsMessagesInOrderUntilAllHaveThem) {
     EXPECT_EQ(lost_, "");
 }
 
+TEST_F(BacklogTest, KeepsAsManyBytesAsTheLimitAllows) {
+    LimitValues values;
+    values[Limit::websocket_queue_bytes] = 10;
+    const auto limits = std::make_shared<Limits>(values);
+    std::string lost;
+    Backlog small([&](Backlog::Number, const Backlog::Message& message) { lost += *message.text; },
+                  limits);
+    const Source a = source("a");
+    small.add(a, "12345");
+    small.add(a, "67890");
+    EXPECT_EQ(lost, "");
+    EXPECT_EQ(limits->refused(Limit::websocket_queue_bytes), 0U);
+    small.add(a, "x");
+    EXPECT_EQ(lost, "12345");
+    EXPECT_EQ(limits->refused(Limit::websocket_queue_bytes), 1U);
+}
+
 TEST_F(BacklogTest, LosesTheOldestOfASourceOfWhichThereAreMany) {
     const Source fast = source("fast");
     const Source slow = source("slow");

@@ -115,9 +115,10 @@ class HttpServerTest : public testing::Test {
         return failure->get_future().get();
     }
 
-    void start(const HttpLimits& limits = {}) {
+    void start(const LimitValues& values = {}) {
         on_server([&] {
-            server_.emplace(io_.get_executor(), echo, parrots, limits);
+            limits_->set(values);
+            server_.emplace(io_.get_executor(), echo, parrots, limits_);
             port_ = server_->listen(Address{"127.0.0.1", 0}).port;
             server_->listen(socket_path_);
         });
@@ -173,11 +174,18 @@ class HttpServerTest : public testing::Test {
         return rest(socket);
     }
 
+    [[nodiscard]] std::uint64_t refused(Limit limit) {
+        std::uint64_t count = 0;
+        on_server([&] { count = limits_->refused(limit); });
+        return count;
+    }
+
     tests::TempDir dir_;
     std::filesystem::path socket_path_ = dir_.path() / "control.sock";
     asio::io_context io_{1};
     asio::io_context client_io_{1};
     asio::executor_work_guard<asio::io_context::executor_type> work_{io_.get_executor()};
+    SharedLimits limits_ = std::make_shared<Limits>();
     std::optional<HttpServer> server_;
     std::uint16_t port_ = 0;
     std::thread thread_{[this] { io_.run(); }};
@@ -264,10 +272,84 @@ TEST_F(HttpServerTest, RefusesWhatIsTooLarge) {
     EXPECT_THAT(ask(connect(), put(most)), HasSubstr("PUT / [] 1048576"));
     const auto body = ask(connect(), put(most + 1));
     EXPECT_THAT(body, StartsWith("HTTP/1.1 413 Payload Too Large\r\n"));
-    EXPECT_THAT(body, HasSubstr(R"("detail":"the body is larger than 1048576 bytes")"));
-    EXPECT_THAT(
-        ask(connect_local(), "GET / HTTP/1.1\r\nX: " + std::string(20'000, 'x') + "\r\n\r\n"),
-        StartsWith("HTTP/1.1 431 Request Header Fields Too Large\r\n"));
+    EXPECT_THAT(body, HasSubstr(R"("detail":"the body is larger than 1048576 bytes; )"
+                                "http_body_bytes under limits in the configuration allows more"));
+    const auto header =
+        ask(connect_local(), "GET / HTTP/1.1\r\nX: " + std::string(20'000, 'x') + "\r\n\r\n");
+    EXPECT_THAT(header, StartsWith("HTTP/1.1 431 Request Header Fields Too Large\r\n"));
+    EXPECT_THAT(header, HasSubstr("http_header_bytes under limits"));
+    EXPECT_EQ(refused(Limit::http_body_bytes), 1U);
+    EXPECT_EQ(refused(Limit::http_header_bytes), 1U);
+}
+
+TEST_F(HttpServerTest, TakesAHeaderThatIsJustSmallEnough) {
+    LimitValues values;
+    values[Limit::http_header_bytes] = 300;
+    start(values);
+    const auto get = [](std::size_t size) {
+        std::string fields = last + "X: \r\n\r\n";
+        fields.insert(fields.size() - 4, size - fields.size(), 'x');
+        return "GET / HTTP/1.1\r\n" + fields;
+    };
+    EXPECT_THAT(ask(connect_local(), get(300)), StartsWith("HTTP/1.1 200 OK"));
+    EXPECT_EQ(refused(Limit::http_header_bytes), 0U);
+    EXPECT_THAT(ask(connect_local(), get(301)), StartsWith("HTTP/1.1 431 "));
+    EXPECT_EQ(refused(Limit::http_header_bytes), 1U);
+}
+
+TEST_F(HttpServerTest, TurnsAwayMoreClientsThanADoorIsFor) {
+    LimitValues values;
+    values[Limit::http_connections] = 2;
+    values[Limit::control_connections] = 1;
+    start(values);
+    const std::string get = to_tcp("GET / HTTP/1.1\r\nHost: x\r\n\r\n");
+    const auto answered = [&](auto& socket) {
+        asio::write(socket, asio::buffer(get));
+        std::string text;
+        asio::read_until(socket, asio::dynamic_buffer(text), "GET / [] 0");
+        return text;
+    };
+    auto first = connect();
+    auto second = connect();
+    auto local = connect_local();
+    EXPECT_THAT(answered(first), StartsWith("HTTP/1.1 200 OK"));
+    EXPECT_THAT(answered(second), StartsWith("HTTP/1.1 200 OK"));
+    EXPECT_THAT(answered(local), StartsWith("HTTP/1.1 200 OK"));
+    const auto refusal = ask(connect(), get);
+    EXPECT_THAT(refusal, StartsWith("HTTP/1.1 503 Service Unavailable\r\n"));
+    EXPECT_THAT(refusal, HasSubstr("more than 2 clients are connected; http_connections under "));
+    EXPECT_THAT(ask(connect_local(), get), HasSubstr("control_connections under limits"));
+    EXPECT_EQ(refused(Limit::http_connections), 1U);
+    EXPECT_EQ(refused(Limit::control_connections), 1U);
+    EXPECT_THAT(answered(first), StartsWith("HTTP/1.1 200 OK")) << "it is not disturbed";
+    second.close();
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    bool welcome = false;
+    while (!welcome && std::chrono::steady_clock::now() < end) {
+        welcome = ask(connect(), to_tcp("GET / HTTP/1.1\r\nHost: x\r\n" + last + "\r\n"))
+                      .starts_with("HTTP/1.1 200");
+    }
+    EXPECT_TRUE(welcome) << "there is room again";
+}
+
+// Hundreds that are turned away and do not read hold no more than a few descriptors.
+TEST_F(HttpServerTest, ClosesAtOnceWhenTooManyAreTurnedAway) {
+    LimitValues values;
+    values[Limit::http_connections] = 1;
+    start(values);
+    auto served = connect();
+    asio::write(served, asio::buffer(to_tcp("GET / HTTP/1.1\r\nHost: x\r\n\r\n")));
+    std::string text;
+    asio::read_until(served, asio::dynamic_buffer(text), "GET / [] 0");
+    std::vector<tcp::socket> rude;
+    for (int i = 0; i < 40; ++i)
+        rude.push_back(connect());
+    std::size_t told = 0;
+    for (tcp::socket& socket : rude)
+        told += rest(socket).empty() ? 0 : 1;
+    EXPECT_GT(told, 0U);
+    EXPECT_LE(told, 16U);
+    EXPECT_EQ(refused(Limit::http_connections), 40U);
 }
 
 TEST_F(HttpServerTest, RefusesWhatIsNotHttp) {
@@ -346,6 +428,90 @@ TEST_F(HttpServerTest, OutlivesAClientThatTalksOverAWebSocketAndVanishes) {
                 HasSubstr("200 OK"));
 }
 
+/// A WebSocket by hand, from after its handshake on.
+class RawWebSocketTest : public HttpServerTest {
+  protected:
+    Local::socket open() {
+        auto socket = connect_local();
+        asio::write(socket, asio::buffer(std::string{
+                                "GET /talk HTTP/1.1\r\nHost: x\r\nConnection: Upgrade\r\n"
+                                "Upgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+                                "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"}));
+        std::string head;
+        asio::read_until(socket, asio::dynamic_buffer(head), "\r\n\r\n");
+        EXPECT_THAT(head, StartsWith("HTTP/1.1 101 "));
+        return socket;
+    }
+
+    /// A text message of at least 64 KiB.
+    static std::string message(std::size_t size) {
+        std::string frame = "\x81\xff";
+        for (int shift = 56; shift >= 0; shift -= 8)
+            frame += static_cast<char>((size >> shift) & 0xFFU);
+        return frame + std::string(4, '\0') + std::string(size, 'x');
+    }
+
+    /// What comes up to these words.
+    static std::string up_to(Local::socket& socket, const std::string& words) {
+        std::string text;
+        boost::system::error_code error;
+        asio::read_until(socket, asio::dynamic_buffer(text), words, error);
+        EXPECT_FALSE(error) << error.message();
+        return text;
+    }
+
+    const std::string policy_ = "\x03\xf0";  ///< code 1008
+};
+
+TEST_F(RawWebSocketTest, EndsWithTheReasonWhenItSendsTooOften) {
+    LimitValues values;
+    values[Limit::websocket_messages_per_s] = 2;
+    start(values);
+    auto slow = open();
+    using namespace std::string_literals;
+    const std::string x = "\x81\x81\0\0\0\0x"s;
+    asio::write(slow, asio::buffer(x + x));
+    const std::string echoes = "\x81\x01x\x81\x01x";
+    EXPECT_EQ(up_to(slow, echoes), echoes);
+    EXPECT_EQ(refused(Limit::websocket_messages_per_s), 0U);
+    auto quick = open();
+    std::string many;
+    for (int i = 0; i < 20; ++i)
+        many += x;
+    asio::write(quick, asio::buffer(many));
+    EXPECT_THAT(up_to(quick, "websocket_messages_per_s under limits"),
+                HasSubstr(policy_ + "more than 2 messages a second; "));
+    EXPECT_EQ(refused(Limit::websocket_messages_per_s), 1U);
+}
+
+TEST_F(RawWebSocketTest, EndsWithTheReasonWhenItDoesNotReadItsAnswers) {
+    constexpr std::size_t size = 500'000;  // more than the kernel keeps
+    LimitValues values;
+    values[Limit::websocket_queue_bytes] = size;
+    start(values);
+    auto rude = open();
+    asio::write(rude, asio::buffer(message(size)));  // one may always be on its way
+    asio::write(rude, asio::buffer(message(size)));
+    EXPECT_TRUE(eventually([&] { return limits_->refused(Limit::websocket_queue_bytes) == 1; }));
+    EXPECT_THAT(up_to(rude, "websocket_queue_bytes under limits"),
+                HasSubstr(policy_ + "more than 500000 bytes wait to be read; "));
+}
+
+TEST_F(RawWebSocketTest, EndsAtAMessageThatIsTooLarge) {
+    constexpr std::size_t most = 100'000;
+    LimitValues values;
+    values[Limit::http_body_bytes] = most;
+    start(values);
+    auto socket = open();
+    asio::write(socket, asio::buffer(message(most)));
+    EXPECT_EQ(up_to(socket, std::string(most, 'x')).size(), 10 + most);
+    constexpr std::size_t head = 14;  // which says how much would come
+    asio::write(socket, asio::buffer(message(most + 1), head));
+    (void)up_to(socket, "\x88\x02\x03\xf1");  // code 1009
+    socket.close();
+    EXPECT_TRUE(eventually([&] { return limits_->refused(Limit::http_body_bytes) == 1; }));
+}
+
 TEST_F(HttpServerTest, AnswersOthersWhileAConversationTakesALongMessage) {
     start();
     auto socket = connect_local();
@@ -369,9 +535,8 @@ TEST_F(HttpServerTest, AnswersOthersWhileAConversationTakesALongMessage) {
 }
 
 TEST_F(HttpServerTest, DropsAClientThatNeverFinishes) {
-    HttpLimits limits;
-    limits.idle = std::chrono::milliseconds{50};
-    start(limits);
+    start();
+    on_server([this] { server_->set_idle(std::chrono::milliseconds{50}); });
     auto silent = connect();
     auto slow = connect_local();
     asio::write(slow, asio::buffer(std::string{"GET / HTTP/1.1\r\nHo"}));

@@ -106,6 +106,67 @@ TEST_F(TcpPortTest, ServesOneClientAtATime) {
     EXPECT_EQ(device_.clients(), 1U);
 }
 
+TEST_F(TcpPortTest, LetsAFewWaitInTurnAndClosesTheOthersAtOnce) {
+    const auto limits = std::make_shared<Limits>();
+    LimitValues values;
+    values[Limit::scanner_connections] = 3;
+    limits->set(values);
+    port_->hold_to(limits);
+    port_->serve(device_);
+    ScannerWire first = connect();
+    EXPECT_TRUE(is_answered_by(first, "UST-10LX"));
+    ScannerWire second = connect();
+    ScannerWire third = connect();
+    second.write("VV\n");
+    third.write("VV\n");
+    io_.restart();
+    io_.run_for(50ms);
+    EXPECT_EQ(limits->refused(Limit::scanner_connections), 0U);
+    ScannerWire fourth = connect();
+    EXPECT_TRUE(is_cut_off(fourth));
+    EXPECT_EQ(limits->refused(Limit::scanner_connections), 1U);
+    EXPECT_TRUE(is_answered_by(first, "UST-10LX"));
+
+    first.close();
+    EXPECT_TRUE(comes(second, "PROD:UST-10LX;"));
+    ScannerWire fifth = connect();  // there is room again
+    fifth.write("VV\n");
+    second.close();
+    EXPECT_TRUE(comes(third, "PROD:UST-10LX;"));
+    third.close();
+    EXPECT_TRUE(comes(fifth, "PROD:UST-10LX;"));
+    EXPECT_EQ(limits->refused(Limit::scanner_connections), 1U);
+}
+
+TEST_F(TcpPortTest, TurnsThoseWhoWaitAwayWhenItRefuses) {
+    port_->serve(device_);
+    ScannerWire first = connect();
+    EXPECT_TRUE(is_answered_by(first, "UST-10LX"));
+    ScannerWire second = connect();
+    io_.restart();
+    io_.run_for(50ms);
+    port_->set_line({.refuses = true});
+    EXPECT_TRUE(is_cut_off(second));
+    EXPECT_TRUE(is_answered_by(first, "UST-10LX"));
+}
+
+TEST_F(TcpPortTest, RefusesALineThatIsLongerThanItsLimitAsAWrongOne) {
+    const auto limits = std::make_shared<Limits>();
+    LimitValues values;
+    values[Limit::scip_line_bytes] = 40;
+    limits->set(values);
+    port_->hold_to(limits);
+    port_->serve(device_);
+    ScannerWire wire = connect();
+    const std::string longest = "TM0;" + std::string(36, 'x');
+    wire.write(longest + "\n");
+    EXPECT_TRUE(comes(wire, longest + "\n"));
+    EXPECT_EQ(limits->refused(Limit::scip_line_bytes), 0U);
+    wire.write(longest + "y\n");
+    EXPECT_TRUE(comes(wire, longest + "\n0D"));
+    EXPECT_EQ(limits->refused(Limit::scip_line_bytes), 1U);
+}
+
 TEST_F(TcpPortTest, WaitsWithoutHasteForADescriptor) {
     port_->serve(device_);
     ScannerWire wire = connect();

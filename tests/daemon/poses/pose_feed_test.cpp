@@ -92,6 +92,27 @@ TEST_F(PoseFeedTest, ReportsTheFirstRefusalAndNotEveryOne) {
     poses->stop();
 }
 
+TEST_F(PoseFeedTest, RefusesPosesBeyondTheRateOfASender) {
+    LimitValues values;
+    values[Limit::poses_per_s] = 100;
+    const auto limits = std::make_shared<Limits>(values);
+    PoseIntake intake(world_, nullptr, limits);
+    const auto poses = make_feed({.executor = io_.get_executor(),
+                                  .intake = intake,
+                                  .clock = clock_,
+                                  .report = [](const std::string&) {}},
+                                 udp());
+    poses->serve("robot");
+    std::string datagram;
+    for (int i = 0; i < 10'000; ++i)
+        datagram += "0 1 0 0 0 0 0 1\n";
+    sender_.send(datagram.substr(0, 60'000 / 16 * 16));
+    EXPECT_TRUE(run_until(io_, [&] { return intake.accepted() + intake.refused() == 3750; }));
+    EXPECT_GE(limits->refused(Limit::poses_per_s), 1000U);
+    EXPECT_TRUE(intake.last_refusal()->find("poses_per_s under limits") != std::string::npos);
+    poses->stop();
+}
+
 TEST_F(PoseFeedTest, TakesALongDatagramInParts) {
     const auto poses = feed(udp());
     poses->serve("robot");

@@ -256,6 +256,37 @@ TEST_F(PoseIntakeTest, CountsWhatItTakesAndWhatItRefuses) {
     EXPECT_DOUBLE_EQ(robot_x(), 2.0);
 }
 
+TEST(PoseIntake, RefusesWhatASenderSendsTooMuchOf) {
+    World world = wall_world();
+    LimitValues values;
+    values[Limit::poses_per_s] = 2;
+    const auto limits = std::make_shared<Limits>(values);
+    PoseIntake intake(world, nullptr, limits);
+    Rate eager;
+    Rate other;
+    EXPECT_TRUE(intake.admit(eager));
+    EXPECT_TRUE(intake.admit(eager));
+    EXPECT_FALSE(intake.admit(eager));
+    EXPECT_TRUE(intake.admit(other));
+    EXPECT_EQ(intake.refused(), 1U);
+    EXPECT_EQ(intake.last_refusal(),
+              "more than 2 poses a second of one sender; poses_per_s under "
+              "limits in the configuration allows more");
+    EXPECT_EQ(limits->refused(Limit::poses_per_s), 1U);
+}
+
+TEST(PoseIntake, CountsNoSecondsWhereTimeWaitsForPoses) {
+    boost::asio::io_context io;
+    World world = wall_world();
+    Lockstep lockstep(io.get_executor());
+    LimitValues values;
+    values[Limit::poses_per_s] = 1;
+    PoseIntake intake(world, &lockstep, std::make_shared<Limits>(values));
+    Rate sender;
+    for (int i = 0; i < 10; ++i)
+        EXPECT_TRUE(intake.admit(sender));
+}
+
 TEST_F(PoseIntakeTest, TakesALineWithoutATimeInThePlaceOfWhatWasSaidForLater) {
     EXPECT_FALSE(take(R"({"t":0,"xyz":[1,0,0]})", 1s));
     EXPECT_FALSE(take(R"({"t":0.8,"xyz":[2,0,0]})", 1s));

@@ -82,6 +82,79 @@ TEST(SceneEditor, ForgetsWhatIsWithdrawnBeforeItHasBegun) {
     EXPECT_NE(world.model("model 1"), nullptr);
 }
 
+class AddedWithinLimits : public testing::Test {
+  protected:
+    EditOutcome edit(const SceneEdit& wanted) {
+        std::optional<EditOutcome> outcome;
+        editor_.edit(wanted, [&outcome](const EditOutcome& answer) { outcome = answer; });
+        EXPECT_TRUE(run_until(io_, [&] { return outcome.has_value(); }));
+        return outcome.value_or(EditOutcome{});
+    }
+
+    EditOutcome add(const std::string& name, bool replace = false) {
+        AddModel model;
+        model.placement.name = name;
+        model.mesh = "tetrahedron.stl";
+        model.replace = replace;
+        return edit(model);
+    }
+
+    void allow(Limit limit, int value) {
+        LimitValues values;
+        values[limit] = value;
+        limits_->set(values);
+        editor_.set_file(folder_.path() / "world.sdf", {}, {folder_.path()});
+    }
+
+    tests::TempDir folder_;
+    std::filesystem::path mesh_ = folder_.write("tetrahedron.stl",
+                                                "solid t\n"
+                                                "facet normal 0 0 -1\nouter loop\nvertex 0 0 0\n"
+                                                "vertex 0 1 0\nvertex 1 0 0\nendloop\nendfacet\n"
+                                                "facet normal 0 -1 0\nouter loop\nvertex 0 0 0\n"
+                                                "vertex 1 0 0\nvertex 0 0 1\nendloop\nendfacet\n"
+                                                "endsolid t\n");
+    SharedLimits limits_ = std::make_shared<Limits>();
+    boost::asio::io_context io_;
+    World world_ = wall_world();
+    SteppedClock clock_;
+    Worker worker_{io_.get_executor()};
+    SceneEditor editor_{world_, worker_, clock_, [] { return std::vector<RequestedBackend>{}; },
+                        limits_};
+};
+
+TEST_F(AddedWithinLimits, AreAsManyModelsAsAllowed) {
+    using Result = EditOutcome::Result;
+    allow(Limit::added_models, 2);
+    EXPECT_EQ(add("a").result, Result::done);
+    EXPECT_EQ(add("b").result, Result::done);
+    const EditOutcome third = add("c");
+    EXPECT_EQ(third.result, Result::too_much);
+    EXPECT_EQ(third.messages, std::vector<std::string>{"more than 2 models would have been added; "
+                                                       "added_models under limits in the "
+                                                       "configuration allows more"});
+    EXPECT_EQ(limits_->refused(Limit::added_models), 1U);
+    EXPECT_EQ(add("b", true).result, Result::done) << "it takes the place of one of them";
+    EXPECT_EQ(edit(RemoveModel{"a"}).result, Result::done);
+    EXPECT_EQ(add("c").result, Result::done) << "there is room again";
+    EXPECT_EQ(add("d").result, Result::too_much);
+    EXPECT_EQ(limits_->refused(Limit::added_models), 2U);
+}
+
+TEST_F(AddedWithinLimits, HaveAsManyTrianglesAsAllowed) {
+    using Result = EditOutcome::Result;
+    allow(Limit::added_triangles, 4);  // each mesh has 2
+    EXPECT_EQ(add("a").result, Result::done);
+    EXPECT_EQ(add("b").result, Result::done);
+    const EditOutcome third = add("c");
+    EXPECT_EQ(third.result, Result::too_much);
+    EXPECT_THAT(third.messages, testing::ElementsAre(testing::HasSubstr("added_triangles under")));
+    EXPECT_EQ(limits_->refused(Limit::added_triangles), 1U);
+    EXPECT_EQ(world_.model("c"), nullptr);
+    EXPECT_EQ(edit(RemoveModel{"a"}).result, Result::done);
+    EXPECT_EQ(add("c").result, Result::done);
+}
+
 class AddedFromFiles : public testing::Test {
   protected:
     EditOutcome add(const std::filesystem::path& file, bool strict) {

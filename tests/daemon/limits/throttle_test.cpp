@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/poses/throttle.h"
+#include "daemon/limits/throttle.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/world/allowed_folder.h"
+#include "sim/loaders/file/allowed_folder.h"
 
 #include <filesystem>
 
@@ -8,7 +8,7 @@
 
 #include "tests/support/temp_dir.h"
 
-namespace scipd::daemon {
+namespace scipd::sim {
 namespace {
 
 namespace fs = std::filesystem;
@@ -62,4 +62,4 @@ TEST_F(AllowedFolder, FollowsALinkBeforeTheDotsBehindIt) {
 }
 
 }  // namespace
-}  // namespace scipd::daemon
+}  // namespace scipd::sim
