@@ -86,6 +86,7 @@ scipd_exports(
           sim/world/surface.h
           # files into worlds: begin with loaders/scene_file.h
           sim/loaders/confined_scene.h
+          sim/loaders/file/allowed_folder.h
           sim/loaders/file/load_error.h
           sim/loaders/file/loaded_scene.h
           sim/loaders/map/ros_map.h
