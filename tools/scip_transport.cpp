@@ -91,6 +91,8 @@ class StreamTransport final : public ScipTransport {
         });
     }
 
+    int release() override { return stream_.release(); }
+
   private:
     // If the other end of a pty is closed, reading it gives EIO.
     static Error gone(const error_code& error) {

@@ -24,6 +24,8 @@ class ScipTransport : public protocol::client::Transport {
     /// From now on the first SIGINT or SIGTERM does not end the program but makes read() throw
     /// Interrupted. Later ones end the program again.
     virtual void interrupt_on_signals() = 0;
+    /// The descriptor, which is the caller's from now on. Nothing else may follow.
+    [[nodiscard]] virtual int release() = 0;
 };
 
 struct OpenOptions {

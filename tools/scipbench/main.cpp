@@ -2,7 +2,8 @@
 // Copyright The scipd authors
 //
 // scipbench: compares how fast the ways to compute ranges are on this machine, and how far they
-// differ.
+// differ; and loads scanners.
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -26,6 +27,7 @@
 #include "tools/scipbench/chart.h"
 #include "tools/scipbench/compare.h"
 #include "tools/scipbench/compare_stages.h"
+#include "tools/scipbench/load.h"
 #include "tools/scipbench/machine.h"
 #include "tools/scipbench/table3.h"
 #include "tools/scipbench/table4.h"
@@ -43,6 +45,8 @@ struct Said {
     double height_m = robot_height_m;
     bool json = false;
     bool light = false;
+    std::vector<std::string> targets;
+    int seconds = 10;
 };
 
 void write_to(const std::string& file, const auto& write) {
@@ -131,6 +135,40 @@ void run_compare(const Said& said) {
     if (!said.plot.empty()) draw_differences(scans, said.model + " in " + said.scene, said.plot);
 }
 
+void run_load(const Said& said) {
+    const LoadReport report = load_scanners(said.targets, std::chrono::seconds(said.seconds));
+    said.json ? write_load_json(report, std::cout) : print_load(report, std::cout);
+    if (const std::size_t unsound = report.unsound(); unsound > 0) {
+        throw std::runtime_error(std::to_string(unsound) + " of " +
+                                 std::to_string(report.streams.size()) +
+                                 " streams are not whole; they are named above");
+    }
+}
+
+std::string is_target(const std::string& text) {
+    try {
+        (void)parse_target(text);
+        return "";
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+}
+
+void add_load(CLI::App& program, Said& said) {
+    CLI::App* load = program.add_subcommand(
+        "load", "have scanners stream all at once, and check every byte that comes");
+    load->add_option("TARGET", said.targets,
+                     "scanners, real or emulated: tcp://HOST:PORT or a tty, each")
+        ->required()
+        ->check(is_target)
+        ->option_text("...");
+    load->add_option("-s,--seconds", said.seconds, "how long")
+        ->check(CLI::Range(1, 1'000'000))
+        ->capture_default_str();
+    load->add_flag("--json", said.json, "as a JSON document");
+    load->callback([&said] { run_load(said); });
+}
+
 /// Checked before the measuring begins, which takes minutes.
 std::string can_be_written(const std::string& file) {
     const std::filesystem::path path(file);
@@ -215,6 +253,7 @@ int main(int argc, char** argv) {
                    "scipd")
         ->excludes("--json");
     add_plot(*compare, said);
+    add_load(program, said);
     add_completion_command(program);
     return run(program, argc, argv);
 }
