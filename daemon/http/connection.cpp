@@ -11,6 +11,7 @@
 #include <boost/asio/local/stream_protocol.hpp>
 #include <poll.h>
 
+#include "daemon/http/framing.h"
 #include "daemon/http/problem.h"
 #include "daemon/http/web_socket_connection.h"
 
@@ -170,8 +171,9 @@ void HttpConnection<Protocol>::turn_away(HttpResponse why) {
 template <class Protocol>
 void HttpConnection<Protocol>::come_in() {
     if (service_->closed) return;
-    if (!door_->gate) return allow_body();
     const auto& request = parser_->get();
+    if (auto fault = framing_fault(request)) return write(std::move(*fault), false);
+    if (!door_->gate) return allow_body();
     const bool has_body = !parser_->is_done();
     auto answer = door_->gate->answer(request, has_body, address_of(stream_.socket()));
     if (!answer) return allow_body();

@@ -336,6 +336,33 @@ TEST_F(HttpFramingTest, TakesChunksAndWhatBelongsToThem) {
     EXPECT_THAT(ask(connect_local(), put(small + "0\r\n\r\n")), HasSubstr("PUT / [] 5000"));
 }
 
+// Else the body would be the next request.
+TEST_F(HttpFramingTest, RefusesABodyWhoseEndItCannotTell) {
+    const std::string next = "GET /smuggled HTTP/1.1\r\nHost: x\r\n" + last + "\r\n";
+    const auto put = [&](const std::string& fields, const char* version = "1.1") {
+        return ask(connect_local(), "PUT / HTTP/" + std::string(version) + "\r\nHost: x\r\n" +
+                                        fields + "\r\n\r\n0\r\n\r\n" + next);
+    };
+    const std::string field = "Transfer-Encoding: ";
+    for (const std::string encoding : {"gzip", "xchunked", "chunked, gzip", "gzip, chunked", ""}) {
+        for (const std::string more : {"", "\r\nContent-Length: 5"}) {
+            const auto answer = put(field + encoding + more);
+            EXPECT_THAT(answer, testing::ContainsRegex("^HTTP/1.1 (400|501) ")) << encoding;
+            EXPECT_THAT(answer, testing::Not(HasSubstr("GET /smuggled"))) << encoding;
+        }
+    }
+    const std::string chunked = field + "chunked";
+    for (const std::string& fields :
+         {field + "gzip\r\n" + chunked, chunked + "\r\n" + chunked,
+          chunked + "\r\nContent-Length: 5", "Content-Length: 5\r\n" + chunked}) {
+        const auto answer = put(fields);
+        EXPECT_THAT(answer, testing::ContainsRegex("^HTTP/1.1 (400|501) ")) << fields;
+        EXPECT_THAT(answer, testing::Not(HasSubstr("GET /smuggled"))) << fields;
+    }
+    EXPECT_THAT(put(chunked, "1.0"), StartsWith("HTTP/1.1 501 Not Implemented\r\n"));
+    EXPECT_THAT(put(chunked), HasSubstr("GET /smuggled")) << "which is one of its own";
+}
+
 TEST_F(HttpFramingTest, RefusesAChunkWithALineThatIsTooLong) {
     const auto chunk = [](std::size_t size) {
         return "1;" + std::string(size - 4, 'x') + "\r\na\r\n0\r\n\r\n";
