@@ -576,6 +576,26 @@ TEST_F(RawWebSocketTest, EndsWithTheReasonWhenItSendsTooOften) {
     EXPECT_EQ(refused(Limit::websocket_messages_per_s), 1U);
 }
 
+TEST_F(RawWebSocketTest, EndsWithTheReasonWhenItPingsTooOften) {
+    LimitValues values;
+    values[Limit::websocket_messages_per_s] = 2;
+    start(values);
+    using namespace std::string_literals;
+    const std::string ping = "\x89\x80\0\0\0\0"s;
+    const std::string pong = "\x8a\x80\0\0\0\0"s;
+    for (const std::string& frame : {ping, pong}) {
+        auto quick = open();
+        std::string many;
+        for (int i = 0; i < 20; ++i)
+            many += frame;
+        asio::write(quick, asio::buffer(many));
+        EXPECT_THAT(up_to(quick, "websocket_messages_per_s under limits"),
+                    HasSubstr(policy_ + "more than 2 messages a second; "));
+        quick.close();
+    }
+    EXPECT_EQ(refused(Limit::websocket_messages_per_s), 2U);
+}
+
 TEST_F(RawWebSocketTest, EndsWithTheReasonWhenItDoesNotReadItsAnswers) {
     constexpr std::size_t size = 500'000;  // more than the kernel keeps
     LimitValues values;
