@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <memory>
+#include <system_error>
 #include <tuple>
 #include <utility>
 
@@ -65,13 +66,23 @@ void Server::listen_for_control() {
     }
     control_socket_ = named.empty() ? usual_control_socket() : named;
     try {
-        control_hold_.emplace(io_.get_executor(), control_socket_);
+        hold_control();
     } catch (const PathHeld&) {
         if (!named.empty()) throw;
         control_socket_.replace_filename("control-" + std::to_string(::getpid()) + ".sock");
-        control_hold_.emplace(io_.get_executor(), control_socket_);
+        hold_control();
     }
     control_.listen(control_socket_, options_.config.control_group, handed_.at(control_socket_));
+}
+
+// Where scipd can make no file, it can make no socket either, and listen() says so; but it can take
+// one that systemd has made there.
+void Server::hold_control() {
+    try {
+        control_hold_.emplace(control_socket_);
+    } catch (const std::system_error&) {
+        control_hold_.reset();
+    }
 }
 
 void Server::listen_for_http(const Address& address) {

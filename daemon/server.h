@@ -47,6 +47,7 @@ class Server {
 
     [[nodiscard]] FleetPlan load_first() const;
     void listen_for_control();
+    void hold_control();
     void listen_for_http(const Address& address);
     void wait_for_signal();
     void reload();
