@@ -4,12 +4,14 @@
 
 #include <chrono>
 #include <exception>
+#include <limits>
 #include <utility>
 
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
 #include <poll.h>
 
+#include "daemon/http/framing.h"
 #include "daemon/http/problem.h"
 #include "daemon/http/web_socket_connection.h"
 
@@ -26,6 +28,9 @@ constexpr std::chrono::seconds linger{2};
 
 /// How often to look whether a client that waits has hung up.
 constexpr std::chrono::milliseconds glance_period{100};
+
+/// Read at once.
+constexpr std::size_t gulp = 4096;
 
 /// Whether nothing more comes from this socket.
 bool has_ended(int socket) {
@@ -84,11 +89,10 @@ http::response<http::string_body> to_beast(HttpResponse plain, bool keep_alive) 
 /// What to tell a client whose request cannot be read, or nothing where it is gone.
 std::optional<HttpResponse> unreadable(const error_code& error, Limits& limits,
                                        const HttpDoor& door) {
-    if (error == http::error::end_of_stream || error == http::error::partial_message) return {};
     if (error == http::error::body_limit) {
         return problem(413, limits.refuse(Limit::http_body_bytes, door.name));
     }
-    if (error == http::error::header_limit || error == http::error::buffer_overflow) {
+    if (error == http::error::header_limit) {
         return problem(431, limits.refuse(Limit::http_header_bytes, door.name));
     }
     if (error.category() == make_error_code(http::error::bad_method).category()) {
@@ -118,14 +122,44 @@ template <class Protocol>
 void HttpConnection<Protocol>::read_header() {
     parser_.emplace();
     const Limits& limits = *service_->limits;
-    parser_->header_limit(static_cast<std::uint32_t>(limits[Limit::http_header_bytes]));
+    // Its own limit is not exact: it is of what the parser gets at once.
+    parser_->header_limit(std::numeric_limits<std::uint32_t>::max());
     parser_->body_limit(limits[Limit::http_body_bytes]);
+    room_ = limits[Limit::http_header_bytes];
     stream_.expires_after(service_->idle);
-    http::async_read_header(stream_, buffer_, *parser_,
-                            [self = this->shared_from_this()](const Error& error, std::size_t) {
-                                if (error) return self->refuse(error);
-                                self->come_in();
-                            });
+    parse();
+}
+
+template <class Protocol>
+void HttpConnection<Protocol>::read_more() {
+    stream_.async_read_some(buffer_.prepare(gulp), [self = this->shared_from_this()](
+                                                       const Error& error, std::size_t bytes) {
+        if (error) return self->refuse(error);
+        self->buffer_.commit(bytes);
+        self->parse();
+    });
+}
+
+/// Takes of the header or of the body what has come. A header has room in all. Of a body only the
+/// line before a chunk, and all that follows the last chunk, need room: they stay in the buffer
+/// until they are whole.
+template <class Protocol>
+void HttpConnection<Protocol>::parse() {
+    const bool in_body = parser_->is_header_done();
+    const auto is_done = [&] { return in_body ? parser_->is_done() : parser_->is_header_done(); };
+    while (!is_done()) {
+        const std::size_t size = buffer_.size();
+        if (size == 0) return read_more();
+        Error error;
+        const std::size_t used = parser_->put(asio::buffer(buffer_.cdata(), room_), error);
+        buffer_.consume(used);
+        const bool is_full = size >= room_;
+        if (!in_body) room_ -= used;
+        if (error == http::error::need_more && !is_full) return read_more();
+        if (error == http::error::need_more) error = http::error::header_limit;
+        if (error) return refuse(error);
+    }
+    in_body ? answer() : come_in();
 }
 
 template <class Protocol>
@@ -137,8 +171,9 @@ void HttpConnection<Protocol>::turn_away(HttpResponse why) {
 template <class Protocol>
 void HttpConnection<Protocol>::come_in() {
     if (service_->closed) return;
-    if (!door_->gate) return allow_body();
     const auto& request = parser_->get();
+    if (auto fault = framing_fault(request)) return write(std::move(*fault), false);
+    if (!door_->gate) return allow_body();
     const bool has_body = !parser_->is_done();
     auto answer = door_->gate->answer(request, has_body, address_of(stream_.socket()));
     if (!answer) return allow_body();
@@ -162,12 +197,8 @@ void HttpConnection<Protocol>::allow_body() {
 
 template <class Protocol>
 void HttpConnection<Protocol>::read_body() {
-    if (parser_->is_done()) return answer();
-    http::async_read(stream_, buffer_, *parser_,
-                     [self = this->shared_from_this()](const Error& error, std::size_t) {
-                         if (error) return self->refuse(error);
-                         self->answer();
-                     });
+    room_ = (*service_->limits)[Limit::http_header_bytes];
+    parse();
 }
 
 template <class Protocol>
@@ -251,7 +282,7 @@ void HttpConnection<Protocol>::close_gently() {
 template <class Protocol>
 void HttpConnection<Protocol>::drop_input() {
     buffer_.clear();
-    stream_.async_read_some(buffer_.prepare(4096),
+    stream_.async_read_some(buffer_.prepare(gulp),
                             [self = this->shared_from_this()](const Error& error, std::size_t) {
                                 if (!error) self->drop_input();
                             });

@@ -37,6 +37,8 @@ class HttpConnection : public HttpClient,
   private:
     using Error = boost::system::error_code;
 
+    void read_more();
+    void parse();
     void come_in();
     void allow_body();
     void read_body();
@@ -53,6 +55,7 @@ class HttpConnection : public HttpClient,
     boost::beast::basic_stream<Protocol> stream_;
     boost::beast::flat_buffer buffer_;
     std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
+    std::size_t room_ = 0;  ///< for what is left of the header, or for what frames a chunk
     const std::shared_ptr<Rate> rate_ = std::make_shared<Rate>();
     bool answered_ = false;
     std::stop_source hung_up_;

@@ -40,6 +40,9 @@ WebSocketConnection<Protocol>::WebSocketConnection(Stream stream,
     socket_.read_message_max((*service_->limits)[Limit::http_body_bytes]);
     socket_.text(true);
     socket_.auto_fragment(false);
+    socket_.control_callback([this](websocket::frame_type type, auto) {
+        if (type != websocket::frame_type::close) count();
+    });
 }
 
 template <class Protocol>
@@ -73,9 +76,14 @@ void WebSocketConnection<Protocol>::received(const Error& error) {
     if (error == websocket::error::message_too_big)
         limits.refuse(Limit::http_body_bytes, door_->name);
     if (error || service_->closed || refused_) return conversation_.reset();
-    if (!rate_.admit(limits[Limit::websocket_messages_per_s]))
-        return refuse(Limit::websocket_messages_per_s);
-    work_off();
+    count();
+    if (!refused_) work_off();
+}
+
+template <class Protocol>
+void WebSocketConnection<Protocol>::count() {
+    constexpr Limit limit = Limit::websocket_messages_per_s;
+    if (!refused_ && !rate_.admit((*service_->limits)[limit])) refuse(limit);
 }
 
 /// A long message in many turns of the event loop.

@@ -41,6 +41,8 @@ class WebSocketConnection : public HttpClient,
 
     void read();
     void received(const Error& error);
+    /// A message, a ping or a pong has come.
+    void count();
     void work_off();
     void write();
     void written(const Error& error);
@@ -53,7 +55,7 @@ class WebSocketConnection : public HttpClient,
     boost::beast::flat_buffer buffer_;
     std::deque<std::shared_ptr<const std::string>> queue_;
     std::size_t queue_bytes_ = 0;
-    Rate rate_;  ///< of messages that come
+    Rate rate_;  ///< of what comes
     bool refused_ = false;
     boost::asio::steady_timer patience_;  ///< with a client that is refused and does not read
     bool waits_for_room_ = false;         ///< whether it reads on once the queue is shorter

@@ -282,19 +282,111 @@ TEST_F(HttpServerTest, RefusesWhatIsTooLarge) {
     EXPECT_EQ(refused(Limit::http_header_bytes), 1U);
 }
 
-TEST_F(HttpServerTest, TakesAHeaderThatIsJustSmallEnough) {
-    LimitValues values;
-    values[Limit::http_header_bytes] = 300;
-    start(values);
-    const auto get = [](std::size_t size) {
-        std::string fields = last + "X: \r\n\r\n";
-        fields.insert(fields.size() - 4, size - fields.size(), 'x');
-        return "GET / HTTP/1.1\r\n" + fields;
+/// Requests of every kind, to a server that takes 300 bytes of what frames a request.
+class HttpFramingTest : public HttpServerTest {
+  protected:
+    HttpFramingTest() {
+        LimitValues values;
+        values[Limit::http_header_bytes] = 300;
+        start(values);
+    }
+
+    /// In writes of so many bytes, each of which the server reads by itself.
+    std::string ask_in_pieces(const std::string& bytes, std::size_t size) {
+        auto socket = connect_local();
+        for (std::size_t at = 0; at < bytes.size(); at += size) {
+            asio::write(socket, asio::buffer(bytes.substr(at, size)));
+            on_server([] {});
+        }
+        return rest(socket);
+    }
+
+    static std::string put(const std::string& chunks) {
+        return "PUT / HTTP/1.1\r\nHost: x\r\n" + last + "Transfer-Encoding: chunked\r\n\r\n" +
+               chunks;
+    }
+};
+
+TEST_F(HttpFramingTest, TakesAHeaderThatIsJustSmallEnoughHoweverItComes) {
+    const auto get = [](std::size_t size, const std::string& fields) {
+        std::string header = "GET / HTTP/1.1\r\n" + last + fields + "X: \r\n\r\n";
+        return header.insert(header.size() - 4, size - header.size(), 'x');
     };
-    EXPECT_THAT(ask(connect_local(), get(300)), StartsWith("HTTP/1.1 200 OK"));
-    EXPECT_EQ(refused(Limit::http_header_bytes), 0U);
-    EXPECT_THAT(ask(connect_local(), get(301)), StartsWith("HTTP/1.1 431 "));
-    EXPECT_EQ(refused(Limit::http_header_bytes), 1U);
+    std::string many;
+    for (int i = 0; i < 30; ++i)
+        many += "A: b\r\n";
+    std::uint64_t refusals = 0;
+    for (const std::size_t size : {1, 6, 7, 100, 301}) {
+        for (const std::string& fields : {std::string{}, many}) {
+            EXPECT_THAT(ask_in_pieces(get(300, fields), size), StartsWith("HTTP/1.1 200 OK"))
+                << size;
+            EXPECT_EQ(refused(Limit::http_header_bytes), refusals) << size;
+            EXPECT_THAT(ask_in_pieces(get(301, fields), size), StartsWith("HTTP/1.1 431 ")) << size;
+            EXPECT_EQ(refused(Limit::http_header_bytes), ++refusals) << size;
+        }
+    }
+}
+
+TEST_F(HttpFramingTest, TakesChunksAndWhatBelongsToThem) {
+    EXPECT_THAT(ask(connect_local(), put("2\r\nab\r\n1;a=b\r\nc\r\n0\r\nA: b\r\n\r\n")),
+                HasSubstr("PUT / [] 3"));
+    std::string small;
+    for (int i = 0; i < 5000; ++i)
+        small += "1\r\nx\r\n";
+    EXPECT_THAT(ask(connect_local(), put(small + "0\r\n\r\n")), HasSubstr("PUT / [] 5000"));
+}
+
+// Else the body would be the next request.
+TEST_F(HttpFramingTest, RefusesABodyWhoseEndItCannotTell) {
+    const std::string next = "GET /smuggled HTTP/1.1\r\nHost: x\r\n" + last + "\r\n";
+    const auto put = [&](const std::string& fields, const char* version = "1.1") {
+        return ask(connect_local(), "PUT / HTTP/" + std::string(version) + "\r\nHost: x\r\n" +
+                                        fields + "\r\n\r\n0\r\n\r\n" + next);
+    };
+    const std::string field = "Transfer-Encoding: ";
+    for (const std::string encoding : {"gzip", "xchunked", "chunked, gzip", "gzip, chunked", ""}) {
+        for (const std::string more : {"", "\r\nContent-Length: 5"}) {
+            const auto answer = put(field + encoding + more);
+            EXPECT_THAT(answer, testing::ContainsRegex("^HTTP/1.1 (400|501) ")) << encoding;
+            EXPECT_THAT(answer, testing::Not(HasSubstr("GET /smuggled"))) << encoding;
+        }
+    }
+    const std::string chunked = field + "chunked";
+    for (const std::string& fields :
+         {field + "gzip\r\n" + chunked, chunked + "\r\n" + chunked,
+          chunked + "\r\nContent-Length: 5", "Content-Length: 5\r\n" + chunked}) {
+        const auto answer = put(fields);
+        EXPECT_THAT(answer, testing::ContainsRegex("^HTTP/1.1 (400|501) ")) << fields;
+        EXPECT_THAT(answer, testing::Not(HasSubstr("GET /smuggled"))) << fields;
+    }
+    EXPECT_THAT(put(chunked, "1.0"), StartsWith("HTTP/1.1 501 Not Implemented\r\n"));
+    EXPECT_THAT(put(chunked), HasSubstr("GET /smuggled")) << "which is one of its own";
+}
+
+TEST_F(HttpFramingTest, RefusesAChunkWithALineThatIsTooLong) {
+    const auto chunk = [](std::size_t size) {
+        return "1;" + std::string(size - 4, 'x') + "\r\na\r\n0\r\n\r\n";
+    };
+    for (const std::size_t size : {1, 7, 1000}) {
+        EXPECT_THAT(ask_in_pieces(put(chunk(300)), size), HasSubstr("PUT / [] 1")) << size;
+        EXPECT_THAT(ask_in_pieces(put(chunk(301)), size), StartsWith("HTTP/1.1 431 ")) << size;
+    }
+    EXPECT_EQ(refused(Limit::http_header_bytes), 3U);
+}
+
+// None of these ends; the server would keep all of it.
+TEST_F(HttpFramingTest, RefusesABodyWithoutEndWhoseFramingIsTooLarge) {
+    on_server([this] { server_->set_idle(std::chrono::seconds{5}); });
+    std::string fields;
+    while (fields.size() < 200'000)
+        fields += "A: b\r\n";
+    std::uint64_t refusals = 0;
+    for (const std::string& endless :
+         {"1;" + std::string(200'000, 'x'), std::string(200'000, '0'), "1\r\nx\r\n0\r\n" + fields,
+          "1\r\nx\r\n0\r\nX: " + std::string(200'000, 'x')}) {
+        EXPECT_THAT(ask(connect_local(), put(endless)), StartsWith("HTTP/1.1 431 "));
+        EXPECT_EQ(refused(Limit::http_header_bytes), ++refusals);
+    }
 }
 
 TEST_F(HttpServerTest, TurnsAwayMoreClientsThanADoorIsFor) {
@@ -482,6 +574,26 @@ TEST_F(RawWebSocketTest, EndsWithTheReasonWhenItSendsTooOften) {
     EXPECT_THAT(up_to(quick, "websocket_messages_per_s under limits"),
                 HasSubstr(policy_ + "more than 2 messages a second; "));
     EXPECT_EQ(refused(Limit::websocket_messages_per_s), 1U);
+}
+
+TEST_F(RawWebSocketTest, EndsWithTheReasonWhenItPingsTooOften) {
+    LimitValues values;
+    values[Limit::websocket_messages_per_s] = 2;
+    start(values);
+    using namespace std::string_literals;
+    const std::string ping = "\x89\x80\0\0\0\0"s;
+    const std::string pong = "\x8a\x80\0\0\0\0"s;
+    for (const std::string& frame : {ping, pong}) {
+        auto quick = open();
+        std::string many;
+        for (int i = 0; i < 20; ++i)
+            many += frame;
+        asio::write(quick, asio::buffer(many));
+        EXPECT_THAT(up_to(quick, "websocket_messages_per_s under limits"),
+                    HasSubstr(policy_ + "more than 2 messages a second; "));
+        quick.close();
+    }
+    EXPECT_EQ(refused(Limit::websocket_messages_per_s), 2U);
 }
 
 TEST_F(RawWebSocketTest, EndsWithTheReasonWhenItDoesNotReadItsAnswers) {
