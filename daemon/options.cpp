@@ -42,8 +42,8 @@ constexpr const char* examples = R"(Examples:
         any number of robots and scanners; scipd --check fleet.yaml tells every fault in it
 
 Lengths are metres, angles radians; x is forward, y left, z up.
-Exit codes: 0 it ended as asked; 1 it failed while running, or --probe found that nothing can be
-drawn here; 2 the options, the configuration or the world are wrong.)";
+Exit codes: 0 it ended as asked; 1 it failed while running, or --probe cannot draw here;
+2 the options, the configuration or the world are wrong, or an address or a name is taken.)";
 
 Answer refusal(const std::string& sentence) {
     return {2, sentence + "\n"};

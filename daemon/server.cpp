@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <memory>
+#include <system_error>
 #include <tuple>
 #include <utility>
 
@@ -21,19 +22,9 @@ namespace scipd::daemon {
 
 namespace asio = boost::asio;
 
-// It loads the world before all else: until signals_ is made SIGINT and SIGTERM end the program,
-// and nothing is left behind. It loads on another thread: the memory of the world is then in the
-// part of the heap that other threads have, so that this one does not wait while the memory is
-// given back.
 Server::Server(const Options& options)
-    : Server(options, std::async(std::launch::async, [&] {
-                          service_notify::status("loads " + options.config.scene.string());
-                          return make_plan(options.config);
-                      }).get()) {}
-
-Server::Server(const Options& options, FleetPlan&& plan)
     : options_(options),
-      signals_(io_, SIGINT, SIGTERM, SIGHUP),
+      signals_(io_, SIGHUP),
       fleet_(io_.get_executor(), options_.config.clock, &handed_),
       service_(io_.get_executor(), fleet_.simulation()),
       control_(
@@ -43,6 +34,9 @@ Server::Server(const Options& options, FleetPlan&& plan)
           },
           [this](const HttpRequest& request) { return open_socket(api_, request); },
           fleet_.simulation().limits) {
+    FleetPlan plan = load_first();
+    signals_.add(SIGINT);
+    signals_.add(SIGTERM);
     // The control socket next: if another scipd has it, its ttys are not touched either.
     listen_for_control();
     if (options_.config.http) listen_for_http(*options_.config.http);
@@ -50,6 +44,15 @@ Server::Server(const Options& options, FleetPlan&& plan)
     fleet_.simulation().choose_backends();
     warn_of_unneeded();
     wait_for_signal();
+}
+
+// It loads the world before it opens anything: meanwhile SIGINT and SIGTERM end the program, and
+// nothing is left behind. SIGHUP waits. It loads on another thread: the memory of the world is then
+// in the part of the heap that other threads have, so that this one does not wait while the memory
+// is given back.
+FleetPlan Server::load_first() const {
+    service_notify::status("loads " + options_.config.scene.string());
+    return std::async(std::launch::async, [&] { return make_plan(options_.config); }).get();
 }
 
 // The first scipd has the control socket that nobody has named; those started after it make their
@@ -63,13 +66,23 @@ void Server::listen_for_control() {
     }
     control_socket_ = named.empty() ? usual_control_socket() : named;
     try {
-        control_hold_.emplace(io_.get_executor(), control_socket_);
+        hold_control();
     } catch (const PathHeld&) {
         if (!named.empty()) throw;
         control_socket_.replace_filename("control-" + std::to_string(::getpid()) + ".sock");
-        control_hold_.emplace(io_.get_executor(), control_socket_);
+        hold_control();
     }
     control_.listen(control_socket_, options_.config.control_group, handed_.at(control_socket_));
+}
+
+// Where scipd can make no file, it can make no socket either, and listen() says so; but it can take
+// one that systemd has made there.
+void Server::hold_control() {
+    try {
+        control_hold_.emplace(control_socket_);
+    } catch (const std::system_error&) {
+        control_hold_.reset();
+    }
 }
 
 void Server::listen_for_http(const Address& address) {
@@ -167,7 +180,8 @@ void Server::take_up(std::future<Next> loaded) {
         fleet_.apply(std::move(next.plan));
         if (next.asks_for_a_start) {
             spdlog::warn(
-                "SIGHUP: control, http and clock stay as they are until scipd is started again");
+                "SIGHUP: control, http with its token, and clock stay as they are until scipd is "
+                "started again");
         }
         fleet_.simulation().choose_backends();
         warn_of_unneeded();

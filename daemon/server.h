@@ -45,8 +45,9 @@ class Server {
         bool asks_for_a_start = false;  ///< of what stays as it is while this program runs
     };
 
-    Server(const Options& options, FleetPlan&& plan);
+    [[nodiscard]] FleetPlan load_first() const;
     void listen_for_control();
+    void hold_control();
     void listen_for_http(const Address& address);
     void wait_for_signal();
     void reload();

@@ -67,6 +67,7 @@ std::string Service::status() const {
 
 void Service::go_on() {
     if (!watch_ && !service_notify::is_heard()) return;
+    service_notify::tell_again();
     feed();
     timer_.expires_after(pause_);
     timer_.async_wait([this](const boost::system::error_code& error) {

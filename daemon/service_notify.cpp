@@ -3,12 +3,17 @@
 #include "daemon/service_notify.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <ctime>
+#include <string_view>
 
+#include <sys/socket.h>
+#include <sys/un.h>
 #include <systemd/sd-daemon.h>
+#include <unistd.h>
 
 #include "sim/text/quote.h"
 
@@ -19,8 +24,39 @@ constexpr int keep_environment = 0;
 /// systemd passes over a message of more than 4096 bytes.
 constexpr std::size_t longest_status = 2048;
 
+/// What nobody has taken yet.
+std::string untold;
+
+/// Where systemd listens; nothing: nowhere. @ stands for the zero that begins an abstract name.
+std::optional<sockaddr_un> listener() {
+    const char* const path = std::getenv("NOTIFY_SOCKET");
+    const std::string_view name = path != nullptr ? path : "";
+    sockaddr_un address{.sun_family = AF_UNIX, .sun_path = {}};
+    if (name.empty() || name.size() >= sizeof(address.sun_path)) return std::nullopt;
+    name.copy(address.sun_path, name.size());
+    if (name.front() == '@') address.sun_path[0] = '\0';
+    return address;
+}
+
+/// False: whoever listens does not read at present. sd_notify() would wait until it does, and all
+/// scanners with it.
+bool send(const std::string& assignments) {
+    const auto address = listener();
+    if (!address) return true;
+    const int socket = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+    if (socket < 0) return false;
+    const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) +
+                                             std::string_view(std::getenv("NOTIFY_SOCKET")).size());
+    const ssize_t sent = ::sendto(socket, assignments.data(), assignments.size(), MSG_NOSIGNAL,
+                                  reinterpret_cast<const sockaddr*>(&*address), size);
+    const bool waits = sent < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == ENOBUFS);
+    ::close(socket);
+    return !waits;
+}
+
+/// What is told later supersedes what could not be told.
 void tell(const std::string& assignments) {
-    ::sd_notify(keep_environment, assignments.c_str());
+    untold = send(assignments) ? std::string{} : assignments;
 }
 
 /// A line end would begin another assignment.
@@ -64,11 +100,16 @@ void stopping() {
 std::optional<std::chrono::microseconds> watchdog() {
     std::uint64_t interval_us = 0;
     if (::sd_watchdog_enabled(keep_environment, &interval_us) <= 0) return std::nullopt;
-    return std::chrono::microseconds(interval_us);
+    constexpr std::uint64_t a_year_us = 31'536'000'000'000;
+    return std::chrono::microseconds(std::min(interval_us, a_year_us));
 }
 
 void feed_watchdog() {
-    tell("WATCHDOG=1");
+    (void)send("WATCHDOG=1");
+}
+
+void tell_again() {
+    if (!untold.empty()) tell(std::string(untold));
 }
 
 }  // namespace scipd::daemon::service_notify

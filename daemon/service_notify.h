@@ -3,7 +3,8 @@
 //
 // What scipd tells systemd about itself (sd_notify(3)). Without systemd ($NOTIFY_SOCKET is not set)
 // nothing of this has any effect. A status is a line for people, as `systemctl status` shows it.
-// Any thread, as long as nobody changes the environment.
+// Nobody waits here: if whoever listens does not read, it is told later. One thread at a time, and
+// nobody changes the environment.
 #pragma once
 
 #include <chrono>
@@ -19,6 +20,8 @@ void status(const std::string& text);
 void ready(const std::string& status);
 void reloading(const std::string& status);
 void stopping();
+/// The latest of these that could not be told; to be called now and then.
+void tell_again();
 
 /// How long systemd waits for feed_watchdog() until it takes scipd for stuck; nothing: for ever.
 std::optional<std::chrono::microseconds> watchdog();

@@ -44,14 +44,18 @@ def option_lines(help_):
 
 def footer_lines(footer):
     """Examples stand as they are typed, other lines run on."""
-    lines, typed = [], []
+    lines, typed, said = [], [], []
     for line in [*footer, ""]:
         if line.startswith("  "):
-            typed.append(line)
+            lines += roff.paragraph(" ".join(said)) if said else []
+            typed, said = [*typed, line], []
             continue
         lines += roff.verbatim(typed) if typed else []
         typed = []
-        lines += roff.paragraph(line) if line else []
+        said = [*said, line] if line else said
+        if said and (not line or line.endswith(".")):
+            lines += roff.paragraph(" ".join(said))
+            said = []
     return lines
 
 

@@ -2,42 +2,33 @@
 // Copyright The scipd authors
 #include "daemon/link/path_hold.h"
 
+#include <array>
 #include <cerrno>
+#include <charconv>
 #include <string>
 #include <system_error>
 
-#include <sys/socket.h>
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#include "sim/fnv1a.h"
 
 namespace scipd::daemon {
 namespace {
 
-using Local = boost::asio::local::stream_protocol;
+namespace fs = std::filesystem;
 
-/// The same for every name of the folder.
-Local::endpoint name_of(const std::filesystem::path& path) {
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    struct stat status {};
-    if (::stat(folder.c_str(), &status) != 0)
-        throw std::system_error(errno, std::generic_category(), folder.string());
-    const auto number = sim::fnv1a<std::uint64_t>(path.filename().string());
-    return {std::string(1, '\0') + "scipd/" + std::to_string(status.st_dev) + "/" +
-            std::to_string(status.st_ino) + "/" + std::to_string(number)};
+fs::path lock_of(const fs::path& path) {
+    return path.parent_path() / ("." + path.filename().string() + ".lock");
 }
 
-/// 0 where the kernel does not say.
-pid_t holder_of(const boost::asio::any_io_executor& executor, const Local::endpoint& name) {
-    Local::socket asking(executor, Local());
-    asking.native_non_blocking(true);
-    ucred holder{};
-    socklen_t size = sizeof(holder);
-    const int socket = asking.native_handle();
-    const bool told = ::connect(socket, name.data(), static_cast<socklen_t>(name.size())) == 0 &&
-                      ::getsockopt(socket, SOL_SOCKET, SO_PEERCRED, &holder, &size) == 0;
-    return told ? holder.pid : 0;
+/// 0 where the holder has not written it yet.
+pid_t holder_of(int lock) {
+    std::array<char, 16> text{};
+    const ssize_t size = ::pread(lock, text.data(), text.size(), 0);
+    pid_t holder = 0;
+    if (size > 0) std::from_chars(text.data(), text.data() + size, holder);
+    return holder;
 }
 
 std::string who(pid_t holder) {
@@ -47,18 +38,77 @@ std::string who(pid_t holder) {
     return "another scipd, process " + std::to_string(holder) + end_it;
 }
 
+/// In a folder such as /tmp anybody may have been first. A second name of a file is not scipd's.
+void refuse_what_is_not_ours(const fs::path& path, const fs::path& lock, const struct stat& found) {
+    const std::string choose = "; choose another path, or have that file removed";
+    if (found.st_uid != ::geteuid()) {
+        throw PathHeld(path.string() + " is kept by user " + std::to_string(found.st_uid) +
+                       ", who owns " + lock.string() + choose);
+    }
+    if (!S_ISREG(found.st_mode) || found.st_nlink > 1)
+        throw PathHeld(path.string() + " cannot be held: " + lock.string() +
+                       " is there and is no lock of scipd's" + choose);
+}
+
+bool is_still(const fs::path& lock, int descriptor) {
+    struct stat named {};
+    struct stat opened {};
+    return ::lstat(lock.c_str(), &named) == 0 && ::fstat(descriptor, &opened) == 0 &&
+           named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
+}
+
+int open_lock(const fs::path& path, const fs::path& lock) {
+    const int descriptor =
+        ::open(lock.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, S_IRUSR | S_IWUSR);
+    const std::error_code error(errno, std::generic_category());
+    struct stat found {};
+    if (descriptor < 0) {
+        if (::lstat(lock.c_str(), &found) == 0) refuse_what_is_not_ours(path, lock, found);
+        throw std::system_error(error, lock.string());
+    }
+    try {
+        if (::fstat(descriptor, &found) == 0) refuse_what_is_not_ours(path, lock, found);
+    } catch (const PathHeld&) {
+        ::close(descriptor);
+        throw;
+    }
+    return descriptor;
+}
+
+/// Closes it where it fails.
+void take(const fs::path& path, int lock) {
+    if (::flock(lock, LOCK_EX | LOCK_NB) == 0) return;
+    const int error = errno;
+    const pid_t holder = holder_of(lock);
+    ::close(lock);
+    if (error == EWOULDBLOCK) throw PathHeld(path.string() + " is used by " + who(holder));
+    throw std::system_error(error, std::generic_category(), path.string());
+}
+
+void sign(int lock) {
+    const std::string text = std::to_string(::getpid()) + "\n";
+    if (::ftruncate(lock, 0) == 0) (void)!::pwrite(lock, text.data(), text.size(), 0);
+}
+
+/// Again where the one that had it removed the file between the two steps.
+int locked(const fs::path& path, const fs::path& lock) {
+    while (true) {
+        const int descriptor = open_lock(path, lock);
+        take(path, descriptor);
+        if (is_still(lock, descriptor)) return descriptor;
+        ::close(descriptor);
+    }
+}
+
 }  // namespace
 
-PathHold::PathHold(const boost::asio::any_io_executor& executor, const std::filesystem::path& path)
-    : socket_(executor, Local()) {
-    const Local::endpoint name = name_of(path);
-    boost::system::error_code error;
-    socket_.bind(name, error);
-    if (error == boost::asio::error::address_in_use) {
-        throw PathHeld(path.string() + " is used by " + who(holder_of(executor, name)));
-    }
-    if (error) throw std::system_error(error, path.string());
-    socket_.listen();
+PathHold::PathHold(const fs::path& path) : lock_(lock_of(path)), descriptor_(locked(path, lock_)) {
+    sign(descriptor_);
+}
+
+PathHold::~PathHold() {
+    if (is_still(lock_, descriptor_)) ::unlink(lock_.c_str());
+    ::close(descriptor_);
 }
 
 }  // namespace scipd::daemon

@@ -2,17 +2,14 @@
 // Copyright The scipd authors
 //
 // Holds a path for one scipd, as long as that one lives. Another scipd is refused the path;
-// whatever the holder finds there was left behind by a scipd that was killed. The kernel knows who
-// holds the path, by a socket that is no file (unix(7): abstract): so nothing is left behind, and
-// spellings of the path do not matter. Other programs know nothing of this. Lives on the I/O
-// thread.
+// whatever the holder finds there was left behind by a scipd that was killed. The holder has locked
+// (flock(2)) a file beside the path, .NAME.lock, which nobody else can open; so nobody else can
+// keep the path from it. Spellings of the folder do not matter. A scipd that was killed leaves the
+// file behind without its lock. Other programs know nothing of this. Waits for nothing; one thread.
 #pragma once
 
 #include <filesystem>
 #include <stdexcept>
-
-#include <boost/asio/any_io_executor.hpp>
-#include <boost/asio/local/stream_protocol.hpp>
 
 namespace scipd::daemon {
 
@@ -24,12 +21,16 @@ class PathHeld : public std::runtime_error {
 
 class PathHold {
   public:
-    /// The folder must exist, the file need not. Throws PathHeld, or std::system_error where the
-    /// kernel does not say who holds it.
-    PathHold(const boost::asio::any_io_executor& executor, const std::filesystem::path& path);
+    /// The folder must exist, the file need not. Throws PathHeld, or std::system_error where no
+    /// file can be made there.
+    explicit PathHold(const std::filesystem::path& path);
+    PathHold(const PathHold&) = delete;
+    PathHold& operator=(const PathHold&) = delete;
+    ~PathHold();
 
   private:
-    boost::asio::local::stream_protocol::acceptor socket_;
+    std::filesystem::path lock_;
+    int descriptor_;
 };
 
 }  // namespace scipd::daemon

@@ -82,7 +82,7 @@ PtyPort::PtyPort(const asio::any_io_executor& executor, std::filesystem::path li
       events_(executor),
       next_(executor) {
     prepare();
-    link_.emplace(executor, path_);
+    link_.emplace(path_);
     link_->lead_to(device_path_);
 }
 

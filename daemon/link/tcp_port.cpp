@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <boost/asio/post.hpp>
+#include <sys/poll.h>
 #include <sys/socket.h>
 
 namespace scipd::daemon {
@@ -37,6 +38,12 @@ void drop_unread(int socket) {
 void reset_on_close(int socket) {
     const linger at_once{.l_onoff = 1, .l_linger = 0};
     ::setsockopt(socket, SOL_SOCKET, SO_LINGER, &at_once, sizeof(at_once));
+}
+
+// A client that only sends no more looks the same.
+bool has_hung_up(tcp::socket& socket) {
+    pollfd asked{.fd = socket.native_handle(), .events = POLLRDHUP, .revents = 0};
+    return ::poll(&asked, 1, 0) == 1;
 }
 
 }  // namespace
@@ -140,7 +147,10 @@ void TcpPort::accept() {
         if (!self->scanner_ || (self->line().refuses && !self->handed_)) return;
         // It refused clients for a while.
         if (error == asio::error::operation_aborted) return self->accept();
-        if (error) return self->accept_later();
+        if (error) {
+            self->drop_gone();  // their descriptors may be those that are missing
+            return self->accept_later();
+        }
         self->take_in(std::move(socket));
         self->accept();
     });
@@ -150,8 +160,9 @@ void TcpPort::take_in(tcp::socket socket) {
     // Where somebody else holds the socket open, it goes on listening while the line refuses.
     if (line().refuses) return reset_on_close(socket.native_handle());
     if (!connected()) return connect(std::move(socket));
-    if (waiting_.size() + 1 < limits()[Limit::scanner_connections])
-        return waiting_.push_back(std::move(socket));
+    const auto is_room = [&] { return waiting_.size() + 1 < limits()[Limit::scanner_connections]; };
+    if (!is_room()) drop_gone();
+    if (is_room()) return waiting_.push_back(std::move(socket));
     limits().refuse(Limit::scanner_connections, address());
 }
 
@@ -160,6 +171,11 @@ void TcpPort::serve_next() {
     tcp::socket socket = std::move(waiting_.front());
     waiting_.pop_front();
     connect(std::move(socket));
+}
+
+// Only where there is need: until then, one that has hung up gets the answers to what it sent.
+void TcpPort::drop_gone() {
+    std::erase_if(waiting_, has_hung_up);
 }
 
 // As the kernel does with those whom nobody has accepted.

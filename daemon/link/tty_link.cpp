@@ -52,10 +52,10 @@ std::runtime_error no_link(const fs::path& path, const std::system_error& error)
                               error.code().message() + other_name);
 }
 
-PathHold hold(const boost::asio::any_io_executor& executor, const fs::path& path) {
+PathHold hold(const fs::path& path) {
     try {
         if (path.has_parent_path()) fs::create_directories(path.parent_path());
-        return {executor, path};
+        return PathHold(path);
     } catch (const std::system_error& error) {
         throw no_link(path, error);
     }
@@ -63,8 +63,7 @@ PathHold hold(const boost::asio::any_io_executor& executor, const fs::path& path
 
 }  // namespace
 
-TtyLink::TtyLink(const boost::asio::any_io_executor& executor, const fs::path& path)
-    : path_(path), hold_(hold(executor, path)) {}
+TtyLink::TtyLink(const fs::path& path) : path_(path), hold_(hold(path)) {}
 
 void TtyLink::lead_to(const fs::path& terminal) {
     if (terminal == terminal_) return;

@@ -7,8 +7,6 @@
 
 #include <filesystem>
 
-#include <boost/asio/any_io_executor.hpp>
-
 #include "daemon/link/path_hold.h"
 
 namespace scipd::daemon {
@@ -17,7 +15,7 @@ class TtyLink {
   public:
     /// Makes its folder and holds the name. Throws PathHeld where somebody uses it, else
     /// std::runtime_error.
-    TtyLink(const boost::asio::any_io_executor& executor, const std::filesystem::path& path);
+    explicit TtyLink(const std::filesystem::path& path);
     TtyLink(const TtyLink&) = delete;
     TtyLink& operator=(const TtyLink&) = delete;
     /// As remove().

@@ -97,6 +97,30 @@ TEST(Service, IsReadyHoweverMuchThereIsToSay) {
     EXPECT_LT(told.size(), 4096U);
 }
 
+// The scanners would wait with it.
+TEST(Service, WaitsForNobodyWhoDoesNotRead) {
+    Listener systemd;
+    for (int i = 0; i < 2000; ++i)
+        service_notify::status("number " + std::to_string(i));
+    service_notify::ready("the last");
+    for (int i = 0; i < 2000; ++i)
+        service_notify::feed_watchdog();
+    std::string latest;
+    const auto hear_all = [&] {
+        for (std::string told = systemd.hear(); !told.empty(); told = systemd.hear())
+            latest = told;
+    };
+    hear_all();
+    EXPECT_TRUE(latest.starts_with("STATUS=number ")) << latest;
+    service_notify::tell_again();
+    hear_all();
+    EXPECT_EQ(latest, "READY=1\nSTATUS=the last");
+    latest.clear();
+    service_notify::tell_again();
+    hear_all();
+    EXPECT_EQ(latest, "");
+}
+
 TEST(Service, FeedsTheWatchdogUntilAScanLoopIsStuck) {
     Listener systemd;
     boost::asio::io_context io;

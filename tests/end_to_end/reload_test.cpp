@@ -84,7 +84,8 @@ class Reload : public testing::Test {
         "      top: {model: URG-04LX, mount: {xyz: [0, 0, 0.3]}, accuracy: ideal, pty: auto}\n";
 
     static inline const std::string elsewhere_ = "control: elsewhere.sock\n";
-    static inline const std::string stays_ = "control, http and clock stay as they are";
+    static inline const std::string stays_ =
+        "control, http with its token, and clock stay as they are";
 
     TempDir directory_;
     DaemonProcess daemon_;

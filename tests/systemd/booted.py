@@ -244,7 +244,8 @@ def everything_comes_back_after_a_kill():
     for tty in ("rescue-front", "rear"):
         assert b"VEND" in ask_tty(RUN / tty), tty
     assert len(get(RUN / "control.sock")["sensors"]) == 2
-    assert sorted(files_in(RUN)) == ["control.sock", "rear", "rescue-front"], files_in(RUN)
+    used = ["control.sock", "rear", "rescue-front"]
+    assert sorted(files_in(RUN)) == [f".{name}.lock" for name in used] + used, files_in(RUN)
 
 
 def a_stuck_one_is_started_again():

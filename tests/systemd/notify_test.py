@@ -130,6 +130,24 @@ def feeds_nothing_while_it_is_stuck(program, scenes, folder):
         assert "stuck" not in scipd.log(), scipd.log()
 
 
+def reads_again_what_was_to_be_read_again_while_it_loaded(program, scenes, folder):
+    with Manager(program, folder, {**configuration(scenes, "front"), "scene": str(scenes / "depot.sdf")}) as scipd:
+        scipd.hear("STATUS")
+        scipd.process.send_signal(signal.SIGHUP)
+        scipd.ready()
+        scipd.hear("RELOADING", RELOADING="1")
+        scipd.hear("READY", READY="1")
+        assert scipd.process.poll() is None
+
+
+def serves_where_nobody_reads(program, scenes, folder):
+    with start(program, folder, configuration(scenes, "front"), watchdog_s=0.02) as scipd:
+        time.sleep(1)
+        assert scipd.control.ask("GET", "/health")[0] == 200
+        scipd.process.terminate()
+        assert scipd.process.wait(PATIENCE_S) == 0
+
+
 def feeds_no_watchdog_of_another(program, scenes, folder):
     with start(program, folder, configuration(scenes, "front"), watchdog_s=WATCHDOG_S, watched_pid="1") as scipd:
         assert scipd.meals(2 * WATCHDOG_S) == 0
@@ -149,6 +167,7 @@ def main():
              tells_of_another_world, says_why_it_cannot_start, says_what_is_wrong_with_its_configuration,
              feeds_the_watchdog_whoever_wants_scans, feeds_it_while_time_stands_still,
              feeds_it_beside_a_fault_on_purpose, feeds_nothing_while_it_is_stuck,
+             reads_again_what_was_to_be_read_again_while_it_loaded, serves_where_nobody_reads,
              feeds_no_watchdog_of_another, serves_as_always_where_nobody_hears]
 
     for test in tests:

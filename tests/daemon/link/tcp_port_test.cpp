@@ -138,6 +138,57 @@ TEST_F(TcpPortTest, LetsAFewWaitInTurnAndClosesTheOthersAtOnce) {
     EXPECT_EQ(limits->refused(Limit::scanner_connections), 1U);
 }
 
+// As a driver does that tries again and again while another one is served.
+TEST_F(TcpPortTest, GivesThePlacesOfThoseWhoHungUpWhileTheyWaitedToOthers) {
+    const auto limits = std::make_shared<Limits>();
+    LimitValues values;
+    values[Limit::scanner_connections] = 5;
+    limits->set(values);
+    port_->hold_to(limits);
+    port_->serve(device_);
+    ScannerWire first = connect();
+    EXPECT_TRUE(is_answered_by(first, "UST-10LX"));
+    ScannerWire waits = connect();
+    waits.write("VV\n");
+    ScannerWire closed = connect();
+    ScannerWire closed_with_bytes = connect();
+    closed_with_bytes.write("VV\n");
+    ScannerWire reset = connect();
+    io_.restart();
+    io_.run_for(50ms);
+    closed.close();
+    closed_with_bytes.close();
+    reset.abort();
+    ScannerWire next = connect();
+    next.write("VV\n");
+    io_.restart();
+    io_.run_for(50ms);
+    EXPECT_EQ(limits->refused(Limit::scanner_connections), 0U);
+    EXPECT_EQ(device_.clients(), 1U);
+    first.close();
+    EXPECT_TRUE(comes(waits, "PROD:UST-10LX;"));
+    waits.close();
+    EXPECT_TRUE(comes(next, "PROD:UST-10LX;"));
+}
+
+TEST_F(TcpPortTest, AnswersAClientThatSentAllWhileItWaitedWhereNobodyNeedsItsPlace) {
+    port_->serve(device_);
+    ScannerWire first = connect();
+    EXPECT_TRUE(is_answered_by(first, "UST-10LX"));
+    ScannerWire second = connect();
+    second.write("VV\n");
+    second.half_close();
+    io_.restart();
+    io_.run_for(50ms);
+    ScannerWire third = connect();
+    io_.restart();
+    io_.run_for(50ms);
+    first.close();
+    EXPECT_TRUE(comes(second, "PROD:UST-10LX;"));
+    EXPECT_TRUE(is_cut_off(second));
+    EXPECT_TRUE(is_answered_by(third, "UST-10LX"));
+}
+
 TEST_F(TcpPortTest, TurnsThoseWhoWaitAwayWhenItRefuses) {
     port_->serve(device_);
     ScannerWire first = connect();
