@@ -46,6 +46,11 @@ bool has_hung_up(tcp::socket& socket) {
     return ::poll(&asked, 1, 0) == 1;
 }
 
+bool has_said_something(tcp::socket& socket) {
+    error_code ignored;
+    return socket.available(ignored) > 0;
+}
+
 }  // namespace
 
 TcpPort::TcpPort(const asio::any_io_executor& executor, const Address& address,
@@ -160,6 +165,9 @@ void TcpPort::take_in(tcp::socket socket) {
     // Where somebody else holds the socket open, it goes on listening while the line refuses.
     if (line().refuses) return reset_on_close(socket.native_handle());
     if (!connected()) return connect(std::move(socket));
+    std::erase_if(waiting_, [](tcp::socket& waiter) {
+        return has_hung_up(waiter) && !has_said_something(waiter);
+    });
     const auto is_room = [&] { return waiting_.size() + 1 < limits()[Limit::scanner_connections]; };
     if (!is_room()) drop_gone();
     if (is_room()) return waiting_.push_back(std::move(socket));

@@ -12,7 +12,8 @@ GROWTH_MB = 8.0
 GROWTH_DESCRIPTORS = 8
 JUDGED_FROM_S = 600.0
 # How many more descriptors may be in use after all deeds than before: connections that linger.
-LEFT_DESCRIPTORS = 8
+# Behind each of four good clients five may wait who said something and hung up: scipd cannot know that nobody reads.
+LEFT_DESCRIPTORS = 8 + 4 * 5
 CALM_SIZES = 2  # the last seconds, which count as the end
 
 
