@@ -131,7 +131,8 @@ LoadReport load_scanners(const std::vector<std::string>& targets, std::chrono::s
 
 void print_load(const LoadReport& report, std::ostream& out) {
     const Total total(report);
-    out << report.streams.size() << " scanners for " << significant(report.seconds, 3)
+    const char* const many = report.streams.size() == 1 ? " scanner for " : " scanners for ";
+    out << report.streams.size() << many << significant(report.seconds, 3)
         << " s: " << total.findings.scans << " scans ("
         << significant(static_cast<double>(total.findings.scans) / report.seconds, 4)
         << " a second), " << total.findings.missing << " missing, " << total.findings.damaged
