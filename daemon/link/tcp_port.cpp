@@ -46,9 +46,9 @@ bool has_hung_up(tcp::socket& socket) {
     return ::poll(&asked, 1, 0) == 1;
 }
 
-bool has_said_something(tcp::socket& socket) {
+bool has_left_silently(tcp::socket& socket) {
     error_code ignored;
-    return socket.available(ignored) > 0;
+    return has_hung_up(socket) && socket.available(ignored) == 0;
 }
 
 }  // namespace
@@ -153,7 +153,8 @@ void TcpPort::accept() {
         // It refused clients for a while.
         if (error == asio::error::operation_aborted) return self->accept();
         if (error) {
-            self->drop_gone();  // their descriptors may be those that are missing
+            // Their descriptors may be those that are missing.
+            std::erase_if(self->waiting_, has_hung_up);
             return self->accept_later();
         }
         self->take_in(std::move(socket));
@@ -165,12 +166,7 @@ void TcpPort::take_in(tcp::socket socket) {
     // Where somebody else holds the socket open, it goes on listening while the line refuses.
     if (line().refuses) return reset_on_close(socket.native_handle());
     if (!connected()) return connect(std::move(socket));
-    std::erase_if(waiting_, [](tcp::socket& waiter) {
-        return has_hung_up(waiter) && !has_said_something(waiter);
-    });
-    const auto is_room = [&] { return waiting_.size() + 1 < limits()[Limit::scanner_connections]; };
-    if (!is_room()) drop_gone();
-    if (is_room()) return waiting_.push_back(std::move(socket));
+    if (make_room()) return waiting_.push_back(std::move(socket));
     limits().refuse(Limit::scanner_connections, address());
 }
 
@@ -181,9 +177,13 @@ void TcpPort::serve_next() {
     connect(std::move(socket));
 }
 
-// Only where there is need: until then, one that has hung up gets the answers to what it sent.
-void TcpPort::drop_gone() {
-    std::erase_if(waiting_, has_hung_up);
+// One that hung up after it had said something goes only where there is need: until then, it is to
+// get the answers.
+bool TcpPort::make_room() {
+    const auto is_room = [&] { return waiting_.size() + 1 < limits()[Limit::scanner_connections]; };
+    std::erase_if(waiting_, has_left_silently);
+    if (!is_room()) std::erase_if(waiting_, has_hung_up);
+    return is_room();
 }
 
 // As the kernel does with those whom nobody has accepted.

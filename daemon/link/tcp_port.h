@@ -48,8 +48,8 @@ class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
     void accept_later();
     void take_in(boost::asio::ip::tcp::socket socket);
     void serve_next();
-    /// Of those who wait.
-    void drop_gone();
+    /// False: no more clients may wait.
+    [[nodiscard]] bool make_room();
     void turn_all_away();
     void connect(boost::asio::ip::tcp::socket socket);
     void disconnect();
