@@ -8,7 +8,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include "daemon/fleet_status.h"
 #include "daemon/service_notify.h"
 #include "daemon/service_status.h"
 #include "daemon/simulation.h"
@@ -61,7 +60,7 @@ void Service::stopping() {
 }
 
 std::string Service::status() const {
-    const std::string line = status_line(status_of(simulation_));
+    const std::string line = status_line(simulation_);
     return fault_.empty() ? line : line + "; the last reload changed nothing: " + fault_;
 }
 
