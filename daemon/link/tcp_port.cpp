@@ -3,13 +3,16 @@
 #include "daemon/link/tcp_port.h"
 
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include <boost/asio/post.hpp>
 #include <sys/poll.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 namespace scipd::daemon {
 
@@ -72,6 +75,20 @@ TcpPort::TcpPort(const asio::any_io_executor& executor, const Address& address,
                                  "; choose another address, or port 0 for a free one, such as "
                                  "--tcp 127.0.0.1:0");
     }
+}
+
+std::shared_ptr<TcpPort> TcpPort::moved_to(const asio::any_io_executor& executor) {
+    const Address address{endpoint_.address().to_string(), endpoint_.port()};
+    // While it refuses clients, nothing listens there.
+    if (!acceptor_.is_open()) return std::make_shared<TcpPort>(executor, address);
+    const int socket = ::dup(acceptor_.native_handle());
+    if (socket < 0) {
+        throw std::runtime_error("cannot move the port " + text_of(address) + ": " +
+                                 std::generic_category().message(errno));
+    }
+    auto moved = std::make_shared<TcpPort>(executor, address, socket);
+    moved->handed_ = handed_;
+    return moved;
 }
 
 void TcpPort::serve(Endpoint& scanner, const LinkConfig& link) {

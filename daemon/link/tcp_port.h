@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // A scanner's TCP port: one client at a time; the next ones wait until the first is gone, as with a
-// real scanner. Of more than a few, the last are turned away. Lives on the I/O thread.
+// real scanner. Of more than a few, the last are turned away. Lives on its shard.
 #pragma once
 
 #include <chrono>
@@ -27,6 +27,9 @@ class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
     /// somebody else holds open as well. Throws std::runtime_error.
     TcpPort(const boost::asio::any_io_executor& executor, const Address& address,
             std::optional<int> handed = {});
+
+    /// One that listens on the same socket with another executor, where this one is to be stopped.
+    [[nodiscard]] std::shared_ptr<TcpPort> moved_to(const boost::asio::any_io_executor& executor);
 
     /// Its serve() needs nothing.
     void prepare() override {}
