@@ -48,6 +48,11 @@ std::optional<SensorLog> FleetApi::log(const std::string& sensor) const {
     return std::visit([](const auto& made) -> SensorLog { return made->log(); }, station->sensor);
 }
 
+void FleetApi::ask_log(const std::string& sensor) {
+    std::visit([](const auto& made) { made->ask_log(); },
+               find_station(simulation_.stations, sensor)->sensor);
+}
+
 std::unique_ptr<Conversation> FleetApi::subscribe(const std::string& sensor, WebSocket& socket) {
     return simulation_.stream.subscribe(sensor, socket);
 }

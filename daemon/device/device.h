@@ -92,8 +92,10 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     [[nodiscard]] const Lateness& lateness() const { return counts_.lateness; }
     /// But for what links and faults count.
     [[nodiscard]] SensorCounts counts() const;
-    [[nodiscard]] sim::SharedScan latest_scan() const { return record_ ? record_->cast : nullptr; }
+    [[nodiscard]] sim::SharedScan latest_scan() const;
     [[nodiscard]] const ScanLog& log() const { return log_; }
+    /// Somebody asks for what log() keeps.
+    void ask_log() { log_.ask(clock_.now()); }
     [[nodiscard]] std::size_t clients() const { return clients_.size(); }
 
   private:
@@ -139,7 +141,6 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     sim::Time punctual_from_ = sim::Time::min();  ///< what leaves earlier was to be late
     std::function<void()> on_wanted_;
     std::function<void(const ScanRecord&)> watcher_;
-    SharedRecord record_;  ///< of the latest that was cast
     Pace pace_;
     ScanLog log_;
     SensorCounts counts_;  ///< without what living sessions have refused

@@ -56,6 +56,8 @@ class StaringSensor : public ScanSource {
     /// where nobody has asked before. Never null.
     SharedStaringRecord latest();
     [[nodiscard]] const StaringLog& log() const { return log_; }
+    /// Somebody asks for what log() keeps.
+    void ask_log() { log_.ask(clock_.now()); }
 
     [[nodiscard]] std::uint64_t measured() const { return counts_.scans; }
     [[nodiscard]] const Lateness& lateness() const { return counts_.lateness; }
