@@ -69,7 +69,7 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     void shift_poses(const PoseShift& shift) { sweep_.shift_poses(shift); }
     [[nodiscard]] sim::Pose world_from_robot() const { return sweep_.robot_at(clock_.now()); }
     [[nodiscard]] const sim::SensorSpec& optics() const { return sweep_.optics(); }
-    [[nodiscard]] const std::string& name() const { return sweep_.name(); }
+    [[nodiscard]] const std::string& name() const override { return sweep_.name(); }
 
     /// From the next scan on it sits there on its robot.
     void mount(const sim::Pose& robot_from_sensor) { sweep_.mount(robot_from_sensor); }

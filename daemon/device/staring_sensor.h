@@ -38,6 +38,7 @@ class StaringSensor : public ScanSource {
     /// From the next measurement on it sits there on its robot.
     void mount(const sim::Pose& robot_from_sensor) { sweep_.mount(robot_from_sensor); }
 
+    [[nodiscard]] const std::string& name() const override { return sweep_.name(); }
     /// Drivers need SCIP.
     [[nodiscard]] bool driven() const override { return false; }
     [[nodiscard]] bool watched() const override { return watcher_ != nullptr; }
