@@ -64,7 +64,9 @@ RequestedBackend requested_backend(const std::string& robot, const SensorConfig&
     return request;
 }
 
-FleetPlan make_plan(Config config, const SettledBackends& settled, const std::stop_token& stop) {
+FleetPlan make_plan(Config config, const SettledBackends& settled, const std::stop_token& stop,
+                    const Homes& now) {
+    Homes homes = find_homes(config, now);
     std::optional<Scenario> scenario = load_scenario(config);
     LoadedMaterials materials = load_materials(config);
     sim::LoadedScene loaded = load_world(config, materials.library, stop);
@@ -76,6 +78,7 @@ FleetPlan make_plan(Config config, const SettledBackends& settled, const std::st
         for (const SensorConfig& sensor : robot.sensors) {
             RequestedBackend request = requested_backend(robot.name, sensor, robot.world_from_robot,
                                                          config.clock, materials.library);
+            request.shard = homes.sensors.at(request.sensor);
             const auto known = settled.find(request.sensor);
             if (!request.settled && known != settled.end() && known->second.config == sensor)
                 request.settled = known->second.choice;
@@ -87,11 +90,8 @@ FleetPlan make_plan(Config config, const SettledBackends& settled, const std::st
         if (auto notice = blind_spot(request, *loaded.scene, backends))
             notices.push_back(*std::move(notice));
     }
-    return {std::move(config),
-            std::move(loaded),
-            std::move(backends),
-            std::move(notices),
-            std::move(materials.library),
+    return {std::move(config),   std::move(homes),   std::move(loaded),
+            std::move(backends), std::move(notices), std::move(materials.library),
             std::move(scenario)};
 }
 

@@ -13,6 +13,7 @@
 
 #include "daemon/config/config.h"
 #include "daemon/faults/scenario.h"
+#include "daemon/homes.h"
 #include "daemon/world/requested_backend.h"
 #include "daemon/world/sensor_backends.h"
 #include "sim/loaders/file/loaded_scene.h"
@@ -22,6 +23,7 @@ namespace scipd::daemon {
 
 struct FleetPlan {
     Config config;
+    Homes homes;
     sim::LoadedScene loaded;
     SensorBackends backends;
     std::vector<std::string> notices;  ///< no faults
@@ -40,7 +42,7 @@ using SettledBackends = std::map<std::string, SettledBackend>;
 /// Where nothing is settled yet, `auto` takes the preferred backend for now. Throws LoadError, also
 /// soon after `stop`, and std::runtime_error where this machine lacks a backend that is wanted.
 FleetPlan make_plan(Config config, const SettledBackends& settled = {},
-                    const std::stop_token& stop = {});
+                    const std::stop_token& stop = {}, const Homes& now = {});
 
 /// What a sensor asks of the backends while its robot is at this pose. In lockstep two runs have to
 /// be the same, so there `auto` is settled from the first. `materials` are those of the world.

@@ -178,6 +178,8 @@ void add_alone(CLI::App& app, OptionValues& said) {
         ->group(alone_title);
 }
 
+constexpr unsigned most_threads = 1024;
+
 /// Adds the options that go with all others.
 void add_general(CLI::App& app, OptionValues& said) {
     app.add_option("--log-level", said.options.log_level, "how much scipd tells on standard error")
@@ -195,6 +197,12 @@ void add_general(CLI::App& app, OptionValues& said) {
            "--strict", said.options.strict,
            "refuse a world or a trajectory of which scipd would leave out or change anything, "
            "instead of warning")
+        ->group(general_title);
+    app.add_option("--threads", said.options.threads,
+                   "how many threads scanners live on; 1 puts all on one, as does --clock poses; "
+                   "default: as many as there are processors")
+        ->type_name("N")
+        ->check(CLI::Range(1U, most_threads))
         ->group(general_title);
     const auto take_scenario = [&said](const CLI::results_t& texts) {
         const auto taken =

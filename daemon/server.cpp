@@ -25,7 +25,7 @@ namespace asio = boost::asio;
 Server::Server(const Options& options)
     : options_(options),
       signals_(io_, SIGHUP),
-      fleet_(io_.get_executor(), options_.config.clock, &handed_),
+      fleet_(io_.get_executor(), options_.config.clock, &handed_, options_.threads),
       service_(io_.get_executor(), fleet_.simulation()),
       control_(
           io_.get_executor(),
@@ -52,7 +52,9 @@ Server::Server(const Options& options)
 // is given back.
 FleetPlan Server::load_first() const {
     service_notify::status("loads " + options_.config.scene.string());
-    return std::async(std::launch::async, [&] { return make_plan(options_.config); }).get();
+    return std::async(std::launch::async,
+                      [&] { return make_plan(options_.config, {}, {}, fleet_.homes()); })
+        .get();
 }
 
 // The first scipd has the control socket that nobody has named; those started after it make their
@@ -150,10 +152,10 @@ void Server::reload() {
     if (asked_again_) return;
     Simulation& simulation = fleet_.simulation();
     simulation.worker.add([this, &simulation] {
-        return [this, settled = simulation.settled_backends(),
+        return [this, settled = simulation.settled_backends(), homes = fleet_.homes(),
                 stop = simulation.worker.stopping()]() -> Worker::Finish {
             const auto task = std::make_shared<std::packaged_task<Next()>>(
-                [&] { return load_next(options_, settled, stop); });
+                [&] { return load_next(options_, settled, stop, homes); });
             (*task)();
             return [this, task] { take_up(task->get_future()); };
         };
@@ -161,7 +163,7 @@ void Server::reload() {
 }
 
 Server::Next Server::load_next(const Options& options, const SettledBackends& settled,
-                               const std::stop_token& stop) {
+                               const std::stop_token& stop, const Homes& homes) {
     const Config& started = options.config;
     Config config = load_config(*options.config_file);
     const auto set_at_the_start = [](const Config& of) {
@@ -170,7 +172,7 @@ Server::Next Server::load_next(const Options& options, const SettledBackends& se
     const bool asks_for_a_start = set_at_the_start(config) != set_at_the_start(started);
     config.clock = started.clock;
     options.put_into(config);
-    return {make_plan(std::move(config), settled, stop), asks_for_a_start};
+    return {make_plan(std::move(config), settled, stop, homes), asks_for_a_start};
 }
 
 void Server::take_up(std::future<Next> loaded) {

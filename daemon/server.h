@@ -53,7 +53,7 @@ class Server {
     void reload();
     /// On the worker's thread.
     static Next load_next(const Options& options, const SettledBackends& settled,
-                          const std::stop_token& stop);
+                          const std::stop_token& stop, const Homes& homes);
     void take_up(std::future<Next> loaded);
     void stop();
 

@@ -271,11 +271,6 @@ const ScanRecord& Device::measure(std::int64_t revolution) {
     return *shared;
 }
 
-sim::SharedScan Device::latest_scan() const {
-    const SharedRecord latest = log_.latest();
-    return latest ? latest->cast : nullptr;
-}
-
 Measurement Device::cast(std::int64_t revolution) {
     const auto fired = [&](int step) {
         return device_clock_.world_time(timing_.fired(revolution, step));

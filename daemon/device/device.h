@@ -3,7 +3,7 @@
 //
 // One emulated scanner: the state that its sessions share, its optics in the world, and the scans
 // that it makes for whoever asks. Where nobody asks, it casts nothing. It knows no sockets and does
-// not wait: ScanLoop tells it when a turn is complete. Lives on the I/O thread; its clients do not
+// not wait: ScanLoop tells it when a turn is complete. Lives on its shard; its clients do not
 // outlive it.
 #pragma once
 
@@ -92,9 +92,10 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     [[nodiscard]] const Lateness& lateness() const { return counts_.lateness; }
     /// But for what links and faults count.
     [[nodiscard]] SensorCounts counts() const;
-    [[nodiscard]] sim::SharedScan latest_scan() const;
+    [[nodiscard]] sim::SharedScan latest_scan() const {
+        return log_.latest() ? log_.latest()->cast : nullptr;
+    }
     [[nodiscard]] const ScanLog& log() const { return log_; }
-    /// Somebody asks for what log() keeps.
     void ask_log() { log_.ask(clock_.now()); }
     [[nodiscard]] std::size_t clients() const { return clients_.size(); }
 

@@ -9,7 +9,7 @@
 // right after the other, since with a real scanner the kernel's buffers would have held them. Where
 // a turn is later than that, the thread is too slow for its sensors. For a while each of them gives
 // up whatever is not the newest then. Whoever has waited longest comes first, so all lose evenly,
-// and what they send is new. Lives on the I/O thread.
+// and what they send is new. Lives on its shard.
 #pragma once
 
 #include <cstdint>
