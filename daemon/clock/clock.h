@@ -46,6 +46,9 @@ class Clock {
     /// long as somebody waits does not go on for this.
     [[nodiscard]] virtual std::unique_ptr<Alarm> make_idle_alarm() { return make_alarm(); }
 
+    /// For calls that take long: where others wait as well, what is short comes first.
+    [[nodiscard]] virtual std::unique_ptr<Alarm> make_slow_alarm() { return make_alarm(); }
+
     /// Whether somebody who waits for it has lately found its thread too slow for all who do.
     [[nodiscard]] bool overloaded() const { return now() < overloaded_until_; }
     void set_overloaded_until(sim::Time until) { overloaded_until_ = until; }

@@ -10,8 +10,8 @@ namespace scipd::daemon {
 
 class WallClock::TimerAlarm : public Clock::Alarm {
   public:
-    explicit TimerAlarm(const WallClock& clock)
-        : clock_(clock), pending_(std::make_shared<Pending>(clock.executor_)) {}
+    TimerAlarm(const WallClock& clock, bool slow)
+        : clock_(clock), slow_(slow), pending_(std::make_shared<Pending>(clock.executor_)) {}
     ~TimerAlarm() override { pending_->timer.cancel(); }
 
     void set(sim::Time at, Call call) override {
@@ -19,12 +19,10 @@ class WallClock::TimerAlarm : public Clock::Alarm {
         pending_->call = std::move(call);
         pending_->timer.expires_at(clock_.epoch_ + at);
         pending_->timer.async_wait(
-            [weak = std::weak_ptr(pending_), number](const boost::system::error_code& error) {
-                const auto pending = weak.lock();
-                // A wait that ended before it could be cancelled reports no error.
-                if (error || !pending || pending->number != number) return;
-                const Call due = std::exchange(pending->call, nullptr);
-                due();
+            [this, weak = std::weak_ptr(pending_), number](const boost::system::error_code& error) {
+                if (error || weak.expired()) return;
+                if (slow_) return clock_.defer_([weak, number] { make(weak, number); });
+                make(weak, number);
             });
     }
 
@@ -42,12 +40,25 @@ class WallClock::TimerAlarm : public Clock::Alarm {
         std::uint64_t number = 0;
     };
 
+    // A wait that ended before it could be cancelled reports no error.
+    static void make(const std::weak_ptr<Pending>& weak, std::uint64_t number) {
+        const auto pending = weak.lock();
+        if (!pending || pending->number != number) return;
+        const Call due = std::exchange(pending->call, nullptr);
+        due();
+    }
+
     const WallClock& clock_;
+    bool slow_;
     std::shared_ptr<Pending> pending_;
 };
 
 std::unique_ptr<Clock::Alarm> WallClock::make_alarm() {
-    return std::make_unique<TimerAlarm>(*this);
+    return std::make_unique<TimerAlarm>(*this, false);
+}
+
+std::unique_ptr<Clock::Alarm> WallClock::make_slow_alarm() {
+    return std::make_unique<TimerAlarm>(*this, true);
 }
 
 }  // namespace scipd::daemon

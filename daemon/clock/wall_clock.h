@@ -5,6 +5,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -19,18 +20,21 @@ namespace scipd::daemon {
 class WallClock : public Clock {
   public:
     explicit WallClock(boost::asio::any_io_executor executor) : executor_(std::move(executor)) {}
-    /// The same time, with calls from another executor.
-    WallClock(const WallClock& same, boost::asio::any_io_executor executor)
-        : executor_(std::move(executor)), epoch_(same.epoch_) {}
+    /// The same time, with calls from another executor. `defer` makes those that take long, later.
+    using Defer = std::function<void(Call)>;
+    WallClock(const WallClock& same, boost::asio::any_io_executor executor, Defer defer)
+        : executor_(std::move(executor)), defer_(std::move(defer)), epoch_(same.epoch_) {}
 
     [[nodiscard]] sim::Time now() const override { return Steady::now() - epoch_; }
     [[nodiscard]] std::unique_ptr<Alarm> make_alarm() override;
+    [[nodiscard]] std::unique_ptr<Alarm> make_slow_alarm() override;
 
   private:
     using Steady = std::chrono::steady_clock;
     class TimerAlarm;
 
     boost::asio::any_io_executor executor_;
+    Defer defer_ = [](const Call& call) { call(); };
     Steady::time_point epoch_ = Steady::now();
 };
 

@@ -29,7 +29,7 @@ void tell_lost(const std::string& sensor, std::int64_t turns) {
 }  // namespace
 
 ScanLoop::ScanLoop(ScanSource& source, Clock& clock)
-    : source_(source), clock_(clock), alarm_(clock.make_alarm()) {
+    : source_(source), clock_(clock), alarm_(clock.make_slow_alarm()) {
     source_.on_wanted([this] { wake(); });
 }
 

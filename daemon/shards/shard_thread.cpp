@@ -14,7 +14,8 @@ namespace scipd::daemon {
 ShardThread::ShardThread(std::size_t number, const WallClock& clock,
                          boost::asio::any_io_executor home)
     : home_(std::move(home)),
-      clock_(clock, io_.get_executor()),
+      clock_(clock, io_.get_executor(),
+             [this](Clock::Call call) { slow_.push_back(std::move(call)); }),
       world_(number),
       shard_{number, io_.get_executor(), world_, clock_},
       thread_([this] { run(); }) {
@@ -25,10 +26,9 @@ ShardThread::~ShardThread() {
     join();
 }
 
-void ShardThread::tell(World::Change change) {
+void ShardThread::tell(Changes changes) {
     const std::lock_guard lock(mutex_);
-    changes_.push_back(std::move(change));
-    if (still_) return still_changed_.notify_all();
+    changes_.push_back(std::move(changes));
     wake();
 }
 
@@ -40,12 +40,20 @@ void ShardThread::halt() {
 
 void ShardThread::wait_until_still() {
     std::unique_lock lock(mutex_);
-    still_changed_.wait(lock, [this] { return still_ && changes_.empty(); });
+    still_changed_.wait(lock, [this] { return still_; });
+}
+
+void ShardThread::catch_up() {
+    std::unique_lock lock(mutex_);
+    catches_up_ = true;
+    still_changed_.notify_all();
+    still_changed_.wait(lock, [this] { return !catches_up_; });
 }
 
 void ShardThread::go_on() {
     const std::lock_guard lock(mutex_);
     halted_ = false;
+    still_ = false;  // whoever halts it at once has to wait for it again
     still_changed_.notify_all();
 }
 
@@ -68,9 +76,25 @@ void ShardThread::run() {
     while (!ended_) {
         guarded([this] {
             if (called_.exchange(false)) answer();
-            if (!ended_) io_.run_one();
+            if (!ended_) run_some();
         });
     }
+}
+
+void ShardThread::run_some() {
+    if (slow_.empty()) {
+        io_.run_one();
+        return;
+    }
+    // Of a client that never stops asking, not all is heard first.
+    constexpr int most_at_once = 64;
+    for (int i = 0; i < most_at_once && !called_; ++i) {
+        if (io_.poll_one() == 0) break;
+    }
+    if (called_) return;
+    const Clock::Call call = std::move(slow_.front());
+    slow_.pop_front();
+    call();
 }
 
 void ShardThread::answer() {
@@ -81,9 +105,9 @@ void ShardThread::answer() {
             changed |= take_changes(lock);
             if (!halted_) break;
             still_ = true;
+            catches_up_ = false;
             still_changed_.notify_all();
-            still_changed_.wait(lock, [this] { return !halted_ || !changes_.empty(); });
-            still_ = false;
+            still_changed_.wait(lock, [this] { return !still_ || catches_up_; });
         } while (halted_ || !changes_.empty());
         ended_ = ending_;
     }
@@ -94,10 +118,12 @@ bool ShardThread::take_changes(std::unique_lock<std::mutex>& lock) {
     bool any = false;
     while (!changes_.empty()) {
         any = true;
-        const auto changes = std::exchange(changes_, {});
+        const auto told = std::exchange(changes_, {});
         lock.unlock();
-        for (const World::Change& change : changes)
-            guarded([&] { change(world_); });
+        for (const Changes& changes : told) {
+            for (const World::Change& change : *changes)
+                guarded([&] { change(world_); });
+        }
         lock.lock();
     }
     return any;

@@ -2,13 +2,16 @@
 // Copyright The scipd authors
 //
 // One shard: a thread that runs the handlers of its sensors, and a copy of the world that only this
-// thread touches. Others tell it what changes in the world, and may have it stand still between two
+// thread touches. Of what is ready, requests and replies come first, then one sweep: so no reply
+// waits for more sweeps than the one that is under way. Others tell it what changes in the world, and may have it stand still between two
 // handlers. All that is public may be called from the I/O thread; nothing else calls it.
 #pragma once
 
 #include <atomic>
 #include <condition_variable>
+#include <deque>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -35,13 +38,18 @@ class ShardThread {
     /// stands still.
     void on_changed(std::function<void()> callback) { on_changed_ = std::move(callback); }
 
-    /// What is told first is done first, before the next handler.
-    void tell(World::Change change);
+    /// Several shards share them.
+    using Changes = std::shared_ptr<const std::vector<World::Change>>;
+    /// What is told first is done first, before the next handler; while it stands still, when it
+    /// goes on.
+    void tell(Changes changes);
 
     /// It stands still as soon as the handler that runs now has ended.
     void halt();
-    /// Returns when it stands still, and all that it was told is done.
+    /// Returns when it stands still, and all that it was told before halt() is done.
     void wait_until_still();
+    /// Of a shard that stands still: it does all that it was told. Returns when that is done.
+    void catch_up();
     void go_on();
 
     /// Runs no handler any more, and has ended when this returns.
@@ -57,10 +65,14 @@ class ShardThread {
     void guarded(Act act);
     void wake();
 
+    /// Runs what is ready and short, then one call that takes long.
+    void run_some();
+
     boost::asio::any_io_executor home_;
     boost::asio::io_context io_{1};
     boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_{
         io_.get_executor()};
+    std::deque<Clock::Call> slow_;  ///< calls that take long and are due
     WallClock clock_;
     World world_;
     Shard shard_;
@@ -69,9 +81,10 @@ class ShardThread {
     std::atomic<bool> called_ = false;  ///< there is something below to look at
     std::mutex mutex_;
     std::condition_variable still_changed_;
-    std::vector<World::Change> changes_;
+    std::vector<Changes> changes_;
     bool halted_ = false;
     bool still_ = false;
+    bool catches_up_ = false;
     bool ending_ = false;
 
     bool ended_ = false;  ///< its own copy of that

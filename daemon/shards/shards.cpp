@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/shards/shards.h"
 
+#include <memory>
 #include <utility>
 
 #include <boost/asio/post.hpp>
@@ -35,17 +36,31 @@ void Shards::call_home(std::function<void()> call) {
 
 void Shards::tell(const World::Change& change, World::Haste haste) {
     if (joined_) return;
-    if (haste == World::Haste::now && halts_ == 0)
-        return still([&] { tell(change, World::Haste::soon); });
+    kept_.push_back(change);
+    if (haste == World::Haste::now) {
+        still([this] {
+            flush();
+            for (const auto& thread : threads_)
+                thread->catch_up();
+        });
+    } else if (kept_.size() == 1) {
+        boost::asio::post(home_, [this, alive = std::weak_ptr(alive_)] {
+            if (!alive.expired()) flush();
+        });
+    }
+}
+
+void Shards::flush() {
+    if (kept_.empty() || joined_) return;
+    const auto changes =
+        std::make_shared<const std::vector<World::Change>>(std::exchange(kept_, {}));
     for (const auto& thread : threads_)
-        thread->tell(change);
-    if (halts_ == 0) return;
-    for (const auto& thread : threads_)
-        thread->wait_until_still();
+        thread->tell(changes);
 }
 
 void Shards::halt() {
     if (halts_++ > 0 || joined_) return;
+    flush();
     for (const auto& thread : threads_)
         thread->halt();
     for (const auto& thread : threads_)

@@ -34,8 +34,8 @@ class Shards {
     /// `callback` is called on a shard's thread after poses have come to its world.
     void on_changed(const std::function<void(std::size_t shard)>& callback);
 
-    /// Calls `act` while every shard stands between two handlers. What is done to the world in it
-    /// is done on all shards before it goes on.
+    /// Calls `act` while every shard stands between two handlers. Changes of the world that were
+    /// made before are made in all copies by then; poses that come in it follow behind it.
     template <class Act>
     decltype(auto) still(Act&& act) {
         const Stillness stillness(*this);
@@ -61,6 +61,8 @@ class Shards {
     };
 
     void tell(const World::Change& change, World::Haste haste);
+    /// Hands over what is kept to be told at once.
+    void flush();
     void halt();
     void go_on();
 
@@ -68,8 +70,10 @@ class Shards {
     World& world_;
     Shard home_shard_;
     std::vector<std::unique_ptr<ShardThread>> threads_;
-    int halts_ = 0;  ///< still() may be called within still()
+    std::vector<World::Change> kept_;  ///< poses come in bunches, and waking a thread takes longer
+    int halts_ = 0;                    ///< still() may be called within still()
     bool joined_ = false;
+    std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
 };
 
 }  // namespace scipd::daemon

@@ -119,18 +119,24 @@ TEST_P(ShardsTest, SeeEachChangeThatTheyMustNotMissBeforeAnybodyGoesOn) {
 TEST_P(ShardsTest, TakePosesInTheirOrder) {
     make_busy();
     world_.set_robots({{"r", {}}});
-    for (int i = 1; i <= 1000; ++i)
+    for (int i = 1; i <= 1000; ++i) {
         place(i, i * 1ms);
+        if (i % 7 == 0) io_.poll_one();
+    }
     shards_.still([&] { EXPECT_THAT(xs(), testing::Each(1000.0)); });
 }
 
-TEST_P(ShardsTest, TakePosesWithinAMomentOfStillness) {
+TEST_P(ShardsTest, TakePosesOfAMomentOfStillnessBeforeTheNextChange) {
     make_busy();
     world_.set_robots({{"r", {}}});
     shards_.still([&] {
         place(7, 1ms);
-        EXPECT_THAT(xs(), testing::Each(7.0));
+        place(8, 2ms);
+        world_.set_media({});
+        EXPECT_THAT(xs(), testing::Each(8.0));
+        place(9, 3ms);
     });
+    shards_.still([&] { EXPECT_THAT(xs(), testing::Each(9.0)); });
 }
 
 TEST_P(ShardsTest, AreToldOfPosesOnTheirThread) {
@@ -140,6 +146,7 @@ TEST_P(ShardsTest, AreToldOfPosesOnTheirThread) {
     });
     world_.set_robots({{"r", {}}});
     place(1, 1ms);
+    io_.poll();
     const auto end = std::chrono::steady_clock::now() + 10s;
     while (told_ < static_cast<int>(GetParam()) && std::chrono::steady_clock::now() < end)
         std::this_thread::yield();
@@ -170,6 +177,35 @@ TEST_P(ShardsTest, TellTheSameTime) {
     const sim::Time now = clock_.now();
     for (std::size_t i = 0; i < shards_.size(); ++i)
         EXPECT_LT(shards_.at(i).clock.now() - now, 10s);
+}
+
+// With one thread, sweeps are handlers as all others.
+TEST_P(ShardsTest, LetNoReplyWaitForMoreThanOneSweep) {
+    if (GetParam() == 1) GTEST_SKIP();
+    const Shard& shard = shards_.at(0);
+    std::atomic<int> swept = 0;
+    std::vector<std::unique_ptr<Clock::Alarm>> alarms;
+    shards_.still([&] {
+        for (int i = 0; i < 50; ++i) {
+            alarms.push_back(shard.clock.make_slow_alarm());
+            alarms.back()->set(shard.clock.now(), [&] {
+                std::this_thread::sleep_for(2ms);
+                ++swept;
+            });
+        }
+    });
+    for (int request = 0; request < 5; ++request) {
+        while (swept < 5 * request + 1)
+            std::this_thread::yield();
+        const int before = swept;
+        std::atomic<int> at_reply = -1;
+        boost::asio::post(shard.executor, [&] { at_reply = swept.load(); });
+        while (at_reply < 0)
+            std::this_thread::yield();
+        EXPECT_LE(at_reply, before + 1);
+    }
+    shards_.still([&] { alarms.clear(); });
+    EXPECT_LT(swept, 50);
 }
 
 TEST_P(ShardsTest, MayBeLookedAtWhenTheyHaveEnded) {
