@@ -154,6 +154,12 @@ void add_daemon(CLI::App& app, OptionValues& said) {
     group.add("--http", "ADDR:PORT",
               "where the control API listens on TCP too, on loopback, or none; default: none",
               [&](const auto& text) { return put(parse_http(text), config.http); });
+    group.add("--broker", "URL",
+              "share the world with other daemons by this MQTT broker, mqtt://HOST:PORT; default: "
+              "the world is this daemon's alone",
+              [&](const auto& text) { return put(parse_broker(text), said.fleet.broker); });
+    group.add("--world", "NAME", "which of the broker's worlds; goes with --broker",
+              [&](const auto& text) { return put(parse_world_name(text), said.fleet.world); });
 }
 
 constexpr const char* alone_title = "Instead of the above";

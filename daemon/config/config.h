@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "daemon/config/broker_config.h"
 #include "daemon/config/sensor_config.h"
 #include "daemon/limits/limit.h"
 #include "sim/loaders/map/ros_map.h"
@@ -86,6 +87,7 @@ struct Config {
     std::optional<Address> http;
     std::string http_token;                    ///< that its clients must know; empty: none
     std::vector<std::filesystem::path> allow;  ///< folders of files that its clients may name
+    std::optional<BrokerConfig> fleet;         ///< nothing: the world is this daemon's alone
     /// Where a key stands, "FILE:LINE: KEY: ", for the keys whose faults show only when other files
     /// have been read.
     std::map<std::string, std::string> places;

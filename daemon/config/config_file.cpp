@@ -11,6 +11,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "daemon/config/broker.h"
 #include "daemon/config/claims.h"
 #include "daemon/config/demo_world.h"
 #include "daemon/config/doors.h"
@@ -34,9 +35,9 @@ namespace fs = std::filesystem;
 constexpr std::size_t largest_file = 1 << 20;
 constexpr std::size_t most_sensors = 4096;
 
-constexpr std::array<std::string_view, 15> root_keys{
+constexpr std::array<std::string_view, 16> root_keys{
     "scene", "geometry", "strict", "map",    "materials", "media", "scenario", "limits",
-    "seed",  "clock",    "models", "robots", "control",   "http",  "allow"};
+    "seed",  "clock",    "models", "robots", "control",   "http",  "allow",    "fleet"};
 constexpr std::array<std::string_view, 4> robot_keys{"pose", "body", "poses", "sensors"};
 
 /// Whether there is no such map or nothing in it. A value that is no map is told elsewhere.
@@ -135,8 +136,9 @@ Config Reader::read(const YAML::Node& document) {
     if (const Field* http = section.find("http")) read_http(*http, base_, config, faults_);
     config.allow = {base_, sim::folder_of_scene(config.scene)};
     if (const Field* allow = section.find("allow")) read_allow(*allow, base_, config, faults_);
+    if (const Field* fleet = section.find("fleet")) read_fleet(*fleet, base_, config, faults_);
     claim_sockets(section, config);
-    note_places(section, {"scene", "materials", "media", "scenario"});
+    note_places(section, {"scene", "materials", "media", "scenario", "fleet"});
 
     const ModelChoice models{section.find("models"), faults_};
     SensorContext context{models, claims_, base_, faults_, places_};
