@@ -98,11 +98,13 @@ void Fleet::take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept {
     Simulation& simulation = *simulation_;
     const Config& config = plan.config;
     simulation.limits->set(config.client_limits);
-    simulation.editor.set_file(config.scene, scene_options(config, plan.materials), config.allow);
+    simulation.editor.set_file(config.scene, scene_options(config, plan.materials), config.allow,
+                               std::move(plan.added));
     simulation.world.light().set_materials(plan.materials);
     simulation.world.light().configure_media(config.media);
-    simulation.worker.discard(std::make_shared<SensorBackends>(simulation.world.replace_scene(
-        std::move(plan.loaded.scene), std::move(plan.backends), {}, simulation.clock.now())));
+    simulation.worker.discard(std::make_shared<SensorBackends>(
+        simulation.world.replace_scene(std::move(plan.loaded.scene), std::move(plan.backends), {},
+                                       simulation.clock.now() - plan.scripts_age)));
     std::map<std::string, RobotStart> robots;
     for (const RobotConfig& robot : config.robots)
         robots[robot.name] = {robot.world_from_robot, robot.policy, robot.body};

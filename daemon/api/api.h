@@ -64,12 +64,24 @@ struct PosesStatus {
     std::optional<std::string> last_refusal;
 };
 
+/// The world that this daemon shares with others.
+struct SharedStatus {
+    std::string broker;  ///< "mqtt://127.0.0.1:1883"
+    std::string world;
+    std::string name;  ///< of this daemon
+    bool connected = false;
+    std::uint64_t daemons = 0;           ///< others that serve
+    std::optional<std::string> trouble;  ///< why the world here is not that of the others
+    std::uint64_t frames_dropped = 0;    ///< of poses, since somebody was too slow
+};
+
 struct FleetStatus {
     std::chrono::duration<double> uptime{};
     std::string clock;  ///< "wall" or "poses"
     sim::Time time{};
     std::string scene;
     PosesStatus poses;
+    std::optional<SharedStatus> fleet;  ///< nothing: the world is this daemon's alone
     std::vector<SensorStatus> sensors;
 };
 
