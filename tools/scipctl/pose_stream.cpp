@@ -11,6 +11,7 @@
 #include "sim/loaders/poses/pose_line.h"
 #include "tools/control_client.h"
 #include "tools/scipctl/commands.h"
+#include "tools/scipctl/pose_broadcast.h"
 #include "tools/scipctl/pose_text.h"
 #include "tools/scipctl/robots.h"
 
@@ -19,6 +20,7 @@ namespace {
 
 struct StreamOptions {
     std::string robot;
+    BrokerOptions broker;
 };
 
 class PoseForwarder {
@@ -72,12 +74,18 @@ void add_pose_stream_command(CLI::App& pose, const ControlOptions& control) {
     auto* const command = pose.add_subcommand("stream", "send pose lines from standard input");
     const auto options = std::make_shared<StreamOptions>();
     command->add_option("--robot", options->robot, "the robot of lines that name none");
-    command->callback([&control, options] { stream(control, *options); });
+    add_broker_options(*command, options->broker,
+                       "send them to all daemons that share this world, by its broker");
+    command->callback([&control, options] {
+        if (options->broker.to.empty()) return stream(control, *options);
+        broadcast_poses(options->broker, options->robot, std::cin);
+    });
     command->footer(
         "A line is {\"robot\":\"rescue\",\"t\":12.345,\"xyz\":[1,2,0],\"q\":[0,0,0,1]},\n"
         "or t x y z qx qy qz qw. robot and t may be left out, and rpy may stand for q.\n"
         "Example:\n"
-        "  my_simulator | scipctl pose stream");
+        "  my_simulator | scipctl pose stream\n"
+        "  my_simulator | scipctl pose stream --to mqtt://127.0.0.1:1883/hall");
 }
 
 }  // namespace scipd::tools
