@@ -69,8 +69,8 @@ wherever the robot is at the moment each beam is fired. Unmodified drivers
 and robot software run against it on a desk or in tests.
 
 This package has the daemon, worlds and the documentation.")
-# The unit has a user of its own, and its reload is a /bin/kill.
-set(CPACK_DEBIAN_SCIPD_PACKAGE_DEPENDS "procps, systemd | systemd-standalone-sysusers | systemd-sysusers")
+# The unit has a user of its own.
+set(CPACK_DEBIAN_SCIPD_PACKAGE_DEPENDS "systemd | systemd-standalone-sysusers | systemd-sysusers")
 # The depth backend looks for these when it runs. Without them scipd casts rays.
 set(CPACK_DEBIAN_SCIPD_PACKAGE_RECOMMENDS "libegl1, libgl1-mesa-dri, libopengl0, scipd-tools")
 set(CPACK_DEBIAN_SCIPD_PACKAGE_CONTROL_EXTRA

@@ -72,23 +72,26 @@ struct Fleet::Feed {
 };
 
 Fleet::Fleet(const boost::asio::any_io_executor& executor, ClockKind clock,
-             const HandedSockets* handed)
+             const HandedSockets* handed, std::size_t shards)
     : executor_(executor),
       handed_(handed),
-      simulation_(std::make_unique<Simulation>(executor, clock)) {}
+      simulation_(std::make_unique<Simulation>(executor, clock, shards)),
+      homes_{.shards = simulation_->shards.size()} {}
 
 Fleet::~Fleet() {
     stop();
 }
 
 void Fleet::apply(const Config& config) {
-    apply(make_plan(config));
+    apply(make_plan(config, {}, {}, homes_));
 }
 
 void Fleet::apply(FleetPlan&& plan) {
-    Ports ports = prepare_ports(plan.config);
-    Feeds feeds = open_feeds(plan.config);
-    take_up(std::move(plan), std::move(ports), std::move(feeds));
+    simulation_->shards.still([&] {
+        Ports ports = prepare_ports(plan.config, plan.homes);
+        Feeds feeds = open_feeds(plan.config);
+        take_up(std::move(plan), std::move(ports), std::move(feeds));
+    });
 }
 
 // An exception on the way would leave ports behind that serve devices which are gone.
@@ -100,8 +103,8 @@ void Fleet::take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept {
     simulation.limits->set(config.client_limits);
     simulation.editor.set_file(config.scene, scene_options(config, plan.materials), config.allow,
                                std::move(plan.added));
-    simulation.world.light().set_materials(plan.materials);
-    simulation.world.light().configure_media(config.media);
+    simulation.world.set_materials(plan.materials);
+    simulation.world.configure_media(config.media);
     simulation.worker.discard(std::make_shared<SensorBackends>(
         simulation.world.replace_scene(std::move(plan.loaded.scene), std::move(plan.backends), {},
                                        simulation.clock.now() - plan.scripts_age)));
@@ -109,6 +112,7 @@ void Fleet::take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept {
     for (const RobotConfig& robot : config.robots)
         robots[robot.name] = {robot.world_from_robot, robot.policy, robot.body};
     simulation.world.set_robots(robots);
+    homes_ = std::move(plan.homes);
     const std::vector<Station*> fresh = replace_stations(config, ports);
     (void)simulation.remount();
     ports_ = std::move(ports);
@@ -118,13 +122,16 @@ void Fleet::take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept {
 
 void Fleet::stop() {
     simulation_->worker.stop();
-    replace_feeds({});
-    (void)replace_stations({}, {});
-    ports_ = {};
+    simulation_->shards.still([&] {
+        replace_feeds({});
+        (void)replace_stations({}, {});
+        ports_ = {};
+    });
+    simulation_->shards.join();
 }
 
-Ports Fleet::prepare_ports(const Config& config) const {
-    Ports ports = open_ports(executor_, config, ports_, handed_);
+Ports Fleet::prepare_ports(const Config& config, const Homes& homes) const {
+    Ports ports = open_ports({simulation_->shards, homes_, homes, handed_}, config, ports_);
     for (const auto& [key, port] : ports)
         port->hold_to(simulation_->limits);
     const Stations& stations = simulation_->stations;
@@ -150,7 +157,8 @@ Fleet::Feeds Fleet::open_feeds(const Config& config) {
         .report = [](const std::string& message) { spdlog::warn("{}", message); }};
     Feeds feeds;
     for (const RobotConfig& robot : config.robots) {
-        if (!robot.poses) continue;
+        // Vehicles come by the broker of the world that is shared.
+        if (!robot.poses || robot.poses->kind == PoseSource::Kind::vda5050) continue;
         const auto open = std::ranges::find_if(
             feeds_, [&](const Feed& feed) { return can_serve(feed.robot, feed.source, robot); });
         feeds.push_back({robot.name, *robot.poses,
@@ -161,10 +169,6 @@ Fleet::Feeds Fleet::open_feeds(const Config& config) {
 
 std::vector<Station*> Fleet::replace_stations(const Config& config, const Ports& ports) noexcept {
     Stations& old = simulation_->stations;
-    const StationContext context{.world = simulation_->world,
-                                 .clock = simulation_->clock,
-                                 .stream = simulation_->stream,
-                                 .lockstep = simulation_->lockstep != nullptr};
     Stations stations = take_unchanged(old, config);
     // Their ports may soon be those of other scanners, to which no fault of theirs must do
     // anything.
@@ -175,6 +179,10 @@ std::vector<Station*> Fleet::replace_stations(const Config& config, const Ports&
     for (const RobotConfig& robot : config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {
             if (!*station) {
+                const std::size_t home = homes_.sensors.at(sensor_name(robot.name, sensor.name));
+                const StationContext context{.shard = simulation_->shards.at(home),
+                                             .stream = simulation_->stream,
+                                             .lockstep = simulation_->lockstep != nullptr};
                 *station = make_station(context, robot.name, sensor, config.seed,
                                         ports_of(ports, robot.name, sensor));
                 fresh.push_back(station->get());

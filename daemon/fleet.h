@@ -4,9 +4,10 @@
 // All robots and scanners of a configuration, with their ports and pose feeds, in one simulation. A
 // new configuration is applied as a whole or not at all: everything that can fail is done before
 // anything of the old is touched. Scanners that did not change keep their connections and their
-// scan numbers. Lives on the I/O thread.
+// scan numbers. Lives on the I/O thread; shards stand still while it changes what lives there.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
@@ -17,6 +18,7 @@
 
 #include "daemon/config/address.h"
 #include "daemon/faults/scenario.h"
+#include "daemon/homes.h"
 #include "daemon/ports.h"
 
 namespace scipd::daemon {
@@ -28,9 +30,10 @@ struct Station;
 
 class Fleet {
   public:
-    /// `handed`, sockets for its scanners, must outlive it; null: none.
+    /// `handed`, sockets for its scanners, must outlive it; null: none. Its sensors live on
+    /// `shards` threads.
     Fleet(const boost::asio::any_io_executor& executor, ClockKind clock,
-          const HandedSockets* handed = nullptr);
+          const HandedSockets* handed = nullptr, std::size_t shards = 1);
     Fleet(const Fleet&) = delete;
     Fleet& operator=(const Fleet&) = delete;
     /// As stop().
@@ -45,6 +48,8 @@ class Fleet {
     void stop();
 
     [[nodiscard]] Simulation& simulation() { return *simulation_; }
+    /// Where its sensors live.
+    [[nodiscard]] const Homes& homes() const { return homes_; }
     /// Where poses by UDP are to be sent, by robot.
     [[nodiscard]] std::map<std::string, Address> pose_addresses() const;
 
@@ -53,7 +58,7 @@ class Fleet {
     using Feeds = std::vector<Feed>;
 
     /// With all that it takes to serve those scanners that will be new.
-    [[nodiscard]] Ports prepare_ports(const Config& config) const;
+    [[nodiscard]] Ports prepare_ports(const Config& config, const Homes& homes) const;
     [[nodiscard]] Feeds open_feeds(const Config& config);
     /// The second half of apply(), in which nothing can fail.
     void take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept;
@@ -67,6 +72,7 @@ class Fleet {
     boost::asio::any_io_executor executor_;
     const HandedSockets* handed_;
     std::unique_ptr<Simulation> simulation_;
+    Homes homes_;
     Ports ports_;
     Feeds feeds_;
     std::optional<Scenario> scenario_;  ///< of the configuration

@@ -29,26 +29,31 @@ SharedStaringRecord latest_of(StaringSensor& sensor) {
 }  // namespace
 
 FleetStatus FleetApi::status() const {
-    FleetStatus status = status_of(simulation_);
+    FleetStatus status = simulation_.shards.still([&] { return status_of(simulation_); });
     if (shared_ != nullptr) status.fleet = shared_->status();
     return status;
 }
 
 FleetMetrics FleetApi::metrics() const {
-    return metrics_of(simulation_);
+    return simulation_.shards.still([&] { return metrics_of(simulation_); });
 }
 
 std::optional<SensorRecord> FleetApi::latest(const std::string& sensor) {
     const Station* const station = find_station(simulation_.stations, sensor);
     if (station == nullptr) return std::nullopt;
-    return std::visit([](const auto& made) -> SensorRecord { return latest_of(*made); },
-                      station->sensor);
+    return simulation_.shards.still([&] {
+        return std::visit([](const auto& made) -> SensorRecord { return latest_of(*made); },
+                          station->sensor);
+    });
 }
 
 std::optional<SensorLog> FleetApi::log(const std::string& sensor) const {
     const Station* const station = find_station(simulation_.stations, sensor);
     if (station == nullptr) return std::nullopt;
-    return std::visit([](const auto& made) -> SensorLog { return made->log(); }, station->sensor);
+    return simulation_.shards.still([&] {
+        return std::visit([](const auto& made) -> SensorLog { return made->log(); },
+                          station->sensor);
+    });
 }
 
 std::unique_ptr<Conversation> FleetApi::subscribe(const std::string& sensor, WebSocket& socket) {
@@ -91,7 +96,7 @@ std::vector<std::string> FleetApi::set_media(std::vector<sim::Medium> media) {
     const bool seen = media.empty() || std::ranges::any_of(simulation_.stations, [](const auto& s) {
                           return s->config.sees_light();
                       });
-    simulation_.world.light().set_media(std::move(media));
+    simulation_.world.set_media(media);
     return seen ? std::vector<std::string>{} : std::vector{std::string(unseen_media)};
 }
 

@@ -38,38 +38,42 @@ std::vector<std::string> FleetFaults::notes_on(const std::string& scanner,
 }
 
 FaultStarted FleetFaults::start(const std::string& scanner, FaultPlan plan) {
-    FaultStarted started{.notes = notes_on(scanner, plan)};
-    const Station& station = *find_station(simulation_.stations, scanner);
-    started.id = station.faults->start(std::move(plan), station.seed);
-    return started;
+    return simulation_.shards.still([&] {
+        FaultStarted started{.notes = notes_on(scanner, plan)};
+        const Station& station = *find_station(simulation_.stations, scanner);
+        started.id = station.faults->start(std::move(plan), station.seed);
+        return started;
+    });
 }
 
 bool FleetFaults::stop(const std::string& scanner, std::uint64_t id) {
-    return injector(scanner).stop(id);
+    return simulation_.shards.still([&] { return injector(scanner).stop(id); });
 }
 
 void FleetFaults::stop_all(const std::string& scanner) {
-    injector(scanner).stop_all();
+    simulation_.shards.still([&] { injector(scanner).stop_all(); });
 }
 
 std::vector<FaultStatus> FleetFaults::list(const std::string& scanner) const {
-    return injector(scanner).list();
+    return simulation_.shards.still([&] { return injector(scanner).list(); });
 }
 
-const FaultLog& FleetFaults::log(const std::string& scanner) const {
-    return injector(scanner).log();
+FaultLog::Entries FleetFaults::log(const std::string& scanner) const {
+    return simulation_.shards.still([&] { return injector(scanner).log().entries(); });
 }
 
 void FleetFaults::run(Scenario scenario) {
-    simulation_.scenario.run(std::move(scenario), simulation_.scanners());
+    simulation_.shards.still(
+        [&] { simulation_.scenario.run(std::move(scenario), simulation_.scanners()); });
 }
 
 void FleetFaults::stop_scenario() {
-    simulation_.scenario.stop(simulation_.scanners());
+    simulation_.shards.still([&] { simulation_.scenario.stop(simulation_.scanners()); });
 }
 
 std::optional<ScenarioStatus> FleetFaults::scenario() const {
-    return simulation_.scenario.status(simulation_.scanners());
+    return simulation_.shards.still(
+        [&] { return simulation_.scenario.status(simulation_.scanners()); });
 }
 
 }  // namespace scipd::daemon

@@ -25,7 +25,7 @@ class FleetFaults : public FaultsApi {
     bool stop(const std::string& scanner, std::uint64_t id) override;
     void stop_all(const std::string& scanner) override;
     [[nodiscard]] std::vector<FaultStatus> list(const std::string& scanner) const override;
-    [[nodiscard]] const FaultLog& log(const std::string& scanner) const override;
+    [[nodiscard]] FaultLog::Entries log(const std::string& scanner) const override;
     void run(Scenario scenario) override;
     void stop_scenario() override;
     [[nodiscard]] std::optional<ScenarioStatus> scenario() const override;

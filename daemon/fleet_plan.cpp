@@ -97,7 +97,8 @@ RequestedBackend requested_backend(const std::string& robot, const SensorConfig&
 }
 
 FleetPlan make_plan(Config config, const SettledBackends& settled, const std::stop_token& stop,
-                    const JoinWorld& join) {
+                    const Homes& now, const JoinWorld& join) {
+    Homes homes = find_homes(config, now);
     std::optional<Scenario> scenario = load_scenario(config);
     LoadedMaterials materials = load_materials(config);
     sim::LoadedScene loaded = load_world(config, materials.library, stop);
@@ -111,6 +112,7 @@ FleetPlan make_plan(Config config, const SettledBackends& settled, const std::st
         for (const SensorConfig& sensor : robot.sensors) {
             RequestedBackend request = requested_backend(robot.name, sensor, robot.world_from_robot,
                                                          config.clock, materials.library);
+            request.shard = homes.sensors.at(request.sensor);
             const auto known = settled.find(request.sensor);
             if (!request.settled && known != settled.end() && known->second.config == sensor)
                 request.settled = known->second.choice;
@@ -122,14 +124,9 @@ FleetPlan make_plan(Config config, const SettledBackends& settled, const std::st
         if (auto notice = blind_spot(request, *loaded.scene, backends))
             notices.push_back(*std::move(notice));
     }
-    return {std::move(config),
-            std::move(loaded),
-            std::move(backends),
-            std::move(notices),
-            std::move(materials.library),
-            std::move(scenario),
-            std::move(shared.added),
-            shared.age};
+    return {std::move(config),   std::move(homes),        std::move(loaded),
+            std::move(backends), std::move(notices),      std::move(materials.library),
+            std::move(scenario), std::move(shared.added), shared.age};
 }
 
 }  // namespace scipd::daemon

@@ -14,6 +14,7 @@
 #include "daemon/broker/join_world.h"
 #include "daemon/config/config.h"
 #include "daemon/faults/scenario.h"
+#include "daemon/homes.h"
 #include "daemon/world/edited_scene.h"
 #include "daemon/world/requested_backend.h"
 #include "daemon/world/sensor_backends.h"
@@ -24,6 +25,7 @@ namespace scipd::daemon {
 
 struct FleetPlan {
     Config config;
+    Homes homes;
     sim::LoadedScene loaded;
     SensorBackends backends;
     std::vector<std::string> notices;  ///< no faults
@@ -45,7 +47,8 @@ using SettledBackends = std::map<std::string, SettledBackend>;
 /// soon after `stop`, and std::runtime_error where this machine lacks a backend that is wanted.
 /// `join` makes the world the one that is shared with others, and throws what it throws.
 FleetPlan make_plan(Config config, const SettledBackends& settled = {},
-                    const std::stop_token& stop = {}, const JoinWorld& join = {});
+                    const std::stop_token& stop = {}, const Homes& now = {},
+                    const JoinWorld& join = {});
 
 /// What a sensor asks of the backends while its robot is at this pose. In lockstep two runs have to
 /// be the same, so there `auto` is settled from the first. `materials` are those of the world.

@@ -89,12 +89,14 @@ void add_robot(CLI::App& app, OptionValues& said) {
             said.start_given = true;
             return put(parse_pose(text), said.robot.world_from_robot);
         });
-    group.add("--poses", "SOURCE",
-              "live poses: udp:ADDR:PORT, - for stdin, or a file that is played in real time: TUM, "
-              "EuRoC, KITTI or CSV with a header",
-              [&](const auto& text) {
-                  return put(parse_pose_source(text, fs::current_path()), said.robot.poses);
-              });
+    group.add(
+        "--poses", "SOURCE",
+        "live poses: udp:ADDR:PORT, - for stdin, vda5050:MANUFACTURER/SERIAL for a vehicle at "
+        "the broker, or a file that is played in real time: TUM, EuRoC, KITTI or CSV with a "
+        "header",
+        [&](const auto& text) {
+            return put(parse_pose_source(text, fs::current_path()), said.robot.poses);
+        });
 }
 
 void add_scanner(CLI::App& app, OptionValues& said) {
@@ -184,6 +186,8 @@ void add_alone(CLI::App& app, OptionValues& said) {
         ->group(alone_title);
 }
 
+constexpr unsigned most_threads = 1024;
+
 /// Adds the options that go with all others.
 void add_general(CLI::App& app, OptionValues& said) {
     app.add_option("--log-level", said.options.log_level, "how much scipd tells on standard error")
@@ -201,6 +205,12 @@ void add_general(CLI::App& app, OptionValues& said) {
            "--strict", said.options.strict,
            "refuse a world or a trajectory of which scipd would leave out or change anything, "
            "instead of warning")
+        ->group(general_title);
+    app.add_option("--threads", said.options.threads,
+                   "how many threads scanners live on; 1 puts all on one, as does --clock poses; "
+                   "default: as many as there are processors")
+        ->type_name("N")
+        ->check(CLI::Range(1U, most_threads))
         ->group(general_title);
     const auto take_scenario = [&said](const CLI::results_t& texts) {
         const auto taken =

@@ -58,6 +58,9 @@ sim::Expected<> take_fleet(OptionValues& said) {
     const bool has_broker = !said.fleet.broker.host.empty();
     if (has_broker != !said.fleet.world.empty())
         return sim::refuse("--broker and --world go together");
+    const auto& poses = said.robot.poses;
+    if (!has_broker && poses && poses->kind == PoseSource::Kind::vda5050)
+        return sim::refuse("--poses vda5050: goes with --broker and --world");
     if (!has_broker) return {};
     if (said.options.config.clock == ClockKind::poses)
         return sim::refuse("--broker goes with --clock wall; daemons share no stepped time yet");

@@ -12,26 +12,14 @@
 #include "daemon/config/config.h"
 #include "daemon/config/run_directory.h"
 #include "daemon/handed_sockets.h"
+#include "daemon/homes.h"
 #include "daemon/link/pty_port.h"
 #include "daemon/link/tcp_port.h"
+#include "daemon/port_keys.h"
+#include "daemon/shards/shards.h"
 
 namespace scipd::daemon {
 namespace {
-
-std::filesystem::path link_of(const std::string& robot, const SensorConfig& sensor) {
-    const bool is_auto = sensor.pty->link.empty();
-    return is_auto ? run_directory() / tty_name(robot, sensor.name) : sensor.pty->link;
-}
-
-// Where the system chooses the port, two scanners with the same address have ports of their own.
-std::string tcp_key(const std::string& robot, const SensorConfig& sensor) {
-    const std::string key = "tcp " + text_of(*sensor.tcp);
-    return sensor.tcp->port != 0 ? key : key + " of " + sensor_name(robot, sensor.name);
-}
-
-std::string pty_key(const std::string& robot, const SensorConfig& sensor) {
-    return "pty " + link_of(robot, sensor).string();
-}
 
 // The first scipd has the ttys that nobody has named; those started after it make their own.
 std::shared_ptr<Port> open_tty(const boost::asio::any_io_executor& executor,
@@ -47,24 +35,56 @@ std::shared_ptr<Port> open_tty(const boost::asio::any_io_executor& executor,
     }
 }
 
-// SCIP has no passwords.
-std::shared_ptr<Port> open_tcp(const boost::asio::any_io_executor& executor,
-                               const std::string& robot, const SensorConfig& sensor,
-                               const HandedSockets* handed) {
-    auto port = std::make_shared<TcpPort>(executor, *sensor.tcp,
-                                          handed ? handed->at(*sensor.tcp) : std::nullopt);
-    if (!is_loopback(*sensor.tcp)) {
-        spdlog::warn("{} listens on {}: everybody who reaches this machine can use it",
-                     sensor_name(robot, sensor.name), port->address());
-    }
-    return port;
+void warn_of_strangers(const std::string& sensor, const Address& address, const Port& port) {
+    if (is_loopback(address)) return;
+    // SCIP has no passwords.
+    spdlog::warn("{} listens on {}: everybody who reaches this machine can use it", sensor,
+                 port.address());
 }
 
-template <class Open>
-std::shared_ptr<Port> open_or_else(const Ports& ports, const std::string& key, Open open) {
-    const auto found = ports.find(key);
-    return found != ports.end() ? found->second : open();
-}
+/// One sensor's, on its shard.
+class Opener {
+  public:
+    Opener(const PortContext& context, const Ports& open, const std::string& robot,
+           const SensorConfig& sensor)
+        : context_(context),
+          open_(open),
+          robot_(robot),
+          sensor_(sensor),
+          home_(context.next.sensors.at(sensor_name(robot, sensor.name))) {}
+
+    [[nodiscard]] std::shared_ptr<Port> tcp(const std::string& key) const {
+        const auto found = open_.find(key);
+        if (found != open_.end()) return here(key, found->second);
+        const HandedSockets* const handed = context_.handed;
+        auto port = std::make_shared<TcpPort>(executor(), *sensor_.tcp,
+                                              handed ? handed->at(*sensor_.tcp) : std::nullopt);
+        warn_of_strangers(sensor_name(robot_, sensor_.name), *sensor_.tcp, *port);
+        return port;
+    }
+
+    // A sensor lives where its tty is.
+    [[nodiscard]] std::shared_ptr<Port> pty(const std::string& key) const {
+        const auto found = open_.find(key);
+        return found != open_.end() ? found->second : open_tty(executor(), robot_, sensor_);
+    }
+
+  private:
+    [[nodiscard]] boost::asio::any_io_executor executor() const {
+        return context_.shards.at(home_).executor;
+    }
+    [[nodiscard]] std::shared_ptr<Port> here(const std::string& key,
+                                             const std::shared_ptr<Port>& port) const {
+        if (context_.now.ports.at(key) == home_) return port;
+        return dynamic_cast<TcpPort&>(*port).moved_to(executor());
+    }
+
+    const PortContext& context_;
+    const Ports& open_;
+    const std::string& robot_;
+    const SensorConfig& sensor_;
+    std::size_t home_;
+};
 
 }  // namespace
 
@@ -76,34 +96,29 @@ LinkCounts SensorPorts::counts() const {
     return counts;
 }
 
-Ports open_ports(const boost::asio::any_io_executor& executor, const Config& config,
-                 const Ports& open, const HandedSockets* handed) {
+Ports open_ports(const PortContext& context, const Config& config, const Ports& open) {
     Ports ports;
     for (const RobotConfig& robot : config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {
-            if (sensor.tcp) {
-                const std::string key = tcp_key(robot.name, sensor);
-                ports[key] = open_or_else(
-                    open, key, [&] { return open_tcp(executor, robot.name, sensor, handed); });
-            }
-            if (sensor.pty) {
-                const std::string key = pty_key(robot.name, sensor);
-                ports[key] =
-                    open_or_else(open, key, [&] { return open_tty(executor, robot.name, sensor); });
-            }
+            const Opener opener(context, open, robot.name, sensor);
+            const auto [tcp, pty] = port_keys(robot.name, sensor);
+            if (!tcp.empty()) ports[tcp] = opener.tcp(tcp);
+            if (!pty.empty()) ports[pty] = opener.pty(pty);
         }
     }
     return ports;
 }
 
 SensorPorts ports_of(const Ports& ports, const std::string& robot, const SensorConfig& sensor) {
-    return {.tcp = sensor.tcp ? ports.at(tcp_key(robot, sensor)) : nullptr,
-            .pty = sensor.pty ? ports.at(pty_key(robot, sensor)) : nullptr};
+    const auto [tcp, pty] = port_keys(robot, sensor);
+    return {.tcp = tcp.empty() ? nullptr : ports.at(tcp),
+            .pty = pty.empty() ? nullptr : ports.at(pty)};
 }
 
 void stop_unneeded(const Ports& open, const Ports& needed) {
     for (const auto& [key, port] : open) {
-        if (!needed.contains(key)) port->stop();
+        const auto found = needed.find(key);
+        if (found == needed.end() || found->second != port) port->stop();
     }
 }
 

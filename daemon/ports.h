@@ -2,14 +2,12 @@
 // Copyright The scipd authors
 //
 // The ports of a fleet, by what the configuration asks for, so that a port outlives a change of the
-// scanner behind it. On the I/O thread.
+// scanner behind it. On the I/O thread, while the shards that they live on stand still.
 #pragma once
 
 #include <map>
 #include <memory>
 #include <string>
-
-#include <boost/asio/any_io_executor.hpp>
 
 #include "daemon/link/link_counts.h"
 
@@ -17,7 +15,9 @@ namespace scipd::daemon {
 
 class HandedSockets;
 class Port;
+class Shards;
 struct Config;
+struct Homes;
 struct SensorConfig;
 
 using Ports = std::map<std::string, std::shared_ptr<Port>>;
@@ -31,11 +31,18 @@ struct SensorPorts {
     [[nodiscard]] LinkCounts counts() const;
 };
 
+/// Where ports are opened.
+struct PortContext {
+    Shards& shards;
+    const Homes& now;   ///< of those that are open
+    const Homes& next;  ///< of those that will be
+    /// Sockets that were handed over for their addresses; null: none.
+    const HandedSockets* handed;
+};
+
 /// All ports that the configuration asks for: those that are open already, and new ones for the
-/// others, by TCP on the sockets that were handed over for their addresses (null: none). Throws
-/// std::runtime_error.
-[[nodiscard]] Ports open_ports(const boost::asio::any_io_executor& executor, const Config& config,
-                               const Ports& open, const HandedSockets* handed);
+/// others. Throws std::runtime_error.
+[[nodiscard]] Ports open_ports(const PortContext& context, const Config& config, const Ports& open);
 
 /// Of the ports that open_ports() has opened for the sensor.
 [[nodiscard]] SensorPorts ports_of(const Ports& ports, const std::string& robot,

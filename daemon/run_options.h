@@ -4,9 +4,11 @@
 // What the command line asks scipd to run. A value; any thread.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <thread>
 
 #include "daemon/config/config.h"
 
@@ -20,6 +22,8 @@ struct Options {
     std::string log_level = "info";
     std::string log_format = "text";  ///< or "json"
     bool strict = false;              ///< whatever the configuration says
+    /// How many threads sensors live on.
+    unsigned threads = std::max(1U, std::thread::hardware_concurrency());
     /// In the place of what the configuration says; empty: that holds.
     std::filesystem::path scenario = {};
 

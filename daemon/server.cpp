@@ -25,7 +25,7 @@ namespace asio = boost::asio;
 Server::Server(const Options& options)
     : options_(options),
       signals_(io_, SIGHUP),
-      fleet_(io_.get_executor(), options_.config.clock, &handed_),
+      fleet_(io_.get_executor(), options_.config.clock, &handed_, options_.threads),
       service_(io_.get_executor(), fleet_.simulation()),
       control_(
           io_.get_executor(),
@@ -59,7 +59,8 @@ FleetPlan Server::load_first() {
         share_world(*options_.config.fleet);
         join = [this](const sim::Scene& base) { return shared_->join(base); };
     }
-    return std::async(std::launch::async, [&] { return make_plan(options_.config, {}, {}, join); })
+    return std::async(std::launch::async,
+                      [&] { return make_plan(options_.config, {}, {}, fleet_.homes(), join); })
         .get();
 }
 
@@ -168,10 +169,11 @@ void Server::reload() {
     if (asked_again_) return;
     Simulation& simulation = fleet_.simulation();
     simulation.worker.add([this, &simulation] {
-        return [this, settled = simulation.settled_backends(), stop = simulation.worker.stopping(),
+        return [this, settled = simulation.settled_backends(), homes = fleet_.homes(),
+                stop = simulation.worker.stopping(),
                 join = shared_ ? shared_->rejoining() : JoinWorld{}]() -> Worker::Finish {
             const auto task = std::make_shared<std::packaged_task<Next()>>(
-                [&] { return load_next(options_, settled, stop, join); });
+                [&] { return load_next(options_, settled, stop, homes, join); });
             (*task)();
             return [this, task] { take_up(task->get_future()); };
         };
@@ -179,7 +181,8 @@ void Server::reload() {
 }
 
 Server::Next Server::load_next(const Options& options, const SettledBackends& settled,
-                               const std::stop_token& stop, const JoinWorld& join) {
+                               const std::stop_token& stop, const Homes& homes,
+                               const JoinWorld& join) {
     const Config& started = options.config;
     Config config = load_config(*options.config_file);
     const auto set_at_the_start = [](const Config& of) {
@@ -188,7 +191,7 @@ Server::Next Server::load_next(const Options& options, const SettledBackends& se
     const bool asks_for_a_start = set_at_the_start(config) != set_at_the_start(started);
     config.clock = started.clock;
     options.put_into(config);
-    return {make_plan(std::move(config), settled, stop, join), asks_for_a_start};
+    return {make_plan(std::move(config), settled, stop, homes, join), asks_for_a_start};
 }
 
 void Server::take_up(std::future<Next> loaded) {

@@ -55,7 +55,7 @@ class Server {
     void reload();
     /// On the worker's thread.
     static Next load_next(const Options& options, const SettledBackends& settled,
-                          const std::stop_token& stop, const JoinWorld& join);
+                          const std::stop_token& stop, const Homes& homes, const JoinWorld& join);
     void take_up(std::future<Next> loaded);
     void stop();
 

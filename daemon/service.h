@@ -24,7 +24,7 @@ struct Simulation;
 class Service {
   public:
     /// `simulation` must outlive it.
-    Service(const boost::asio::any_io_executor& executor, const Simulation& simulation);
+    Service(const boost::asio::any_io_executor& executor, Simulation& simulation);
 
     /// Everything listens.
     void ready();
@@ -40,7 +40,7 @@ class Service {
     void tell_changes();
     void feed();
 
-    const Simulation& simulation_;
+    Simulation& simulation_;
     std::chrono::nanoseconds pause_;  ///< between two looks
     std::optional<ScanWatch> watch_;  ///< nothing: there is no watchdog
     boost::asio::steady_timer timer_;

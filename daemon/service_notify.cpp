@@ -27,28 +27,31 @@ constexpr std::size_t longest_status = 2048;
 /// What nobody has taken yet.
 std::string untold;
 
+struct Listener {
+    sockaddr_un address;
+    socklen_t size;
+};
+
 /// Where systemd listens; nothing: nowhere. @ stands for the zero that begins an abstract name.
-std::optional<sockaddr_un> listener() {
+std::optional<Listener> listener() {
     const char* const path = std::getenv("NOTIFY_SOCKET");
     const std::string_view name = path != nullptr ? path : "";
     sockaddr_un address{.sun_family = AF_UNIX, .sun_path = {}};
     if (name.empty() || name.size() >= sizeof(address.sun_path)) return std::nullopt;
     name.copy(address.sun_path, name.size());
     if (name.front() == '@') address.sun_path[0] = '\0';
-    return address;
+    return Listener{address, static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + name.size())};
 }
 
 /// False: whoever listens does not read at present. sd_notify() would wait until it does, and all
 /// scanners with it.
 bool send(const std::string& assignments) {
-    const auto address = listener();
-    if (!address) return true;
+    const auto to = listener();
+    if (!to) return true;
     const int socket = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     if (socket < 0) return false;
-    const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) +
-                                             std::string_view(std::getenv("NOTIFY_SOCKET")).size());
     const ssize_t sent = ::sendto(socket, assignments.data(), assignments.size(), MSG_NOSIGNAL,
-                                  reinterpret_cast<const sockaddr*>(&*address), size);
+                                  reinterpret_cast<const sockaddr*>(&to->address), to->size);
     const bool waits = sent < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == ENOBUFS);
     ::close(socket);
     return !waits;
@@ -77,7 +80,7 @@ std::int64_t monotonic_us() {
 }  // namespace
 
 bool is_heard() {
-    return std::getenv("NOTIFY_SOCKET") != nullptr;
+    return listener().has_value();
 }
 
 void status(const std::string& text) {

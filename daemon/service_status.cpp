@@ -3,9 +3,9 @@
 #include "daemon/service_status.h"
 
 #include <cstddef>
-#include <filesystem>
 
-#include "daemon/api/api.h"
+#include "daemon/link/port.h"
+#include "daemon/simulation.h"
 
 namespace scipd::daemon {
 namespace {
@@ -13,12 +13,12 @@ namespace {
 /// A line of many is read by nobody.
 constexpr std::size_t most_named = 4;
 
-std::string named(const SensorStatus& sensor) {
-    std::string text = sensor.name;
+std::string named(const Station& station) {
+    std::string text = station.name();
     const char* before = " on ";
-    for (const auto& address : {sensor.tcp, sensor.pty}) {
-        if (!address) continue;
-        text += before + *address;
+    for (const Port* port : {station.ports.tcp.get(), station.ports.pty.get()}) {
+        if (!port) continue;
+        text += before + port->address();
         before = " and ";
     }
     return text;
@@ -26,12 +26,12 @@ std::string named(const SensorStatus& sensor) {
 
 }  // namespace
 
-std::string status_line(const FleetStatus& status) {
-    const std::size_t count = status.sensors.size();
+std::string status_line(const Simulation& simulation) {
+    const std::size_t count = simulation.stations.size();
     std::string line = std::to_string(count) + (count == 1 ? " sensor" : " sensors") + " in " +
-                       std::filesystem::path{status.scene}.filename().string();
+                       simulation.editor.file().filename().string();
     for (std::size_t i = 0; i < count && i < most_named; ++i)
-        line += (i == 0 ? ": " : ", ") + named(status.sensors[i]);
+        line += (i == 0 ? ": " : ", ") + named(*simulation.stations[i]);
     if (count > most_named) line += " and " + std::to_string(count - most_named) + " more";
     return line;
 }

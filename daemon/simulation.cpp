@@ -6,18 +6,31 @@
 
 namespace scipd::daemon {
 
-Simulation::Simulation(const boost::asio::any_io_executor& executor, ClockKind kind)
+Simulation::Simulation(const boost::asio::any_io_executor& executor, ClockKind kind,
+                       std::size_t shard_count)
     : wall_clock(executor),
       lockstep(kind == ClockKind::poses ? std::make_unique<Lockstep>(executor) : nullptr),
       clock(lockstep ? static_cast<Clock&>(lockstep->clock()) : wall_clock),
+      shards(executor, world, clock, wall_clock, lockstep ? 1 : shard_count),
       editor(
           world, worker, clock, [this] { return requested_backends(); }, limits),
       chooser(world, worker, [this] { return requested_backends(); }),
+      stream(limits, {.to_sensors = [this](const auto& call) { shards.still(call); },
+                      .to_stream = [this](auto call) { shards.call_home(std::move(call)); }}),
       worker(executor) {
-    world.on_placed([this] {
-        for (const auto& station : stations)
-            station->loop->poses_came();
+    shards.on_changed([this](std::size_t shard) {
+        for (const auto& station : stations) {
+            if (station->shard == shard) station->loop->poses_came();
+        }
     });
+    for (std::size_t shard = 0; shard < shards.size(); ++shard) {
+        place_glances.push_back(
+            std::make_unique<PlaceGlance>(shards.at(shard).world, [this](NewPlace place) {
+                shards.call_home([this, place = std::move(place)]() mutable {
+                    place_watch.look_at(std::move(place));
+                });
+            }));
+    }
 }
 
 std::vector<RequestedBackend> Simulation::requested_backends() const {
@@ -27,6 +40,7 @@ std::vector<RequestedBackend> Simulation::requested_backends() const {
         const sim::Pose pose = world.robot(station->robot)->at(clock.now());
         requests.push_back(requested_backend(station->robot, station->config, pose, kind,
                                              world.light().materials()));
+        requests.back().shard = station->shard;
         requests.back().settled = world.choice_of(requests.back().sensor);
     }
     return requests;
@@ -58,7 +72,7 @@ std::vector<std::string> Simulation::remount() {
         if (!sensor.mount) continue;
         if (const auto pose = mounted_again(*sensor.mount, *world.scene())) {
             sensor.robot_from_sensor = *pose;
-            station->mount(*pose);
+            shards.still([&] { station->mount(*pose); });
         } else {
             warnings.push_back(editor.file().string() + ": has no \"" + sensor.mount->name +
                                "\" in a model \"" + sensor.mount->model + "\" to mount " +

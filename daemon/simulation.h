@@ -2,9 +2,11 @@
 // Copyright The scipd authors
 //
 // One world in time: the scene with its robots, the sensors in it, and whatever changes it. Fleet
-// configures it, FleetApi reads and changes it for the control API. Lives on the I/O thread.
+// configures it, FleetApi reads and changes it for the control API. Lives on the I/O thread. But
+// the sensors with their ports live on shards, and are touched while the shards stand still.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <string>
@@ -20,6 +22,7 @@
 #include "daemon/limits/limits.h"
 #include "daemon/poses/lockstep.h"
 #include "daemon/poses/pose_intake.h"
+#include "daemon/shards/shards.h"
 #include "daemon/stations.h"
 #include "daemon/world/backend_chooser.h"
 #include "daemon/world/place_watch.h"
@@ -30,7 +33,8 @@
 namespace scipd::daemon {
 
 struct Simulation {
-    Simulation(const boost::asio::any_io_executor& executor, ClockKind clock);
+    /// Its sensors live on `shards` threads; on this one where that is 1, and in lockstep.
+    Simulation(const boost::asio::any_io_executor& executor, ClockKind clock, std::size_t shards);
 
     /// What all sensors ask of the backends, as they are now.
     [[nodiscard]] std::vector<RequestedBackend> requested_backends() const;
@@ -50,11 +54,13 @@ struct Simulation {
     std::unique_ptr<Lockstep> lockstep;  ///< null: on the wall clock
     Clock& clock;
     World world;
+    Shards shards;
     PoseIntake intake{world, lockstep.get(), limits};
     SceneEditor editor;
     BackendChooser chooser;
     PlaceWatch place_watch{world, worker};
-    ScanStream stream{limits};
+    std::vector<std::unique_ptr<PlaceGlance>> place_glances;  ///< by shard
+    ScanStream stream;
     Stations stations;
     std::map<std::string, SensorCounts> counted_before;  ///< by sensors that are gone, by name
     ScenarioRun scenario;

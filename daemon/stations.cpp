@@ -10,6 +10,7 @@
 #include "daemon/device/staring_sensor.h"
 #include "daemon/faults/fault_injector.h"
 #include "daemon/link/port.h"
+#include "daemon/shards/shard.h"
 #include "protocol/ideal.h"
 #include "sim/fnv1a.h"
 #include "sim/random.h"
@@ -39,9 +40,9 @@ sim::Time phase_of(const Station& station, const StationContext& context) {
 
 template <class Sensor>
 Sensor& put_in(Station& station, const StationContext& context, const SensorConfig& config) {
-    auto sensor =
-        std::make_unique<Sensor>(station.robot, config, station.seed, context.world, context.clock);
-    station.loop = std::make_unique<ScanLoop>(*sensor, context.clock);
+    auto sensor = std::make_unique<Sensor>(station.robot, config, station.seed, context.shard.world,
+                                           context.shard.clock);
+    station.loop = std::make_unique<ScanLoop>(*sensor, context.shard.clock);
     station.tap = std::make_unique<ScanStream::Tap>(context.stream, station.name(), *sensor);
     Sensor& there = *sensor;
     station.sensor = std::move(sensor);
@@ -64,6 +65,7 @@ std::unique_ptr<Station> make_station(const StationContext& context, const std::
     station->robot = robot;
     station->config = sensor;
     station->seed = seed;
+    station->shard = context.shard.number;
     station->ports = std::move(ports);
     if (sensor.staring) {
         put_in<StaringSensor>(*station, context, sensor);
@@ -82,8 +84,8 @@ std::unique_ptr<Station> make_station(const StationContext& context, const std::
         served.push_back(port.get());
     }
     station->served_before = station->ports.counts();
-    station->faults =
-        std::make_unique<FaultInjector>(device, std::move(served), sensor.link, context.clock);
+    station->faults = std::make_unique<FaultInjector>(device, std::move(served), sensor.link,
+                                                      context.shard.clock);
     station->tap->follow(station->faults->log());
     return station;
 }

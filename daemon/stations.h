@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The sensors of a fleet, each with what drives it and with the ports that reach it. Lives on the
-// I/O thread.
+// The sensors of a fleet, each with what drives it and with the ports that reach it. A station
+// lives on its shard; it is made, changed and looked at while that stands still.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -19,11 +20,10 @@
 
 namespace scipd::daemon {
 
-class Clock;
 class Device;
 class FaultInjector;
 class StaringSensor;
-class World;
+struct Shard;
 
 /// One sensor and the ports that reach it.
 struct Station {
@@ -35,6 +35,7 @@ struct Station {
     std::string robot;
     SensorConfig config;
     std::uint64_t seed = 0;
+    std::size_t shard = 0;  ///< that it lives on
     /// A scanner, or a camera or ranger.
     std::variant<std::unique_ptr<Device>, std::unique_ptr<StaringSensor>> sensor;
     std::unique_ptr<ScanLoop> loop;
@@ -52,8 +53,7 @@ using Stations = std::vector<std::unique_ptr<Station>>;
 
 /// What a station needs of its surroundings; all must outlive it.
 struct StationContext {
-    World& world;
-    Clock& clock;
+    Shard& shard;
     ScanStream& stream;
     bool lockstep = false;
 };

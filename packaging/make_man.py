@@ -7,6 +7,7 @@ Writes a man page.
   make_man.py program PROGRAM VERSION OUT     from what the program prints with --help
   make_man.py page docs/NAME.md VERSION OUT   from a page of the documentation; OUT is scipd.yaml.5
 """
+import itertools
 import pathlib
 import re
 import sys
@@ -43,19 +44,14 @@ def option_lines(help_):
 
 
 def footer_lines(footer):
-    """Examples stand as they are typed, other lines run on."""
-    lines, typed, said = [], [], []
-    for line in [*footer, ""]:
-        if line.startswith("  "):
-            lines += roff.paragraph(" ".join(said)) if said else []
-            typed, said = [*typed, line], []
+    """Examples stand as they are typed. Other lines run on, up to a blank one or to one that ends a sentence."""
+    lines = []
+    for typed, group in itertools.groupby(footer, lambda line: line.startswith("  ")):
+        if typed:
+            lines += roff.verbatim(group)
             continue
-        lines += roff.verbatim(typed) if typed else []
-        typed = []
-        said = [*said, line] if line else said
-        if said and (not line or line.endswith(".")):
-            lines += roff.paragraph(" ".join(said))
-            said = []
+        for said in filter(str.strip, re.split(r"(?<=\.)\n|\n\n", "\n".join(group))):
+            lines += roff.paragraph(" ".join(said.split()))
     return lines
 
 

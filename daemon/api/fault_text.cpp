@@ -35,15 +35,15 @@ Json entry_document(const FaultLogEntry& entry) {
             {"steps", entry.steps}};
 }
 
-Json log_document(const FaultLog& log, std::uint64_t since) {
-    Json entries = Json::array();
-    for (const FaultLogEntry& entry : log.entries()) {
-        if (entry.number > since) entries.push_back(entry_document(entry));
+Json log_document(const FaultLog::Entries& entries, std::uint64_t since) {
+    Json documents = Json::array();
+    for (const FaultLogEntry& entry : entries) {
+        if (entry.number > since) documents.push_back(entry_document(entry));
     }
-    const bool empty = log.entries().empty();
-    return {{"entries", std::move(entries)},
-            {"first", empty ? 0 : log.entries().front().number},
-            {"last", empty ? 0 : log.entries().back().number}};
+    const bool empty = entries.empty();
+    return {{"entries", std::move(documents)},
+            {"first", empty ? 0 : entries.front().number},
+            {"last", empty ? 0 : entries.back().number}};
 }
 
 std::string fault_message(const std::string& sensor, const FaultLogEntry& entry) {

@@ -24,7 +24,7 @@ Json entry_document(const FaultLogEntry& entry);
 
 /// The entries with a number greater than `since`, and which are kept:
 /// {"entries":[..],"first","last"}
-Json log_document(const FaultLog& log, std::uint64_t since);
+Json log_document(const FaultLog::Entries& entries, std::uint64_t since);
 
 /// The message of /stream for an entry: {"fault":{"sensor", ..}}
 std::string fault_message(const std::string& sensor, const FaultLogEntry& entry);

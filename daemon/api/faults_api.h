@@ -35,7 +35,7 @@ class FaultsApi {
     virtual void stop_all(const std::string& scanner) = 0;
     [[nodiscard]] virtual std::vector<FaultStatus> list(const std::string& scanner) const = 0;
     /// All that are kept, the oldest first.
-    [[nodiscard]] virtual const FaultLog& log(const std::string& scanner) const = 0;
+    [[nodiscard]] virtual FaultLog::Entries log(const std::string& scanner) const = 0;
 
     /// It takes the place of the scenario before.
     virtual void run(Scenario scenario) = 0;

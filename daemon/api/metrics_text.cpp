@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -40,14 +41,15 @@ MetricFamily of_each(const FleetMetrics& fleet, const char* name, const char* he
     return family;
 }
 
-/// A counter for each backend of each sensor.
-template <class Count>
-MetricFamily of_casts(const FleetMetrics& fleet, const char* name, const char* help, Count count) {
+/// A counter for each entry of one of the maps of each sensor. Its key becomes this label.
+template <class Map, class Count>
+MetricFamily of_entries(const FleetMetrics& fleet, const char* name, const char* help,
+                        const char* label, Map SensorCounts::*map, Count count) {
     MetricFamily family{name, help, MetricType::Counter, {}};
     for (const SensorMetrics& sensor : fleet.sensors) {
-        for (const auto& [backend, casts] : sensor.counts.casts) {
-            add_counter(family, {{"sensor", sensor.name}, {"backend", backend}},
-                        static_cast<double>(count(casts)));
+        for (const auto& [key, entry] : sensor.counts.*map) {
+            add_counter(family, {{"sensor", sensor.name}, {label, key}},
+                        static_cast<double>(count(entry)));
         }
     }
     return family;
@@ -79,20 +81,6 @@ MetricFamily of_lateness(const FleetMetrics& fleet) {
     return family;
 }
 
-MetricFamily of_refusals(const FleetMetrics& fleet) {
-    MetricFamily family{"scipd_refused_requests_total",
-                        "Requests of drivers that were answered with another status than 00.",
-                        MetricType::Counter,
-                        {}};
-    for (const SensorMetrics& sensor : fleet.sensors) {
-        for (const auto& [status, count] : sensor.counts.refused) {
-            add_counter(family, {{"sensor", sensor.name}, {"status", status}},
-                        static_cast<double>(count));
-        }
-    }
-    return family;
-}
-
 MetricFamily of_clients(const FleetMetrics& fleet) {
     MetricFamily family{
         "scipd_clients", "Drivers that are connected by TCP or tty.", MetricType::Gauge, {}};
@@ -119,22 +107,26 @@ MetricFamily of_build() {
 }
 
 Families of_scans(const FleetMetrics& fleet) {
-    return {of_each(fleet, "scipd_scans_total", "Scans that left when their turn was complete.",
-                    [](const auto& sensor) { return sensor.counts.scans; }),
-            of_each(fleet, "scipd_scans_lost_total", "Scans that a driver wanted and did not get.",
-                    [](const auto& sensor) { return sensor.counts.lost; }),
-            of_lateness(fleet),
-            of_casts(fleet, "scipd_casts_total", "Sweeps that were cast into the world.",
-                     [](const CastCount& count) { return count.casts; }),
-            of_casts(fleet, "scipd_cast_seconds_total", "Time spent on casting them.",
-                     [](const CastCount& count) { return Seconds(count.spent).count(); })};
+    return {
+        of_each(fleet, "scipd_scans_total", "Scans that left when their turn was complete.",
+                [](const auto& sensor) { return sensor.counts.scans; }),
+        of_each(fleet, "scipd_scans_lost_total", "Scans that a driver wanted and did not get.",
+                [](const auto& sensor) { return sensor.counts.lost; }),
+        of_lateness(fleet),
+        of_entries(fleet, "scipd_casts_total", "Sweeps that were cast into the world.", "backend",
+                   &SensorCounts::casts, [](const CastCount& count) { return count.casts; }),
+        of_entries(fleet, "scipd_cast_seconds_total", "Time spent on casting them.", "backend",
+                   &SensorCounts::casts,
+                   [](const CastCount& count) { return Seconds(count.spent).count(); })};
 }
 
 Families of_links(const FleetMetrics& fleet) {
     return {of_clients(fleet),
             of_each(fleet, "scipd_sent_bytes_total", "Bytes sent to drivers.",
                     [](const auto& sensor) { return sensor.counts.sent_bytes; }),
-            of_refusals(fleet),
+            of_entries(fleet, "scipd_refused_requests_total",
+                       "Requests of drivers that were answered with another status than 00.",
+                       "status", &SensorCounts::refused, std::identity()),
             of_each(fleet, "scipd_faults_injected_total", "How often faults on purpose have acted.",
                     [](const auto& sensor) { return sensor.counts.faults; })};
 }

@@ -24,8 +24,11 @@ template <class Record, class Sensor>
 ScanStream::Tap::Watch ScanStream::Tap::watch_of(Sensor& sensor) {
     return [this, &sensor](bool wanted) {
         if (!wanted) return sensor.watch(nullptr);
-        sensor.watch([this](const Record& record) {
-            stream_.send(source_, reading_text(source_->name, record));
+        sensor.watch([&stream = stream_, source = source_](const Record& record) {
+            stream.ways_.to_stream(
+                [&stream, source, message = reading_text(source->name, record)]() mutable {
+                    stream.send(source, std::move(message));
+                });
         });
     };
 }
@@ -106,14 +109,19 @@ ScanStream::Tap::~Tap() {
 
 void ScanStream::Tap::follow(FaultLog& faults) {
     faults_ = &faults;
-    faults.watch([this](const FaultLogEntry& entry) {
-        const std::string& sensor = source_->name;
-        if (stream_.wanted(sensor)) stream_.send(faults_source_, fault_message(sensor, entry));
+    faults.watch([&stream = stream_, source = faults_source_](const FaultLogEntry& entry) {
+        stream.ways_.to_stream([&stream, source, entry] {
+            const std::string& sensor = source->name;
+            if (stream.wanted(sensor)) stream.send(source, fault_message(sensor, entry));
+        });
     });
 }
 
-ScanStream::ScanStream(SharedLimits limits)
-    : backlog_([this](Backlog::Number number,
+ScanStream::ScanStream(SharedLimits limits) : ScanStream(std::move(limits), Ways{}) {}
+
+ScanStream::ScanStream(SharedLimits limits, Ways ways)
+    : ways_(std::move(ways)),
+      backlog_([this](Backlog::Number number,
                       const Backlog::Message& message) { count_lost(number, message); },
                std::move(limits)) {}
 
@@ -131,8 +139,10 @@ bool ScanStream::wanted(const std::string& sensor) const {
 }
 
 void ScanStream::follow_all() {
-    for (Tap* tap : taps_)
-        follow(*tap);
+    ways_.to_sensors([this] {
+        for (Tap* tap : taps_)
+            follow(*tap);
+    });
 }
 
 // A sensor is watched as long as somebody wants its scans.

@@ -5,7 +5,7 @@
 // soon as it is measured, and tells of a fault on purpose as soon as it has acted. While somebody
 // subscribes scans are cast, whether a driver wants them or not. A message is made once for all
 // clients. A client that is too slow loses whole messages, of all sensors alike; scans that are
-// lost are counted. Lives on the I/O thread.
+// lost are counted. Lives on the I/O thread; what sensors tell on another thread is carried there.
 #pragma once
 
 #include <cstdint>
@@ -25,6 +25,15 @@ class StaringSensor;
 
 class ScanStream {
   public:
+    /// How to get from the stream's thread to those of sensors, and back.
+    struct Ways {
+        using Call = std::function<void()>;
+        /// Calls it while no sensor does anything.
+        std::function<void(const Call&)> to_sensors = [](const Call& call) { call(); };
+        /// Calls it on the stream's thread, from any thread.
+        std::function<void(Call)> to_stream = [](const Call& call) { call(); };
+    };
+
     /// A sensor's end of the stream. The stream and the sensor must outlive it.
     class Tap {
       public:
@@ -57,6 +66,7 @@ class ScanStream {
     };
 
     explicit ScanStream(SharedLimits limits = std::make_shared<Limits>());
+    ScanStream(SharedLimits limits, Ways ways);
     ScanStream(const ScanStream&) = delete;
     ScanStream& operator=(const ScanStream&) = delete;
 
@@ -74,6 +84,7 @@ class ScanStream {
     void count_lost(Backlog::Number number, const Backlog::Message& message);
     void forget_what_all_have();
 
+    Ways ways_;
     Backlog backlog_;
     std::vector<Tap*> taps_;
     std::vector<Subscriber*> subscribers_;

@@ -6,7 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include <spdlog/spdlog.h>
+
 #include "daemon/broker/pose_frame.h"
+#include "daemon/broker/vda5050.h"
 
 namespace scipd::daemon {
 namespace {
@@ -18,7 +21,8 @@ constexpr auto look_around_time = std::chrono::milliseconds(100);
 
 SharedPoses::SharedPoses(const boost::asio::any_io_executor& executor, MqttLink& link,
                          const Topics& topics, const std::string& name, Parts parts)
-    : name_(name),
+    : link_(link),
+      name_(name),
       world_(parts.world),
       intake_(parts.intake),
       clock_(parts.clock),
@@ -49,8 +53,11 @@ void SharedPoses::stop() {
     intake_.on_taken({});
 }
 
-void SharedPoses::serve(Bodies bodies) {
-    bodies_ = std::move(bodies);
+void SharedPoses::serve(const std::vector<RobotConfig>& robots) {
+    bodies_.clear();
+    for (const RobotConfig& robot : robots)
+        bodies_[robot.name] = robot.body;
+    listen_to(robots);
     const sim::Time now = clock_.now();
     for (const auto& [robot, body] : bodies_) {
         if (!body.empty()) tell_of({.robot = robot, .pose = world_.robot(robot)->at(now)}, {}, now);
@@ -90,6 +97,40 @@ void SharedPoses::put(const Places& places, bool with_own) {
 void SharedPoses::take(std::string_view frame) {
     const std::string_view sender = sender_of(frame);
     if (sender != name_) receiver_.take_frame(sender, frame);
+}
+
+void SharedPoses::listen_to(const std::vector<RobotConfig>& robots) {
+    for (const auto& [topic, vehicle] : vehicles_)
+        link_.unsubscribe(topic);
+    vehicles_.clear();
+    for (const RobotConfig& robot : robots) {
+        if (robot.poses && robot.poses->kind == PoseSource::Kind::vda5050)
+            vehicles_[vda5050_topic(robot.poses->vehicle, robot.name)].robot = robot.name;
+    }
+    ask_vehicles();
+}
+
+void SharedPoses::ask_vehicles() {
+    for (const auto& [topic, vehicle] : vehicles_)
+        link_.subscribe(topic);
+}
+
+// It drives on the ground, and the robot stays at its height.
+void SharedPoses::take_vehicle(const std::string& topic, std::string_view state) {
+    const auto found = vehicles_.find(topic);
+    if (found == vehicles_.end()) return;
+    Vehicle& vehicle = found->second;
+    const sim::Time now = clock_.now();
+    const auto taken = intake_.admit(vehicle.rate).and_then([&] {
+        return parse_vda5050_state(state).and_then([&](sim::PoseLine line) {
+            line.robot = vehicle.robot;
+            line.pose.translation_m.z = world_.robot(vehicle.robot)->at(now).translation_m.z;
+            return intake_.take(line, {}, vehicle.clock, now);
+        });
+    });
+    if (taken) return;
+    const auto others = vehicle.refusals_told.admit(std::chrono::steady_clock::now());
+    if (others) spdlog::warn("pose of {} refused: {}{}", vehicle.robot, taken.error().why, *others);
 }
 
 /// The body of a robot of this daemon; `robot` is meant by a line without a name.

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -18,6 +19,9 @@
 #include "daemon/broker/pose_receiver.h"
 #include "daemon/broker/pose_sender.h"
 #include "daemon/clock/clock.h"
+#include "daemon/config/config.h"
+#include "daemon/limits/rate.h"
+#include "daemon/limits/throttle.h"
 #include "daemon/poses/pose_intake.h"
 #include "daemon/world/world.h"
 #include "sim/time.h"
@@ -26,8 +30,6 @@ namespace scipd::daemon {
 
 class SharedPoses {
   public:
-    /// Each robot's body by its name; empty where it has none.
-    using Bodies = std::map<std::string, std::string, std::less<>>;
     /// Pose lines by their sender, as the broker keeps them.
     using Places = std::map<std::string, std::string>;
 
@@ -49,13 +51,17 @@ class SharedPoses {
     /// From now on what is taken here is told.
     void begin();
     /// These are the robots here. Where their bodies are is told.
-    void serve(Bodies bodies);
+    void serve(const std::vector<RobotConfig>& robots);
     void stop();
 
     /// Puts all where it was when others, and `with_own` this daemon, were there before.
     void put(const Places& places, bool with_own);
     /// One message of anybody's.
     void take(std::string_view frame);
+    /// Has the broker say what the vehicles do that are robots here.
+    void ask_vehicles();
+    /// What a vehicle says of itself, by VDA 5050; of others nothing is taken.
+    void take_vehicle(const std::string& topic, std::string_view state);
     /// The model is another one now.
     void forget(const std::string& model) { sender_.forget(model); }
     /// Messages, since the broker or this daemon was too slow.
@@ -63,17 +69,29 @@ class SharedPoses {
     void say_all() { sender_.say_all(clock_.now()); }
 
   private:
+    /// A vehicle, as a sender of poses.
+    struct Vehicle {
+        std::string robot;
+        SenderClock clock;
+        Rate rate;
+        Throttle refusals_told;
+    };
+
+    void listen_to(const std::vector<RobotConfig>& robots);
     void look_around();
     [[nodiscard]] std::string own_body(const sim::PoseLine& line, std::string_view robot) const;
     void tell_of(const sim::PoseLine& line, std::string_view robot, sim::Time time);
 
+    MqttLink& link_;
     const std::string name_;
     World& world_;
     PoseIntake& intake_;
     const Clock& clock_;
-    Bodies bodies_;  ///< of the robots here
+    /// Of the robots here, by their names; empty where one has none.
+    std::map<std::string, std::string, std::less<>> bodies_;
     std::optional<Nearness> nearness_;
     boost::asio::steady_timer timer_;
+    std::map<std::string, Vehicle> vehicles_;  ///< by the topics of their states
     PoseSender sender_;
     PoseReceiver receiver_;
 };

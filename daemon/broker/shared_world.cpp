@@ -146,13 +146,12 @@ JoinWorld SharedWorld::rejoining() const {
 }
 
 void SharedWorld::serve(const Config& config) {
-    SharedPoses::Bodies bodies;
+    who_.bodies.clear();
     who_.sensors = 0;
     for (const RobotConfig& robot : config.robots) {
-        bodies[robot.name] = robot.body;
+        who_.bodies[robot.name] = robot.body;
         who_.sensors += int(robot.sensors.size());
     }
-    who_.bodies = {bodies.begin(), bodies.end()};
     if (!std::exchange(serving_, true)) {
         poses_.begin();
         put_places(true);
@@ -160,7 +159,7 @@ void SharedWorld::serve(const Config& config) {
         spdlog::info("shares the world {} by {}, as {}", config_.world, text_of(config_.broker),
                      name_);
     }
-    poses_.serve(std::move(bodies));
+    poses_.serve(config.robots);
     say_who();
 }
 
@@ -200,6 +199,7 @@ void SharedWorld::ask_for_all() {
     for (const Kind kind : kept_kinds)
         link_.subscribe(topics_.all(kind));
     link_.subscribe(topics_.of(Kind::poses));
+    poses_.ask_vehicles();
     link_.subscribe(topics_.of(Kind::marker, instance_));
     mark();
 }
@@ -210,7 +210,7 @@ void SharedWorld::mark() {
 
 void SharedWorld::take(const MqttMessage& message) {
     const auto topic = topics_.read(message.topic);
-    if (!topic) return;
+    if (!topic) return poses_.take_vehicle(std::string(message.topic), message.payload);
     if (topic->kind == Kind::marker) {
         marks_seen_ = std::max(marks_seen_, std::atoi(std::string(message.payload).c_str()));
         if (marks_seen_ == marks_ && serving_) come_back();

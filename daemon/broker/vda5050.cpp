@@ -69,8 +69,9 @@ std::optional<sim::Velocity> velocity_in(const Json& state, const glm::dquat& ro
 
 }  // namespace
 
-std::string vda5050_topic(std::string_view manufacturer, std::string_view serial) {
-    return "uagv/v2/" + std::string(manufacturer) + "/" + std::string(serial) + "/state";
+std::string vda5050_topic(const std::string& vehicle, const std::string& robot) {
+    const bool whole = vehicle.find('/') != vehicle.npos;
+    return "uagv/v2/" + vehicle + (whole ? "" : "/" + robot) + "/state";
 }
 
 sim::Expected<sim::PoseLine> parse_vda5050_state(std::string_view text) {

@@ -13,8 +13,9 @@
 
 namespace scipd::daemon {
 
-/// Where a vehicle says its state: uagv/v2/MANUFACTURER/SERIAL/state.
-std::string vda5050_topic(std::string_view manufacturer, std::string_view serial);
+/// Where a vehicle says its state: uagv/v2/MANUFACTURER/SERIAL/state. The vehicle is
+/// MANUFACTURER/SERIAL, or MANUFACTURER of one whose serial is the name of the robot.
+std::string vda5050_topic(const std::string& vehicle, const std::string& robot);
 
 /// The pose, with the vehicle's own time, and its velocity where it tells one. A vehicle is on the
 /// ground: the height is 0. Refused where it does not know where it is.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The clock for scanners whose drivers know only real time. Lives on the I/O thread.
+// The clock for scanners whose drivers know only real time. Each thread has one of its own.
 #pragma once
 
 #include <chrono>
@@ -19,6 +19,9 @@ namespace scipd::daemon {
 class WallClock : public Clock {
   public:
     explicit WallClock(boost::asio::any_io_executor executor) : executor_(std::move(executor)) {}
+    /// The same time, with calls from another executor.
+    WallClock(const WallClock& same, boost::asio::any_io_executor executor)
+        : executor_(std::move(executor)), epoch_(same.epoch_) {}
 
     [[nodiscard]] sim::Time now() const override { return Steady::now() - epoch_; }
     [[nodiscard]] std::unique_ptr<Alarm> make_alarm() override;

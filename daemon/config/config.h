@@ -29,7 +29,7 @@ namespace scipd::daemon {
 
 /// Where a robot's live poses come from.
 struct PoseSource {
-    enum class Kind { udp, file, standard_input };
+    enum class Kind { udp, file, standard_input, vda5050 };
     Kind kind = Kind::udp;
     Address address;             ///< of udp
     std::filesystem::path file;  ///< a trajectory; its first stamp is the start of the daemon
@@ -37,6 +37,8 @@ struct PoseSource {
     std::filesystem::path times = {};  ///< of a KITTI trajectory; empty: beside it, or 10 Hz
     double speed = 1.0;  ///< of a trajectory: how much faster than its stamps it is played
     bool loop = false;   ///< of a trajectory: begins anew where it has ended
+    /// Of vda5050: MANUFACTURER/SERIAL, or MANUFACTURER of one that is called as the robot is.
+    std::string vehicle = {};
 
     bool operator==(const PoseSource&) const = default;
 };

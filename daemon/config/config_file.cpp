@@ -7,6 +7,7 @@
 
 #include <array>
 #include <initializer_list>
+#include <optional>
 #include <utility>
 
 #include <yaml-cpp/yaml.h>
@@ -72,6 +73,7 @@ class Reader {
     Claims claims_;
     std::map<std::string, std::string> places_;
     std::size_t sensor_count_ = 0;
+    std::optional<Field> needs_fleet_;  ///< poses that come by its broker
 };
 
 RobotConfig Reader::read_robot(const Field& field, SensorContext& context) {
@@ -97,6 +99,8 @@ RobotConfig Reader::read_robot(const Field& field, SensorContext& context) {
         robot.sensors.push_back(read_sensor(sensor, context));
     if (const Field* poses = section.find("poses"))
         read_poses(*poses, robot, base_, claims_, faults_);
+    if (robot.poses && robot.poses->kind == PoseSource::Kind::vda5050)
+        needs_fleet_ = *section.find("poses");
     return robot;
 }
 
@@ -149,6 +153,8 @@ Config Reader::read(const YAML::Node& document) {
     }
     for (const Field& robot : fields)
         config.robots.push_back(read_robot(robot, context));
+    if (needs_fleet_ && !config.fleet)
+        faults_.add(*needs_fleet_, "needs fleet, by whose broker vehicles tell where they are");
     config.places = std::move(places_);
     return config;
 }

@@ -3,8 +3,8 @@
 //
 // Reads how a world is to be loaded: `map: {z: [BOTTOM, TOP], material: NAME, unknown: ..}` for
 // what a ROS map does not say of its walls, and `limits: {world_memory_mb: 8000, world_triangles:
-// 50000000, world_load_s: 900}` for what a world may take. The
-// limits of clients stand under `limits`, too. Any thread; nothing shared.
+// 50000000, world_load_s: 900}` for what a world may take. The limits of clients stand under
+// `limits`, too. Any thread; nothing shared.
 #pragma once
 
 #include "daemon/config/config.h"

@@ -3,7 +3,7 @@
 //
 // One emulated scanner: the state that its sessions share, its optics in the world, and the scans
 // that it makes for whoever asks. Where nobody asks, it casts nothing. It knows no sockets and does
-// not wait: ScanLoop tells it when a turn is complete. Lives on the I/O thread; its clients do not
+// not wait: ScanLoop tells it when a turn is complete. Lives on its shard; its clients do not
 // outlive it.
 #pragma once
 

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // Stands between a scanner's mirror and its sessions, so that scans can go wrong on purpose. Lives
-// on the I/O thread.
+// on its shard.
 #pragma once
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 //
 // Waits for the ends of a source's turns, as long as somebody wants scans. Every instant is
 // computed from the number of the revolution and waited for as an absolute time, so lateness never
-// adds up. Lives on the I/O thread.
+// adds up. Lives on its shard.
 #pragma once
 
 #include <cstdint>

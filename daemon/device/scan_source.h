@@ -2,8 +2,8 @@
 // Copyright The scipd authors
 //
 // A sensor as ScanLoop sees it, which waits for the sensor's instants: it makes scans at instants
-// of its own as long as somebody wants them. Device and StaringSensor implement it. Lives on the
-// I/O thread.
+// of its own as long as somebody wants them. Device and StaringSensor implement it. Lives on its
+// shard.
 #pragma once
 
 #include <cstdint>

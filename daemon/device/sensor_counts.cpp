@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
 #include "daemon/device/sensor_counts.h"
 
 namespace scipd::daemon {

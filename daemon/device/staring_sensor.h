@@ -4,7 +4,7 @@
 // A camera or a ranger: it speaks no SCIP and is read through the control API. Its instants are a
 // period apart; the first is when it was made. It measures only where somebody wants that: a
 // subscriber wants every instant, a question the last one. It knows no sockets and does not wait:
-// ScanLoop tells it when an instant has come. Lives on the I/O thread.
+// ScanLoop tells it when an instant has come. Lives on its shard.
 #pragma once
 
 #include <cstdint>

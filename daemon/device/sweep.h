@@ -3,7 +3,7 @@
 //
 // What one scanner sees of the world in one revolution: each beam is cast from where the sensor
 // is when it is fired, into the world as it is then. Knows no clock, no clients and no wire. Lives
-// on the I/O thread.
+// on its shard.
 #pragma once
 
 #include <cstddef>

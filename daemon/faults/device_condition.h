@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // The condition that the faults which act want a device to be in, all of them together, and how a
-// device gets into it and out of it again. Lives on the I/O thread.
+// device gets into it and out of it again. Lives on its shard.
 #pragma once
 
 #include <optional>

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // What a fault does while it acts. Each kind is a class that overrides what it needs; the files
-// *_effects.cpp have them. An effect lives from its begin to its end, on the I/O thread.
+// *_effects.cpp have them. An effect lives from its begin to its end, on its shard.
 #pragma once
 
 #include <cstdint>

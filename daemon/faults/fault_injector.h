@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // The faults of one scanner: begins and ends each when it is due, lets the active ones act, and
-// keeps the log. While it has no fault it is nowhere: no layer has a hook. Lives on the I/O thread.
+// keeps the log. While it has no fault it is nowhere: no layer has a hook. Lives on its shard.
 #pragma once
 
 #include <cstdint>

@@ -39,6 +39,7 @@ struct FaultStatus {
 
 class FaultLog {
   public:
+    using Entries = std::deque<FaultLogEntry>;
     using Watcher = std::function<void(const FaultLogEntry&)>;
     static constexpr std::size_t capacity = 4096;
     /// Of the bytes and steps of all entries together: the oldest entries go beyond.
@@ -49,13 +50,13 @@ class FaultLog {
     void count_hit() { ++hits_; }
     /// How often faults have acted, also those that are forgotten.
     [[nodiscard]] std::uint64_t hits() const { return hits_; }
-    [[nodiscard]] const std::deque<FaultLogEntry>& entries() const { return entries_; }
+    [[nodiscard]] const Entries& entries() const { return entries_; }
     /// Is told of each entry from here on; null: nobody.
     void watch(Watcher watcher) { watcher_ = std::move(watcher); }
 
   private:
-    std::deque<FaultLogEntry> entries_;  ///< the latest
-    std::size_t places_ = 0;             ///< bytes and steps of all entries
+    Entries entries_;         ///< the latest
+    std::size_t places_ = 0;  ///< bytes and steps of all entries
     std::uint64_t last_ = 0;
     std::uint64_t hits_ = 0;
     Watcher watcher_;

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // One fault of a scanner, from when it is asked for until nobody wants to know of it any more: its
-// schedule, its effect while it acts, and what it has touched. Lives on the I/O thread.
+// schedule, its effect while it acts, and what it has touched. Lives on its shard.
 #pragma once
 
 #include <cstdint>

@@ -16,8 +16,9 @@ std::string beyond(Limit limit, int value) {
 }
 
 std::string Limits::refuse(Limit limit, std::string_view who) {
-    ++refused_[place_of(limit)];
     std::string why = beyond(limit, values_[limit]);
+    const std::lock_guard lock(mutex_);
+    ++refused_[place_of(limit)];
     if (const auto others = told_[place_of(limit)].admit(std::chrono::steady_clock::now()))
         spdlog::warn("{}: {}{}", who, why, *others);
     return why;

@@ -3,7 +3,7 @@
 //
 // Moves bytes between a file descriptor (a connected socket or the master side of a tty) and one
 // session of a scanner, over the link that lies between. Reads, writes and waits; decides nothing.
-// Lives on the I/O thread.
+// Lives on its shard.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Stands at the device's end of a line, for faults. Lives on the I/O thread.
+// Stands at the device's end of a line, for faults. Lives on its shard.
 #pragma once
 
 #include "protocol/action.h"

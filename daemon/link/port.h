@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // A place where clients connect to a scanner, one at a time: a TCP port or a tty. It outlives the
-// scanner behind it, and can be handed to another one. Lives on the I/O thread.
+// scanner behind it, and can be handed to another one. Lives on its shard.
 #pragma once
 
 #include <cstdint>

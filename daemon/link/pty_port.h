@@ -6,7 +6,7 @@
 // line speed. Like that one it goes on existing while nobody has it open, and what is sent then is
 // lost. Its last close ends what was begun on it, unless the link is configured to let that go on,
 // and leaves nothing to the next client. Where the link has a rate the tty is a serial line
-// instead: two ends understand each other only at the same rate. Lives on the I/O thread.
+// instead: two ends understand each other only at the same rate. Lives on its shard.
 #pragma once
 
 #include <filesystem>

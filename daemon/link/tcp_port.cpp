@@ -3,13 +3,16 @@
 #include "daemon/link/tcp_port.h"
 
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include <boost/asio/post.hpp>
 #include <sys/poll.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 namespace scipd::daemon {
 
@@ -46,9 +49,9 @@ bool has_hung_up(tcp::socket& socket) {
     return ::poll(&asked, 1, 0) == 1;
 }
 
-bool has_said_something(tcp::socket& socket) {
+bool has_left_silently(tcp::socket& socket) {
     error_code ignored;
-    return socket.available(ignored) > 0;
+    return has_hung_up(socket) && socket.available(ignored) == 0;
 }
 
 }  // namespace
@@ -72,6 +75,20 @@ TcpPort::TcpPort(const asio::any_io_executor& executor, const Address& address,
                                  "; choose another address, or port 0 for a free one, such as "
                                  "--tcp 127.0.0.1:0");
     }
+}
+
+std::shared_ptr<TcpPort> TcpPort::moved_to(const asio::any_io_executor& executor) {
+    const Address address{endpoint_.address().to_string(), endpoint_.port()};
+    // While it refuses clients, nothing listens there.
+    if (!acceptor_.is_open()) return std::make_shared<TcpPort>(executor, address);
+    const int socket = ::dup(acceptor_.native_handle());
+    if (socket < 0) {
+        throw std::runtime_error("cannot move the port " + text_of(address) + ": " +
+                                 std::generic_category().message(errno));
+    }
+    auto moved = std::make_shared<TcpPort>(executor, address, socket);
+    moved->handed_ = handed_;
+    return moved;
 }
 
 void TcpPort::serve(Endpoint& scanner, const LinkConfig& link) {
@@ -153,7 +170,8 @@ void TcpPort::accept() {
         // It refused clients for a while.
         if (error == asio::error::operation_aborted) return self->accept();
         if (error) {
-            self->drop_gone();  // their descriptors may be those that are missing
+            // Their descriptors may be those that are missing.
+            std::erase_if(self->waiting_, has_hung_up);
             return self->accept_later();
         }
         self->take_in(std::move(socket));
@@ -165,12 +183,7 @@ void TcpPort::take_in(tcp::socket socket) {
     // Where somebody else holds the socket open, it goes on listening while the line refuses.
     if (line().refuses) return reset_on_close(socket.native_handle());
     if (!connected()) return connect(std::move(socket));
-    std::erase_if(waiting_, [](tcp::socket& waiter) {
-        return has_hung_up(waiter) && !has_said_something(waiter);
-    });
-    const auto is_room = [&] { return waiting_.size() + 1 < limits()[Limit::scanner_connections]; };
-    if (!is_room()) drop_gone();
-    if (is_room()) return waiting_.push_back(std::move(socket));
+    if (make_room()) return waiting_.push_back(std::move(socket));
     limits().refuse(Limit::scanner_connections, address());
 }
 
@@ -181,9 +194,13 @@ void TcpPort::serve_next() {
     connect(std::move(socket));
 }
 
-// Only where there is need: until then, one that has hung up gets the answers to what it sent.
-void TcpPort::drop_gone() {
-    std::erase_if(waiting_, has_hung_up);
+// One that hung up after it had said something goes only where there is need: until then, it is to
+// get the answers.
+bool TcpPort::make_room() {
+    const auto is_room = [&] { return waiting_.size() + 1 < limits()[Limit::scanner_connections]; };
+    std::erase_if(waiting_, has_left_silently);
+    if (!is_room()) std::erase_if(waiting_, has_hung_up);
+    return is_room();
 }
 
 // As the kernel does with those whom nobody has accepted.

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // A scanner's TCP port: one client at a time; the next ones wait until the first is gone, as with a
-// real scanner. Of more than a few, the last are turned away. Lives on the I/O thread.
+// real scanner. Of more than a few, the last are turned away. Lives on its shard.
 #pragma once
 
 #include <chrono>
@@ -28,6 +28,9 @@ class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
     TcpPort(const boost::asio::any_io_executor& executor, const Address& address,
             std::optional<int> handed = {});
 
+    /// One that listens on the same socket with another executor, where this one is to be stopped.
+    [[nodiscard]] std::shared_ptr<TcpPort> moved_to(const boost::asio::any_io_executor& executor);
+
     /// Its serve() needs nothing.
     void prepare() override {}
     void serve(Endpoint& scanner, const LinkConfig& link = {}) override;
@@ -48,8 +51,8 @@ class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
     void accept_later();
     void take_in(boost::asio::ip::tcp::socket socket);
     void serve_next();
-    /// Of those who wait.
-    void drop_gone();
+    /// False: no more clients may wait.
+    [[nodiscard]] bool make_room();
     void turn_all_away();
     void connect(boost::asio::ip::tcp::socket socket);
     void disconnect();

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // The name of a tty: a symlink that leads to one pseudo-terminal after the other, or is away while
-// there is none. The name is held all the time. Lives on the I/O thread.
+// there is none. The name is held all the time. Lives on its shard.
 #pragma once
 
 #include <filesystem>

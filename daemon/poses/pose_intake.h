@@ -91,8 +91,8 @@ class PoseIntake {
     [[nodiscard]] sim::Expected<> take_at(sim::Time time, const sim::PoseLine& line,
                                           std::string_view robot);
 
-    /// Called after each pose that is taken, with its world time; `robot` is meant by a line without
-    /// a name.
+    /// Called after each pose that is taken, with its world time; a line without a name means
+    /// `robot`.
     using Taken =
         std::function<void(const sim::PoseLine& line, std::string_view robot, sim::Time time)>;
     void on_taken(Taken callback) { on_taken_ = std::move(callback); }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cassert>
 #include <chrono>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -115,7 +116,7 @@ BackendChoice BackendMaker::fastest(const RequestedBackend& request,
     for (const sim::BackendRow& row : sim::backends()) {
         if (row.slow) continue;
         try {
-            contenders.push_back({row.name, backend(row, request.depth).get()});
+            contenders.push_back({row.name, backend(row, request).get()});
         } catch (const std::runtime_error& error) {
             reason += (reason.empty() ? "" : "; ") + missing(row, error);
         }
@@ -135,20 +136,31 @@ BackendChoice BackendMaker::fastest(const RequestedBackend& request,
 
 SensorBackends BackendMaker::make(std::span<const RequestedBackend> requests) {
     SensorBackends backends;
-    for (const RequestedBackend& request : requests) {
-        const SharedChoice choice = settled(request);
-        const sim::BackendRow& row = row_of(choice->backend);
-        try {
-            const SharedBackend made = backend(row, request.depth);
-            if (row.draws) warm_up(*made, request);
-            backends.assign(request.sensor, made, choice);
-        } catch (const std::runtime_error& error) {
-            throw std::runtime_error(request.sensor + ": backend " + choice->backend + ": " +
-                                     error.what() + advice_instead_of(row));
+    std::set<std::size_t> shards;
+    for (const RequestedBackend& request : requests)
+        shards.insert(request.shard);
+    for (const std::size_t shard : shards) {
+        for (const RequestedBackend& request : requests) {
+            if (request.shard == shard) make(request, backends);
         }
+        // Backends that draw share what they draw with as long as it is bound to this thread, and
+        // two shards must not.
+        leave_thread();
     }
-    leave_thread();
     return backends;
+}
+
+void BackendMaker::make(const RequestedBackend& request, SensorBackends& backends) {
+    const SharedChoice choice = settled(request);
+    const sim::BackendRow& row = row_of(choice->backend);
+    try {
+        const SharedBackend made = backend(row, request);
+        if (row.draws) warm_up(*made, request);
+        backends.assign(request.sensor, made, choice, request.shard);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(request.sensor + ": backend " + choice->backend + ": " +
+                                 error.what() + advice_instead_of(row));
+    }
 }
 
 SharedChoice BackendMaker::settled(const RequestedBackend& request) {
@@ -161,7 +173,7 @@ SharedChoice BackendMaker::settled(const RequestedBackend& request) {
     const sim::BackendRow& preferred = sim::preferred_backend();
     if (&row == &preferred) return request.settled;
     try {
-        backend(row, request.depth);
+        backend(row, request);
         return request.settled;
     } catch (const std::runtime_error& error) {
         return std::make_shared<const BackendChoice>(
@@ -170,9 +182,10 @@ SharedChoice BackendMaker::settled(const RequestedBackend& request) {
 }
 
 BackendMaker::SharedBackend BackendMaker::backend(const sim::BackendRow& row,
-                                                  const sim::DepthOptions& options) {
-    const sim::DepthOptions used = row.draws ? options : sim::DepthOptions{};
-    auto& made = made_[{row.name, used.between_pixels, used.oversample, used.widest_pass_rad}];
+                                                  const RequestedBackend& request) {
+    const sim::DepthOptions used = row.draws ? request.depth : sim::DepthOptions{};
+    auto& made = made_[{row.name, used.between_pixels, used.oversample, used.widest_pass_rad,
+                        request.shard}];
     if (!made) made = row.make(scene_, used);
     return made;
 }

@@ -36,10 +36,11 @@ class BackendMaker {
 
   private:
     using SharedBackend = std::shared_ptr<sim::RangeBackend>;
-    /// The backend's name, and all of DepthOptions.
-    using MadeKey = std::tuple<std::string_view, sim::BetweenPixels, double, double>;
+    /// The backend's name, all of DepthOptions, and the shard.
+    using MadeKey = std::tuple<std::string_view, sim::BetweenPixels, double, double, std::size_t>;
 
-    SharedBackend backend(const sim::BackendRow& row, const sim::DepthOptions& options);
+    void make(const RequestedBackend& request, SensorBackends& backends);
+    SharedBackend backend(const sim::BackendRow& row, const RequestedBackend& request);
     [[nodiscard]] SharedChoice settled(const RequestedBackend& request);
     /// Whether the sensor sees light that only rays follow.
     [[nodiscard]] bool needs_rays(const RequestedBackend& request) const;

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // What is known of the materials of a world, what fills its air and who shines in it, and how a
-// scene looks by that in the light of a scanner. Lives on the I/O thread.
+// scene looks by that in the light of a scanner. Each world has its own; one thread.
 #pragma once
 
 #include <map>

@@ -64,8 +64,19 @@ std::string warning_of(const std::string& robot, sim::ObjectId all_around,
 
 }  // namespace
 
-PlaceWatch::PlaceWatch(World& world, Worker& worker) : world_(world), worker_(worker) {
+PlaceGlance::PlaceGlance(World& world, Tell tell) : world_(world), tell_(std::move(tell)) {
     world_.on_cast([this](const Cast& cast) { see(cast); });
+}
+
+void PlaceGlance::see(const Cast& cast) {
+    Seen& seen = seen_[cast.sensor];
+    const sim::SharedScene& scene = world_.scene();
+    const glm::dvec3 at_m = cast.scan.world_from_sensor.front().translation_m;
+    const bool jumped = glm::distance(std::exchange(seen.at_m, at_m), at_m) > jump_m;
+    if (!jumped && seen.scene.lock() == scene) return;
+    seen.scene = scene;
+    tell_({cast.robot, cast.sensor, scene, at_m, cast.scan.posed_at.front(),
+           all_around(cast, *scene), world_.body_of(cast.robot)});
 }
 
 std::optional<std::string> PlaceWatch::warning(const std::string& sensor) const {
@@ -74,32 +85,24 @@ std::optional<std::string> PlaceWatch::warning(const std::string& sensor) const 
     return look->second.warning;
 }
 
-void PlaceWatch::see(const Cast& cast) {
-    Look& look = looks_[cast.sensor];
-    const sim::SharedScene& scene = world_.scene();
-    const glm::dvec3 at_m = cast.scan.world_from_sensor.front().translation_m;
-    const bool jumped = glm::distance(std::exchange(look.at_m, at_m), at_m) > jump_m;
-    if (!jumped && look.scene.lock() == scene) return;
-    look.scene = scene;
-    latest_ = cast.scan.posed_at.front();
-    waiting_.push_back({cast.robot, cast.sensor, scene, at_m, all_around(cast, *scene),
-                        world_.body_of(cast.robot)});
+void PlaceWatch::look_at(NewPlace place) {
+    waiting_.push_back(std::move(place));
     if (waiting_.size() == 1) worker_.add([this] { return answer(); });
 }
 
 Worker::Work PlaceWatch::answer() {
-    return [this, scene = world_.scene(), poses = world_.poses_at(latest_),
-            questions = std::exchange(waiting_, {})]() -> Worker::Finish {
+    return [this, scene = world_.scene(), poses = world_.poses_at(waiting_.back().time),
+            places = std::exchange(waiting_, {})]() -> Worker::Finish {
         std::map<std::string, std::string> warnings;
-        for (const Question& asked : questions) {
+        for (const NewPlace& place : places) {
             // The scene was replaced meanwhile; the sensor will be looked at in the new one.
-            if (asked.scene.lock() != scene) continue;
-            std::string& warning = warnings[asked.sensor];
-            const auto odd = sim::odd_place(*scene, poses, asked.at_m, asked.body);
+            if (place.scene.lock() != scene) continue;
+            std::string& warning = warnings[place.sensor];
+            const auto odd = sim::odd_place(*scene, poses, place.at_m, place.body);
             if (odd) {
-                warning = warning_of(asked.robot, *odd, *scene);
-            } else if (asked.all_around) {
-                warning = warning_of(asked.robot, *asked.all_around, *scene);
+                warning = warning_of(place.robot, *odd, *scene);
+            } else if (place.all_around) {
+                warning = warning_of(place.robot, *place.all_around, *scene);
             }
         }
         return [this, warnings = std::move(warnings)] {

@@ -5,6 +5,7 @@
 // value; any thread.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ namespace scipd::daemon {
 
 struct RequestedBackend {
     std::string sensor;                  ///< "rescue/front"
+    std::size_t shard = 0;               ///< that it lives on
     std::optional<std::string> backend;  ///< its name; nothing: `auto`
     sim::DepthOptions depth;
     // What `auto` is measured with.

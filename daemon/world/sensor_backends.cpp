@@ -10,10 +10,18 @@
 namespace scipd::daemon {
 
 void SensorBackends::assign(const std::string& sensor, std::shared_ptr<sim::RangeBackend> backend,
-                            SharedChoice choice) {
+                            SharedChoice choice, std::size_t shard) {
     if (std::ranges::find(backends_, backend.get()) == backends_.end())
         backends_.push_back(backend.get());
-    sensors_[sensor] = {std::move(backend), std::move(choice)};
+    sensors_[sensor] = {std::move(backend), std::move(choice), shard};
+}
+
+SensorBackends SensorBackends::of_shard(std::size_t shard) const {
+    SensorBackends some;
+    for (const auto& [sensor, assigned] : sensors_) {
+        if (assigned.shard == shard) some.assign(sensor, assigned.backend, assigned.choice, shard);
+    }
+    return some;
 }
 
 void SensorBackends::log_changes_since(const SensorBackends& before) const {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Which backend casts for which sensor, in one scene. Sensors that ask for the same share one.
-// Made on any thread (BackendMaker), used on one at a time.
+// Which backend casts for which sensor, in one scene. Sensors of a shard that ask for the same
+// share one. Made on any thread (BackendMaker); those of a shard are used on one at a time.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
@@ -20,7 +21,10 @@ namespace scipd::daemon {
 class SensorBackends {
   public:
     void assign(const std::string& sensor, std::shared_ptr<sim::RangeBackend> backend,
-                SharedChoice choice);
+                SharedChoice choice, std::size_t shard = 0);
+
+    /// Those of the sensors that live there.
+    [[nodiscard]] SensorBackends of_shard(std::size_t shard) const;
 
     // Of a sensor that a backend was assigned to.
     [[nodiscard]] sim::RangeBackend& of(std::string_view sensor) {
@@ -40,6 +44,7 @@ class SensorBackends {
     struct Assigned {
         std::shared_ptr<sim::RangeBackend> backend;
         SharedChoice choice;
+        std::size_t shard = 0;
     };
 
     std::vector<sim::RangeBackend*> backends_;  ///< each once

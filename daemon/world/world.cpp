@@ -59,7 +59,7 @@ SensorBackends World::replace_scene(sim::SharedScene scene, SensorBackends backe
                                     const std::set<std::string>& placed_anew, sim::Time now) {
     scene_ = std::move(scene);
     names_ = sim::without_shapes(*scene_);
-    SensorBackends old = replace_backends(std::move(backends));
+    SensorBackends old = exchange_backends(std::move(backends));
     auto before = std::exchange(movable_, {});
     const std::vector<double> radii = radii_m(*scene_);
     for (sim::ModelId id = 0; id < scene_->models.size(); ++id) {
@@ -77,14 +77,42 @@ SensorBackends World::replace_scene(sim::SharedScene scene, SensorBackends backe
         movable_.emplace(name, std::move(model));
     }
     find_carriers();
+    tell(
+        [&, now](World& copy) {
+            (void)copy.replace_scene(scene_, backends_.of_shard(*copy.shard_), placed_anew, now);
+        },
+        Haste::now);
     return old;
 }
 
 SensorBackends World::replace_backends(SensorBackends backends) {
-    SensorBackends old = std::exchange(backends_, std::move(backends));
-    backends_.log_changes_since(old);
-    old.leave_thread();
+    SensorBackends old = exchange_backends(std::move(backends));
+    tell([this](World& copy) { (void)copy.replace_backends(backends_.of_shard(*copy.shard_)); },
+         Haste::now);
     return old;
+}
+
+// Backends of an original are at work in its copies.
+SensorBackends World::exchange_backends(SensorBackends backends) {
+    SensorBackends old = std::exchange(backends_, std::move(backends));
+    if (!shard_) backends_.log_changes_since(old);
+    if (!on_change_) old.leave_thread();
+    return old;
+}
+
+void World::set_materials(const sim::SharedMaterials& materials) {
+    light_.set_materials(materials);
+    tell([&](World& copy) { copy.set_materials(materials); }, Haste::now);
+}
+
+void World::set_media(const std::vector<sim::Medium>& media) {
+    light_.set_media(media);
+    tell([&](World& copy) { copy.set_media(media); }, Haste::now);
+}
+
+void World::configure_media(const std::vector<sim::Medium>& media) {
+    light_.configure_media(media);
+    tell([&](World& copy) { copy.configure_media(media); }, Haste::now);
 }
 
 void World::set_robots(const std::map<std::string, RobotStart>& robots) {
@@ -96,6 +124,7 @@ void World::set_robots(const std::map<std::string, RobotStart>& robots) {
             name, Robot{start, sim::PoseTrack(start.world_from_robot, start.policy)});
     }
     find_carriers();
+    tell([&](World& copy) { copy.set_robots(robots); }, Haste::now);
 }
 
 void World::find_carriers() {
@@ -146,7 +175,11 @@ Placed World::place_robot(std::string_view name, const Placement& placement) {
             Reason::unknown, "robot",
             "robot: there is no \"" + std::string(name) + "\"; robots are " + names_of(robots_));
     }
-    return place(found->second.track, placement);
+    return place(found->second.track, placement).map([&] {
+        tell([name = found->first,
+              placement](World& copy) { (void)copy.place_robot(name, placement); },
+             Haste::soon);
+    });
 }
 
 Placed World::place_only_robot(const Placement& placement) {
@@ -154,7 +187,7 @@ Placed World::place_only_robot(const Placement& placement) {
         return refuse(Reason::unknown, "robot",
                       "robot: say which; robots are " + names_of(robots_));
     }
-    return place(robots_.begin()->second.track, placement);
+    return place_robot(robots_.begin()->first, placement);
 }
 
 Placed World::place_model(std::string_view name, const Placement& placement) {
@@ -171,9 +204,12 @@ Placed World::place_model(std::string_view name, const Placement& placement) {
     }
     if (found->second.follows_script()) {
         end_script(found->second, placement);
-        return {};
+    } else if (Placed placed = place(found->second.track, placement); !placed) {
+        return placed;
     }
-    return place(found->second.track, placement);
+    tell([name = found->first, placement](World& copy) { (void)copy.place_model(name, placement); },
+         Haste::soon);
+    return {};
 }
 
 // Keeps its recent motion, for sweeps that are measured later.

@@ -3,9 +3,11 @@
 //
 // The world as it is now: the loaded scene, the places of its robots and movable models, and the
 // backends that cast into it. A scene is never changed: another one is made elsewhere and swapped
-// in whole. Lives on the I/O thread.
+// in whole. Where sensors live on several threads, each thread has a copy of the world that the I/O
+// thread changes. One thread.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <optional>
@@ -17,7 +19,9 @@
 
 #include "daemon/world/cast.h"
 #include "daemon/world/light.h"
+#include "daemon/world/movable_model.h"
 #include "daemon/world/placement.h"
+#include "daemon/world/robot.h"
 #include "daemon/world/sensor_backends.h"
 #include "sim/backends/range_backend.h"
 #include "sim/time.h"
@@ -29,17 +33,25 @@
 
 namespace scipd::daemon {
 
-/// A robot as it is configured.
-struct RobotStart {
-    sim::Pose world_from_robot;  ///< where it starts
-    sim::PosePolicy policy;
-    std::string body;  ///< the movable model that moves with it; empty: it has none
-
-    bool operator==(const RobotStart&) const = default;
-};
-
 class World {
   public:
+    World() = default;
+    /// A copy, for the sensors of this shard: it is as the original is, as long as it is told of
+    /// every change.
+    explicit World(std::size_t shard) : shard_(shard) {}
+
+    /// What has been done to a world, to be done to its copies.
+    using Change = std::function<void(World& copy)>;
+    enum class Haste {
+        soon,
+        now,  ///< the original must not go on before
+    };
+    /// `callback` is called after each change. From then on this is an original, in which nothing
+    /// is cast.
+    void on_change(std::function<void(const Change&, Haste)> callback) {
+        on_change_ = std::move(callback);
+    }
+
     /// Puts another scene in place of this one, with the backends made for it. Robots stay where
     /// they are. A movable model stays, and goes on with its script, if the old scene had it with
     /// the same start and script and it is not in `placed_anew`; any other starts where the new
@@ -54,6 +66,10 @@ class World {
 
     [[nodiscard]] Light& light() { return light_; }
     [[nodiscard]] const Light& light() const { return light_; }
+    /// As those of Light, for copies as well.
+    void set_materials(const sim::SharedMaterials& materials);
+    void set_media(const std::vector<sim::Medium>& media);
+    void configure_media(const std::vector<sim::Medium>& media);
 
     /// The robots are these from now on. One that was there before stays where it is, unless its
     /// configuration has changed.
@@ -107,36 +123,16 @@ class World {
                                                  sim::ModelId except = sim::no_model);
 
   private:
-    struct Robot {
-        RobotStart start;
-        sim::PoseTrack track;
-    };
-
-    struct MovableModel {
-        sim::ModelId id;
-        sim::Pose start;
-        double radius_m;       ///< of all its points around its origin
-        sim::PoseTrack track;  ///< its own; a body moves along that of its robot
-        sim::SharedScript script;
-        sim::Time begun{};    ///< when its script began
-        bool placed = false;  ///< a pose has moved it
-        const Robot* carrier = nullptr;
-
-        [[nodiscard]] const sim::PoseTrack& path() const {
-            return carrier != nullptr ? carrier->track : track;
-        }
-        [[nodiscard]] bool follows_script() const {
-            return script != nullptr && !placed && carrier == nullptr;
-        }
-        [[nodiscard]] sim::Pose at(sim::Time time) const {
-            return follows_script() ? script->at(begun, time) : path().at(time);
-        }
-    };
-
+    void tell(const Change& change, Haste haste) const {
+        if (on_change_) on_change_(change, haste);
+    }
+    [[nodiscard]] SensorBackends exchange_backends(SensorBackends backends);
     void find_carriers();
     void end_script(MovableModel& model, const Placement& placement);
     Placed place(sim::PoseTrack& track, const Placement& placement);
 
+    std::optional<std::size_t> shard_;
+    std::function<void(const Change&, Haste)> on_change_;
     sim::SharedScene scene_;
     sim::SharedScene names_;  ///< scene_ without shapes
     std::map<std::string, Robot, std::less<>> robots_;

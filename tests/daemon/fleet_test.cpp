@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -37,7 +38,8 @@ using tests::ScannerWire;
 using tests::why_not;
 namespace fs = std::filesystem;
 
-class FleetTest : public testing::Test {
+/// By how many threads sensors live on.
+class FleetTest : public testing::TestWithParam<std::size_t> {
   protected:
     ~FleetTest() override {
         fleet_.stop();
@@ -72,10 +74,12 @@ class FleetTest : public testing::Test {
         return api_.status().sensors.at(index);
     }
 
+    static std::uint16_t port_of(const std::string& address) {
+        return static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1)));
+    }
+
     [[nodiscard]] ScannerWire connect(std::size_t index = 0) const {
-        const std::string address = *sensor(index).tcp;
-        return ScannerWire::tcp(
-            static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1))));
+        return ScannerWire::tcp(port_of(*sensor(index).tcp));
     }
 
     bool streams(ScannerWire& wire) {
@@ -105,12 +109,15 @@ class FleetTest : public testing::Test {
 
     boost::asio::io_context io_;
     tests::TempDir directory_;
-    Fleet fleet_{io_.get_executor(), ClockKind::wall};
+    Fleet fleet_{io_.get_executor(), ClockKind::wall, nullptr, GetParam()};
     FleetApi api_{fleet_.simulation()};
 };
 
+INSTANTIATE_TEST_SUITE_P(Threads, FleetTest, testing::Values(1, 3),
+                         testing::PrintToStringParamName());
+
 // A hundred scanners of a fleet are not measured a hundred times.
-TEST_F(FleetTest, MeasuresBackendsOnceForSensorsThatAskAlike) {
+TEST_P(FleetTest, MeasuresBackendsOnceForSensorsThatAskAlike) {
     SensorConfig other = on_tcp("other");
     other.model = find_model("URG-04LX");
     fleet_.apply(of({on_tcp("a"), on_tcp("b"), other}));
@@ -125,13 +132,16 @@ TEST_F(FleetTest, MeasuresBackendsOnceForSensorsThatAskAlike) {
 
 std::vector<protocol::Uptime> phases(Fleet& fleet) {
     std::vector<protocol::Uptime> phases;
-    for (const auto& station : fleet.simulation().stations)
-        phases.push_back(std::get<std::unique_ptr<Device>>(station->sensor)->start_of(0));
+    Simulation& simulation = fleet.simulation();
+    simulation.shards.still([&] {
+        for (const auto& station : simulation.stations)
+            phases.push_back(std::get<std::unique_ptr<Device>>(station->sensor)->start_of(0));
+    });
     return phases;
 }
 
 // If all mirrors were in step, all scans would have to be cast at once.
-TEST_F(FleetTest, SpreadsItsMirrorsOverATurn) {
+TEST_P(FleetTest, SpreadsItsMirrorsOverATurn) {
     std::vector<SensorConfig> sensors;
     for (int i = 0; i < 100; ++i)
         sensors.push_back(on_tcp(std::to_string(i)));
@@ -155,7 +165,7 @@ TEST_F(FleetTest, SpreadsItsMirrorsOverATurn) {
     EXPECT_EQ(phases(lockstep), (std::vector<protocol::Uptime>{0ms, 0ms}));
 }
 
-TEST_F(FleetTest, TellsWhatThereIs) {
+TEST_P(FleetTest, TellsWhatThereIs) {
     fleet_.apply(of({on_tcp("front"), on_tty("rear")}));
     const FleetStatus status = api_.status();
     ASSERT_EQ(status.sensors.size(), 2U);
@@ -178,7 +188,7 @@ TEST_F(FleetTest, TellsWhatThereIs) {
 }
 
 // A pose for each beam of six cameras takes a while to measure; who asks meanwhile comes first.
-TEST_F(FleetTest, MeasuresBackendsBehindWhatIsAskedForMeanwhile) {
+TEST_P(FleetTest, MeasuresBackendsBehindWhatIsAskedForMeanwhile) {
     std::vector<SensorConfig> cameras;
     for (int i = 0; i < 6; ++i) {
         SensorConfig camera = ideal_camera(1000, 8.0);
@@ -201,11 +211,11 @@ TEST_F(FleetTest, MeasuresBackendsBehindWhatIsAskedForMeanwhile) {
     // And not again without a reason: what is settled goes with the sensors.
     Config same = of(cameras);
     same.scene = SCIPD_SCENES "/corridor.sdf";
-    fleet_.apply(make_plan(same, fleet_.simulation().settled_backends()));
+    fleet_.apply(make_plan(same, fleet_.simulation().settled_backends(), {}, fleet_.homes()));
     EXPECT_TRUE(measured());
 }
 
-TEST_F(FleetTest, TakesAWorldOfAnyKind) {
+TEST_P(FleetTest, TakesAWorldOfAnyKind) {
     Config config = of({on_tcp("front")});
     config.scene = SCIPD_SCENES "/office_map.yaml";
     EXPECT_EQ(make_plan(config).loaded.scene->name, "office_map");
@@ -213,7 +223,7 @@ TEST_F(FleetTest, TakesAWorldOfAnyKind) {
     EXPECT_EQ(make_plan(config).loaded.scene->name, "rescue_maze_terrain");
 }
 
-TEST_F(FleetTest, LoadsOtherWorldsAndModelsInTheWayOfItsConfiguration) {
+TEST_P(FleetTest, LoadsOtherWorldsAndModelsInTheWayOfItsConfiguration) {
     const std::string model =
         "<model name='m'><link name='l'><visual name='seen'><geometry><box><size>1 1 1</size></box>"
         "</geometry></visual><collision name='hit'><geometry><box><size>2 2 2</size></box>"
@@ -240,7 +250,7 @@ TEST_F(FleetTest, LoadsOtherWorldsAndModelsInTheWayOfItsConfiguration) {
     EXPECT_EQ(api_.scene().scene->materials.back().name, "brick");
 }
 
-TEST_F(FleetTest, SaysWhichBodiesAnotherWorldLacks) {
+TEST_P(FleetTest, SaysWhichBodiesAnotherWorldLacks) {
     Config config = of({on_tcp("front")});
     config.robots[0].body = "box";
     fleet_.apply(config);
@@ -251,7 +261,7 @@ TEST_F(FleetTest, SaysWhichBodiesAnotherWorldLacks) {
     EXPECT_THAT(after(LoadWorld{SCIPD_SCENES "/square_room.sdf"}).messages, testing::IsEmpty());
 }
 
-TEST_F(FleetTest, KeepsWhatDidNotChange) {
+TEST_P(FleetTest, KeepsWhatDidNotChange) {
     const SensorConfig front = on_tcp("front");
     fleet_.apply(of({front, on_tty("rear")}));
     const std::string address = *sensor().tcp;
@@ -275,7 +285,7 @@ TEST_F(FleetTest, KeepsWhatDidNotChange) {
     EXPECT_EQ(sensor().clients, 0U);
 }
 
-TEST_F(FleetTest, ChangesNothingWhereSomethingFails) {
+TEST_P(FleetTest, ChangesNothingWhereSomethingFails) {
     fleet_.apply(of({on_tcp("front")}));
     ScannerWire wire = connect();
     ASSERT_TRUE(streams(wire));
@@ -286,9 +296,7 @@ TEST_F(FleetTest, ChangesNothingWhereSomethingFails) {
     EXPECT_THROW(fleet_.apply(lost_world), sim::LoadError);
 
     SensorConfig taken = on_tcp("taken");
-    const std::string address = *sensor().tcp;
-    taken.tcp->port =
-        static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1)));
+    taken.tcp->port = port_of(*sensor().tcp);
     EXPECT_THROW(fleet_.apply(of({on_tty("rear"), taken})), std::runtime_error);
 
     EXPECT_FALSE(fs::is_symlink(directory_.path() / "rear"));
@@ -314,7 +322,7 @@ class FewDescriptors {
     rlimit before_{};
 };
 
-TEST_F(FleetTest, ChangesNothingWhereDescriptorsRunOutOnTheWay) {
+TEST_P(FleetTest, ChangesNothingWhereDescriptorsRunOutOnTheWay) {
     const SensorConfig kept = on_tcp("kept");
     fleet_.apply(of({kept, on_tty("changed"), on_tty("gone")}));
     ScannerWire stream = connect();
@@ -326,7 +334,8 @@ TEST_F(FleetTest, ChangesNothingWhereDescriptorsRunOutOnTheWay) {
     Config next = of({kept, changed, on_tty("new"), on_tcp("more")});
     next.robots[0].poses = PoseSource{.address = {"127.0.0.1", 0}, .file = {}};
     const auto try_with = [&](rlim_t more) {
-        FleetPlan plan = make_plan(next, fleet_.simulation().settled_backends());
+        FleetPlan plan =
+            make_plan(next, fleet_.simulation().settled_backends(), {}, fleet_.homes());
         const FewDescriptors few(more);
         try {
             fleet_.apply(std::move(plan));
@@ -357,7 +366,7 @@ TEST_F(FleetTest, ChangesNothingWhereDescriptorsRunOutOnTheWay) {
     EXPECT_TRUE(fs::is_symlink(directory_.path() / "new"));
 }
 
-TEST_F(FleetTest, HandsAPortToAnotherScanner) {
+TEST_P(FleetTest, HandsAPortToAnotherScanner) {
     SensorConfig front = on_tty("tty");
     fleet_.apply(of({front}));
     ScannerWire wire = ScannerWire::tty(*sensor().pty);
@@ -371,7 +380,36 @@ TEST_F(FleetTest, HandsAPortToAnotherScanner) {
     EXPECT_TRUE(answers(wire, "UTM-30LX"));
 }
 
-TEST_F(FleetTest, HandsAPortOnWithoutTheFaultsOfTheScannerBefore) {
+// Each scanner stays where its tty is, and the other one's port comes to it, on another thread.
+TEST_P(FleetTest, LetsScannersExchangeTheirPorts) {
+    SensorConfig a = on_tty("a");
+    SensorConfig b = on_tty("b");
+    b.model = find_model("UTM-30LX");
+    a.tcp = b.tcp = Address{"127.0.0.1", 0};
+    {
+        Fleet finds_free_ones{io_.get_executor(), ClockKind::wall};
+        SensorConfig c = on_tcp("c");
+        finds_free_ones.apply(of({c, on_tcp("d")}));
+        const FleetApi api{finds_free_ones.simulation()};
+        a.tcp->port = port_of(*api.status().sensors[0].tcp);
+        b.tcp->port = port_of(*api.status().sensors[1].tcp);
+    }
+    fleet_.apply(of({a, b}));
+    ScannerWire before = connect(0);
+    EXPECT_TRUE(answers(before, "UST-10LX"));
+
+    std::swap(a.tcp, b.tcp);
+    fleet_.apply(of({a, b}));
+    EXPECT_EQ(port_of(*sensor(0).tcp), a.tcp->port);
+    ScannerWire to_a = connect(0);
+    ScannerWire to_b = connect(1);
+    EXPECT_TRUE(answers(to_a, "UST-10LX"));
+    EXPECT_TRUE(answers(to_b, "UTM-30LX"));
+    ScannerWire tty = ScannerWire::tty(*sensor(1).pty);
+    EXPECT_TRUE(answers(tty, "UTM-30LX"));
+}
+
+TEST_P(FleetTest, HandsAPortOnWithoutTheFaultsOfTheScannerBefore) {
     Config config = of({on_tty("tty")});
     config.scenario =
         directory_.write("bad_day.yaml", "steps: [{sensor: '*', kind: delay, ms: 1}]\n");
@@ -388,7 +426,7 @@ TEST_F(FleetTest, HandsAPortOnWithoutTheFaultsOfTheScannerBefore) {
     EXPECT_GE(std::chrono::steady_clock::now() - begin, 200ms);
 }
 
-TEST_F(FleetTest, MovesRobotsForTheControlApi) {
+TEST_P(FleetTest, MovesRobotsForTheControlApi) {
     fleet_.apply(of({on_tcp("front")}));
     EXPECT_FALSE(api_.robot_pose("nobody"));
     EXPECT_EQ(api_.robot_pose("rescue")->pose, sim::Pose{});
@@ -404,7 +442,7 @@ TEST_F(FleetTest, MovesRobotsForTheControlApi) {
     EXPECT_EQ(api_.status().poses.refused, 1U);
 }
 
-TEST_F(FleetTest, KeepsThePoseFeedsThatStay) {
+TEST_P(FleetTest, KeepsThePoseFeedsThatStay) {
     const tests::UdpSender sender;
     Config config = of({on_tcp("front")});
     PoseSource source;
@@ -428,7 +466,7 @@ TEST_F(FleetTest, KeepsThePoseFeedsThatStay) {
 }
 
 // To each robot its own.
-TEST_F(FleetTest, KeepsThePortsForPosesThatTheSystemChose) {
+TEST_P(FleetTest, KeepsThePortsForPosesThatTheSystemChose) {
     Config config = of({on_tcp("front")}, "a");
     config.robots[0].poses = PoseSource{.address = {"127.0.0.1", 0}, .file = {}};
     fleet_.apply(config);
@@ -444,7 +482,7 @@ TEST_F(FleetTest, KeepsThePortsForPosesThatTheSystemChose) {
     EXPECT_EQ(fleet_.pose_addresses().size(), 1U);
 }
 
-TEST_F(FleetTest, HandsAPoseAddressOnToARenamedRobot) {
+TEST_P(FleetTest, HandsAPoseAddressOnToARenamedRobot) {
     const tests::UdpSender sender;
     PoseSource source;
     source.address = Address{"127.0.0.1", sender.port()};
@@ -459,7 +497,7 @@ TEST_F(FleetTest, HandsAPoseAddressOnToARenamedRobot) {
     EXPECT_FALSE(api_.robot_pose("rescue"));
 }
 
-TEST_F(FleetTest, LeavesNothingBehind) {
+TEST_P(FleetTest, LeavesNothingBehind) {
     fleet_.apply(of({on_tcp("front"), on_tty("rear")}));
     fleet_.stop();
     EXPECT_TRUE(api_.status().sensors.empty());

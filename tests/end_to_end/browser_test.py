@@ -29,6 +29,7 @@ POSE = "/robots/robot/pose"
 EVIL = "evil.example"
 PAGE = pathlib.Path(__file__).with_name("attack.html").read_bytes()
 
+
 def successes(told):
     """An opaque answer is read as nothing, and a problem document tells nothing but that scipd refuses."""
     def refused(text):

@@ -67,8 +67,9 @@ class Scipd:
         self.standard_error = open(reading, "rb", buffering=0)
         try:
             fcntl.fcntl(writing, fcntl.F_SETPIPE_SZ, STDERR_PIPE_BYTES)
-            self.process = subprocess.Popen([program, "--config", str(self.file)], stdout=subprocess.PIPE,
-                                            stderr=writing, stdin=subprocess.DEVNULL)
+            # More than most machines of the tests have.
+            self.process = subprocess.Popen([program, "--config", str(self.file), "--threads", "4"],
+                                            stdout=subprocess.PIPE, stderr=writing, stdin=subprocess.DEVNULL)
         finally:
             os.close(writing)
         self.pid = self.process.pid

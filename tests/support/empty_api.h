@@ -28,13 +28,10 @@ class EmptyFaults : public daemon::FaultsApi {
     [[nodiscard]] std::vector<daemon::FaultStatus> list(const std::string&) const override {
         return {};
     }
-    [[nodiscard]] const daemon::FaultLog& log(const std::string&) const override { return log_; }
+    [[nodiscard]] daemon::FaultLog::Entries log(const std::string&) const override { return {}; }
     void run(daemon::Scenario) override {}
     void stop_scenario() override {}
     [[nodiscard]] std::optional<daemon::ScenarioStatus> scenario() const override { return {}; }
-
-  private:
-    daemon::FaultLog log_;
 };
 
 class EmptyApi : public daemon::Api {

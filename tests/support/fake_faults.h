@@ -36,7 +36,9 @@ class FakeFaults : public EmptyFaults {
             list.push_back(fault);
         return list;
     }
-    [[nodiscard]] const daemon::FaultLog& log(const std::string&) const override { return entries; }
+    [[nodiscard]] daemon::FaultLog::Entries log(const std::string&) const override {
+        return entries.entries();
+    }
 
     void run(daemon::Scenario scenario) override { running = std::move(scenario); }
     void stop_scenario() override { running->steps.clear(); }

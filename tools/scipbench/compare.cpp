@@ -97,10 +97,8 @@ Comparison compare(std::string backend, const Scans& scans, const Scans& truth,
         }
     }
     std::ranges::sort(away_m);
-    for (std::size_t k = 0; k < it.off_m.size() && !away_m.empty(); ++k) {
-        constexpr std::array shares{0.5, 0.99, 0.999, 1.0};
-        it.off_m[k] = away_m[static_cast<std::size_t>(shares[k] * double(away_m.size() - 1))];
-    }
+    it.off_m = {at_share(away_m, 0.5), at_share(away_m, 0.99), at_share(away_m, 0.999),
+                at_share(away_m, 1.0)};
     return it;
 }
 

@@ -12,16 +12,15 @@
 #include "sim/backends/registry.h"
 #include "sim/sensor/scanner.h"
 #include "tools/scipbench/free_poses.h"
+#include "tools/scipbench/spread.h"
 
 namespace scipd::tools {
 namespace {
 
 /// Reorders the numbers.
 std::array<double, 2> median_and_p99(std::vector<double>& off) {
-    if (off.empty()) return {};
     std::ranges::sort(off);
-    const auto last = static_cast<double>(off.size() - 1);
-    return {off[static_cast<std::size_t>(0.5 * last)], off[static_cast<std::size_t>(0.99 * last)]};
+    return {at_share(off, 0.5), at_share(off, 0.99)};
 }
 
 class Stages {

@@ -87,11 +87,7 @@ struct Total {
         std::ranges::sort(delays_ms);
     }
 
-    [[nodiscard]] double delay_ms(double share) const {
-        if (delays_ms.empty()) return 0.0;
-        return delays_ms[static_cast<std::size_t>(share *
-                                                  static_cast<double>(delays_ms.size() - 1))];
-    }
+    [[nodiscard]] double delay_ms(double share) const { return at_share(delays_ms, share); }
 };
 
 void print_unsound(const StreamReport& stream, std::ostream& out) {

@@ -12,6 +12,12 @@
 
 namespace scipd::tools {
 
+/// The value at this share of the sorted values, from the least to the greatest; 0 of none.
+inline double at_share(const std::vector<double>& sorted, double share) {
+    if (sorted.empty()) return 0.0;
+    return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+}
+
 /// The median of many measurements, and the range that holds eight of ten.
 struct Spread {
     double median = 0.0;
@@ -20,12 +26,8 @@ struct Spread {
 };
 
 inline Spread spread_of(std::vector<double> values) {
-    if (values.empty()) return {};
     std::ranges::sort(values);
-    const auto at = [&](double share) {
-        return values[static_cast<std::size_t>(share * double(values.size() - 1))];
-    };
-    return {at(0.5), at(0.1), at(0.9)};
+    return {at_share(values, 0.5), at_share(values, 0.1), at_share(values, 0.9)};
 }
 
 /// The value with this many significant digits, without an exponent.

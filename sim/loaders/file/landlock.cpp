@@ -30,11 +30,13 @@ constexpr std::uint64_t held =
 /// What is not there needs no rule.
 void allow(int rules, const fs::path& path, std::uint64_t access) {
     const int file = open(path.c_str(), O_PATH | O_CLOEXEC);
+    if (file < 0) return;
     struct stat status {};
-    if (file < 0 || fstat(file, &status) != 0) return;
-    if (!S_ISDIR(status.st_mode)) access &= ~std::uint64_t{LANDLOCK_ACCESS_FS_READ_DIR};
-    const landlock_path_beneath_attr rule{.allowed_access = access, .parent_fd = file};
-    syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &rule, 0);
+    if (fstat(file, &status) == 0) {
+        if (!S_ISDIR(status.st_mode)) access &= ~std::uint64_t{LANDLOCK_ACCESS_FS_READ_DIR};
+        const landlock_path_beneath_attr rule{.allowed_access = access, .parent_fd = file};
+        syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &rule, 0);
+    }
     close(file);
 }
 

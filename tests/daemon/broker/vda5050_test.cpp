@@ -17,8 +17,10 @@ namespace {
 using testing::HasSubstr;
 using namespace std::chrono_literals;
 
-const std::string whole = R"({"headerId":7,"timestamp":"2025-01-31T12:00:01.25Z","version":"2.0.0",
- "manufacturer":"ACME","serialNumber":"tug-1","orderId":"","nodeStates":[{"nodeId":"n1","sequenceId":0,
+const std::string whole =
+    R"({"headerId":7,"timestamp":"2025-01-31T12:00:01.25Z","version":"2.0.0",
+ "manufacturer":"ACME","serialNumber":"tug-1","orderId":"",
+ "nodeStates":[{"nodeId":"n1","sequenceId":0,
  "released":true,"nodePosition":{"x":1,"y":2,"mapId":"hall"}}],"edgeStates":[],"driving":true,
  "agvPosition":{"x":3.5,"y":-2,"theta":1.5707963267948966,"mapId":"hall","positionInitialized":true,
  "localizationScore":0.9},"velocity":{"vx":2.0,"vy":0.0,"omega":0.5},
@@ -66,6 +68,7 @@ TEST(Vda5050, AVehicleThatIsLostIsRefused) {
 }
 
 TEST(Vda5050, ATopicIsThatOfTheStandard) {
+    EXPECT_EQ(vda5050_topic("ACME/tug-1", "east"), "uagv/v2/ACME/tug-1/state");
     EXPECT_EQ(vda5050_topic("ACME", "tug-1"), "uagv/v2/ACME/tug-1/state");
 }
 

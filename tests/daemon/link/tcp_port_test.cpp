@@ -4,6 +4,8 @@
 
 #include <array>
 #include <chrono>
+#include <filesystem>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -21,6 +23,10 @@ namespace {
 using namespace std::chrono_literals;
 using tests::ScannerWire;
 
+std::ptrdiff_t open_descriptors() {
+    return std::ranges::distance(std::filesystem::directory_iterator("/proc/self/fd"));
+}
+
 class TcpPortTest : public testing::Test {
   protected:
     ~TcpPortTest() override {
@@ -33,6 +39,15 @@ class TcpPortTest : public testing::Test {
         const std::string address = port_->address();
         return ScannerWire::tcp(
             static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1))));
+    }
+
+    /// These become its port's limits.
+    std::shared_ptr<Limits> hold_to(Limit limit, int value) {
+        LimitValues values;
+        values[limit] = value;
+        auto limits = std::make_shared<Limits>(values);
+        port_->hold_to(limits);
+        return limits;
     }
 
     /// Whether the answer to VV comes from this model: the end of its PROD.
@@ -107,11 +122,7 @@ TEST_F(TcpPortTest, ServesOneClientAtATime) {
 }
 
 TEST_F(TcpPortTest, LetsAFewWaitInTurnAndClosesTheOthersAtOnce) {
-    const auto limits = std::make_shared<Limits>();
-    LimitValues values;
-    values[Limit::scanner_connections] = 3;
-    limits->set(values);
-    port_->hold_to(limits);
+    const auto limits = hold_to(Limit::scanner_connections, 3);
     port_->serve(device_);
     ScannerWire first = connect();
     EXPECT_TRUE(is_answered_by(first, "UST-10LX"));
@@ -140,11 +151,7 @@ TEST_F(TcpPortTest, LetsAFewWaitInTurnAndClosesTheOthersAtOnce) {
 
 // As a driver does that tries again and again while another one is served.
 TEST_F(TcpPortTest, GivesThePlacesOfThoseWhoHungUpWhileTheyWaitedToOthers) {
-    const auto limits = std::make_shared<Limits>();
-    LimitValues values;
-    values[Limit::scanner_connections] = 5;
-    limits->set(values);
-    port_->hold_to(limits);
+    const auto limits = hold_to(Limit::scanner_connections, 5);
     port_->serve(device_);
     ScannerWire first = connect();
     EXPECT_TRUE(is_answered_by(first, "UST-10LX"));
@@ -169,6 +176,21 @@ TEST_F(TcpPortTest, GivesThePlacesOfThoseWhoHungUpWhileTheyWaitedToOthers) {
     EXPECT_TRUE(comes(waits, "PROD:UST-10LX;"));
     waits.close();
     EXPECT_TRUE(comes(next, "PROD:UST-10LX;"));
+}
+
+TEST_F(TcpPortTest, KeepsNoDescriptorOfThoseWhoSaidNothingAndHungUpOnceTheNextOneComes) {
+    port_->serve(device_);
+    ScannerWire first = connect();
+    EXPECT_TRUE(is_answered_by(first, "UST-10LX"));
+    const auto before = open_descriptors();
+    std::array gone{connect(), connect(), connect()};
+    EXPECT_TRUE(run_until(io_, [&] { return open_descriptors() == before + 6; }));  // two ends each
+    gone[0].close();
+    gone[1].abort();
+    gone[2].close();
+    EXPECT_EQ(open_descriptors(), before + 3);
+    const ScannerWire next = connect();
+    EXPECT_TRUE(run_until(io_, [&] { return open_descriptors() == before + 2; }));
 }
 
 TEST_F(TcpPortTest, AnswersAClientThatSentAllWhileItWaitedWhereNobodyNeedsItsPlace) {
@@ -202,11 +224,7 @@ TEST_F(TcpPortTest, TurnsThoseWhoWaitAwayWhenItRefuses) {
 }
 
 TEST_F(TcpPortTest, RefusesALineThatIsLongerThanItsLimitAsAWrongOne) {
-    const auto limits = std::make_shared<Limits>();
-    LimitValues values;
-    values[Limit::scip_line_bytes] = 40;
-    limits->set(values);
-    port_->hold_to(limits);
+    const auto limits = hold_to(Limit::scip_line_bytes, 40);
     port_->serve(device_);
     ScannerWire wire = connect();
     const std::string longest = "TM0;" + std::string(36, 'x');

@@ -70,21 +70,13 @@ class ReadingForOthers : public testing::Test {
         return text;
     }
 
-    std::string add_text(const std::string& sdf) {
-        AddModel model;
+    std::string add(AddModel model) {
         model.placement.name = "added";
         model.replace = true;
-        model.sdf = sdf;
         return edit(model);
     }
 
-    std::string add_file(const fs::path& file) {
-        AddModel model;
-        model.placement.name = "added";
-        model.replace = true;
-        model.file = file;
-        return edit(model);
-    }
+    std::string add_text(const std::string& sdf) { return add({.sdf = sdf}); }
 
     tests::TempDir dir_;
     const fs::path allowed_ = dir_.path() / "allowed";
@@ -114,10 +106,7 @@ TEST_F(ReadingForOthers, OpensNoFifosAndNoDevices) {
     EXPECT_THAT(add_text(mesh_model("zero.stl")), HasSubstr(not_allowed));
     ::mkfifo((allowed_ / "world.sdf").c_str(), S_IRWXU);
     EXPECT_THAT(edit(LoadWorld{"world.sdf"}), HasSubstr("is a FIFO"));
-    AddModel model;
-    model.placement.name = "added";
-    model.mesh = "fifo.stl";
-    EXPECT_THAT(edit(model), HasSubstr("is a FIFO"));
+    EXPECT_THAT(add({.mesh = "fifo.stl"}), HasSubstr("is a FIFO"));
 }
 
 TEST_F(ReadingForOthers, TakesIncludedModelsOfAllowedFoldersAlone) {
@@ -177,7 +166,7 @@ class XacroForOthers : public ReadingForOthers {
         const auto program = dir_.write("bin/xacro", "#!/bin/sh\n" + script);
         fs::permissions(program, fs::perms::owner_all);
         dir_.write("allowed/robot.urdf.xacro", "<robot name='r'/>");
-        return add_file("robot.urdf.xacro");
+        return add({.file = "robot.urdf.xacro"});
     }
 
     const std::string before_ = std::getenv("PATH");

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/homes.h"
+
+#include <algorithm>
+#include <chrono>
+#include <initializer_list>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "daemon/config/config.h"
+#include "daemon/port_keys.h"
+#include "daemon/shards/spread.h"
+
+namespace scipd::daemon {
+namespace {
+
+/// One sensor of a configuration.
+struct Lodger {
+    std::string name;
+    const SensorConfig* config;
+    PortKeys ports;
+};
+
+std::vector<Lodger> lodgers_of(const Config& config) {
+    std::vector<Lodger> lodgers;
+    for (const RobotConfig& robot : config.robots) {
+        for (const SensorConfig& sensor : robot.sensors) {
+            lodgers.push_back(
+                {sensor_name(robot.name, sensor.name), &sensor, port_keys(robot.name, sensor)});
+        }
+    }
+    return lodgers;
+}
+
+std::optional<std::size_t> held(const Lodger& lodger, const Homes& now) {
+    for (const auto& [places, key] :
+         {std::pair{&now.ports, &lodger.ports.pty}, std::pair{&now.ports, &lodger.ports.tcp},
+          std::pair{&now.sensors, &lodger.name}}) {
+        const auto found = places->find(*key);
+        if (found != places->end()) return found->second;
+    }
+    return std::nullopt;
+}
+
+/// How many beams it fires in a second.
+double cost_of(const SensorConfig& sensor) {
+    const double beams = sensor.staring ? sensor.staring->beams() : sensor.model.optics.beams();
+    const std::chrono::duration<double> period =
+        sensor.staring ? sensor.staring->period : sensor.model.optics.scan_period;
+    return beams / period.count();
+}
+
+/// Who is disturbed by another scanner looks at it while it turns.
+bool live_together(const std::vector<Lodger>& lodgers) {
+    return std::ranges::any_of(lodgers,
+                               [](const Lodger& lodger) { return lodger.config->interference; });
+}
+
+}  // namespace
+
+Homes find_homes(const Config& config, const Homes& now) {
+    const std::vector<Lodger> lodgers = lodgers_of(config);
+    const bool together = live_together(lodgers);
+    std::vector<Burden> burdens;
+    for (const Lodger& lodger : lodgers)
+        burdens.push_back({cost_of(*lodger.config), held(lodger, now)});
+    if (together && std::ranges::any_of(burdens, [](const Burden& b) { return b.held > 0; })) {
+        throw std::runtime_error(
+            "interference: scanners that disturb each other live on one thread, and these live on "
+            "several by now; start scipd again for that");
+    }
+    const auto shard_of = spread(burdens, together ? 1 : now.shards);
+    Homes next{.shards = now.shards};
+    for (std::size_t i = 0; i < lodgers.size(); ++i) {
+        next.sensors[lodgers[i].name] = shard_of[i];
+        for (const std::string& key : {lodgers[i].ports.tcp, lodgers[i].ports.pty}) {
+            if (!key.empty()) next.ports[key] = shard_of[i];
+        }
+    }
+    return next;
+}
+
+}  // namespace scipd::daemon

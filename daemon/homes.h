@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Which shard each sensor of a configuration lives on, and each port with its sensor. Values; any
+// thread.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+namespace scipd::daemon {
+
+struct Config;
+
+/// Numbers of shards.
+struct Homes {
+    std::size_t shards = 1;                      ///< how many there are
+    std::map<std::string, std::size_t> sensors;  ///< by name
+    std::map<std::string, std::size_t> ports;    ///< by key
+};
+
+/// For this configuration, where those are that run now. A sensor goes where its tty is, or its TCP
+/// port, or its namesake; the others go where there is least to do. Throws std::runtime_error where
+/// sensors that live apart would have to live together.
+[[nodiscard]] Homes find_homes(const Config& config, const Homes& now);
+
+}  // namespace scipd::daemon

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/shards/shard_thread.h"
+
+#include <exception>
+#include <string>
+#include <utility>
+
+#include <boost/asio/post.hpp>
+#include <pthread.h>
+
+namespace scipd::daemon {
+
+ShardThread::ShardThread(std::size_t number, const WallClock& clock,
+                         boost::asio::any_io_executor home)
+    : home_(std::move(home)),
+      clock_(clock, io_.get_executor()),
+      world_(number),
+      shard_{number, io_.get_executor(), world_, clock_},
+      thread_([this] { run(); }) {
+    ::pthread_setname_np(thread_.native_handle(), ("scans " + std::to_string(number)).c_str());
+}
+
+ShardThread::~ShardThread() {
+    join();
+}
+
+void ShardThread::tell(World::Change change) {
+    const std::lock_guard lock(mutex_);
+    changes_.push_back(std::move(change));
+    if (still_) return still_changed_.notify_all();
+    wake();
+}
+
+void ShardThread::halt() {
+    const std::lock_guard lock(mutex_);
+    halted_ = true;
+    wake();
+}
+
+void ShardThread::wait_until_still() {
+    std::unique_lock lock(mutex_);
+    still_changed_.wait(lock, [this] { return still_ && changes_.empty(); });
+}
+
+void ShardThread::go_on() {
+    const std::lock_guard lock(mutex_);
+    halted_ = false;
+    still_changed_.notify_all();
+}
+
+void ShardThread::join() {
+    if (!thread_.joinable()) return;
+    {
+        const std::lock_guard lock(mutex_);
+        ending_ = true;
+        wake();
+    }
+    thread_.join();
+}
+
+// One wake-up does for all that was told since the last look.
+void ShardThread::wake() {
+    if (!called_.exchange(true)) boost::asio::post(io_, [] {});
+}
+
+void ShardThread::run() {
+    while (!ended_) {
+        guarded([this] {
+            if (called_.exchange(false)) answer();
+            if (!ended_) io_.run_one();
+        });
+    }
+}
+
+void ShardThread::answer() {
+    bool changed = false;
+    {
+        std::unique_lock lock(mutex_);
+        do {
+            changed |= take_changes(lock);
+            if (!halted_) break;
+            still_ = true;
+            still_changed_.notify_all();
+            still_changed_.wait(lock, [this] { return !halted_ || !changes_.empty(); });
+            still_ = false;
+        } while (halted_ || !changes_.empty());
+        ended_ = ending_;
+    }
+    if (changed && !ended_) on_changed_();
+}
+
+bool ShardThread::take_changes(std::unique_lock<std::mutex>& lock) {
+    bool any = false;
+    while (!changes_.empty()) {
+        any = true;
+        const auto changes = std::exchange(changes_, {});
+        lock.unlock();
+        for (const World::Change& change : changes)
+            guarded([&] { change(world_); });
+        lock.lock();
+    }
+    return any;
+}
+
+template <class Act>
+void ShardThread::guarded(Act act) {
+    try {
+        act();
+    } catch (...) {
+        boost::asio::post(home_,
+                          [thrown = std::current_exception()] { std::rethrow_exception(thrown); });
+    }
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// One shard: a thread that runs the handlers of its sensors, and a copy of the world that only this
+// thread touches. Others tell it what changes in the world, and may have it stand still between two
+// handlers. All that is public may be called from the I/O thread; nothing else calls it.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+
+#include "daemon/clock/wall_clock.h"
+#include "daemon/shards/shard.h"
+
+namespace scipd::daemon {
+
+class ShardThread {
+  public:
+    /// Runs from here on. Exceptions of handlers are thrown again in `home`.
+    ShardThread(std::size_t number, const WallClock& clock, boost::asio::any_io_executor home);
+    ShardThread(const ShardThread&) = delete;
+    ShardThread& operator=(const ShardThread&) = delete;
+    /// As join().
+    ~ShardThread();
+
+    [[nodiscard]] Shard& shard() { return shard_; }
+    /// Called on its thread, after changes. To be set before anything lives here, or while it
+    /// stands still.
+    void on_changed(std::function<void()> callback) { on_changed_ = std::move(callback); }
+
+    /// What is told first is done first, before the next handler.
+    void tell(World::Change change);
+
+    /// It stands still as soon as the handler that runs now has ended.
+    void halt();
+    /// Returns when it stands still, and all that it was told is done.
+    void wait_until_still();
+    void go_on();
+
+    /// Runs no handler any more, and has ended when this returns.
+    void join();
+
+  private:
+    void run();
+    /// Takes what it was told, and stands still as long as it is to.
+    void answer();
+    /// Whether there were any. Unlocks meanwhile.
+    bool take_changes(std::unique_lock<std::mutex>& lock);
+    template <class Act>
+    void guarded(Act act);
+    void wake();
+
+    boost::asio::any_io_executor home_;
+    boost::asio::io_context io_{1};
+    boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_{
+        io_.get_executor()};
+    WallClock clock_;
+    World world_;
+    Shard shard_;
+    std::function<void()> on_changed_ = [] {};
+
+    std::atomic<bool> called_ = false;  ///< there is something below to look at
+    std::mutex mutex_;
+    std::condition_variable still_changed_;
+    std::vector<World::Change> changes_;
+    bool halted_ = false;
+    bool still_ = false;
+    bool ending_ = false;
+
+    bool ended_ = false;  ///< its own copy of that
+    std::thread thread_;  ///< last: it uses all of the above
+};
+
+}  // namespace scipd::daemon

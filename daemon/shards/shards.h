@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// All shards of a simulation, as the I/O thread sees them. It tells them what changes in the world,
+// and may touch what lives on them while they stand still. With one shard there is no other thread:
+// sensors live on the I/O thread, in the world that is there, and standing still costs nothing.
+// Lives on the I/O thread.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "daemon/shards/shard.h"
+#include "daemon/shards/shard_thread.h"
+
+namespace scipd::daemon {
+
+class Shards {
+  public:
+    /// One: sensors live here, in this world. More: as many threads, each with a copy of it, which
+    /// must not have begun to change.
+    Shards(const boost::asio::any_io_executor& home, World& world, Clock& clock,
+           const WallClock& wall_clock, std::size_t count);
+    Shards(const Shards&) = delete;
+    Shards& operator=(const Shards&) = delete;
+    ~Shards();
+
+    [[nodiscard]] std::size_t size() const { return threads_.empty() ? 1 : threads_.size(); }
+    [[nodiscard]] Shard& at(std::size_t number) {
+        return threads_.empty() ? home_shard_ : threads_[number]->shard();
+    }
+    /// `callback` is called on a shard's thread after poses have come to its world.
+    void on_changed(const std::function<void(std::size_t shard)>& callback);
+
+    /// Calls `act` while every shard stands between two handlers. What is done to the world in it
+    /// is done on all shards before it goes on.
+    template <class Act>
+    decltype(auto) still(Act&& act) {
+        const Stillness stillness(*this);
+        return act();
+    }
+
+    /// Calls it on the I/O thread; any thread may ask. From there it is called at once.
+    void call_home(std::function<void()> call);
+
+    /// No handler of a shard runs any more.
+    void join();
+
+  private:
+    class Stillness {
+      public:
+        explicit Stillness(Shards& shards) : shards_(shards) { shards_.halt(); }
+        Stillness(const Stillness&) = delete;
+        Stillness& operator=(const Stillness&) = delete;
+        ~Stillness() { shards_.go_on(); }
+
+      private:
+        Shards& shards_;
+    };
+
+    void tell(const World::Change& change, World::Haste haste);
+    void halt();
+    void go_on();
+
+    boost::asio::any_io_executor home_;
+    World& world_;
+    Shard home_shard_;
+    std::vector<std::unique_ptr<ShardThread>> threads_;
+    int halts_ = 0;  ///< still() may be called within still()
+    bool joined_ = false;
+};
+
+}  // namespace scipd::daemon

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/shards/shards.h"
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <stdexcept>
+#include <string>
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace scipd::daemon {
+namespace {
+
+using namespace std::chrono_literals;
+
+class ShardsTest : public testing::TestWithParam<std::size_t> {
+  protected:
+    /// A handler that is always there again, and counts without a lock.
+    struct Busy {
+        explicit Busy(const Shard& where) : shard(where) { go_on(); }
+        void go_on() {
+            boost::asio::post(shard.executor, [this] {
+                ++count;
+                if (!ended) go_on();
+            });
+        }
+        const Shard& shard;
+        std::uint64_t count = 0;
+        bool ended = false;
+    };
+
+    void make_busy() {
+        for (std::size_t i = 0; i < shards_.size(); ++i)
+            busy_.push_back(std::make_unique<Busy>(shards_.at(i)));
+    }
+    void run() { io_.run_for(20ms); }
+    ~ShardsTest() override {
+        shards_.still([&] {
+            for (auto& busy : busy_)
+                busy->ended = true;
+        });
+        run();
+        shards_.join();
+    }
+
+    [[nodiscard]] std::vector<double> xs() {
+        std::vector<double> xs;
+        for (std::size_t i = 0; i < shards_.size(); ++i)
+            xs.push_back(shards_.at(i).world.robot("r")->at(1h).translation_m.x);
+        return xs;
+    }
+    void place(double x_m, sim::Time time) {
+        ASSERT_TRUE(
+            world_.place_robot("r", {time, sim::pose_from_rpy({x_m, 0, 0}, {0, 0, 0}), {}, false}));
+    }
+
+    boost::asio::io_context io_;
+    boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_{
+        io_.get_executor()};
+    WallClock clock_{io_.get_executor()};
+    World world_;
+    Shards shards_{io_.get_executor(), world_, clock_, clock_, GetParam()};
+    std::vector<std::unique_ptr<Busy>> busy_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Threads, ShardsTest, testing::Values(1, 2, 5),
+                         testing::PrintToStringParamName());
+
+TEST_P(ShardsTest, AreAsManyAsWereAskedFor) {
+    EXPECT_EQ(shards_.size(), GetParam());
+}
+
+// Counts that go on while they are looked at differ.
+TEST_P(ShardsTest, StandStillWhileSomebodyLooks) {
+    make_busy();
+    std::uint64_t before = 0;
+    for (int look = 0; look < 200; ++look) {
+        if (GetParam() == 1) io_.poll_one();
+        shards_.still([&] {
+            std::array<std::uint64_t, 3> sums{};
+            for (auto& sum : sums) {
+                for (const auto& busy : busy_)
+                    sum += busy->count;
+                std::this_thread::yield();
+            }
+            EXPECT_EQ(sums.front(), sums.back());
+            EXPECT_GE(sums.front(), before);
+            before = sums.front();
+        });
+    }
+    run();
+    shards_.still([&] {
+        for (const auto& busy : busy_)
+            EXPECT_GT(busy->count, 0U);
+    });
+}
+
+TEST_P(ShardsTest, MayBeAskedToStandStillWhileTheyDo) {
+    make_busy();
+    EXPECT_EQ(shards_.still([&] { return shards_.still([] { return 42; }); }), 42);
+}
+
+TEST_P(ShardsTest, SeeEachChangeThatTheyMustNotMissBeforeAnybodyGoesOn) {
+    make_busy();
+    for (int i = 1; i < 50; ++i) {
+        world_.set_robots(
+            {{"r", {.world_from_robot = sim::pose_from_rpy({double(i), 0, 0}, {0, 0, 0})}}});
+        shards_.still([&] { EXPECT_THAT(xs(), testing::Each(i)); });
+    }
+}
+
+TEST_P(ShardsTest, TakePosesInTheirOrder) {
+    make_busy();
+    world_.set_robots({{"r", {}}});
+    for (int i = 1; i <= 1000; ++i)
+        place(i, i * 1ms);
+    shards_.still([&] { EXPECT_THAT(xs(), testing::Each(1000.0)); });
+}
+
+TEST_P(ShardsTest, TakePosesWithinAMomentOfStillness) {
+    make_busy();
+    world_.set_robots({{"r", {}}});
+    shards_.still([&] {
+        place(7, 1ms);
+        EXPECT_THAT(xs(), testing::Each(7.0));
+    });
+}
+
+TEST_P(ShardsTest, AreToldOfPosesOnTheirThread) {
+    std::atomic<int> told = 0;
+    shards_.on_changed([&](std::size_t shard) {
+        EXPECT_LT(shard, GetParam());
+        ++told;
+    });
+    world_.set_robots({{"r", {}}});
+    place(1, 1ms);
+    const auto end = std::chrono::steady_clock::now() + 10s;
+    while (told < static_cast<int>(GetParam()) && std::chrono::steady_clock::now() < end)
+        std::this_thread::yield();
+    EXPECT_GE(told, static_cast<int>(GetParam()));
+}
+
+TEST_P(ShardsTest, ThrowOnTheThreadOfWhoeverRunsThem) {
+    const std::size_t last = shards_.size() - 1;
+    boost::asio::post(shards_.at(last).executor, [] { throw std::runtime_error("a bug"); });
+    EXPECT_THROW(io_.run_for(10s), std::runtime_error);
+    EXPECT_EQ(shards_.still([] { return 1; }), 1);
+}
+
+TEST_P(ShardsTest, CallHome) {
+    const auto here = std::this_thread::get_id();
+    bool called = false;
+    boost::asio::post(shards_.at(shards_.size() - 1).executor, [&] {
+        shards_.call_home([&] {
+            called = std::this_thread::get_id() == here;
+            io_.stop();
+        });
+    });
+    io_.run_for(10s);
+    EXPECT_TRUE(called);
+}
+
+TEST_P(ShardsTest, TellTheSameTime) {
+    const sim::Time now = clock_.now();
+    for (std::size_t i = 0; i < shards_.size(); ++i)
+        EXPECT_LT(shards_.at(i).clock.now() - now, 10s);
+}
+
+TEST_P(ShardsTest, MayBeLookedAtWhenTheyHaveEnded) {
+    shards_.join();
+    EXPECT_EQ(shards_.still([] { return 1; }), 1);
+    world_.set_robots({{"r", {}}});
+}
+
+}  // namespace
+}  // namespace scipd::daemon

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright The scipd authors
+#
+# Whatever the number of threads that scanners live on, they send the same bytes, poses and edits reach all of them,
+# and a reload leaves them in peace. threads_test.py SCIPD SCENE
+import json
+import pathlib
+import signal
+import subprocess
+import sys
+import time
+
+from fault_lab import PATIENCE_S, Client, Lab, Scan, wait_for
+
+THREADS = [1, 2, 5]
+SCANNERS = 7
+SCANS = 60
+COMPARED_UNTIL_MS = 4500  # on the clocks of the scanners, which begin with scipd
+PHASE_MS = 3  # that of every mirror, so that scan n has the same stamp in every run
+
+
+def scanner(i):
+    model = ["UST-10LX", "UTM-30LX", "URG-04LX-UG01"][i % 3]
+    return {"model": model, "tcp": "127.0.0.1:0", "mount": {"xyz": [0, 0.05 * i, 0.3]}, "clock": {"phase_ms": PHASE_MS},
+            "backend": "embree", "accuracy": "material" if i == 0 else "sensor"}
+
+
+def lab(program, scene, threads, **more):
+    return Lab(program, scene, sensors={f"s{i}": scanner(i) for i in range(SCANNERS)}, lockstep=False,
+               options=["--threads", str(threads)], **more)
+
+
+def stream(client, scans=SCANS):
+    """Asks for so many scans; 0: for all that come."""
+    client.ask("BM")
+    steps = "00440725" if "URG-04LX" in client.ask("VV").decode() else "00001080"
+    client.say(f"MD{steps}000{scans:02}")
+
+
+def messages(client):
+    """The scans that have come whole."""
+    return [text for text in client.got.split(b"\n\n")[:-1] if b"\n99b\n" in text]
+
+
+def newest_stamp_ms(client):
+    end = client.got.rfind(b"\n\n")
+    text = client.got[client.got.rfind(b"\n\n", 0, end) + 2:end]
+    return Scan(text).stamp_ms if b"\n99b\n" in text else 0
+
+
+def all_messages(client, scans=SCANS):
+    wait_for(lambda: client.read() and len(messages(client)) == scans, "scans")
+    return messages(client)
+
+
+def scans_of_all(program, scene, threads):
+    with lab(program, scene, threads) as running:
+        clients = [Client(running.address(f"s{i}")) for i in range(SCANNERS)]
+        for client in clients:
+            stream(client, 0)
+        for client in clients:
+            wait_for(lambda: client.read() and newest_stamp_ms(client) > COMPARED_UNTIL_MS, "scans")
+        return [{Scan(text).stamp_ms: text for text in messages(client)} for client in clients]
+
+
+def sends_the_same_bytes(program, scene):
+    runs = [scans_of_all(program, scene, threads) for threads in THREADS]
+    for i in range(SCANNERS):
+        common = set.intersection(*(set(run[i]) for run in runs))
+        assert len(common) >= 15, f"s{i}: only {len(common)} scans to compare"
+        for stamp in common:
+            assert len({run[i][stamp] for run in runs}) == 1, f"s{i}: {stamp} differs"
+    # And not because all of them are alike.
+    assert len({text for run in runs[:1] for scans in run for text in scans.values()}) > 15 * SCANNERS
+
+
+def nearest_m(running, i):
+    """Of one scan that was fired from now on."""
+    client = Client(running.address(f"s{i}"))
+    stream(client, 3)
+    last = Scan(all_messages(client, 3)[-1])
+    client.close()
+    return min(mm for mm in last.ranges if mm > 20) / 1000
+
+
+def tells_all_of_poses_and_edits(program, scene):
+    with lab(program, scene, 4) as running:
+        before = [nearest_m(running, i) for i in range(SCANNERS)]
+        status, said = running.control.ask("PUT", "/robots/robot/pose", {"xyz": [1.2, 0, 0], "rpy": [0, 0, 0]})
+        assert status in (200, 204), said
+        moved = [nearest_m(running, i) for i in range(SCANNERS)]
+        box = ("<model name='b'><static>true</static><pose>1.9 0 0.3 0 0 0</pose><link name='l'><visual name='v'>"
+               "<geometry><box><size>0.2 4 0.6</size></box></geometry></visual></link></model>")
+        status, said = running.control.ask("POST", "/scene/models",
+                                           {"name": "b", "sdf": box, "pose": {"xyz": [1.9, 0, 0.3]}})
+        assert status in (200, 201), said
+        walled = [nearest_m(running, i) for i in range(SCANNERS)]
+        for i in range(SCANNERS):
+            assert before[i] - moved[i] > 0.5, f"s{i} did not move: {before[i]} m, {moved[i]} m"
+            assert abs(walled[i] - 0.6) < 0.1, f"s{i} does not see the wall at 0.6 m: {walled[i]} m"
+
+
+def reloads_in_peace(program, scene):
+    with lab(program, scene, 4) as running:
+        clients = [Client(running.address(f"s{i}")) for i in range(SCANNERS)]
+        for client in clients:
+            stream(client)
+        file = running.folder / "lab.yaml"
+        configuration = json.loads(file.read_text())
+        for i in range(5):
+            configuration["robots"]["robot"]["sensors"][f"more{i}"] = scanner(i)
+            file.write_text(json.dumps(configuration))
+            running.process.send_signal(signal.SIGHUP)
+            wait_for(lambda: len(running.control.ask("GET", "/status")[1]["sensors"]) == SCANNERS + i + 1, "reload")
+        for client in clients:
+            assert len(all_messages(client)) == SCANS
+        lost = [sensor["lost"] for sensor in running.control.ask("GET", "/status")[1]["sensors"]]
+        assert sum(lost) == 0, lost
+
+
+def refuses_what_is_no_number(program, scene):
+    for wrong in ["0", "-1", "many", "5000"]:
+        said = subprocess.run([program, "--threads", wrong], capture_output=True, text=True, timeout=PATIENCE_S)
+        assert said.returncode == 2 and "--threads" in said.stderr, said
+
+
+if __name__ == "__main__":
+    program, scene = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
+    for check in [refuses_what_is_no_number, sends_the_same_bytes, tells_all_of_poses_and_edits, reloads_in_peace]:
+        begin = time.monotonic()
+        check(program, scene)
+        print(f"{check.__name__}: {time.monotonic() - begin:.1f} s")
