@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/broker/shared_poses.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 #include <vector>
@@ -84,6 +85,7 @@ void SharedPoses::put(const Places& places, bool with_own) {
         const bool own = sender == name_;
         if (own && !with_own) continue;
         for (sim::PoseLine& line : poses_in(text)) {
+            if (is_own_body(line.model)) continue;
             const sim::Time when = line.time.value_or(sim::Time{});
             line.time = clock_.now();
             if (own) sender_.send(line);
@@ -131,6 +133,11 @@ void SharedPoses::take_vehicle(const std::string& topic, std::string_view state)
     if (taken) return;
     const auto others = vehicle.refusals_told.admit(std::chrono::steady_clock::now());
     if (others) spdlog::warn("pose of {} refused: {}{}", vehicle.robot, taken.error().why, *others);
+}
+
+bool SharedPoses::is_own_body(const std::string& model) const {
+    return !model.empty() &&
+           std::ranges::any_of(bodies_, [&](const auto& robot) { return robot.second == model; });
 }
 
 /// The body of a robot of this daemon; `robot` is meant by a line without a name.

@@ -79,6 +79,7 @@ class SharedPoses {
 
     void listen_to(const std::vector<RobotConfig>& robots);
     void look_around();
+    [[nodiscard]] bool is_own_body(const std::string& model) const;
     [[nodiscard]] std::string own_body(const sim::PoseLine& line, std::string_view robot) const;
     void tell_of(const sim::PoseLine& line, std::string_view robot, sim::Time time);
 

@@ -152,14 +152,15 @@ void SharedWorld::serve(const Config& config) {
         who_.bodies[robot.name] = robot.body;
         who_.sensors += int(robot.sensors.size());
     }
-    if (!std::exchange(serving_, true)) {
-        poses_.begin();
+    const bool begins = !std::exchange(serving_, true);
+    if (begins) poses_.begin();
+    poses_.serve(config.robots);
+    if (begins) {
         put_places(true);
         link_.begin();
         spdlog::info("shares the world {} by {}, as {}", config_.world, text_of(config_.broker),
                      name_);
     }
-    poses_.serve(config.robots);
     say_who();
 }
 

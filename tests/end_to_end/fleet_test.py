@@ -2,9 +2,10 @@
 # Copyright The scipd authors
 #
 # Three daemons and a broker: one world. Ranges are those of the closed form: a wall 10 m ahead, and boxes whose faces
-# are a quarter of a metre nearer than they are. fleet_test.py SCIPD
+# are a quarter of a metre nearer than they are. fleet_test.py SCIPD SCIPCTL
 import json
 import socket
+import subprocess
 import sys
 import time
 
@@ -137,7 +138,64 @@ def a_silent_broker_holds_nobody_up(lab, west):
     lab.broker.process.send_signal(18)
 
 
-def main(scipd):
+def scipctl_speaks_to_all(lab, scipctl, west, north):
+    def fleet(*words, text="", to=("--to", lab.broker.url + "/hall")):
+        return subprocess.run([scipctl, *words, *to], input=text, capture_output=True, text=True, timeout=60,
+                              check=False)
+
+    told = fleet("fleet", "status")
+    assert told.returncode == 0 and "east (cart)" in told.stdout and "pillar  removed" in told.stdout, told
+    west.wait_to_see(1.75)
+    assert fleet("fleet", "add", "crate", "-", "--pose", "1,0,0.3,0,0,0", text=CRATE).returncode == 0
+    west.wait_to_see(0.75)
+    assert "--replace it" in fleet("fleet", "add", "crate", "-", text=CRATE).stderr
+    # The broker is that of a daemon, if none is named.
+    by_daemon = ("--control", west.ready["control"])
+    assert fleet("fleet", "move", "crate", "1.5,0,0.3,0,0,0", to=by_daemon).returncode == 0
+    west.wait_to_see(1.25)
+    north.wait_to_see(2.25)
+    late = lab.start("late")
+    assert late.sees(1.25), late.ahead_m()
+    late.end()
+    assert fleet("fleet", "remove", "crate").returncode == 0
+    west.wait_to_see(1.75)
+    lines = "".join(f'{{"robot":"east","t":{i / 100},"xyz":[{2 + i / 100},0,0.3]}}\n' for i in range(101))
+    assert fleet("pose", "stream", text=lines).returncode == 0
+    west.wait_to_see(2.75)
+    refused = fleet("pose", "stream", text='{"xyz":[1,2,3]}\n')
+    assert refused.returncode != 0 and "line 1: robot: say which" in refused.stderr, refused
+    assert "is serving" in fleet("fleet", "forget", "west").stderr
+    missing = fleet("fleet", "status", to=("--to", f"mqtt://127.0.0.1:{lab.broker.port + 1}/hall"))
+    assert missing.returncode != 0 and "mqtt://127.0.0.1" in missing.stderr, missing
+
+
+def a_vehicle_is_a_robot(lab, west):
+    state = {"timestamp": "2025-01-31T12:00:00Z", "velocity": {"vx": 0}, "errors": [],
+             "agvPosition": {"x": 7, "y": 0, "theta": 0, "mapId": "hall", "positionInitialized": True}}
+    tug = lab.start("tug", robot={"body": "cart", "poses": "vda5050:ACME", "pose": {"xyz": [6, 0, 0.3]}})
+    west.wait_to_see(5.75)
+    lab.broker.say("uagv/v2/ACME/tug/state", json.dumps(state))
+    west.wait_to_see(6.75)
+    assert tug.pose("/robots/tug") == [7, 0, 0.3]
+    state["agvPosition"] |= {"x": 3, "positionInitialized": False}
+    lab.broker.say("uagv/v2/ACME/tug/state", json.dumps(state))
+    wait_for(lambda: "does not know where it is" in tug.log(), "a lost vehicle is not told")
+    assert west.sees(6.75)
+    assert tug.end() == 0
+
+
+def what_is_far_is_left_out(lab, west):
+    near = lab.start("near", near_m=3)
+    for x_m in (2, 50, 60, 70):
+        lab.broker.say("scipd/hall/poses", json.dumps({"model": "cart", "xyz": [x_m, 0, 0.3]}))
+        wait_for(lambda x_m=x_m: west.pose("/scene/models/cart")[0] == x_m, "the cart does not come")
+    wait_for(lambda: near.pose("/scene/models/cart")[0] == 50, "the cart does not leave")
+    assert near.ask("PUT", "/robots/near/pose", {"xyz": [68, 0, 0]})[0] == 204
+    wait_for(lambda: near.pose("/scene/models/cart")[0] == 70, "the cart is not where the robot comes")
+    assert near.end() == 0
+
+
+def main(scipd, scipctl):
     with FleetLab(scipd) as lab:
         east = lab.start("east", robot=CART)
         west = lab.start("west")
@@ -149,10 +207,14 @@ def main(scipd):
         late_ones_have_the_same_world(lab)
         another_base_world_does_not_serve(lab)
         a_broker_goes_and_comes_back(lab, east, west, north)
-        a_daemon_dies_and_comes_back(lab, east, west)
+        east = a_daemon_dies_and_comes_back(lab, east, west)
         a_silent_broker_holds_nobody_up(lab, west)
+        scipctl_speaks_to_all(lab, scipctl, west, north)
+        assert east.end() == 0
+        a_vehicle_is_a_robot(lab, west)
+        what_is_far_is_left_out(lab, west)
         for daemon in lab.daemons:
             assert "rror" not in daemon.log().replace("Error code", ""), daemon.log()
 
 
-main(sys.argv[1])
+main(*sys.argv[1:])

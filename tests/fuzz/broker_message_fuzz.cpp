@@ -12,6 +12,7 @@
 #include "daemon/broker/kept_messages.h"
 #include "daemon/broker/model_message.h"
 #include "daemon/broker/pose_frame.h"
+#include "daemon/broker/vda5050.h"
 
 namespace {
 
@@ -58,5 +59,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     check_notes(text);
     check_poses(text);
+    (void)parse_vda5050_state(text);
     return 0;
 }

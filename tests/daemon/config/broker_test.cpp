@@ -62,6 +62,27 @@ TEST_F(BrokerConfigTest, TellsWhatIsMissingAndWhatDoesNotFit) {
                             "USER:PASSWORD"));
 }
 
+TEST_F(BrokerConfigTest, VehiclesTellTheirPosesByTheBroker) {
+    const auto with_poses = [](const std::string& source, const std::string& more) {
+        return "scene: room.sdf\nrobots:\n  tug:\n    poses: " + source +
+               "\n    sensors: {s: {pty: auto, model: UST-10LX}}\n" + more;
+    };
+    const std::string fleet = "fleet: {broker: mqtt://a, world: w}\n";
+    for (const std::string vehicle : {"ACME", "ACME/tug-1"}) {
+        const auto poses = parse(with_poses("vda5050:" + vehicle, fleet)).robots.at(0).poses;
+        ASSERT_TRUE(poses);
+        EXPECT_EQ(poses->kind, PoseSource::Kind::vda5050);
+        EXPECT_EQ(poses->vehicle, vehicle);
+    }
+    EXPECT_THAT(faults(with_poses("vda5050:ACME", "")),
+                ElementsAre("fleet.yaml:4: robots.tug.poses: needs fleet, by whose broker vehicles "
+                            "tell where they are"));
+    for (const char* bad : {"'vda5050:'", "vda5050:a/b/c", "vda5050:a+", "vda5050:/a"}) {
+        EXPECT_THAT(faults(with_poses(bad, fleet)),
+                    ElementsAre(StartsWith("fleet.yaml:4: robots.tug.poses: must be vda5050:")));
+    }
+}
+
 TEST(BrokerAddress, IsAnUrl) {
     EXPECT_EQ(parse_broker("mqtt://127.0.0.1"), (BrokerAddress{"127.0.0.1", 1883, false}));
     EXPECT_EQ(parse_broker("mqtt://[fe80::1]:99"), (BrokerAddress{"fe80::1", 99, false}));
