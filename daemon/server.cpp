@@ -66,11 +66,12 @@ FleetPlan Server::load_first() {
 
 void Server::share_world(const BrokerConfig& config) {
     Simulation& simulation = fleet_.simulation();
-    shared_.emplace(io_.get_executor(), config,
-                    SharedWorld::Parts{simulation.world, simulation.intake, simulation.clock,
-                                       [this](SceneEdit edit, EditDone done) {
-                                           api_.edit_here(std::move(edit), std::move(done));
-                                       }});
+    shared_.emplace(
+        io_.get_executor(), config,
+        SharedWorld::Parts{simulation.world, simulation.intake, simulation.clock,
+                           simulation.lockstep.get(), [this](SceneEdit edit, EditDone done) {
+                               api_.edit_here(std::move(edit), std::move(done));
+                           }});
     api_.share(&*shared_);
 }
 

@@ -37,6 +37,8 @@ void KeptMessages::take(const Topic& topic, std::string_view text) {
             break;
         case Topic::Kind::poses:
         case Topic::Kind::marker:
+        case Topic::Kind::time:
+        case Topic::Kind::ack:
             break;
     }
 }

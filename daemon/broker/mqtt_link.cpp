@@ -24,6 +24,7 @@ namespace {
 constexpr int keep_alive_s = 10;
 // Of a broker that takes a connection and says nothing.
 constexpr auto longest_silence = 10s;
+constexpr auto longest_goodbye = 1s;
 constexpr auto care_time = 500ms;
 // So many messages are taken before the event loop turns to the scanners again.
 constexpr int messages_in_one_go = 16;
@@ -174,13 +175,19 @@ void MqttLink::stop() {
     if (loop_ == nullptr) return;
     loop_->alive.reset();
     loop_->finder.join();
-    if (connected_) {
-        mosquitto_disconnect(library_->get());
-        for (int i = 0; i < 100 && mosquitto_want_write(library_->get()); ++i)
-            mosquitto_loop(library_->get(), 10, 1);
-    }
+    if (connected_) say_goodbye();
     connected_ = false;
     loop_.reset();
+}
+
+// Reads on until the broker has closed the connection: whoever closes it with something unread
+// has it reset, and the broker may then not read the goodbye.
+void MqttLink::say_goodbye() {
+    mosquitto_disconnect(library_->get());
+    const auto end = std::chrono::steady_clock::now() + longest_goodbye;
+    while (mosquitto_loop(library_->get(), 10, 1) == MOSQ_ERR_SUCCESS) {
+        if (std::chrono::steady_clock::now() > end) return;
+    }
 }
 
 // Where the broker has refused the client, take_connected() knows better why.

@@ -79,6 +79,7 @@ class MqttLink {
     [[nodiscard]] bool step(std::chrono::milliseconds patience);
     void lose(int code);
     void lose(const std::string& why);
+    void say_goodbye();
     void watch();
     void wait_to_read();
     void wait_to_write();

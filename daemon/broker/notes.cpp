@@ -52,10 +52,17 @@ std::string text_of(const DaemonNote& note) {
         if (!body.empty()) robots[robot]["body"] = body;
     }
     Json document{{"name", note.name},         {"state", note.lost ? "lost" : "serving"},
-                  {"instance", note.instance}, {"host", note.host},
-                  {"sensors", note.sensors},   {"robots", robots}};
+                  {"instance", note.instance}, {"clock", note.in_steps ? "poses" : "wall"},
+                  {"host", note.host},         {"sensors", note.sensors},
+                  {"robots", robots}};
     if (!note.trouble.empty()) document["trouble"] = note.trouble;
     return written(document);
+}
+
+std::string other_world(const SceneNote& theirs, const SceneNote& ours, const std::string& world) {
+    return "the world " + world + " of the broker is another one: its content is " + theirs.hash +
+           " (says daemon " + theirs.by + "), here it is " + ours.hash +
+           "; start all daemons with the same scene, or this one with another fleet.world";
 }
 
 sim::Expected<SceneNote> parse_scene_note(std::string_view text) {
@@ -73,6 +80,7 @@ sim::Expected<DaemonNote> parse_daemon_note(std::string_view text) {
         DaemonNote note{.name = text_in(object, "name"),
                         .instance = text_in(object, "instance"),
                         .lost = text_in(object, "state") == "lost",
+                        .in_steps = text_in(object, "clock") == "poses",
                         .host = text_in(object, "host"),
                         .bodies = bodies_in(object),
                         .trouble = text_in(object, "trouble")};

@@ -25,8 +25,9 @@ struct SceneNote {
 /// One daemon of those that share the world.
 struct DaemonNote {
     std::string name;
-    std::string instance;  ///< differs whenever a daemon of that name is started
-    bool lost = false;     ///< it went without a word
+    std::string instance;   ///< differs whenever a daemon of that name is started
+    bool lost = false;      ///< it went without a word
+    bool in_steps = false;  ///< its time is that of the steps that somebody leads
     std::string host;
     int sensors = 0;
     std::map<std::string, std::string> bodies;  ///< by robot; empty where it has none
@@ -37,6 +38,8 @@ struct DaemonNote {
 
 std::string text_of(const SceneNote& note);
 std::string text_of(const DaemonNote& note);
+/// What is told of two base worlds that differ, of a world of this name.
+std::string other_world(const SceneNote& theirs, const SceneNote& ours, const std::string& world);
 sim::Expected<SceneNote> parse_scene_note(std::string_view text);
 sim::Expected<DaemonNote> parse_daemon_note(std::string_view text);
 

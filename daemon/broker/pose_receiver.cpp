@@ -8,6 +8,7 @@
 #include <boost/asio/post.hpp>
 #include <spdlog/spdlog.h>
 
+#include "daemon/broker/pose_frame.h"
 #include "daemon/poses/some_lines.h"
 
 namespace scipd::daemon {
@@ -20,11 +21,12 @@ constexpr std::size_t most_senders = 1000;
 }  // namespace
 
 PoseReceiver::PoseReceiver(const boost::asio::any_io_executor& executor, World& world,
-                           PoseIntake& intake, const Clock& clock, Hooks hooks)
+                           PoseIntake& intake, const Clock& clock, bool in_steps, Hooks hooks)
     : executor_(executor),
       world_(world),
       intake_(intake),
       clock_(clock),
+      in_steps_(in_steps),
       hooks_(std::move(hooks)) {}
 
 // Too many names are one sender: who makes them up gets no more that way.
@@ -67,7 +69,9 @@ void PoseReceiver::take_line(std::string_view text, Sender& sender) {
     if (!line) return tell(line.error().why);
     if (line->robot.empty() && line->model.empty())
         return tell("it must name its robot or model, since many read it");
-    if (address(*line) && hooks_.matters(*line)) hand_on(*line, sender);
+    if (!address(*line) || !hooks_.matters(*line)) return;
+    if (in_steps_) return put(*line);
+    hand_on(*line, [&] { return intake_.take(*line, {}, sender.clock, clock_.now()); });
 }
 
 /// Whether it is about anything here; a robot of another daemon is its body.
@@ -77,18 +81,31 @@ bool PoseReceiver::address(sim::PoseLine& line) const {
     return !line.robot.empty() || world_.model(line.model) != nullptr;
 }
 
-void PoseReceiver::hand_on(const sim::PoseLine& line, Sender& sender) {
+void PoseReceiver::take_step(std::string_view lines, SenderClock& leader) {
+    for (sim::PoseLine& line : poses_in(lines)) {
+        if (!address(line) || !hooks_.matters(line)) continue;
+        hand_on(line, [&] { return intake_.take(line, {}, leader, clock_.now()); });
+    }
+}
+
+template <class Take>
+void PoseReceiver::hand_on(const sim::PoseLine& line, Take take) {
     taking_ = true;
-    const auto taken = intake_.take(line, {}, sender.clock, clock_.now());
+    const sim::Expected<> taken = take();
     taking_ = false;
     if (!taken) return tell(taken.error().why);
     if (!line.model.empty()) hooks_.moved(line.model);
 }
 
-void PoseReceiver::take_place(sim::PoseLine line) {
+// A little before now, since the next step may have a pose of this very moment.
+void PoseReceiver::put(sim::PoseLine line) {
     line.time.reset();
-    Sender nobody;
-    if (address(line) && line.robot.empty()) hand_on(line, nobody);
+    const sim::Time since = clock_.now() - sim::Time(in_steps_ ? 1 : 0);
+    hand_on(line, [&] { return intake_.take_at(since, line, {}); });
+}
+
+void PoseReceiver::take_place(sim::PoseLine line) {
+    if (address(line) && line.robot.empty()) put(std::move(line));
 }
 
 void PoseReceiver::tell(const std::string& refusal) {

@@ -37,11 +37,14 @@ class PoseReceiver {
         std::function<void(const std::string& model)> moved;
     };
 
+    /// `in_steps`: stamps count in steps alone, and other poses hold from when they come.
     PoseReceiver(const boost::asio::any_io_executor& executor, World& world, PoseIntake& intake,
-                 const Clock& clock, Hooks hooks);
+                 const Clock& clock, bool in_steps, Hooks hooks);
 
     /// The poses of one message.
     void take_frame(std::string_view sender, std::string_view frame);
+    /// The poses of one step, all at once. In lockstep.
+    void take_step(std::string_view lines, SenderClock& leader);
     /// Where something stands, said before this daemon was there.
     void take_place(sim::PoseLine line);
 
@@ -65,13 +68,16 @@ class PoseReceiver {
     [[nodiscard]] bool address(sim::PoseLine& line) const;
     void work();
     void take_line(std::string_view text, Sender& sender);
-    void hand_on(const sim::PoseLine& line, Sender& sender);
+    template <class Take>
+    void hand_on(const sim::PoseLine& line, Take take);
+    void put(sim::PoseLine line);
     void tell(const std::string& refusal);
 
     boost::asio::any_io_executor executor_;
     World& world_;
     PoseIntake& intake_;
     const Clock& clock_;
+    const bool in_steps_;
     Hooks hooks_;
     std::map<std::string, Sender, std::less<>> senders_;
     std::deque<Frame> frames_;

@@ -29,7 +29,7 @@ SharedPoses::SharedPoses(const boost::asio::any_io_executor& executor, MqttLink&
       clock_(parts.clock),
       timer_(executor),
       sender_(executor, link, topics, name),
-      receiver_(executor, parts.world, parts.intake, parts.clock,
+      receiver_(executor, parts.world, parts.intake, parts.clock, parts.lockstep != nullptr,
                 {.body_of = std::move(parts.body_of),
                  .matters =
                      [this](const sim::PoseLine& line) {
@@ -37,6 +37,7 @@ SharedPoses::SharedPoses(const boost::asio::any_io_executor& executor, MqttLink&
                      },
                  .moved = [this](const std::string& model) { sender_.forget(model); }}) {
     if (parts.near_m) nearness_.emplace(*parts.near_m);
+    if (parts.lockstep != nullptr) time_.emplace(link, topics, name, *parts.lockstep);
 }
 
 SharedPoses::~SharedPoses() {
@@ -47,11 +48,13 @@ void SharedPoses::begin() {
     intake_.on_taken([this](const sim::PoseLine& line, std::string_view robot, sim::Time time) {
         tell_of(line, robot, time);
     });
+    if (time_) time_->begin();
 }
 
 void SharedPoses::stop() {
     timer_.cancel();
     intake_.on_taken({});
+    if (time_) time_->stop();
 }
 
 void SharedPoses::serve(const std::vector<RobotConfig>& robots) {
@@ -99,6 +102,10 @@ void SharedPoses::put(const Places& places, bool with_own) {
 void SharedPoses::take(std::string_view frame) {
     const std::string_view sender = sender_of(frame);
     if (sender != name_) receiver_.take_frame(sender, frame);
+}
+
+void SharedPoses::take_step(std::string_view text) {
+    if (time_) time_->take(text, receiver_);
 }
 
 void SharedPoses::listen_to(const std::vector<RobotConfig>& robots) {

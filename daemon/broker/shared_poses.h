@@ -18,6 +18,7 @@
 #include "daemon/broker/nearness.h"
 #include "daemon/broker/pose_receiver.h"
 #include "daemon/broker/pose_sender.h"
+#include "daemon/broker/shared_time.h"
 #include "daemon/clock/clock.h"
 #include "daemon/config/config.h"
 #include "daemon/limits/rate.h"
@@ -40,6 +41,7 @@ class SharedPoses {
         const Clock& clock;
         /// The body of a robot that another daemon has; empty: nobody knows of one.
         std::function<std::string(const std::string& robot)> body_of;
+        Lockstep* lockstep = nullptr;  ///< null: on the wall clock
         std::optional<double> near_m;  ///< what is farther from all robots here is left out
     };
 
@@ -60,6 +62,8 @@ class SharedPoses {
     void take(std::string_view frame);
     /// Has the broker say what the vehicles do that are robots here.
     void ask_vehicles();
+    /// One step of the time that is shared.
+    void take_step(std::string_view text);
     /// What a vehicle says of itself, by VDA 5050; of others nothing is taken.
     void take_vehicle(const std::string& topic, std::string_view state);
     /// The model is another one now.
@@ -95,6 +99,7 @@ class SharedPoses {
     std::map<std::string, Vehicle> vehicles_;  ///< by the topics of their states
     PoseSender sender_;
     PoseReceiver receiver_;
+    std::optional<SharedTime> time_;  ///< in lockstep
 };
 
 }  // namespace scipd::daemon

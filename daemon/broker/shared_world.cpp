@@ -32,17 +32,6 @@ double unix_s() {
         .count();
 }
 
-std::string other_world(const SceneNote& theirs, const SceneNote& ours, const std::string& world) {
-    return "the world " + world + " of the broker is another one: its content is " + theirs.hash +
-           " (says daemon " + theirs.by + "), here it is " + ours.hash +
-           "; start all daemons with the same scene, or this one with another fleet.world";
-}
-
-sim::Time age_of(const SceneNote& note) {
-    const double age_s = std::clamp(unix_s() - note.begun_s, 0.0, 1e9);
-    return note.begun_s > 0.0 ? sim::Time(std::llround(age_s * 1e9)) : sim::Time{};
-}
-
 }  // namespace
 
 SharedWorld::SharedWorld(const boost::asio::any_io_executor& executor, const BrokerConfig& config,
@@ -52,23 +41,21 @@ SharedWorld::SharedWorld(const boost::asio::any_io_executor& executor, const Bro
       name_(config.name.empty() ? usual_name() : config.name),
       instance_(new_instance()),
       topics_(config.world),
-      who_{.name = name_, .instance = instance_, .host = host_name()},
+      who_{.name = name_,
+           .instance = instance_,
+           .in_steps = parts.lockstep != nullptr,
+           .host = host_name()},
       link_(executor, config, "scipd-" + instance_,
             {topics_.of(Kind::daemon, name_), text_of(note_with(true))},
             {.connected = [this] { ask_for_all(); },
              .message = [this](const MqttMessage& message) { take(message); },
-             .lost =
-                 [this](const std::string& why) {
-                     spdlog::warn(
-                         "the broker {} is lost: {}; poses of other daemons stay as they "
-                         "are until it is back",
-                         text_of(config_.broker), why);
-                 }}),
+             .lost = [this](const std::string& why) { tell_of_loss(why); }}),
       poses_(executor, link_, topics_, name_,
              {.world = parts.world,
               .intake = parts.intake,
               .clock = parts.clock,
               .body_of = [this](const std::string& robot) { return body_of(robot); },
+              .lockstep = parts.lockstep,
               .near_m = config.near_m}),
       edits_(link_, topics_,
              {.edit = parts.edit,
@@ -86,6 +73,11 @@ DaemonNote SharedWorld::note_with(bool lost) const {
     DaemonNote note = who_;
     note.lost = lost;
     return note;
+}
+
+void SharedWorld::tell_of_loss(const std::string& why) const {
+    spdlog::warn("the broker {} is lost: {}; what others move stays until it is back",
+                 text_of(config_.broker), why);
 }
 
 JoinedWorld SharedWorld::join(const sim::Scene& base) {
@@ -107,7 +99,7 @@ JoinedWorld SharedWorld::join(const sim::Scene& base) {
     }
     if (kept_.scene) scene_ = *kept_.scene;
     edits_.begin(base, kept_.models);
-    return {SharedEdits::edits_for(base, kept_.models), age_of(scene_)};
+    return {SharedEdits::edits_for(base, kept_.models), age()};
 }
 
 /// Throws std::runtime_error where this daemon cannot be one of those who serve.
@@ -137,11 +129,18 @@ void SharedWorld::found_world(bool anew) {
     mark();
 }
 
+/// How long ago the scripts of the world began. With steps, all begin with the first.
+sim::Time SharedWorld::age() const {
+    if (who_.in_steps || scene_.begun_s <= 0.0) return {};
+    return sim::Time(std::llround(std::clamp(unix_s() - scene_.begun_s, 0.0, 1e9) * 1e9));
+}
+
 JoinWorld SharedWorld::rejoining() const {
-    return [scene = scene_, texts = edits_.texts(), world = config_.world](const sim::Scene& base) {
+    return [scene = scene_, texts = edits_.texts(), world = config_.world,
+            age = age()](const sim::Scene& base) {
         const SceneNote here{.hash = content_hash(base)};
         if (here.hash != scene.hash) throw std::runtime_error(other_world(scene, here, world));
-        return JoinedWorld{SharedEdits::edits_for(base, texts), age_of(scene)};
+        return JoinedWorld{SharedEdits::edits_for(base, texts), age};
     };
 }
 
@@ -200,6 +199,7 @@ void SharedWorld::ask_for_all() {
     for (const Kind kind : kept_kinds)
         link_.subscribe(topics_.all(kind));
     link_.subscribe(topics_.of(Kind::poses));
+    if (who_.in_steps) link_.subscribe(topics_.of(Kind::time));
     poses_.ask_vehicles();
     link_.subscribe(topics_.of(Kind::marker, instance_));
     mark();
@@ -224,6 +224,7 @@ void SharedWorld::take(const MqttMessage& message) {
 
 void SharedWorld::take_news(const Topic& topic, std::string_view text) {
     if (topic.kind == Kind::poses) return poses_.take(text);
+    if (topic.kind == Kind::time) return poses_.take_step(text);
     if (topic.kind == Kind::model) return edits_.take(topic.name, std::string(text));
     const auto known = kept_.daemons.find(topic.name);
     const auto before = known == kept_.daemons.end() ? DaemonNote{} : known->second;
@@ -288,7 +289,7 @@ void SharedWorld::say_scene() {
     link_.publish(topics_.of(Kind::scene), text_of(scene_), {.surely = true, .kept = true});
 }
 
-// Not from within the library, which is no place for exceptions.
+// From within the library nothing may throw.
 void SharedWorld::fail(const std::string& why) {
     boost::asio::post(executor_, [why] { throw std::runtime_error(why); });
 }

@@ -32,6 +32,7 @@ class SharedWorld {
         World& world;
         PoseIntake& intake;
         const Clock& clock;
+        Lockstep* lockstep;  ///< null: on the wall clock
         SharedEdits::EditHere edit;
     };
 
@@ -54,6 +55,8 @@ class SharedWorld {
 
   private:
     [[nodiscard]] DaemonNote note_with(bool lost) const;
+    [[nodiscard]] sim::Time age() const;
+    void tell_of_loss(const std::string& why) const;
     [[nodiscard]] std::string body_of(const std::string& robot) const;
     void ask_for_all();
     void take(const MqttMessage& message);

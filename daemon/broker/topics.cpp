@@ -15,12 +15,14 @@ struct Row {
     bool has_name;
 };
 
-constexpr std::array<Row, 6> rows{{{Topic::Kind::poses, "poses", false},
+constexpr std::array<Row, 8> rows{{{Topic::Kind::poses, "poses", false},
                                    {Topic::Kind::places, "places", true},
                                    {Topic::Kind::model, "models", true},
                                    {Topic::Kind::scene, "scene", false},
                                    {Topic::Kind::daemon, "daemons", true},
-                                   {Topic::Kind::marker, "markers", true}}};
+                                   {Topic::Kind::marker, "markers", true},
+                                   {Topic::Kind::time, "time", false},
+                                   {Topic::Kind::ack, "acks", true}}};
 
 const Row& row_of(Topic::Kind kind) {
     return *std::ranges::find(rows, kind, &Row::kind);

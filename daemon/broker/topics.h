@@ -12,9 +12,9 @@ namespace scipd::daemon {
 
 /// What a message is about.
 struct Topic {
-    enum class Kind { poses, places, model, scene, daemon, marker };
+    enum class Kind { poses, places, model, scene, daemon, marker, time, ack };
     Kind kind = Kind::poses;
-    std::string name;  ///< of the sender, the model, the daemon; empty for poses and scene
+    std::string name;  ///< of the sender, the model, the daemon; else empty
 
     bool operator==(const Topic&) const = default;
 };

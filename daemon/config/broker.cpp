@@ -52,8 +52,6 @@ void read_fleet(const Field& field, const fs::path& base, Config& config, Faults
                  [&](const std::string& text) { return parse_user_file(text, base); });
     if (const Field* const tls = section.find("tls")) read_tls(*tls, base, fleet, faults);
     section.read("near_m", fleet.near_m, parse_length);
-    if (config.clock == ClockKind::poses)
-        faults.add(field, "goes with clock: wall; daemons share no stepped time yet");
 }
 
 }  // namespace scipd::daemon

@@ -388,8 +388,6 @@ TEST(Options, AWorldIsSharedByWayOfABroker) {
                 HasSubstr("--broker and --world go together"));
     EXPECT_THAT(answer("--world hall").text, HasSubstr("--broker and --world go together"));
     EXPECT_THAT(answer("--broker http://a --world w").text, HasSubstr("must be mqtt://HOST:PORT"));
-    EXPECT_THAT(answer("--broker mqtt://a --world w --clock poses --poses -").text,
-                HasSubstr("--broker goes with --clock wall"));
 }
 
 TEST(Options, ASocketPathMustFitTheSystem) {

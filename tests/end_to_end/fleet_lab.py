@@ -72,13 +72,14 @@ class Broker:
 class Daemon:
     """A scipd whose robot has the name of the daemon, and one scanner at its origin that looks along x."""
 
-    def __init__(self, scipd, folder, broker, name, *, robot=None, world="hall", scene="hall.sdf", **fleet):
+    def __init__(self, scipd, folder, broker, name, *, robot=None, world="hall", scene="hall.sdf", clock="wall",
+                 accuracy="ideal", **fleet):
         self.folder = folder / f"{name}-{time.monotonic_ns()}"
         self.folder.mkdir()
         self.name = name
-        sensors = {"scanner": {"model": "UST-10LX", "mount": {"xyz": [0, 0, 0.3]}, "accuracy": "ideal",
+        sensors = {"scanner": {"model": "UST-10LX", "mount": {"xyz": [0, 0, 0.3]}, "accuracy": accuracy,
                                "tcp": "127.0.0.1:0"}}
-        configuration = {"scene": str(folder / scene), "control": str(self.folder / "control.sock"),
+        configuration = {"scene": str(folder / scene), "clock": clock, "control": str(self.folder / "control.sock"),
                          "fleet": {"broker": broker.url, "world": world, "name": name, **fleet},
                          "robots": {name: {"sensors": sensors, **(robot or {})}}}
         (self.folder / "scipd.yaml").write_text(json.dumps(configuration))
@@ -91,7 +92,8 @@ class Daemon:
             self.control = Control(self.ready["control"])
             host, port = self.ready["sensors"][0]["tcp"].rsplit(":", 1)
             self.scanner = Client((host, int(port)))
-            self.scanner.ask("BM")
+            if clock == "wall":
+                self.scanner.ask("BM")
 
     def log(self):
         return (self.folder / "log").read_text()

@@ -12,6 +12,7 @@
 #include "daemon/broker/kept_messages.h"
 #include "daemon/broker/model_message.h"
 #include "daemon/broker/pose_frame.h"
+#include "daemon/broker/step.h"
 #include "daemon/broker/vda5050.h"
 
 namespace {
@@ -60,5 +61,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     check_notes(text);
     check_poses(text);
     (void)parse_vda5050_state(text);
+    if (const auto step = parse_step(text)) {
+        require(parse_step(step_head(step->number, step->time, step->from)).has_value());
+        require(acknowledged(acknowledgement(*step), step->from) == step->number);
+    }
     return 0;
 }

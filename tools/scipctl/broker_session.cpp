@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "daemon/broker/identity.h"
+#include "daemon/broker/step.h"
 #include "daemon/config/secret_file.h"
 #include "tools/control_client.h"
 
@@ -70,7 +71,16 @@ void BrokerSession::take(const daemon::MqttMessage& message) {
     if (!topic) return;
     if (topic->kind == Topic::Kind::marker)
         marks_seen_ = std::atoi(std::string(message.payload).c_str());
+    if (topic->kind == Topic::Kind::ack) {
+        if (const auto step = daemon::acknowledged(message.payload, name_))
+            acknowledged_[topic->name] = *step;
+    }
     kept_.take(*topic, message.payload);
+}
+
+int BrokerSession::acknowledged(const std::string& name) const {
+    const auto found = acknowledged_.find(name);
+    return found == acknowledged_.end() ? 0 : found->second;
 }
 
 const daemon::KeptMessages& BrokerSession::kept() {
@@ -82,8 +92,9 @@ const daemon::KeptMessages& BrokerSession::kept() {
 }
 
 void BrokerSession::publish(Topic::Kind kind, const std::string& name, std::string_view text) {
-    const bool kept = kind != Topic::Kind::poses;
-    link_->publish(topics_.of(kind, name), text, {.surely = kept, .kept = kept});
+    const bool passes = kind == Topic::Kind::poses || kind == Topic::Kind::time;
+    link_->publish(topics_.of(kind, name), text,
+                   {.surely = kind != Topic::Kind::poses, .kept = !passes});
 }
 
 // What was sent before the mark has arrived when the mark comes back.

@@ -4,6 +4,7 @@
 // A world that daemons share, straight at its broker. Each call waits for its answer. One thread.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -38,8 +39,14 @@ class BrokerSession {
     [[nodiscard]] const daemon::Topics& topics() const { return topics_; }
     [[nodiscard]] const std::string& name() const { return name_; }
 
-    /// What the broker keeps of the world, as of now.
+    /// What the broker keeps of the world, as of now. From then on it is followed.
     [[nodiscard]] const daemon::KeptMessages& kept();
+    [[nodiscard]] const daemon::KeptMessages& kept_now() const { return kept_; }
+
+    /// Which step of this session each daemon has done.
+    void listen_to_acks() { link_->subscribe(topics_.all(daemon::Topic::Kind::ack)); }
+    [[nodiscard]] int acknowledged(const std::string& name) const;
+
     void publish(daemon::Topic::Kind kind, const std::string& name, std::string_view text);
     /// Returns when the broker has taken all. Throws ControlError.
     void finish();
@@ -55,6 +62,7 @@ class BrokerSession {
     std::string marker_;  ///< the topic of this session's own marks
     int marks_ = 0;
     int marks_seen_ = 0;
+    std::map<std::string, int> acknowledged_;  ///< by daemon
     std::unique_ptr<daemon::MqttLink> link_;
 };
 

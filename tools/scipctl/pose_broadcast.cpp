@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <iostream>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -86,25 +87,37 @@ sim::Expected<sim::PoseLine> line_for_many(const std::string& text, const std::s
 
 }  // namespace
 
-void broadcast_poses(const BrokerOptions& options, const std::string& robot, std::istream& lines) {
-    Broadcast broadcast(options);
+void for_each_line_for_many(std::istream& lines, const std::string& robot,
+                            const std::function<sim::Expected<>(const sim::PoseLine&)>& take) {
     std::uint64_t number = 0;
     std::uint64_t refused = 0;
     for (std::string text; std::getline(lines, text);) {
         ++number;
         if (sim::says_nothing(text)) continue;
-        auto line = line_for_many(text, robot);
-        if (line) {
-            broadcast.send(*std::move(line));
-            continue;
-        }
+        const auto taken = line_for_many(text, robot).and_then(take);
+        if (taken) continue;
         ++refused;
-        std::cerr << "line " << number << ": " << line.error().why << '\n';
+        std::cerr << "line " << number << ": " << taken.error().why << '\n';
     }
-    broadcast.finish();
     if (refused == 0) return;
     throw ControlError(
         0, std::to_string(refused) + " of " + std::to_string(number) + " lines were refused");
+}
+
+// What was good is sent, whatever was refused.
+void broadcast_poses(const BrokerOptions& options, const std::string& robot, std::istream& lines) {
+    Broadcast broadcast(options);
+    std::optional<ControlError> refused;
+    try {
+        for_each_line_for_many(lines, robot, [&](const sim::PoseLine& line) -> sim::Expected<> {
+            broadcast.send(line);
+            return {};
+        });
+    } catch (const ControlError& error) {
+        refused = error;
+    }
+    broadcast.finish();
+    if (refused) throw ControlError(*refused);
 }
 
 }  // namespace scipd::tools

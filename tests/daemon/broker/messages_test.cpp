@@ -11,6 +11,7 @@
 #include "daemon/broker/model_message.h"
 #include "daemon/broker/notes.h"
 #include "daemon/broker/pose_frame.h"
+#include "daemon/broker/step.h"
 
 namespace scipd::daemon {
 namespace {
@@ -46,12 +47,36 @@ TEST(PoseFrame, OfAnybodyNeedsNoHead) {
     EXPECT_EQ(poses_in("damaged\n\n{\"robot\":\"a\",\"xyz\":[1,2,3]}").size(), 1U);
 }
 
+TEST(Step, IsReadAsItWasWritten) {
+    const std::string text = step_head(7, sim::Time(1'700'000'000'123'456'789), "my simulator") +
+                             "{\"robot\":\"a\",\"xyz\":[1,2,3]}\n";
+    const auto step = parse_step(text);
+    ASSERT_TRUE(step);
+    EXPECT_EQ(step->number, 7);
+    EXPECT_EQ(step->time, sim::Time(1'700'000'000'123'456'789));
+    EXPECT_EQ(step->from, "my simulator");
+    EXPECT_EQ(poses_in(step->lines).size(), 1U);
+    EXPECT_TRUE(parse_step("# step 1 t_ns -5 from a"));
+    for (const char* bad : {"", "{}", "# step", "# step 1 from a", "# step x t_ns 1 from a",
+                            "# step 1 t_ns 1 from ", "# step 99999999999 t_ns 1 from a"}) {
+        EXPECT_FALSE(parse_step(bad)) << bad;
+    }
+}
+
+TEST(Step, IsAcknowledgedToTheOneWhoLeads) {
+    const std::string said = acknowledgement({.number = 7, .from = "my simulator"});
+    EXPECT_EQ(acknowledged(said, "my simulator"), 7);
+    EXPECT_FALSE(acknowledged(said, "another"));
+    EXPECT_FALSE(acknowledged("", "another"));
+}
+
 TEST(Notes, AreReadAsTheyWereWritten) {
     const SceneNote scene{"0123456789abcdef", "east", 1.75e9};
     EXPECT_EQ(parse_scene_note(text_of(scene)), scene);
     const DaemonNote daemon{.name = "east",
                             .instance = "1a",
                             .lost = true,
+                            .in_steps = true,
                             .host = "hub",
                             .sensors = 3,
                             .bodies = {{"tug", "cart"}, {"walker", ""}},

@@ -17,7 +17,7 @@ namespace {
 using testing::HasSubstr;
 using namespace std::chrono_literals;
 
-const std::string whole =
+const std::string state =
     R"({"headerId":7,"timestamp":"2025-01-31T12:00:01.25Z","version":"2.0.0",
  "manufacturer":"ACME","serialNumber":"tug-1","orderId":"",
  "nodeStates":[{"nodeId":"n1","sequenceId":0,
@@ -27,7 +27,7 @@ const std::string whole =
  "batteryState":{"batteryCharge":80,"charging":false},"errors":[],"safetyState":{"eStop":"NONE"}})";
 
 TEST(Vda5050, AStateIsAPose) {
-    const auto line = parse_vda5050_state(whole);
+    const auto line = parse_vda5050_state(state);
     ASSERT_TRUE(line) << line.error().why;
     EXPECT_EQ(line->pose.translation_m, glm::dvec3(3.5, -2.0, 0.0));
     EXPECT_NEAR(line->pose.rotation.w, std::cos(std::numbers::pi / 4.0), 1e-12);
@@ -55,7 +55,7 @@ TEST(Vda5050, NothingButThePositionIsNeeded) {
 }
 
 TEST(Vda5050, AVehicleThatIsLostIsRefused) {
-    std::string lost = whole;
+    std::string lost = state;
     lost.replace(lost.find("Initialized\":true"), 17, "Initialized\":false");
     EXPECT_THAT(parse_vda5050_state(lost).error().why, HasSubstr("does not know where it is"));
     for (const char* bad :

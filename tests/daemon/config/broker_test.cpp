@@ -54,8 +54,6 @@ TEST_F(BrokerConfigTest, TellsWhatIsMissingAndWhatDoesNotFit) {
     EXPECT_THAT(faults(with_fleet("broker: mqtt://a, world: w, tls: {cert: ca.pem}")),
                 ElementsAre("fleet.yaml:3: fleet.tls: needs a broker: mqtts://HOST:PORT",
                             "fleet.yaml:3: fleet.tls: cert and key go together"));
-    EXPECT_THAT(faults(with_fleet("broker: mqtt://a, world: w") + "clock: poses\n"),
-                ElementsAre(StartsWith("fleet.yaml:3: fleet: goes with clock: wall")));
     dir_.write("user", "nobody\n");
     EXPECT_THAT(faults(with_fleet("broker: mqtt://a, world: w, user_file: user")),
                 ElementsAre("fleet.yaml:3: fleet.user_file: the first line of the file must be "
