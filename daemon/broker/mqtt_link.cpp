@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/broker/mqtt_link.h"
 
+#include <array>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -11,6 +12,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/thread_pool.hpp>
 #include <mosquitto.h>
+#include <poll.h>
 #include <unistd.h>
 
 namespace scipd::daemon {
@@ -180,14 +182,20 @@ void MqttLink::stop() {
     loop_.reset();
 }
 
-// Reads on until the broker has closed the connection: whoever closes it with something unread
-// has it reset, and the broker may then not read the goodbye.
+// The library closes its socket at once. Closed with something unread, the connection would be
+// reset, and the broker might not read the goodbye: then it would say the will. So what comes is
+// read from a duplicate until the broker has closed its side.
 void MqttLink::say_goodbye() {
+    const int socket = ::dup(mosquitto_socket(library_->get()));
     mosquitto_disconnect(library_->get());
+    std::array<char, 4096> unread{};
     const auto end = std::chrono::steady_clock::now() + longest_goodbye;
-    while (mosquitto_loop(library_->get(), 10, 1) == MOSQ_ERR_SUCCESS) {
-        if (std::chrono::steady_clock::now() > end) return;
+    while (std::chrono::steady_clock::now() < end) {
+        pollfd readable{socket, POLLIN, 0};
+        if (::poll(&readable, 1, 100) <= 0) continue;
+        if (::read(socket, unread.data(), unread.size()) <= 0) break;
     }
+    ::close(socket);
 }
 
 // Where the broker has refused the client, take_connected() knows better why.

@@ -104,8 +104,10 @@ void PoseReceiver::put(sim::PoseLine line) {
     hand_on(line, [&] { return intake_.take_at(since, line, {}); });
 }
 
+// What stands there already need not jump: its sender's next pose may be of a moment before.
 void PoseReceiver::take_place(sim::PoseLine line) {
-    if (address(line) && line.robot.empty()) put(std::move(line));
+    if (!address(line) || !line.robot.empty()) return;
+    if (world_.model_pose(line.model, clock_.now()) != line.pose) put(std::move(line));
 }
 
 void PoseReceiver::tell(const std::string& refusal) {

@@ -241,7 +241,7 @@ void SharedWorld::take_daemon(const std::string& name, const DaemonNote* before)
     const DaemonNote* const now = found == kept_.daemons.end() ? nullptr : &found->second;
     if (name == name_) {
         // The will of a connection that was replaced meanwhile, or somebody has tidied up.
-        if (now == nullptr || (now->lost && now->instance == instance_)) return say_who();
+        if (now == nullptr || now->lost) return say_who();
         if (now->instance != instance_)
             spdlog::error("another daemon on {} is called {}, too; give one another name",
                           now->host, name);
