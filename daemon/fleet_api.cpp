@@ -56,6 +56,13 @@ std::optional<SensorLog> FleetApi::log(const std::string& sensor) const {
     });
 }
 
+void FleetApi::ask_log(const std::string& sensor) {
+    simulation_.shards.still([&] {
+        std::visit([](const auto& made) { made->ask_log(); },
+                   find_station(simulation_.stations, sensor)->sensor);
+    });
+}
+
 std::unique_ptr<Conversation> FleetApi::subscribe(const std::string& sensor, WebSocket& socket) {
     return simulation_.stream.subscribe(sensor, socket);
 }

@@ -36,6 +36,7 @@ class FleetApi : public Api {
     [[nodiscard]] FleetMetrics metrics() const override;
     [[nodiscard]] std::optional<SensorRecord> latest(const std::string& sensor) override;
     [[nodiscard]] std::optional<SensorLog> log(const std::string& sensor) const override;
+    void ask_log(const std::string& sensor) override;
     std::unique_ptr<Conversation> subscribe(const std::string& sensor, WebSocket& socket) override;
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string& robot) const override;
     sim::Expected<> set_robot_pose(const std::string& robot, const sim::PoseLine& said) override;

@@ -102,9 +102,12 @@ class Api {
     /// for scans; a camera or ranger measures now. Nothing: there is no such sensor.
     [[nodiscard]] virtual std::optional<SensorRecord> latest(const std::string& sensor) = 0;
 
-    /// The measurements of the sensor that are kept, for about a second. Nothing: there is no such
-    /// sensor.
+    /// The measurements of the sensor that are kept: the latest, and those of a second where
+    /// somebody has asked for its truth. Nothing: there is no such sensor.
     [[nodiscard]] virtual std::optional<SensorLog> log(const std::string& sensor) const = 0;
+    /// Somebody asks for the truth of a sensor that is there. For a minute from now on those of a
+    /// second are kept.
+    virtual void ask_log(const std::string& sensor) = 0;
 
     /// Begins to send all measurements of a sensor that is there; `sensor` empty: of all sensors.
     virtual std::unique_ptr<Conversation> subscribe(const std::string& sensor,

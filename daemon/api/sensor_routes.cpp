@@ -104,7 +104,9 @@ HttpResponse truth_in(const Log& log, const std::string& sensor, const std::stri
     if (const auto record = log.find(scan)) return ok_text(truth_text(sensor, *record));
     return problem(404,
                    "scan " + number + " is not kept: those from " + std::to_string(log.first()) +
-                       " to " + std::to_string(log.last()) + " are that somebody asked for",
+                       " to " + std::to_string(log.last()) +
+                       " are that somebody asked for. For a minute from now on the truth of the "
+                       "last second is kept: ask for a later scan",
                    "scan");
 }
 
@@ -152,7 +154,9 @@ void get_reading(Call&& call) {
 void get_truth(Call&& call) {
     const std::string sensor = sensor_of(call);
     const auto latest = call.api.latest(sensor);
-    call.respond(latest ? truth(call.api, sensor, call.request.query, *latest) : no_sensor(call));
+    if (!latest) return call.respond(no_sensor(call));
+    call.api.ask_log(sensor);
+    call.respond(truth(call.api, sensor, call.request.query, *latest));
 }
 
 }  // namespace scipd::daemon

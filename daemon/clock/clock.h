@@ -46,9 +46,16 @@ class Clock {
     /// long as somebody waits does not go on for this.
     [[nodiscard]] virtual std::unique_ptr<Alarm> make_idle_alarm() { return make_alarm(); }
 
+    /// Whether somebody who waits for it has lately found its thread too slow for all who do.
+    [[nodiscard]] bool overloaded() const { return now() < overloaded_until_; }
+    void set_overloaded_until(sim::Time until) { overloaded_until_ = until; }
+
     /// With `needed`, `who` needs time to stand still until it calls hold() without. A clock that
     /// waits for nobody ignores this.
     virtual void hold(const void* /*who*/, bool /*needed*/) {}
+
+  private:
+    sim::Time overloaded_until_ = sim::Time::min();
 };
 
 }  // namespace scipd::daemon

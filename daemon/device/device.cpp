@@ -256,7 +256,8 @@ protocol::Turn Device::turn(std::int64_t revolution) const {
 }
 
 const ScanRecord& Device::measure(std::int64_t revolution) {
-    if (record_ && record_->cast->revolution == revolution) return *record_;
+    if (const auto latest = log_.latest(); latest && latest->cast->revolution == revolution)
+        return *latest;
     const sim::SensorSpec& optics = sweep_.optics();
     const protocol::Turn now = turn(revolution);
     ScanRecord record{cast(revolution)};
@@ -265,9 +266,9 @@ const ScanRecord& Device::measure(std::int64_t revolution) {
     record.stamp_ms = protocol::timestamp_ms(now.start, state_.clock_zero());
     record.front_step = optics.front_step;
     record.steps_per_turn = optics.steps_per_turn;
-    record_ = std::make_shared<const ScanRecord>(std::move(record));
-    log_.add(record_);
-    return *record_;
+    const auto shared = std::make_shared<const ScanRecord>(std::move(record));
+    log_.add(shared, clock_.now());
+    return *shared;
 }
 
 Measurement Device::cast(std::int64_t revolution) {

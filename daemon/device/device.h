@@ -69,7 +69,7 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     void shift_poses(const PoseShift& shift) { sweep_.shift_poses(shift); }
     [[nodiscard]] sim::Pose world_from_robot() const { return sweep_.robot_at(clock_.now()); }
     [[nodiscard]] const sim::SensorSpec& optics() const { return sweep_.optics(); }
-    [[nodiscard]] const std::string& name() const { return sweep_.name(); }
+    [[nodiscard]] const std::string& name() const override { return sweep_.name(); }
 
     /// From the next scan on it sits there on its robot.
     void mount(const sim::Pose& robot_from_sensor) { sweep_.mount(robot_from_sensor); }
@@ -92,8 +92,11 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     [[nodiscard]] const Lateness& lateness() const { return counts_.lateness; }
     /// But for what links and faults count.
     [[nodiscard]] SensorCounts counts() const;
-    [[nodiscard]] sim::SharedScan latest_scan() const { return record_ ? record_->cast : nullptr; }
+    [[nodiscard]] sim::SharedScan latest_scan() const {
+        return log_.latest() ? log_.latest()->cast : nullptr;
+    }
     [[nodiscard]] const ScanLog& log() const { return log_; }
+    void ask_log() { log_.ask(clock_.now()); }
     [[nodiscard]] std::size_t clients() const { return clients_.size(); }
 
   private:
@@ -139,7 +142,6 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     sim::Time punctual_from_ = sim::Time::min();  ///< what leaves earlier was to be late
     std::function<void()> on_wanted_;
     std::function<void(const ScanRecord&)> watcher_;
-    SharedRecord record_;  ///< of the latest that was cast
     Pace pace_;
     ScanLog log_;
     SensorCounts counts_;  ///< without what living sessions have refused

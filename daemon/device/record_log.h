@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The latest measurements of a sensor: those of a second, or fewer, for people who compare. A
-// record stays as it was made, in the scene of its time. A value; one thread.
+// The latest measurement of a sensor. For people who compare it keeps those of the second before as
+// well, or fewer, as long as somebody has asked within a minute: they are large. A record stays as
+// it was made, in the scene of its time. A value; one thread.
 #pragma once
 
 #include <algorithm>
@@ -28,8 +29,12 @@ class RecordLog {
 
     explicit RecordLog(std::size_t capacity = 64) : capacity_(capacity) {}
 
-    void add(Shared record) {
+    /// Somebody asks for what it keeps.
+    void ask(sim::Time now) { asked_until_ = now + std::chrono::minutes(1); }
+
+    void add(Shared record, sim::Time now) {
         const sim::Scan& scan = *record->cast;
+        if (now >= asked_until_) records_.clear();
         // A revolution that is cast again replaces its record.
         while (!records_.empty() && last() >= scan.revolution)
             records_.pop_back();
@@ -53,6 +58,7 @@ class RecordLog {
   private:
     std::size_t capacity_;
     std::deque<Shared> records_;  ///< by growing revolution
+    sim::Time asked_until_ = sim::Time::min();
 };
 
 }  // namespace scipd::daemon

@@ -2,12 +2,29 @@
 // Copyright The scipd authors
 #include "daemon/device/scan_loop.h"
 
+#include <algorithm>
+#include <chrono>
+
+#include <spdlog/spdlog.h>
+
+#include "daemon/device/scan_losses.h"
+
 namespace scipd::daemon {
 namespace {
 
-// All turns that are late by less are served, one right after the other: with a real scanner the
-// kernel's buffers would have held them.
-constexpr sim::Time too_late = std::chrono::seconds(1);
+constexpr sim::Time buffered = std::chrono::seconds(1);
+/// A machine that was too slow will be again.
+constexpr sim::Time overload_lasts = std::chrono::seconds(10);
+/// So that those which have come to be a second late do not lose all of it at once.
+constexpr std::int64_t most_at_once = 8;
+
+/// For all loops of a thread, which lose scans together.
+void tell_lost(const std::string& sensor, std::int64_t turns) {
+    thread_local ScanLosses losses;
+    const auto text =
+        losses.add(sensor, static_cast<std::uint64_t>(turns), std::chrono::steady_clock::now());
+    if (text) spdlog::warn("{}", *text);
+}
 
 }  // namespace
 
@@ -44,22 +61,33 @@ bool ScanLoop::overdue() const {
 }
 
 void ScanLoop::serve() {
-    const sim::Time leaves = source_.leaves(revolution_);
     // The motor may have been slowed down meanwhile.
-    if (clock_.now() < leaves) return wait(leaves);
-    const sim::Time at_the_latest = leaves + source_.patience();
+    if (clock_.now() < source_.leaves(revolution_)) return wait(source_.leaves(revolution_));
+    const std::int64_t lost = too_many(clock_.now() - source_.leaves(revolution_));
+    if (lost > 0) give_up(lost);
+    const sim::Time at_the_latest = source_.leaves(revolution_) + source_.patience();
     lacks_poses_ = clock_.now() < at_the_latest && !source_.poses_known(revolution_);
     if (lacks_poses_) return wait(at_the_latest);
-    if (clock_.now() - leaves > too_late) {
-        const std::int64_t next = source_.next_revolution();
-        const auto passed = static_cast<std::uint64_t>(next - revolution_);
-        if (source_.driven()) missed_ += passed;
-        if (source_.watched()) missed_by_watchers_ += passed;
-        revolution_ = next;
-    } else {
-        source_.turn_complete(revolution_++);
-    }
+    source_.turn_complete(revolution_++);
     if (source_.wanted()) wait(source_.leaves(revolution_));
+}
+
+std::int64_t ScanLoop::too_many(sim::Time late) const {
+    if (late <= buffered && !clock_.overloaded()) return 0;
+    const sim::Time period = source_.leaves(revolution_ + 1) - source_.leaves(revolution_);
+    if (late <= source_.patience() + period) return 0;
+    const std::int64_t old = source_.next_revolution() - 1 - revolution_;
+    const std::int64_t too_old = old + 1 - buffered / period;
+    return std::min(old, std::max(most_at_once, too_old));
+}
+
+void ScanLoop::give_up(std::int64_t turns) {
+    clock_.set_overloaded_until(clock_.now() + overload_lasts);
+    revolution_ += turns;
+    const auto lost = static_cast<std::uint64_t>(turns);
+    if (source_.driven()) missed_ += lost;
+    if (source_.watched()) missed_by_watchers_ += lost;
+    if (source_.wanted()) tell_lost(source_.name(), turns);
 }
 
 }  // namespace scipd::daemon

@@ -3,7 +3,13 @@
 //
 // Waits for the ends of a source's turns, as long as somebody wants scans. Every instant is
 // computed from the number of the revolution and waited for as an absolute time, so lateness never
-// adds up. Lives on its shard.
+// adds up.
+//
+// A machine that was busy for less than a second loses nothing: the turns are served late, one
+// right after the other, since with a real scanner the kernel's buffers would have held them. Where
+// a turn is later than that, the thread is too slow for its sensors. For a while each of them gives
+// up whatever is not the newest then. Whoever has waited longest comes first, so all lose evenly,
+// and what they send is new. Lives on its shard.
 #pragma once
 
 #include <cstdint>
@@ -41,9 +47,12 @@ class ScanLoop {
     void wake();
     void wait(sim::Time until);
     void serve();
+    /// How many turns must be given up where the next one leaves so late.
+    [[nodiscard]] std::int64_t too_many(sim::Time late) const;
+    void give_up(std::int64_t turns);
 
     ScanSource& source_;
-    const Clock& clock_;
+    Clock& clock_;
     std::unique_ptr<Clock::Alarm> alarm_;
     std::int64_t revolution_ = 0;  ///< the next to be served
     bool waiting_ = false;

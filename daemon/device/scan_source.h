@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 
 #include "sim/time.h"
 
@@ -19,6 +20,9 @@ class ScanSource {
     ScanSource(const ScanSource&) = delete;
     ScanSource& operator=(const ScanSource&) = delete;
     virtual ~ScanSource() = default;
+
+    /// The sensor's, as people call it.
+    [[nodiscard]] virtual const std::string& name() const = 0;
 
     /// Whether somebody waits for scans.
     [[nodiscard]] bool wanted() const { return driven() || watched(); }

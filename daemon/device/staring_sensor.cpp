@@ -95,7 +95,7 @@ SharedStaringRecord StaringSensor::measure(std::int64_t number) {
     if (watcher_) note_pace(record, begin);
     ++counts_.scans;
     const auto shared = std::make_shared<const StaringRecord>(std::move(record));
-    log_.add(shared);
+    log_.add(shared, begin);
     return shared;
 }
 

@@ -38,6 +38,7 @@ class StaringSensor : public ScanSource {
     /// From the next measurement on it sits there on its robot.
     void mount(const sim::Pose& robot_from_sensor) { sweep_.mount(robot_from_sensor); }
 
+    [[nodiscard]] const std::string& name() const override { return sweep_.name(); }
     /// Drivers need SCIP.
     [[nodiscard]] bool driven() const override { return false; }
     [[nodiscard]] bool watched() const override { return watcher_ != nullptr; }
@@ -56,6 +57,8 @@ class StaringSensor : public ScanSource {
     /// where nobody has asked before. Never null.
     SharedStaringRecord latest();
     [[nodiscard]] const StaringLog& log() const { return log_; }
+    /// Somebody asks for what log() keeps.
+    void ask_log() { log_.ask(clock_.now()); }
 
     [[nodiscard]] std::uint64_t measured() const { return counts_.scans; }
     [[nodiscard]] const Lateness& lateness() const { return counts_.lateness; }

@@ -6,8 +6,10 @@
 #include <span>
 #include <utility>
 
+#include "sim/recycled.h"
 #include "sim/sensor/encounters.h"
 #include "sim/sensor/equal_parts.h"
+#include "sim/sensor/shared_scan.h"
 #include "sim/world/poses_along.h"
 
 namespace scipd::daemon {
@@ -18,7 +20,7 @@ namespace {
 std::vector<sim::Time> evenly_between(sim::Time begin, sim::Time end, std::size_t count) {
     const double apart_ns =
         static_cast<double>((end - begin).count()) / static_cast<double>(count - 1);
-    std::vector<sim::Time> times(count);
+    std::vector<sim::Time> times = sim::Recycled<sim::Time>::take(count);
     for (std::size_t i = 0; i < count; ++i) {
         const double since_ns = apart_ns * static_cast<double>(i) + 0.5;
         times[i] = begin + sim::Time(static_cast<std::int64_t>(since_ns));
@@ -63,7 +65,7 @@ Measurement Sweep::measure(std::int64_t revolution, sim::Time start, const Fired
     cast(scan, beam_fired, conditions);
     if (disturbed_) look_at_lamps(scan, beam_fired);
     scanner_.read(scan, conditions);
-    return {.cast = std::make_shared<const sim::Scan>(std::move(scan)),
+    return {.cast = sim::share(std::move(scan)),
             .scene = world_.names(),
             .backend = world_.choice_of(name_),
             .origin = origin};

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -20,6 +20,7 @@
 
 #include "sim/backends/embree_api.h"
 #include "sim/backends/embree_geometry.h"
+#include "sim/backends/embree_still.h"
 
 namespace scipd::sim {
 namespace {
@@ -56,7 +57,6 @@ class EmbreeBackend final : public RangeBackend {
         bool shown = true;       ///< in the scene at present
     };
 
-    void add_static_models();
     void add_movable_models();
     void do_move(ModelId model, const Pose& world_from_model) override;
     void do_cast(const Fan& fan, std::span<Hit> hits) override;
@@ -68,48 +68,33 @@ class EmbreeBackend final : public RangeBackend {
     void trace(const Fan& fan, Read read);
     void show(std::span<const ModelId> models);
 
-    [[nodiscard]] Pose anchored(const Pose& world_from_thing) const {
-        return {world_from_thing.translation_m - scene().anchor_m, world_from_thing.rotation};
-    }
     void aim(const Fan& fan, std::size_t first, std::size_t count, RTCRayHit16& packet) const;
     void turn_normals_of_movables(RTCRayHit16& packet) const;
     void read(const RTCRayHit16& packet, std::span<Hit> hits) const;
 
-    DeviceHandle device_ = new_device();
-    SceneHandle still_ = new_scene(device_.get());   ///< everything that never moves, in anchored W
-    SceneHandle moving_ = new_scene(device_.get());  ///< instances, under their models' ids
-    std::vector<Movable> movables_;                  ///< by ModelId; empty where nothing can move
-    std::vector<MaterialId> material_of_;            ///< by ObjectId
-    std::vector<ModelId> instances_;                 ///< all movable models with geometry
+    std::shared_ptr<const EmbreeStill> still_;
+    DeviceHandle device_;                  ///< of what moves; null where nothing can
+    SceneHandle moving_;                   ///< instances, under their models' ids
+    std::vector<Movable> movables_;        ///< by ModelId; empty where nothing can move
+    std::vector<MaterialId> material_of_;  ///< by ObjectId
+    std::vector<ModelId> instances_;       ///< all movable models with geometry
     int shown_count_ = 0;
     std::uint64_t casts_ = 0;
     bool moved_ = false;
 };
 
-EmbreeBackend::EmbreeBackend(SharedScene shared_scene) : RangeBackend(std::move(shared_scene)) {
+EmbreeBackend::EmbreeBackend(SharedScene shared_scene)
+    : RangeBackend(shared_scene), still_(still_part(shared_scene)) {
     for (const Object& object : scene().objects)
         material_of_.push_back(object.material);
-    add_static_models();
     add_movable_models();
-    if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE) {
-        throw std::runtime_error("Embree cannot build the scene " + scene().name);
-    }
-}
-
-void EmbreeBackend::add_static_models() {
-    for (ObjectId id = 0; id < scene().objects.size(); ++id) {
-        const Object& object = scene().objects[id];
-        const Model& model = scene().models[object.model];
-        if (model.movable) continue;
-        attach(device_.get(), still_.get(), id, object,
-               anchored(model.world_from_model * object.model_from_object));
-    }
-    rtcCommitScene(still_.get());
 }
 
 void EmbreeBackend::add_movable_models() {
     const std::vector<Model>& models = scene().models;
     if (std::ranges::none_of(models, &Model::movable)) return;
+    device_ = new_device();
+    moving_ = new_scene(device_.get());
     std::vector<SceneHandle> bodies(models.size());
     for (ObjectId id = 0; id < scene().objects.size(); ++id) {
         const Object& object = scene().objects[id];
@@ -129,15 +114,16 @@ void EmbreeBackend::add_movable_models() {
         do_move(id, models[id].world_from_model);
     }
     shown_count_ = static_cast<int>(instances_.size());
+    require_built(device_.get(), scene());
 }
 
 void EmbreeBackend::do_move(ModelId model, const Pose& world_from_model) {
     Movable& movable = movables_[model];
     if (!movable.instance) return;  // a model without geometry
     movable.world_from_model = glm::mat3_cast(world_from_model.rotation);
-    const glm::mat4x3 anchored_from_model{movable.world_from_model[0], movable.world_from_model[1],
-                                          movable.world_from_model[2],
-                                          glm::vec3{anchored(world_from_model).translation_m}};
+    const glm::mat4x3 anchored_from_model{
+        movable.world_from_model[0], movable.world_from_model[1], movable.world_from_model[2],
+        glm::vec3{anchored(scene(), world_from_model).translation_m}};
     rtcSetGeometryTransform(movable.instance.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
                             glm::value_ptr(anchored_from_model));
     rtcCommitGeometry(movable.instance.get());
@@ -198,7 +184,7 @@ void EmbreeBackend::trace(const Fan& fan, Read read) {
         alignas(64) int valid[packet_size] = {};
         std::fill_n(valid, count, -1);
         aim(fan, first, count, packet);
-        tracer.trace(valid, still_.get(), packet);
+        tracer.trace(valid, still_->scene.get(), packet);
         if (shown_count_ > 0) {
             // The hits so far have shortened the rays: only what stands before them is met.
             tracer.trace(valid, moving_.get(), packet);

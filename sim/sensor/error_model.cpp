@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "sim/recycled.h"
 #include "sim/sensor/curve.h"
 
 namespace scipd::sim {
@@ -170,7 +171,8 @@ const Reading& chosen(std::span<const Reading> readings, EchoChoice choice) {
 
 // One loop that makes readings and one that adds errors take less time than one for both.
 void read_hits(const Reader& reader, const ErrorModel& model, Scan& scan) {
-    scan.readings.assign(scan.beams(), {});
+    scan.readings = Recycled<Reading>::take(scan.beams());
+    std::ranges::fill(scan.readings, Reading{});
     Curve::Cursor white = reader.white();
     for (std::size_t beam = 0; beam < scan.readings.size(); ++beam)
         reader.read_ideal(scan.middle(beam), white, scan.readings[beam]);

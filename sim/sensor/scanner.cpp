@@ -2,11 +2,14 @@
 // Copyright The scipd authors
 #include "sim/sensor/scanner.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
+#include "sim/recycled.h"
 #include "sim/sensor/echo_model.h"
 #include "sim/sensor/light_path.h"
+#include "sim/sensor/shared_scan.h"
 
 namespace scipd::sim {
 namespace {
@@ -33,7 +36,7 @@ SharedScan Scanner::measure(RangeBackend& backend, std::int64_t revolution, Time
     Scan scan = begin(revolution, start, std::move(world_from_sensor));
     cast(backend, scan, {0, scan.beams()}, conditions);
     read(scan, conditions);
-    return std::make_shared<const Scan>(std::move(scan));
+    return share(std::move(scan));
 }
 
 Scan Scanner::begin(std::int64_t revolution, Time start,
@@ -45,7 +48,8 @@ Scan Scanner::begin(std::int64_t revolution, Time start,
     scan.start = start;
     scan.world_from_sensor = std::move(world_from_sensor);
     scan.rays_per_beam = pattern_.rays_per_beam();
-    scan.hits.resize(pattern_.directions().size());
+    scan.hits = Recycled<Hit>::take(pattern_.directions().size());
+    std::ranges::fill(scan.hits, Hit{});
     return scan;
 }
 

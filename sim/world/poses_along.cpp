@@ -9,6 +9,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "sim/recycled.h"
+
 namespace scipd::sim {
 namespace {
 
@@ -104,7 +106,7 @@ class EvenMotion {
 
 std::vector<Pose> poses_along(const PoseTrack& track, const Pose& thing_from_mount,
                               std::span<const Time> times) {
-    std::vector<Pose> poses(times.size());
+    std::vector<Pose> poses = Recycled<Pose>::take(times.size());
     for (std::size_t first = 0; first < times.size();) {
         const PoseTrack::Stretch stretch = track.stretch(times[first]);
         const bool rests = stretch.velocity == Velocity{};

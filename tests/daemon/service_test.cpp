@@ -137,7 +137,7 @@ TEST(Service, FeedsTheWatchdogUntilAScanLoopIsStuck) {
 
     Station& station = *simulation.stations.front();
     auto& device = *std::get<std::unique_ptr<Device>>(station.sensor);
-    const auto client = device.connect([] {}, protocol::LinkKind::network);
+    auto client = device.connect([] {}, protocol::LinkKind::network);
     client->receive("MD0540054000000\n");
     const auto is_fed = [&] { return systemd.meals() > 0; };
     EXPECT_TRUE(run_until(io, [&] { return device.scans_sent() > 3; }));
@@ -161,6 +161,7 @@ TEST(Service, FeedsTheWatchdogUntilAScanLoopIsStuck) {
     for (int meal = 0; meal < 5; ++meal)
         EXPECT_TRUE(run_until(io, is_fed));
     service.stopping();
+    client.reset();
     fleet.stop();
 }
 

@@ -154,6 +154,7 @@ def stall(bench):
 
 def cut_by_fin(bench):
     client = bench.client()
+    client.ask("VV")  # it is served by now
     bench.start(kind="cut", how="fin")
     assert closed(client) == "ended"
     client.close()

@@ -203,6 +203,8 @@ TEST(InLockstep, AllTimesAreStampsOfThePoses) {
     const TempDir directory;
     const DaemonProcess daemon(directory, in_lockstep());
     WebSocketClient stream(daemon.control(), "/stream");
+    // From this question on it keeps scans.
+    EXPECT_EQ(control_request(daemon.control(), "GET", "/sensors/robot/scanner/truth").status, 404);
     // A turn of a UST-10LX that begins at the first stamp is complete 25 ms later.
     for (const char* stamp : {"1000.00", "1000.06", "1000.07"})
         daemon.say(std::string("{\"t\":") + stamp + ",\"xyz\":[0,0,0]}\n");

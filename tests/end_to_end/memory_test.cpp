@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// When a small world replaces a large one, the memory of the large one goes back to the system.
+// What scipd takes of the memory: a scanner little, and of a large world nothing once a small one
+// has replaced it.
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -67,6 +69,35 @@ TEST(Memory, OfALargeWorldGoesBackWithIt) {
         EXPECT_TRUE(eventually([&] { return memory_mb(daemon.pid()) < fresh_mb + 50; }))
             << fresh_mb << " MB at first, " << memory_mb(daemon.pid()) << " MB now";
     }
+}
+
+/// So many scanners on a robot that drives for a second and a half, each with a client.
+double memory_of_driving_mb(int scanners) {
+    const TempDir directory;
+    std::string config = "clock: poses\nscene: " + scene("square_room.sdf").string() +
+                         "\nrobots:\n  robot:\n    poses: '-'\n    sensors:\n";
+    for (int i = 0; i < scanners; ++i)
+        config += "      s" + std::to_string(i) + ": {model: UST-10LX, tcp: 127.0.0.1:0}\n";
+    const DaemonProcess daemon(directory, {"--config", directory.write("fleet.yaml", config)});
+    std::vector<ScannerWire> clients;
+    for (int i = 0; i < scanners; ++i) {
+        clients.push_back(ScannerWire::tcp(daemon.port(static_cast<std::size_t>(i))));
+        EXPECT_EQ(clients.back().ask(stream_of_one_beam), "00");
+    }
+    for (int i = 0; i <= 75; ++i) {
+        const std::string seconds = std::to_string(i / 50.0);
+        daemon.say(R"({"xyz":[)" + seconds + R"(,0,0.3],"t":)" + seconds + "}\n");
+    }
+    EXPECT_TRUE(eventually([&] { return daemon.get("/status").at("time_s") >= 1.48; }));
+    EXPECT_GE(daemon.sensor_status().at("scans"), 50);
+    return memory_mb(daemon.pid());
+}
+
+// The scans of a second alone would be 4 MB.
+TEST(Memory, OfAScannerThatDrivesIsSmall) {
+    if (sanitized) GTEST_SKIP() << "sanitizers take memory of their own";
+    const double few_mb = memory_of_driving_mb(20);
+    EXPECT_LT((memory_of_driving_mb(100) - few_mb) / 80, 0.3);
 }
 
 }  // namespace

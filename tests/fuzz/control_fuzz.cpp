@@ -51,7 +51,7 @@ class AnyName : public tests::EmptyApi {
         record->sent.intensity = {0};
         record->scene = scene().scene;
         record->backend = std::make_shared<const daemon::BackendChoice>();
-        log_.add(record);
+        log_.add(record, {});
     }
 
     [[nodiscard]] std::optional<daemon::SensorLog> log(const std::string&) const override {

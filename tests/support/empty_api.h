@@ -47,6 +47,7 @@ class EmptyApi : public daemon::Api {
     [[nodiscard]] std::optional<daemon::SensorLog> log(const std::string&) const override {
         return {};
     }
+    void ask_log(const std::string&) override {}
     std::unique_ptr<daemon::Conversation> subscribe(const std::string& sensor,
                                                     daemon::WebSocket& socket) override {
         return stream_.subscribe(sensor, socket);

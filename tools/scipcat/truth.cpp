@@ -52,14 +52,18 @@ std::string path_of(const std::string& sensor) {
            path_segment(sensor.substr(slash + 1)) + "/truth";
 }
 
-/// Nothing if the scipd no longer keeps that scan.
-std::optional<Json> find_scan(ControlClient& client, const std::string& path, std::int64_t scan) {
+/// Nothing if the scipd does not keep that scan.
+std::optional<Json> find_truth(ControlClient& client, const std::string& path) {
     try {
-        return client.get(path + "?scan=" + std::to_string(scan));
+        return client.get(path);
     } catch (const ControlError& error) {
         if (error.status() != 404) throw;
         return std::nullopt;
     }
+}
+
+std::string earlier(const std::string& path, const Json& truth) {
+    return path + "?scan=" + std::to_string(truth.at("scan").get<std::int64_t>() - 1);
 }
 
 /// The scan may no longer be the latest one: others may have asked for more.
@@ -67,7 +71,7 @@ Json find_stamp(ControlClient& client, const std::string& sensor, std::uint32_t 
     const std::string path = path_of(sensor);
     std::optional<Json> truth = client.get(path);
     while (truth && truth->at("stamp_ms") != stamp_ms)
-        truth = find_scan(client, path, truth->at("scan").get<std::int64_t>() - 1);
+        truth = find_truth(client, earlier(path, *truth));
     if (truth) return *truth;
     throw std::runtime_error(sensor + " sent no scan of the stamp " + std::to_string(stamp_ms) +
                              " ms of late: is it another scanner?");
@@ -107,6 +111,11 @@ void TruthOptions::add_to(CLI::App& command) {
         "--truth", sensor,
         "the scanner's name in its scipd, as ROBOT/SENSOR (default: by its address)");
     command.add_option("--control", control, "that scipd's control socket")->capture_default_str();
+}
+
+void announce_question(const TruthOptions& options, const std::string& target) {
+    ControlClient client(options.control);
+    (void)find_truth(client, path_of(name_of(client, options, target)));
 }
 
 Truth ask_truth(const TruthOptions& options, const std::string& target, std::uint32_t stamp_ms) {

@@ -37,6 +37,10 @@ struct TruthOptions {
     void add_to(CLI::App& command);
 };
 
+/// To be called before the scan is taken: from then on the scipd keeps scans to be asked for.
+/// Throws as ask_truth() does.
+void announce_question(const TruthOptions& options, const std::string& target);
+
 /// Of the scan with this stamp of the scanner at `target`, as the user wrote it. Throws
 /// ControlError, and std::runtime_error with a sentence.
 [[nodiscard]] Truth ask_truth(const TruthOptions& options, const std::string& target,

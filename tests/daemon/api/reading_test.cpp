@@ -67,6 +67,11 @@ class ReadingTest : public testing::Test, protected tests::EmptyApi {
         return sensor == "robot/scanner" ? std::optional<SensorLog>(log_) : std::nullopt;
     }
 
+    void ask_log(const std::string& sensor) override {
+        if (sensor == "robot/tof") camera_.ask_log();
+        if (sensor == "robot/sonar") ranger_.ask_log();
+    }
+
     HttpResponse ask(const std::string& path, const std::string& query = {}) {
         std::optional<HttpResponse> answer;
         route(*this, {"GET", "/sensors/robot/" + path, query, ""},

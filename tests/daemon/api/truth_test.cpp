@@ -32,6 +32,7 @@ class TruthTest : public testing::Test, tests::EmptyApi {
     [[nodiscard]] std::optional<SensorLog> log(const std::string& sensor) const override {
         return sensor == "robot/scanner" ? std::optional<SensorLog>(device_.log()) : std::nullopt;
     }
+    void ask_log(const std::string& /*sensor*/) override { device_.ask_log(); }
 
     HttpResponse ask(const std::string& query = {}) {
         std::optional<HttpResponse> answer;
@@ -190,6 +191,8 @@ TEST_F(TruthTest, TellsTimesFromTheOriginOfItsClock) {
 
 TEST_F(TruthTest, KeepsASecondOfScans) {
     client_->receive("MD0540054000000\n");
+    turn();
+    (void)truth();
     turn(100);
     const std::int64_t last = revolution_ - 1;
     // 25 ms each: 40 turns before the last one is a second ago.
@@ -198,6 +201,27 @@ TEST_F(TruthTest, KeepsASecondOfScans) {
     const std::string kept = "from " + std::to_string(last - 40) + " to " + std::to_string(last);
     EXPECT_THAT(refusal(404, "scan=" + std::to_string(last - 41)), HasSubstr(kept));
     EXPECT_THAT(refusal(404, "scan=" + std::to_string(last + 1)), HasSubstr(kept));
+}
+
+// Scans are large, and most scanners are never asked for their truth.
+TEST_F(TruthTest, KeepsScansForAMinuteFromAQuestionOn) {
+    EXPECT_THAT(refusal(404), HasSubstr("no scan yet"));
+    client_->receive("MD0540054000000\n");
+    const auto kept = [&] { return device_.log().last() - device_.log().first() + 1; };
+    clock_.advance_to(70s);
+    revolution_ = device_.next_revolution();
+    turn(3);
+    EXPECT_EQ(kept(), 1) << "nobody has asked of late";
+    const std::string before = std::to_string(revolution_ - 2);
+    EXPECT_THAT(refusal(404, "scan=" + before), HasSubstr("ask for a later scan"));
+    turn(2);
+    EXPECT_EQ(truth("scan=" + std::to_string(revolution_ - 2))["scan"], revolution_ - 2);
+    const sim::Time asked = clock_.now();
+    while (device_.leaves(revolution_) < asked + 60s)
+        turn();
+    EXPECT_EQ(kept(), 41);
+    turn();
+    EXPECT_EQ(kept(), 1);
 }
 
 TEST_F(TruthTest, KeepsTheNamesOfTheirWorld) {

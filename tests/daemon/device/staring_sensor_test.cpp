@@ -201,6 +201,7 @@ TEST_F(StaringSensorTest, KeepsFewPicturesThatAreLarge) {
     SensorConfig large = row_of_three();
     large.staring->optics = sim::PinholeGrid{1000, 1000, 0.1, 0.1};
     use(large);
+    sensor_->ask_log();
     for (int i = 0; i < 4; ++i) {
         clock_.advance_to(i * 40ms);
         (void)sensor_->latest();

@@ -64,6 +64,7 @@ class ShardsTest : public testing::TestWithParam<std::size_t> {
     boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_{
         io_.get_executor()};
     WallClock clock_{io_.get_executor()};
+    std::atomic<int> told_ = 0;
     World world_;
     Shards shards_{io_.get_executor(), world_, clock_, clock_, GetParam()};
     std::vector<std::unique_ptr<Busy>> busy_;
@@ -133,17 +134,16 @@ TEST_P(ShardsTest, TakePosesWithinAMomentOfStillness) {
 }
 
 TEST_P(ShardsTest, AreToldOfPosesOnTheirThread) {
-    std::atomic<int> told = 0;
     shards_.on_changed([&](std::size_t shard) {
         EXPECT_LT(shard, GetParam());
-        ++told;
+        ++told_;
     });
     world_.set_robots({{"r", {}}});
     place(1, 1ms);
     const auto end = std::chrono::steady_clock::now() + 10s;
-    while (told < static_cast<int>(GetParam()) && std::chrono::steady_clock::now() < end)
+    while (told_ < static_cast<int>(GetParam()) && std::chrono::steady_clock::now() < end)
         std::this_thread::yield();
-    EXPECT_GE(told, static_cast<int>(GetParam()));
+    EXPECT_GE(told_, static_cast<int>(GetParam()));
 }
 
 TEST_P(ShardsTest, ThrowOnTheThreadOfWhoeverRunsThem) {

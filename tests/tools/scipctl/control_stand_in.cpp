@@ -56,7 +56,7 @@ ControlStandIn::ControlStandIn(std::vector<std::string> robots, std::string cloc
         daemon::BackendChoice{"embree", "embree takes 0.030 ms, depth takes 0.600 ms", 12});
     record.front_step = 384;
     record.steps_per_turn = 1024;
-    log_.add(std::make_shared<const daemon::ScanRecord>(std::move(record)));
+    log_.add(std::make_shared<const daemon::ScanRecord>(std::move(record)), {});
     for (std::string& robot : robots)
         poses_[std::move(robot)] = {};
     server_.listen(socket());
