@@ -157,6 +157,7 @@ def main():
         (checker.folder / "token").chmod(0o600)
         (checker.folder / "user").write_text("east:a secret\n")
         (checker.folder / "user").chmod(0o600)
+        (checker.folder / "authorities.pem").write_text("")
         with concurrent.futures.ThreadPoolExecutor(4) as pool:
             failures = list(pool.map(checker.examples_fail, packs_of(rows)))
             failures += pool.map(checker.wrong_value_fails, rows)
