@@ -32,6 +32,11 @@ double unix_s() {
         .count();
 }
 
+DaemonNote lost(DaemonNote who) {
+    who.lost = true;
+    return who;
+}
+
 }  // namespace
 
 SharedWorld::SharedWorld(const boost::asio::any_io_executor& executor, const BrokerConfig& config,
@@ -46,7 +51,7 @@ SharedWorld::SharedWorld(const boost::asio::any_io_executor& executor, const Bro
            .in_steps = parts.lockstep != nullptr,
            .host = host_name()},
       link_(executor, config, "scipd-" + instance_,
-            {topics_.of(Kind::daemon, name_), text_of(note_with(true))},
+            {topics_.of(Kind::daemon, name_), text_of(lost(who_))},
             {.connected = [this] { ask_for_all(); },
              .message = [this](const MqttMessage& message) { take(message); },
              .lost = [this](const std::string& why) { tell_of_loss(why); }}),
@@ -69,30 +74,29 @@ SharedWorld::~SharedWorld() {
     stop();
 }
 
-DaemonNote SharedWorld::note_with(bool lost) const {
-    DaemonNote note = who_;
-    note.lost = lost;
-    return note;
-}
-
 void SharedWorld::tell_of_loss(const std::string& why) const {
     spdlog::warn("the broker {} is lost: {}; what others move stays until it is back",
                  text_of(config_.broker), why);
 }
 
+void SharedWorld::require_answer(bool came) const {
+    if (came) return;
+    const std::string why =
+        link_.connected() ? "it does not let this daemon read its topics" : link_.trouble();
+    throw std::runtime_error(
+        fmt::format("cannot join the world {0} by the broker {1}: {2}; start the broker first, and "
+                    "see that its user may read and write scipd/{0}/#",
+                    config_.world, text_of(config_.broker), why));
+}
+
 JoinedWorld SharedWorld::join(const sim::Scene& base) {
     scene_ = {.hash = content_hash(base), .by = name_, .begun_s = unix_s()};
     const auto synced = [&] { return marks_ > 0 && marks_seen_ == marks_; };
-    if (!link_.run_until(synced, patience)) {
-        throw std::runtime_error(
-            "fleet.broker: " + text_of(config_.broker) + ": " +
-            (link_.connected() ? "it does not let this daemon read its topics" : link_.trouble()));
-    }
+    require_answer(link_.run_until(synced, patience));
     check_scene();
     if (!kept_.scene || kept_.scene->hash != scene_.hash) {
         found_world(kept_.scene.has_value());
-        if (!link_.run_until(synced, patience))
-            throw std::runtime_error("fleet.broker: it has gone silent: " + link_.trouble());
+        require_answer(link_.run_until(synced, patience));
         // Another daemon may have done the same at the same time; whoever was last is right.
         if (kept_.scene && kept_.scene->hash != scene_.hash)
             throw std::runtime_error(other_world(*kept_.scene, scene_, config_.world));
@@ -106,8 +110,8 @@ JoinedWorld SharedWorld::join(const sim::Scene& base) {
 void SharedWorld::check_scene() {
     const auto same_name = kept_.daemons.find(name_);
     if (same_name != kept_.daemons.end() && !same_name->second.lost) {
-        throw std::runtime_error("fleet.name: there is a daemon " + name_ + " on " +
-                                 same_name->second.host + "; take another name");
+        throw std::runtime_error("there is a daemon " + name_ + " on " + same_name->second.host +
+                                 "; take another fleet.name");
     }
     const bool differs = kept_.scene && kept_.scene->hash != scene_.hash;
     if (differs && kept_.serving_other_than(instance_) != nullptr)
@@ -281,8 +285,7 @@ void SharedWorld::put_places(bool with_own) {
 }
 
 void SharedWorld::say_who() {
-    link_.publish(topics_.of(Kind::daemon, name_), text_of(note_with(false)),
-                  {.surely = true, .kept = true});
+    link_.publish(topics_.of(Kind::daemon, name_), text_of(who_), {.surely = true, .kept = true});
 }
 
 void SharedWorld::say_scene() {

@@ -54,8 +54,8 @@ class SharedWorld {
     void stop();
 
   private:
-    [[nodiscard]] DaemonNote note_with(bool lost) const;
     [[nodiscard]] sim::Time age() const;
+    void require_answer(bool came) const;
     void tell_of_loss(const std::string& why) const;
     [[nodiscard]] std::string body_of(const std::string& robot) const;
     void ask_for_all();
