@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "daemon/api/fleet_metrics.h"
+#include "daemon/api/shared_status.h"
 #include "daemon/device/sensor_log.h"
 #include "daemon/http/web_socket.h"
 #include "daemon/world/scene_edit.h"
@@ -62,17 +63,6 @@ struct PosesStatus {
     std::uint64_t accepted = 0;
     std::uint64_t refused = 0;
     std::optional<std::string> last_refusal;
-};
-
-/// The world that this daemon shares with others.
-struct SharedStatus {
-    std::string broker;  ///< "mqtt://127.0.0.1:1883"
-    std::string world;
-    std::string name;  ///< of this daemon
-    bool connected = false;
-    std::uint64_t daemons = 0;           ///< others that serve
-    std::optional<std::string> trouble;  ///< why the world here is not that of the others
-    std::uint64_t frames_dropped = 0;    ///< of poses, since somebody was too slow
 };
 
 struct FleetStatus {

@@ -11,7 +11,7 @@
 
 #include <boost/asio/any_io_executor.hpp>
 
-#include "daemon/api/api.h"
+#include "daemon/api/shared_status.h"
 #include "daemon/broker/join_world.h"
 #include "daemon/broker/kept_messages.h"
 #include "daemon/broker/mqtt_link.h"
