@@ -101,11 +101,13 @@ void Fleet::take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept {
     Simulation& simulation = *simulation_;
     const Config& config = plan.config;
     simulation.limits->set(config.client_limits);
-    simulation.editor.set_file(config.scene, scene_options(config, plan.materials), config.allow);
+    simulation.editor.set_file(config.scene, scene_options(config, plan.materials), config.allow,
+                               std::move(plan.added));
     simulation.world.set_materials(plan.materials);
     simulation.world.configure_media(config.media);
-    simulation.worker.discard(std::make_shared<SensorBackends>(simulation.world.replace_scene(
-        std::move(plan.loaded.scene), std::move(plan.backends), {}, simulation.clock.now())));
+    simulation.worker.discard(std::make_shared<SensorBackends>(
+        simulation.world.replace_scene(std::move(plan.loaded.scene), std::move(plan.backends), {},
+                                       simulation.clock.now() - plan.scripts_age)));
     std::map<std::string, RobotStart> robots;
     for (const RobotConfig& robot : config.robots)
         robots[robot.name] = {robot.world_from_robot, robot.policy, robot.body};
@@ -155,7 +157,8 @@ Fleet::Feeds Fleet::open_feeds(const Config& config) {
         .report = [](const std::string& message) { spdlog::warn("{}", message); }};
     Feeds feeds;
     for (const RobotConfig& robot : config.robots) {
-        if (!robot.poses) continue;
+        // Vehicles come by the broker of the world that is shared.
+        if (!robot.poses || robot.poses->kind == PoseSource::Kind::vda5050) continue;
         const auto open = std::ranges::find_if(
             feeds_, [&](const Feed& feed) { return can_serve(feed.robot, feed.source, robot); });
         feeds.push_back({robot.name, *robot.poses,

@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "daemon/broker/shared_world.h"
 #include "daemon/device/device.h"
 #include "daemon/device/staring_sensor.h"
 #include "daemon/fleet_metrics.h"
@@ -28,7 +29,9 @@ SharedStaringRecord latest_of(StaringSensor& sensor) {
 }  // namespace
 
 FleetStatus FleetApi::status() const {
-    return simulation_.shards.still([&] { return status_of(simulation_); });
+    FleetStatus status = simulation_.shards.still([&] { return status_of(simulation_); });
+    if (shared_ != nullptr) status.fleet = shared_->status();
+    return status;
 }
 
 FleetMetrics FleetApi::metrics() const {
@@ -76,7 +79,13 @@ SceneView FleetApi::scene() const {
     return {simulation_.editor.file(), simulation_.world.scene()};
 }
 
+// The others are told of an edit that is made, so none is withdrawn.
 void FleetApi::edit_scene(SceneEdit edit, EditDone done, std::stop_token withdrawn) {
+    if (shared_ != nullptr) return shared_->edit(std::move(edit), std::move(done));
+    edit_here(std::move(edit), std::move(done), std::move(withdrawn));
+}
+
+void FleetApi::edit_here(SceneEdit edit, EditDone done, std::stop_token withdrawn) {
     auto told = [&simulation = simulation_, done = std::move(done)](EditOutcome outcome) {
         if (outcome.result != EditOutcome::Result::done) return done(outcome);
         std::ranges::move(simulation.remount(), std::back_inserter(outcome.messages));

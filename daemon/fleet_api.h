@@ -19,12 +19,18 @@
 
 namespace scipd::daemon {
 
+class SharedWorld;
 struct Simulation;
 
 class FleetApi : public Api {
   public:
     /// `simulation` must outlive it.
     explicit FleetApi(Simulation& simulation) : simulation_(simulation), faults_(simulation) {}
+
+    /// From now on changes of the world are those of others, too; null: of this daemon alone.
+    void share(SharedWorld* shared) { shared_ = shared; }
+    /// Without telling anybody who shares the world.
+    void edit_here(SceneEdit edit, EditDone done, std::stop_token withdrawn = {});
 
     [[nodiscard]] FleetStatus status() const override;
     [[nodiscard]] FleetMetrics metrics() const override;
@@ -46,6 +52,7 @@ class FleetApi : public Api {
 
   private:
     Simulation& simulation_;
+    SharedWorld* shared_ = nullptr;
     FleetFaults faults_;
     std::map<std::string, SenderClock> robot_senders_;  ///< of robots that the API moves
     std::map<std::string, SenderClock> model_senders_;

@@ -13,6 +13,7 @@
 #include "daemon/mounting.h"
 #include "daemon/unseen_media.h"
 #include "daemon/world/backend_maker.h"
+#include "sim/loaders/file/load_error.h"
 #include "sim/sensor/scanner.h"
 #include "sim/world/lit_world.h"
 
@@ -37,6 +38,37 @@ std::optional<std::string> blind_spot(const RequestedBackend& request, const sim
 
 std::optional<std::string> named_backend(const SensorConfig& sensor) {
     return sensor.backend == auto_backend ? std::nullopt : std::optional(sensor.backend);
+}
+
+/// What others have made of the world.
+struct Shared {
+    AddedTriangles added;
+    sim::Time age{};
+};
+
+sim::LoadError unlike_the_others(const std::string& field, const std::vector<std::string>& why) {
+    std::vector<std::string> faults;
+    for (const std::string& line : why)
+        faults.push_back(field + "the broker keeps a change that cannot be made here: " + line);
+    return sim::LoadError(std::move(faults));
+}
+
+/// Leaves out what takes away a model that is not there.
+Shared share(const Config& config, const sim::SharedMaterials& materials,
+             const std::stop_token& stop, const JoinedWorld& joined, sim::LoadedScene& loaded) {
+    PresentScene present{config.scene, loaded.scene, scene_options(config, materials),
+                         config.allow, {},           config.client_limits};
+    present.options.limits.stop = stop;
+    for (const SceneEdit& edit : joined.edits) {
+        const EditedOrNot now = edited(edit, present);
+        if (!now && now.error().result == EditOutcome::Result::unknown) continue;
+        if (!now) throw unlike_the_others(config.place_of("fleet"), now.error().messages);
+        present.scene = now->scene;
+        present.added = now->all_added;
+        std::ranges::copy(now->warnings, std::back_inserter(loaded.warnings));
+    }
+    loaded.scene = present.scene;
+    return {std::move(present.added), joined.age};
 }
 
 }  // namespace
@@ -65,11 +97,13 @@ RequestedBackend requested_backend(const std::string& robot, const SensorConfig&
 }
 
 FleetPlan make_plan(Config config, const SettledBackends& settled, const std::stop_token& stop,
-                    const Homes& now) {
+                    const Homes& now, const JoinWorld& join) {
     Homes homes = find_homes(config, now);
     std::optional<Scenario> scenario = load_scenario(config);
     LoadedMaterials materials = load_materials(config);
     sim::LoadedScene loaded = load_world(config, materials.library, stop);
+    Shared shared;
+    if (join) shared = share(config, materials.library, stop, join(*loaded.scene), loaded);
     std::ranges::move(materials.warnings, std::back_inserter(loaded.warnings));
     std::vector<std::string> notices = mount_by_name(config, *loaded.scene);
     std::ranges::move(media_notices(config), std::back_inserter(notices));
@@ -90,9 +124,9 @@ FleetPlan make_plan(Config config, const SettledBackends& settled, const std::st
         if (auto notice = blind_spot(request, *loaded.scene, backends))
             notices.push_back(*std::move(notice));
     }
-    return {std::move(config),   std::move(homes),   std::move(loaded),
-            std::move(backends), std::move(notices), std::move(materials.library),
-            std::move(scenario)};
+    return {std::move(config),   std::move(homes),        std::move(loaded),
+            std::move(backends), std::move(notices),      std::move(materials.library),
+            std::move(scenario), std::move(shared.added), shared.age};
 }
 
 }  // namespace scipd::daemon

@@ -11,9 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "daemon/broker/join_world.h"
 #include "daemon/config/config.h"
 #include "daemon/faults/scenario.h"
 #include "daemon/homes.h"
+#include "daemon/world/edited_scene.h"
 #include "daemon/world/requested_backend.h"
 #include "daemon/world/sensor_backends.h"
 #include "sim/loaders/file/loaded_scene.h"
@@ -29,6 +31,8 @@ struct FleetPlan {
     std::vector<std::string> notices;  ///< no faults
     sim::SharedMaterials materials;
     std::optional<Scenario> scenario;
+    AddedTriangles added;     ///< by daemons that share the world
+    sim::Time scripts_age{};  ///< how long ago the scripts of the world began
 };
 
 /// What `auto` has been settled as, by sensor. It holds while the configuration of the sensor stays
@@ -41,8 +45,10 @@ using SettledBackends = std::map<std::string, SettledBackend>;
 
 /// Where nothing is settled yet, `auto` takes the preferred backend for now. Throws LoadError, also
 /// soon after `stop`, and std::runtime_error where this machine lacks a backend that is wanted.
+/// `join` makes the world the one that is shared with others, and throws what it throws.
 FleetPlan make_plan(Config config, const SettledBackends& settled = {},
-                    const std::stop_token& stop = {}, const Homes& now = {});
+                    const std::stop_token& stop = {}, const Homes& now = {},
+                    const JoinWorld& join = {});
 
 /// What a sensor asks of the backends while its robot is at this pose. In lockstep two runs have to
 /// be the same, so there `auto` is settled from the first. `materials` are those of the world.

@@ -89,12 +89,14 @@ void add_robot(CLI::App& app, OptionValues& said) {
             said.start_given = true;
             return put(parse_pose(text), said.robot.world_from_robot);
         });
-    group.add("--poses", "SOURCE",
-              "live poses: udp:ADDR:PORT, - for stdin, or a file that is played in real time: TUM, "
-              "EuRoC, KITTI or CSV with a header",
-              [&](const auto& text) {
-                  return put(parse_pose_source(text, fs::current_path()), said.robot.poses);
-              });
+    group.add(
+        "--poses", "SOURCE",
+        "live poses: udp:ADDR:PORT, - for stdin, vda5050:MANUFACTURER/SERIAL for a vehicle at "
+        "the broker, or a file that is played in real time: TUM, EuRoC, KITTI or CSV with a "
+        "header",
+        [&](const auto& text) {
+            return put(parse_pose_source(text, fs::current_path()), said.robot.poses);
+        });
 }
 
 void add_scanner(CLI::App& app, OptionValues& said) {
@@ -154,6 +156,12 @@ void add_daemon(CLI::App& app, OptionValues& said) {
     group.add("--http", "ADDR:PORT",
               "where the control API listens on TCP too, on loopback, or none; default: none",
               [&](const auto& text) { return put(parse_http(text), config.http); });
+    group.add("--broker", "URL",
+              "share the world with other daemons by this MQTT broker, mqtt://HOST:PORT; default: "
+              "the world is this daemon's alone",
+              [&](const auto& text) { return put(parse_broker(text), said.fleet.broker); });
+    group.add("--world", "NAME", "which of the broker's worlds; goes with --broker",
+              [&](const auto& text) { return put(parse_world_name(text), said.fleet.world); });
 }
 
 constexpr const char* alone_title = "Instead of the above";

@@ -22,6 +22,7 @@ struct OptionValues {
 
     Options options;
     RobotConfig robot;
+    BrokerConfig fleet;
     SensorConfig sensor;  ///< of the kind that stands alone, until options say otherwise
     bool start_given = false;
     bool mount_given = false;

@@ -53,6 +53,19 @@ Answer wrong_options(const std::string& why) {
     return refusal("scipd: " + why + "; see scipd --help");
 }
 
+/// A world is shared where both options say how.
+sim::Expected<> take_fleet(OptionValues& said) {
+    const bool has_broker = !said.fleet.broker.host.empty();
+    if (has_broker != !said.fleet.world.empty())
+        return sim::refuse("--broker and --world go together");
+    const auto& poses = said.robot.poses;
+    if (!has_broker && poses && poses->kind == PoseSource::Kind::vda5050)
+        return sim::refuse("--poses vda5050: goes with --broker and --world");
+    if (!has_broker) return {};
+    said.options.config.fleet = said.fleet;
+    return {};
+}
+
 /// Gives options that were left out the values that the help names.
 sim::Expected<> complete(OptionValues& said) {
     Config& config = said.options.config;
@@ -83,8 +96,8 @@ std::variant<Options, Answer> act(OptionValues& said) {
     if (said.probe) return probe();
     if (!said.check.empty()) return Answer{0, check(said.check, said.options)};
     if (said.config.empty()) {
-        if (const auto completed = complete(said); !completed)
-            return wrong_options(completed.error().why);
+        const auto completed = complete(said).and_then([&] { return take_fleet(said); });
+        if (!completed) return wrong_options(completed.error().why);
     } else {
         said.options.config = load_config(said.config);
         said.options.config_file = fs::absolute(said.config);

@@ -40,7 +40,9 @@ Server::Server(const Options& options)
     // The control socket next: if another scipd has it, its ttys are not touched either.
     listen_for_control();
     if (options_.config.http) listen_for_http(*options_.config.http);
+    const Config config = plan.config;
     fleet_.apply(std::move(plan));
+    if (shared_) shared_->serve(config);
     fleet_.simulation().choose_backends();
     warn_of_unneeded();
     wait_for_signal();
@@ -50,11 +52,27 @@ Server::Server(const Options& options)
 // nothing is left behind. SIGHUP waits. It loads on another thread: the memory of the world is then
 // in the part of the heap that other threads have, so that this one does not wait while the memory
 // is given back.
-FleetPlan Server::load_first() const {
+FleetPlan Server::load_first() {
     service_notify::status("loads " + options_.config.scene.string());
+    JoinWorld join;
+    if (options_.config.fleet) {
+        share_world(*options_.config.fleet);
+        join = [this](const sim::Scene& base) { return shared_->join(base); };
+    }
     return std::async(std::launch::async,
-                      [&] { return make_plan(options_.config, {}, {}, fleet_.homes()); })
+                      [&] { return make_plan(options_.config, {}, {}, fleet_.homes(), join); })
         .get();
+}
+
+void Server::share_world(const BrokerConfig& config) {
+    Simulation& simulation = fleet_.simulation();
+    shared_.emplace(
+        io_.get_executor(), config,
+        SharedWorld::Parts{simulation.world, simulation.intake, simulation.clock,
+                           simulation.lockstep.get(), [this](SceneEdit edit, EditDone done) {
+                               api_.edit_here(std::move(edit), std::move(done));
+                           }});
+    api_.share(&*shared_);
 }
 
 // The first scipd has the control socket that nobody has named; those started after it make their
@@ -153,9 +171,10 @@ void Server::reload() {
     Simulation& simulation = fleet_.simulation();
     simulation.worker.add([this, &simulation] {
         return [this, settled = simulation.settled_backends(), homes = fleet_.homes(),
-                stop = simulation.worker.stopping()]() -> Worker::Finish {
+                stop = simulation.worker.stopping(),
+                join = shared_ ? shared_->rejoining() : JoinWorld{}]() -> Worker::Finish {
             const auto task = std::make_shared<std::packaged_task<Next()>>(
-                [&] { return load_next(options_, settled, stop, homes); });
+                [&] { return load_next(options_, settled, stop, homes, join); });
             (*task)();
             return [this, task] { take_up(task->get_future()); };
         };
@@ -163,27 +182,31 @@ void Server::reload() {
 }
 
 Server::Next Server::load_next(const Options& options, const SettledBackends& settled,
-                               const std::stop_token& stop, const Homes& homes) {
+                               const std::stop_token& stop, const Homes& homes,
+                               const JoinWorld& join) {
     const Config& started = options.config;
     Config config = load_config(*options.config_file);
     const auto set_at_the_start = [](const Config& of) {
-        return std::tie(of.control, of.control_group, of.http, of.http_token, of.clock);
+        return std::tie(of.control, of.control_group, of.http, of.http_token, of.clock, of.fleet);
     };
     const bool asks_for_a_start = set_at_the_start(config) != set_at_the_start(started);
     config.clock = started.clock;
     options.put_into(config);
-    return {make_plan(std::move(config), settled, stop, homes), asks_for_a_start};
+    return {make_plan(std::move(config), settled, stop, homes, join), asks_for_a_start};
 }
 
 void Server::take_up(std::future<Next> loaded) {
     loading_ = false;
     try {
         Next next = loaded.get();
+        const Config config = next.plan.config;
         fleet_.apply(std::move(next.plan));
+        if (shared_) shared_->serve(config);
         if (next.asks_for_a_start) {
             spdlog::warn(
-                "SIGHUP: control, http with its token, and clock stay as they are until scipd is "
-                "started again");
+                "SIGHUP: control, http with its token, clock and fleet stay as they are until "
+                "scipd "
+                "is started again");
         }
         fleet_.simulation().choose_backends();
         warn_of_unneeded();
@@ -199,6 +222,7 @@ void Server::take_up(std::future<Next> loaded) {
 void Server::stop() {
     service_.stopping();
     control_.close();
+    if (shared_) shared_->stop();
     fleet_.stop();
 }
 

@@ -16,6 +16,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
 
+#include "daemon/broker/shared_world.h"
 #include "daemon/fleet.h"
 #include "daemon/fleet_api.h"
 #include "daemon/fleet_plan.h"
@@ -45,7 +46,8 @@ class Server {
         bool asks_for_a_start = false;  ///< of what stays as it is while this program runs
     };
 
-    [[nodiscard]] FleetPlan load_first() const;
+    [[nodiscard]] FleetPlan load_first();
+    void share_world(const BrokerConfig& config);
     void listen_for_control();
     void hold_control();
     void listen_for_http(const Address& address);
@@ -53,7 +55,7 @@ class Server {
     void reload();
     /// On the worker's thread.
     static Next load_next(const Options& options, const SettledBackends& settled,
-                          const std::stop_token& stop, const Homes& homes);
+                          const std::stop_token& stop, const Homes& homes, const JoinWorld& join);
     void take_up(std::future<Next> loaded);
     void stop();
 
@@ -66,6 +68,7 @@ class Server {
     boost::asio::signal_set signals_;
     Fleet fleet_;
     FleetApi api_{fleet_.simulation()};
+    std::optional<SharedWorld> shared_;  ///< nothing: the world is this daemon's alone
     Service service_;
     std::filesystem::path control_socket_;
     std::optional<PathHold> control_hold_;

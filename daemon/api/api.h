@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "daemon/api/fleet_metrics.h"
+#include "daemon/api/shared_status.h"
 #include "daemon/device/sensor_log.h"
 #include "daemon/http/web_socket.h"
 #include "daemon/world/scene_edit.h"
@@ -70,6 +71,7 @@ struct FleetStatus {
     sim::Time time{};
     std::string scene;
     PosesStatus poses;
+    std::optional<SharedStatus> fleet;  ///< nothing: the world is this daemon's alone
     std::vector<SensorStatus> sensors;
 };
 

@@ -86,6 +86,8 @@ int status_of(EditOutcome::Result result) {
             return 409;
         case EditOutcome::Result::too_much:
             return 413;
+        case EditOutcome::Result::not_now:
+            return 503;
         default:
             return 400;
     }

@@ -54,6 +54,16 @@ Json to_json(const std::vector<SensorStatus>& sensors) {
     return list;
 }
 
+Json to_json(const SharedStatus& shared) {
+    return {{"broker", shared.broker},
+            {"world", shared.world},
+            {"name", shared.name},
+            {"connected", shared.connected},
+            {"daemons", shared.daemons},
+            {"trouble", or_null(shared.trouble)},
+            {"frames_dropped", shared.frames_dropped}};
+}
+
 Json to_json(const FleetStatus& status) {
     return {{"uptime_s", status.uptime.count()},
             {"clock", status.clock},
@@ -63,6 +73,7 @@ Json to_json(const FleetStatus& status) {
              {{"accepted", status.poses.accepted},
               {"refused", status.poses.refused},
               {"last_refusal", or_null(status.poses.last_refusal)}}},
+            {"fleet", status.fleet ? to_json(*status.fleet) : Json()},
             {"sensors", to_json(status.sensors)}};
 }
 

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "daemon/config/broker_config.h"
 #include "daemon/config/sensor_config.h"
 #include "daemon/limits/limit.h"
 #include "sim/loaders/map/ros_map.h"
@@ -28,7 +29,7 @@ namespace scipd::daemon {
 
 /// Where a robot's live poses come from.
 struct PoseSource {
-    enum class Kind { udp, file, standard_input };
+    enum class Kind { udp, file, standard_input, vda5050 };
     Kind kind = Kind::udp;
     Address address;             ///< of udp
     std::filesystem::path file;  ///< a trajectory; its first stamp is the start of the daemon
@@ -36,6 +37,8 @@ struct PoseSource {
     std::filesystem::path times = {};  ///< of a KITTI trajectory; empty: beside it, or 10 Hz
     double speed = 1.0;  ///< of a trajectory: how much faster than its stamps it is played
     bool loop = false;   ///< of a trajectory: begins anew where it has ended
+    /// Of vda5050: MANUFACTURER/SERIAL, or MANUFACTURER of one that is called as the robot is.
+    std::string vehicle = {};
 
     bool operator==(const PoseSource&) const = default;
 };
@@ -86,6 +89,7 @@ struct Config {
     std::optional<Address> http;
     std::string http_token;                    ///< that its clients must know; empty: none
     std::vector<std::filesystem::path> allow;  ///< folders of files that its clients may name
+    std::optional<BrokerConfig> fleet;         ///< nothing: the world is this daemon's alone
     /// Where a key stands, "FILE:LINE: KEY: ", for the keys whose faults show only when other files
     /// have been read.
     std::map<std::string, std::string> places;

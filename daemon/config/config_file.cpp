@@ -7,10 +7,12 @@
 
 #include <array>
 #include <initializer_list>
+#include <optional>
 #include <utility>
 
 #include <yaml-cpp/yaml.h>
 
+#include "daemon/config/broker.h"
 #include "daemon/config/claims.h"
 #include "daemon/config/demo_world.h"
 #include "daemon/config/doors.h"
@@ -34,9 +36,9 @@ namespace fs = std::filesystem;
 constexpr std::size_t largest_file = 1 << 20;
 constexpr std::size_t most_sensors = 4096;
 
-constexpr std::array<std::string_view, 15> root_keys{
+constexpr std::array<std::string_view, 16> root_keys{
     "scene", "geometry", "strict", "map",    "materials", "media", "scenario", "limits",
-    "seed",  "clock",    "models", "robots", "control",   "http",  "allow"};
+    "seed",  "clock",    "models", "robots", "control",   "http",  "allow",    "fleet"};
 constexpr std::array<std::string_view, 4> robot_keys{"pose", "body", "poses", "sensors"};
 
 /// Whether there is no such map or nothing in it. A value that is no map is told elsewhere.
@@ -71,6 +73,7 @@ class Reader {
     Claims claims_;
     std::map<std::string, std::string> places_;
     std::size_t sensor_count_ = 0;
+    std::optional<Field> needs_fleet_;  ///< poses that come by its broker
 };
 
 RobotConfig Reader::read_robot(const Field& field, SensorContext& context) {
@@ -96,6 +99,8 @@ RobotConfig Reader::read_robot(const Field& field, SensorContext& context) {
         robot.sensors.push_back(read_sensor(sensor, context));
     if (const Field* poses = section.find("poses"))
         read_poses(*poses, robot, base_, claims_, faults_);
+    if (robot.poses && robot.poses->kind == PoseSource::Kind::vda5050)
+        needs_fleet_ = *section.find("poses");
     return robot;
 }
 
@@ -135,8 +140,9 @@ Config Reader::read(const YAML::Node& document) {
     if (const Field* http = section.find("http")) read_http(*http, base_, config, faults_);
     config.allow = {base_, sim::folder_of_scene(config.scene)};
     if (const Field* allow = section.find("allow")) read_allow(*allow, base_, config, faults_);
+    if (const Field* fleet = section.find("fleet")) read_fleet(*fleet, base_, config, faults_);
     claim_sockets(section, config);
-    note_places(section, {"scene", "materials", "media", "scenario"});
+    note_places(section, {"scene", "materials", "media", "scenario", "fleet"});
 
     const ModelChoice models{section.find("models"), faults_};
     SensorContext context{models, claims_, base_, faults_, places_};
@@ -147,6 +153,8 @@ Config Reader::read(const YAML::Node& document) {
     }
     for (const Field& robot : fields)
         config.robots.push_back(read_robot(robot, context));
+    if (needs_fleet_ && !config.fleet)
+        faults_.add(*needs_fleet_, "needs fleet, by whose broker vehicles tell where they are");
     config.places = std::move(places_);
     return config;
 }

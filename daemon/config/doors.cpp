@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <fstream>
 #include <string>
+#include <utility>
 
 #include <grp.h>
 
+#include "daemon/config/secret_file.h"
 #include "daemon/config/values.h"
 #include "sim/text/quote.h"
 
@@ -27,36 +28,20 @@ bool is_visible(char c) {
     return c > ' ' && c <= '~';
 }
 
-/// Only its owner and its group may read it.
-sim::Expected<> check_privacy(const fs::path& file) {
-    std::error_code error;
-    const auto permissions = fs::status(file, error).permissions();
-    const auto of_others = permissions & (fs::perms::others_read | fs::perms::others_write);
-    if (error || of_others == fs::perms::none) return {};
-    return sim::refuse("others may read or write " + sim::quote(file.native()) +
-                       "; `chmod o= FILE` forbids it");
-}
-
-/// The first line of the file.
-sim::Expected<std::string> token_in(const fs::path& file) {
-    std::string token(longest_token + 1, '\0');
-    std::ifstream stream{file, std::ios::binary};
-    if (!stream) return sim::refuse("cannot read " + sim::quote(file.native()));
-    stream.read(token.data(), std::ssize(token));
-    token.resize(static_cast<std::size_t>(stream.gcount()));
-    token.resize(std::min(token.find_first_of("\r\n"), token.size()));
-    if (token.size() < shortest_token || token.size() > longest_token ||
-        !std::ranges::all_of(token, is_visible)) {
-        return sim::refuse("the first line of " + sim::quote(file.native()) +
-                           " must be a token of 16 to 1024 letters, digits and signs of ASCII, "
-                           "without spaces; `openssl rand -hex 32` makes one");
+sim::Expected<std::string> check_token(const fs::path& file, std::string token) {
+    if (token.size() >= shortest_token && token.size() <= longest_token &&
+        std::ranges::all_of(token, is_visible)) {
+        return token;
     }
-    return token;
+    return sim::refuse("the first line of " + sim::quote(file.native()) +
+                       " must be a token of 16 to 1024 letters, digits and signs of ASCII, "
+                       "without spaces; `openssl rand -hex 32` makes one");
 }
 
 sim::Expected<std::string> parse_token_file(std::string_view text, const fs::path& base) {
     return parse_file(text, base).and_then([](const fs::path& file) {
-        return check_privacy(file).and_then([&] { return token_in(file); });
+        return secret_in(file).and_then(
+            [&](std::string token) { return check_token(file, std::move(token)); });
     });
 }
 

@@ -62,6 +62,18 @@ Expected<fs::path> absolute_path(std::string_view text, const fs::path& base) {
     return (fs::absolute(base) / fs::path{text}).lexically_normal();
 }
 
+/// What a topic of VDA 5050 may hold.
+Expected<std::string> parse_vehicle(std::string_view text) {
+    const auto slash = text.find('/');
+    const std::string_view maker = text.substr(0, slash);
+    const std::string_view serial = slash == text.npos ? "any" : text.substr(slash + 1);
+    if (parse_name(maker) && parse_name(serial)) return std::string{text};
+    return refuse(
+        "must be vda5050:MANUFACTURER/SERIAL, or vda5050:MANUFACTURER of a robot that is "
+        "called as the vehicle is, not " +
+        quote(text));
+}
+
 }  // namespace
 
 Expected<std::string> parse_name(std::string_view text) {
@@ -207,6 +219,11 @@ Expected<PoseSource> parse_pose_source(std::string_view text, const fs::path& ba
     if (text.starts_with("udp:")) {
         return parse_address(text.substr(4)).map([](const Address& address) {
             return PoseSource{.kind = Kind::udp, .address = address, .file = {}};
+        });
+    }
+    if (text.starts_with("vda5050:")) {
+        return parse_vehicle(text.substr(8)).map([](const std::string& vehicle) {
+            return PoseSource{.kind = Kind::vda5050, .address = {}, .file = {}, .vehicle = vehicle};
         });
     }
     return parse_file(text, base).map([](const fs::path& file) {

@@ -67,7 +67,7 @@ sim::Expected<std::optional<Address>> parse_listener(std::string_view text);
 sim::Expected<std::optional<PtyConfig>> parse_pty(std::string_view text,
                                                   const std::filesystem::path& base);
 
-/// udp:ADDR:PORT, - or a file that exists.
+/// udp:ADDR:PORT, vda5050:MANUFACTURER[/SERIAL], - or a file that exists.
 sim::Expected<PoseSource> parse_pose_source(std::string_view text,
                                             const std::filesystem::path& base);
 

@@ -3,6 +3,7 @@
 #include "daemon/poses/pose_feed.h"
 
 #include <array>
+#include <cassert>
 #include <chrono>
 #include <stdexcept>
 #include <string_view>
@@ -229,6 +230,9 @@ std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const PoseSource
             return std::make_shared<UdpFeed>(context, source.address);
         case PoseSource::Kind::standard_input:
             return std::make_shared<StandardInputFeed>(context);
+        case PoseSource::Kind::vda5050:
+            assert(false);  // daemon/broker takes these
+            break;
         case PoseSource::Kind::file:
             break;
     }

@@ -156,10 +156,12 @@ sim::Expected<> PoseIntake::take_at(sim::Time time, const sim::PoseLine& line,
 
 Placed PoseIntake::place(const sim::PoseLine& line, std::string_view robot, sim::Time time) {
     const Placement placement{time, line.pose, line.velocity, !line.time};
-    if (!line.model.empty()) return world_.place_model(line.model, placement);
-    if (!line.robot.empty()) return world_.place_robot(line.robot, placement);
-    if (!robot.empty()) return world_.place_robot(robot, placement);
-    return world_.place_only_robot(placement);
+    Placed placed = !line.model.empty()   ? world_.place_model(line.model, placement)
+                    : !line.robot.empty() ? world_.place_robot(line.robot, placement)
+                    : !robot.empty()      ? world_.place_robot(robot, placement)
+                                          : world_.place_only_robot(placement);
+    if (placed && on_taken_) on_taken_(line, robot, time);
+    return placed;
 }
 
 sim::Expected<> PoseIntake::count(sim::Expected<> taken) {

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -90,6 +91,12 @@ class PoseIntake {
     [[nodiscard]] sim::Expected<> take_at(sim::Time time, const sim::PoseLine& line,
                                           std::string_view robot);
 
+    /// Called after each pose that is taken, with its world time; a line without a name means
+    /// `robot`.
+    using Taken =
+        std::function<void(const sim::PoseLine& line, std::string_view robot, sim::Time time)>;
+    void on_taken(Taken callback) { on_taken_ = std::move(callback); }
+
     [[nodiscard]] std::uint64_t accepted() const { return accepted_; }
     [[nodiscard]] std::uint64_t refused() const { return refused_; }
     [[nodiscard]] const std::optional<std::string>& last_refusal() const { return last_refusal_; }
@@ -109,6 +116,7 @@ class PoseIntake {
     std::uint64_t refused_ = 0;
     std::optional<std::string> last_refusal_;
     Throttle leaps_told_;
+    Taken on_taken_;
 };
 
 }  // namespace scipd::daemon

@@ -46,6 +46,7 @@ struct EditOutcome {
         unknown,    ///< no such model
         taken,      ///< there is a model of this name
         too_much,   ///< `limit` says of what
+        not_now,    ///< the world is shared, and the others cannot be told
     };
     Result result = Result::done;
     /// Warnings where it is done; else why not.

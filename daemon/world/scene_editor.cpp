@@ -2,22 +2,17 @@
 // Copyright The scipd authors
 #include "daemon/world/scene_editor.h"
 
-#include <algorithm>
-#include <cstddef>
 #include <exception>
 #include <memory>
 #include <set>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include <spdlog/spdlog.h>
 
 #include "daemon/world/backend_maker.h"
-#include "sim/expected.h"
-#include "sim/loaders/file/allowed_folder.h"
+#include "daemon/world/edited_scene.h"
 #include "sim/loaders/file/load_error.h"
-#include "sim/loaders/sdf/resources.h"
 
 namespace scipd::daemon {
 
@@ -29,178 +24,15 @@ struct SceneEditor::Next {
     std::set<std::string> placed_anew;  ///< models that are where the scene has them
     std::vector<std::string> warnings;
     std::vector<std::string> notes;
-    Added added;
+    AddedTriangles added;
 };
-
-namespace {
 
 using Result = EditOutcome::Result;
 
-tl::unexpected<EditOutcome> refuse(Result result, const std::string& why) {
-    return tl::unexpected(EditOutcome{result, {why}});
-}
-
-/// The state that an edit changes.
-struct Present {
-    std::filesystem::path file;
-    sim::SharedScene scene;
-    sim::SceneOptions options;
-    std::vector<std::filesystem::path> allow;
-    SceneEditor::Added added;
-    LimitValues limits;
-};
-
-/// What the API may name, and what is there for all worlds by the will of who started this.
-sim::Folders to_read(const Present& present) {
-    sim::Folders folders = present.allow;
-    for (const auto& more : {sim::resource_folders(), present.options.sdf.model_folders})
-        folders.insert(folders.end(), more.begin(), more.end());
-    return folders;
-}
-
-/// The new scene, before its backends are made.
-struct Edited {
-    std::filesystem::path file;
-    sim::SharedScene scene;
-    sim::SharedScene added;  ///< what of it is new
-    std::vector<std::string> warnings;
-    std::vector<std::string> notes;
-    SceneEditor::Added all_added;
-};
-
-/// An error is an outcome that is told as it is; what cannot be loaded is thrown as a LoadError.
-using EditedOrNot = tl::expected<Edited, EditOutcome>;
-
-tl::unexpected<EditOutcome> forbid(const std::filesystem::path& file,
-                                   const std::vector<std::filesystem::path>& allow) {
-    std::string folders;
-    for (const auto& folder : allow)
-        folders += (folders.empty() ? "" : ", ") + folder.string();
-    return refuse(Result::forbidden,
-                  file.string() + " is not in a folder that `allow` in the configuration names; " +
-                      (folders.empty() ? "it names none" : "it names " + folders));
-}
-
-EditedOrNot edited(const LoadWorld& edit, const Present& present) {
-    const auto file = (sim::folder_of_scene(present.file) / edit.file).lexically_normal();
-    if (!sim::lies_in_one_of(present.allow, file)) return forbid(file, present.allow);
-    auto [scene, warnings, notes] = sim::load_scene(file, present.options);
-    return Edited{file, scene, scene, std::move(warnings), std::move(notes), {}};
-}
-
-/// Loads a file that has its own materials and scale.
-sim::LoadedScene load_whole(const std::filesystem::path& file, const AddModel& edit,
-                            const sim::SceneOptions& options) {
-    if (edit.scale != 1.0 || !edit.material.empty()) {
-        throw sim::LoadError(
-            {file.string() + ": is no mesh, which scale and material go with; it has its own"});
-    }
-    return sim::load_model_file(file, edit.placement, options);
-}
-
-/// The file that it names, if it names one.
-std::filesystem::path file_of(const AddModel& edit, const Present& present) {
-    return sim::folder_of_scene(present.file) / (edit.file.empty() ? edit.mesh : edit.file);
-}
-
-sim::LoadedScene load_model(const AddModel& edit, const Present& present) {
-    const std::filesystem::path folder = sim::folder_of_scene(present.file);
-    sim::SceneOptions options = present.options;
-    options.sdf = sim::within_a_models_share(options.sdf);
-    return sim::load_confined(edit.placement.name, options.limits, [&] {
-        const auto file = file_of(edit, present);
-        const bool is_text = !edit.sdf.empty();
-        if (!is_text && !edit.file.empty() && !sim::is_mesh_file(file))
-            return load_whole(file, edit, options);
-        sim::LoadedScene loaded =
-            is_text ? sim::load_model_text(edit.sdf, edit.placement, folder, options.sdf)
-                    : sim::load_mesh_model(file, edit.placement, edit.scale, edit.material,
-                                           options.sdf.mesh);
-        sim::check_materials(loaded, is_text ? edit.placement.name : file.string(), options);
-        return loaded;
-    });
-}
-
-std::size_t triangles_of(const sim::Scene& scene) {
-    std::set<sim::SharedMesh> meshes;  // each of which many objects may show
-    for (const sim::Object& object : scene.objects) {
-        const auto* mesh = std::get_if<sim::SharedMesh>(&object.shape);
-        if (mesh != nullptr) meshes.insert(*mesh);
-    }
-    std::size_t triangles = 0;
-    for (const sim::SharedMesh& mesh : meshes)
-        triangles += mesh->triangles.size();
-    return triangles;
-}
-
-/// Many small models may together be too large.
-void check_triangles(const sim::Scene& scene, std::size_t most) {
-    if (triangles_of(scene) <= most) return;
-    throw sim::LoadError({"with this one the world has more than " + std::to_string(most) +
-                          " triangles; world_triangles under limits in the configuration allows "
-                          "more"});
-}
-
-tl::unexpected<EditOutcome> too_much(Limit limit, const Present& present) {
-    EditOutcome outcome{Result::too_much, {beyond(limit, present.limits[limit])}};
-    outcome.limit = limit;
-    return tl::unexpected(std::move(outcome));
-}
-
-bool within(const LimitValues& limits, Limit limit, std::size_t count) {
-    return count <= static_cast<std::size_t>(limits[limit]);
-}
-
-std::size_t triangles_of(const SceneEditor::Added& added) {
-    std::size_t triangles = 0;
-    for (const auto& [name, count] : added)
-        triangles += count;
-    return triangles;
-}
-
-EditedOrNot edited(const AddModel& edit, const Present& present) {
-    sim::SharedScene scene = present.scene;
-    const std::string& name = edit.placement.name;
-    if (sim::find_model(*scene, name)) {
-        if (!edit.replace) {
-            return refuse(Result::taken, "there is a model \"" + name +
-                                             "\"; with \"replace\": true this takes its place");
-        }
-        scene = sim::without_model(*scene, name);
-    }
-    const auto file = file_of(edit, present);
-    if (edit.sdf.empty() && !sim::lies_in_one_of(present.allow, file))
-        return forbid(file, present.allow);
-    SceneEditor::Added all = present.added;
-    std::size_t& triangles = all[name];
-    if (!within(present.limits, Limit::added_models, all.size()))
-        return too_much(Limit::added_models, present);
-    auto [added, warnings, notes] = load_model(edit, present);
-    triangles = triangles_of(*added);
-    if (!within(present.limits, Limit::added_triangles, triangles_of(all)))
-        return too_much(Limit::added_triangles, present);
-    scene = sim::with_models(*scene, *added);
-    check_triangles(*scene, present.options.sdf.most_triangles);
-    return Edited{present.file,        std::move(scene), added,
-                  std::move(warnings), std::move(notes), std::move(all)};
-}
-
-EditedOrNot edited(const RemoveModel& edit, const Present& present) {
-    sim::SharedScene rest = sim::without_model(*present.scene, edit.name);
-    if (!rest) return refuse(Result::unknown, "there is no model \"" + edit.name + "\"");
-    SceneEditor::Added others = present.added;
-    others.erase(edit.name);
-    return Edited{present.file, std::move(rest),  std::make_shared<const sim::Scene>(), {},
-                  {},           std::move(others)};
-}
-
-}  // namespace
-
 void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn) {
     auto begin = [this, edit = std::move(edit), done = std::move(done)]() -> Worker::Work {
-        Present present{file_, world_.scene(), options_, allow_, added_, limits_->values()};
+        PresentScene present{file_, world_.scene(), options_, allow_, added_, limits_->values()};
         present.options.limits.stop = worker_.stopping();
-        present.options.limits.folders = to_read(present);
         return [this, edit, done, present = std::move(present),
                 requests = requests_()]() mutable -> Worker::Finish {
             // `done` belongs to the I/O thread and is moved back there. If a copy stayed here, the
@@ -213,8 +45,7 @@ void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn)
                 };
             };
             try {
-                EditedOrNot now =
-                    std::visit([&](const auto& wanted) { return edited(wanted, present); }, edit);
+                EditedOrNot now = edited(edit, present);
                 if (!now) return refused(std::move(now.error()));
                 for (const std::string& note : now->notes)
                     spdlog::info("{}", note);

@@ -5,18 +5,16 @@
 // whole, between two scans. An edit that fails changes nothing. Lives on the I/O thread.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <stop_token>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "daemon/clock/clock.h"
 #include "daemon/limits/limits.h"
+#include "daemon/world/edited_scene.h"
 #include "daemon/world/requested_backend.h"
 #include "daemon/world/scene_edit.h"
 #include "daemon/world/worker.h"
@@ -41,9 +39,10 @@ class SceneEditor {
 
     /// Somebody else has loaded the world from this file. Later edits load with the same options,
     /// and read files of these folders alone, and of those in which all worlds find models.
+    /// `added` are models of the scene that edits have brought.
     void set_file(std::filesystem::path file, sim::SceneOptions options,
-                  std::vector<std::filesystem::path> allow) {
-        added_.clear();
+                  std::vector<std::filesystem::path> allow, AddedTriangles added = {}) {
+        added_ = std::move(added);
         file_ = std::move(file);
         options_ = std::move(options);
         allow_ = std::move(allow);
@@ -53,9 +52,6 @@ class SceneEditor {
     /// Takes effect after all edits that were asked for before. `done` is called when the edit is
     /// in effect or refused; it is not called where the edit is withdrawn before it has begun.
     void edit(SceneEdit edit, EditDone done, std::stop_token withdrawn = {});
-
-    /// How many triangles each model has that was added since the world was loaded.
-    using Added = std::map<std::string, std::size_t>;
 
   private:
     struct Next;
@@ -68,7 +64,7 @@ class SceneEditor {
     const Clock& clock_;
     Requests requests_;
     SharedLimits limits_;
-    Added added_;
+    AddedTriangles added_;
     std::filesystem::path file_;
     sim::SceneOptions options_;
     std::vector<std::filesystem::path> allow_;

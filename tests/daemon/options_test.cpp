@@ -379,6 +379,17 @@ TEST(Options, WhatOtherMachinesReachNeedsATokenThatOptionsCannotSay) {
     EXPECT_THAT(refused.text, testing::StartsWith("scipd: --http: other machines reach 0.0.0.0"));
 }
 
+TEST(Options, AWorldIsSharedByWayOfABroker) {
+    const auto fleet = run("--broker mqtt://[::1]:2000 --world hall").config.fleet;
+    ASSERT_TRUE(fleet);
+    EXPECT_EQ(fleet->broker, (BrokerAddress{"::1", 2000, false}));
+    EXPECT_EQ(fleet->world, "hall");
+    EXPECT_THAT(answer("--broker mqtt://127.0.0.1").text,
+                HasSubstr("--broker and --world go together"));
+    EXPECT_THAT(answer("--world hall").text, HasSubstr("--broker and --world go together"));
+    EXPECT_THAT(answer("--broker http://a --world w").text, HasSubstr("must be mqtt://HOST:PORT"));
+}
+
 TEST(Options, ASocketPathMustFitTheSystem) {
     EXPECT_EQ(answer("--control /" + std::string(200, 'x')).text,
               "scipd: --control: must be shorter: a socket's path has at most 107 bytes, this has "

@@ -36,6 +36,7 @@ SECTIONS = {
     "root": ("{@}", {"scene": "scenes/square_room.sdf", "robots": ROBOTS}),
     "control": (with_root("control: {@}"), {}),
     "http": (with_root("http: {@}"), {"listen": "127.0.0.1:0"}),
+    "fleet": (with_root("fleet: {@}"), {"broker": "mqtts://127.0.0.1", "world": "hall"}),
     "map": (with_root("map: {@}"), {}),
     "media": (with_root("media: [{@}]"), {"kind": "custom", "extinction_per_m": "0.1"}),
     "limits": (with_root("limits: {@}"), {}),
@@ -154,6 +155,9 @@ def main():
         (checker.folder / "stamps.txt").chmod(0o644)
         (checker.folder / "token").write_text("0123456789abcdef\n")
         (checker.folder / "token").chmod(0o600)
+        (checker.folder / "user").write_text("east:a secret\n")
+        (checker.folder / "user").chmod(0o600)
+        (checker.folder / "authorities.pem").write_text("")
         with concurrent.futures.ThreadPoolExecutor(4) as pool:
             failures = list(pool.map(checker.examples_fail, packs_of(rows)))
             failures += pool.map(checker.wrong_value_fails, rows)

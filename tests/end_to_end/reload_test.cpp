@@ -85,7 +85,7 @@ class Reload : public testing::Test {
 
     static inline const std::string elsewhere_ = "control: elsewhere.sock\n";
     static inline const std::string stays_ =
-        "control, http with its token, and clock stay as they are";
+        "control, http with its token, clock and fleet stay as they are";
 
     TempDir directory_;
     DaemonProcess daemon_;

@@ -29,6 +29,9 @@ void add_pose_stream_command(CLI::App& pose, const ControlOptions& control);
 void add_scene_commands(CLI::App& program, const ControlOptions& control);
 void add_medium_command(CLI::App& scene, const ControlOptions& control);
 
+/// `scipctl fleet status|add|move|remove|forget`
+void add_fleet_commands(CLI::App& program, const ControlOptions& control);
+
 /// `scipctl reading ROBOT/SENSOR`
 void add_reading_command(CLI::App& program, const ControlOptions& control);
 

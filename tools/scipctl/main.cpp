@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
     add_top_command(program, control);
     add_pose_commands(program, control);
     add_scene_commands(program, control);
+    add_fleet_commands(program, control);
     add_fault_commands(program, control);
     add_scenario_command(program, control);
     add_reading_command(program, control);
@@ -40,6 +41,7 @@ int main(int argc, char** argv) {
         "  scipctl pose set 1.5,2,0\n"
         "  scipctl pose play lap.tum --speed 2 --loop\n"
         "  scipctl scene add crate crate.stl --scale 0.001 --pose 1,2,0\n"
+        "  scipctl fleet status --to mqtt://127.0.0.1:1883/hall\n"
         "  scipctl fault start robot/scanner stall --for s=2\n"
         "  scipctl truth robot/scanner\n"
         "  scipctl reading robot/camera\n"

@@ -10,15 +10,21 @@
 
 #include "sim/loaders/poses/pose_line.h"
 #include "tools/control_client.h"
+#include "tools/options.h"
 #include "tools/scipctl/commands.h"
+#include "tools/scipctl/pose_broadcast.h"
 #include "tools/scipctl/pose_text.h"
 #include "tools/scipctl/robots.h"
+#include "tools/scipctl/time_leader.h"
 
 namespace scipd::tools {
 namespace {
 
 struct StreamOptions {
     std::string robot;
+    BrokerOptions broker;
+    bool lockstep = false;
+    double patience_s = 10.0;
 };
 
 class PoseForwarder {
@@ -72,12 +78,31 @@ void add_pose_stream_command(CLI::App& pose, const ControlOptions& control) {
     auto* const command = pose.add_subcommand("stream", "send pose lines from standard input");
     const auto options = std::make_shared<StreamOptions>();
     command->add_option("--robot", options->robot, "the robot of lines that name none");
-    command->callback([&control, options] { stream(control, *options); });
+    add_broker_options(*command, options->broker,
+                       "send them to all daemons that share this world, by its broker");
+    auto* const lockstep = command->add_flag(
+        "--lockstep", options->lockstep,
+        "lead the time of those daemons that have clock: poses; it goes on when all have done a "
+        "step");
+    lockstep->needs("--to");
+    command
+        ->add_option("--patience", options->patience_s,
+                     "seconds after which a daemon that does no step is left out")
+        ->needs(lockstep)
+        ->check(number_within(0.1, 3600.0))
+        ->capture_default_str();
+    command->callback([&control, options] {
+        if (options->broker.to.empty()) return stream(control, *options);
+        if (options->lockstep)
+            return lead_time(options->broker, options->robot, options->patience_s, std::cin);
+        broadcast_poses(options->broker, options->robot, std::cin);
+    });
     command->footer(
         "A line is {\"robot\":\"rescue\",\"t\":12.345,\"xyz\":[1,2,0],\"q\":[0,0,0,1]},\n"
         "or t x y z qx qy qz qw. robot and t may be left out, and rpy may stand for q.\n"
         "Example:\n"
-        "  my_simulator | scipctl pose stream");
+        "  my_simulator | scipctl pose stream\n"
+        "  my_simulator | scipctl pose stream --to mqtt://127.0.0.1:1883/hall");
 }
 
 }  // namespace scipd::tools

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/world/edited_scene.h"
+
+#include <memory>
+#include <set>
+#include <utility>
+#include <variant>
+
+#include "sim/loaders/file/allowed_folder.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/sdf/resources.h"
+
+namespace scipd::daemon {
+namespace {
+
+using Result = EditOutcome::Result;
+
+tl::unexpected<EditOutcome> refuse(Result result, const std::string& why) {
+    return tl::unexpected(EditOutcome{result, {why}});
+}
+
+/// What the API may name, and what is there for all worlds by the will of who started this.
+sim::Folders to_read(const PresentScene& present) {
+    sim::Folders folders = present.allow;
+    for (const auto& more : {sim::resource_folders(), present.options.sdf.model_folders})
+        folders.insert(folders.end(), more.begin(), more.end());
+    return folders;
+}
+
+tl::unexpected<EditOutcome> forbid(const std::filesystem::path& file,
+                                   const std::vector<std::filesystem::path>& allow) {
+    std::string folders;
+    for (const auto& folder : allow)
+        folders += (folders.empty() ? "" : ", ") + folder.string();
+    return refuse(Result::forbidden,
+                  file.string() + " is not in a folder that `allow` in the configuration names; " +
+                      (folders.empty() ? "it names none" : "it names " + folders));
+}
+
+EditedOrNot edited(const LoadWorld& edit, const PresentScene& present) {
+    const auto file = (sim::folder_of_scene(present.file) / edit.file).lexically_normal();
+    if (!sim::lies_in_one_of(present.allow, file)) return forbid(file, present.allow);
+    auto [scene, warnings, notes] = sim::load_scene(file, present.options);
+    return EditedScene{file, scene, scene, std::move(warnings), std::move(notes), {}};
+}
+
+/// Loads a file that has its own materials and scale.
+sim::LoadedScene load_whole(const std::filesystem::path& file, const AddModel& edit,
+                            const sim::SceneOptions& options) {
+    if (edit.scale != 1.0 || !edit.material.empty()) {
+        throw sim::LoadError(
+            {file.string() + ": is no mesh, which scale and material go with; it has its own"});
+    }
+    return sim::load_model_file(file, edit.placement, options);
+}
+
+/// The file that it names, if it names one.
+std::filesystem::path file_of(const AddModel& edit, const PresentScene& present) {
+    return sim::folder_of_scene(present.file) / (edit.file.empty() ? edit.mesh : edit.file);
+}
+
+sim::LoadedScene load_model(const AddModel& edit, const PresentScene& present) {
+    const std::filesystem::path folder = sim::folder_of_scene(present.file);
+    sim::SceneOptions options = present.options;
+    options.sdf = sim::within_a_models_share(options.sdf);
+    return sim::load_confined(edit.placement.name, options.limits, [&] {
+        const auto file = file_of(edit, present);
+        const bool is_text = !edit.sdf.empty();
+        if (!is_text && !edit.file.empty() && !sim::is_mesh_file(file))
+            return load_whole(file, edit, options);
+        sim::LoadedScene loaded =
+            is_text ? sim::load_model_text(edit.sdf, edit.placement, folder, options.sdf)
+                    : sim::load_mesh_model(file, edit.placement, edit.scale, edit.material,
+                                           options.sdf.mesh);
+        sim::check_materials(loaded, is_text ? edit.placement.name : file.string(), options);
+        return loaded;
+    });
+}
+
+std::size_t triangles_of(const sim::Scene& scene) {
+    std::set<sim::SharedMesh> meshes;  // each of which many objects may show
+    for (const sim::Object& object : scene.objects) {
+        const auto* mesh = std::get_if<sim::SharedMesh>(&object.shape);
+        if (mesh != nullptr) meshes.insert(*mesh);
+    }
+    std::size_t triangles = 0;
+    for (const sim::SharedMesh& mesh : meshes)
+        triangles += mesh->triangles.size();
+    return triangles;
+}
+
+/// Many small models may together be too large.
+void check_triangles(const sim::Scene& scene, std::size_t most) {
+    if (triangles_of(scene) <= most) return;
+    throw sim::LoadError({"with this one the world has more than " + std::to_string(most) +
+                          " triangles; world_triangles under limits in the configuration allows "
+                          "more"});
+}
+
+tl::unexpected<EditOutcome> too_much(Limit limit, const PresentScene& present) {
+    EditOutcome outcome{Result::too_much, {beyond(limit, present.limits[limit])}};
+    outcome.limit = limit;
+    return tl::unexpected(std::move(outcome));
+}
+
+bool within(const LimitValues& limits, Limit limit, std::size_t count) {
+    return count <= static_cast<std::size_t>(limits[limit]);
+}
+
+std::size_t triangles_of(const AddedTriangles& added) {
+    std::size_t triangles = 0;
+    for (const auto& [name, count] : added)
+        triangles += count;
+    return triangles;
+}
+
+EditedOrNot edited(const AddModel& edit, const PresentScene& present) {
+    sim::SharedScene scene = present.scene;
+    const std::string& name = edit.placement.name;
+    if (sim::find_model(*scene, name)) {
+        if (!edit.replace) {
+            return refuse(Result::taken, "there is a model \"" + name +
+                                             "\"; with \"replace\": true this takes its place");
+        }
+        scene = sim::without_model(*scene, name);
+    }
+    const auto file = file_of(edit, present);
+    if (edit.sdf.empty() && !sim::lies_in_one_of(present.allow, file))
+        return forbid(file, present.allow);
+    AddedTriangles all = present.added;
+    std::size_t& triangles = all[name];
+    if (!within(present.limits, Limit::added_models, all.size()))
+        return too_much(Limit::added_models, present);
+    auto [added, warnings, notes] = load_model(edit, present);
+    triangles = triangles_of(*added);
+    if (!within(present.limits, Limit::added_triangles, triangles_of(all)))
+        return too_much(Limit::added_triangles, present);
+    scene = sim::with_models(*scene, *added);
+    check_triangles(*scene, present.options.sdf.most_triangles);
+    return EditedScene{present.file,        std::move(scene), added,
+                       std::move(warnings), std::move(notes), std::move(all)};
+}
+
+EditedOrNot edited(const RemoveModel& edit, const PresentScene& present) {
+    sim::SharedScene rest = sim::without_model(*present.scene, edit.name);
+    if (!rest) return refuse(Result::unknown, "there is no model \"" + edit.name + "\"");
+    AddedTriangles others = present.added;
+    others.erase(edit.name);
+    return EditedScene{present.file, std::move(rest),  std::make_shared<const sim::Scene>(), {},
+                       {},           std::move(others)};
+}
+
+}  // namespace
+
+EditedOrNot edited(const SceneEdit& edit, PresentScene present) {
+    present.options.limits.folders = to_read(present);
+    return std::visit([&](const auto& wanted) { return edited(wanted, present); }, edit);
+}
+
+}  // namespace scipd::daemon
