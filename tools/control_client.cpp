@@ -94,9 +94,13 @@ struct ControlClient::Question {
 };
 
 ControlClient::Json ControlClient::get(const std::string& path) {
-    auto document = Json::parse(exchange({http::verb::get, path}), nullptr, false);
+    auto document = Json::parse(text(path), nullptr, false);
     if (document.is_discarded()) throw unreachable("the program that answers is not scipd");
     return document;
+}
+
+std::string ControlClient::text(const std::string& path) {
+    return exchange({http::verb::get, path});
 }
 
 void ControlClient::put(const std::string& path, const Json& body) {

@@ -36,6 +36,8 @@ class ControlClient {
 
     /// All throw ControlError.
     [[nodiscard]] Json get(const std::string& path);
+    /// The answer as it came.
+    [[nodiscard]] std::string text(const std::string& path);
     void put(const std::string& path, const Json& body);
 
     // Changes that may take scipd long, such as loading a world. They return when scipd is done.

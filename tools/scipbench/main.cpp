@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -27,8 +26,10 @@
 #include "tools/scipbench/chart.h"
 #include "tools/scipbench/compare.h"
 #include "tools/scipbench/compare_stages.h"
+#include "tools/scipbench/fleet_command.h"
 #include "tools/scipbench/load.h"
 #include "tools/scipbench/machine.h"
+#include "tools/scipbench/output_file.h"
 #include "tools/scipbench/table3.h"
 #include "tools/scipbench/table4.h"
 
@@ -48,13 +49,6 @@ struct Said {
     std::vector<std::string> targets;
     int seconds = 10;
 };
-
-void write_to(const std::string& file, const auto& write) {
-    if (file.empty()) return;
-    std::ofstream out(file);
-    write(out);
-    if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
-}
 
 /// Prints the warnings of the world on standard error, so that the table stays clean.
 sim::SharedScene load(const Said& said) {
@@ -169,17 +163,6 @@ void add_load(CLI::App& program, Said& said) {
     load->callback([&said] { run_load(said); });
 }
 
-/// Checked before the measuring begins, which takes minutes.
-std::string can_be_written(const std::string& file) {
-    const std::filesystem::path path(file);
-    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    std::error_code error;
-    if (!std::filesystem::is_directory(folder, error))
-        return "there is no directory " + folder.string();
-    if (std::filesystem::is_directory(path, error)) return file + " is a directory; name a file";
-    return "";
-}
-
 std::string is_model(const std::string& name) {
     const auto model = daemon::model_named(name);
     return model ? "" : model.error().why;
@@ -254,6 +237,7 @@ int main(int argc, char** argv) {
         ->excludes("--json");
     add_plot(*compare, said);
     add_load(program, said);
+    add_fleet(program);
     add_completion_command(program);
     return run(program, argc, argv);
 }

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tools/scipbench/fleet.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <iostream>
+#include <stdexcept>
+#include <vector>
+
+#include "daemon/models/registry.h"
+#include "tools/scipbench/capacity.h"
+#include "tools/scipbench/fleet_report.h"
+#include "tools/scipbench/fleet_run.h"
+#include "tools/scipbench/fleet_stages.h"
+#include "tools/scipbench/fleet_world.h"
+#include "tools/scipbench/machine.h"
+#include "tools/scipbench/output_file.h"
+
+namespace scipd::tools {
+namespace {
+
+class Measurement {
+  public:
+    explicit Measurement(const FleetQuestion& question)
+        : question_(question), world_(question.setup.scene) {
+        constexpr int enough = 64;
+        const FleetSetup& setup = question.setup;
+        costs_ = measure_stages(world_.backend(), daemon::find_model(setup.model), setup.driving,
+                                world_.places(enough));
+    }
+
+    void print() {
+        std::cout << describe_machine() << "\n" << describe(question_.setup) << "\n\n";
+        print_run_header(std::cout);
+        if (question_.scanners) {
+            print_all(told(run(*question_.scanners)));
+        } else {
+            search();
+        }
+        write_to(question_.csv, [this](std::ostream& out) { write_runs_csv(runs_, costs_, out); });
+    }
+
+  private:
+    const FleetRun& run(int scanners) {
+        runs_.push_back(run_fleet(question_.setup, world_.places(scanners)));
+        print_run(runs_.back(), costs_, std::cout);
+        return runs_.back();
+    }
+
+    static const FleetRun& told(const FleetRun& run) {
+        if (!run.failure.empty()) throw std::runtime_error(run.failure);
+        return run;
+    }
+
+    // A neighbour of this machine may take a core away for a moment, so each number has two tries.
+    bool holds(int scanners) { return run(scanners).holds() || run(scanners).holds(); }
+
+    [[nodiscard]] const FleetRun& last(int scanners) const {
+        return *std::ranges::find(runs_.rbegin(), runs_.rend(), scanners, &FleetRun::scanners);
+    }
+
+    void search() {
+        constexpr int first_scanners = 16;
+        const int limit = std::min(question_.most.value_or(world_.most()), world_.most());
+        const Capacity found =
+            find_capacity(first_scanners, limit, [this](int scanners) { return holds(scanners); });
+        if (found.held == 0) (void)told(runs_.back());
+        tell(found);
+        if (found.held == 0) return;
+        std::cout << "\n";
+        print_costs(last(found.held), costs_, std::cout);
+        std::cout << "\nat four fifths of them:\n";
+        print_run_header(std::cout);
+        const FleetRun& calm = run(std::max(1, found.held * 4 / 5));
+        std::cout << "\n";
+        print_lateness(calm, std::cout);
+    }
+
+    void tell(const Capacity& found) const {
+        std::cout << "\n" << found.held << " scanners lose no scan";
+        if (found.too_many) {
+            std::cout << ", " << *found.too_many
+                      << " do\nwhat limits: " << what_limits(last(*found.too_many)) << "\n";
+        } else if (found.held == world_.most()) {
+            std::cout << "\nwhat limits: descriptors; raise them with ulimit -Hn\n";
+        } else {
+            std::cout << "; no more were tried\n";
+        }
+    }
+
+    void print_all(const FleetRun& run) const {
+        std::cout << "\n";
+        print_costs(run, costs_, std::cout);
+        std::cout << "\n";
+        print_lateness(run, std::cout);
+    }
+
+    const FleetQuestion& question_;
+    FleetWorld world_;
+    StageCosts costs_;
+    std::vector<FleetRun> runs_;
+};
+
+}  // namespace
+
+void measure_fleet(const FleetQuestion& question) {
+    Measurement(question).print();
+}
+
+}  // namespace scipd::tools

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tools/scipbench/fleet_command.h"
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+
+#include <unistd.h>
+
+#include "daemon/config/demo_world.h"
+#include "daemon/models/registry.h"
+#include "sim/loaders/file/load_error.h"
+#include "tools/options.h"
+#include "tools/scipbench/fleet.h"
+#include "tools/scipbench/output_file.h"
+
+namespace scipd::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Asked {
+    FleetQuestion question;
+    int seconds = 10;
+    bool start = false;
+};
+
+/// Beside this program, in a build as in an installation.
+fs::path scipd_beside() {
+    std::error_code error;
+    return fs::read_symlink("/proc/self/exe", error).parent_path() / "scipd";
+}
+
+fs::path maze() {
+    const auto scene = daemon::demo_scene();
+    if (!scene) throw WrongInput(scene.error().why);
+    return *scene;
+}
+
+void answer(Asked& asked) {
+    FleetSetup& setup = asked.question.setup;
+    if (setup.scipd.empty()) setup.scipd = scipd_beside();
+    if (::access(setup.scipd.c_str(), X_OK) != 0)
+        throw WrongInput(setup.scipd.string() + " is no program; name scipd with --scipd");
+    if (setup.scene.empty()) setup.scene = maze();
+    setup.duration = std::chrono::seconds(asked.seconds);
+    try {
+        asked.start ? measure_start(asked.question) : measure_fleet(asked.question);
+    } catch (const sim::LoadError& error) {
+        throw WrongInput(error.what());
+    }
+}
+
+void add_setup(CLI::App& fleet, FleetSetup& setup) {
+    fleet.add_option("--model", setup.model, "a scanner of `scipd --list-models`")
+        ->check([](const std::string& name) {
+            const auto model = daemon::model_named(name);
+            return model ? std::string() : model.error().why;
+        })
+        ->option_text("MODEL [UST-10LX]");
+    fleet.add_option("--scene", setup.scene, "world to measure in")
+        ->check(CLI::ExistingFile)
+        ->option_text("FILE [the rescue maze]");
+    fleet.add_flag("--driving", setup.driving,
+                   "every robot drives in a circle, by 50 poses a second from a file");
+    fleet.add_option("--threads", setup.threads, "how many threads the scanners live on")
+        ->check(CLI::Range(1, 1024))
+        ->option_text("N [scipd's own choice]");
+    fleet.add_option("--scipd", setup.scipd, "program to measure")
+        ->option_text("PROGRAM [the one beside scipbench]");
+}
+
+}  // namespace
+
+void add_fleet(CLI::App& program) {
+    constexpr int most_scanners = 20'000;
+    const auto asked = std::make_shared<Asked>();
+    FleetQuestion& question = asked->question;
+    CLI::App* fleet = program.add_subcommand(
+        "fleet",
+        "find out how many scanners one scipd can be on this machine without losing a "
+        "scan, what they cost and what limits");
+    add_setup(*fleet, question.setup);
+    fleet->add_option("-s,--seconds", asked->seconds, "how long each run streams")
+        ->check(CLI::Range(1, 1'000'000))
+        ->capture_default_str();
+    auto* const scanners =
+        fleet->add_option("-n,--scanners", question.scanners, "run so many, and do not search")
+            ->check(CLI::Range(1, most_scanners))
+            ->option_text("N");
+    fleet->add_option("--most", question.most, "try no more than so many")
+        ->check(CLI::Range(1, most_scanners))
+        ->excludes(scanners)
+        ->option_text("N");
+    auto* const csv = fleet->add_option("--csv", question.csv, "table to write, a run a line")
+                          ->check(can_be_written)
+                          ->option_text("FILE.csv");
+    fleet
+        ->add_flag("--start", asked->start,
+                   "measure instead how soon 500 scanners are ready, or --scanners, and how soon "
+                   "scipd answers GET /status then")
+        ->excludes(csv);
+    fleet->callback([asked] { answer(*asked); });
+}
+
+}  // namespace scipd::tools

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tools/scipbench/fleet_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "daemon/models/registry.h"
+#include "tools/scipbench/bare_timer.h"
+#include "tools/scipbench/fleet_daemon.h"
+#include "tools/scipbench/spread.h"
+
+namespace scipd::tools {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
+
+/// What scipd and the reader had used at one moment.
+struct Look {
+    Clock::time_point time;
+    ProcessorUse scipd;
+    ProcessorUse reader;
+};
+
+/// Looks at both until the reader has ended.
+std::vector<Look> watch(pid_t scipd, ChildProgram& reader, Clock::duration patience) {
+    constexpr auto between_looks = 100ms;
+    std::vector<Look> looks;
+    const Clock::time_point until = Clock::now() + patience;
+    while (!reader.exit_code()) {
+        if (Clock::now() > until) throw std::runtime_error("the reader does not end");
+        const auto use_of_scipd = processor_use_of(scipd);
+        const auto use_of_reader = processor_use_of(reader.pid());
+        if (use_of_scipd && use_of_reader)
+            looks.push_back({Clock::now(), *use_of_scipd, *use_of_reader});
+        std::this_thread::sleep_for(between_looks);
+    }
+    return looks;
+}
+
+/// From the first look at the stream, which the reader ends with, to the last.
+void tell_use(const std::vector<Look>& looks, Clock::time_point begin, FleetRun& run) {
+    const auto first = std::ranges::lower_bound(looks, begin, {}, &Look::time);
+    if (first == looks.end() || &*first == &looks.back()) return;
+    const Look& last = looks.back();
+    const double seconds = Seconds(last.time - first->time).count();
+    run.scipd_use = use_between(first->scipd, last.scipd, seconds);
+    run.reader_use = use_between(first->reader, last.reader, seconds);
+}
+
+void read_findings(const ChildProgram& reader, FleetRun& run) {
+    const auto found = nlohmann::json::parse(reader.output(), nullptr, false);
+    if (!found.is_object()) throw std::runtime_error("the reader fails: " + reader.errors());
+    run.seconds = found.at("seconds");
+    run.scans = found.at("scans");
+    for (const char* fault : {"missing", "damaged", "disordered"})
+        run.missing += found.at(fault).get<std::uint64_t>();
+    run.reader = {found.at("delay_ms").at("p50"), found.at("delay_ms").at("p99")};
+}
+
+void read_status(const ControlClient::Json& status, FleetRun& run) {
+    std::vector<double> p50_ms;
+    std::vector<double> p99_ms;
+    for (const auto& sensor : status.at("sensors")) {
+        run.lost += sensor.at("lost").get<std::uint64_t>();
+        const auto& late = sensor.at("lateness_ms");
+        if (!late.is_object()) continue;
+        p50_ms.push_back(late.at("p50"));
+        p99_ms.push_back(late.at("p99"));
+    }
+    std::ranges::sort(p50_ms);
+    std::ranges::sort(p99_ms);
+    run.scipd = {at_share(p50_ms, 0.5), at_share(p99_ms, 0.5)};
+    run.worst_p99_ms = at_share(p99_ms, 1.0);
+}
+
+/// Of all samples of a metric.
+double sum_of(const std::string& metrics, const std::string& name) {
+    double sum = 0.0;
+    std::istringstream lines(metrics);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with(name + "{")) sum += std::stod(line.substr(line.rfind(' ')));
+    }
+    return sum;
+}
+
+void read_metrics(const std::string& metrics, FleetRun& run) {
+    const double casts = sum_of(metrics, "scipd_casts_total");
+    if (casts > 0) run.casts_us = 1e6 * sum_of(metrics, "scipd_cast_seconds_total") / casts;
+}
+
+void run_in_full(const FleetSetup& setup, const std::vector<sim::Pose>& places, FleetRun& run) {
+    // Each scanner answers within a few milliseconds before the first one streams.
+    const auto patience = setup.duration + 60s + places.size() * 100ms;
+    FleetDaemon scipd(setup, places);
+    run.start_s = scipd.start().count();
+    BareTimer timer(daemon::find_model(setup.model).optics.scan_period);
+    ChildProgram reader(load_command(scipd.targets(), setup.duration), scipd.folder(), "load");
+    const std::vector<Look> looks = watch(scipd.pid(), reader, patience);
+    const Clock::time_point begin = Clock::now() - setup.duration;
+    const std::vector<double> timer_ms = timer.late_ms_since(begin);
+    run.timer = {at_share(timer_ms, 0.5), at_share(timer_ms, 0.99)};
+    run.whole = reader.exit_code() == 0;
+    read_findings(reader, run);
+    tell_use(looks, begin, run);
+    read_status(scipd.control().get("/status"), run);
+    read_metrics(scipd.control().text("/metrics"), run);
+}
+
+}  // namespace
+
+FleetRun run_fleet(const FleetSetup& setup, const std::vector<sim::Pose>& places) {
+    FleetRun run{.scanners = static_cast<int>(places.size())};
+    try {
+        run_in_full(setup, places, run);
+    } catch (const std::runtime_error& error) {
+        run.failure = error.what();
+        while (run.failure.ends_with('\n'))
+            run.failure.pop_back();
+    }
+    return run;
+}
+
+}  // namespace scipd::tools

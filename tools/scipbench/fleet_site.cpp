@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tools/scipbench/fleet_site.h"
+
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <iomanip>
+#include <numbers>
+#include <system_error>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/scipbench/output_file.h"
+
+namespace scipd::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+// Nothing is nearer to a place than 0.2 m (free_poses.h). A lap takes 1.88 s.
+constexpr double lap_radius_m = 0.15;
+constexpr int poses_per_lap = 94;
+
+fs::path new_folder() {
+    std::string pattern = fs::temp_directory_path() / "scipbench-XXXXXX";
+    if (::mkdtemp(pattern.data()) == nullptr)
+        throw std::system_error(errno, std::generic_category(), pattern);
+    return pattern;
+}
+
+void write_lap(const sim::Pose& place, std::ostream& out) {
+    out << std::fixed << std::setprecision(7);
+    for (int i = 0; i < poses_per_lap; ++i) {
+        const sim::Time time = i * pose_period;
+        const sim::Pose pose = on_its_lap(place, time);
+        const auto& [at, q] = pose;
+        out << std::chrono::duration<double>(time).count() << " " << at.x << " " << at.y << " "
+            << at.z << " " << q.x << " " << q.y << " " << q.z << " " << q.w << "\n";
+    }
+}
+
+Json robot_at(const sim::Pose& place, const FleetSetup& setup, const std::string& lap) {
+    const sim::Pose start = on_its_lap(place, {});
+    const double yaw_rad = 2.0 * std::atan2(start.rotation.z, start.rotation.w);
+    const glm::dvec3& at = start.translation_m;
+    Json robot{{"pose", {{"xyz", {at.x, at.y, at.z}}, {"rpy", {0, 0, yaw_rad}}}},
+               {"sensors",
+                {{"scanner",
+                  {{"model", setup.model},
+                   {"mount", {{"xyz", {0, 0, fleet_height_m}}}},
+                   {"tcp", "127.0.0.1:0"},
+                   {"accuracy", "sensor"}}}}}};
+    if (setup.driving) robot["poses"] = {{"from", lap}, {"loop", true}};
+    return robot;
+}
+
+}  // namespace
+
+std::string describe(const FleetSetup& setup) {
+    const std::string threads =
+        setup.threads ? std::to_string(*setup.threads) : std::string("scipd's own number of");
+    return setup.scene.string() + ", " + setup.model + (setup.driving ? " driving" : " standing") +
+           ", " + threads + " threads, " + std::to_string(setup.duration.count()) + " s a run";
+}
+
+sim::Pose on_its_lap(const sim::Pose& place, sim::Time time) {
+    const double laps = std::chrono::duration<double>(time) / (poses_per_lap * pose_period);
+    const double angle_rad = std::remainder(2.0 * std::numbers::pi * laps, 2.0 * std::numbers::pi);
+    return place * sim::pose_from_rpy({lap_radius_m * std::cos(angle_rad),
+                                       lap_radius_m * std::sin(angle_rad), 0.0},
+                                      {0.0, 0.0, angle_rad + std::numbers::pi / 2});
+}
+
+FleetSite::FleetSite() : folder_(new_folder()) {}
+
+FleetSite::~FleetSite() {
+    std::error_code error;
+    fs::remove_all(folder_, error);
+}
+
+// JSON is YAML too.
+void FleetSite::write(const FleetSetup& setup, const std::vector<sim::Pose>& places) const {
+    Json configuration{{"scene", fs::absolute(setup.scene).string()},
+                       {"control", control().string()}};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const std::string name = "robot_" + std::to_string(i);
+        const std::string lap = folder_ / (name + ".tum");
+        configuration["robots"][name] = robot_at(places[i], setup, lap);
+        if (setup.driving) write_to(lap, [&](std::ostream& out) { write_lap(places[i], out); });
+    }
+    write_to(this->configuration(), [&](std::ostream& out) { out << configuration.dump(1); });
+}
+
+}  // namespace scipd::tools
