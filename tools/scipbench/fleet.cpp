@@ -11,6 +11,7 @@
 
 #include "daemon/models/registry.h"
 #include "tools/scipbench/capacity.h"
+#include "tools/scipbench/fleet_chart.h"
 #include "tools/scipbench/fleet_report.h"
 #include "tools/scipbench/fleet_run.h"
 #include "tools/scipbench/fleet_stages.h"
@@ -38,6 +39,10 @@ class Measurement {
             print_all(told(run(*question_.scanners)));
         } else {
             search();
+        }
+        if (!question_.plot.empty()) {
+            draw_fleets(runs_, costs_, describe(question_.setup), describe_machine(),
+                        question_.plot);
         }
         write_to(question_.csv, [this](std::ostream& out) { write_runs_csv(runs_, costs_, out); });
     }
@@ -79,10 +84,10 @@ class Measurement {
     }
 
     void tell(const Capacity& found) const {
-        std::cout << "\n" << found.held << " scanners lose no scan";
+        std::cout << "\n" << found.held << " scanners keep up and lose no scan";
         if (found.too_many) {
             std::cout << ", " << *found.too_many
-                      << " do\nwhat limits: " << what_limits(last(*found.too_many)) << "\n";
+                      << " do not\nwhat limits: " << what_limits(last(*found.too_many)) << "\n";
         } else if (found.held == world_.most()) {
             std::cout << "\nwhat limits: descriptors; raise them with ulimit -Hn\n";
         } else {

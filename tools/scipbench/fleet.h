@@ -17,6 +17,7 @@ struct FleetQuestion {
     std::optional<int> scanners;  ///< run so many, and search for no number
     std::optional<int> most;      ///< to search up to; none: as many as descriptors allow
     std::string csv;              ///< file to write
+    std::string plot;             ///< picture to draw
 };
 
 /// Prints what it finds.

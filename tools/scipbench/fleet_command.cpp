@@ -98,11 +98,17 @@ void add_fleet(CLI::App& program) {
     auto* const csv = fleet->add_option("--csv", question.csv, "table to write, a run a line")
                           ->check(can_be_written)
                           ->option_text("FILE.csv");
+    auto* const plot =
+        fleet->add_option("-o,--plot", question.plot, "picture to draw: the share of all cores")
+            ->check(is_picture)
+            ->check(can_be_written)
+            ->option_text("FILE.png|FILE.svg");
     fleet
         ->add_flag("--start", asked->start,
                    "measure instead how soon 500 scanners are ready, or --scanners, and how soon "
                    "scipd answers GET /status then")
-        ->excludes(csv);
+        ->excludes(csv)
+        ->excludes(plot);
     fleet->callback([asked] { answer(*asked); });
 }
 

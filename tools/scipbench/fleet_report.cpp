@@ -15,11 +15,6 @@ double processors() {
     return std::thread::hardware_concurrency();
 }
 
-/// The bare casts of all scans, as a share of all processors.
-double bare_share(const FleetRun& run, const StageCosts& costs) {
-    return run.scans_per_s() * 1e-6 * costs.bare_cast_us / processors();
-}
-
 double used(const ProcessorUse& use) {
     return use.user_s + use.kernel_s;
 }
@@ -35,6 +30,14 @@ void print_cost(std::ostream& out, const char* name, double us, const char* what
 }
 
 }  // namespace
+
+double bare_share(const FleetRun& run, const StageCosts& costs) {
+    return run.scans_per_s() * 1e-6 * costs.bare_cast_us / processors();
+}
+
+double share_of_all(const ProcessorUse& use_a_second) {
+    return used(use_a_second) / processors();
+}
 
 void print_run_header(std::ostream& out) {
     out << "scanners  scans/s  missing     lost  bare casts   scipd  reader  late p50       p99"
@@ -60,7 +63,11 @@ void print_run(const FleetRun& run, const StageCosts& costs, std::ostream& out) 
     cell(10, run.scipd.p50_ms);
     cell(10, run.scipd.p99_ms);
     cell(11, run.timer.p99_ms);
-    out << (run.holds() ? "" : "  loses scans") << "\n" << std::flush;
+    out << (run.loses()          ? "  loses scans"
+            : run.falls_behind() ? "  falls behind"
+                                 : "")
+        << "\n"
+        << std::flush;
 }
 
 void print_costs(const FleetRun& run, const StageCosts& costs, std::ostream& out) {

@@ -13,6 +13,10 @@
 
 namespace scipd::tools {
 
+/// The bare casts of all scans, as a share of all cores.
+[[nodiscard]] double bare_share(const FleetRun& run, const StageCosts& costs);
+[[nodiscard]] double share_of_all(const ProcessorUse& use_a_second);
+
 void print_run_header(std::ostream& out);
 /// One line, as soon as a run has ended.
 void print_run(const FleetRun& run, const StageCosts& costs, std::ostream& out);

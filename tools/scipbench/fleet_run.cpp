@@ -103,7 +103,8 @@ void run_in_full(const FleetSetup& setup, const std::vector<sim::Pose>& places, 
     const auto patience = setup.duration + 60s + places.size() * 100ms;
     FleetDaemon scipd(setup, places);
     run.start_s = scipd.start().count();
-    BareTimer timer(daemon::find_model(setup.model).optics.scan_period);
+    const sim::Time period = daemon::find_model(setup.model).optics.scan_period;
+    BareTimer timer(period);
     ChildProgram reader(load_command(scipd.targets(), setup.duration), scipd.folder(), "load");
     const std::vector<Look> looks = watch(scipd.pid(), reader, patience);
     const Clock::time_point begin = Clock::now() - setup.duration;
@@ -111,6 +112,7 @@ void run_in_full(const FleetSetup& setup, const std::vector<sim::Pose>& places, 
     run.timer = {at_share(timer_ms, 0.5), at_share(timer_ms, 0.99)};
     run.whole = reader.exit_code() == 0;
     read_findings(reader, run);
+    run.scans_due = run.scanners * (run.seconds / Seconds(period).count());
     tell_use(looks, begin, run);
     read_status(scipd.control().get("/status"), run);
     read_metrics(scipd.control().text("/metrics"), run);

@@ -27,6 +27,7 @@ struct FleetRun {
     double start_s = 0.0;
     double seconds = 0.0;
     std::uint64_t scans = 0;
+    double scans_due = 0.0;     ///< by the time and the scanners' period
     std::uint64_t missing = 0;  ///< that the reader found missing, damaged or out of order
     std::uint64_t lost = 0;     ///< by scipd's own count
     double casts_us = 0.0;      ///< of a scan, by scipd's own count
@@ -37,7 +38,14 @@ struct FleetRun {
     ProcessorUse scipd_use;     ///< a second
     ProcessorUse reader_use;    ///< a second
 
-    [[nodiscard]] bool holds() const { return failure.empty() && whole && lost == 0; }
+    [[nodiscard]] bool loses() const { return !whole || lost > 0; }
+    /// Whether it falls behind more and more. scipd loses scans only when they are a second late,
+    /// which may be after the run. A stream begins with the second turn at the latest.
+    [[nodiscard]] bool falls_behind() const {
+        constexpr double enough = 0.95;
+        return static_cast<double>(scans) + 2.0 * scanners < enough * scans_due;
+    }
+    [[nodiscard]] bool holds() const { return failure.empty() && !loses() && !falls_behind(); }
     [[nodiscard]] double scans_per_s() const {
         return seconds > 0.0 ? static_cast<double>(scans) / seconds : 0.0;
     }

@@ -5,7 +5,6 @@
 // differ; and loads scanners.
 #include <chrono>
 #include <cstddef>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -184,10 +183,7 @@ CLI::App* add(CLI::App& program, const char* name, const char* what, Said& said,
 
 void add_plot(CLI::App& command, Said& said) {
     command.add_option("-o,--plot", said.plot, "picture to draw")
-        ->check([](const std::string& file) {
-            const auto ending = std::filesystem::path(file).extension();
-            return ending == ".png" || ending == ".svg" ? "" : "must end with .png or .svg";
-        })
+        ->check(is_picture)
         ->check(can_be_written)
         ->option_text("FILE.png|FILE.svg");
 }

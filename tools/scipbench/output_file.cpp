@@ -17,4 +17,9 @@ std::string can_be_written(const std::string& file) {
     return "";
 }
 
+std::string is_picture(const std::string& file) {
+    const auto ending = std::filesystem::path(file).extension();
+    return ending == ".png" || ending == ".svg" ? "" : "must end with .png or .svg";
+}
+
 }  // namespace scipd::tools

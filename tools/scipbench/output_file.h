@@ -14,6 +14,9 @@ namespace scipd::tools {
 /// measuring begins, which takes minutes.
 std::string can_be_written(const std::string& file);
 
+/// The same: why no picture can be that file.
+std::string is_picture(const std::string& file);
+
 /// Calls `write` with the file as a stream, unless nobody named one. Throws std::runtime_error.
 template <class Write>
 void write_to(const std::string& file, const Write& write) {

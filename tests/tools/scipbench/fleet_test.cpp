@@ -52,9 +52,11 @@ std::vector<Row> rows_of(const std::filesystem::path& csv) {
 TEST(ScipbenchFleet, MeasuresSoManyScanners) {
     const TempDir directory;
     const auto csv = directory.path() / "fleet.csv";
-    const Outcome outcome =
-        fleet({"--scanners", "3", "--driving", "--threads", "2", "--seconds", "2", "--csv", csv});
+    const auto plot = directory.path() / "fleet.svg";
+    const Outcome outcome = fleet({"--scanners", "3", "--driving", "--threads", "2", "--seconds",
+                                   "2", "--csv", csv, "-o", plot});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
+    EXPECT_THAT(read_file(plot), HasSubstr("<svg"));
     const std::vector<Row> rows = rows_of(csv);
     ASSERT_EQ(rows.size(), 1U);
     const Row& row = rows.front();
@@ -86,7 +88,7 @@ TEST(ScipbenchFleet, SearchesUpToTheMostThatItMayTry) {
     if (rows.front().at("holds") == 1) {
         ASSERT_EQ(rows.size(), 2U);
         EXPECT_EQ(rows.back().at("scanners"), 1);
-        EXPECT_THAT(outcome.out, HasSubstr("2 scanners lose no scan; no more were tried"));
+        EXPECT_THAT(outcome.out, HasSubstr("2 scanners keep up and lose no scan; no more were tried"));
     }
 }
 
@@ -110,6 +112,7 @@ TEST(ScipbenchFleet, SaysWhatIsWrongBeforeItMeasures) {
     EXPECT_THAT(said({"--threads", "none"}), HasSubstr("--threads"));
     EXPECT_THAT(said({"--model", "UST-11LX"}), HasSubstr("UST-11LX"));
     EXPECT_THAT(said({"--csv", "/no/such/fleet.csv"}), HasSubstr("no directory /no/such"));
+    EXPECT_THAT(said({"-o", "fleet.pdf"}), HasSubstr("must end with .png or .svg"));
     EXPECT_THAT(said({"--scene", "/no/such.sdf"}), HasSubstr("--scene"));
     EXPECT_THAT(said({"--scipd", "/no/such/scipd"}),
                 HasSubstr("/no/such/scipd is no program; name scipd with --scipd"));

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tools/scipbench/fleet_chart.h"
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+
+#include "tools/scipbench/fleet_report.h"
+#include "tools/scipbench/plot_area.h"
+
+namespace scipd::tools {
+namespace {
+
+struct Curve {
+    std::string name;
+    Colour colour;
+    std::function<double(const FleetRun&)> share;
+};
+
+std::vector<FleetRun> by_number(std::vector<FleetRun> runs) {
+    std::erase_if(runs, [](const FleetRun& run) { return !run.failure.empty(); });
+    std::ranges::stable_sort(runs, {}, &FleetRun::scanners);
+    return runs;
+}
+
+// The line leads through the numbers that hold.
+void draw_curve(PlotArea& area, const Curve& curve, const std::vector<FleetRun>& runs) {
+    constexpr double width = 2.5;
+    std::vector<Place> line;
+    for (const FleetRun& run : runs) {
+        const Place place{static_cast<double>(run.scanners), curve.share(run)};
+        area.dot(place, run.holds() ? curve.colour : colours::faint_ink, run.holds() ? 4.0 : 2.5);
+        if (run.holds()) line.push_back(place);
+    }
+    area.line(line, curve.colour, width, false);
+    area.legend(curve.name, curve.colour, width, false);
+}
+
+}  // namespace
+
+void draw_fleets(const std::vector<FleetRun>& runs, const StageCosts& costs,
+                 const std::string& title, const std::string& machine,
+                 const std::filesystem::path& file) {
+    const std::vector<Curve> curves{
+        {"scipd", colours::wall, [](const FleetRun& run) { return share_of_all(run.scipd_use); }},
+        {"the reader", colours::scanner,
+         [](const FleetRun& run) { return share_of_all(run.reader_use); }},
+        {"bare casts of all scans", colours::ink,
+         [&](const FleetRun& run) { return bare_share(run, costs); }}};
+    const std::vector<FleetRun> sorted = by_number(runs);
+    if (sorted.empty()) return;
+    Page page(file, PlotArea::page_height(curves.size()));
+    PlotArea area(page, {0.0, 1.05 * sorted.back().scanners, false}, {0.0, 1.0, false});
+    area.title(title, machine + "; grey: scans were lost");
+    area.grid("scanners", "share of all cores");
+    for (const Curve& curve : curves)
+        draw_curve(area, curve, sorted);
+    if (const auto why = page.finish()) throw std::runtime_error(file.string() + ": " + *why);
+}
+
+}  // namespace scipd::tools
