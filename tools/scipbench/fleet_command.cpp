@@ -91,10 +91,10 @@ void add_fleet(CLI::App& program) {
         fleet->add_option("-n,--scanners", question.scanners, "run so many, and do not search")
             ->check(CLI::Range(1, most_scanners))
             ->option_text("N");
-    fleet->add_option("--most", question.most, "try no more than so many")
-        ->check(CLI::Range(1, most_scanners))
-        ->excludes(scanners)
-        ->option_text("N");
+    auto* const most = fleet->add_option("--most", question.most, "try no more than so many")
+                           ->check(CLI::Range(1, most_scanners))
+                           ->excludes(scanners)
+                           ->option_text("N");
     auto* const csv = fleet->add_option("--csv", question.csv, "table to write, a run a line")
                           ->check(can_be_written)
                           ->option_text("FILE.csv");
@@ -108,7 +108,8 @@ void add_fleet(CLI::App& program) {
                    "measure instead how soon 500 scanners are ready, or --scanners, and how soon "
                    "scipd answers GET /status then")
         ->excludes(csv)
-        ->excludes(plot);
+        ->excludes(plot)
+        ->excludes(most);
     fleet->callback([asked] { answer(*asked); });
 }
 

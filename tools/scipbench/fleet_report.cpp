@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "tools/scipbench/fleet_report.h"
 
+#include <cmath>
 #include <iomanip>
 #include <ostream>
 #include <thread>
@@ -25,8 +26,10 @@ double per_scan_us(double share, const FleetRun& run) {
 }
 
 void print_cost(std::ostream& out, const char* name, double us, const char* what) {
-    out << "  " << std::left << std::setw(8) << name << std::right << std::setw(8)
-        << (us >= 0.0 ? significant(us, 3) : "-" + significant(-us, 3)) << " us  " << what << "\n";
+    std::string text = significant(std::abs(us), 3);
+    if (us < 0.0) text.insert(0, 1, '-');
+    out << "  " << std::left << std::setw(8) << name << std::right << std::setw(8) << text
+        << " us  " << what << "\n";
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What scipbench fleet stands on: its search, its looks at processes, and its bare timer.
+// What scipbench fleet stands on: its search, its looks at processes, its bare timer, and what it
+// makes of figures.
+#include <algorithm>
 #include <chrono>
-#include <filesystem>
-#include <fstream>
 #include <thread>
 #include <vector>
 
@@ -16,6 +16,7 @@
 #include "tools/scipbench/bare_timer.h"
 #include "tools/scipbench/capacity.h"
 #include "tools/scipbench/child_program.h"
+#include "tools/scipbench/fleet_report.h"
 #include "tools/scipbench/processor_use.h"
 
 namespace scipd::tools {
@@ -139,6 +140,59 @@ TEST(BareTimer, IsNeverEarlyAndLeavesNothingOut) {
     EXPECT_TRUE(std::is_sorted(late_ms.begin(), late_ms.end()));
     BareTimer other(5ms);
     EXPECT_TRUE(other.late_ms_since(end + 1h).empty());
+}
+
+/// A run of ten seconds in which nothing was lost.
+FleetRun sound_run() {
+    return {.scanners = 10, .whole = true, .seconds = 10.0, .scans = 4000, .scans_due = 4000.0};
+}
+
+TEST(FleetRun, HoldsIfAllScansCameInTime) {
+    EXPECT_TRUE(sound_run().holds());
+    // The first turn or two of each scanner have no scan.
+    FleetRun late = sound_run();
+    late.scans = 3980;
+    EXPECT_TRUE(late.holds());
+    late.scans = 3700;
+    EXPECT_TRUE(late.falls_behind());
+    EXPECT_FALSE(late.holds());
+    FleetRun unread = sound_run();
+    unread.whole = false;
+    EXPECT_FALSE(unread.holds());
+    FleetRun lost = sound_run();
+    lost.lost = 1;
+    EXPECT_FALSE(lost.holds());
+    FleetRun failed = sound_run();
+    failed.failure = "no scipd";
+    EXPECT_FALSE(failed.holds());
+}
+
+TEST(FleetReport, TellsBareCastsAsAShareOfAllCores) {
+    // 400 scans a second of 25 ms each are ten cores.
+    EXPECT_DOUBLE_EQ(bare_share(sound_run(), {.bare_cast_us = 25'000.0}),
+                     10.0 / std::thread::hardware_concurrency());
+}
+
+TEST(FleetReport, NamesWhatLimits) {
+    const double all = std::thread::hardware_concurrency();
+    FleetRun run = sound_run();
+    run.scipd_use.user_s = 0.8 * all;
+    run.reader_use.kernel_s = 0.15 * all;
+    EXPECT_TRUE(what_limits(run).starts_with("the cores: ")) << what_limits(run);
+
+    run.scipd_use = {.user_s = 0.5 * all,
+                     .threads = {{7, {"scans 0", 0.1}}, {8, {"scans 1", 0.95}}}};
+    EXPECT_TRUE(what_limits(run).starts_with("the thread \"scans 1\" of scipd"))
+        << what_limits(run);
+
+    run.scipd_use.threads = {{7, {"scans 0", 0.3, 0.7}}};
+    EXPECT_TRUE(what_limits(run).starts_with("others on this machine")) << what_limits(run);
+
+    run.scipd_use.threads = {{7, {"scans 0", 0.3, 0.01}}};
+    EXPECT_TRUE(what_limits(run).starts_with("no core was full")) << what_limits(run);
+
+    run.failure = "the reader fails: no";
+    EXPECT_EQ(what_limits(run), "the reader fails: no");
 }
 
 }  // namespace

@@ -88,7 +88,8 @@ TEST(ScipbenchFleet, SearchesUpToTheMostThatItMayTry) {
     if (rows.front().at("holds") == 1) {
         ASSERT_EQ(rows.size(), 2U);
         EXPECT_EQ(rows.back().at("scanners"), 1);
-        EXPECT_THAT(outcome.out, HasSubstr("2 scanners keep up and lose no scan; no more were tried"));
+        EXPECT_THAT(outcome.out,
+                    HasSubstr("2 scanners keep up and lose no scan; no more were tried"));
     }
 }
 
@@ -109,6 +110,7 @@ TEST(ScipbenchFleet, SaysWhatIsWrongBeforeItMeasures) {
     };
     EXPECT_THAT(said({"--scanners", "0"}), HasSubstr("--scanners"));
     EXPECT_THAT(said({"--scanners", "2", "--most", "3"}), HasSubstr("--most"));
+    EXPECT_THAT(said({"--start", "--most", "3"}), HasSubstr("--most"));
     EXPECT_THAT(said({"--threads", "none"}), HasSubstr("--threads"));
     EXPECT_THAT(said({"--model", "UST-11LX"}), HasSubstr("UST-11LX"));
     EXPECT_THAT(said({"--csv", "/no/such/fleet.csv"}), HasSubstr("no directory /no/such"));
