@@ -52,7 +52,7 @@ void draw_fleets(const std::vector<FleetRun>& runs, const StageCosts& costs,
     if (sorted.empty()) return;
     Page page(file, PlotArea::page_height(curves.size()));
     PlotArea area(page, {0.0, 1.05 * sorted.back().scanners, false}, {0.0, 1.0, false});
-    area.title(title, machine + "; grey: scans were lost");
+    area.title(title, machine + "; grey: scans were lost, or ever later");
     area.grid("scanners", "share of all cores");
     for (const Curve& curve : curves)
         draw_curve(area, curve, sorted);
