@@ -3,8 +3,9 @@
 //
 // One shard: a thread that runs the handlers of its sensors, and a copy of the world that only this
 // thread touches. Of what is ready, requests and replies come first, then one sweep: so no reply
-// waits for more sweeps than the one that is under way. Others tell it what changes in the world, and may have it stand still between two
-// handlers. All that is public may be called from the I/O thread; nothing else calls it.
+// waits for more sweeps than the one that is under way. Others tell it what changes in the world,
+// and may have it stand still between two handlers. All that is public may be called from the I/O
+// thread; nothing else calls it.
 #pragma once
 
 #include <atomic>
