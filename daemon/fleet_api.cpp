@@ -41,10 +41,12 @@ FleetMetrics FleetApi::metrics() const {
 std::optional<SensorRecord> FleetApi::latest(const std::string& sensor) {
     const Station* const station = find_station(simulation_.stations, sensor);
     if (station == nullptr) return std::nullopt;
-    return simulation_.shards.still([&] {
-        return std::visit([](const auto& made) -> SensorRecord { return latest_of(*made); },
-                          station->sensor);
+    SensorRecord latest;
+    simulation_.shards.still_on(station->shard, [&] {
+        latest = std::visit([](const auto& made) -> SensorRecord { return latest_of(*made); },
+                            station->sensor);
     });
+    return latest;
 }
 
 std::optional<SensorLog> FleetApi::log(const std::string& sensor) const {

@@ -43,8 +43,9 @@ void ShardThread::wait_until_still() {
     still_changed_.wait(lock, [this] { return still_; });
 }
 
-void ShardThread::catch_up() {
+void ShardThread::catch_up(std::function<void()> errand) {
     std::unique_lock lock(mutex_);
+    errand_ = std::move(errand);
     catches_up_ = true;
     still_changed_.notify_all();
     still_changed_.wait(lock, [this] { return !catches_up_; });
@@ -104,6 +105,7 @@ void ShardThread::answer() {
         do {
             changed |= take_changes(lock);
             if (!halted_) break;
+            if (catches_up_) guarded(std::exchange(errand_, {}));
             still_ = true;
             catches_up_ = false;
             still_changed_.notify_all();

@@ -49,8 +49,9 @@ class ShardThread {
     void halt();
     /// Returns when it stands still, and all that it was told before halt() is done.
     void wait_until_still();
-    /// Of a shard that stands still: it does all that it was told. Returns when that is done.
-    void catch_up();
+    /// Of a shard that stands still: it does all that it was told, and then this on its thread.
+    /// Returns when that is done.
+    void catch_up(std::function<void()> errand = [] {});
     void go_on();
 
     /// Runs no handler any more, and has ended when this returns.
@@ -86,6 +87,7 @@ class ShardThread {
     bool halted_ = false;
     bool still_ = false;
     bool catches_up_ = false;
+    std::function<void()> errand_;  ///< while it catches up
     bool ending_ = false;
 
     bool ended_ = false;  ///< its own copy of that

@@ -29,6 +29,11 @@ void Shards::on_changed(const std::function<void(std::size_t)>& callback) {
         threads_[number]->on_changed([callback, number] { callback(number); });
 }
 
+void Shards::still_on(std::size_t number, const std::function<void()>& act) {
+    if (threads_.empty() || joined_) return act();
+    still([&] { threads_[number]->catch_up(act); });
+}
+
 void Shards::call_home(std::function<void()> call) {
     if (threads_.empty()) return call();
     boost::asio::post(home_, std::move(call));

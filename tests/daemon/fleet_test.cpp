@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -18,10 +19,12 @@
 #include <unistd.h>
 
 #include "daemon/device/device.h"
+#include "daemon/device/staring_sensor.h"
 #include "daemon/fleet_api.h"
 #include "daemon/fleet_plan.h"
 #include "daemon/models/registry.h"
 #include "daemon/simulation.h"
+#include "sim/backends/registry.h"
 #include "sim/loaders/file/load_error.h"
 #include "tests/daemon/device/ideal_camera.h"
 #include "tests/daemon/wall_world.h"
@@ -213,6 +216,25 @@ TEST_P(FleetTest, MeasuresBackendsBehindWhatIsAskedForMeanwhile) {
     same.scene = SCIPD_SCENES "/corridor.sdf";
     fleet_.apply(make_plan(same, fleet_.simulation().settled_backends(), {}, fleet_.homes()));
     EXPECT_TRUE(measured());
+}
+
+// A picture is drawn where the camera lives, whoever asks for it.
+TEST_P(FleetTest, ShowsTheLatestOfACameraThatIsWatched) {
+    if (sim::find_backend("depth") == nullptr) GTEST_SKIP();
+    SensorConfig camera = ideal_camera(20, 50.0);
+    camera.name = "camera";
+    camera.backend = "depth";
+    fleet_.apply(of({camera}));
+    EXPECT_TRUE(api_.latest("rescue/camera"));
+    Simulation& simulation = fleet_.simulation();
+    auto& sensor = *std::get<std::unique_ptr<StaringSensor>>(simulation.stations[0]->sensor);
+    std::atomic<int> seen = 0;
+    simulation.shards.still([&] { sensor.watch([&](const StaringRecord&) { ++seen; }); });
+    EXPECT_TRUE(run_until(io_, [&] { return seen > 3; }));
+    EXPECT_TRUE(api_.latest("rescue/camera"));
+    const int before = seen;
+    EXPECT_TRUE(run_until(io_, [&] { return seen > before + 3; }));
+    simulation.shards.still([&] { sensor.watch(nullptr); });
 }
 
 TEST_P(FleetTest, TakesAWorldOfAnyKind) {

@@ -169,7 +169,7 @@ TEST_F(RoutesTest, StatusIsTheWholeDocument) {
     EXPECT_EQ(response.body,
               std::string{R"({"uptime_s":100.5,"clock":"wall","time_s":100.25,)"
                           R"("scene":"/scenes/room.sdf","poses":{"accepted":7,"refused":1,)"
-                          R"("last_refusal":"q must be a quaternion"},"sensors":[)"} +
+                          R"("last_refusal":"q must be a quaternion"},"fleet":null,"sensors":[)"} +
                   front_text + "," + rear_text + "]}\n");
 }
 

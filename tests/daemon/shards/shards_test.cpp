@@ -5,8 +5,10 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
@@ -206,6 +208,21 @@ TEST_P(ShardsTest, LetNoReplyWaitForMoreThanOneSweep) {
     }
     shards_.still([&] { alarms.clear(); });
     EXPECT_LT(swept, 50);
+}
+
+TEST_P(ShardsTest, DoOnTheirThreadWhatIsAskedForThere) {
+    make_busy();
+    std::set<std::thread::id> threads;
+    for (std::size_t i = 0; i < shards_.size(); ++i) {
+        std::thread::id first;
+        std::thread::id second;
+        shards_.still_on(i, [&] { first = std::this_thread::get_id(); });
+        shards_.still_on(i, [&] { second = std::this_thread::get_id(); });
+        EXPECT_EQ(first, second);
+        threads.insert(first);
+    }
+    EXPECT_EQ(threads.size(), shards_.size());
+    EXPECT_EQ(threads.contains(std::this_thread::get_id()), shards_.size() == 1);
 }
 
 TEST_P(ShardsTest, MayBeLookedAtWhenTheyHaveEnded) {
