@@ -42,8 +42,8 @@ class Shards {
         return act();
     }
 
-    /// The same for one shard, and `act` is called on its thread: to be used for what casts, since a
-    /// backend that draws is bound to the thread where it is used.
+    /// The same for one shard, and `act` is called on its thread. For what casts: a backend that
+    /// draws is bound to the thread where it is used.
     void still_on(std::size_t number, const std::function<void()>& act);
 
     /// Calls it on the I/O thread; any thread may ask. From there it is called at once.
