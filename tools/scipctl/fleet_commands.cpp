@@ -9,7 +9,6 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +17,7 @@
 #include "tools/options.h"
 #include "tools/scipctl/broker_session.h"
 #include "tools/scipctl/commands.h"
+#include "tools/scipctl/model_options.h"
 #include "tools/scipctl/pose_text.h"
 #include "tools/scipctl/table.h"
 
@@ -31,16 +31,8 @@ using Json = ControlClient::Json;
 // Under this name the broker keeps where models are that these commands have moved.
 constexpr const char* sender = "scipctl";
 
-struct FleetOptions {
+struct FleetOptions : ModelOptions {
     BrokerOptions broker;
-    std::string name;
-    std::string file;
-    std::string pose;
-    std::string material;
-    std::optional<double> scale;
-    bool movable = false;
-    bool is_static = false;
-    bool replace = false;
     bool json = false;
 };
 
@@ -110,11 +102,6 @@ void tell_status(const ControlOptions& control, const FleetOptions& options) {
     print_table(std::cout, models);
 }
 
-sim::Pose pose_of(const std::string& text) {
-    if (const auto pose = parse_pose_text(text)) return *pose;
-    throw CLI::ValidationError("\"" + text + "\" is no pose: write X,Y,YAW or X,Y,Z,R,P,Y");
-}
-
 std::string text_in(const std::string& file) {
     std::ifstream stream(file, std::ios::binary);
     std::istream& in = file == "-" ? std::cin : stream;
@@ -131,10 +118,7 @@ Json body_of(const FleetOptions& options) {
     } else {
         body["file"] = fs::absolute(options.file).string();
     }
-    if (options.scale) body["scale"] = *options.scale;
-    if (!options.material.empty()) body["material"] = options.material;
-    if (!options.pose.empty()) body["pose"] = pose_body({.pose = pose_of(options.pose)});
-    if (options.movable || options.is_static) body["static"] = options.is_static;
+    put_model_options(options, body);
     body["replace"] = true;
     return body;
 }
@@ -222,23 +206,10 @@ std::pair<CLI::App*, std::shared_ptr<FleetOptions>> add_command(CLI::App& fleet,
 void add_add_command(CLI::App& fleet, const ControlOptions& control) {
     const auto [command, options] =
         add_command(fleet, control, "add", "add a model at all daemons", add);
-    command->add_option("NAME", options->name, "the name of the new model")->required();
-    command
-        ->add_option("FILE", options->file,
-                     "an SDF or a URDF, whose text goes along, or - for one; or a mesh, which lies "
-                     "under the same name at each daemon")
-        ->required()
-        ->check(CLI::ExistingPath | CLI::IsMember({"-"}));
-    command->add_option("--pose", options->pose,
-                        "X,Y,YAW or X,Y,Z,R,P,Y; default: the pose in its file");
-    command->add_option("--scale", options->scale, "the scale of a mesh: 0.001 for millimetres")
-        ->check(number_within(-1e6, 1e6));
-    command->add_option("--material", options->material, "the material of a whole mesh");
-    auto* const movable = command->add_flag("--movable", options->movable,
-                                            "all of it moves as one body, whatever its file says");
-    command->add_flag("--static", options->is_static, "nothing of it moves, whatever its file says")
-        ->excludes(movable);
-    command->add_flag("--replace", options->replace, "replace the model of this name");
+    add_model_options(
+        *command, *options,
+        "an SDF or a URDF, whose text goes along, or - for one; or a mesh, which lies "
+        "under the same name at each daemon");
     command->footer(
         "A daemon that cannot add it says why in its log and in scipctl fleet status.\n"
         "Example:\n"

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <memory>
 #include <numbers>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "tools/control_client.h"
 #include "tools/options.h"
 #include "tools/scipctl/commands.h"
+#include "tools/scipctl/model_options.h"
 #include "tools/scipctl/pose_text.h"
 #include "tools/scipctl/table.h"
 
@@ -22,15 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = ControlClient::Json;
 
-struct AddOptions {
-    std::string name;
-    std::string file;
-    std::string pose;
-    std::string material;
-    std::optional<double> scale;
-    bool movable = false;
-    bool is_static = false;
-    bool replace = false;
+struct AddOptions : ModelOptions {
     bool json = false;
 };
 
@@ -50,11 +42,6 @@ struct MoveOptions {
     std::string name;
     std::string pose;
 };
-
-sim::Pose pose_of(const std::string& text) {
-    if (const auto pose = parse_pose_text(text)) return *pose;
-    throw CLI::ValidationError("\"" + text + "\" is no pose: write X,Y,YAW or X,Y,Z,R,P,Y");
-}
 
 std::string text_of(const Json& pose) {
     const auto& xyz = pose.at("xyz");
@@ -139,10 +126,7 @@ Json request_of(const AddOptions& options) {
     } else {
         body["file"] = fs::absolute(options.file).string();
     }
-    if (options.scale) body["scale"] = *options.scale;
-    if (!options.material.empty()) body["material"] = options.material;
-    if (!options.pose.empty()) body["pose"] = pose_body({.pose = pose_of(options.pose)});
-    if (options.movable || options.is_static) body["static"] = options.is_static;
+    put_model_options(options, body);
     if (options.replace) body["replace"] = true;
     return body;
 }
@@ -203,22 +187,8 @@ void add_list_command(CLI::App& scene, const ControlOptions& control) {
 void add_add_command(CLI::App& scene, const ControlOptions& control) {
     auto* const command = scene.add_subcommand("add", "add a model from SDF, URDF or a mesh");
     const auto options = std::make_shared<AddOptions>();
-    command->add_option("NAME", options->name, "the name of the new model")->required();
-    command
-        ->add_option("FILE", options->file,
-                     "an SDF, a URDF, a mesh or the folder of a model; - reads SDF")
-        ->required()
-        ->check(CLI::ExistingPath | CLI::IsMember({"-"}));
-    command->add_option("--pose", options->pose,
-                        "X,Y,YAW or X,Y,Z,R,P,Y; default: the pose in its file");
-    command->add_option("--scale", options->scale, "the scale of a mesh: 0.001 for millimetres")
-        ->check(number_within(-1e6, 1e6));
-    command->add_option("--material", options->material, "the material of a whole mesh");
-    auto* const movable = command->add_flag("--movable", options->movable,
-                                            "all of it moves as one body, whatever its file says");
-    command->add_flag("--static", options->is_static, "nothing of it moves, whatever its file says")
-        ->excludes(movable);
-    command->add_flag("--replace", options->replace, "replace the model of this name");
+    add_model_options(*command, *options,
+                      "an SDF, a URDF, a mesh or the folder of a model; - reads SDF");
     command->add_flag("--json", options->json, warnings_as_json);
     command->callback([&control, options] { add(control, *options); });
     command->footer(
