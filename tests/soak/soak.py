@@ -176,7 +176,7 @@ def options():
                         help="the longest that an answer to /status may take; default: 50")
     parser.add_argument("--edit-s", type=float, default=15.0,
                         help="the longest that a change of the scene may take; default: 15")
-    parser.add_argument("--rss-mb", type=float, default=400.0, help="the most memory at any time; default: 400")
+    parser.add_argument("--rss-mb", type=float, default=600.0, help="the most memory at any time; default: 600")
     parser.add_argument("--slow", action="store_true",
                         help="do not judge what only a scipd does that is on time: for one with sanitizers")
     parser.add_argument("--scipd", default=str(ROOT / "build/release/bin/scipd"), help="the program to test")
