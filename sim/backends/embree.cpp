@@ -19,13 +19,11 @@
 #include <glm/mat4x3.hpp>
 
 #include "sim/backends/embree_api.h"
-#include "sim/backends/embree_geometry.h"
+#include "sim/backends/embree_bodies.h"
 #include "sim/backends/embree_still.h"
 
 namespace scipd::sim {
 namespace {
-
-static_assert(no_object == RTC_INVALID_GEOMETRY_ID, "a geometry's id is the object's");
 
 /// The same direction to a nanoradian. Embree 3.13 loses all rays of a packet that share their
 /// signs with one whose component is 1e-17 or so, as the cosine of a right angle comes out.
@@ -70,10 +68,13 @@ class EmbreeBackend final : public RangeBackend {
 
     void aim(const Fan& fan, std::size_t first, std::size_t count, RTCRayHit16& packet) const;
     void turn_normals_of_movables(RTCRayHit16& packet) const;
+    /// The object that ray k has hit.
+    [[nodiscard]] ObjectId met(const RTCHit16& hit, std::size_t k) const;
     void read(const RTCRayHit16& packet, std::span<Hit> hits) const;
 
     std::shared_ptr<const EmbreeStill> still_;
     DeviceHandle device_;                  ///< of what moves; null where nothing can
+    EmbreeBodies bodies_;                  ///< of the same device
     SceneHandle moving_;                   ///< instances, under their models' ids
     std::vector<Movable> movables_;        ///< by ModelId; empty where nothing can move
     std::vector<MaterialId> material_of_;  ///< by ObjectId
@@ -95,20 +96,12 @@ void EmbreeBackend::add_movable_models() {
     if (std::ranges::none_of(models, &Model::movable)) return;
     device_ = new_device();
     moving_ = new_scene(device_.get());
-    std::vector<SceneHandle> bodies(models.size());
-    for (ObjectId id = 0; id < scene().objects.size(); ++id) {
-        const Object& object = scene().objects[id];
-        if (!models[object.model].movable) continue;
-        SceneHandle& body = bodies[object.model];
-        if (!body) body = new_scene(device_.get());
-        attach(device_.get(), body.get(), id, object, object.model_from_object, look_through);
-    }
+    bodies_ = EmbreeBodies{device_.get(), scene()};
     movables_.resize(models.size());
     for (ModelId id = 0; id < models.size(); ++id) {
-        if (!bodies[id]) continue;
-        rtcCommitScene(bodies[id].get());
+        if (bodies_.of(id) == nullptr) continue;
         movables_[id].instance.reset(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE));
-        rtcSetGeometryInstancedScene(movables_[id].instance.get(), bodies[id].get());
+        rtcSetGeometryInstancedScene(movables_[id].instance.get(), bodies_.of(id));
         rtcAttachGeometryByID(moving_.get(), movables_[id].instance.get(), id);
         instances_.push_back(id);
         do_move(id, models[id].world_from_model);
@@ -238,6 +231,11 @@ void EmbreeBackend::turn_normals_of_movables(RTCRayHit16& packet) const {
     }
 }
 
+ObjectId EmbreeBackend::met(const RTCHit16& hit, std::size_t k) const {
+    const ModelId model = hit.instID[0][k];
+    return model == RTC_INVALID_GEOMETRY_ID ? hit.geomID[k] : bodies_.object(model, hit.geomID[k]);
+}
+
 void EmbreeBackend::read(const RTCRayHit16& packet, std::span<Hit> hits) const {
     const RTCRay16& ray = packet.ray;
     const RTCHit16& hit = packet.hit;
@@ -250,9 +248,9 @@ void EmbreeBackend::read(const RTCRayHit16& packet, std::span<Hit> hits) const {
         cosine[k] = std::min(1.0F, std::abs(along) / length);
     }
     for (std::size_t k = 0; k < hits.size(); ++k) {
-        const ObjectId object = hit.geomID[k];
         hits[k] = {};
-        if (object == no_object) continue;
+        if (hit.geomID[k] == RTC_INVALID_GEOMETRY_ID) continue;
+        const ObjectId object = met(hit, k);
         hits[k] = {ray.tfar[k], cosine[k], material_of_[object], object};
     }
 }
