@@ -65,6 +65,9 @@ struct Simulation {
     std::map<std::string, SensorCounts> counted_before;  ///< by sensors that are gone, by name
     ScenarioRun scenario;
     Worker worker;  ///< loads worlds and measures backends, one after the other
+
+  private:
+    void tell_of_late(std::size_t shard) const;
 };
 
 }  // namespace scipd::daemon
