@@ -35,20 +35,22 @@ const char* path_or_null(const std::filesystem::path& path) {
     return path.empty() ? nullptr : path.c_str();
 }
 
-void prepare_library() {
-    static const bool prepared = mosquitto_lib_init() == MOSQ_ERR_SUCCESS;
-    if (!prepared) throw std::runtime_error("cannot prepare the MQTT library");
+// The library's own words for TLS are that it has failed.
+std::string text_of_error(int code) {
+    if (code != MOSQ_ERR_TLS) return mosquitto_strerror(code);
+    return "TLS fails: `ca` must vouch for the broker's certificate, which must have its name";
 }
 
 void require(int code, const std::string& what) {
-    if (code != MOSQ_ERR_SUCCESS) throw std::runtime_error(what + ": " + mosquitto_strerror(code));
+    if (code != MOSQ_ERR_SUCCESS) throw std::runtime_error(what + ": " + text_of_error(code));
 }
 
 }  // namespace
 
 struct MqttLink::Library {
     Library(const std::string& client, MqttLink* link) {
-        prepare_library();
+        static const int prepared = mosquitto_lib_init();
+        require(prepared, "cannot prepare the MQTT library");
         constexpr bool begin_anew = true;
         client_ = mosquitto_new(client.c_str(), begin_anew, link);
         if (client_ == nullptr) throw std::runtime_error("cannot make an MQTT client");
@@ -201,7 +203,7 @@ void MqttLink::say_goodbye() {
 // Where the broker has refused the client, take_connected() knows better why.
 void MqttLink::lose(int code) {
     const bool refused = code == MOSQ_ERR_CONN_REFUSED;
-    lose(refused ? std::string(trouble_) : std::string(mosquitto_strerror(code)));
+    lose(refused ? trouble_ : text_of_error(code));
 }
 
 void MqttLink::lose(const std::string& why) {
@@ -292,7 +294,7 @@ void MqttLink::try_again() {
 void MqttLink::take_tried(int code) {
     trying_ = false;
     if (code == MOSQ_ERR_SUCCESS) return watch();
-    trouble_ = mosquitto_strerror(code);
+    trouble_ = text_of_error(code);
 }
 
 }  // namespace scipd::daemon

@@ -72,7 +72,7 @@ class Broker:
 class Daemon:
     """A scipd whose robot has the name of the daemon, and one scanner at its origin that looks along x."""
 
-    def __init__(self, scipd, folder, broker, name, *, robot=None, world="hall", scene="hall.sdf", clock="wall",
+    def __init__(self, scipd, folder, url, name, *, robot=None, world="hall", scene="hall.sdf", clock="wall",
                  accuracy="ideal", backend="auto", **fleet):
         self.folder = folder / f"{name}-{time.monotonic_ns()}"
         self.folder.mkdir()
@@ -80,7 +80,7 @@ class Daemon:
         sensors = {"scanner": {"model": "UST-10LX", "mount": {"xyz": [0, 0, 0.3]}, "accuracy": accuracy,
                                "backend": backend, "tcp": "127.0.0.1:0"}}
         configuration = {"scene": str(folder / scene), "clock": clock, "control": str(self.folder / "control.sock"),
-                         "fleet": {"broker": broker.url, "world": world, "name": name, **fleet},
+                         "fleet": {"broker": url, "world": world, "name": name, **fleet},
                          "robots": {name: {"sensors": sensors, **(robot or {})}}}
         (self.folder / "scipd.yaml").write_text(json.dumps(configuration))
         self.errors = open(self.folder / "log", "w+")
@@ -149,7 +149,7 @@ class FleetLab:
         self.broker.kill()
         shutil.rmtree(self.folder)
 
-    def start(self, name, **more):
-        daemon = Daemon(self.scipd, self.folder, self.broker, name, **more)
+    def start(self, name, *, url=None, **more):
+        daemon = Daemon(self.scipd, self.folder, url or self.broker.url, name, **more)
         self.daemons.append(daemon)
         return daemon
