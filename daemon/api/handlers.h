@@ -22,6 +22,11 @@ struct Call {
     Respond respond;
 };
 
+// page_routes.cpp
+void get_page(Call&& call);
+void get_icon(Call&& call);
+void get_page_file(Call&& call);
+
 // sensor_routes.cpp
 void get_status(Call&& call);
 void get_sensors(Call&& call);

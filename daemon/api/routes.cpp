@@ -21,7 +21,10 @@ void ask_for_upgrade(Call&& call) {
     call.respond(problem(426, call.request.path + " is a WebSocket: ask with Upgrade: websocket"));
 }
 
-constexpr std::array<Route, 30> table{{
+constexpr std::array<Route, 33> table{{
+    {"GET", "/", get_page},
+    {"GET", "/favicon.ico", get_icon},
+    {"GET", "/page/{file}", get_page_file},
     {"GET", "/status", get_status},
     {"GET", "/health", get_health},
     {"GET", "/metrics", get_metrics},

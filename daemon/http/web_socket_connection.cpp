@@ -52,6 +52,12 @@ WebSocketConnection<Protocol>::~WebSocketConnection() {
 
 template <class Protocol>
 void WebSocketConnection<Protocol>::open(const Request& request, Converse converse) {
+    const auto offers = subprotocols(request);
+    if (std::ranges::find(offers, own_subprotocol) != offers.end()) {
+        socket_.set_option(websocket::stream_base::decorator([](websocket::response_type& answer) {
+            answer.set(boost::beast::http::field::sec_websocket_protocol, own_subprotocol);
+        }));
+    }
     socket_.async_accept(request, [self = this->shared_from_this(),
                                    converse = std::move(converse)](const Error& error) {
         if (error || self->service_->closed) return;

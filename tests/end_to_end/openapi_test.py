@@ -51,6 +51,11 @@ FOG_AND_STEAM = [{"kind": "fog", "visibility_m": 20, "box": {"from": [0, 0, 0], 
                  {"kind": "custom", "name": "steam", "extinction_per_m": 0.5, "returns_per_m": 2, "brightness": 0.2}]
 # In this order: method, path in the document, path of the request, body, status.
 EXCHANGES = [
+    ("GET", "/", "/", None, 200),
+    ("GET", "/", "/", None, 304),
+    ("GET", "/favicon.ico", "/favicon.ico", None, 200),
+    ("GET", "/page/{file}", "/page/main.js", None, 200),
+    ("GET", "/page/{file}", "/page/other.js", None, 404),
     ("GET", "/status", "/status", None, 200),
     ("GET", "/health", "/health", None, 200),
     ("GET", "/metrics", "/metrics", None, 200),
@@ -231,7 +236,7 @@ def check_paths(document, path):
     answer, content = ask(path, "GET", "/no/such/path")
     problem = json.loads(content)
     document.check({"$ref": "#/components/schemas/Problem"}, problem)
-    served = set(re.findall(r"/[^ ,;]+", problem["detail"].split("there are ")[1]))
+    served = set(re.findall(r"/[^ ,;]*", problem["detail"].split("there are ")[1]))
     assert served == set(document.root["paths"]), served ^ set(document.root["paths"])
     for template in served:
         documented = {method for method, where in document.operations() if where == template}
@@ -247,7 +252,9 @@ def check_exchanges(document, path, scene):
     for method, template, target, body, status in EXCHANGES:
         operation = document.operations()[(method, template)]
         body = {"file": scene} if body == {"file": "SCENE"} else body
-        answer, content = ask(path, method, target, body, UPGRADE if status == 101 else None)
+        headers = UPGRADE if status == 101 else {"If-None-Match": ask(path, method, target)[0].headers["ETag"]} \
+            if status == 304 else None
+        answer, content = ask(path, method, target, body, headers)
         assert answer.status == status, (method, target, answer.status, content)
         response = document.follow(operation["responses"][str(status)])
         if status != 400 and body is not None:

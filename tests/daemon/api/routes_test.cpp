@@ -285,7 +285,7 @@ TEST_F(RoutesTest, AWrongMethodIsToldTheRightOnes) {
 }
 
 TEST_F(RoutesTest, UnknownPathsAreNotFound) {
-    for (const char* path : {"", "/", "//", "status", "/status/", "/Status", "/sensors/rescue",
+    for (const char* path : {"", "//", "status", "/status/", "/Status", "/sensors/rescue",
                              "/robots", "/robots/rescue", "/robots/rescue/pose/x", "*"}) {
         EXPECT_EQ(problem_status(get(path)), 404) << path;
     }
