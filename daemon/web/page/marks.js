@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Points and lines with a colour and an opacity each, drawn twice: where they are in sight, and faintly where something
+// stands in front of them.
+import {
+  BufferAttribute, BufferGeometry, DynamicDrawUsage, GreaterDepth, Group, LessEqualDepth,
+  LineSegments, Points, ShaderMaterial,
+} from './three.module.js';
+
+const VERTEX = `
+  attribute vec4 tint;
+  uniform float size_px;
+  uniform float nearer;
+  varying vec4 seen;
+  void main() {
+    seen = tint;
+    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+    // A hit lies on a face, and wins over it.
+    gl_Position.z -= nearer * gl_Position.w;
+    gl_PointSize = size_px;
+  }`;
+
+const FRAGMENT = `
+  uniform float share;
+  uniform bool isRound;
+  varying vec4 seen;
+  void main() {
+    if (isRound && length(gl_PointCoord - 0.5) > 0.5) discard;
+    gl_FragColor = vec4(seen.rgb, seen.a * share);
+  }`;
+const HIDDEN_SHARE = 0.18;
+
+function material(options, share, depthFunc) {
+  return new ShaderMaterial({
+    vertexShader: VERTEX,
+    fragmentShader: FRAGMENT,
+    uniforms: {
+      share: {value: share},
+      size_px: {value: options.size_px * Math.min(devicePixelRatio, 2)},
+      isRound: {value: options.isRound},
+      nearer: {value: options.nearer},
+    },
+    transparent: true,
+    depthWrite: false,
+    depthFunc,
+  });
+}
+
+class Marks {
+  constructor(Kind, options) {
+    this.geometry = new BufferGeometry();
+    this.capacity = 0;
+    const sight = new Kind(this.geometry, material(options, 1, LessEqualDepth));
+    this.hidden = new Kind(this.geometry, material(options, HIDDEN_SHARE, GreaterDepth));
+    this.group = new Group();
+    for (const object of [this.hidden, sight]) {
+      object.frustumCulled = false;
+      object.renderOrder = options.order;
+      this.group.add(object);
+    }
+  }
+
+  /** Room for so many marks; what was in them is gone if there was less. */
+  reserve(count) {
+    if (count <= this.capacity) return;
+    this.geometry.dispose();
+    this.capacity = count;
+    this.positions = new BufferAttribute(new Float32Array(3 * count), 3).setUsage(DynamicDrawUsage);
+    this.tints = new BufferAttribute(new Uint8Array(4 * count), 4, true).setUsage(DynamicDrawUsage);
+    this.geometry.setAttribute('position', this.positions);
+    this.geometry.setAttribute('tint', this.tints);
+  }
+
+  put(index, x, y, z) {
+    const at = 3 * index;
+    this.positions.array[at] = x;
+    this.positions.array[at + 1] = y;
+    this.positions.array[at + 2] = z;
+  }
+
+  tint(index, colour, opacity) {
+    const at = 4 * index;
+    const tints = this.tints.array;
+    tints[at] = 255 * colour[0];
+    tints[at + 1] = 255 * colour[1];
+    tints[at + 2] = 255 * colour[2];
+    tints[at + 3] = 255 * opacity;
+  }
+
+  show(count) {
+    this.geometry.setDrawRange(0, count);
+    if (!this.positions) return;
+    this.positions.needsUpdate = true;
+    this.tints.needsUpdate = true;
+  }
+
+  setThrough(on) {
+    this.hidden.visible = on;
+  }
+
+  dispose() {
+    this.geometry.dispose();
+    for (const object of this.group.children) object.material.dispose();
+  }
+}
+
+export class PointMarks extends Marks {
+  constructor(size_px) {
+    super(Points, {size_px, isRound: true, nearer: 0.0006, order: 3});
+  }
+}
+
+export class LineMarks extends Marks {
+  constructor() {
+    super(LineSegments, {size_px: 1, isRound: false, nearer: 0.0002, order: 2});
+  }
+}

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// All objects of the world, with the meshes that the daemon casts at, where they are now.
+import {
+  Box3, BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh,
+  Vector3,
+} from './three.module.js';
+import {edgesOf} from './edges.js';
+import {makeSurface} from './surface.js';
+import {matrixOf} from './pose.js';
+import {readMesh} from './mesh_message.js';
+import * as colours from './colours.js';
+
+// A plane without bounds becomes one of 200 m.
+const ENDLESS_M = 190;
+
+/** Tells changed when other objects are there. */
+export class World extends EventTarget {
+  constructor(server, stage, settings) {
+    super();
+    this.server = server;
+    this.stage = stage;
+    this.settings = settings;
+    this.group = new Group();
+    this.bodies = new Map();
+    this.objects = [];
+    this.materials = [];
+    this.geometries = new Map();
+    this.edgeLines = new LineBasicMaterial({transparent: true, opacity: 0.35, depthWrite: false});
+    this.version = null;
+    stage.scene.add(this.group);
+    settings.watch('colours', () => this.recolour());
+  }
+
+  /** Takes the present list, and brings the meshes that are not here yet. Only the latest call counts. */
+  async load() {
+    const call = this.call = Symbol('load');
+    const list = await this.server.get('/scene/objects');
+    if (call !== this.call || list.version === this.version) return;
+    await this.bringMeshes(list.objects);
+    if (call !== this.call) return;
+    this.version = list.version;
+    this.materials = list.materials || [];
+    this.replace(list);
+    this.dispatchEvent(new Event('changed'));
+  }
+
+  /** The daemon may have begun anew with another world of the same version. */
+  forget() {
+    this.version = null;
+  }
+
+  async bringMeshes(objects) {
+    const wanted = new Set(objects.map((object) => object.mesh));
+    for (const hash of this.geometries.keys()) {
+      if (!wanted.has(hash)) this.drop(hash);
+    }
+    const missing = [...wanted].filter((hash) => !this.geometries.has(hash));
+    await Promise.all(missing.map((hash) => this.bringMesh(hash)));
+  }
+
+  async bringMesh(hash) {
+    const mesh = readMesh(await this.server.bytes(`/scene/meshes/${encodeURIComponent(hash)}`));
+    const faces = new BufferGeometry();
+    faces.setAttribute('position', new BufferAttribute(mesh.positions, 3));
+    faces.setIndex(new BufferAttribute(mesh.indices, 1));
+    faces.computeBoundingBox();
+    faces.computeBoundingSphere();
+    const points = edgesOf(mesh);
+    const edges = points && new BufferGeometry().setAttribute(
+      'position', new BufferAttribute(points, 3));
+    this.geometries.set(hash, {faces, edges, mesh});
+  }
+
+  drop(hash) {
+    const {faces, edges} = this.geometries.get(hash);
+    faces.dispose();
+    edges?.dispose();
+    this.geometries.delete(hash);
+  }
+
+  replace(list) {
+    const poses = new Map([...this.bodies].map(([key, body]) => [key, body.matrix.clone()]));
+    this.clear();
+    for (const object of list.objects) this.add(object, list.bodies);
+    // Poses that came in the meantime are newer than those of the list.
+    for (const [key, matrix] of poses) {
+      const body = this.bodies.get(key);
+      if (body && !list.bodies) this.place(body, matrix);
+    }
+    this.stage.invalidate();
+  }
+
+  clear() {
+    for (const {surface} of this.objects) surface.dispose();
+    this.group.remove(...this.group.children);
+    this.objects = [];
+    this.bodies.clear();
+  }
+
+  add(object, bodies) {
+    const {faces, edges} = this.geometries.get(object.mesh);
+    const surface = makeSurface(this.colourOf(object), colours.opacityOf(object.material));
+    const mesh = new Mesh(faces, surface);
+    mesh.matrixAutoUpdate = false;
+    const body = this.bodyOf(object, bodies);
+    const inBody = object.in_body
+      ? matrixOf(object.in_body)
+      : new Matrix4().getInverse(body.matrix).multiply(matrixOf(object.pose));
+    mesh.matrix.copy(inBody);
+    if (object.scale) mesh.matrix.scale(vectorOf(object.scale));
+    mesh.userData = {object, body};
+    if (edges) mesh.add(new LineSegments(edges, this.edgeLines));
+    body.group.add(mesh);
+    this.objects.push({object, mesh, surface});
+  }
+
+  /** What moves as one: a robot, a model, or all that stands still. */
+  bodyOf(object, bodies) {
+    const key = keyOf(object);
+    if (!this.bodies.has(key)) {
+      const group = new Group();
+      group.matrixAutoUpdate = false;
+      this.group.add(group);
+      const body = {
+        key,
+        group,
+        robot: object.robot || null,
+        model: object.robot ? null : object.model,
+        movable: Boolean(object.robot || object.movable),
+        matrix: new Matrix4(),
+      };
+      const pose = object.robot ? bodies?.robots?.[object.robot] : bodies?.models?.[object.model];
+      if (pose && body.movable) this.place(body, matrixOf(pose));
+      else if (body.movable && !object.in_body) this.place(body, matrixOf(object.pose));
+      this.bodies.set(key, body);
+    }
+    return this.bodies.get(key);
+  }
+
+  place(body, matrix) {
+    body.matrix.copy(matrix);
+    body.group.matrix.copy(matrix);
+    body.group.matrixWorldNeedsUpdate = true;
+  }
+
+  /** kind is robots or models. */
+  move(kind, name, pose) {
+    const body = this.bodies.get(kind === 'robots' ? `robot:${name}` : `model:${name}`);
+    if (!body) return;
+    this.place(body, matrixOf(pose));
+    this.stage.invalidate();
+  }
+
+  colourOf(object) {
+    if (this.settings.get('colours') === 'world' && object.color) return object.color;
+    return colours.ofMaterial(object.material);
+  }
+
+  recolour() {
+    for (const {object, surface} of this.objects) {
+      surface.uniforms.colour.value.setRGB(...this.colourOf(object));
+    }
+    this.stage.invalidate();
+  }
+
+  /** wanted(object) tells which objects glow. */
+  light(wanted) {
+    for (const {object, surface} of this.objects) {
+      surface.uniforms.glow.value = wanted(object) ? 0.35 : 0;
+    }
+    this.stage.invalidate();
+  }
+
+  setEdgeColour(colour) {
+    this.edgeLines.color.set(colour);
+  }
+
+  /** Around all objects, but for ground that goes on and on, unless there is nothing else. */
+  box() {
+    this.group.updateMatrixWorld();
+    const boxes = this.objects.map(({object, mesh}) =>
+      this.geometries.get(object.mesh).faces.boundingBox.clone().applyMatrix4(mesh.matrixWorld));
+    const near = boxes.filter((box) => box.getSize(new Vector3()).length() < ENDLESS_M);
+    return (near.length ? near : boxes).reduce((all, box) => all.union(box), new Box3());
+  }
+
+  get triangles() {
+    return this.objects.reduce(
+      (sum, {object}) => sum + this.geometries.get(object.mesh).mesh.indices.length / 3, 0);
+  }
+}
+
+function keyOf(object) {
+  if (object.robot) return `robot:${object.robot}`;
+  return object.movable ? `model:${object.model}` : 'still';
+}
+
+function vectorOf(scale) {
+  const [x, y, z] = Array.isArray(scale) ? scale : [scale, scale, scale];
+  return {x, y, z};
+}
