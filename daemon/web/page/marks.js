@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Points and lines with a colour and an opacity each, drawn twice: where they are in sight, and faintly where something
-// stands in front of them.
+// Points and lines with a colour and an opacity each, drawn where they are in sight, and faintly where something stands
+// in front of them.
 import {
   BufferAttribute, BufferGeometry, DynamicDrawUsage, GreaterDepth, Group, LessEqualDepth,
   LineSegments, Points, ShaderMaterial,
@@ -24,20 +24,22 @@ const VERTEX = `
 const FRAGMENT = `
   uniform float share;
   uniform bool isRound;
+  uniform float light;
   varying vec4 seen;
   void main() {
     if (isRound && length(gl_PointCoord - 0.5) > 0.5) discard;
-    gl_FragColor = vec4(seen.rgb, seen.a * share);
+    gl_FragColor = vec4(seen.rgb * light, seen.a * share);
   }`;
 const HIDDEN_SHARE = 0.18;
 
-function material(options, share, depthFunc) {
+function material(options, {share = 1, depthFunc = LessEqualDepth, light = 1, wider_px = 0}) {
   return new ShaderMaterial({
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT,
     uniforms: {
       share: {value: share},
-      size_px: {value: options.size_px * Math.min(devicePixelRatio, 2)},
+      size_px: {value: (options.size_px + wider_px) * Math.min(devicePixelRatio, 2)},
+      light: {value: light},
       isRound: {value: options.isRound},
       nearer: {value: options.nearer},
     },
@@ -51,14 +53,19 @@ class Marks {
   constructor(Kind, options) {
     this.geometry = new BufferGeometry();
     this.capacity = 0;
-    const sight = new Kind(this.geometry, material(options, 1, LessEqualDepth));
-    this.hidden = new Kind(this.geometry, material(options, HIDDEN_SHARE, GreaterDepth));
     this.group = new Group();
-    for (const object of [this.hidden, sight]) {
-      object.frustumCulled = false;
-      object.renderOrder = options.order;
-      this.group.add(object);
-    }
+    this.hidden = this.pass(Kind, options, {share: HIDDEN_SHARE, depthFunc: GreaterDepth});
+    // A dark rim, so that points are seen on faces of their own colour.
+    if (options.rim_px) this.pass(Kind, options, {light: 0.15, wider_px: options.rim_px});
+    this.pass(Kind, options, {});
+  }
+
+  pass(Kind, options, look) {
+    const object = new Kind(this.geometry, material(options, look));
+    object.frustumCulled = false;
+    object.renderOrder = options.order + 0.1 * this.group.children.length;
+    this.group.add(object);
+    return object;
   }
 
   /** Room for so many marks; what was in them is gone if there was less. */
@@ -101,13 +108,13 @@ class Marks {
 
   dispose() {
     this.geometry.dispose();
-    for (const object of this.group.children) object.material.dispose();
+    for (const {material: each} of this.group.children) each.dispose();
   }
 }
 
 export class PointMarks extends Marks {
-  constructor(size_px) {
-    super(Points, {size_px, isRound: true, nearer: 0.0006, order: 3});
+  constructor(size_px, rim_px = 0) {
+    super(Points, {size_px, rim_px, isRound: true, nearer: 0.0006, order: 3});
   }
 }
 

@@ -22,9 +22,9 @@ export class ScanLayer {
     this.settings = settings;
     this.group = new Group();
     this.rays = new LineMarks();
-    this.hits = new PointMarks(5);
+    this.hits = new PointMarks(4.5, 2);
     this.truths = new PointMarks(2.5);
-    this.echoes = new PointMarks(4);
+    this.echoes = new PointMarks(4, 2);
     this.trail = new Trail();
     this.scan = null;
     for (const marks of this.marks()) this.group.add(marks.group);

@@ -7,6 +7,7 @@ import {Connection} from './connection.js';
 import {byId, make, tell} from './elements.js';
 
 const MOST_ENTRIES = 400;
+const GOOD = ['00', '99', '02', '03'];
 
 export class WirePanel {
   constructor({server, settings, status}) {
@@ -98,7 +99,8 @@ export class WirePanel {
         statusChip(message),
         counter),
       make('div', {class: 'means'}, message.means || ''),
-      message.explains ? make('div', {class: 'explains'}, message.explains) : null,
+      message.explains
+        ? make('div', {class: isGood(message.status) ? 'dim' : 'explains'}, message.explains) : null,
       make('div', {class: 'dim small'},
         `${message.time_s.toFixed(3)} s, ${message.bytes} bytes, ${message.client}`));
     entry.dataset.text = `${message.line} ${message.means} ${message.explains || ''}`.toLowerCase();
@@ -130,8 +132,11 @@ function codeOf(message) {
   return message.line.slice(0, 2);
 }
 
+function isGood(status) {
+  return GOOD.includes(status);
+}
+
 function statusChip({status}) {
   if (status === null || status === undefined) return null;
-  const isGood = ['00', '99', '02'].includes(status);
-  return make('span', {class: `chip ${isGood ? 'good' : 'bad'}`}, `status ${status}`);
+  return make('span', {class: `chip ${isGood(status) ? 'good' : 'bad'}`}, `status ${status}`);
 }

@@ -14,6 +14,7 @@ import * as colours from './colours.js';
 
 // A plane without bounds becomes one of 200 m.
 const ENDLESS_M = 190;
+const STILL = 'still';
 
 /** Tells changed when other objects are there. */
 export class World extends EventTarget {
@@ -81,14 +82,8 @@ export class World extends EventTarget {
   }
 
   replace(list) {
-    const poses = new Map([...this.bodies].map(([key, body]) => [key, body.matrix.clone()]));
     this.clear();
-    for (const object of list.objects) this.add(object, list.bodies);
-    // Poses that came in the meantime are newer than those of the list.
-    for (const [key, matrix] of poses) {
-      const body = this.bodies.get(key);
-      if (body && !list.bodies) this.place(body, matrix);
-    }
+    for (const object of list.objects) this.add(object);
     this.stage.invalidate();
   }
 
@@ -99,41 +94,31 @@ export class World extends EventTarget {
     this.bodies.clear();
   }
 
-  add(object, bodies) {
+  add(object) {
     const {faces, edges} = this.geometries.get(object.mesh);
     const surface = makeSurface(this.colourOf(object), colours.opacityOf(object.material));
     const mesh = new Mesh(faces, surface);
     mesh.matrixAutoUpdate = false;
-    const body = this.bodyOf(object, bodies);
-    const inBody = object.in_body
-      ? matrixOf(object.in_body)
-      : new Matrix4().getInverse(body.matrix).multiply(matrixOf(object.pose));
-    mesh.matrix.copy(inBody);
-    if (object.scale) mesh.matrix.scale(vectorOf(object.scale));
-    mesh.userData = {object, body};
+    const inModel = matrixOf(object.in_model);
+    const body = this.bodyOf(object, inModel);
+    mesh.matrix.copy(body.movable ? inModel : matrixOf(object.pose));
+    mesh.matrix.scale(new Vector3(...object.scale));
+    mesh.userData = {object};
     if (edges) mesh.add(new LineSegments(edges, this.edgeLines));
     body.group.add(mesh);
     this.objects.push({object, mesh, surface});
   }
 
   /** What moves as one: a robot, a model, or all that stands still. */
-  bodyOf(object, bodies) {
+  bodyOf(object, inModel) {
     const key = keyOf(object);
     if (!this.bodies.has(key)) {
       const group = new Group();
       group.matrixAutoUpdate = false;
       this.group.add(group);
-      const body = {
-        key,
-        group,
-        robot: object.robot || null,
-        model: object.robot ? null : object.model,
-        movable: Boolean(object.robot || object.movable),
-        matrix: new Matrix4(),
-      };
-      const pose = object.robot ? bodies?.robots?.[object.robot] : bodies?.models?.[object.model];
-      if (pose && body.movable) this.place(body, matrixOf(pose));
-      else if (body.movable && !object.in_body) this.place(body, matrixOf(object.pose));
+      const body = {group, movable: key !== STILL, matrix: new Matrix4()};
+      const intoModel = new Matrix4().getInverse(inModel);
+      if (body.movable) this.place(body, matrixOf(object.pose).multiply(intoModel));
       this.bodies.set(key, body);
     }
     return this.bodies.get(key);
@@ -154,8 +139,8 @@ export class World extends EventTarget {
   }
 
   colourOf(object) {
-    if (this.settings.get('colours') === 'world' && object.color) return object.color;
-    return colours.ofMaterial(object.material);
+    return this.settings.get('colours') === 'model'
+      ? colours.ofName(object.model) : colours.ofMaterial(object.material);
   }
 
   recolour() {
@@ -194,10 +179,5 @@ export class World extends EventTarget {
 
 function keyOf(object) {
   if (object.robot) return `robot:${object.robot}`;
-  return object.movable ? `model:${object.model}` : 'still';
-}
-
-function vectorOf(scale) {
-  const [x, y, z] = Array.isArray(scale) ? scale : [scale, scale, scale];
-  return {x, y, z};
+  return object.movable ? `model:${object.model}` : STILL;
 }

@@ -12,7 +12,7 @@ export class WorldPanel {
     Object.assign(this, {settings, world, robots, selection, status, stage, ground});
     byId('world-choices').append(
       boundSelect(settings, 'colours', 'Colour of objects',
-        [['material', 'by material'], ['world', 'as the world has it']]),
+        [['material', 'by material'], ['model', 'by model']]),
       this.cutSlider(),
       make('div', {class: 'checks'}, boundCheckbox(settings, 'grid', 'Grid and axes', '(G)')));
     settings.watch('grid', (on) => ground.setVisible(on));
