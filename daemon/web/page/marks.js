@@ -113,8 +113,8 @@ class Marks {
 }
 
 export class PointMarks extends Marks {
-  constructor(size_px, rim_px = 0) {
-    super(Points, {size_px, rim_px, isRound: true, nearer: 0.0006, order: 3});
+  constructor(size_px, {rim_px = 0, order = 3} = {}) {
+    super(Points, {size_px, rim_px, isRound: true, nearer: 0.0006, order});
   }
 }
 

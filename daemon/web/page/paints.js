@@ -40,7 +40,7 @@ function byRange(scan) {
 
 function byIntensity(scan) {
   const intensity = scan.arrays.intensity;
-  if (!intensity) return {colourOf: () => PLAIN, legend: {note: 'this sensor tells no intensity'}};
+  if (!intensity?.length) return {colourOf: () => PLAIN, legend: {note: 'this sensor tells no intensity'}};
   const value = (i) => Math.log(Math.max(intensity[i], 1));
   const [low, high] = usual(each(scan, (i) => Number.isFinite(sentRange(scan, i)) ? value(i) : NaN));
   return {
@@ -49,7 +49,7 @@ function byIntensity(scan) {
   };
 }
 
-function byName(scan, nameOf, colourOf) {
+function byName(scan, nameOf, colourOf, shownAs = String) {
   const seen = new Map();
   for (let i = 0; i < scan.beams; ++i) {
     const name = nameOf(i);
@@ -57,7 +57,7 @@ function byName(scan, nameOf, colourOf) {
   }
   return {
     colourOf: (i) => seen.get(nameOf(i)) || PLAIN,
-    legend: {names: [...seen].map(([name, colour]) => ({name, colour}))},
+    legend: {names: [...seen].map(([name, colour]) => ({name: shownAs(name), colour}))},
   };
 }
 
@@ -73,10 +73,11 @@ function byError(scan) {
   };
 }
 
-export function paintOf(name, scan) {
+/** nameOfObject(id) is what a legend calls an object. */
+export function paintOf(name, scan, nameOfObject) {
   if (name === 'intensity') return byIntensity(scan);
   if (name === 'material') return byName(scan, (i) => materialOf(scan, i), colours.ofMaterial);
-  if (name === 'object') return byName(scan, (i) => objectOf(scan, i), colours.ofName);
+  if (name === 'object') return byName(scan, (i) => objectOf(scan, i), colours.ofNumber, nameOfObject);
   if (name === 'error' && scan.arrays.sent_mm) return byError(scan);
   return byRange(scan);
 }

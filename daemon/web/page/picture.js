@@ -5,7 +5,7 @@
 import {viridis} from './colours.js';
 
 export function pictureOf(scan, canvas) {
-  const {columns, rows, arrays: {true_m: ranges}} = scan;
+  const {columns, rows, arrays: {range_m: ranges}} = scan;
   canvas.width = columns;
   canvas.height = rows;
   const context = canvas.getContext('2d');

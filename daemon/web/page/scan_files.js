@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 //
 // Recorded scans as files: CSV and JSON lines as scipcat writes them, and UBH, which UrgBenri reads.
+import {firstEcho} from './scan_shape.js';
 
 const CLIENT = 'the live page of scipd';
 
@@ -11,38 +12,29 @@ export const FILES = {
   ubh: {label: 'UBH', type: 'text/plain', write: asUbh},
 };
 
-function sent(scan, i) {
-  const value = scan.arrays.sent_mm[i];
-  return value === noneOf(scan.arrays.sent_mm) ? 0 : value;
-}
-
-function noneOf(array) {
-  return array.BYTES_PER_ELEMENT === 2 ? 0xffff : 0xffffffff;
-}
-
 function steps(scan, text) {
   return Array.from({length: scan.beams}, (_, i) => text(i, scan.first_step + i));
 }
 
-/** [[mm, intensity], ...] of a step, from its first echo on. */
+/** [[mm, intensity], ...] of a step. */
 function echoesOf(scan, i) {
-  const {echo_first: first, echo_mm: mm, echo_intensity: intensity} = scan.arrays;
-  const echoes = [[sent(scan, i), scan.arrays.intensity?.[i] ?? 0]];
-  for (let e = first[i]; e < first[i + 1]; ++e) echoes.push([mm[e], intensity?.[e] ?? 0]);
+  const {echo_end: ends, echo_mm: mm, echo_intensity: intensity} = scan.arrays;
+  const echoes = [];
+  for (let e = firstEcho(scan, i); e < ends[i]; ++e) echoes.push([mm[e], intensity[e]]);
   return echoes;
 }
 
 function blocksOf(scan) {
   const {arrays} = scan;
   const blocks = [];
-  const several = Boolean(arrays.echo_first);
+  const several = Boolean(arrays.echo_end);
   for (let echo = 0; echo < (several ? 3 : 1); ++echo) {
     const suffix = several ? echo + 1 : '';
     const of = (k) => several
       ? (one, i) => echoesOf(one, i)[echo]?.[k] ?? ''
-      : (one, i) => k ? one.arrays.intensity[i] : sent(one, i);
+      : (one, i) => k ? one.arrays.intensity[i] : one.arrays.sent_mm[i];
     blocks.push({name: `distance${suffix}_mm_`, value: of(0)});
-    if (arrays.intensity && (!several || arrays.echo_intensity)) {
+    if (arrays.intensity.length) {
       blocks.push({name: `intensity${suffix}_`, value: of(1)});
     }
   }
@@ -84,10 +76,10 @@ export function asJsonLines(recorded) {
       angle_increment_rad: step_rad,
       dmin_mm: scan.dmin_mm,
       dmax_mm: scan.dmax_mm,
-      distances_mm: steps(scan, (i) => sent(scan, i)),
+      distances_mm: Array.from(scan.arrays.sent_mm),
     };
-    if (scan.arrays.intensity) object.intensities = Array.from(scan.arrays.intensity);
-    if (scan.arrays.echo_first) object.echoes = steps(scan, (i) => echoesOf(scan, i));
+    if (scan.arrays.intensity.length) object.intensities = Array.from(scan.arrays.intensity);
+    if (scan.arrays.echo_end) object.echoes = steps(scan, (i) => echoesOf(scan, i));
     return `${JSON.stringify(object)}\n`;
   }).join('');
 }
@@ -95,8 +87,8 @@ export function asJsonLines(recorded) {
 /** The text format of UrgBenri: each key and each value has a line of its own. */
 export function asUbh(recorded) {
   const {scan} = recorded[0];
-  const several = Boolean(scan.arrays.echo_first);
-  const withIntensity = Boolean(scan.arrays.intensity) && (!several || scan.arrays.echo_intensity);
+  const several = Boolean(scan.arrays.echo_end);
+  const withIntensity = scan.arrays.intensity.length > 0;
   const mode = (several ? 'N' : 'M') + (withIntensity ? 'E' : 'D');
   const head = {
     appName: 'scipd', appVersion: '1', model: scan.model, serialNumber: scan.serial,
@@ -111,7 +103,7 @@ export function asUbh(recorded) {
   for (const {scan: one, host_time_s} of recorded) {
     const values = steps(one, (i) => several
       ? echoesOf(one, i).map(echo).join('&')
-      : echo([sent(one, i), one.arrays.intensity?.[i]]));
+      : echo([one.arrays.sent_mm[i], one.arrays.intensity[i]]));
     lines.push('[timestamp]', one.stamp_ms, '[logtime]', logTime(host_time_s), '[scan]',
       values.join(';'));
   }

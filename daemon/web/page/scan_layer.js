@@ -7,7 +7,7 @@ import {Group} from './three.module.js';
 import {LineMarks, PointMarks} from './marks.js';
 import {Trail} from './trail.js';
 import {paintOf} from './paints.js';
-import {sentRange, shapeOf} from './scan_shape.js';
+import {firstEcho, sentRange, shapeOf} from './scan_shape.js';
 
 const GREEN = [0.10, 0.72, 0.25];
 const RED = [0.90, 0.16, 0.14];
@@ -18,13 +18,15 @@ const MOST_RAYS = 400;
 const FARTHEST_M = 30;
 
 export class ScanLayer {
-  constructor(settings) {
+  /** nameOf(id) is the name of an object. */
+  constructor(settings, nameOf) {
     this.settings = settings;
+    this.nameOf = nameOf;
     this.group = new Group();
     this.rays = new LineMarks();
-    this.hits = new PointMarks(4.5, 2);
-    this.truths = new PointMarks(2.5);
-    this.echoes = new PointMarks(4, 2);
+    this.hits = new PointMarks(4.5, {rim_px: 2});
+    this.truths = new PointMarks(2, {order: 4});
+    this.echoes = new PointMarks(4, {rim_px: 2});
     this.trail = new Trail();
     this.scan = null;
     for (const marks of this.marks()) this.group.add(marks.group);
@@ -45,7 +47,7 @@ export class ScanLayer {
   /** With other settings, or with another scan. */
   redraw() {
     if (!this.scan) return;
-    this.paint = paintOf(this.settings.get('paint'), this.scan);
+    this.paint = paintOf(this.settings.get('paint'), this.scan, this.nameOf);
     this.drawHits();
     this.drawTruths();
     this.drawEchoes();
@@ -93,12 +95,12 @@ export class ScanLayer {
 
   /** Second and third echoes, of models that tell several. */
   drawEchoes() {
-    const {echo_first: first, echo_mm: echoes} = this.scan.arrays;
+    const {echo_end: ends, echo_mm: echoes} = this.scan.arrays;
     let count = 0;
     if (echoes && this.settings.get('echoes')) {
       this.echoes.reserve(echoes.length);
       for (let i = 0; i < this.scan.beams; ++i) {
-        for (let e = first[i]; e < first[i + 1]; ++e) {
+        for (let e = firstEcho(this.scan, i) + 1; e < ends[i]; ++e) {
           this.echoes.put(count, ...this.alongBeam(i, echoes[e] / 1000));
           this.echoes.tint(count++, this.paint.colourOf(i, echoes[e] / 1000), 0.75);
         }

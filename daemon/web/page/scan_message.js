@@ -18,13 +18,13 @@ export function readScan(buffer) {
   let place = padded(12 + headerBytes);
   for (const {name, type, length} of header.arrays) {
     const Type = TYPES[type];
-    if (place % Type.BYTES_PER_ELEMENT) place += Type.BYTES_PER_ELEMENT - place % Type.BYTES_PER_ELEMENT;
     scan.arrays[name] = new Type(buffer, place, length);
-    place += Type.BYTES_PER_ELEMENT * length;
+    place = padded(place + Type.BYTES_PER_ELEMENT * length);
   }
   return scan;
 }
 
+/** Each part begins at a multiple of 4. */
 function padded(bytes) {
   return (bytes + 3) & ~3;
 }

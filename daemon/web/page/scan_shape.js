@@ -10,7 +10,7 @@ const derived = new Map();
 function directionsOf(scan) {
   if (scan.arrays.direction) return scan.arrays.direction;
   const key = [scan.sensor, scan.beams, scan.first_angle_rad, scan.step_rad, scan.columns, scan.rows,
-    scan.fov_deg].join();
+    scan.fov_rad].join();
   if (!derived.has(key)) {
     if (derived.size > 64) derived.clear();
     derived.set(key, scan.kind === 'picture' ? pictureDirections(scan) : sweepDirections(scan));
@@ -28,9 +28,9 @@ function sweepDirections({beams, first_angle_rad: first, step_rad: step}) {
 }
 
 /** Of the middle of each pixel, row 0 on top and column 0 on the left. */
-function pictureDirections({columns, rows, fov_deg: [width, height]}) {
-  const right = Math.tan(width * Math.PI / 360);
-  const up = Math.tan(height * Math.PI / 360);
+function pictureDirections({columns, rows, fov_rad: [width, height]}) {
+  const right = Math.tan(width / 2);
+  const up = Math.tan(height / 2);
   const directions = new Float32Array(3 * columns * rows);
   for (let i = 0; i < columns * rows; ++i) {
     const y = right * (1 - (2 * (i % columns) + 1) / columns);
@@ -48,20 +48,20 @@ export function shapeOf(scan) {
   const origins = new Float32Array(3 * beams);
   const directions = new Float32Array(3 * beams);
   const frames = framesOf(scan);
-  const poseOfBeam = scan.arrays.pose_of_beam;
   for (let i = 0; i < beams; ++i) {
-    const which = poseOfBeam ? poseOfBeam[i] : Math.floor(i * frames.length / beams);
-    rotateInto(directions, origins, i, local, frames[which]);
+    rotateInto(directions, origins, i, local, frames[Math.floor(i * frames.length / beams)]);
   }
   return {origins, directions};
 }
 
-function framesOf(scan) {
-  const given = scan.arrays.origin_pose;
-  if (!given?.length) return [frameOf(scan.pose.xyz, scan.pose.q)];
+/** Each for as many beams; their places are told from that of the header. */
+function framesOf({pose, arrays}) {
+  const given = arrays.origin_pose;
+  if (!given) return [frameOf(pose.xyz, pose.q)];
   const frames = [];
   for (let i = 0; i < given.length; i += 7) {
-    frames.push(frameOf(given.subarray(i, i + 3), given.subarray(i + 3, i + 7)));
+    const xyz = pose.xyz.map((value, k) => value + given[i + k]);
+    frames.push(frameOf(xyz, given.subarray(i + 3, i + 7)));
   }
   return frames;
 }
@@ -80,14 +80,12 @@ function rotateInto(directions, origins, i, local, {xyz, x, y, z}) {
   }
 }
 
-/** The range that the scanner told for a beam, in m; NaN for a code or none. */
+/** The range that the sensor told for a beam, in m; NaN for a code or none. A ranger tells one for all its beams. */
 export function sentRange(scan, i) {
-  const sent = scan.arrays.sent_mm;
-  if (!sent) return scan.arrays.true_m[i];
+  const {sent_mm: sent, range_m: ranges} = scan.arrays;
+  if (!sent) return ranges[Math.min(i, ranges.length - 1)];
   const mm = sent[i];
-  const none = sent.BYTES_PER_ELEMENT === 2 ? 0xffff : 0xffffffff;
-  if (mm === none || mm < (scan.dmin_mm ?? 20) || mm > (scan.dmax_mm ?? none - 1)) return NaN;
-  return mm / 1000;
+  return mm < scan.dmin_mm || mm > scan.dmax_mm ? NaN : mm / 1000;
 }
 
 /** Of the material of a beam: a name or null. */
@@ -96,7 +94,13 @@ export function materialOf(scan, i) {
   return index < 0 ? null : scan.materials[index];
 }
 
+/** The number of the object that a beam met, or null. */
 export function objectOf(scan, i) {
-  const index = scan.arrays.object?.[i] ?? -1;
-  return index < 0 ? null : scan.objects?.[index] ?? index;
+  const id = scan.arrays.object?.[i] ?? -1;
+  return id < 0 ? null : id;
+}
+
+/** The number of a beam's first echo; all of them stand one after the other. */
+export function firstEcho(scan, i) {
+  return i ? scan.arrays.echo_end[i - 1] : 0;
 }

@@ -11,11 +11,12 @@ const REDRAWN_BY = ['paint', 'rays', 'points', 'echoes', 'truth', 'through', 'tr
 
 /** Tells scan (detail: the scan) and shown. */
 export class Scans extends EventTarget {
-  constructor(stage, connection, settings) {
+  constructor({stage, connection, settings, world}) {
     super();
     this.stage = stage;
     this.connection = connection;
     this.settings = settings;
+    this.world = world;
     this.layers = new Map();
     this.latest = new Map();
     this.unacknowledged = [];
@@ -45,7 +46,7 @@ export class Scans extends EventTarget {
   }
 
   addLayer(sensor) {
-    const layer = {scan: new ScanLayer(this.settings), mark: new SensorMark()};
+    const layer = {scan: new ScanLayer(this.settings, (id) => this.world.nameOf(id)), mark: new SensorMark()};
     this.layers.set(sensor, layer);
     this.stage.scene.add(layer.scan.group, layer.mark.group);
   }

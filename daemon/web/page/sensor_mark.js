@@ -33,13 +33,13 @@ export class SensorMark {
   take(scan) {
     this.group.matrix.copy(matrixOf(scan.pose));
     this.group.matrixWorldNeedsUpdate = true;
-    if (scan.kind === 'picture') this.open(scan.fov_deg);
+    if (scan.kind === 'picture') this.open(scan.fov_rad);
   }
 
-  open(fov_deg) {
-    if (String(fov_deg) === this.fov) return;
-    this.fov = String(fov_deg);
-    const [y, z] = fov_deg.map((angle) => FRUSTUM_M * Math.tan(angle * Math.PI / 360));
+  open(fov_rad) {
+    if (String(fov_rad) === this.fov) return;
+    this.fov = String(fov_rad);
+    const [y, z] = fov_rad.map((angle) => FRUSTUM_M * Math.tan(angle / 2));
     const corners = [[y, z], [-y, z], [-y, -z], [y, -z]].map(([a, b]) => [FRUSTUM_M, a, b]);
     const points = corners.flatMap((corner, i) =>
       [0, 0, 0, ...corner, ...corner, ...corners[(i + 1) % 4]]);

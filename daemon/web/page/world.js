@@ -158,6 +158,11 @@ export class World extends EventTarget {
     this.stage.invalidate();
   }
 
+  /** Of the object that scans call by this number. */
+  nameOf(id) {
+    return this.objects.find(({object}) => object.id === id)?.object.name || `object ${id}`;
+  }
+
   setEdgeColour(colour) {
     this.edgeLines.color.set(colour);
   }

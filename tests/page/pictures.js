@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Draws the pictures of the page in docs/: pictures.js FOLDER, by way of `run`.
+import path from 'node:path';
+import {chromium} from '@playwright/test';
+import config from './playwright.config.js';
+import {Daemon, scene} from './daemon.js';
+
+const MAZE = ['--pose', '4.2,9,0.5', '--accuracy', 'sensor'];
+const DEPOT = ['--scene', scene('depot.sdf'), '--accuracy', 'sensor', '--pose', '8,6,2'];
+const WIDE = {width: 1280, height: 760};
+
+const PICTURES = [
+  {name: 'page_light', world: MAZE, hash: '#eye=4.6,-3.5,8.5&at=6.4,8.2,0&select=robots:robot', size: WIDE, theme: 'light'},
+  {name: 'page_dark', world: MAZE, hash: '#eye=1.2,4.2,3.6&at=4.6,9.3,0&paint=material&panel=wire', size: WIDE,
+    theme: 'dark', talk: true},
+  {name: 'page_phone', world: MAZE, hash: '#eye=1.6,2.5,7&at=5,9.6,0', size: {width: 375, height: 740}, theme: 'light'},
+  {name: 'page_depot', world: DEPOT, hash: '#panel=world', size: WIDE, theme: 'light'},
+];
+
+async function draw(browser, folder, {name, world, hash, size, theme, talk}) {
+  const daemon = await Daemon.start(world);
+  const page = await browser.newPage({viewport: size, colorScheme: theme});
+  await page.goto(daemon.address + hash);
+  await page.locator('#legend').waitFor();
+  if (talk) {
+    const {Scip} = await import('./scip.js');
+    await page.waitForTimeout(1000);
+    const scip = await Scip.connect(daemon.port);
+    for (const request of ['VV', 'PP', 'MD0000108001005']) await scip.ask(request);
+    await page.waitForTimeout(500);
+    await scip.ask('GD0000200000');
+  }
+  // The rates of the panels need two answers.
+  await page.waitForTimeout(3500);
+  await page.screenshot({path: path.join(folder, `${name}.png`)});
+  await page.close();
+  await daemon.end();
+}
+
+const folder = process.argv[2];
+const browser = await chromium.launch(config.use.launchOptions);
+for (const picture of PICTURES) await draw(browser, folder, picture);
+await browser.close();
