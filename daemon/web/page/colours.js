@@ -14,7 +14,7 @@ const ERRORS = [[0.10, 0.35, 0.85], [0.55, 0.72, 0.95], [0.90, 0.90, 0.90], [0.9
 
 // What people know the look of; all others get a hue by their name.
 const MATERIALS = {
-  default: [0.80, 0.80, 0.78], paint: [0.72, 0.76, 0.80], white_paper: [0.93, 0.93, 0.90],
+  default: [0.80, 0.80, 0.78], wall: [0.80, 0.80, 0.78], unknown: [0.80, 0.80, 0.78], paint: [0.72, 0.76, 0.80], white_paper: [0.93, 0.93, 0.90],
   matt_black: [0.25, 0.25, 0.27], black_foam: [0.18, 0.18, 0.20], cardboard: [0.60, 0.45, 0.32],
   wood: [0.80, 0.60, 0.36], pvc: [0.66, 0.70, 0.74], plaster: [0.88, 0.86, 0.82],
   carpet: [0.52, 0.42, 0.48], concrete: [0.64, 0.64, 0.62], brick: [0.70, 0.36, 0.27],
@@ -29,13 +29,17 @@ const MATERIALS = {
   traffic_sign: [0.90, 0.30, 0.22], metal: [0.60, 0.66, 0.72], plastic: [0.36, 0.56, 0.78],
   cloth: [0.42, 0.48, 0.66],
 };
+const GREY = [0.7, 0.7, 0.7];
 const CLEAR = {glass: 0.35, tinted_glass: 0.5, acrylic: 0.35, smoke: 0.3, water: 0.7};
+
+function mix(a, b, share) {
+  return a.map((each, k) => each + share * (b[k] - each));
+}
 
 function between(stops, share) {
   const place = Math.min(Math.max(share, 0), 1) * (stops.length - 1);
   const below = Math.min(Math.floor(place), stops.length - 2);
-  const part = place - below;
-  return stops[below].map((each, k) => each + part * (stops[below + 1][k] - each));
+  return mix(stops[below], stops[below + 1], place - below);
 }
 
 export function viridis(share) {
@@ -48,7 +52,7 @@ export function ofError(share) {
 }
 
 export function ofMaterial(name) {
-  return MATERIALS[name] || ofName(name);
+  return MATERIALS[name] || mix(ofName(name), GREY, 0.6);
 }
 
 export function opacityOf(material) {

@@ -81,9 +81,17 @@ class Marks {
 
   put(index, x, y, z) {
     const at = 3 * index;
-    this.positions.array[at] = x;
-    this.positions.array[at + 1] = y;
-    this.positions.array[at + 2] = z;
+    const places = this.positions.array;
+    places[at] = x;
+    places[at + 1] = y;
+    places[at + 2] = z;
+  }
+
+  /** At a range along beam i of a shape. */
+  putAlong(index, {origins, directions}, i, range_m) {
+    const at = 3 * i;
+    this.put(index, origins[at] + range_m * directions[at],
+      origins[at + 1] + range_m * directions[at + 1], origins[at + 2] + range_m * directions[at + 2]);
   }
 
   tint(index, colour, opacity) {

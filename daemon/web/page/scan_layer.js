@@ -41,7 +41,7 @@ export class ScanLayer {
     this.shape = shapeOf(scan);
     this.redraw();
     this.trail.setLength(this.settings.get('trail_s'));
-    this.trail.add(now_s, this.points, this.colours);
+    this.trail.add(now_s, this.hits, this.hitsCount);
   }
 
   /** With other settings, or with another scan. */
@@ -55,29 +55,18 @@ export class ScanLayer {
     for (const marks of this.marks()) marks.setThrough(this.settings.get('through'));
   }
 
-  alongBeam(i, range_m) {
-    const {origins, directions} = this.shape;
-    const at = 3 * i;
-    return [0, 1, 2].map((k) => origins[at + k] + range_m * directions[at + k]);
-  }
-
   drawHits() {
-    const {scan} = this;
-    this.points = [];
-    this.colours = [];
-    this.hits.reserve(scan.beams);
+    const {scan, hits} = this;
+    hits.reserve(scan.beams);
     let count = 0;
     for (let i = 0; i < scan.beams; ++i) {
       const range_m = sentRange(scan, i);
       if (!(range_m > 0)) continue;
-      const place = this.alongBeam(i, range_m);
-      const colour = this.paint.colourOf(i);
-      this.hits.put(count, ...place);
-      this.hits.tint(count++, colour, 1);
-      this.points.push(...place);
-      this.colours.push(...colour);
+      hits.putAlong(count, this.shape, i, range_m);
+      hits.tint(count++, this.paint.colourOf(i), 1);
     }
-    this.hits.show(this.settings.get('points') ? count : 0);
+    this.hitsCount = count;
+    hits.show(this.settings.get('points') ? count : 0);
   }
 
   drawTruths() {
@@ -87,7 +76,7 @@ export class ScanLayer {
     for (let i = 0; this.settings.get('truth') && i < scan.beams; ++i) {
       const range_m = scan.arrays.true_m[i];
       if (!(range_m > 0)) continue;
-      this.truths.put(count, ...this.alongBeam(i, range_m));
+      this.truths.putAlong(count, this.shape, i, range_m);
       this.truths.tint(count++, TRUE_COLOUR, 0.9);
     }
     this.truths.show(count);
@@ -101,7 +90,7 @@ export class ScanLayer {
       this.echoes.reserve(echoes.length);
       for (let i = 0; i < this.scan.beams; ++i) {
         for (let e = firstEcho(this.scan, i) + 1; e < ends[i]; ++e) {
-          this.echoes.put(count, ...this.alongBeam(i, echoes[e] / 1000));
+          this.echoes.putAlong(count, this.shape, i, echoes[e] / 1000);
           this.echoes.tint(count++, this.paint.colourOf(i, echoes[e] / 1000), 0.75);
         }
       }
@@ -119,15 +108,15 @@ export class ScanLayer {
       const hit_m = scan.arrays.true_m[i];
       const isHit = hit_m > 0 && hit_m < farthest_m;
       at = this.line(at, i, 0, isHit ? hit_m : farthest_m, GREEN, RAY_OPACITY, RAY_OPACITY);
-      if (isHit) at = this.line(at, i, hit_m, farthest_m, RED, RAY_OPACITY, 0);
+      if (isHit) at = this.line(at, i, hit_m, farthest_m, RED, 0.8 * RAY_OPACITY, 0);
     }
     this.rays.show(at);
   }
 
   line(at, i, from_m, to_m, colour, opacityFrom, opacityTo) {
-    this.rays.put(at, ...this.alongBeam(i, from_m));
+    this.rays.putAlong(at, this.shape, i, from_m);
     this.rays.tint(at++, colour, opacityFrom);
-    this.rays.put(at, ...this.alongBeam(i, to_m));
+    this.rays.putAlong(at, this.shape, i, to_m);
     this.rays.tint(at++, colour, opacityTo);
     return at;
   }

@@ -10,7 +10,7 @@ const FIELD_OF_VIEW_DEG = 50;
 export class Stage {
   constructor(canvas) {
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({canvas, antialias: true});
+    this.renderer = new WebGLRenderer({canvas, antialias: !drawsInSoftware()});
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(FIELD_OF_VIEW_DEG, 1, 0.05, 2000);
     this.camera.up.set(0, 0, 1);
@@ -78,4 +78,13 @@ export class Stage {
       y: 1 - 2 * (event.clientY - box.top) / box.height,
     };
   }
+}
+
+/** Smooth edges cost a processor most of its pictures, and a graphics card nothing. */
+function drawsInSoftware() {
+  const context = document.createElement('canvas').getContext('webgl');
+  const names = context?.getExtension('WEBGL_debug_renderer_info');
+  const name = names ? context.getParameter(names.UNMASKED_RENDERER_WEBGL) : '';
+  context?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|software/i.test(name);
 }

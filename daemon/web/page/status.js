@@ -49,10 +49,16 @@ export class Status extends EventTarget {
 }
 
 function ratesBetween(before, now, past_s) {
-  const old = new Map(before.sensors.map((sensor) => [sensor.name, sensor.scans]));
+  const old = new Map(before.sensors.map((sensor) => [sensor.name, castsOf(sensor)]));
   const scans = new Map();
-  for (const {name, scans: count} of now.sensors) {
-    if (old.has(name) && count >= old.get(name)) scans.set(name, (count - old.get(name)) / past_s);
+  for (const sensor of now.sensors) {
+    const past = castsOf(sensor) - old.get(sensor.name);
+    if (past >= 0) scans.set(sensor.name, past / past_s);
   }
   return {poses: (now.poses.accepted - before.poses.accepted) / past_s, scans};
+}
+
+/** All that were cast, for drivers and for pages. */
+function castsOf({casts}) {
+  return Object.values(casts).reduce((sum, each) => sum + each, 0);
 }

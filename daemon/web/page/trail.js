@@ -17,11 +17,12 @@ export class Trail {
     this.faded_s = 0;
   }
 
-  /** points: x, y, z, and red, green, blue of each. */
-  add(now_s, points, colours) {
-    if (!this.length_s || !points.length) return;
-    this.scans.push({born_s: now_s, points: Float32Array.from(points), colours: Float32Array.from(colours)});
-    this.points += points.length / 3;
+  /** The first `count` of the hits that were drawn. */
+  add(now_s, hits, count) {
+    if (!this.length_s || !count) return;
+    const points = hits.positions.array.slice(0, 3 * count);
+    this.scans.push({born_s: now_s, count, points, tints: hits.tints.array.slice(0, 4 * count)});
+    this.points += count;
     if (now_s - this.faded_s >= BETWEEN_FADES_S) this.fade(now_s);
   }
 
@@ -40,7 +41,7 @@ export class Trail {
     this.faded_s = now_s;
     while (this.scans.length && (this.points > MOST_POINTS ||
            now_s - this.scans[0].born_s > this.length_s)) {
-      this.points -= this.scans.shift().points.length / 3;
+      this.points -= this.scans.shift().count;
     }
     this.marks.reserve(Math.max(this.points, Math.min(2 * this.points, MOST_POINTS)));
     let at = 0;
@@ -48,16 +49,12 @@ export class Trail {
     this.marks.show(at);
   }
 
-  put({born_s, points, colours}, at, now_s) {
-    const opacity = 0.6 * Math.max(1 - (now_s - born_s) / this.length_s, 0);
-    const tint = [0, 0, 0];
-    for (let i = 0; i < points.length; i += 3, ++at) {
-      this.marks.put(at, points[i], points[i + 1], points[i + 2]);
-      tint[0] = colours[i];
-      tint[1] = colours[i + 1];
-      tint[2] = colours[i + 2];
-      this.marks.tint(at, tint, opacity);
-    }
-    return at;
+  put({born_s, count, points, tints}, at, now_s) {
+    const {positions, tints: shown} = this.marks;
+    positions.array.set(points, 3 * at);
+    shown.array.set(tints, 4 * at);
+    const opacity = 153 * Math.max(1 - (now_s - born_s) / this.length_s, 0);
+    for (let i = 4 * at + 3; i < 4 * (at + count); i += 4) shown.array[i] = opacity;
+    return at + count;
   }
 }
