@@ -8,7 +8,8 @@ import {Scip} from './scip.js';
 import {scene} from './daemon.js';
 
 // A room of 6 m by 4 m; from its origin the wall ahead is 3 m away.
-const ROOM = ['--scene', scene('square_room.sdf'), '--pose', '-1,0,0', '--accuracy', 'ideal'];
+const room = (pose = '-1,0,0', accuracy = 'ideal') =>
+  ['--scene', scene('square_room.sdf'), '--pose', pose, '--accuracy', accuracy];
 const EYE = [0, -0.001, 9];
 const AT = [0, 0, 0];
 const FRONT = 540;
@@ -25,7 +26,7 @@ async function poseOf(daemon) {
 }
 
 test('a robot that is dragged sees the room from elsewhere', async ({page, start}) => {
-  const daemon = await start(ROOM);
+  const daemon = await start(room());
   const before_m = await ahead(daemon);
   await open(page, daemon, hash(EYE, AT));
   await withScan(page);
@@ -47,7 +48,7 @@ test('a robot that is dragged sees the room from elsewhere', async ({page, start
 });
 
 test('the ring turns a robot', async ({page, start}) => {
-  const daemon = await start(ROOM);
+  const daemon = await start(room());
   await open(page, daemon, hash(EYE, AT, {select: 'robots:robot'}));
   await expect(page.locator('#selected')).toBeVisible();
   const box = await page.locator('#canvas').boundingBox();
@@ -64,7 +65,7 @@ test('the ring turns a robot', async ({page, start}) => {
 });
 
 test('keys select, drive, add, delete and undo', async ({page, start}) => {
-  const daemon = await start(ROOM);
+  const daemon = await start(room());
   const models = async () => (await daemon.get('/scene')).models.map(({name}) => name);
   const atFirst = await models();
   await open(page, daemon, hash(EYE, AT));
@@ -78,13 +79,13 @@ test('keys select, drive, add, delete and undo', async ({page, start}) => {
   expect(Math.abs((await poseOf(daemon)).xyz[1])).toBeLessThan(0.01);
 
   await page.keyboard.press('o');
-  await expect.poll(models).toEqual([...atFirst, 'box']);
-  await expect(page.locator('#selected-name')).toHaveText('box');
+  await expect.poll(models).toEqual([...atFirst, 'box 2']);
+  await expect(page.locator('#selected-name')).toHaveText('box 2');
   await near(() => ahead(daemon), -0.25 - (await poseOf(daemon)).xyz[0], 0.02);
   await page.keyboard.press('Delete');
   await expect.poll(models).toEqual(atFirst);
   await page.keyboard.press('Control+z');
-  await expect.poll(models).toEqual([...atFirst, 'box']);
+  await expect.poll(models).toEqual([...atFirst, 'box 2']);
   await page.keyboard.press('Control+z');
   await expect.poll(models).toEqual(atFirst);
   await page.keyboard.press('Control+z');
@@ -92,7 +93,7 @@ test('keys select, drive, add, delete and undo', async ({page, start}) => {
 });
 
 test('a mesh file that is added is seen by the scanner, and so is its material', async ({page, start}) => {
-  const daemon = await start([...ROOM, '--accuracy', 'material']);
+  const daemon = await start(room('-1,0,0', 'material'));
   await open(page, daemon, hash(EYE, [0.5, 0, 0]));
   await withScan(page);
   // A plate across the way, 1.5 m ahead, in millimetres.
@@ -117,7 +118,7 @@ test('a mesh file that is added is seen by the scanner, and so is its material',
 });
 
 test('a model of the world that was deleted comes back as it was', async ({page, start}) => {
-  const daemon = await start([...ROOM, '--pose', '0,0,0']);
+  const daemon = await start(room('0,0,0'));
   const objects = async () => (await daemon.get('/scene/objects')).objects;
   const movable = (await objects()).find((object) => object.model !== 'room' && !object.robot);
   const scan = async () => {

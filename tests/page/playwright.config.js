@@ -10,7 +10,7 @@ export default defineConfig({
   workers: 1,
   timeout: 60_000,
   expect: {timeout: 15_000},
-  reporter: 'line',
+  reporter: 'list',
   outputDir: process.env.PAGE_TEST_OUTPUT || 'results',
   use: {
     viewport: {width: 1280, height: 720},

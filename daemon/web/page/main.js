@@ -91,15 +91,13 @@ function restore() {
     if (sensors.includes(name)) scans.show(name, true);
   }
   views.restore(link.viewWanted);
-  selection.select(selection.things().find((thing) =>
-    thing.kind === link.selectWanted?.kind && thing.name === link.selectWanted.name) || null);
-  if (link.wanted.follow) views.follow();
+  selection.selectLater(link.selectWanted);
+  if (link.wanted.follow) views.followLater();
   link.begin();
 }
 
 page.connection.addEventListener('open', () => {
   page.world.forget();
-  page.robots.forget();
   loadWorld();
 });
 page.connection.addEventListener('text', (event) => {

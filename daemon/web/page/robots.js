@@ -25,8 +25,12 @@ export class Robots extends EventTarget {
     this.held = null;
     this.time_s = 0;
     this.owed = false;
+    this.isStale = false;
     connection.addEventListener('text', (event) => this.take(event.detail));
-    connection.addEventListener('open', () => { this.owed = false; });
+    connection.addEventListener('open', () => {
+      this.owed = false;
+      this.isStale = true;
+    });
     stage.afterEach(() => this.acknowledge());
     world.addEventListener('changed', () => this.placeAll());
   }
@@ -34,6 +38,8 @@ export class Robots extends EventTarget {
   take(message) {
     if (!message.robots && !message.models) return;
     this.time_s = message.time_s ?? this.time_s;
+    // The first message of a connection has all that moves.
+    if (this.isStale) this.forget();
     const before = this.poses.robots.size + this.poses.models.size;
     for (const kind of ['robots', 'models']) {
       for (const [name, pose] of Object.entries(message[kind] || {})) this.set(kind, name, pose);
@@ -80,6 +86,7 @@ export class Robots extends EventTarget {
   }
 
   forget() {
+    this.isStale = false;
     for (const mark of this.marks.values()) this.stage.scene.remove(mark);
     this.marks.clear();
     this.poses = {robots: new Map(), models: new Map()};

@@ -12,21 +12,32 @@ export class Selection extends EventTarget {
     this.world = world;
     this.robots = robots;
     this.thing = null;
+    this.wanted = null;
     this.caster = new Raycaster();
     world.addEventListener('changed', () => this.refresh());
+    robots.addEventListener('known', () => this.refresh());
   }
 
   select(thing) {
+    this.wanted = null;
     if (same(thing, this.thing)) return;
     this.thing = thing;
     this.light();
     this.dispatchEvent(new Event('changed'));
   }
 
+  /** As soon as it is there. */
+  selectLater(thing) {
+    this.wanted = thing;
+    this.refresh();
+  }
+
   /** It may be gone, or have come in another shape. */
   refresh() {
-    if (this.thing) {
-      this.thing = this.things().find((each) => same(each, this.thing)) || null;
+    const sought = this.wanted || this.thing;
+    if (sought) {
+      this.thing = this.things().find((each) => same(each, sought)) || null;
+      if (this.thing) this.wanted = null;
       this.light();
     }
     this.dispatchEvent(new Event('changed'));

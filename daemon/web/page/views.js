@@ -33,6 +33,17 @@ export class Views {
     else this.all();
   }
 
+  /** As soon as there is something to follow. */
+  followLater() {
+    const begin = () => {
+      if (this.viewpoint.followed) return;
+      this.toggleFollow();
+      if (this.viewpoint.followed) this.robots.removeEventListener('known', begin);
+    };
+    this.robots.addEventListener('known', begin);
+    begin();
+  }
+
   toggleFollow() {
     if (this.viewpoint.followed) {
       this.viewpoint.follow(null);
