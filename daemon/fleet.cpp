@@ -122,6 +122,7 @@ void Fleet::take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept {
 
 void Fleet::stop() {
     simulation_->worker.stop();
+    simulation_->drawer.stop();
     simulation_->shards.still([&] {
         replace_feeds({});
         (void)replace_stations({}, {});
@@ -182,6 +183,7 @@ std::vector<Station*> Fleet::replace_stations(const Config& config, const Ports&
                 const std::size_t home = homes_.sensors.at(sensor_name(robot.name, sensor.name));
                 const StationContext context{.shard = simulation_->shards.at(home),
                                              .stream = simulation_->stream,
+                                             .view = simulation_->view,
                                              .lockstep = simulation_->lockstep != nullptr};
                 *station = make_station(context, robot.name, sensor, config.seed,
                                         ports_of(ports, robot.name, sensor));

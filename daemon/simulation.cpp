@@ -15,9 +15,13 @@ Simulation::Simulation(const boost::asio::any_io_executor& executor, ClockKind k
       editor(
           world, worker, clock, [this] { return requested_backends(); }, limits),
       chooser(world, worker, [this] { return requested_backends(); }),
-      stream(limits, {.to_sensors = [this](const auto& call) { shards.still(call); },
-                      .to_stream = [this](auto call) { shards.call_home(std::move(call)); }}),
-      worker(executor) {
+      stream(limits, ways()),
+      view(ways(), wall_clock),
+      worker(executor),
+      drawer(executor) {
+    stream.on_fault([this](const std::string& sensor, const FaultLogEntry& entry) {
+        view.tell_fault(sensor, entry);
+    });
     shards.on_changed([this](std::size_t shard) {
         for (const auto& station : stations) {
             if (station->shard == shard) station->loop->poses_came();
@@ -31,6 +35,11 @@ Simulation::Simulation(const boost::asio::any_io_executor& executor, ClockKind k
                 });
             }));
     }
+}
+
+ScanStream::Ways Simulation::ways() {
+    return {.to_sensors = [this](const auto& call) { shards.still(call); },
+            .to_stream = [this](auto call) { shards.call_home(std::move(call)); }};
 }
 
 std::vector<RequestedBackend> Simulation::requested_backends() const {

@@ -44,6 +44,7 @@ Sensor& put_in(Station& station, const StationContext& context, const SensorConf
                                            context.shard.clock);
     station.loop = std::make_unique<ScanLoop>(*sensor, context.shard.clock);
     station.tap = std::make_unique<ScanStream::Tap>(context.stream, station.name(), *sensor);
+    station.view_tap = std::make_unique<ViewStream::Tap>(context.view, station.name(), *sensor);
     Sensor& there = *sensor;
     station.sensor = std::move(sensor);
     return there;

@@ -18,6 +18,7 @@
 
 #include "daemon/api/fleet_metrics.h"
 #include "daemon/api/shared_status.h"
+#include "daemon/api/world_view.h"
 #include "daemon/device/sensor_log.h"
 #include "daemon/http/web_socket.h"
 #include "daemon/world/scene_edit.h"
@@ -33,6 +34,7 @@ namespace scipd::daemon {
 
 class FaultsApi;
 class Rate;
+class SceneGallery;
 class SenderClock;
 
 /// How long after their ideal instant scans left.
@@ -103,6 +105,9 @@ class Api {
     virtual std::unique_ptr<Conversation> subscribe(const std::string& sensor,
                                                     WebSocket& socket) = 0;
 
+    /// Begins to send a page what it draws.
+    virtual std::unique_ptr<Conversation> open_view(WebSocket& page) = 0;
+
     /// The pose now, and what time it is; nothing: there is no such robot.
     [[nodiscard]] virtual std::optional<sim::TimedPose> robot_pose(
         const std::string& robot) const = 0;
@@ -120,6 +125,9 @@ class Api {
                                                          SenderClock& sender) = 0;
 
     [[nodiscard]] virtual SceneView scene() const = 0;
+    [[nodiscard]] virtual WorldView world() const = 0;
+    /// Makes what pages draw of the scene.
+    [[nodiscard]] virtual SceneGallery& gallery() = 0;
 
     /// Calls `done` when the change is in effect or refused, after the changes before it. Does not
     /// call it where the change is withdrawn before it has begun.

@@ -50,6 +50,10 @@ void delete_model(Call&& call);
 void get_model_pose(Call&& call);
 void put_model_pose(Call&& call);
 
+// object_routes.cpp
+void get_objects(Call&& call);
+void get_mesh(Call&& call);
+
 // media_routes.cpp
 void get_media(Call&& call);
 void put_media(Call&& call);

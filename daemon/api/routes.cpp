@@ -21,7 +21,7 @@ void ask_for_upgrade(Call&& call) {
     call.respond(problem(426, call.request.path + " is a WebSocket: ask with Upgrade: websocket"));
 }
 
-constexpr std::array<Route, 33> table{{
+constexpr std::array<Route, 36> table{{
     {"GET", "/", get_page},
     {"GET", "/favicon.ico", get_icon},
     {"GET", "/page/{file}", get_page_file},
@@ -46,6 +46,8 @@ constexpr std::array<Route, 33> table{{
     {"PUT", "/robots/{robot}/pose", put_robot_pose},
     {"GET", "/scene", get_scene},
     {"PUT", "/scene", put_scene},
+    {"GET", "/scene/objects", get_objects},
+    {"GET", "/scene/meshes/{mesh}", get_mesh},
     {"GET", "/scene/media", get_media},
     {"PUT", "/scene/media", put_media},
     {"DELETE", "/scene/media", delete_media},
@@ -55,6 +57,7 @@ constexpr std::array<Route, 33> table{{
     {"PUT", "/scene/models/{model}/pose", put_model_pose},
     {"GET", "/poses", ask_for_upgrade},
     {"GET", "/stream", ask_for_upgrade},
+    {"GET", "/view", ask_for_upgrade},
 }};
 
 Segments split(std::string_view path) {
@@ -138,8 +141,11 @@ std::variant<HttpResponse, Converse> open_socket(Api& api, const HttpRequest& re
     if (request.path == "/poses") {
         return [&api](WebSocket& socket) { return take_poses(api, socket); };
     }
+    if (request.path == "/view") {
+        return [&api](WebSocket& socket) { return api.open_view(socket); };
+    }
     if (request.path != "/stream") {
-        return problem(404, request.path + " is no WebSocket; there are /poses and /stream");
+        return problem(404, request.path + " is no WebSocket; there are /poses, /stream and /view");
     }
     const std::string sensor = query_value(request.query, "sensor").value_or("");
     if (sensor.empty() && !request.query.empty()) {

@@ -107,6 +107,9 @@ EXCHANGES = [
     ("PUT", "/robots/{robot}/pose", "/robots/robot/pose", {"xyz": 1}, 400),
     ("PUT", "/robots/{robot}/pose", "/robots/other/pose", {"xyz": [0, 0, 0]}, 404),
     ("GET", "/scene", "/scene", None, 200),
+    ("GET", "/scene/objects", "/scene/objects", None, 200),
+    ("GET", "/scene/meshes/{mesh}", "/scene/meshes/MESH", None, 200),
+    ("GET", "/scene/meshes/{mesh}", "/scene/meshes/0123456789abcdef", None, 404),
     ("POST", "/scene/models", "/scene/models",
      {"name": "m", "sdf": SDF, "pose": {"xyz": [1, 0, 0], "q": [0, 0, 0, 1]}}, 201),
     ("POST", "/scene/models", "/scene/models", {"name": "m", "sdf": SDF}, 409),
@@ -136,8 +139,10 @@ EXCHANGES = [
     ("PUT", "/scene", "/scene", {"file": "/etc/hostname"}, 403),
     ("GET", "/poses", "/poses", None, 426),
     ("GET", "/stream", "/stream", None, 426),
+    ("GET", "/view", "/view", None, 426),
     ("GET", "/poses", "/poses", None, 101),
     ("GET", "/stream", "/stream", None, 101),
+    ("GET", "/view", "/view", None, 101),
 ]
 # Over TCP: the answer of the document, its status, and the header fields of the request, which has a body.
 TOKEN = "0123456789abcdef"
@@ -199,11 +204,11 @@ def message(connection):
             return text
 
 
-def subscribe(path, sensor):
+def connect(path, target):
     connection = socket.socket(socket.AF_UNIX)
     connection.settimeout(60)
     connection.connect(path)
-    lines = [f"GET /stream?sensor=robot/{sensor} HTTP/1.1", "Host: localhost"]
+    lines = [f"GET {target} HTTP/1.1", "Host: localhost"]
     lines += [f"{key}: {value}" for key, value in UPGRADE.items()]
     connection.sendall("\r\n".join(lines + ["", ""]).encode())
     head = b""
@@ -211,6 +216,35 @@ def subscribe(path, sensor):
         head += connection.recv(1)
     assert b" 101 " in head.splitlines()[0], head
     return connection
+
+
+def subscribe(path, sensor):
+    return connect(path, "/stream?sensor=robot/" + sensor)
+
+
+def say(connection, said):
+    """With the mask 0, which leaves the bytes as they are."""
+    text = json.dumps(said).encode()
+    assert len(text) < 126, text
+    connection.sendall(bytes([0x81, 0x80 | len(text), 0, 0, 0, 0]) + text)
+
+
+def check_view(document, path, sensors):
+    for sensor in sensors:
+        connection = connect(path, "/view")
+        wanted = {"scans": {"robot/" + sensor: {"true": True}}}
+        document.check({"$ref": "#/components/schemas/ViewRequest"}, wanted)
+        say(connection, wanted)
+        assert set(json.loads(message(connection))) == {"scene"}
+        document.check({"$ref": "#/components/schemas/ViewPoses"}, json.loads(message(connection)))
+        frame = message(connection)
+        assert frame[:4] == b"SCV1", frame[:100]
+        header = json.loads(frame[12:12 + int.from_bytes(frame[8:12], "little")])
+        document.check({"$ref": "#/components/schemas/ViewFrame"}, header)
+        known = document.root["components"]["schemas"]["ViewFrame"]["properties"]
+        assert set(header) <= set(known), set(header) - set(known)
+        for array in header["arrays"]:
+            assert f"`{array['name']}` ({array['type']}" in known["arrays"]["description"], array
 
 
 def check_stream(document, path, sensor, schema):
@@ -252,6 +286,8 @@ def check_exchanges(document, path, scene):
     for method, template, target, body, status in EXCHANGES:
         operation = document.operations()[(method, template)]
         body = {"file": scene} if body == {"file": "SCENE"} else body
+        if target.endswith("/MESH"):
+            target = target.replace("MESH", json.loads(ask(path, "GET", "/scene/objects")[1])["objects"][0]["mesh"])
         headers = UPGRADE if status == 101 else {"If-None-Match": ask(path, method, target)[0].headers["ETag"]} \
             if status == 304 else None
         answer, content = ask(path, method, target, body, headers)
@@ -262,7 +298,7 @@ def check_exchanges(document, path, scene):
         if "content" in response:
             (kind, media), = response["content"].items()
             assert answer.headers["Content-Type"] == kind, (target, answer.headers["Content-Type"])
-            document.check(media["schema"], json.loads(content) if "json" in kind else content.decode())
+            document.check(media["schema"], json.loads(content) if "json" in kind else content.decode("latin-1"))
         else:
             assert content == b"", (target, content)
         unseen.discard((method, template, status))
@@ -298,6 +334,7 @@ def main():
             check_stream(document, control, "multi", "StreamScan")
             check_stream(document, control, "tof", "CameraReading")
             check_stream(document, control, "sonar", "RangerReading")
+            check_view(document, control, ["scanner", "multi", "tof", "sonar"])
             check_fault_stream(document, control)
             check_paths(document, control)
             check_exchanges(document, control, scene)
