@@ -23,8 +23,8 @@ export class Daemon {
   static async start(options = [], http = '127.0.0.1:0') {
     const daemon = new Daemon();
     daemon.folder = mkdtempSync(path.join(tmpdir(), 'scipd-page-'));
-    const usual = options.includes('--config') ? [] : ['--tcp', '127.0.0.1:0', '--pty', 'none',
-      '--http', http];
+    const usual = options.includes('--config') ? [] : ['--tcp', '127.0.0.1:0', '--http', http,
+      ...(options.includes('--pty') ? [] : ['--pty', 'none'])];
     daemon.process = spawn(path.join(programs, 'scipd'), [...usual, ...options], {
       env: {...process.env, XDG_RUNTIME_DIR: daemon.folder},
       stdio: ['ignore', 'pipe', 'pipe'],

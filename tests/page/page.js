@@ -18,11 +18,11 @@ export const test = base.extend({
     for (const daemon of daemons) await daemon.end('SIGKILL');
   },
 
-  /** What the browser's console complained of. A test that expects some empties it. */
-  complaints: [async ({page}, use) => {
+  /** What the browser's console complained of while the daemons ran. A test that expects some empties it. */
+  complaints: [async ({page, start}, use) => {
     const complaints = [];
     page.on('console', (message) => {
-      if (['error', 'warning'].includes(message.type())) complaints.push(message.text());
+      if (['error', 'warning'].includes(message.type())) complaints.push(`${message.text()} ${message.location().url}`);
     });
     page.on('pageerror', (error) => complaints.push(error.stack));
     await use(complaints);

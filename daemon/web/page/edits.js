@@ -34,7 +34,11 @@ export class Edits {
     return [round(x), round(y), 0];
   }
 
-  async addBox() {
+  addBox() {
+    return this.undo.inTurn(() => this.bringBox());
+  }
+
+  async bringBox() {
     const name = this.freeName('box');
     const half_m = BOX_M / 2;
     const sdf = `<model name='box'><link name='body'><visual name='box'>` +
@@ -44,7 +48,11 @@ export class Edits {
   }
 
   /** A file that was dropped or chosen; scale is 0.001 where its unit is a millimetre. */
-  async addMesh(file, {scale, material}) {
+  addMesh(file, choices) {
+    return this.undo.inTurn(() => this.bringMesh(file, choices));
+  }
+
+  async bringMesh(file, {scale, material}) {
     const format = file.name.split('.').pop().toLowerCase();
     if (!FORMATS.includes(format)) {
       this.notices.trouble(`${file.name} is no mesh that scipd reads: ${FORMATS.join(', ')}.`);
@@ -76,6 +84,7 @@ export class Edits {
     const answer = await this.server.post('/scene/models', request);
     this.added.set(request.name, request);
     for (const warning of answer.warnings || []) this.notices.tell(warning);
+    // The page is told of the new scene, but whoever selects the model next wants it now.
     await this.world.load();
   }
 
@@ -96,7 +105,10 @@ export class Edits {
   }
 
   async remove(thing) {
-    if (thing?.kind !== 'models') return;
+    if (thing?.kind === 'models') await this.undo.inTurn(() => this.removeModel(thing));
+  }
+
+  async removeModel(thing) {
     try {
       const recipe = this.recipe(thing.name);
       await this.takeAway(thing.name);
@@ -113,7 +125,11 @@ export class Edits {
     return [...new Set(own.map(({object}) => object.material))];
   }
 
-  async setMaterial(name, material) {
+  setMaterial(name, material) {
+    return this.undo.inTurn(() => this.makeOf(name, material));
+  }
+
+  async makeOf(name, material) {
     const before = this.materialsOf(name);
     const put = (wanted) => this.server.put(modelPath(name, '/material'), {material: wanted})
       .then(() => this.world.load());

@@ -102,6 +102,7 @@ page.connection.addEventListener('open', () => {
 });
 page.connection.addEventListener('text', (event) => {
   if (event.detail.scene) loadWorld();
+  if (event.detail.detail) page.notices.trouble(event.detail.detail);
 });
 
 async function begin() {

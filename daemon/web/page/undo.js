@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What one did, and how to take it back: a list of {what, back()}.
+// What one did, and how to take it back: a list of {what, back()}. Deeds that take their time happen one after the
+// other, so that what is undone is what was done last, however fast the keys are.
 
 const MOST = 100;
 
@@ -11,6 +12,13 @@ export class Undo extends EventTarget {
     this.notices = notices;
     this.mover = mover;
     this.deeds = [];
+    this.last = Promise.resolve();
+  }
+
+  /** Acts when all that came before is done. */
+  inTurn(act) {
+    this.last = this.last.then(act, act);
+    return this.last;
   }
 
   /** back is a function that returns a promise. */
@@ -28,7 +36,11 @@ export class Undo extends EventTarget {
     return this.deeds[this.deeds.length - 1]?.what || null;
   }
 
-  async undo() {
+  undo() {
+    return this.inTurn(() => this.undoLast());
+  }
+
+  async undoLast() {
     const deed = this.deeds.pop();
     this.dispatchEvent(new Event('changed'));
     if (!deed) {

@@ -30,17 +30,22 @@ export class World extends EventTarget {
     this.geometries = new Map();
     this.edgeLines = new LineBasicMaterial({transparent: true, opacity: 0.35, depthWrite: false});
     this.version = null;
+    this.loading = Promise.resolve();
     stage.scene.add(this.group);
     settings.watch('colours', () => this.recolour());
   }
 
-  /** Takes the present list, and brings the meshes that are not here yet. Only the latest call counts. */
-  async load() {
-    const call = this.call = Symbol('load');
+  /** Takes the present list, and brings the meshes that are not here yet. Calls happen one after the other. */
+  load() {
+    const begin = () => this.loadNow();
+    this.loading = this.loading.then(begin, begin);
+    return this.loading;
+  }
+
+  async loadNow() {
     const list = await this.server.get('/scene/objects');
-    if (call !== this.call || list.version === this.version) return;
+    if (list.version === this.version) return;
     await this.bringMeshes(list.objects);
-    if (call !== this.call) return;
     this.version = list.version;
     this.materials = list.materials || [];
     this.replace(list);
