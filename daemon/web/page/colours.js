@@ -27,7 +27,8 @@ const MATERIALS = {
   glass: [0.55, 0.80, 0.90], tinted_glass: [0.35, 0.55, 0.62], acrylic: [0.62, 0.86, 0.94],
   smoke: [0.55, 0.55, 0.58], mirror: [0.70, 0.86, 0.98], reflective_tape: [0.98, 0.80, 0.20],
   traffic_sign: [0.90, 0.30, 0.22], metal: [0.60, 0.66, 0.72], plastic: [0.36, 0.56, 0.78],
-  cloth: [0.42, 0.48, 0.66],
+  cloth: [0.42, 0.48, 0.66], painted_steel: [0.86, 0.72, 0.30], cast_iron: [0.40, 0.42, 0.45],
+  steel: [0.62, 0.66, 0.70], aluminium: [0.72, 0.75, 0.78], plywood: [0.82, 0.66, 0.44],
 };
 const GREY = [0.7, 0.7, 0.7];
 const CLEAR = {glass: 0.35, tinted_glass: 0.5, acrylic: 0.35, smoke: 0.3, water: 0.7};

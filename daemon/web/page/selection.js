@@ -55,7 +55,7 @@ export class Selection extends EventTarget {
     this.stage.invalidate();
   }
 
-  /** All that one can select: robots first, then models by name. */
+  /** All that one can select: robots, then models that can be moved, then those that stand still. */
   things() {
     const models = new Map();
     for (const {object} of this.world.objects) {
@@ -64,7 +64,9 @@ export class Selection extends EventTarget {
     }
     const robots = [...this.robots.poses.robots.keys()].map(
       (name) => ({kind: 'robots', name, movable: true}));
-    return [...robots, ...[...models.values()].sort((a, b) => a.name.localeCompare(b.name))];
+    const inOrder = [...models.values()].sort(
+      (a, b) => b.movable - a.movable || a.name.localeCompare(b.name));
+    return [...robots, ...inOrder];
   }
 
   step(by) {

@@ -12,8 +12,7 @@ import {matrixOf} from './pose.js';
 import {readMesh} from './mesh_message.js';
 import * as colours from './colours.js';
 
-// A plane without bounds becomes one of 200 m.
-const ENDLESS_M = 190;
+const FLAT_M = 0.05;
 const STILL = 'still';
 
 /** Tells changed when other objects are there. */
@@ -172,13 +171,13 @@ export class World extends EventTarget {
     this.edgeLines.color.set(colour);
   }
 
-  /** Around all objects, but for ground that goes on and on, unless there is nothing else. */
+  /** Around all that stands up; floors may go on and on, so they count only where there is nothing else. */
   box() {
     this.group.updateMatrixWorld();
     const boxes = this.objects.map(({object, mesh}) =>
       this.geometries.get(object.mesh).faces.boundingBox.clone().applyMatrix4(mesh.matrixWorld));
-    const near = boxes.filter((box) => box.getSize(new Vector3()).length() < ENDLESS_M);
-    return (near.length ? near : boxes).reduce((all, box) => all.union(box), new Box3());
+    const standing = boxes.filter((box) => box.max.z - box.min.z > FLAT_M);
+    return (standing.length ? standing : boxes).reduce((all, box) => all.union(box), new Box3());
   }
 
   get triangles() {
