@@ -12,7 +12,8 @@ const DEPOT = ['--scene', scene('depot.sdf'), '--accuracy', 'sensor', '--pose', 
 const WIDE = {width: 1280, height: 760};
 
 const PICTURES = [
-  {name: 'page_light', world: MAZE, hash: '#eye=3.2,2.6,6.2&at=5.2,8.9,0&select=robots:robot', size: WIDE, theme: 'light'},
+  {name: 'page_light', world: MAZE, hash: '#eye=3.2,2.6,6.2&at=5.2,8.9,0&select=robots:robot', size: WIDE,
+    theme: 'light'},
   {name: 'page_dark', world: MAZE, hash: '#eye=1.2,4.2,3.6&at=4.6,9.3,0&paint=material&panel=wire', size: WIDE,
     theme: 'dark', talk: true},
   {name: 'page_phone', world: MAZE, hash: '#eye=1.6,2.5,7&at=5,9.6,0', size: {width: 375, height: 740}, theme: 'light'},

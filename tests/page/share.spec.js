@@ -51,7 +51,8 @@ test('scans are saved as CSV, JSON lines and UBH', async ({page, start}) => {
   expect(csv.find((line) => line.includes('host_time_s,'))).toMatch(/distance_mm_0,.*intensity_1080$/);
 
   const lines = (await save(page, 'JSON lines')).bytes.toString().trimEnd().split('\n').map(JSON.parse);
-  expect(lines[0]).toMatchObject({model: 'UST-10LX', first_step: 0, cluster: 1, distances_mm: sent, intensities: intensity});
+  expect(lines[0]).toMatchObject({
+    model: 'UST-10LX', first_step: 0, cluster: 1, distances_mm: sent, intensities: intensity});
   expect(lines[0].first_angle_rad).toBeCloseTo(-0.75 * Math.PI, 9);
   expect(lines[0].serial).toBeTruthy();
 

@@ -14,7 +14,8 @@ const ERRORS = [[0.10, 0.35, 0.85], [0.55, 0.72, 0.95], [0.90, 0.90, 0.90], [0.9
 
 // What people know the look of; all others get a hue by their name.
 const MATERIALS = {
-  default: [0.80, 0.80, 0.78], wall: [0.80, 0.80, 0.78], unknown: [0.80, 0.80, 0.78], paint: [0.72, 0.76, 0.80], white_paper: [0.93, 0.93, 0.90],
+  default: [0.80, 0.80, 0.78], wall: [0.80, 0.80, 0.78], unknown: [0.80, 0.80, 0.78],
+  paint: [0.72, 0.76, 0.80], white_paper: [0.93, 0.93, 0.90],
   matt_black: [0.25, 0.25, 0.27], black_foam: [0.18, 0.18, 0.20], cardboard: [0.60, 0.45, 0.32],
   wood: [0.80, 0.60, 0.36], pvc: [0.66, 0.70, 0.74], plaster: [0.88, 0.86, 0.82],
   carpet: [0.52, 0.42, 0.48], concrete: [0.64, 0.64, 0.62], brick: [0.70, 0.36, 0.27],

@@ -86,7 +86,8 @@ class SensorCard {
     const {p50, p99, max} = sensor.lateness_ms;
     return [
       ['Clients', sensor.clients, 'that are connected now'],
-      ['Rate', rate === undefined ? '–' : `${rate.toFixed(1)} Hz`, 'scans that are cast in a second, for drivers and for pages'],
+      ['Rate', rate === undefined ? '–' : `${rate.toFixed(1)} Hz`,
+        'scans that are cast in a second, for drivers and for pages'],
       ['Lost', sensor.lost, 'scans that a driver did not get'],
       ['TCP', sensor.tcp || 'none'],
       ['tty', sensor.pty || 'none'],
