@@ -80,6 +80,10 @@ std::unique_ptr<Conversation> FleetApi::open_view(WebSocket& page) {
     return simulation_.view.open(page, [this] { return world(); });
 }
 
+std::unique_ptr<Conversation> FleetApi::open_wire(const std::string& sensor, WebSocket& socket) {
+    return simulation_.wire.open(sensor, socket);
+}
+
 sim::Expected<> FleetApi::admit_pose(Rate& sender) {
     return simulation_.intake.admit(sender);
 }

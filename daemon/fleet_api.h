@@ -40,6 +40,7 @@ class FleetApi : public Api {
     void ask_log(const std::string& sensor) override;
     std::unique_ptr<Conversation> subscribe(const std::string& sensor, WebSocket& socket) override;
     std::unique_ptr<Conversation> open_view(WebSocket& page) override;
+    std::unique_ptr<Conversation> open_wire(const std::string& sensor, WebSocket&) override;
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string& robot) const override;
     sim::Expected<> set_robot_pose(const std::string& robot, const sim::PoseLine& said) override;
     sim::Expected<> admit_pose(Rate& sender) override;

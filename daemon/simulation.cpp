@@ -17,6 +17,7 @@ Simulation::Simulation(const boost::asio::any_io_executor& executor, ClockKind k
       chooser(world, worker, [this] { return requested_backends(); }),
       stream(limits, ways()),
       view(ways(), wall_clock),
+      wire(ways()),
       worker(executor),
       drawer(executor) {
     stream.on_fault([this](const std::string& sensor, const FaultLogEntry& entry) {

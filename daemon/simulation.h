@@ -16,6 +16,7 @@
 
 #include "daemon/api/scan_stream.h"
 #include "daemon/api/view_stream.h"
+#include "daemon/api/wire_stream.h"
 #include "daemon/clock/wall_clock.h"
 #include "daemon/device/sensor_counts.h"
 #include "daemon/faults/scenario_run.h"
@@ -65,6 +66,7 @@ struct Simulation {
     std::vector<std::unique_ptr<PlaceGlance>> place_glances;  ///< by shard
     ScanStream stream;
     ViewStream view;
+    WireStream wire;
     Stations stations;
     std::map<std::string, SensorCounts> counted_before;  ///< by sensors that are gone, by name
     ScenarioRun scenario;

@@ -14,6 +14,7 @@
 
 #include "daemon/api/scan_stream.h"
 #include "daemon/api/view_stream.h"
+#include "daemon/api/wire_stream.h"
 #include "daemon/config/sensor_config.h"
 #include "daemon/device/scan_loop.h"
 #include "daemon/link/link_counts.h"
@@ -45,6 +46,7 @@ struct Station {
     std::unique_ptr<FaultInjector> faults;  ///< null: a camera or ranger
     std::unique_ptr<ScanStream::Tap> tap;
     std::unique_ptr<ViewStream::Tap> view_tap;
+    std::unique_ptr<WireStream::Tap> wire_tap;  ///< null: a camera or ranger
 
     [[nodiscard]] std::string name() const { return sensor_name(robot, config.name); }
     /// From the next measurement on it sits there on its robot.
@@ -58,6 +60,7 @@ struct StationContext {
     Shard& shard;
     ScanStream& stream;
     ViewStream& view;
+    WireStream& wire;
     bool lockstep = false;
 };
 

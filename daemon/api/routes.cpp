@@ -21,7 +21,7 @@ void ask_for_upgrade(Call&& call) {
     call.respond(problem(426, call.request.path + " is a WebSocket: ask with Upgrade: websocket"));
 }
 
-constexpr std::array<Route, 36> table{{
+constexpr std::array<Route, 37> table{{
     {"GET", "/", get_page},
     {"GET", "/favicon.ico", get_icon},
     {"GET", "/page/{file}", get_page_file},
@@ -58,6 +58,7 @@ constexpr std::array<Route, 36> table{{
     {"GET", "/poses", ask_for_upgrade},
     {"GET", "/stream", ask_for_upgrade},
     {"GET", "/view", ask_for_upgrade},
+    {"GET", "/wire", ask_for_upgrade},
 }};
 
 Segments split(std::string_view path) {
@@ -138,21 +139,22 @@ void route(Api& api, const HttpRequest& request, Respond respond) {
 }
 
 std::variant<HttpResponse, Converse> open_socket(Api& api, const HttpRequest& request) {
-    if (request.path == "/poses") {
-        return [&api](WebSocket& socket) { return take_poses(api, socket); };
-    }
-    if (request.path == "/view") {
-        return [&api](WebSocket& socket) { return api.open_view(socket); };
-    }
-    if (request.path != "/stream") {
-        return problem(404, request.path + " is no WebSocket; there are /poses, /stream and /view");
+    const std::string& path = request.path;
+    if (path == "/poses") return [&api](WebSocket& socket) { return take_poses(api, socket); };
+    if (path == "/view") return [&api](WebSocket& socket) { return api.open_view(socket); };
+    const bool is_wire = path == "/wire";
+    if (!is_wire && path != "/stream") {
+        return problem(404, path + " is no WebSocket; there are /poses, /stream, /view and /wire");
     }
     const std::string sensor = query_value(request.query, "sensor").value_or("");
-    if (sensor.empty() && !request.query.empty()) {
+    if (sensor.empty() && (is_wire || !request.query.empty())) {
         return problem(400, "there is one parameter, ?sensor=ROBOT/SENSOR", "sensor");
     }
     if (!sensor.empty() && !api.log(sensor)) {
         return problem(404, "there is no sensor \"" + sensor + "\"", "sensor");
+    }
+    if (is_wire) {
+        return [&api, sensor](WebSocket& socket) { return api.open_wire(sensor, socket); };
     }
     return [&api, sensor](WebSocket& socket) { return api.subscribe(sensor, socket); };
 }

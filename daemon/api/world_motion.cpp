@@ -13,7 +13,8 @@ namespace {
 
 /// Appends `"NAME":{pose}` to the members of an object.
 void append_member(std::string& members, const std::string& name, const sim::Pose& pose) {
-    members += (members.empty() ? "" : ",") + text_of(name) + ':';
+    if (!members.empty()) members += ',';
+    members.append(text_of(name)).append(1, ':');
     append_pose(members, pose);
 }
 
@@ -46,7 +47,8 @@ std::optional<std::string> WorldMotion::moved(const WorldView& now) {
     if (robots.empty() && models.empty()) return std::nullopt;
     std::string text = R"({"time_s":)";
     append_number(text, seconds(now.time));
-    return text + R"(,"robots":{)" + robots + R"(},"models":{)" + models + "}}";
+    text.append(R"(,"robots":{)").append(robots);
+    return text.append(R"(},"models":{)").append(models).append("}}");
 }
 
 }  // namespace scipd::daemon

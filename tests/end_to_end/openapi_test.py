@@ -140,9 +140,11 @@ EXCHANGES = [
     ("GET", "/poses", "/poses", None, 426),
     ("GET", "/stream", "/stream", None, 426),
     ("GET", "/view", "/view", None, 426),
+    ("GET", "/wire", "/wire?sensor=robot/multi", None, 426),
     ("GET", "/poses", "/poses", None, 101),
     ("GET", "/stream", "/stream", None, 101),
     ("GET", "/view", "/view", None, 101),
+    ("GET", "/wire", "/wire?sensor=robot/multi", None, 101),
 ]
 # Over TCP: the answer of the document, its status, and the header fields of the request, which has a body.
 TOKEN = "0123456789abcdef"
@@ -247,6 +249,20 @@ def check_view(document, path, sensors):
             assert f"`{array['name']}` ({array['type']}" in known["arrays"]["description"], array
 
 
+def check_wire(document, path, tcp):
+    connection = connect(path, "/wire?sensor=robot/multi")
+    host, _, port = tcp.rpartition(":")
+    with socket.create_connection((host, int(port)), 60) as driver:
+        driver.sendall(b"VV\nGD0000001000\n")
+        said = [json.loads(message(connection)) for _ in range(4)]
+    for one in said:
+        document.check({"$ref": "#/components/schemas/WireMessage"}, one)
+    assert [(one["from"], one["line"], one["status"]) for one in said] == [
+        ("client", "VV", None), ("client", "GD0000001000", None),
+        ("scanner", "VV", "00"), ("scanner", "GD0000001000", "10")], said
+    assert "BM" in said[3]["explains"], said
+
+
 def check_stream(document, path, sensor, schema):
     connection = subscribe(path, sensor)
     document.check({"$ref": "#/components/schemas/" + schema}, json.loads(message(connection)))
@@ -335,6 +351,7 @@ def main():
             check_stream(document, control, "tof", "CameraReading")
             check_stream(document, control, "sonar", "RangerReading")
             check_view(document, control, ["scanner", "multi", "tof", "sonar"])
+            check_wire(document, control, ready["sensors"][1]["tcp"])
             check_fault_stream(document, control)
             check_paths(document, control)
             check_exchanges(document, control, scene)

@@ -53,6 +53,10 @@ class EmptyApi : public daemon::Api {
                                                     daemon::WebSocket& socket) override {
         return stream_.subscribe(sensor, socket);
     }
+    std::unique_ptr<daemon::Conversation> open_wire(const std::string&,
+                                                    daemon::WebSocket&) override {
+        return nullptr;
+    }
     std::unique_ptr<daemon::Conversation> open_view(daemon::WebSocket&) override { return nullptr; }
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string&) const override {
         return {};
