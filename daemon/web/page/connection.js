@@ -25,8 +25,11 @@ export class Connection extends EventTarget {
   close() {
     this.wanted = false;
     clearTimeout(this.timer);
-    this.socket?.close();
+    const socket = this.socket;
     this.socket = null;
+    // Browsers complain of a WebSocket that is closed before it is open.
+    if (socket?.readyState === WebSocket.CONNECTING) socket.onopen = () => socket.close();
+    else socket?.close();
   }
 
   get isOpen() {
@@ -44,7 +47,9 @@ export class Connection extends EventTarget {
       this.pause_ms = FIRST_PAUSE_MS;
       this.dispatchEvent(new Event('open'));
     };
-    socket.onmessage = (event) => this.take(event.data);
+    socket.onmessage = (event) => {
+      if (socket === this.socket) this.take(event.data);
+    };
     socket.onclose = (event) => {
       if (socket === this.socket) this.lost(event);
     };

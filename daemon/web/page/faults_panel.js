@@ -21,7 +21,10 @@ export class FaultsPanel {
     byId('fault-form').addEventListener('submit', (event) => this.start(event));
     byId('fault-stop-all').addEventListener('click', () => this.stopAll());
     status.addEventListener('changed', () => this.offer(status.sensors));
-    settings.watch('sensor', () => this.refresh());
+    settings.watch('sensor', (name) => {
+      this.sensor.value = name;
+      this.refresh();
+    });
     settings.watch('panel', () => this.refresh());
     connection.addEventListener('text', (event) => this.log(event.detail.fault));
     connection.addEventListener('open', () => this.loadKinds());

@@ -18,7 +18,10 @@ export class WirePanel {
     this.streams = new Map();
     this.buildControls();
     settings.watch('panel', () => this.listen());
-    settings.watch('sensor', () => this.listen());
+    settings.watch('sensor', (name) => {
+      this.choice.value = name;
+      this.listen();
+    });
     status.addEventListener('changed', () => this.offer(status.sensors));
     this.listen();
   }
