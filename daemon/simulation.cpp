@@ -2,6 +2,8 @@
 // Copyright The scipd authors
 #include "daemon/simulation.h"
 
+#include <spdlog/spdlog.h>
+
 #include "daemon/mounting.h"
 
 namespace scipd::daemon {
@@ -28,6 +30,7 @@ Simulation::Simulation(const boost::asio::any_io_executor& executor, ClockKind k
             if (station->shard == shard) station->loop->poses_came();
         }
     });
+    shards.on_late([this](std::size_t shard) { tell_of_late(shard); });
     for (std::size_t shard = 0; shard < shards.size(); ++shard) {
         place_glances.push_back(
             std::make_unique<PlaceGlance>(shards.at(shard).world, [this](NewPlace place) {
@@ -41,6 +44,15 @@ Simulation::Simulation(const boost::asio::any_io_executor& executor, ClockKind k
 ScanStream::Ways Simulation::ways() {
     return {.to_sensors = [this](const auto& call) { shards.still(call); },
             .to_stream = [this](auto call) { shards.call_home(std::move(call)); }};
+}
+
+void Simulation::tell_of_late(std::size_t shard) const {
+    std::string names;
+    for (const auto& station : stations) {
+        if (station->shard == shard) names += (names.empty() ? "" : ", ") + station->name();
+    }
+    spdlog::error("the thread of {} has not ended what it does for 2 s, and all else waits for it",
+                  names.empty() ? "no sensor" : names);
 }
 
 std::vector<RequestedBackend> Simulation::requested_backends() const {

@@ -72,6 +72,9 @@ struct Simulation {
     ScenarioRun scenario;
     Worker worker;  ///< loads worlds and measures backends, one after the other
     Worker drawer;  ///< makes what pages draw, which does not wait for that
+
+  private:
+    void tell_of_late(std::size_t shard) const;
 };
 
 }  // namespace scipd::daemon

@@ -120,11 +120,25 @@ void Sweep::cast_as_met(sim::Scan& scan, const BeamFired& fired, const sim::Cond
                         sim::ModelId unseen) {
     const std::vector<sim::Mover> movers = world_.movers(fired(0), fired(beams() - 1), unseen);
     sim::RangeBackend& backend = world_.backend(name_);
+    if (backend.casts_apart() && !scanner_.follows_light(backend, conditions))
+        return cast_apart(scan, fired, conditions, movers);
     for (const sim::Part& part :
          sim::parts_of_sweep(optics(), scan.world_from_sensor, fired, movers)) {
         for (const auto& [mover, time] : part.updates)
             backend.move(movers[mover].id, movers[mover].path->at(time));
         scanner_.cast(backend, scan, part.beams, conditions, unseen, part.can_meet);
+    }
+}
+
+void Sweep::cast_apart(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions,
+                       const std::vector<sim::Mover>& movers) {
+    sim::RangeBackend& backend = world_.backend(name_);
+    const std::span<const sim::ModelId> none;
+    scanner_.cast(backend, scan, {0, beams()}, conditions, sim::no_model, none);
+    for (const auto& [index, beams, time] : sim::passings_of_sweep(optics(), scan, fired, movers)) {
+        const sim::Mover& mover = movers[index];
+        backend.move(mover.id, mover.path->at(time));
+        scanner_.cast_moving(backend, scan, beams, mover.id);
     }
 }
 

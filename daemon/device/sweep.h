@@ -64,6 +64,8 @@ class Sweep {
     void cast(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions);
     void cast_as_met(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions,
                      sim::ModelId unseen);
+    void cast_apart(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions,
+                    const std::vector<sim::Mover>& movers);
     void cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired,
                              const sim::Conditions& conditions, sim::ModelId unseen);
     /// Finds the beams that other scanners disturb.

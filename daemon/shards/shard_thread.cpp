@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/shards/shard_thread.h"
 
+#include <chrono>
 #include <exception>
 #include <string>
 #include <utility>
@@ -10,6 +11,8 @@
 #include <pthread.h>
 
 namespace scipd::daemon {
+
+using namespace std::chrono_literals;
 
 ShardThread::ShardThread(std::size_t number, const WallClock& clock,
                          boost::asio::any_io_executor home)
@@ -38,9 +41,14 @@ void ShardThread::halt() {
     wake();
 }
 
-void ShardThread::wait_until_still() {
+void ShardThread::wait_until_still(const std::function<void()>& late) {
     std::unique_lock lock(mutex_);
-    still_changed_.wait(lock, [this] { return still_; });
+    const auto stands = [this] { return still_; };
+    if (still_changed_.wait_for(lock, 2s, stands)) return;
+    lock.unlock();
+    late();
+    lock.lock();
+    still_changed_.wait(lock, stands);
 }
 
 void ShardThread::catch_up(std::function<void()> errand) {

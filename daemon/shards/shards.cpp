@@ -69,7 +69,7 @@ void Shards::halt() {
     for (const auto& thread : threads_)
         thread->halt();
     for (const auto& thread : threads_)
-        thread->wait_until_still();
+        thread->wait_until_still([&] { late_(thread->shard().number); });
 }
 
 void Shards::go_on() {

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "daemon/shards/shard.h"
@@ -33,6 +34,9 @@ class Shards {
     }
     /// `callback` is called on a shard's thread after poses have come to its world.
     void on_changed(const std::function<void(std::size_t shard)>& callback);
+    /// Called on the I/O thread, which waits, where a shard does not stand still within seconds:
+    /// what runs there is stuck, or the machine has no core for it.
+    void on_late(std::function<void(std::size_t shard)> callback) { late_ = std::move(callback); }
 
     /// Calls `act` while every shard stands between two handlers. Changes of the world that were
     /// made before are made in all copies by then; poses that come in it follow behind it.
@@ -74,6 +78,7 @@ class Shards {
     World& world_;
     Shard home_shard_;
     std::vector<std::unique_ptr<ShardThread>> threads_;
+    std::function<void(std::size_t)> late_ = [](std::size_t) {};
     std::vector<World::Change> kept_;  ///< poses come in bunches, and waking a thread takes longer
     int halts_ = 0;                    ///< still() may be called within still()
     bool joined_ = false;

@@ -7,33 +7,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
-#include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
-#include <glm/mat4x3.hpp>
 
 #include "sim/backends/embree_api.h"
-#include "sim/backends/embree_geometry.h"
+#include "sim/backends/embree_movables.h"
 #include "sim/backends/embree_still.h"
 
 namespace scipd::sim {
 namespace {
-
-static_assert(no_object == RTC_INVALID_GEOMETRY_ID, "a geometry's id is the object's");
-
-/// The same direction to a nanoradian. Embree 3.13 loses all rays of a packet that share their
-/// signs with one whose component is 1e-17 or so, as the cosine of a right angle comes out.
-glm::vec3 apart_from_zero(const glm::vec3& direction) {
-    constexpr float least = 1e-9F;
-    const auto apart = [](float x) { return std::abs(x) < least ? std::copysign(least, x) : x; };
-    return {apart(direction.x), apart(direction.y), apart(direction.z)};
-}
 
 /// One pose as the packets need it: float, relative to the anchor.
 struct View {
@@ -45,109 +30,48 @@ struct View {
     glm::vec3 origin_m;
 };
 
+/// The first `count` lanes of a packet.
+struct Lanes {
+    explicit Lanes(std::size_t count) { std::fill_n(valid, count, -1); }
+    alignas(64) int valid[packet_size] = {};
+};
+
 class EmbreeBackend final : public RangeBackend {
   public:
     explicit EmbreeBackend(SharedScene shared_scene);
 
   private:
-    struct Movable {
-        GeometryHandle instance;
-        glm::mat3 world_from_model;
-        std::uint64_t cast = 0;  ///< the latest that can meet it
-        bool shown = true;       ///< in the scene at present
-    };
-
-    void add_movable_models();
     void do_move(ModelId model, const Pose& world_from_model) override;
     void do_cast(const Fan& fan, std::span<Hit> hits) override;
+    [[nodiscard]] bool casts_apart() const override { return true; }
+    void do_cast_moving(const Fan& fan, std::span<Hit> hits) override;
     [[nodiscard]] bool follows_light() const override { return true; }
     void do_cast_with_normals(const Fan& fan, std::span<Hit> hits,
                               std::span<glm::vec3> world_normals) override;
     /// Calls `read(packet, first, count)` for each packet of rays that has been traced.
     template <class Read>
     void trace(const Fan& fan, Read read);
-    void show(std::span<const ModelId> models);
 
     void aim(const Fan& fan, std::size_t first, std::size_t count, RTCRayHit16& packet) const;
-    void turn_normals_of_movables(RTCRayHit16& packet) const;
     void read(const RTCRayHit16& packet, std::span<Hit> hits) const;
+    /// Leaves hits as they are in front of which nothing was met.
+    void read_met(const RTCRayHit16& packet, std::span<Hit> hits) const;
+    /// The object that ray k has hit.
+    [[nodiscard]] ObjectId met(const RTCHit16& hit, std::size_t k) const;
 
     std::shared_ptr<const EmbreeStill> still_;
-    DeviceHandle device_;                  ///< of what moves; null where nothing can
-    SceneHandle moving_;                   ///< instances, under their models' ids
-    std::vector<Movable> movables_;        ///< by ModelId; empty where nothing can move
+    EmbreeMovables movables_;
     std::vector<MaterialId> material_of_;  ///< by ObjectId
-    std::vector<ModelId> instances_;       ///< all movable models with geometry
-    int shown_count_ = 0;
-    std::uint64_t casts_ = 0;
-    bool moved_ = false;
 };
 
 EmbreeBackend::EmbreeBackend(SharedScene shared_scene)
-    : RangeBackend(shared_scene), still_(still_part(shared_scene)) {
+    : RangeBackend(shared_scene), still_(still_part(shared_scene)), movables_(shared_scene) {
     for (const Object& object : scene().objects)
         material_of_.push_back(object.material);
-    add_movable_models();
-}
-
-void EmbreeBackend::add_movable_models() {
-    const std::vector<Model>& models = scene().models;
-    if (std::ranges::none_of(models, &Model::movable)) return;
-    device_ = new_device();
-    moving_ = new_scene(device_.get());
-    std::vector<SceneHandle> bodies(models.size());
-    for (ObjectId id = 0; id < scene().objects.size(); ++id) {
-        const Object& object = scene().objects[id];
-        if (!models[object.model].movable) continue;
-        SceneHandle& body = bodies[object.model];
-        if (!body) body = new_scene(device_.get());
-        attach(device_.get(), body.get(), id, object, object.model_from_object, look_through);
-    }
-    movables_.resize(models.size());
-    for (ModelId id = 0; id < models.size(); ++id) {
-        if (!bodies[id]) continue;
-        rtcCommitScene(bodies[id].get());
-        movables_[id].instance.reset(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE));
-        rtcSetGeometryInstancedScene(movables_[id].instance.get(), bodies[id].get());
-        rtcAttachGeometryByID(moving_.get(), movables_[id].instance.get(), id);
-        instances_.push_back(id);
-        do_move(id, models[id].world_from_model);
-    }
-    shown_count_ = static_cast<int>(instances_.size());
-    require_built(device_.get(), scene());
 }
 
 void EmbreeBackend::do_move(ModelId model, const Pose& world_from_model) {
-    Movable& movable = movables_[model];
-    if (!movable.instance) return;  // a model without geometry
-    movable.world_from_model = glm::mat3_cast(world_from_model.rotation);
-    const glm::mat4x3 anchored_from_model{
-        movable.world_from_model[0], movable.world_from_model[1], movable.world_from_model[2],
-        glm::vec3{anchored(scene(), world_from_model).translation_m}};
-    rtcSetGeometryTransform(movable.instance.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
-                            glm::value_ptr(anchored_from_model));
-    rtcCommitGeometry(movable.instance.get());
-    moved_ |= movable.shown;
-}
-
-// A commit costs as much for each instance that is in the scene, moved or not, and so do rays.
-void EmbreeBackend::show(std::span<const ModelId> models) {
-    ++casts_;
-    for (const ModelId model : models)
-        movables_[model].cast = casts_;
-    for (const ModelId model : instances_) {
-        Movable& movable = movables_[model];
-        const bool shown = movable.cast == casts_;
-        if (shown == movable.shown) continue;
-        if (shown) {
-            rtcEnableGeometry(movable.instance.get());
-        } else {
-            rtcDisableGeometry(movable.instance.get());
-        }
-        movable.shown = shown;
-        shown_count_ += shown ? 1 : -1;
-        moved_ = true;
-    }
+    movables_.move(model, world_from_model);
 }
 
 void EmbreeBackend::do_cast(const Fan& fan, std::span<Hit> hits) {
@@ -173,24 +97,39 @@ void EmbreeBackend::do_cast_with_normals(const Fan& fan, std::span<Hit> hits,
 template <class Read>
 void EmbreeBackend::trace(const Fan& fan, Read read) {
     const DenormalsAsZero while_casting;
-    show(fan.can_meet.value_or(std::span<const ModelId>{instances_}));
-    if (std::exchange(moved_, false)) rtcCommitScene(moving_.get());
+    movables_.show(fan.can_meet.value_or(movables_.all()));
     CoherentTracer tracer{fan.unseen};
     RTCRayHit16 packet{};
     std::ranges::fill(packet.ray.mask, ~0U);
     const std::size_t rays = fan.directions.size();
     for (std::size_t first = 0; first < rays; first += packet_size) {
         const std::size_t count = std::min(packet_size, rays - first);
-        alignas(64) int valid[packet_size] = {};
-        std::fill_n(valid, count, -1);
+        const Lanes lanes(count);
         aim(fan, first, count, packet);
-        tracer.trace(valid, still_->scene.get(), packet);
-        if (shown_count_ > 0) {
-            // The hits so far have shortened the rays: only what stands before them is met.
-            tracer.trace(valid, moving_.get(), packet);
-            turn_normals_of_movables(packet);
-        }
+        tracer.trace(lanes.valid, still_->scene.get(), packet);
+        movables_.trace(tracer, lanes.valid, packet);
         read(packet, first, count);
+    }
+}
+
+// The fans of a sweep meet few models, and one that moves several times, each time elsewhere. To
+// commit a scene with them takes longer than to trace one after the other.
+void EmbreeBackend::do_cast_moving(const Fan& fan, std::span<Hit> hits) {
+    const DenormalsAsZero while_casting;
+    CoherentTracer tracer{no_model};
+    RTCRayHit16 packet{};
+    std::ranges::fill(packet.ray.mask, ~0U);
+    for (std::size_t first = 0; first < hits.size(); first += packet_size) {
+        const std::size_t count = std::min(packet_size, hits.size() - first);
+        const std::span<Hit> so_far = hits.subspan(first, count);
+        const Lanes lanes(count);
+        aim(fan, first, count, packet);
+        for (std::size_t k = 0; k < count; ++k)
+            packet.ray.tfar[k] = std::min(packet.ray.tfar[k], so_far[k].range_m);
+        for (const ModelId model : *fan.can_meet) {
+            if (model != fan.unseen) movables_.trace_alone(model, tracer, lanes.valid, packet);
+        }
+        read_met(packet, so_far);
     }
 }
 
@@ -226,19 +165,17 @@ void EmbreeBackend::aim(const Fan& fan, std::size_t first, std::size_t count,
     std::ranges::fill(packet.hit.instID[0], RTC_INVALID_GEOMETRY_ID);
 }
 
-void EmbreeBackend::turn_normals_of_movables(RTCRayHit16& packet) const {
-    RTCHit16& hit = packet.hit;
-    for (std::size_t k = 0; k < packet_size; ++k) {
-        if (hit.instID[0][k] == RTC_INVALID_GEOMETRY_ID) continue;
-        const glm::vec3 normal = movables_[hit.instID[0][k]].world_from_model *
-                                 glm::vec3{hit.Ng_x[k], hit.Ng_y[k], hit.Ng_z[k]};
-        hit.Ng_x[k] = normal.x;
-        hit.Ng_y[k] = normal.y;
-        hit.Ng_z[k] = normal.z;
-    }
+ObjectId EmbreeBackend::met(const RTCHit16& hit, std::size_t k) const {
+    const bool stands = hit.instID[0][k] == RTC_INVALID_GEOMETRY_ID;
+    return stands ? hit.geomID[k] : movables_.object(hit, k);
 }
 
 void EmbreeBackend::read(const RTCRayHit16& packet, std::span<Hit> hits) const {
+    std::ranges::fill(hits, Hit{});
+    read_met(packet, hits);
+}
+
+void EmbreeBackend::read_met(const RTCRayHit16& packet, std::span<Hit> hits) const {
     const RTCRay16& ray = packet.ray;
     const RTCHit16& hit = packet.hit;
     float cosine[packet_size];
@@ -250,9 +187,8 @@ void EmbreeBackend::read(const RTCRayHit16& packet, std::span<Hit> hits) const {
         cosine[k] = std::min(1.0F, std::abs(along) / length);
     }
     for (std::size_t k = 0; k < hits.size(); ++k) {
-        const ObjectId object = hit.geomID[k];
-        hits[k] = {};
-        if (object == no_object) continue;
+        if (hit.geomID[k] == RTC_INVALID_GEOMETRY_ID) continue;
+        const ObjectId object = met(hit, k);
         hits[k] = {ray.tfar[k], cosine[k], material_of_[object], object};
     }
 }

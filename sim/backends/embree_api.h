@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Embree as embree.cpp uses it: handles that release themselves, packets of 16, and all that
-// differs between versions 3 and 4. Included by that file only.
+// Embree as the files embree*.cpp use it: handles that release themselves, packets of 16, and all
+// that differs between versions 3 and 4. Included by these files only.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
@@ -18,6 +19,8 @@
 #else
 #include <embree4/rtcore.h>
 #endif
+
+#include <glm/vec3.hpp>
 
 #include "sim/world/scene.h"
 
@@ -106,6 +109,14 @@ inline std::string reason_without_device() {
         default:
             return {};
     }
+}
+
+/// The same direction to a nanoradian. Embree 3.13 loses all rays of a packet that share their
+/// signs with one whose component is 1e-17 or so, as the cosine of a right angle comes out.
+inline glm::vec3 apart_from_zero(const glm::vec3& direction) {
+    constexpr float least = 1e-9F;
+    const auto apart = [](float x) { return std::abs(x) < least ? std::copysign(least, x) : x; };
+    return {apart(direction.x), apart(direction.y), apart(direction.z)};
 }
 
 inline DeviceHandle new_device() {

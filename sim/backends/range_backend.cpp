@@ -34,6 +34,17 @@ void RangeBackend::cast(const Fan& fan, std::span<Hit> hits, std::span<glm::vec3
     check_met(hits);
 }
 
+void RangeBackend::cast_moving(const Fan& fan, std::span<Hit> hits) {
+    check(fan, hits);
+    assert(fan.can_meet);
+    do_cast_moving(fan, hits);
+    check_met(hits);
+}
+
+void RangeBackend::do_cast_moving(const Fan&, std::span<Hit>) {
+    assert(false && "this backend casts all at once: ask casts_apart() first");
+}
+
 void RangeBackend::do_cast_with_normals(const Fan&, std::span<Hit>, std::span<glm::vec3>) {
     assert(false && "this backend tells no normals: ask follows_light() first");
 }

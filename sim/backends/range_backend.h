@@ -41,6 +41,13 @@ class RangeBackend {
     /// for backends that follow light.
     void cast(const Fan& fan, std::span<Hit> hits, std::span<glm::vec3> world_normals);
 
+    /// Whether it can cast what stands still first and what moves later, and leaves out all movable
+    /// models that a fan cannot meet.
+    [[nodiscard]] virtual bool casts_apart() const { return false; }
+    /// Replaces the hits in front of which a movable model stands that the fan can meet. The hits
+    /// are those of an earlier cast. Only for backends that cast apart.
+    void cast_moving(const Fan& fan, std::span<Hit> hits);
+
     /// Releases the calling thread: another one may use or destroy the backend next.
     virtual void leave_thread() {}
 
@@ -49,6 +56,7 @@ class RangeBackend {
     virtual void do_cast(const Fan& fan, std::span<Hit> hits) = 0;
     virtual void do_cast_with_normals(const Fan& fan, std::span<Hit> hits,
                                       std::span<glm::vec3> world_normals);
+    virtual void do_cast_moving(const Fan& fan, std::span<Hit> hits);
     void check(const Fan& fan, std::span<const Hit> hits) const;
     void check_met(std::span<const Hit> hits) const;
 

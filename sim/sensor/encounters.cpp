@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iterator>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
 #include <glm/geometric.hpp>
+
+#include "sim/sensor/path_length.h"
 
 namespace scipd::sim {
 namespace {
@@ -25,50 +25,12 @@ struct SensorMotion {
     double turned_rad = 0.0;
 };
 
-/// The path length of a model: how far its points have gone at most, from the first leg on. Time is
-/// counted in beams and fractions of them.
-class PathLength {
-  public:
-    /// One more leg, after those that were added before.
-    void add(double from_beam, double to_beam, double length_m) {
-        const double gone_m = marks_.empty() ? 0.0 : marks_.back().gone_m;
-        marks_.push_back({from_beam, gone_m});
-        marks_.push_back({to_beam, gone_m + length_m});
-    }
-    [[nodiscard]] double gone_m(double beam) const;
-    /// The last moment at which it has gone no farther than this.
-    [[nodiscard]] double beam_at(double gone_m) const;
-
-  private:
-    struct Mark {
-        double beam = 0.0;
-        double gone_m = 0.0;
-    };
-    std::vector<Mark> marks_;  ///< both grow or stay; between two marks the model moves evenly
-};
-
-double PathLength::gone_m(double beam) const {
-    const auto after = std::ranges::upper_bound(marks_, beam, {}, &Mark::beam);
-    if (after == marks_.begin()) return 0.0;
-    const Mark& before = *std::prev(after);
-    if (after == marks_.end()) return before.gone_m;
-    const double share = (beam - before.beam) / (after->beam - before.beam);
-    return std::lerp(before.gone_m, after->gone_m, share);
-}
-
-double PathLength::beam_at(double gone_m) const {
-    const auto after = std::ranges::upper_bound(marks_, gone_m, {}, &Mark::gone_m);
-    if (after == marks_.end()) return std::numeric_limits<double>::infinity();
-    const Mark& before = *std::prev(after);  // exists: the first mark is 0 m
-    const double share = (gone_m - before.gone_m) / (after->gone_m - before.gone_m);
-    return std::lerp(before.beam, after->beam, share);
-}
-
 /// A mover by the beams that may meet it.
 struct Encounter {
     std::size_t first = 0;
-    std::size_t end = 0;  ///< behind the last; first == end: none
-    PathLength path;      ///< while these are fired
+    std::size_t end = 0;     ///< behind the last; first == end: none
+    double nearest_m = 0.0;  ///< it is nowhere nearer to the sensor
+    PathLength path = {};    ///< while these are fired
 
     /// One placement holds from `beam` to before the returned beam: meanwhile the model moves no
     /// farther than moves_within_part_m.
@@ -112,7 +74,10 @@ class Sweeping {
           end_(fired(beams_ - 1)),
           reach_rad_(optics.footprint.reach_rad()) {}
 
-    [[nodiscard]] Encounter encounter(const Mover& mover) const;
+    /// In front of what the scan has met; null: nobody knows.
+    [[nodiscard]] Encounter encounter(const Mover& mover, const Scan* met) const;
+    [[nodiscard]] std::vector<Passing> passings(std::span<const Mover> movers,
+                                                const Scan& met) const;
     [[nodiscard]] std::vector<Part> parts(std::span<const Mover> movers,
                                           std::span<const Encounter> met) const;
 
@@ -121,6 +86,8 @@ class Sweeping {
     /// the model during the whole sweep, as the moving sensor sees it.
     [[nodiscard]] Encounter met_within(const Pose& middle, double strays_m, double radius_m) const;
     [[nodiscard]] Encounter between(double low_rad, double high_rad) const;
+    /// Leaves out beams that end before it, from both ends.
+    static void leave_out_hidden(const Scan& scan, Encounter& met);
     [[nodiscard]] double beam_at(Time time) const;
     [[nodiscard]] Time time_at(double beam) const;
     [[nodiscard]] std::size_t first_fired_at(Time time) const;
@@ -140,7 +107,7 @@ class Sweeping {
     double reach_rad_;  ///< of a footprint beside its beam
 };
 
-Encounter Sweeping::encounter(const Mover& mover) const {
+Encounter Sweeping::encounter(const Mover& mover, const Scan* scan) const {
     const std::vector<PoseTrack::Leg> legs = mover.path->legs(begin_, end_);
     const Pose middle = mover.path->at(middle_);
     double strays_m = 0.0;
@@ -149,6 +116,7 @@ Encounter Sweeping::encounter(const Mover& mover) const {
                              glm::distance(leg.to_m, middle.translation_m)});
     }
     Encounter met = met_within(middle, strays_m, mover.radius_m);
+    if (scan != nullptr) leave_out_hidden(*scan, met);
     if (met.first == met.end) return met;
     const Time first = fired_(met.first);
     const Time last = fired_(met.end - 1);
@@ -157,6 +125,19 @@ Encounter Sweeping::encounter(const Mover& mover) const {
         met.path.add(beam_at(leg.begin), beam_at(leg.end), path_length_m(leg, mover.radius_m));
     }
     return met;
+}
+
+void Sweeping::leave_out_hidden(const Scan& scan, Encounter& met) {
+    const auto sees = [&](std::size_t beam) {
+        const auto rays =
+            std::span(scan.hits).subspan(beam * scan.rays_per_beam, scan.rays_per_beam);
+        return std::ranges::any_of(
+            rays, [&](const Hit& hit) { return double{hit.range_m} >= met.nearest_m; });
+    };
+    while (met.first < met.end && !sees(met.first))
+        ++met.first;
+    while (met.first < met.end && !sees(met.end - 1))
+        --met.end;
 }
 
 double Sweeping::beam_at(Time time) const {
@@ -199,8 +180,8 @@ std::size_t Sweeping::first_fired_at(Time time) const {
 }
 
 Encounter Sweeping::met_within(const Pose& middle, double strays_m, double radius_m) const {
-    const Encounter all{0, beams_, {}};
-    const Encounter none{0, 0, {}};
+    const Encounter all{0, beams_};
+    const Encounter none{};
     const glm::dvec3 centre_m = sensor_from_world_ * middle.translation_m;
     const double distance_m = glm::length(centre_m);
     const double ball_m = radius_m + strays_m + sensor_.moved_m +
@@ -214,7 +195,9 @@ Encounter Sweeping::met_within(const Pose& middle, double strays_m, double radiu
     if (ahead_m <= circle_m) return all;
     const double bearing_rad = std::atan2(centre_m.y, centre_m.x);
     const double half_rad = std::asin(circle_m / ahead_m);
-    return between(bearing_rad - half_rad, bearing_rad + half_rad);
+    Encounter met = between(bearing_rad - half_rad, bearing_rad + half_rad);
+    met.nearest_m = distance_m - ball_m;
+    return met;
 }
 
 /// The shortest run of beams that holds all beams between these bearings. A bearing may be counted
@@ -222,7 +205,7 @@ Encounter Sweeping::met_within(const Pose& middle, double strays_m, double radiu
 Encounter Sweeping::between(double low_rad, double high_rad) const {
     const double beams_per_rad = optics_.steps_per_turn / (2.0 * std::numbers::pi);
     const double front = optics_.front_step - optics_.first_step;
-    Encounter met{beams_, 0, {}};
+    Encounter met{beams_, 0};
     for (const int turn : {-1, 0, 1}) {
         const double shift = front + turn * optics_.steps_per_turn;
         const double first = std::floor(low_rad * beams_per_rad + shift);
@@ -261,7 +244,26 @@ std::vector<Part> Sweeping::parts(std::span<const Mover> movers,
     return parts;
 }
 
+std::vector<Passing> Sweeping::passings(std::span<const Mover> movers, const Scan& scan) const {
+    std::vector<Passing> passings;
+    for (std::size_t i = 0; i < movers.size(); ++i) {
+        const Encounter met = encounter(movers[i], &scan);
+        for (std::size_t from = met.first; from < met.end;) {
+            const std::size_t end = met.good_until(from);
+            passings.push_back({i, {from, end - from}, time_of(met, from)});
+            from = end;
+        }
+    }
+    return passings;
+}
+
 }  // namespace
+
+std::vector<Passing> passings_of_sweep(const SensorSpec& optics, const Scan& scan,
+                                       const std::function<Time(std::size_t beam)>& fired,
+                                       std::span<const Mover> movers) {
+    return Sweeping(optics, scan.world_from_sensor, fired).passings(movers, scan);
+}
 
 std::vector<Part> parts_of_sweep(const SensorSpec& optics, std::span<const Pose> world_from_sensor,
                                  const std::function<Time(std::size_t beam)>& fired,
@@ -271,7 +273,7 @@ std::vector<Part> parts_of_sweep(const SensorSpec& optics, std::span<const Pose>
     std::vector<Encounter> met;
     met.reserve(movers.size());
     for (const Mover& mover : movers)
-        met.push_back(sweep.encounter(mover));
+        met.push_back(sweep.encounter(mover, nullptr));
     return sweep.parts(movers, met);
 }
 

@@ -7,6 +7,9 @@
 // cast in parts, and the model is placed anew for each. Each part lists the models that its beams
 // can meet, which are few among many. Casts nothing itself. Pure.
 //
+// Where a backend can cast what moves after what stands still, each model is cast alone, for the
+// beams that it may stand in front of: what lies behind a wall costs nothing then.
+//
 //      beams   0 ......................................... 1080
 //      crate          |--|                                        placed once
 //      person                        |-----------|                a long step: placed three times
@@ -18,6 +21,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/sensor/scan.h"
 #include "sim/sensor/scanner.h"
 #include "sim/sensor/sensor_spec.h"
 #include "sim/time.h"
@@ -42,6 +46,19 @@ struct Part {
     std::vector<MoverUpdate> updates;
     std::vector<ModelId> can_meet;  ///< its beams meet no other movable model
 };
+
+/// Beams in front of which a model may stand that is placed where it is at this time.
+struct Passing {
+    std::size_t mover = 0;  ///< index
+    Beams beams;
+    Time time{};
+};
+
+/// The same for each model by itself, in front of what the scan has met so far: models that no beam
+/// reaches are left out.
+[[nodiscard]] std::vector<Passing> passings_of_sweep(
+    const SensorSpec& optics, const Scan& scan, const std::function<Time(std::size_t beam)>& fired,
+    std::span<const Mover> movers);
 
 /// The parts of one sweep, in order. `world_from_sensor` is one pose or one for each beam; `fired`
 /// tells when a beam is fired, counted from the first. The first part places all movers.

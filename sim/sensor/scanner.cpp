@@ -55,25 +55,41 @@ Scan Scanner::begin(std::int64_t revolution, Time start,
 
 void Scanner::cast(RangeBackend& backend, Scan& scan, Beams beams, const Conditions& conditions,
                    ModelId unseen, std::optional<std::span<const ModelId>> can_meet) const {
+    Fan fan = fan_of(scan, beams);
+    fan.unseen = unseen;
+    fan.can_meet = can_meet;
+    const std::span<Hit> hits = hits_of(scan, beams);
+    if (!follows_light(backend, conditions)) return backend.cast(fan, hits);
+    std::vector<glm::vec3> normals(hits.size());
+    backend.cast(fan, hits, normals);
+    const auto first = static_cast<std::uint32_t>(beams.first * pattern_.rays_per_beam());
+    follow_light(backend, fan, *conditions.lit, first, hits, normals, scan.farther);
+}
+
+bool Scanner::follows_light(const RangeBackend& backend, const Conditions& conditions) const {
+    return sees_light() && conditions.lit != nullptr && conditions.lit->light_goes_on() &&
+           backend.follows_light();
+}
+
+void Scanner::cast_moving(RangeBackend& backend, Scan& scan, Beams beams, ModelId model) const {
+    Fan fan = fan_of(scan, beams);
+    fan.can_meet = {&model, 1};
+    backend.cast_moving(fan, hits_of(scan, beams));
+}
+
+Fan Scanner::fan_of(const Scan& scan, Beams beams) const {
     const std::size_t rays = pattern_.rays_per_beam();
-    const std::size_t first = beams.first * rays;
-    const std::size_t count = beams.count * rays;
     const std::span<const Pose> poses = scan.world_from_sensor;
-    const Fan fan{
-        .directions = pattern_.directions().subspan(first, count),
+    return {
+        .directions = pattern_.directions().subspan(beams.first * rays, beams.count * rays),
         .world_from_sensor = poses.size() == 1 ? poses : poses.subspan(beams.first, beams.count),
         .max_range_m = static_cast<float>(spec_.max_range_m),
-        .unseen = unseen,
-        .can_meet = can_meet,
         .directions_per_pose = rays};
-    const std::span<Hit> hits = std::span(scan.hits).subspan(first, count);
-    const bool follows = sees_light() && conditions.lit != nullptr &&
-                         conditions.lit->light_goes_on() && backend.follows_light();
-    if (!follows) return backend.cast(fan, hits);
-    std::vector<glm::vec3> normals(count);
-    backend.cast(fan, hits, normals);
-    follow_light(backend, fan, *conditions.lit, static_cast<std::uint32_t>(first), hits, normals,
-                 scan.farther);
+}
+
+std::span<Hit> Scanner::hits_of(Scan& scan, Beams beams) const {
+    const std::size_t rays = pattern_.rays_per_beam();
+    return std::span(scan.hits).subspan(beams.first * rays, beams.count * rays);
 }
 
 void Scanner::read(Scan& scan, const Conditions& conditions) const {

@@ -65,9 +65,19 @@ class Scanner {
     void cast(RangeBackend& backend, Scan& scan, Beams beams, const Conditions& conditions,
               ModelId unseen = no_model,
               std::optional<std::span<const ModelId>> can_meet = std::nullopt) const;
+    /// Whether the light goes on behind what these rays meet first.
+    [[nodiscard]] bool follows_light(const RangeBackend& backend,
+                                     const Conditions& conditions) const;
+    /// Casts one movable model in front of what beams have met. For backends that cast apart, where
+    /// no light is followed.
+    void cast_moving(RangeBackend& backend, Scan& scan, Beams beams, ModelId model) const;
     void read(Scan& scan, const Conditions& conditions) const;
 
   private:
+    /// Of these beams, and their hits.
+    [[nodiscard]] Fan fan_of(const Scan& scan, Beams beams) const;
+    [[nodiscard]] std::span<Hit> hits_of(Scan& scan, Beams beams) const;
+
     SensorSpec spec_;
     BeamPattern pattern_;
     ErrorModel errors_;

@@ -44,10 +44,35 @@ sim::Pose turning_at(sim::Time time) {
     return sim::pose_from_rpy({1, 1, 0}, {0, 0, std::remainder(seconds, 2 * std::numbers::pi)});
 }
 
+constexpr int rows = 10;
+
+std::string box_name(int box) {
+    return "box_" + std::to_string(box);
+}
+
+/// Boxes all over the maze, rows of them, that go round in circles at half a metre a second.
+sim::Pose circling_at(int box, sim::Time time) {
+    const double angle_rad = 3.3 * std::chrono::duration<double>(time).count() + box;
+    return sim::pose_from_rpy({0.5 + 0.9 * (box % rows) + 0.15 * std::cos(angle_rad),
+                               0.5 + 0.9 * (box / rows) + 0.15 * std::sin(angle_rad), 0.4},
+                              {0, 0, std::remainder(angle_rad, 2 * std::numbers::pi)});
+}
+
+sim::SharedScene maze_with(int boxes) {
+    const sim::SharedScene maze = sim::load_sdf(SCIPD_SCENES "/rescue_maze.sdf").scene;
+    sim::Scene added;
+    for (int box = 0; box < boxes; ++box) {
+        added.models.push_back({box_name(box), true, circling_at(box, 0s)});
+        added.objects.push_back(
+            {box_name(box) + "::shape", sim::ModelId(box), {}, sim::Box{{0.2, 0.15, 0.8}}, 0});
+    }
+    return boxes == 0 ? maze : sim::with_models(*maze, added);
+}
+
 class Revolutions {
   public:
-    explicit Revolutions(sim::Accuracy accuracy) {
-        sim::SharedScene scene = sim::load_sdf(SCIPD_SCENES "/rescue_maze.sdf").scene;
+    explicit Revolutions(sim::Accuracy accuracy, int boxes = 0) : boxes_(boxes) {
+        sim::SharedScene scene = maze_with(boxes);
         world_.replace_scene(scene, daemon::one_backend(scene));
         world_.set_robots({{"robot", {turning_at(0s)}}});
         device_.emplace("robot", scanner_config(accuracy), 1, world_, clock_);
@@ -70,7 +95,11 @@ class Revolutions {
         injector_->start(daemon::parse_fault(json).value(), 1);
     }
 
-    void move(sim::Time time) { (void)world_.place_robot("robot", {time, turning_at(time)}); }
+    void move(sim::Time time) {
+        (void)world_.place_robot("robot", {time, turning_at(time)});
+        for (int box = 0; box < boxes_; ++box)
+            (void)world_.place_model(box_name(box), {time, circling_at(box, time)});
+    }
 
     /// When the next revolution is complete.
     [[nodiscard]] sim::Time leaves() const { return device_->leaves(revolution_); }
@@ -86,6 +115,7 @@ class Revolutions {
     }
 
   private:
+    int boxes_;
     daemon::SteppedClock clock_;
     daemon::World world_;
     std::optional<daemon::Device> device_;
@@ -115,6 +145,22 @@ BENCHMARK_CAPTURE(run, still_material, sim::Accuracy::material, false)
 BENCHMARK_CAPTURE(run, moving_material, sim::Accuracy::material, true)
     ->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(run, moving_sensor, sim::Accuracy::sensor, true)->Unit(benchmark::kMicrosecond);
+
+// Placing the boxes is not measured.
+void run_among_boxes(benchmark::State& state) {
+    Revolutions revolutions(sim::Accuracy::sensor, static_cast<int>(state.range(0)));
+    std::size_t bytes = 0;
+    for (auto _ : state) {
+        state.PauseTiming();
+        revolutions.move(revolutions.leaves() + 1ms);
+        state.ResumeTiming();
+        bytes += revolutions.turn();
+    }
+    if (bytes / static_cast<std::size_t>(state.iterations()) < 3000) {
+        state.SkipWithError("a scan is missing");
+    }
+}
+BENCHMARK(run_among_boxes)->Arg(0)->Arg(rows)->Arg(rows* rows)->Unit(benchmark::kMicrosecond);
 
 // What a fault costs that waits, and one that acts. Without one nothing is measured that the cases
 // above do not have: compare still_sensor with that of a version without faults.

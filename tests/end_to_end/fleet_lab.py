@@ -73,12 +73,12 @@ class Daemon:
     """A scipd whose robot has the name of the daemon, and one scanner at its origin that looks along x."""
 
     def __init__(self, scipd, folder, broker, name, *, robot=None, world="hall", scene="hall.sdf", clock="wall",
-                 accuracy="ideal", **fleet):
+                 accuracy="ideal", backend="auto", **fleet):
         self.folder = folder / f"{name}-{time.monotonic_ns()}"
         self.folder.mkdir()
         self.name = name
         sensors = {"scanner": {"model": "UST-10LX", "mount": {"xyz": [0, 0, 0.3]}, "accuracy": accuracy,
-                               "tcp": "127.0.0.1:0"}}
+                               "backend": backend, "tcp": "127.0.0.1:0"}}
         configuration = {"scene": str(folder / scene), "clock": clock, "control": str(self.folder / "control.sock"),
                          "fleet": {"broker": broker.url, "world": world, "name": name, **fleet},
                          "robots": {name: {"sensors": sensors, **(robot or {})}}}

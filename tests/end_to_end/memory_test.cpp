@@ -26,7 +26,8 @@ double memory_mb(pid_t pid) {
     return 0;
 }
 
-/// Balls of many triangles each. Such memory comes in pieces, which allocators like to keep.
+/// Balls of many triangles each, no two alike: equal ones would share their memory. It comes in
+/// pieces, which allocators like to keep.
 std::string many_balls() {
     std::ostringstream text;
     text << "<sdf version='1.9'><world name='w'>";
@@ -34,7 +35,7 @@ std::string many_balls() {
         text << "<model name='m" << i << "'><pose>" << 10 + i % 9 * 3 << ' ' << i / 9 * 3
              << " 0 0 0 0</pose><link name='l'>";
         for (int k = 3; k < 7; ++k) {
-            text << "<visual name='v" << k << "'><geometry><sphere><radius>0." << k
+            text << "<visual name='v" << k << "'><geometry><sphere><radius>0." << k << i + 10
                  << "</radius></sphere></geometry></visual>";
         }
         text << "</link></model>";

@@ -14,7 +14,8 @@ import struct
 import time
 
 import wire
-from variants import reload, stderr  # they are deeds as well
+from misfortunes import faults  # this one and the next are deeds as well
+from variants import reload, stderr
 
 PATIENCE_S = 2.0
 REQUESTS = [b"VV", b"PP", b"II", b"BM", b"QT", b"RS", b"TM0", b"TM1", b"TM2", b"GD0000108001", b"MD0000108000000",
@@ -289,4 +290,4 @@ def rest(seconds):
 
 DEEDS = {deed.__name__: deed for deed in (
     garbage, ttys, flood, deaf, resets, streams, answers, http, headers, bodies, deep, junk_poses, udp, abandon, scenes,
-    reload, stderr)}
+    reload, stderr, faults)}

@@ -21,7 +21,7 @@ CROOKED_MS = 2.0  # a stamp that is this far off its period is crooked; the mirr
 
 
 class Machine:
-    """How late this loop is woken, and how long scipd's first thread had run and waited at each of the last beats."""
+    """How late this loop is woken, and how long scipd's threads had run and waited at each of the last beats."""
     BEAT_S = 0.005
 
     def __init__(self, scipd):
@@ -39,10 +39,13 @@ class Machine:
             self.times.append((self.beat_s, *self.scipd.times_s()))
 
     def times_since_s(self, when_s):
-        """How long scipd has run and waited since the last beat before that time."""
+        """How long scipd's first thread has run since the last beat before that time, and how long it has waited for a
+        core. An answer may also need all threads of scans, which wait side by side."""
         ran_s, waited_s = self.scipd.times_s()
         _, then_ran_s, then_waited_s = next((beat for beat in reversed(self.times) if beat[0] <= when_s), self.times[0])
-        return ran_s - then_ran_s, waited_s - then_waited_s
+        waits_s = {thread: now_s - then_waited_s.get(thread, now_s) for thread, now_s in waited_s.items()}
+        of_first_s = waits_s.pop(str(self.scipd.pid), 0.0)
+        return ran_s - then_ran_s, of_first_s + max(waits_s.values(), default=0.0)
 
     def late_s(self):
         """How late this loop handles an event at this moment."""

@@ -119,14 +119,19 @@ class Scipd:
         return int(fields["VmRSS"].split()[0]) / 1024, len(os.listdir(f"/proc/{self.pid}/fd")), int(fields["Threads"])
 
     def times_s(self):
-        """For its first thread, which serves all clients: how long it ran, and how long it was ready to run but had no
-        core. 0 if the kernel does not tell."""
-        try:
-            with open(f"/proc/{self.pid}/task/{self.pid}/schedstat") as schedule:
-                ran, waited = schedule.read().split()[:2]
-                return int(ran) * 1e-9, int(waited) * 1e-9
-        except (OSError, ValueError):
-            return 0.0, 0.0
+        """How long its first thread ran, which serves all clients, and by thread how long it and those of the scans
+        were ready to run but had no core. Nothing if the kernel does not tell."""
+        ran_s, waited_s = 0.0, {}
+        for task in pathlib.Path(f"/proc/{self.pid}/task").iterdir():
+            first = task.name == str(self.pid)
+            try:
+                if first or (task / "comm").read_text().startswith("scans"):
+                    ran, waited = (task / "schedstat").read_text().split()[:2]
+                    waited_s[task.name] = int(waited) * 1e-9
+                    ran_s = int(ran) * 1e-9 if first else ran_s
+            except (OSError, ValueError):
+                pass
+        return ran_s, waited_s
 
 
 def address(text):

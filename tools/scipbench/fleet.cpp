@@ -49,7 +49,8 @@ class Measurement {
 
   private:
     const FleetRun& run(int scanners) {
-        runs_.push_back(run_fleet(question_.setup, world_.places(scanners)));
+        runs_.push_back(
+            run_fleet(question_.setup, world_.places(scanners + question_.setup.moving)));
         print_run(runs_.back(), costs_, std::cout);
         return runs_.back();
     }

@@ -66,6 +66,11 @@ void add_setup(CLI::App& fleet, FleetSetup& setup) {
         ->option_text("FILE [the rescue maze]");
     fleet.add_flag("--driving", setup.driving,
                    "every robot drives in a circle, by 50 poses a second from a file");
+    fleet
+        .add_option("--moving", setup.moving,
+                    "so many boxes go round among them, by 50 poses a second each")
+        ->check(CLI::Range(0, 10'000))
+        ->option_text("N [0]");
     fleet.add_option("--threads", setup.threads, "how many threads the scanners live on")
         ->check(CLI::Range(1, 1024))
         ->option_text("N [scipd's own choice]");
@@ -109,7 +114,8 @@ void add_fleet(CLI::App& program) {
                    "scipd answers GET /status then")
         ->excludes(csv)
         ->excludes(plot)
-        ->excludes(most);
+        ->excludes(most)
+        ->excludes("--moving");
     fleet->callback([asked] { answer(*asked); });
 }
 

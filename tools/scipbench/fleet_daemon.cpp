@@ -47,8 +47,10 @@ void FleetDaemon::wait_until_ready() {
         start_ = Clock::now() - begin_;
     }
     const auto ready = nlohmann::json::parse(line);
-    for (const auto& sensor : ready.at("sensors"))
-        targets_.push_back("tcp://" + sensor.at("tcp").get<std::string>());
+    for (const auto& sensor : ready.at("sensors")) {
+        const auto& address = sensor.at("tcp");
+        if (address.is_string()) targets_.push_back("tcp://" + address.get<std::string>());
+    }
 }
 
 std::vector<std::string> load_command(const std::vector<std::string>& targets,

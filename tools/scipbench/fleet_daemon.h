@@ -29,6 +29,7 @@ class FleetDaemon {
     /// Where its scanners listen, as `scipbench load` takes them.
     [[nodiscard]] const std::vector<std::string>& targets() const { return targets_; }
     [[nodiscard]] ControlClient& control() { return control_; }
+    [[nodiscard]] std::uint16_t poses_port() const { return site_.poses_port(); }
     /// For files of others that take part.
     [[nodiscard]] const std::filesystem::path& folder() const { return site_.folder(); }
 

@@ -15,6 +15,7 @@
 #include "daemon/models/registry.h"
 #include "tools/scipbench/bare_timer.h"
 #include "tools/scipbench/fleet_daemon.h"
+#include "tools/scipbench/fleet_movers.h"
 #include "tools/scipbench/spread.h"
 
 namespace scipd::tools {
@@ -73,7 +74,7 @@ void read_status(const ControlClient::Json& status, FleetRun& run) {
     for (const auto& sensor : status.at("sensors")) {
         run.lost += sensor.at("lost").get<std::uint64_t>();
         const auto& late = sensor.at("lateness_ms");
-        if (!late.is_object()) continue;
+        if (late.at("p50").is_null()) continue;  // it has sent no scan
         p50_ms.push_back(late.at("p50"));
         p99_ms.push_back(late.at("p99"));
     }
@@ -101,8 +102,10 @@ void read_metrics(const std::string& metrics, FleetRun& run) {
 void run_in_full(const FleetSetup& setup, const std::vector<sim::Pose>& places, FleetRun& run) {
     // Each scanner answers within a few milliseconds before the first one streams.
     const auto patience = setup.duration + 60s + places.size() * 100ms;
-    FleetDaemon scipd(setup, places);
+    FleetDaemon scipd(setup, {places.begin(), places.begin() + run.scanners});
     run.start_s = scipd.start().count();
+    const FleetMovers movers(scipd.control(), scipd.poses_port(),
+                             {places.begin() + run.scanners, places.end()});
     const sim::Time period = daemon::find_model(setup.model).optics.scan_period;
     BareTimer timer(period);
     ChildProgram reader(load_command(scipd.targets(), setup.duration), scipd.folder(), "load");
@@ -121,7 +124,7 @@ void run_in_full(const FleetSetup& setup, const std::vector<sim::Pose>& places, 
 }  // namespace
 
 FleetRun run_fleet(const FleetSetup& setup, const std::vector<sim::Pose>& places) {
-    FleetRun run{.scanners = static_cast<int>(places.size())};
+    FleetRun run{.scanners = static_cast<int>(places.size()) - setup.moving};
     try {
         run_in_full(setup, places, run);
     } catch (const std::runtime_error& error) {

@@ -51,6 +51,7 @@ struct FleetRun {
     }
 };
 
+/// The last of the places are those of models that move, as many as the setup has.
 FleetRun run_fleet(const FleetSetup& setup, const std::vector<sim::Pose>& places);
 
 }  // namespace scipd::tools

@@ -11,6 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/scipbench/free_port.h"
 #include "tools/scipbench/output_file.h"
 
 namespace scipd::tools {
@@ -56,13 +57,23 @@ Json robot_at(const sim::Pose& place, const FleetSetup& setup, const std::string
     return robot;
 }
 
+/// Poses come by way of a robot. Nobody asks this one's sensor.
+Json gate_of_movers(std::uint16_t port) {
+    return {
+        {"poses", "udp:127.0.0.1:" + std::to_string(port)},
+        {"sensors",
+         {{"none",
+           {{"ranger", {{"cone_deg", 1}, {"beams", 1}, {"rate_hz", 1}, {"range_m", {0.1, 1}}}}}}}}};
+}
+
 }  // namespace
 
 std::string describe(const FleetSetup& setup) {
     const std::string threads =
         setup.threads ? std::to_string(*setup.threads) : std::string("scipd's own number of");
     return setup.scene.string() + ", " + setup.model + (setup.driving ? " driving" : " standing") +
-           ", " + threads + " threads, " + std::to_string(setup.duration.count()) + " s a run";
+           (setup.moving > 0 ? ", " + std::to_string(setup.moving) + " models move" : "") + ", " +
+           threads + " threads, " + std::to_string(setup.duration.count()) + " s a run";
 }
 
 sim::Pose on_its_lap(const sim::Pose& place, sim::Time time) {
@@ -73,7 +84,7 @@ sim::Pose on_its_lap(const sim::Pose& place, sim::Time time) {
                                       {0.0, 0.0, angle_rad + std::numbers::pi / 2});
 }
 
-FleetSite::FleetSite() : folder_(new_folder()) {}
+FleetSite::FleetSite() : folder_(new_folder()), poses_port_(free_udp_port()) {}
 
 FleetSite::~FleetSite() {
     std::error_code error;
@@ -90,6 +101,7 @@ void FleetSite::write(const FleetSetup& setup, const std::vector<sim::Pose>& pla
         configuration["robots"][name] = robot_at(places[i], setup, lap);
         if (setup.driving) write_to(lap, [&](std::ostream& out) { write_lap(places[i], out); });
     }
+    if (setup.moving > 0) configuration["robots"]["movers"] = gate_of_movers(poses_port_);
     write_to(this->configuration(), [&](std::ostream& out) { out << configuration.dump(1); });
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@ struct FleetSetup {
     std::filesystem::path scene;
     std::string model = "UST-10LX";
     bool driving = false;
+    int moving = 0;              ///< models that move, beside the robots
     std::optional<int> threads;  ///< of scipd; none: as many as it takes by itself
     std::chrono::seconds duration{10};
 };
@@ -50,10 +52,13 @@ class FleetSite {
     /// Writes the configuration of a robot with one scanner at each place. A robot that drives
     /// follows a file: scipd reads it once, and no program beside the test sends poses.
     void write(const FleetSetup& setup, const std::vector<sim::Pose>& places) const;
+    /// Where scipd takes poses of what moves beside the robots, by UDP at 127.0.0.1.
+    [[nodiscard]] std::uint16_t poses_port() const { return poses_port_; }
     [[nodiscard]] std::filesystem::path configuration() const { return folder_ / "fleet.yaml"; }
 
   private:
     std::filesystem::path folder_;
+    std::uint16_t poses_port_;
 };
 
 }  // namespace scipd::tools

@@ -104,6 +104,20 @@ TEST_P(ShardsTest, StandStillWhileSomebodyLooks) {
     });
 }
 
+// What is stuck can be named, although nothing else goes on.
+TEST_P(ShardsTest, TellWhichOfThemDoesNotStandStill) {
+    std::vector<std::size_t> late;
+    shards_.on_late([&](std::size_t shard) { late.push_back(shard); });
+    const std::size_t last = shards_.size() - 1;
+    boost::asio::post(shards_.at(last).executor, [] { std::this_thread::sleep_for(2500ms); });
+    run();
+    shards_.still([] {});
+    EXPECT_EQ(late, shards_.size() > 1 ? std::vector{last} : std::vector<std::size_t>{});
+    shards_.still([] {});
+    EXPECT_LE(late.size(), 1U);
+    shards_.on_late([](std::size_t) {});
+}
+
 TEST_P(ShardsTest, MayBeAskedToStandStillWhileTheyDo) {
     make_busy();
     EXPECT_EQ(shards_.still([&] { return shards_.still([] { return 42; }); }), 42);

@@ -239,6 +239,35 @@ TEST_P(BackendContract, LooksThroughTheBodyThatCarriesTheSensorAndNoOther) {
     EXPECT_EQ(ahead(1).object, 0U);
 }
 
+// Robots of a fleet: the same two pieces each, of other materials. The last one is of another size.
+TEST_P(BackendContract, TellsBodiesOfEqualGeometryApart) {
+    load(scene()
+             .movable(at(5))
+             .with(Box{{1, 1, 1}}, {}, 1)
+             .with(Sphere{0.4}, at(0, 2), 2)
+             .movable(at(-7))
+             .with(Box{{1, 1, 1}}, {}, 3)
+             .with(Sphere{0.4}, at(0, 2), 1)
+             .movable(at(0, 4))
+             .with(Box{{1, 1, 1.5}}, {}, 2));
+    const auto expect = [&](const glm::vec3& direction, float range_m, ObjectId object,
+                            MaterialId material) {
+        const Hit hit = cast_one(direction);
+        EXPECT_NEAR(hit.range_m, range_m, range_tolerance_m);
+        EXPECT_EQ(hit.object, object);
+        EXPECT_EQ(hit.material, material);
+    };
+    expect({1, 0, 0}, 4.5F, 0, 1);
+    expect({-1, 0, 0}, 6.5F, 2, 3);
+    expect({0, 1, 0}, 3.5F, 4, 2);
+    move(1, at(-7, -2));
+    expect({-1, 0, 0}, 6.6F, 3, 1);
+    move(1, at(3));
+    expect({1, 0, 0}, 2.5F, 2, 3);
+    move(1, at(9));
+    expect({1, 0, 0}, 4.5F, 0, 1);
+}
+
 TEST_P(BackendContract, MeetsWhatMovesWhetherTheOthersAreLookedForOrNot) {
     load(scene()
              .add(Plane{{20, 20}}, wall_at(10))

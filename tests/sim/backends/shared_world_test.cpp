@@ -79,6 +79,39 @@ TEST(EmbreeOfOneScene, TakesTheMemoryOfWhatStandsStillOnce) {
     EXPECT_LT(with_two_mb - with_one_mb, 0.2 * (with_one_mb - before_mb));
 }
 
+/// Robots that all have this body. Without one, each has a box of its own height.
+SharedScene fleet(unsigned robots, const SharedMesh& body) {
+    SceneBuilder scene;
+    for (unsigned i = 0; i < robots; ++i) {
+        scene.movable({{2.0 * i, 0, 0}, {1, 0, 0, 0}});
+        if (body) {
+            scene.with(body, {});
+        } else {
+            scene.with(Box{{1.0, 1.0, 1.0 + 1e-4 * i}}, {});
+        }
+    }
+    return scene.build();
+}
+
+double backend_mb(const SharedScene& scene) {
+    const double before_mb = resident_mb();
+    const auto backend = make_embree_backend(scene);
+    return resident_mb() - before_mb;
+}
+
+TEST(EmbreeOfOneScene, TakesTheMemoryOfEqualBodiesOnce) {
+    if (tests::sanitized) GTEST_SKIP() << tests::sanitizers_want_memory;
+    const auto body = std::get<SharedMesh>(sea(200)->objects.front().shape);
+    const auto triangles_mb = 1e-6 * sizeof(glm::uvec3) * double(body->triangles.size());
+    constexpr unsigned robots = 100;
+    EXPECT_LT(backend_mb(fleet(robots, body)), 0.5 * robots * triangles_mb);
+}
+
+TEST(EmbreeOfOneScene, TakesNoMoreForABodyWhereThereAreMany) {
+    if (tests::sanitized) GTEST_SKIP() << tests::sanitizers_want_memory;
+    EXPECT_LT(backend_mb(fleet(5000, nullptr)), 0.03 * 5000);
+}
+
 TEST(EmbreeOfOneScene, HasWhatMovesForEachBackend) {
     const SharedScene scene = sea(20);
     auto first = make_embree_backend(scene);

@@ -311,6 +311,59 @@ TEST_P(Crowd, IsWhereItIsForEachBeamThatCouldMeetIt) {
     EXPECT_LT(parts.size(), 80U);
 }
 
+std::size_t beams_of(const std::vector<Passing>& passings) {
+    std::size_t beams = 0;
+    for (const Passing& one : passings)
+        beams += one.beams.count;
+    return beams;
+}
+
+// Walls stand around at ranges that differ from beam to beam; some beams meet none.
+TEST_P(Crowd, PassesEachBeamInFrontOfWhoseWallItCouldBe) {
+    Sweep sweep{fired, {}, {}};
+    const Pose start = anywhere();
+    const Velocity drive = any_velocity(2.0);
+    Scan scan;
+    for (std::size_t beam = 0; beam < 1081; ++beam) {
+        sweep.poses.push_back(moved(start, drive, seconds(fired(beam))));
+        const float wall_m = 3.0F + 2.5F * std::sin(0.02F * static_cast<float>(beam));
+        scan.hits.push_back(beam % 400 < 20 ? Hit{} : Hit{wall_m, 1.0F, 0, 0});
+    }
+    scan.world_from_sensor = sweep.poses;
+    std::vector<PoseTrack> tracks;
+    for (int i = 0; i < 100; ++i)
+        tracks.push_back(path(anywhere(), any_velocity(uniform(0, 3))));
+    for (const PoseTrack& track : tracks)
+        sweep.movers.push_back(
+            {static_cast<ModelId>(sweep.movers.size()), uniform(0.05, 1.0), &track});
+
+    const auto passings = passings_of_sweep(spec(), scan, fired, sweep.movers);
+    int met = 0;
+    for (std::size_t i = 0; i < sweep.movers.size(); ++i) {
+        const Mover& mover = sweep.movers[i];
+        for (std::size_t beam = 0; beam < 1081; ++beam) {
+            const Pose now = mover.path->at(fired(beam));
+            const double bearing_rad = spec().angle_rad(static_cast<int>(beam));
+            const double nearest_m =
+                glm::distance(now.translation_m, sweep.poses[beam].translation_m) - mover.radius_m;
+            if (nearest_m > scan.hits[beam].range_m ||
+                !meets(sweep.poses[beam], bearing_rad, now.translation_m, mover.radius_m))
+                continue;
+            ++met;
+            const auto passing = std::ranges::find_if(passings, [&](const Passing& one) {
+                return one.mover == i && one.beams.first <= beam &&
+                       beam < one.beams.first + one.beams.count;
+            });
+            ASSERT_NE(passing, passings.end()) << beam << " " << i;
+            EXPECT_LE(moved_m(mover.path->at(passing->time), now, mover.radius_m), 0.75e-3);
+        }
+    }
+    EXPECT_GT(met, 5);
+    scan.hits.assign(1081, Hit{});
+    EXPECT_LT(beams_of(passings), beams_of(passings_of_sweep(spec(), scan, fired, sweep.movers)))
+        << "walls hide nothing";
+}
+
 INSTANTIATE_TEST_SUITE_P(Many, Crowd, testing::Range(0U, 50U));
 
 }  // namespace

@@ -74,6 +74,19 @@ TEST(ScipbenchFleet, MeasuresSoManyScanners) {
                                    HasSubstr("of a bare timer beside")));
 }
 
+TEST(ScipbenchFleet, CountsNoModelThatMovesAmongItsScanners) {
+    const TempDir directory;
+    const auto csv = directory.path() / "fleet.csv";
+    const Outcome outcome =
+        fleet({"--scanners", "2", "--moving", "3", "--seconds", "1", "--csv", csv});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
+    EXPECT_THAT(outcome.out, HasSubstr("3 models move"));
+    const std::vector<Row> rows = rows_of(csv);
+    ASSERT_EQ(rows.size(), 1U);
+    EXPECT_EQ(rows.front().at("scanners"), 2);
+    EXPECT_GT(rows.front().at("scans"), 10);
+}
+
 TEST(ScipbenchFleet, SearchesUpToTheMostThatItMayTry) {
     const TempDir directory;
     const auto csv = directory.path() / "fleet.csv";

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/backends/embree_movables.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat4x3.hpp>
+
+#include "sim/backends/embree_still.h"
+
+namespace scipd::sim {
+
+EmbreeMovables::EmbreeMovables(const SharedScene& scene) : scene_(scene) {
+    const std::vector<Model>& models = scene->models;
+    if (std::ranges::none_of(models, &Model::movable)) return;
+    device_ = new_device();
+    moving_ = new_scene(device_.get());
+    bodies_ = EmbreeBodies{device_.get(), *scene};
+    movables_.resize(models.size());
+    for (ModelId id = 0; id < models.size(); ++id) {
+        if (bodies_.of(id) == nullptr) continue;
+        Movable& movable = movables_[id];
+        movable.instance.reset(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+        rtcSetGeometryInstancedScene(movable.instance.get(), bodies_.of(id));
+        rtcDisableGeometry(movable.instance.get());
+        rtcAttachGeometryByID(moving_.get(), movable.instance.get(), id);
+        instances_.push_back(id);
+        move(id, models[id].world_from_model);
+    }
+    require_built(device_.get(), *scene);
+}
+
+void EmbreeMovables::move(ModelId model, const Pose& world_from_model) {
+    Movable& movable = movables_[model];
+    movable.world_from_model = glm::mat3_cast(world_from_model.rotation);
+    movable.anchored_at_m = anchored(*scene_, world_from_model).translation_m;
+    movable.moved = true;
+}
+
+void EmbreeMovables::place(Movable& movable) {
+    const glm::mat3& turned = movable.world_from_model;
+    const glm::mat4x3 anchored_from_model{turned[0], turned[1], turned[2], movable.anchored_at_m};
+    rtcSetGeometryTransform(movable.instance.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                            glm::value_ptr(anchored_from_model));
+    rtcCommitGeometry(movable.instance.get());
+    movable.moved = false;
+}
+
+// A commit costs as much for each instance that is in the scene, moved or not, and so do rays.
+void EmbreeMovables::show(std::span<const ModelId> models) {
+    bool changed = false;
+    ++shows_;
+    for (const ModelId model : models) {
+        Movable& movable = movables_[model];
+        if (!movable.instance) continue;
+        movable.asked = shows_;
+        changed |= movable.moved || !movable.shown;
+        if (movable.moved) place(movable);
+        if (movable.shown) continue;
+        rtcEnableGeometry(movable.instance.get());
+        movable.shown = true;
+        shown_.push_back(model);
+    }
+    changed |= std::erase_if(shown_, [this](ModelId model) {
+                   Movable& movable = movables_[model];
+                   if (movable.asked == shows_) return false;
+                   rtcDisableGeometry(movable.instance.get());
+                   movable.shown = false;
+                   return true;
+               }) > 0;
+    if (changed) rtcCommitScene(moving_.get());
+}
+
+void EmbreeMovables::trace(CoherentTracer& tracer, const int* valid, RTCRayHit16& packet) const {
+    if (shown_.empty()) return;
+    tracer.trace(valid, moving_.get(), packet);
+    turn_normals(packet);
+}
+
+void EmbreeMovables::turn_normals(RTCRayHit16& packet) const {
+    RTCHit16& hit = packet.hit;
+    for (std::size_t k = 0; k < packet_size; ++k) {
+        if (hit.instID[0][k] == RTC_INVALID_GEOMETRY_ID) continue;
+        const glm::vec3 normal = movables_[hit.instID[0][k]].world_from_model *
+                                 glm::vec3{hit.Ng_x[k], hit.Ng_y[k], hit.Ng_z[k]};
+        hit.Ng_x[k] = normal.x;
+        hit.Ng_y[k] = normal.y;
+        hit.Ng_z[k] = normal.z;
+    }
+}
+
+void EmbreeMovables::trace_alone(ModelId model, CoherentTracer& tracer, const int* valid,
+                                 RTCRayHit16& packet) const {
+    const Movable& movable = movables_[model];
+    if (!movable.instance) return;
+    const glm::mat3 model_from_world = glm::transpose(movable.world_from_model);
+    RTCRayHit16 local = packet;
+    RTCRay16& ray = local.ray;
+    for (std::size_t k = 0; k < packet_size; ++k) {
+        const glm::vec3 origin_m{ray.org_x[k], ray.org_y[k], ray.org_z[k]};
+        const glm::vec3 from_m = model_from_world * (origin_m - movable.anchored_at_m);
+        const glm::vec3 direction =
+            apart_from_zero(model_from_world * glm::vec3{ray.dir_x[k], ray.dir_y[k], ray.dir_z[k]});
+        ray.org_x[k] = from_m.x;
+        ray.org_y[k] = from_m.y;
+        ray.org_z[k] = from_m.z;
+        ray.dir_x[k] = direction.x;
+        ray.dir_y[k] = direction.y;
+        ray.dir_z[k] = direction.z;
+    }
+    std::ranges::fill(local.hit.geomID, RTC_INVALID_GEOMETRY_ID);
+    tracer.trace(valid, bodies_.of(model), local);
+    for (std::size_t k = 0; k < packet_size; ++k) {
+        if (local.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID) continue;
+        const glm::vec3 normal = movable.world_from_model *
+                                 glm::vec3{local.hit.Ng_x[k], local.hit.Ng_y[k], local.hit.Ng_z[k]};
+        packet.ray.tfar[k] = ray.tfar[k];
+        packet.hit.Ng_x[k] = normal.x;
+        packet.hit.Ng_y[k] = normal.y;
+        packet.hit.Ng_z[k] = normal.z;
+        packet.hit.geomID[k] = local.hit.geomID[k];
+        packet.hit.instID[0][k] = model;
+    }
+}
+
+}  // namespace scipd::sim

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What can move in a scene, as Embree searches it: either all models that a fan can meet at once,
+// by a scene of their instances, or one after the other. Of one backend, and so of one thread.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "sim/backends/embree_api.h"
+#include "sim/backends/embree_bodies.h"
+#include "sim/world/pose.h"
+#include "sim/world/scene.h"
+
+namespace scipd::sim {
+
+class EmbreeMovables {
+  public:
+    explicit EmbreeMovables(const SharedScene& scene);
+
+    void move(ModelId model, const Pose& world_from_model);
+    /// All that can move and has geometry.
+    [[nodiscard]] std::span<const ModelId> all() const { return instances_; }
+
+    /// trace() meets these from now on, where they are now.
+    void show(std::span<const ModelId> models);
+    /// The hits of the packet so far have shortened its rays: only what stands before is met.
+    void trace(CoherentTracer& tracer, const int* valid, RTCRayHit16& packet) const;
+    /// The same with one model, which need not be shown.
+    void trace_alone(ModelId model, CoherentTracer& tracer, const int* valid,
+                     RTCRayHit16& packet) const;
+
+    /// That ray k has hit.
+    [[nodiscard]] ObjectId object(const RTCHit16& hit, std::size_t k) const {
+        return bodies_.object(hit.instID[0][k], hit.geomID[k]);
+    }
+
+  private:
+    struct Movable {
+        GeometryHandle instance;  ///< null: it stands still, or has no geometry
+        glm::mat3 world_from_model{1.0F};
+        glm::vec3 anchored_at_m{0.0F};
+        bool moved = false;       ///< its instance is where it was before
+        bool shown = false;       ///< its instance is in the scene
+        std::uint64_t asked = 0;  ///< the latest show() that named it
+    };
+
+    void place(Movable& movable);
+    void turn_normals(RTCRayHit16& packet) const;
+
+    SharedScene scene_;
+    DeviceHandle device_;  ///< null: nothing can move
+    EmbreeBodies bodies_;
+    SceneHandle moving_;             ///< instances, under their models' ids
+    std::vector<Movable> movables_;  ///< by ModelId; empty where nothing can move
+    std::vector<ModelId> instances_;
+    std::vector<ModelId> shown_;
+    std::uint64_t shows_ = 0;
+};
+
+}  // namespace scipd::sim
