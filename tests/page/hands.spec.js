@@ -101,8 +101,12 @@ test('a mesh file that is added is seen by the scanner, and so is its material',
     [[0, -500, 0], [0, 500, 800], [0, -500, 800]]].map((corners) =>
     `facet normal -1 0 0\nouter loop\n${corners.map((each) => `vertex ${each.join(' ')}\n`).join('')}` +
     'endloop\nendfacet\n').join('') + 'endsolid plate\n';
-  await page.getByRole('tab', {name: 'World'}).click();
-  await page.locator('#mesh-file').setInputFiles({name: 'plate.stl', mimeType: 'model/stl', buffer: Buffer.from(stl)});
+  const dropped = await page.evaluateHandle((text) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([text], 'plate.stl'));
+    return transfer;
+  }, stl);
+  await page.dispatchEvent('#view', 'drop', {dataTransfer: dropped});
   await page.locator('#add-unit').selectOption('0.001');
   await page.locator('#add-material').selectOption('wood');
   await page.getByRole('button', {name: 'Add it'}).click();
@@ -140,4 +144,37 @@ test('a model of the world that was deleted comes back as it was', async ({page,
   expect(again.filter((mm, i) => Math.abs(mm - before[i]) > 5).length).toBe(0);
   const back = (await objects()).find(({model}) => model === movable.model);
   expect(back.material).toBe(movable.material);
+});
+
+test('a gamepad drives the robot', async ({page, start}) => {
+  const daemon = await start(room());
+  await page.addInitScript(() => {
+    window.pad = {connected: true, axes: [0, 0, 0, 0], buttons: [{pressed: false}]};
+    navigator.getGamepads = () => [window.pad];
+  });
+  await open(page, daemon, hash(EYE, AT));
+  await withScan(page);
+  await page.evaluate(() => {
+    window.pad.axes[1] = -1;
+    window.dispatchEvent(new Event('gamepadconnected'));
+  });
+  await near(async () => Math.min((await poseOf(daemon)).xyz[0], -0.7), -0.7, 0.001);
+  await page.evaluate(() => { window.pad.axes = [-1, 0, 0, 0]; });
+  await near(async () => Math.min((await poseOf(daemon)).q[2], 0.2), 0.2, 0.001);
+  await page.evaluate(() => { window.pad.axes = [0, 0, 0, 0]; });
+});
+
+test('the view follows a robot', async ({page, start}) => {
+  const daemon = await start(room());
+  await open(page, daemon, hash(EYE, AT));
+  await withScan(page);
+  await page.keyboard.press('l');
+  const looksAt = () => page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get('at'));
+  await expect.poll(looksAt).toBe('-1,0,0');
+  await daemon.put('/robots/robot/pose', {xyz: [0.5, 1, 0], rpy: [0, 0, 1]});
+  await expect.poll(looksAt).toBe('0.5,1,0');
+  await page.keyboard.press('l');
+  await daemon.put('/robots/robot/pose', {xyz: [0, 0, 0]});
+  await page.waitForTimeout(1000);
+  expect(await looksAt()).toBe('0.5,1,0');
 });

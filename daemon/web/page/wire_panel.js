@@ -102,8 +102,8 @@ export class WirePanel {
         statusChip(message),
         counter),
       make('div', {class: 'means'}, message.means || ''),
-      message.explains
-        ? make('div', {class: isGood(message.status) ? 'dim' : 'explains'}, message.explains) : null,
+      message.explains && !isGood(message.status)
+        ? make('div', {class: 'explains'}, message.explains) : null,
       make('div', {class: 'dim small'},
         `${message.time_s.toFixed(3)} s, ${message.bytes} bytes, ${message.client}`));
     entry.dataset.text = `${message.line} ${message.means} ${message.explains || ''}`.toLowerCase();
