@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 //
 // What one does to the world by hand, and what a driver of the scanner sees of it.
+import {readFileSync} from 'node:fs';
 import {expect, near, open, test, withScan} from './page.js';
 import {hash, lookFrom} from './eye.js';
 import {Scip} from './scip.js';
@@ -119,6 +120,15 @@ test('a mesh file that is added is seen by the scanner, and so is its material',
   await page.keyboard.press('Escape');
   await page.locator('#canvas').press('Control+z');
   await expect.poll(async () => { await ahead(daemon); return material(); }).toBe('wood');
+});
+
+test('the page knows the materials that scipd knows', async ({page, start}) => {
+  const known = readFileSync(scene('materials.yaml'), 'utf8').match(/^ {2}\w+:$/gm).map((line) => line.slice(2, -1));
+  const daemon = await start(room());
+  await open(page, daemon, hash(EYE, AT, {select: 'models:box'}));
+  await expect(page.locator('#selected-name')).toHaveText('box');
+  const offered = await page.locator('#selected-material option').allTextContents();
+  expect(offered).toEqual(expect.arrayContaining(known));
 });
 
 test('a model of the world that was deleted comes back as it was', async ({page, start}) => {

@@ -42,7 +42,7 @@ export class AddDialog {
     byId('add-name').textContent = file.name;
     byId('add-material').replaceChildren(
       make('option', {value: ''}, 'as the file says'),
-      ...this.world.materials.map(({name}) => make('option', {value: name}, name)));
+      ...this.world.materialNames().map((name) => make('option', {value: name}, name)));
     this.dialog.showModal();
   }
 

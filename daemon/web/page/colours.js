@@ -12,10 +12,9 @@ const VIRIDIS = [
 const ERRORS = [[0.10, 0.35, 0.85], [0.55, 0.72, 0.95], [0.90, 0.90, 0.90], [0.97, 0.65, 0.50],
   [0.84, 0.12, 0.12]];
 
-// What people know the look of; all others get a hue by their name.
-const MATERIALS = {
-  default: [0.80, 0.80, 0.78], wall: [0.80, 0.80, 0.78], unknown: [0.80, 0.80, 0.78],
-  paint: [0.72, 0.76, 0.80], white_paper: [0.93, 0.93, 0.90],
+// The materials that scipd knows (scenes/materials.yaml), as people know their look.
+const LIBRARY = {
+  default: [0.80, 0.80, 0.78], paint: [0.72, 0.76, 0.80], white_paper: [0.93, 0.93, 0.90],
   matt_black: [0.25, 0.25, 0.27], black_foam: [0.18, 0.18, 0.20], cardboard: [0.60, 0.45, 0.32],
   wood: [0.80, 0.60, 0.36], pvc: [0.66, 0.70, 0.74], plaster: [0.88, 0.86, 0.82],
   carpet: [0.52, 0.42, 0.48], concrete: [0.64, 0.64, 0.62], brick: [0.70, 0.36, 0.27],
@@ -27,10 +26,16 @@ const MATERIALS = {
   brushed_metal: [0.62, 0.66, 0.70], polished_metal: [0.74, 0.78, 0.84],
   glass: [0.55, 0.80, 0.90], tinted_glass: [0.35, 0.55, 0.62], acrylic: [0.62, 0.86, 0.94],
   smoke: [0.55, 0.55, 0.58], mirror: [0.70, 0.86, 0.98], reflective_tape: [0.98, 0.80, 0.20],
-  traffic_sign: [0.90, 0.30, 0.22], metal: [0.60, 0.66, 0.72], plastic: [0.36, 0.56, 0.78],
-  cloth: [0.42, 0.48, 0.66], painted_steel: [0.86, 0.72, 0.30], cast_iron: [0.40, 0.42, 0.45],
-  steel: [0.62, 0.66, 0.70], aluminium: [0.72, 0.75, 0.78], plywood: [0.82, 0.66, 0.44],
+  traffic_sign: [0.90, 0.30, 0.22],
 };
+// Other names of some of them; all that is not here gets a hue by its name.
+const MATERIALS = {
+  ...LIBRARY,
+  wall: LIBRARY.default, unknown: LIBRARY.default, metal: [0.60, 0.66, 0.72], plastic: [0.36, 0.56, 0.78],
+  cloth: [0.42, 0.48, 0.66], painted_steel: [0.86, 0.72, 0.30], cast_iron: [0.40, 0.42, 0.45],
+  steel: LIBRARY.brushed_metal, aluminium: LIBRARY.polished_metal, plywood: LIBRARY.wood,
+};
+export const LIBRARY_NAMES = Object.keys(LIBRARY);
 const GREY = [0.7, 0.7, 0.7];
 const CLEAR = {glass: 0.35, tinted_glass: 0.5, acrylic: 0.35, smoke: 0.3, water: 0.7};
 

@@ -54,11 +54,9 @@ export class SelectionCard {
 
   updateMaterial(name) {
     const now = this.edits.materialsOf(name);
-    const known = this.world.materials.map((material) => material.name);
-    const names = [...new Set([...known, ...now])].sort();
     this.material.replaceChildren(
       ...(now.length === 1 ? [] : [make('option', {value: '', disabled: true}, 'several')]),
-      ...names.map((each) => make('option', {value: each}, each)));
+      ...this.world.materialNames().map((each) => make('option', {value: each}, each)));
     this.material.value = now.length === 1 ? now[0] : '';
   }
 

@@ -167,6 +167,12 @@ export class World extends EventTarget {
     return this.objects.find(({object}) => object.id === id)?.object.name || `object ${id}`;
   }
 
+  /** Those that the world has, and those that scipd knows. */
+  materialNames() {
+    const own = this.materials.map(({name}) => name);
+    return [...new Set([...own, ...colours.LIBRARY_NAMES])].sort();
+  }
+
   setEdgeColour(colour) {
     this.edgeLines.color.set(colour);
   }
