@@ -11,18 +11,19 @@ const REDRAWN_BY = ['paint', 'rays', 'points', 'echoes', 'truth', 'through', 'tr
 
 /** Tells scan (detail: the scan) and shown. */
 export class Scans extends EventTarget {
-  constructor({stage, connection, settings, world}) {
+  constructor({stage, connection, settings, world, status}) {
     super();
     this.stage = stage;
     this.connection = connection;
     this.settings = settings;
     this.world = world;
+    this.status = status;
     this.layers = new Map();
     this.latest = new Map();
     this.unacknowledged = [];
     this.counts = new Map();
     connection.addEventListener('open', () => this.subscribe());
-    connection.addEventListener('binary', (event) => this.take(readScan(event.detail)));
+    connection.addEventListener('binary', (event) => this.take(this.known(readScan(event.detail))));
     stage.beforeEach(() => this.draw());
     stage.afterEach(() => this.acknowledge());
     for (const name of REDRAWN_BY) settings.watch(name, () => this.redraw());
@@ -64,6 +65,11 @@ export class Scans extends EventTarget {
     const scans = {};
     for (const sensor of this.layers.keys()) scans[sensor] = {true: true};
     this.connection.send({scans});
+  }
+
+  /** With what never changes of its scanner. */
+  known(scan) {
+    return {...this.status.sensor(scan.sensor)?.identity, ...scan};
   }
 
   take(scan) {
