@@ -6,6 +6,7 @@
 import {movedTo, turned} from './pose.js';
 
 const SLACK_PX = 4;
+const MOST_TO_HOVER = 200_000;
 
 export class Hands {
   constructor({stage, viewpoint, selection, robots, mover, undo, ring}) {
@@ -88,9 +89,10 @@ export class Hands {
     }
   }
 
-  /** The cursor tells what can be taken. Looking through a large mesh takes long, so a picture is looked at once. */
+  /** The cursor tells what can be taken, once a picture, and not in worlds through which it takes long to look. */
   hover(event) {
     if (event.pointerType !== 'mouse' || event.buttons) return;
+    if (this.selection.world.triangles > MOST_TO_HOVER) return;
     const first = !this.hovered;
     this.hovered = event;
     if (first) requestAnimationFrame(() => this.tellCursor());

@@ -91,7 +91,7 @@ export function asUbh(recorded) {
   const withIntensity = scan.arrays.intensity.length > 0;
   const mode = (several ? 'N' : 'M') + (withIntensity ? 'E' : 'D');
   const head = {
-    appName: 'scipd', appVersion: '1', model: scan.model, serialNumber: scan.serial,
+    appName: 'scipd', appVersion: 'live page', model: scan.model, serialNumber: scan.serial,
     firmwareVersion: scan.firmware, captureMode: `${mode}_Capture_mode`,
     startStep: scan.first_step, endStep: scan.first_step + scan.beams - 1, grouping: 1,
     frontStep: scan.front_step, totalSteps: scan.steps_per_turn, minDistance: scan.dmin_mm,

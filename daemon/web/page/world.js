@@ -41,10 +41,17 @@ export class World extends EventTarget {
     return this.loading;
   }
 
-  async loadNow() {
+  async loadNow(tries = 3) {
     const list = await this.server.get('/scene/objects');
     if (list.version === this.version) return;
-    await this.bringMeshes(list.objects);
+    try {
+      await this.bringMeshes(list.objects);
+    } catch (error) {
+      // Another scene may be there since the list was made, without some of its meshes.
+      if (error.status !== 404 || tries === 0) throw error;
+      await this.loadNow(tries - 1);
+      return;
+    }
     this.version = list.version;
     this.materials = list.materials || [];
     this.replace(list);
