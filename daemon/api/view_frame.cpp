@@ -166,6 +166,17 @@ std::uint16_t narrow(std::uint32_t intensity) {
     return static_cast<std::uint16_t>(std::min<std::uint32_t>(intensity, 0xFFFF));
 }
 
+void add_identity(Json& header, const ScannerIdentity& scanner) {
+    constexpr double mm_per_m = 1000.0;
+    header["model"] = scanner.model;
+    header["serial"] = scanner.serial;
+    header["firmware"] = scanner.firmware;
+    header["dmin_mm"] = scanner.nearest_mm;
+    header["dmax_mm"] = scanner.farthest_mm;
+    header["max_range_m"] = scanner.farthest_mm / mm_per_m;
+    header["rpm"] = scanner.rpm;
+}
+
 /// All echoes of a scanner that tells several: where those of each beam end, and the echoes.
 void add_echoes(Frame& frame, const std::vector<protocol::StepEchoes>& steps) {
     std::vector<std::uint32_t> ends;
@@ -186,13 +197,18 @@ void add_echoes(Frame& frame, const std::vector<protocol::StepEchoes>& steps) {
 
 }  // namespace
 
-std::string view_frame(const std::string& sensor, const ScanRecord& record, ViewDepth depth) {
+std::string view_frame(const std::string& sensor, const ScanRecord& record,
+                       const ScannerIdentity& scanner, ViewDepth depth) {
     const sim::Scan& scan = *record.cast;
     Frame frame = frame_of(sensor, record, "scan");
     const double step_rad = 2.0 * std::numbers::pi / record.steps_per_turn;
     frame.header()["stamp_ms"] = record.stamp_ms;
     frame.header()["first_angle_rad"] = (record.sent.first_step - record.front_step) * step_rad;
     frame.header()["step_rad"] = step_rad;
+    frame.header()["first_step"] = record.sent.first_step;
+    frame.header()["front_step"] = record.front_step;
+    frame.header()["steps_per_turn"] = record.steps_per_turn;
+    add_identity(frame.header(), scanner);
     frame.add("sent_mm", record.sent.distance);
     frame.add<std::uint16_t>("intensity", record.sent.intensity.size(),
                              [&](std::size_t beam) { return narrow(record.sent.intensity[beam]); });
@@ -209,6 +225,7 @@ std::string view_frame(const std::string& sensor, const ScanRecord& record, View
 std::string view_frame(const std::string& sensor, const StaringRecord& record, ViewDepth depth) {
     const auto* const grid = std::get_if<sim::PinholeGrid>(&record.spec.optics);
     Frame frame = frame_of(sensor, record, grid != nullptr ? "picture" : "cone");
+    frame.header()["max_range_m"] = record.spec.max_range_m;
     if (grid != nullptr) {
         frame.header()["columns"] = grid->columns;
         frame.header()["rows"] = grid->rows;

@@ -20,8 +20,19 @@ enum class ViewDepth : std::uint8_t {
     truth,  ///< and what its beams met
 };
 
+/// What a scanner says of itself; files of its scans need it.
+struct ScannerIdentity {
+    std::string model;
+    std::string serial;
+    std::string firmware;
+    int nearest_mm = 0;   ///< what is less is a code
+    int farthest_mm = 0;  ///< and what is more
+    int rpm = 0;
+};
+
 /// Frames have the number 0 until somebody gives them another.
-std::string view_frame(const std::string& sensor, const ScanRecord& record, ViewDepth depth);
+std::string view_frame(const std::string& sensor, const ScanRecord& record,
+                       const ScannerIdentity& scanner, ViewDepth depth);
 std::string view_frame(const std::string& sensor, const StaringRecord& record, ViewDepth depth);
 
 void set_frame_number(std::string& frame, std::uint32_t number);

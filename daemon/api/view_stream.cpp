@@ -24,6 +24,23 @@ using namespace std::chrono_literals;
 constexpr auto least_between_frames = 16ms;
 constexpr sim::Time between_looks = 33ms;
 
+std::string frame_of(const std::string& name, const ScanRecord& record, const Device& device,
+                     ViewDepth depth) {
+    const auto& profile = device.profile();
+    const ScannerIdentity identity{.model = profile.model,
+                                   .serial = profile.serial,
+                                   .firmware = profile.firmware,
+                                   .nearest_mm = profile.nearest_mm,
+                                   .farthest_mm = profile.dmax_mm,
+                                   .rpm = profile.scan_rpm};
+    return view_frame(name, record, identity, depth);
+}
+
+std::string frame_of(const std::string& name, const StaringRecord& record, const StaringSensor&,
+                     ViewDepth depth) {
+    return view_frame(name, record, depth);
+}
+
 }  // namespace
 
 /// Whether enough time has passed since it last said so.
@@ -121,12 +138,12 @@ template <class Record, class Sensor>
 void ViewStream::Tap::watch_with(Sensor& sensor) {
     watch_ = [this, &sensor](bool wanted) {
         if (!wanted) return sensor.watch(nullptr, WatchedBy::view);
-        const auto make = [&stream = stream_, name = name_, order = order_,
+        const auto make = [&stream = stream_, &sensor, name = name_, order = order_,
                            pacer = Pacer()](const Record& record) mutable {
             if (*order == ViewDepth::none || !pacer.is_due()) return;
             const ViewDepth depth = order->exchange(ViewDepth::none);
             stream.ways_.to_stream(
-                [&stream, name, frame = view_frame(name, record, depth)]() mutable {
+                [&stream, name, frame = frame_of(name, record, sensor, depth)]() mutable {
                     stream.send(name, std::move(frame));
                 });
         };

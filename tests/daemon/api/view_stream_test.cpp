@@ -153,6 +153,12 @@ TEST_F(ViewStreamTest, ShowsWhatTheScannerSaysAndWhatIsTrue) {
     EXPECT_EQ(frame.header["poses_n"], 1);
     EXPECT_NEAR(frame.header["first_angle_rad"], -2.356, 1e-3);
     EXPECT_NEAR(frame.header["step_rad"], 0.25 * M_PI / 180.0, 1e-9);
+    EXPECT_EQ(frame.header["first_step"], 0);
+    EXPECT_EQ(frame.header["front_step"], 540);
+    EXPECT_EQ(frame.header["steps_per_turn"], 1440);
+    EXPECT_EQ(frame.header["model"], "UST-10LX");
+    EXPECT_EQ(frame.header["serial"], scanner.sensor.profile().serial);
+    EXPECT_EQ(frame.header["rpm"], 2400);
     EXPECT_EQ(frame.array<std::uint32_t>("sent_mm").size(), 1081U);
     EXPECT_EQ(frame.array<std::uint32_t>("sent_mm"), record.sent.distance);
     const auto true_m = frame.array<float>("true_m");
@@ -303,7 +309,7 @@ TEST(ViewFrame, KeepsUpWithARobotThatMoves) {
     record.cast = std::make_shared<const sim::Scan>(std::move(scan));
     record.scene = std::make_shared<const sim::Scene>();
     record.steps_per_turn = 1440;
-    const SeenFrame frame(view_frame("r/s", record, ViewDepth::sent));
+    const SeenFrame frame(view_frame("r/s", record, {}, ViewDepth::sent));
     const auto poses = frame.array<float>("origin_pose");
     const std::size_t count = frame.header["poses_n"];
     ASSERT_EQ(poses.size(), 7 * count);
