@@ -21,7 +21,7 @@ Simulation::Simulation(const boost::asio::any_io_executor& executor, ClockKind k
       view(ways(), wall_clock),
       wire(ways()),
       worker(executor),
-      drawer(executor) {
+      drawer(executor, false) {
     stream.on_fault([this](const std::string& sensor, const FaultLogEntry& entry) {
         view.tell_fault(sensor, entry);
     });

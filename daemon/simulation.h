@@ -71,7 +71,9 @@ struct Simulation {
     std::map<std::string, SensorCounts> counted_before;  ///< by sensors that are gone, by name
     ScenarioRun scenario;
     Worker worker;  ///< loads worlds and measures backends, one after the other
-    Worker drawer;  ///< makes what pages draw, which does not wait for that
+    /// Makes what pages draw, which does not wait for that. It works often and little: whoever
+    /// gives memory back has others wait who take some.
+    Worker drawer;
 
   private:
     void tell_of_late(std::size_t shard) const;

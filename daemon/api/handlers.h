@@ -47,6 +47,7 @@ void get_scene(Call&& call);
 void put_scene(Call&& call);
 void post_model(Call&& call);
 void delete_model(Call&& call);
+void put_material(Call&& call);
 void get_model_pose(Call&& call);
 void put_model_pose(Call&& call);
 

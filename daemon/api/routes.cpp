@@ -21,7 +21,7 @@ void ask_for_upgrade(Call&& call) {
     call.respond(problem(426, call.request.path + " is a WebSocket: ask with Upgrade: websocket"));
 }
 
-constexpr std::array<Route, 37> table{{
+constexpr std::array<Route, 38> table{{
     {"GET", "/", get_page},
     {"GET", "/favicon.ico", get_icon},
     {"GET", "/page/{file}", get_page_file},
@@ -53,6 +53,7 @@ constexpr std::array<Route, 37> table{{
     {"DELETE", "/scene/media", delete_media},
     {"POST", "/scene/models", post_model},
     {"DELETE", "/scene/models/{model}", delete_model},
+    {"PUT", "/scene/models/{model}/material", put_material},
     {"GET", "/scene/models/{model}/pose", get_model_pose},
     {"PUT", "/scene/models/{model}/pose", put_model_pose},
     {"GET", "/poses", ask_for_upgrade},

@@ -41,6 +41,7 @@ robots:
 TRUTH = "/sensors/{robot}/{sensor}/truth"
 READING = "/sensors/{robot}/{sensor}/reading"
 POSE = "/scene/models/{model}/pose"
+MATERIAL = "/scene/models/{model}/material"
 MEDIA = "/scene/media"
 FAULTS = "/sensors/{robot}/{sensor}/faults"
 FAULT = FAULTS + "/{fault}"
@@ -127,6 +128,9 @@ EXCHANGES = [
     ("PUT", POSE, "/scene/models/m/pose", {"xyz": [2, 0, 0], "t": 7}, 409),
     ("PUT", POSE, "/scene/models/m/pose", {"xyz": [2]}, 400),
     ("PUT", POSE, "/scene/models/n/pose", {"xyz": [2, 0, 0]}, 404),
+    ("PUT", MATERIAL, "/scene/models/m/material", {"material": "concrete"}, 200),
+    ("PUT", MATERIAL, "/scene/models/m/material", {}, 400),
+    ("PUT", MATERIAL, "/scene/models/n/material", {"material": "concrete"}, 404),
     ("DELETE", "/scene/models/{model}", "/scene/models/m", None, 204),
     ("DELETE", "/scene/models/{model}", "/scene/models/m", None, 404),
     ("GET", MEDIA, MEDIA, None, 200),

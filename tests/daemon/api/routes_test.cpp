@@ -368,6 +368,16 @@ TEST_F(RoutesTest, AModelIsAskedFor) {
     EXPECT_EQ(folder.placement.movable, false);
 }
 
+TEST_F(RoutesTest, AModelGetsAnotherMaterial) {
+    EXPECT_EQ(put("/scene/models/a%3A%3Ab/material", R"({"material":"wood"})").status, 200);
+    ASSERT_EQ(api_.edits_.size(), 1U);
+    const auto& edit = std::get<SetMaterial>(api_.edits_[0]);
+    EXPECT_EQ(edit.model, "a::b");
+    EXPECT_EQ(edit.material, "wood");
+    for (const char* body : {"{}", R"({"material":""})", R"({"material":1})", R"({"colour":"x"})"})
+        EXPECT_EQ(problem_status(put("/scene/models/a/material", body)), 400) << body;
+}
+
 TEST_F(RoutesTest, AWrongModelNamesItsField) {
     const std::pair<std::string, const char*> table[] = {
         {R"({})", "name"},
@@ -389,6 +399,14 @@ TEST_F(RoutesTest, AWrongModelNamesItsField) {
         {R"({"name":"a","sdf":"x","pose":{"xyz":[1,2,3],"v":[1,0,0]}})", "pose"},
         {R"({"name":"a","sdf":"x","pose":{"xyz":[[1],2,3]}})", "pose"},
         {R"({"name":"a","sdf":"x","colour":"red"})", "colour"},
+        {R"({"name":"a","mesh":"x","mesh_data":"AAAA","mesh_format":"stl"})", "sdf"},
+        {R"({"name":"a","mesh_data":"AAAA"})", "mesh_format"},
+        {R"({"name":"a","mesh":"x","mesh_format":"stl"})", "mesh_format"},
+        {R"({"name":"a","mesh_data":"AAA","mesh_format":"stl"})", "mesh_data"},
+        {R"({"name":"a","mesh_data":"A=AA","mesh_format":"stl"})", "mesh_data"},
+        {R"({"name":"a","mesh_data":"AA\nA","mesh_format":"stl"})", "mesh_data"},
+        {R"({"name":"a","mesh_data":"AAAA","mesh_format":"../stl"})", "mesh_format"},
+        {R"({"name":"a","mesh_data":"AAAA","mesh_format":"sdf"})", "mesh_format"},
     };
     for (const auto& [body, field] : table) {
         const auto response = ask({"POST", "/scene/models", "", body});
