@@ -25,7 +25,7 @@ const FRAGMENT = `
     if (dot(normal, cameraPosition - place) < 0.0) normal = -normal;
     float sun = max(dot(normal, normalize(vec3(-0.45, -0.6, 0.9))), 0.0);
     float light = 0.55 + 0.18 * normal.z + 0.32 * sun;
-    gl_FragColor = vec4(mix(colour * light, vec3(1.0, 0.62, 0.1), glow), opacity);
+    gl_FragColor = vec4(colour * light + glow * vec3(0.7, 0.4, 0.05), opacity);
   }`;
 
 // Shared, since a slider moves it for all faces at once.
