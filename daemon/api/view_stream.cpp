@@ -118,7 +118,8 @@ class ViewStream::Page : public Conversation {
     void want(const ViewRequest::Scans& scans) {
         wanted_ = scans;
         stream_.follow_all();
-        for (const auto& [sensor, depth] : wanted_) {
+        for (const auto& wanted : wanted_) {
+            const std::string& sensor = wanted.first;
             const bool is_there = std::ranges::any_of(
                 stream_.taps_, [&](const Tap* tap) { return tap->name_ == sensor; });
             if (!is_there) say(problem(404, "there is no sensor \"" + sensor + "\"", "scans").body);
