@@ -103,6 +103,7 @@ void Fleet::take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept {
     simulation.limits->set(config.client_limits);
     simulation.editor.set_file(config.scene, scene_options(config, plan.materials), config.allow,
                                std::move(plan.added));
+    simulation.editor.set_warnings(std::move(plan.loaded.warnings));
     simulation.world.set_materials(plan.materials);
     simulation.world.configure_media(config.media);
     simulation.worker.discard(std::make_shared<SensorBackends>(
@@ -122,6 +123,7 @@ void Fleet::take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept {
 
 void Fleet::stop() {
     simulation_->worker.stop();
+    simulation_->drawer.stop();
     simulation_->shards.still([&] {
         replace_feeds({});
         (void)replace_stations({}, {});
@@ -182,6 +184,8 @@ std::vector<Station*> Fleet::replace_stations(const Config& config, const Ports&
                 const std::size_t home = homes_.sensors.at(sensor_name(robot.name, sensor.name));
                 const StationContext context{.shard = simulation_->shards.at(home),
                                              .stream = simulation_->stream,
+                                             .view = simulation_->view,
+                                             .wire = simulation_->wire,
                                              .lockstep = simulation_->lockstep != nullptr};
                 *station = make_station(context, robot.name, sensor, config.seed,
                                         ports_of(ports, robot.name, sensor));

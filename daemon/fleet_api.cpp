@@ -3,6 +3,7 @@
 #include "daemon/fleet_api.h"
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 #include <utility>
 #include <variant>
@@ -27,6 +28,12 @@ SharedStaringRecord latest_of(StaringSensor& sensor) {
 }
 
 }  // namespace
+
+FleetApi::FleetApi(Simulation& simulation)
+    : simulation_(simulation),
+      faults_(simulation),
+      gallery_([&simulation](Worker::Begin begin) { simulation.drawer.add(std::move(begin)); }),
+      run_(std::to_string(std::chrono::system_clock::now().time_since_epoch().count())) {}
 
 FleetStatus FleetApi::status() const {
     FleetStatus status = simulation_.shards.still([&] { return status_of(simulation_); });
@@ -69,6 +76,14 @@ std::unique_ptr<Conversation> FleetApi::subscribe(const std::string& sensor, Web
     return simulation_.stream.subscribe(sensor, socket);
 }
 
+std::unique_ptr<Conversation> FleetApi::open_view(WebSocket& page) {
+    return simulation_.view.open(page, [this] { return world(); });
+}
+
+std::unique_ptr<Conversation> FleetApi::open_wire(const std::string& sensor, WebSocket& socket) {
+    return simulation_.wire.open(sensor, socket);
+}
+
 sim::Expected<> FleetApi::admit_pose(Rate& sender) {
     return simulation_.intake.admit(sender);
 }
@@ -79,6 +94,19 @@ sim::Expected<> FleetApi::take_pose_line(std::string_view line, SenderClock& sen
 
 SceneView FleetApi::scene() const {
     return {simulation_.editor.file(), simulation_.world.scene()};
+}
+
+WorldView FleetApi::world() const {
+    const World& world = simulation_.world;
+    const sim::Time now = simulation_.clock.now();
+    WorldView view{.version = run_ + '-' + std::to_string(world.edition()),
+                   .scene = world.scene(),
+                   .materials = world.light().materials(),
+                   .time = simulation_.clock.origin() + now,
+                   .models = world.poses_at(now)};
+    for (const auto& [name, robot] : world.robots())
+        view.robots.push_back({name, robot.track.at(now), world.body_of(name)});
+    return view;
 }
 
 // The others are told of an edit that is made, so none is withdrawn.

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "daemon/api/api.h"
+#include "daemon/api/scene_gallery.h"
 #include "daemon/fleet_faults.h"
 #include "daemon/poses/pose_intake.h"
 
@@ -25,7 +26,7 @@ struct Simulation;
 class FleetApi : public Api {
   public:
     /// `simulation` must outlive it.
-    explicit FleetApi(Simulation& simulation) : simulation_(simulation), faults_(simulation) {}
+    explicit FleetApi(Simulation& simulation);
 
     /// From now on changes of the world are those of others, too; null: of this daemon alone.
     void share(SharedWorld* shared) { shared_ = shared; }
@@ -38,11 +39,15 @@ class FleetApi : public Api {
     [[nodiscard]] std::optional<SensorLog> log(const std::string& sensor) const override;
     void ask_log(const std::string& sensor) override;
     std::unique_ptr<Conversation> subscribe(const std::string& sensor, WebSocket& socket) override;
+    std::unique_ptr<Conversation> open_view(WebSocket& page) override;
+    std::unique_ptr<Conversation> open_wire(const std::string& sensor, WebSocket&) override;
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string& robot) const override;
     sim::Expected<> set_robot_pose(const std::string& robot, const sim::PoseLine& said) override;
     sim::Expected<> admit_pose(Rate& sender) override;
     sim::Expected<> take_pose_line(std::string_view line, SenderClock& sender) override;
     [[nodiscard]] SceneView scene() const override;
+    [[nodiscard]] WorldView world() const override;
+    [[nodiscard]] SceneGallery& gallery() override { return gallery_; }
     void edit_scene(SceneEdit edit, EditDone done, std::stop_token withdrawn) override;
     [[nodiscard]] std::vector<sim::Medium> media() const override;
     [[nodiscard]] std::vector<std::string> set_media(std::vector<sim::Medium> media) override;
@@ -54,6 +59,8 @@ class FleetApi : public Api {
     Simulation& simulation_;
     SharedWorld* shared_ = nullptr;
     FleetFaults faults_;
+    SceneGallery gallery_;
+    const std::string run_;  ///< of this daemon, which another one has not
     std::map<std::string, SenderClock> robot_senders_;  ///< of robots that the API moves
     std::map<std::string, SenderClock> model_senders_;
 };

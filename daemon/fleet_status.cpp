@@ -2,7 +2,10 @@
 // Copyright The scipd authors
 #include "daemon/fleet_status.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "daemon/device/device.h"
@@ -25,7 +28,14 @@ std::string state_of(const Device& device) {
 
 std::optional<LatenessStatus> summary_of(const Lateness& lateness) {
     if (!lateness.max()) return std::nullopt;
-    return LatenessStatus{*lateness.quantile(0.5), *lateness.quantile(0.99), *lateness.max()};
+    LatenessStatus status{*lateness.quantile(0.5), *lateness.quantile(0.99), *lateness.max()};
+    std::uint64_t before = 0;
+    for (std::size_t i = 0; i < lateness_octaves.size(); ++i) {
+        const std::uint64_t below = lateness.below(lateness_octaves[i]);
+        status.counts[i] = below - std::exchange(before, below);
+    }
+    status.counts.back() = lateness.count() - before;
+    return status;
 }
 
 std::map<std::string, std::uint64_t> casts_of(const SensorCounts& counts) {
@@ -78,7 +88,8 @@ FleetStatus status_of(const Simulation& simulation) {
     FleetStatus status{.uptime = simulation.wall_clock.now(),
                        .clock = simulation.lockstep ? "poses" : "wall",
                        .time = simulation.clock.origin() + simulation.clock.now(),
-                       .scene = simulation.editor.file()};
+                       .scene = simulation.editor.file(),
+                       .warnings = simulation.editor.warnings()};
     const PoseIntake& intake = simulation.intake;
     status.poses = {intake.accepted(), intake.refused(), intake.last_refusal()};
     for (const auto& station : simulation.stations)

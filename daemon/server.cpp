@@ -17,6 +17,8 @@
 #include "daemon/config/run_directory.h"
 #include "daemon/service_notify.h"
 #include "daemon/simulation.h"
+#include "daemon/web/page.h"
+#include "daemon/web/page_files.h"
 
 namespace scipd::daemon {
 
@@ -106,7 +108,9 @@ void Server::hold_control() {
 }
 
 void Server::listen_for_http(const Address& address) {
-    http_ = text_of(control_.listen(address, options_.config.http_token, handed_.at(address)));
+    const Gate gate(options_.config.http_token, is_of_page);
+    http_ = text_of(control_.listen(address, gate, handed_.at(address)));
+    if (!page_files().empty()) spdlog::info("the page is at http://{}/", *http_);
     if (!is_loopback(address)) {
         spdlog::warn("the control API listens on {}: other machines can use it with the token",
                      *http_);

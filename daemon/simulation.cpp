@@ -17,9 +17,14 @@ Simulation::Simulation(const boost::asio::any_io_executor& executor, ClockKind k
       editor(
           world, worker, clock, [this] { return requested_backends(); }, limits),
       chooser(world, worker, [this] { return requested_backends(); }),
-      stream(limits, {.to_sensors = [this](const auto& call) { shards.still(call); },
-                      .to_stream = [this](auto call) { shards.call_home(std::move(call)); }}),
-      worker(executor) {
+      stream(limits, ways()),
+      view(ways(), wall_clock),
+      wire(ways()),
+      worker(executor),
+      drawer(executor, false) {
+    stream.on_fault([this](const std::string& sensor, const FaultLogEntry& entry) {
+        view.tell_fault(sensor, entry);
+    });
     shards.on_changed([this](std::size_t shard) {
         for (const auto& station : stations) {
             if (station->shard == shard) station->loop->poses_came();
@@ -34,6 +39,11 @@ Simulation::Simulation(const boost::asio::any_io_executor& executor, ClockKind k
                 });
             }));
     }
+}
+
+ScanStream::Ways Simulation::ways() {
+    return {.to_sensors = [this](const auto& call) { shards.still(call); },
+            .to_stream = [this](auto call) { shards.call_home(std::move(call)); }};
 }
 
 void Simulation::tell_of_late(std::size_t shard) const {

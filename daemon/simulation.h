@@ -15,6 +15,8 @@
 #include <boost/asio/any_io_executor.hpp>
 
 #include "daemon/api/scan_stream.h"
+#include "daemon/api/view_stream.h"
+#include "daemon/api/wire_stream.h"
 #include "daemon/clock/wall_clock.h"
 #include "daemon/device/sensor_counts.h"
 #include "daemon/faults/scenario_run.h"
@@ -36,6 +38,8 @@ struct Simulation {
     /// Its sensors live on `shards` threads; on this one where that is 1, and in lockstep.
     Simulation(const boost::asio::any_io_executor& executor, ClockKind clock, std::size_t shards);
 
+    /// From here to sensors and back.
+    [[nodiscard]] ScanStream::Ways ways();
     /// What all sensors ask of the backends, as they are now.
     [[nodiscard]] std::vector<RequestedBackend> requested_backends() const;
     /// Measures, in a while, which backends are to cast for the sensors that leave it open, and
@@ -61,10 +65,15 @@ struct Simulation {
     PlaceWatch place_watch{world, worker};
     std::vector<std::unique_ptr<PlaceGlance>> place_glances;  ///< by shard
     ScanStream stream;
+    ViewStream view;
+    WireStream wire;
     Stations stations;
     std::map<std::string, SensorCounts> counted_before;  ///< by sensors that are gone, by name
     ScenarioRun scenario;
     Worker worker;  ///< loads worlds and measures backends, one after the other
+    /// Makes what pages draw, which does not wait for that. It works often and little: whoever
+    /// gives memory back has others wait who take some.
+    Worker drawer;
 
   private:
     void tell_of_late(std::size_t shard) const;

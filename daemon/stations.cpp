@@ -44,6 +44,7 @@ Sensor& put_in(Station& station, const StationContext& context, const SensorConf
                                            context.shard.clock);
     station.loop = std::make_unique<ScanLoop>(*sensor, context.shard.clock);
     station.tap = std::make_unique<ScanStream::Tap>(context.stream, station.name(), *sensor);
+    station.view_tap = std::make_unique<ViewStream::Tap>(context.view, station.name(), *sensor);
     Sensor& there = *sensor;
     station.sensor = std::move(sensor);
     return there;
@@ -78,15 +79,19 @@ std::unique_ptr<Station> make_station(const StationContext& context, const std::
     of_device.clock.phase = phase_of(*station, context);
     auto& device = put_in<Device>(*station, context, of_device);
     std::vector<Port*> served;
+    std::vector<std::shared_ptr<Port>> heard;
     for (const auto& port : {station->ports.tcp, station->ports.pty}) {
         if (!port) continue;
         port->serve(device, sensor.link);
         served.push_back(port.get());
+        heard.push_back(port);
     }
     station->served_before = station->ports.counts();
     station->faults = std::make_unique<FaultInjector>(device, std::move(served), sensor.link,
                                                       context.shard.clock);
     station->tap->follow(station->faults->log());
+    station->wire_tap = std::make_unique<WireStream::Tap>(
+        context.wire, station->name(), std::make_unique<WireTap>(device, std::move(heard)));
     return station;
 }
 

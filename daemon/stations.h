@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "daemon/api/scan_stream.h"
+#include "daemon/api/view_stream.h"
+#include "daemon/api/wire_stream.h"
 #include "daemon/config/sensor_config.h"
 #include "daemon/device/scan_loop.h"
 #include "daemon/link/link_counts.h"
@@ -43,6 +45,8 @@ struct Station {
     LinkCounts served_before;               ///< by its ports, for other sensors
     std::unique_ptr<FaultInjector> faults;  ///< null: a camera or ranger
     std::unique_ptr<ScanStream::Tap> tap;
+    std::unique_ptr<ViewStream::Tap> view_tap;
+    std::unique_ptr<WireStream::Tap> wire_tap;  ///< null: a camera or ranger
 
     [[nodiscard]] std::string name() const { return sensor_name(robot, config.name); }
     /// From the next measurement on it sits there on its robot.
@@ -55,6 +59,8 @@ using Stations = std::vector<std::unique_ptr<Station>>;
 struct StationContext {
     Shard& shard;
     ScanStream& stream;
+    ViewStream& view;
+    WireStream& wire;
     bool lockstep = false;
 };
 

@@ -17,7 +17,8 @@
 #include <vector>
 
 #include "daemon/api/fleet_metrics.h"
-#include "daemon/api/shared_status.h"
+#include "daemon/api/status.h"
+#include "daemon/api/world_view.h"
 #include "daemon/device/sensor_log.h"
 #include "daemon/http/web_socket.h"
 #include "daemon/world/scene_edit.h"
@@ -33,47 +34,8 @@ namespace scipd::daemon {
 
 class FaultsApi;
 class Rate;
+class SceneGallery;
 class SenderClock;
-
-/// How long after their ideal instant scans left.
-struct LatenessStatus {
-    std::chrono::duration<double, std::milli> p50{};
-    std::chrono::duration<double, std::milli> p99{};
-    std::chrono::duration<double, std::milli> max{};
-};
-
-struct SensorStatus {
-    std::string name;                           ///< "rescue/front"
-    std::string model;                          ///< "UST-10LX"
-    std::string backend;                        ///< what casts, never "auto"
-    std::optional<std::string> backend_reason;  ///< what "auto" was settled by
-    std::string state;                          ///< "standby", "measuring", ..
-    std::optional<std::string> warning;         ///< about the place where it is
-    std::optional<std::string> tcp;  ///< "127.0.0.1:10940", the port that was really taken
-    std::optional<std::string> pty;  ///< the link
-    std::uint64_t clients = 0;       ///< connected now
-    std::uint64_t scans = 0;
-    std::map<std::string, std::uint64_t> casts;  ///< by backend
-    std::uint64_t lost = 0;                      ///< scans that drivers did not get
-    std::uint64_t stream_lost = 0;               ///< and clients of /stream
-    std::optional<LatenessStatus> lateness;      ///< nothing: no scan yet
-};
-
-struct PosesStatus {
-    std::uint64_t accepted = 0;
-    std::uint64_t refused = 0;
-    std::optional<std::string> last_refusal;
-};
-
-struct FleetStatus {
-    std::chrono::duration<double> uptime{};
-    std::string clock;  ///< "wall" or "poses"
-    sim::Time time{};
-    std::string scene;
-    PosesStatus poses;
-    std::optional<SharedStatus> fleet;  ///< nothing: the world is this daemon's alone
-    std::vector<SensorStatus> sensors;
-};
 
 struct SceneView {
     std::filesystem::path file;
@@ -103,6 +65,11 @@ class Api {
     virtual std::unique_ptr<Conversation> subscribe(const std::string& sensor,
                                                     WebSocket& socket) = 0;
 
+    /// Begins to send a page what it draws.
+    virtual std::unique_ptr<Conversation> open_view(WebSocket& page) = 0;
+    /// Begins to tell what goes over the wire of a sensor that is there.
+    virtual std::unique_ptr<Conversation> open_wire(const std::string& sensor, WebSocket&) = 0;
+
     /// The pose now, and what time it is; nothing: there is no such robot.
     [[nodiscard]] virtual std::optional<sim::TimedPose> robot_pose(
         const std::string& robot) const = 0;
@@ -120,6 +87,9 @@ class Api {
                                                          SenderClock& sender) = 0;
 
     [[nodiscard]] virtual SceneView scene() const = 0;
+    [[nodiscard]] virtual WorldView world() const = 0;
+    /// Makes what pages draw of the scene.
+    [[nodiscard]] virtual SceneGallery& gallery() = 0;
 
     /// Calls `done` when the change is in effect or refused, after the changes before it. Does not
     /// call it where the change is withdrawn before it has begun.

@@ -22,6 +22,11 @@ struct Call {
     Respond respond;
 };
 
+// page_routes.cpp
+void get_page(Call&& call);
+void get_icon(Call&& call);
+void get_page_file(Call&& call);
+
 // sensor_routes.cpp
 void get_status(Call&& call);
 void get_sensors(Call&& call);
@@ -42,8 +47,13 @@ void get_scene(Call&& call);
 void put_scene(Call&& call);
 void post_model(Call&& call);
 void delete_model(Call&& call);
+void put_material(Call&& call);
 void get_model_pose(Call&& call);
 void put_model_pose(Call&& call);
+
+// object_routes.cpp
+void get_objects(Call&& call);
+void get_mesh(Call&& call);
 
 // media_routes.cpp
 void get_media(Call&& call);

@@ -90,26 +90,6 @@ std::string_view word(sim::Accuracy accuracy) {
     return "material";
 }
 
-std::string_view word(sim::Cause cause) {
-    switch (cause) {
-        case sim::Cause::measured:
-            return "measured";
-        case sim::Cause::nothing:
-            return "nothing";
-        case sim::Cause::too_dark:
-            return "too_dark";
-        case sim::Cause::too_bright:
-            return "too_bright";
-        case sim::Cause::edge:
-            return "edge";
-        case sim::Cause::interference:
-            return "interference";
-        case sim::Cause::lost:
-            break;
-    }
-    return "lost";
-}
-
 /// Appends a list within a list.
 template <class Append>
 void append_list(std::string& text, auto&& things, Append append) {
@@ -154,7 +134,7 @@ void add_stages(ObjectText& text, const ScanRecord& record) {
         append_rounded(list, reading.range_m);
     });
     text.add_list("cause", cast.readings, [](std::string& list, const sim::Reading& reading) {
-        list.append(1, '"').append(word(reading.cause)).append(1, '"');
+        list.append(1, '"').append(cause_word(reading.cause)).append(1, '"');
     });
     if (!cast.echoes.empty()) add_echoes(text, cast.echoes, *record.scene);
     if (!record.sent.echoes.empty()) add_sent_echoes(text, record.sent.echoes);
@@ -178,6 +158,26 @@ Json middle_pose(const sim::Scan& scan) {
 }
 
 }  // namespace
+
+std::string_view cause_word(sim::Cause cause) {
+    switch (cause) {
+        case sim::Cause::measured:
+            return "measured";
+        case sim::Cause::nothing:
+            return "nothing";
+        case sim::Cause::too_dark:
+            return "too_dark";
+        case sim::Cause::too_bright:
+            return "too_bright";
+        case sim::Cause::edge:
+            return "edge";
+        case sim::Cause::interference:
+            return "interference";
+        case sim::Cause::lost:
+            break;
+    }
+    return "lost";
+}
 
 std::string reading_text(const std::string& sensor, const ScanRecord& record) {
     const sim::Scan& cast = *record.cast;

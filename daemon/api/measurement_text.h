@@ -6,10 +6,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "daemon/device/sensor_record.h"
 
 namespace scipd::daemon {
+
+/// "measured", "too_dark", ..
+std::string_view cause_word(sim::Cause cause);
 
 // The pose is that of the beam in the middle.
 

@@ -53,7 +53,10 @@ class ObjectText {
 /// All its digits; it is finite.
 void append_number(std::string& text, double value);
 
-/// {"time_s","xyz","q"}, as pose_document() has it.
+/// {"xyz","q"}, as pose_document() has it.
+void append_pose(std::string& text, const sim::Pose& pose);
+
+/// {"time_s","xyz","q"}
 void append_timed_pose(std::string& text, double time_s, const sim::Pose& pose);
 
 /// As rounded() has it; null where it is not finite.

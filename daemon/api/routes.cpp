@@ -21,7 +21,10 @@ void ask_for_upgrade(Call&& call) {
     call.respond(problem(426, call.request.path + " is a WebSocket: ask with Upgrade: websocket"));
 }
 
-constexpr std::array<Route, 30> table{{
+constexpr std::array<Route, 38> table{{
+    {"GET", "/", get_page},
+    {"GET", "/favicon.ico", get_icon},
+    {"GET", "/page/{file}", get_page_file},
     {"GET", "/status", get_status},
     {"GET", "/health", get_health},
     {"GET", "/metrics", get_metrics},
@@ -43,15 +46,20 @@ constexpr std::array<Route, 30> table{{
     {"PUT", "/robots/{robot}/pose", put_robot_pose},
     {"GET", "/scene", get_scene},
     {"PUT", "/scene", put_scene},
+    {"GET", "/scene/objects", get_objects},
+    {"GET", "/scene/meshes/{mesh}", get_mesh},
     {"GET", "/scene/media", get_media},
     {"PUT", "/scene/media", put_media},
     {"DELETE", "/scene/media", delete_media},
     {"POST", "/scene/models", post_model},
     {"DELETE", "/scene/models/{model}", delete_model},
+    {"PUT", "/scene/models/{model}/material", put_material},
     {"GET", "/scene/models/{model}/pose", get_model_pose},
     {"PUT", "/scene/models/{model}/pose", put_model_pose},
     {"GET", "/poses", ask_for_upgrade},
     {"GET", "/stream", ask_for_upgrade},
+    {"GET", "/view", ask_for_upgrade},
+    {"GET", "/wire", ask_for_upgrade},
 }};
 
 Segments split(std::string_view path) {
@@ -132,18 +140,22 @@ void route(Api& api, const HttpRequest& request, Respond respond) {
 }
 
 std::variant<HttpResponse, Converse> open_socket(Api& api, const HttpRequest& request) {
-    if (request.path == "/poses") {
-        return [&api](WebSocket& socket) { return take_poses(api, socket); };
-    }
-    if (request.path != "/stream") {
-        return problem(404, request.path + " is no WebSocket; there are /poses and /stream");
+    const std::string& path = request.path;
+    if (path == "/poses") return [&api](WebSocket& socket) { return take_poses(api, socket); };
+    if (path == "/view") return [&api](WebSocket& socket) { return api.open_view(socket); };
+    const bool is_wire = path == "/wire";
+    if (!is_wire && path != "/stream") {
+        return problem(404, path + " is no WebSocket; there are /poses, /stream, /view and /wire");
     }
     const std::string sensor = query_value(request.query, "sensor").value_or("");
-    if (sensor.empty() && !request.query.empty()) {
+    if (sensor.empty() && (is_wire || !request.query.empty())) {
         return problem(400, "there is one parameter, ?sensor=ROBOT/SENSOR", "sensor");
     }
     if (!sensor.empty() && !api.log(sensor)) {
         return problem(404, "there is no sensor \"" + sensor + "\"", "sensor");
+    }
+    if (is_wire) {
+        return [&api, sensor](WebSocket& socket) { return api.open_wire(sensor, socket); };
     }
     return [&api, sensor](WebSocket& socket) { return api.subscribe(sensor, socket); };
 }

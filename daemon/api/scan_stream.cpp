@@ -113,6 +113,7 @@ void ScanStream::Tap::follow(FaultLog& faults) {
         stream.ways_.to_stream([&stream, source, entry] {
             const std::string& sensor = source->name;
             if (stream.wanted(sensor)) stream.send(source, fault_message(sensor, entry));
+            if (stream.on_fault_) stream.on_fault_(sensor, entry);
         });
     });
 }

@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "daemon/http/backlog.h"
@@ -21,6 +22,7 @@ namespace scipd::daemon {
 
 class Device;
 class FaultLog;
+struct FaultLogEntry;
 class StaringSensor;
 
 class ScanStream {
@@ -70,6 +72,10 @@ class ScanStream {
     ScanStream(const ScanStream&) = delete;
     ScanStream& operator=(const ScanStream&) = delete;
 
+    /// Somebody else who is told of each entry of the logs that taps follow.
+    using OnFault = std::function<void(const std::string& sensor, const FaultLogEntry& entry)>;
+    void on_fault(OnFault callback) { on_fault_ = std::move(callback); }
+
     /// Sends what one sensor measures; `sensor` empty: what all measure.
     std::unique_ptr<Conversation> subscribe(const std::string& sensor, WebSocket& socket);
 
@@ -86,6 +92,7 @@ class ScanStream {
 
     Ways ways_;
     Backlog backlog_;
+    OnFault on_fault_;
     std::vector<Tap*> taps_;
     std::vector<Subscriber*> subscribers_;
 };

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "daemon/world/base64.h"
 #include "sim/loaders/poses/pose_line.h"
 #include "sim/loaders/poses/small_json.h"
 #include "sim/text/name.h"
@@ -26,8 +27,10 @@ using RequestJson = nlohmann::json;
 using sim::refuse;
 
 constexpr std::array<std::string_view, 1> world_keys{"file"};
-constexpr std::array<std::string_view, 9> model_keys{
-    "name", "sdf", "file", "mesh", "scale", "material", "pose", "static", "replace"};
+constexpr std::array<std::string_view, 11> model_keys{
+    "name",  "sdf",      "file", "mesh",   "mesh_data", "mesh_format",
+    "scale", "material", "pose", "static", "replace"};
+constexpr std::array<std::string_view, 1> material_keys{"material"};
 
 std::string listed(std::span<const std::string_view> keys) {
     std::string text;
@@ -111,8 +114,9 @@ Expected<> read_scale(const RequestJson& object, double& scale) {
 
 /// Whether the keys that say what the model is made of go together.
 Expected<> check_source(const RequestJson& object) {
-    if (object.contains("sdf") + object.contains("file") + object.contains("mesh") != 1)
-        return refuse("sdf", "one of sdf, file and mesh must be given");
+    const int sources = object.contains("sdf") + object.contains("file") + object.contains("mesh") +
+                        object.contains("mesh_data");
+    if (sources != 1) return refuse("sdf", "one of sdf, file, mesh and mesh_data must be given");
     for (const char* key : {"scale", "material"}) {
         if (object.contains(key) && object.contains("sdf"))
             return refuse(key, std::string(key) + " goes with a mesh; a text has its own");
@@ -120,10 +124,35 @@ Expected<> check_source(const RequestJson& object) {
     return {};
 }
 
+/// The bytes stay base64 until they are loaded.
+Expected<> read_bytes(const RequestJson& object, AddModel& edit) {
+    const bool has_data = object.contains("mesh_data");
+    if (has_data != object.contains("mesh_format"))
+        return refuse("mesh_format",
+                      "mesh_format goes with mesh_data: how the name of the file "
+                      "would end, such as stl");
+    if (!has_data) return {};
+    return read_text(object, "mesh_data", edit.mesh_data)
+        .and_then([&] { return read_text(object, "mesh_format", edit.mesh_format); })
+        .and_then([&]() -> Expected<> {
+            if (!base64_decoded(edit.mesh_data))
+                return refuse("mesh_data", "mesh_data must be base64, without line breaks");
+            const bool is_word = std::ranges::all_of(edit.mesh_format, [](char c) {
+                return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+            });
+            if (!is_word || !sim::is_mesh_file("mesh." + edit.mesh_format))
+                return refuse("mesh_format",
+                              "mesh_format must be one of the meshes that scipd "
+                              "reads, such as obj, stl, ply, dae, glb");
+            return {};
+        });
+}
+
 Expected<> read_source(const RequestJson& object, AddModel& edit) {
     return read_text(object, "sdf", edit.sdf)
         .and_then([&] { return read_path(object, "file", edit.file); })
         .and_then([&] { return read_path(object, "mesh", edit.mesh); })
+        .and_then([&] { return read_bytes(object, edit); })
         .and_then([&] { return read_text(object, "material", edit.material); })
         .and_then([&] { return check_source(object); })
         .and_then([&] { return read_scale(object, edit.scale); });
@@ -158,6 +187,15 @@ Expected<LoadWorld> parse_load_world(const std::string& body) {
 
 Expected<AddModel> parse_add_model(const std::string& body) {
     return object_in(body, model_keys).and_then(model_in);
+}
+
+Expected<SetMaterial> parse_set_material(const std::string& model, const std::string& body) {
+    return object_in(body, material_keys).and_then([&](const RequestJson& object) {
+        SetMaterial edit{model, {}};
+        return require(object, "material")
+            .and_then([&] { return read_text(object, "material", edit.material); })
+            .map([&] { return std::move(edit); });
+    });
 }
 
 }  // namespace scipd::daemon

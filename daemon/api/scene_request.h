@@ -18,4 +18,7 @@ sim::Expected<LoadWorld> parse_load_world(const std::string& body);
 /// and "material" where it is a mesh, "pose":{"xyz","rpy" or "q"}, "static":true, "replace":true}
 sim::Expected<AddModel> parse_add_model(const std::string& body);
 
+/// Reads {"material": NAME} for this model.
+sim::Expected<SetMaterial> parse_set_material(const std::string& model, const std::string& body);
+
 }  // namespace scipd::daemon

@@ -125,6 +125,7 @@ HttpResponse no_model(const std::string& name) {
 
 std::string_view name_of(const AddModel& model) {
     if (!model.sdf.empty()) return "sdf";
+    if (!model.mesh_data.empty()) return "mesh_data";
     return model.file.empty() ? "mesh" : "file";
 }
 
@@ -149,6 +150,12 @@ void post_model(Call&& call) {
 
 void delete_model(Call&& call) {
     edit(call, RemoveModel{call.names[0]}, 204, {});
+}
+
+void put_material(Call&& call) {
+    auto parsed = parse_set_material(call.names[0], call.request.body);
+    if (!parsed) return call.respond(bad_request(parsed.error()));
+    edit(call, *std::move(parsed), 200, "material");
 }
 
 void get_model_pose(Call&& call) {

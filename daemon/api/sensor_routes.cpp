@@ -4,6 +4,7 @@
 // How the daemon and its sensors are doing, what cameras and rangers measure, and what was true
 // when a sensor measured.
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -30,6 +31,15 @@ Json to_json(const std::optional<LatenessStatus>& lateness) {
             {"max", lateness->max.count()}};
 }
 
+/// By bounds that each have twice as much as the one before.
+Json histogram_of(const std::optional<LatenessStatus>& lateness) {
+    if (!lateness) return nullptr;
+    Json bounds_ms = Json::array();
+    for (const int octave : lateness_octaves)
+        bounds_ms.push_back(std::ldexp(1e-3, octave));
+    return {{"le_ms", bounds_ms}, {"counts", lateness->counts}};
+}
+
 // One by one: of a list of members the library makes more than twice the work, and a fleet has
 // hundreds of sensors.
 Json to_json(const SensorStatus& sensor) {
@@ -48,6 +58,7 @@ Json to_json(const SensorStatus& sensor) {
     told["lost"] = sensor.lost;
     told["stream_lost"] = sensor.stream_lost;
     told["lateness_ms"] = to_json(sensor.lateness);
+    told["lateness_histogram"] = histogram_of(sensor.lateness);
     return told;
 }
 
@@ -73,6 +84,7 @@ Json to_json(const FleetStatus& status) {
             {"clock", status.clock},
             {"time_s", seconds(status.time)},
             {"scene", status.scene},
+            {"warnings", status.warnings},
             {"poses",
              {{"accepted", status.poses.accepted},
               {"refused", status.poses.refused},

@@ -13,6 +13,10 @@ std::string text_of(const AddModel& edit) {
     if (!edit.sdf.empty()) body["sdf"] = edit.sdf;
     if (!edit.file.empty()) body["file"] = edit.file.string();
     if (!edit.mesh.empty()) body["mesh"] = edit.mesh.string();
+    if (!edit.mesh_data.empty()) {
+        body["mesh_data"] = edit.mesh_data;
+        body["mesh_format"] = edit.mesh_format;
+    }
     if (edit.scale != 1.0) body["scale"] = edit.scale;
     if (!edit.material.empty()) body["material"] = edit.material;
     if (const auto& pose = edit.placement.world_from_model) {

@@ -62,6 +62,11 @@ void SharedEdits::edit(SceneEdit edit, EditDone done) {
                      {"the world is shared with other daemons; start all of them with another "
                       "scene instead"}});
     }
+    if (std::holds_alternative<SetMaterial>(edit)) {
+        return done({Result::not_now,
+                     {"the world is shared with other daemons, which are told of whole models; add "
+                      "the model again, with another material"}});
+    }
     if (!link_.connected()) {
         return done({Result::not_now,
                      {"the world is shared, and the broker is not there: " + link_.trouble() +

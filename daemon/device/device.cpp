@@ -168,9 +168,9 @@ bool Device::driven() const {
                                [](const auto* client) { return client->session().measuring(); });
 }
 
-void Device::watch(std::function<void(const ScanRecord&)> watcher) {
-    watcher_ = std::move(watcher);
-    if (watcher_ && on_wanted_) on_wanted_();
+void Device::watch(std::function<void(const ScanRecord&)> watcher, WatchedBy who) {
+    watchers_.set(who, std::move(watcher));
+    if (watchers_.any() && on_wanted_) on_wanted_();
 }
 
 std::int64_t Device::next_revolution() const {
@@ -213,7 +213,7 @@ void Device::turn_complete(std::int64_t revolution) {
         if (leaves(revolution) >= punctual_from_)
             counts_.lateness.add(clock_.now() - leaves(revolution));
     }
-    if (watcher_) watcher_(measure(revolution));
+    if (watchers_.any()) watchers_.tell(measure(revolution));
     // A client that has not taken it may wait in vain, because another one has switched the laser
     // off.
     tell_clients();

@@ -24,6 +24,7 @@
 #include "daemon/device/sensor_log.h"
 #include "daemon/device/sensor_record.h"
 #include "daemon/device/sweep.h"
+#include "daemon/device/watchers.h"
 #include "daemon/link/endpoint.h"
 #include "daemon/world/world.h"
 #include "protocol/device_profile.h"
@@ -70,16 +71,15 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     [[nodiscard]] sim::Pose world_from_robot() const { return sweep_.robot_at(clock_.now()); }
     [[nodiscard]] const sim::SensorSpec& optics() const { return sweep_.optics(); }
     [[nodiscard]] const std::string& name() const override { return sweep_.name(); }
-
     /// From the next scan on it sits there on its robot.
     void mount(const sim::Pose& robot_from_sensor) { sweep_.mount(robot_from_sensor); }
 
     [[nodiscard]] bool driven() const override;
-    [[nodiscard]] bool watched() const override { return watcher_ != nullptr; }
+    [[nodiscard]] bool watched() const override { return watchers_.any(); }
     void on_wanted(std::function<void()> callback) override { on_wanted_ = std::move(callback); }
 
     /// Somebody who sees every scan, whatever clients want; null: nobody.
-    void watch(std::function<void(const ScanRecord&)> watcher);
+    void watch(Watchers<ScanRecord>::Watcher watcher, WatchedBy who = WatchedBy::stream);
 
     [[nodiscard]] std::int64_t next_revolution() const override;
     /// At the first tick of the firmware after its last step.
@@ -141,7 +141,7 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     sim::Time late_{};
     sim::Time punctual_from_ = sim::Time::min();  ///< what leaves earlier was to be late
     std::function<void()> on_wanted_;
-    std::function<void(const ScanRecord&)> watcher_;
+    Watchers<ScanRecord> watchers_;
     Pace pace_;
     ScanLog log_;
     SensorCounts counts_;  ///< without what living sessions have refused

@@ -42,9 +42,9 @@ StaringSensor::StaringSensor(const std::string& robot, const SensorConfig& confi
       rolling_(config.motion != 1),
       log_(log_capacity(spec())) {}
 
-void StaringSensor::watch(std::function<void(const StaringRecord&)> watcher) {
-    watcher_ = std::move(watcher);
-    if (watcher_ && on_wanted_) on_wanted_();
+void StaringSensor::watch(std::function<void(const StaringRecord&)> watcher, WatchedBy who) {
+    watchers_.set(who, std::move(watcher));
+    if (watchers_.any() && on_wanted_) on_wanted_();
 }
 
 std::int64_t StaringSensor::number_at(sim::Time time) const {
@@ -64,8 +64,8 @@ bool StaringSensor::poses_known(std::int64_t number) const {
 }
 
 void StaringSensor::turn_complete(std::int64_t number) {
-    if (!watcher_) return;
-    watcher_(*measure(number));
+    if (!watchers_.any()) return;
+    watchers_.tell(*measure(number));
     counts_.lateness.add(clock_.now() - leaves(number));
 }
 
@@ -92,7 +92,7 @@ SharedStaringRecord StaringSensor::measure(std::int64_t number) {
     watch.stop(record.backend->backend, counts_);
     record.spec = spec();
     record.range_m = staring_.read(*record.cast);
-    if (watcher_) note_pace(record, begin);
+    if (watchers_.any()) note_pace(record, begin);
     ++counts_.scans;
     const auto shared = std::make_shared<const StaringRecord>(std::move(record));
     log_.add(shared, begin);

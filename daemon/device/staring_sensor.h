@@ -22,6 +22,7 @@
 #include "daemon/device/sensor_log.h"
 #include "daemon/device/sensor_record.h"
 #include "daemon/device/sweep.h"
+#include "daemon/device/watchers.h"
 #include "daemon/world/world.h"
 #include "sim/sensor/staring.h"
 
@@ -41,10 +42,10 @@ class StaringSensor : public ScanSource {
     [[nodiscard]] const std::string& name() const override { return sweep_.name(); }
     /// Drivers need SCIP.
     [[nodiscard]] bool driven() const override { return false; }
-    [[nodiscard]] bool watched() const override { return watcher_ != nullptr; }
+    [[nodiscard]] bool watched() const override { return watchers_.any(); }
     void on_wanted(std::function<void()> callback) override { on_wanted_ = std::move(callback); }
     /// Somebody who sees every measurement; null: nobody.
-    void watch(std::function<void(const StaringRecord&)> watcher);
+    void watch(Watchers<StaringRecord>::Watcher watcher, WatchedBy who = WatchedBy::stream);
 
     [[nodiscard]] std::int64_t next_revolution() const override;
     /// At its instant.
@@ -78,7 +79,7 @@ class StaringSensor : public ScanSource {
     bool rolling_;  ///< its beams are not of one instant
 
     std::function<void()> on_wanted_;
-    std::function<void(const StaringRecord&)> watcher_;
+    Watchers<StaringRecord> watchers_;
     StaringLog log_;
     Pace pace_;
     SensorCounts counts_;

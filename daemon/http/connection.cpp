@@ -65,6 +65,7 @@ HttpRequest to_plain(const http::request<http::string_body>& request,
             .path = target.substr(0, mark),
             .query = mark == target.npos ? "" : target.substr(mark + 1),
             .body = request.body(),
+            .if_none_match = std::string(request[http::field::if_none_match]),
             .withdrawn = {},
             .rate = rate};
 }
@@ -81,8 +82,8 @@ http::response<http::string_body> to_beast(HttpResponse plain, bool keep_alive) 
     if (!plain.body.empty()) response.set("X-Content-Type-Options", "nosniff");
     response.body() = std::move(plain.body);
     response.keep_alive(keep_alive);
-    // A 204 has no length, not even 0 (RFC 9110, 8.6).
-    if (plain.status != 204) response.prepare_payload();
+    // A 204 has no length, not even 0 (RFC 9110, 8.6), and that of a 304 would be the file's.
+    if (plain.status != 204 && plain.status != 304) response.prepare_payload();
     return response;
 }
 

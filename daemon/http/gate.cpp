@@ -74,12 +74,20 @@ bool is_same(std::string_view said, std::string_view token) {
     return differences == 0;
 }
 
-bool knows(const Gate::Header& request, std::string_view token) {
+/// What a client says is the token; nothing where it says none, or two.
+std::optional<std::string_view> said_token(const Gate::Header& request) {
     constexpr std::string_view scheme = "Bearer ";
+    constexpr std::string_view offer = "bearer.";
     const std::string_view said = field(request, http::field::authorization);
-    return request.count(http::field::authorization) == 1 &&
-           same_letters(said.substr(0, scheme.size()), scheme) &&
-           is_same(said.substr(scheme.size()), token);
+    if (!said.empty()) {
+        const bool is_said = request.count(http::field::authorization) == 1 &&
+                             same_letters(said.substr(0, scheme.size()), scheme);
+        return is_said ? std::optional(said.substr(scheme.size())) : std::nullopt;
+    }
+    for (const std::string_view offered : subprotocols(request)) {
+        if (offered.starts_with(offer)) return offered.substr(offer.size());
+    }
+    return std::nullopt;
 }
 
 HttpResponse unknown_client() {
@@ -114,6 +122,28 @@ std::vector<std::string> hosts_of(const Address& here) {
     return hosts;
 }
 
+std::vector<std::string_view> subprotocols(const Gate::Header& request) {
+    std::vector<std::string_view> offers;
+    std::string_view rest = field(request, http::field::sec_websocket_protocol);
+    while (!rest.empty()) {
+        std::string_view offer = rest.substr(0, rest.find(','));
+        rest.remove_prefix(std::min(offer.size() + 1, rest.size()));
+        while (offer.starts_with(' '))
+            offer.remove_prefix(1);
+        while (offer.ends_with(' '))
+            offer.remove_suffix(1);
+        offers.push_back(offer);
+    }
+    return offers;
+}
+
+bool Gate::needs_token(const Header& request) const {
+    if (token_.empty()) return false;
+    const bool reads = request.method() == http::verb::get || request.method() == http::verb::head;
+    const std::string_view target{request.target().data(), request.target().size()};
+    return !(reads && is_public_ != nullptr && is_public_(target.substr(0, target.find('?'))));
+}
+
 std::optional<HttpResponse> Gate::answer(const Header& request, bool has_body,
                                          const Address& here) const {
     const Hosts hosts = hosts_of(here);
@@ -125,7 +155,10 @@ std::optional<HttpResponse> Gate::answer(const Header& request, bool has_body,
     const std::string_view origin = field(request, http::field::origin);
     if (origins > 1 || (origins == 1 && !is_own(origin, hosts))) return wrong_origin(hosts);
     if (is_preflight(request) && origins == 1) return preflight_answer(origin);
-    if (!token_.empty() && !knows(request, token_)) return unknown_client();
+    if (needs_token(request)) {
+        const auto said = said_token(request);
+        if (!said || !is_same(*said, token_)) return unknown_client();
+    }
     if (has_body && !is_json(field(request, http::field::content_type))) {
         return problem(415, "a body must have the Content-Type application/json", "Content-Type");
     }

@@ -24,8 +24,12 @@ class Gate {
   public:
     using Header = boost::beast::http::request_header<>;
 
-    /// Clients must know the token, unless it is empty.
-    explicit Gate(std::string token = {}) : token_(std::move(token)) {}
+    /// Whether everybody may read what lies at a path.
+    using IsPublic = bool (*)(std::string_view path);
+
+    /// Clients must know the token, unless it is empty or they ask for what is public.
+    explicit Gate(std::string token = {}, IsPublic is_public = nullptr)
+        : token_(std::move(token)), is_public_(is_public) {}
 
     /// Nothing: the request may come in. Otherwise it is answered with this and not heard: a
     /// refusal, or what a browser asks for before a request. `here` is where the client has
@@ -34,8 +38,18 @@ class Gate {
                                                      const Address& here) const;
 
   private:
+    [[nodiscard]] bool needs_token(const Header& request) const;
+
     std::string token_;
+    IsPublic is_public_;
 };
+
+/// The subprotocol that a WebSocket of scipd has where its client offers it. A page in a browser
+/// can say the token in no other way than beside it, as the subprotocol `bearer.TOKEN`.
+inline constexpr const char* own_subprotocol = "scipd";
+
+/// The subprotocols that a request for a WebSocket offers.
+std::vector<std::string_view> subprotocols(const Gate::Header& request);
 
 /// How clients write this address as a Host: with a port, and without where that is 80. A loopback
 /// address has all the names of loopback.

@@ -175,8 +175,7 @@ void HttpServer::listen(const fs::path& socket, std::optional<unsigned> group,
     });
 }
 
-Address HttpServer::listen(const Address& address, const std::string& token,
-                           std::optional<int> handed) {
+Address HttpServer::listen(const Address& address, Gate gate, std::optional<int> handed) {
     Address taken;
     name_failures(text_of(address), [&] {
         const tcp::endpoint wanted{asio::ip::make_address(address.host), address.port};
@@ -185,7 +184,7 @@ Address HttpServer::listen(const Address& address, const std::string& token,
         taken = {address.host, acceptor.local_endpoint().port()};
         const auto port = std::make_shared<Listener<tcp>>(
             std::move(acceptor), service_,
-            HttpDoor{text_of(taken), Limit::http_connections, Gate(token)});
+            HttpDoor{text_of(taken), Limit::http_connections, std::move(gate)});
         port->accept();
         ports_.push_back(port);
     });

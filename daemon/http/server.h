@@ -42,10 +42,9 @@ class HttpServer {
     void listen(const std::filesystem::path& socket, std::optional<unsigned> group = {},
                 std::optional<int> handed = {});
 
-    /// Lets in clients that gate.h has nothing against. They must know the token, unless it is
-    /// empty. Returns the address with the port that was really taken.
-    Address listen(const Address& address, const std::string& token = {},
-                   std::optional<int> handed = {});
+    /// Lets in clients that the gate has nothing against. Returns the address with the port that
+    /// was really taken.
+    Address listen(const Address& address, Gate gate = Gate{}, std::optional<int> handed = {});
 
     /// A connection ends where no whole request has come for so long.
     void set_idle(std::chrono::milliseconds idle) { service_->idle = idle; }

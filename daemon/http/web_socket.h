@@ -22,6 +22,8 @@ class WebSocket {
     virtual ~WebSocket() = default;
     /// Sends a message after those that are queued already. One text can be sent to many clients.
     virtual void send(std::shared_ptr<const std::string> message) = 0;
+    /// The same of a message that is no text.
+    virtual void send_bytes(std::shared_ptr<const std::string> message) = 0;
 };
 
 /// What the daemon says and hears over one connection. It is destroyed before the connection ends.

@@ -38,7 +38,6 @@ WebSocketConnection<Protocol>::WebSocketConnection(Stream stream,
     boost::beast::get_lowest_layer(socket_).expires_never();
     socket_.set_option(websocket::stream_base::timeout::suggested(boost::beast::role_type::server));
     socket_.read_message_max((*service_->limits)[Limit::http_body_bytes]);
-    socket_.text(true);
     socket_.auto_fragment(false);
     socket_.control_callback([this](websocket::frame_type type, auto) {
         if (type != websocket::frame_type::close) count();
@@ -52,6 +51,12 @@ WebSocketConnection<Protocol>::~WebSocketConnection() {
 
 template <class Protocol>
 void WebSocketConnection<Protocol>::open(const Request& request, Converse converse) {
+    const auto offers = subprotocols(request);
+    if (std::ranges::find(offers, own_subprotocol) != offers.end()) {
+        socket_.set_option(websocket::stream_base::decorator([](websocket::response_type& answer) {
+            answer.set(boost::beast::http::field::sec_websocket_protocol, own_subprotocol);
+        }));
+    }
     socket_.async_accept(request, [self = this->shared_from_this(),
                                    converse = std::move(converse)](const Error& error) {
         if (error || self->service_->closed) return;
@@ -98,8 +103,8 @@ void WebSocketConnection<Protocol>::work_off() {
 }
 
 template <class Protocol>
-void WebSocketConnection<Protocol>::send(std::shared_ptr<const std::string> message) {
-    const std::size_t bytes = queue_bytes_ + message->size();
+void WebSocketConnection<Protocol>::enqueue(Message message) {
+    const std::size_t bytes = queue_bytes_ + message.content->size();
     if (refused_) return;
     // A single message may be of any size.
     if (!queue_.empty() && bytes > (*service_->limits)[Limit::websocket_queue_bytes])
@@ -111,7 +116,8 @@ void WebSocketConnection<Protocol>::send(std::shared_ptr<const std::string> mess
 
 template <class Protocol>
 void WebSocketConnection<Protocol>::write() {
-    socket_.async_write(asio::buffer(*queue_.front()),
+    socket_.binary(queue_.front().binary);
+    socket_.async_write(asio::buffer(*queue_.front().content),
                         [self = this->shared_from_this()](const Error& error, std::size_t) {
                             self->written(error);
                         });
@@ -120,7 +126,7 @@ void WebSocketConnection<Protocol>::write() {
 template <class Protocol>
 void WebSocketConnection<Protocol>::written(const Error& error) {
     if (error || service_->closed) return conversation_.reset();
-    queue_bytes_ -= queue_.front()->size();
+    queue_bytes_ -= queue_.front().content->size();
     queue_.pop_front();
     if (!queue_.empty()) write();
     if (!conversation_) return;

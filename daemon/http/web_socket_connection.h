@@ -8,6 +8,7 @@
 #include <deque>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/basic_stream.hpp>
@@ -33,12 +34,22 @@ class WebSocketConnection : public HttpClient,
     /// Accepts the request and begins the conversation.
     void open(const Request& request, Converse converse);
 
-    void send(std::shared_ptr<const std::string> message) override;
+    void send(std::shared_ptr<const std::string> message) override {
+        enqueue({std::move(message), false});
+    }
+    void send_bytes(std::shared_ptr<const std::string> message) override {
+        enqueue({std::move(message), true});
+    }
     void close() override;
 
   private:
     using Error = boost::system::error_code;
+    struct Message {
+        std::shared_ptr<const std::string> content;
+        bool binary;
+    };
 
+    void enqueue(Message message);
     void read();
     void received(const Error& error);
     /// A message, a ping or a pong has come.
@@ -53,7 +64,7 @@ class WebSocketConnection : public HttpClient,
     SharedDoor door_;
     boost::beast::websocket::stream<Stream> socket_;
     boost::beast::flat_buffer buffer_;
-    std::deque<std::shared_ptr<const std::string>> queue_;
+    std::deque<Message> queue_;
     std::size_t queue_bytes_ = 0;
     Rate rate_;  ///< of what comes
     bool refused_ = false;

@@ -185,11 +185,16 @@ void Connection::deliver() {
         const auto piece = inbox_.take(clock_.now());
         if (!piece) return;
         if (device_rate_ == 0) {
-            client_->receive(piece->bytes);
+            receive(piece->bytes);
         } else {
-            client_->receive(heard_by_device(*piece, device_rate_));
+            receive(heard_by_device(*piece, device_rate_));
         }
     }
+}
+
+void Connection::receive(std::string_view bytes) {
+    if (ear_) ear_->heard(bytes);
+    client_->receive(bytes);
 }
 
 void Connection::perform(protocol::Action action, bool carried) {
@@ -205,7 +210,10 @@ void Connection::send(protocol::Send message) {
         hook_->leaving(message);
         if (message.bytes.empty()) return;
     }
-    if (!outbox_.push(std::move(message), clock_.now())) ++counts_.lost_scans;
+    if (ear_) ear_->said(message);
+    if (outbox_.push(std::move(message), clock_.now())) return;
+    ++counts_.lost_scans;
+    if (ear_) ear_->dropped();
 }
 
 void Connection::write() {

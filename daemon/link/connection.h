@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include <boost/asio/posix/stream_descriptor.hpp>
 
@@ -23,6 +24,7 @@
 #include "daemon/link/link_counts.h"
 #include "daemon/link/link_model.h"
 #include "daemon/link/outbox.h"
+#include "daemon/link/wire_ear.h"
 
 namespace scipd::daemon {
 
@@ -60,6 +62,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
     void set_line(const LineState& line);
     /// Null: none.
     void set_hook(LineHook* hook) { hook_ = hook; }
+    /// The same.
+    void set_ear(WireEar* ear) { ear_ = ear; }
     /// Sends bytes outside of all messages, behind what has been sent by the next turn.
     void send_raw(std::string bytes);
     /// Nothing goes either way from here on. It is to be closed in the next turn.
@@ -79,6 +83,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     void flush();
     void flush_soon();
     void deliver();
+    void receive(std::string_view bytes);
     void perform(protocol::Action action, bool carried);
     void send(protocol::Send message);
     void write();
@@ -97,6 +102,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     LinkModel inbox_;  ///< requests on their way to the device
     Outbox outbox_;
     LineHook* hook_ = nullptr;
+    WireEar* ear_ = nullptr;
     bool stalled_ = false;
     bool dead_ = false;
     bool abandoned_ = false;

@@ -23,6 +23,11 @@ void Port::set_hook(LineHook* hook) {
     if (connection_) connection_->set_hook(hook_);
 }
 
+void Port::set_ear(WireEar* ear) {
+    ear_ = ear;
+    if (connection_) connection_->set_ear(ear_);
+}
+
 void Port::send_raw(std::string bytes) {
     if (connected()) connection_->send_raw(std::move(bytes));
 }
@@ -32,6 +37,8 @@ void Port::begin(std::shared_ptr<Connection> connection) {
     connection_->hold_to(limits_, address());
     connection_->set_line(line_);
     connection_->set_hook(hook_);
+    connection_->set_ear(ear_);
+    if (ear_) ear_->connected();
     connection_->start();
 }
 

@@ -17,6 +17,7 @@
 #include "daemon/link/line_hook.h"
 #include "daemon/link/line_state.h"
 #include "daemon/link/link_counts.h"
+#include "daemon/link/wire_ear.h"
 
 namespace scipd::daemon {
 
@@ -54,6 +55,9 @@ class Port {
     void set_line(const LineState& line);
     /// Null: none.
     void set_hook(LineHook* hook);
+    /// Null: nobody listens. It must outlive that.
+    void set_ear(WireEar* ear);
+    [[nodiscard]] WireEar* ear() const { return ear_; }
     /// Ends the connection in the next turn; nothing goes either way any more. A tty hangs up and
     /// comes back under its name. The next client is welcome at once, unless the line refuses it.
     virtual void cut(Cut how) = 0;
@@ -83,6 +87,7 @@ class Port {
     SharedLimits limits_ = std::make_shared<Limits>();
     LineState line_;
     LineHook* hook_ = nullptr;
+    WireEar* ear_ = nullptr;
     std::shared_ptr<Connection> connection_;
     LinkCounts counts_before_;  ///< by connections that have ended
 };

@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "daemon/world/inline_mesh.h"
 #include "sim/loaders/file/allowed_folder.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/sdf/resources.h"
@@ -115,7 +116,7 @@ std::size_t triangles_of(const AddedTriangles& added) {
     return triangles;
 }
 
-EditedOrNot edited(const AddModel& edit, const PresentScene& present) {
+EditedOrNot with_model(const AddModel& edit, const PresentScene& present) {
     sim::SharedScene scene = present.scene;
     const std::string& name = edit.placement.name;
     if (sim::find_model(*scene, name)) {
@@ -140,6 +141,34 @@ EditedOrNot edited(const AddModel& edit, const PresentScene& present) {
     check_triangles(*scene, present.options.sdf.most_triangles);
     return EditedScene{present.file,        std::move(scene), added,
                        std::move(warnings), std::move(notes), std::move(all)};
+}
+
+EditedOrNot edited(const AddModel& edit, const PresentScene& present) {
+    if (edit.mesh_data.empty()) return with_model(edit, present);
+    const InlineMesh mesh(edit.mesh_data, edit.mesh_format);
+    AddModel of_file = edit;
+    of_file.mesh = mesh.file();
+    PresentScene beside = present;
+    beside.allow.push_back(mesh.folder());
+    beside.options.limits.folders->push_back(mesh.folder());
+    return with_model(of_file, beside);
+}
+
+EditedOrNot edited(const SetMaterial& edit, const PresentScene& present) {
+    if (!sim::find_model(*present.scene, edit.model))
+        return refuse(Result::unknown, "there is no model \"" + edit.model + "\"");
+    auto scene = std::make_shared<sim::Scene>(*present.scene);
+    const sim::MaterialId material = sim::id_of({edit.material}, scene->materials);
+    for (sim::Object& object : scene->objects) {
+        const std::string& model = scene->models[object.model].name;
+        if (model == edit.model || model.starts_with(edit.model + "::")) object.material = material;
+    }
+    auto nothing = std::make_shared<sim::Scene>();
+    nothing->materials = {scene->materials.front(), scene->materials[material]};
+    sim::LoadedScene told{nothing, {}, {}};
+    sim::check_materials(told, edit.model, present.options);
+    return EditedScene{present.file, std::move(scene), std::move(nothing), told.warnings,
+                       {},           present.added};
 }
 
 EditedOrNot edited(const RemoveModel& edit, const PresentScene& present) {

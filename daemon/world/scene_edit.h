@@ -20,23 +20,31 @@ struct LoadWorld {
     std::filesystem::path file;  ///< relative to the folder of the present one
 };
 
-/// One more model, from a text, a file or a mesh: one of these is given. Paths, and URIs in the
-/// text, are relative to the folder of the world.
+/// One more model, from a text, a file, a mesh, or the bytes of a mesh: one of these is given.
+/// Paths, and URIs in the text, are relative to the folder of the world.
 struct AddModel {
     sim::Placement placement;
     std::string sdf;             ///< a <model>
     std::filesystem::path file;  ///< of any kind that a world may be of, or the folder of a model
     std::filesystem::path mesh;
-    double scale = 1.0;    ///< of a mesh
-    std::string material;  ///< of a whole mesh; empty: those of its file
-    bool replace = false;  ///< it takes the place of a model of the same name
+    std::string mesh_data;    ///< in base64
+    std::string mesh_format;  ///< of these bytes, as the name of their file would end: "stl"
+    double scale = 1.0;       ///< of a mesh
+    std::string material;     ///< of a whole mesh; empty: those of its file
+    bool replace = false;     ///< it takes the place of a model of the same name
 };
 
 struct RemoveModel {
     std::string name;
 };
 
-using SceneEdit = std::variant<LoadWorld, AddModel, RemoveModel>;
+/// All objects of a model, and of those that lie in it, get one material.
+struct SetMaterial {
+    std::string model;
+    std::string material;
+};
+
+using SceneEdit = std::variant<LoadWorld, AddModel, RemoveModel, SetMaterial>;
 
 struct EditOutcome {
     enum class Result {

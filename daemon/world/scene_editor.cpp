@@ -2,10 +2,13 @@
 // Copyright The scipd authors
 #include "daemon/world/scene_editor.h"
 
+#include <algorithm>
 #include <exception>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <spdlog/spdlog.h>
@@ -25,6 +28,7 @@ struct SceneEditor::Next {
     std::vector<std::string> warnings;
     std::vector<std::string> notes;
     AddedTriangles added;
+    bool whole;  ///< another world, not a change of this one
 };
 
 using Result = EditOutcome::Result;
@@ -56,12 +60,15 @@ void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn)
                          {},
                          std::move(now->warnings),
                          std::move(now->notes),
-                         std::move(now->all_added)};
+                         std::move(now->all_added),
+                         std::holds_alternative<LoadWorld>(edit)};
                 for (const sim::Model& model : now->added->models)
                     next->placed_anew.insert(model.name);
                 return [this, next, done = std::move(done)] {
                     take_up(*next);
                     warn_of_lost_bodies(*next);
+                    if (next->whole) warnings_.clear();
+                    std::ranges::copy(next->warnings, std::back_inserter(warnings_));
                     done({Result::done, next->warnings, next->notes});
                 };
             } catch (const sim::LoadError& error) {

@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <stop_token>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -48,6 +49,9 @@ class SceneEditor {
         allow_ = std::move(allow);
     }
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+    /// What there is to know about the world, and about what edits have added to it.
+    void set_warnings(std::vector<std::string> warnings) { warnings_ = std::move(warnings); }
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
     /// Takes effect after all edits that were asked for before. `done` is called when the edit is
     /// in effect or refused; it is not called where the edit is withdrawn before it has begun.
@@ -66,6 +70,7 @@ class SceneEditor {
     SharedLimits limits_;
     AddedTriangles added_;
     std::filesystem::path file_;
+    std::vector<std::string> warnings_;
     sim::SceneOptions options_;
     std::vector<std::filesystem::path> allow_;
 };

@@ -47,7 +47,10 @@ void Worker::stop() {
 void Worker::next() {
     forget_withdrawn();
     busy_ = !waiting_.empty();
-    if (!busy_) return boost::asio::post(thread_, give_free_memory_back);
+    if (!busy_) {
+        if (frees_) boost::asio::post(thread_, give_free_memory_back);
+        return;
+    }
     const Begin begin = std::move(waiting_.front().begin);
     waiting_.pop_front();
     boost::asio::post(thread_, [io = io_, here = here_, work = begin()] {

@@ -27,7 +27,9 @@ class Worker {
     /// what that needs of the present state.
     using Begin = std::function<Work()>;
 
-    explicit Worker(boost::asio::any_io_executor io) : io_(std::move(io)) {}
+    /// `frees`: whether it gives memory back.
+    explicit Worker(boost::asio::any_io_executor io, bool frees = true)
+        : io_(std::move(io)), frees_(frees) {}
     ~Worker();
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
@@ -51,6 +53,7 @@ class Worker {
     void next();
 
     boost::asio::any_io_executor io_;
+    bool frees_;
     std::deque<Waiting> waiting_;
     bool busy_ = false;
     std::stop_source stopping_;

@@ -58,6 +58,7 @@ tl::unexpected<NotPlaced> refuse(NotPlaced::Reason reason, std::string field, st
 SensorBackends World::replace_scene(sim::SharedScene scene, SensorBackends backends,
                                     const std::set<std::string>& placed_anew, sim::Time now) {
     scene_ = std::move(scene);
+    ++edition_;
     names_ = sim::without_shapes(*scene_);
     SensorBackends old = exchange_backends(std::move(backends));
     auto before = std::exchange(movable_, {});
@@ -102,6 +103,7 @@ SensorBackends World::exchange_backends(SensorBackends backends) {
 
 void World::set_materials(const sim::SharedMaterials& materials) {
     light_.set_materials(materials);
+    ++edition_;
     tell([&](World& copy) { copy.set_materials(materials); }, Haste::now);
 }
 
@@ -124,6 +126,7 @@ void World::set_robots(const std::map<std::string, RobotStart>& robots) {
             name, Robot{start, sim::PoseTrack(start.world_from_robot, start.policy)});
     }
     find_carriers();
+    ++edition_;
     tell([&](World& copy) { copy.set_robots(robots); }, Haste::now);
 }
 

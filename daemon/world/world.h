@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The world as it is now: the loaded scene, the places of its robots and movable models, and the
-// backends that cast into it. A scene is never changed: another one is made elsewhere and swapped
-// in whole. Where sensors live on several threads, each thread has a copy of the world that the I/O
-// thread changes. One thread.
+// The world as it is now: the scene, where its robots and movable models are, and the backends that
+// cast into it. A scene is never changed: another one is swapped in whole. Where sensors live on
+// several threads, each has a copy of the world that the I/O thread changes. One thread.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -60,6 +60,8 @@ class World {
     /// Puts other backends for the same scene in place of these, which it returns.
     SensorBackends replace_backends(SensorBackends backends);
     [[nodiscard]] const sim::SharedScene& scene() const { return scene_; }
+    /// Grows whenever there are other objects, materials or robots.
+    [[nodiscard]] std::uint64_t edition() const { return edition_; }
     /// The scene without its shapes, which take much memory: for those who keep records of scans.
     [[nodiscard]] const sim::SharedScene& names() const { return names_; }
 
@@ -70,11 +72,13 @@ class World {
     void set_media(const std::vector<sim::Medium>& media);
     void configure_media(const std::vector<sim::Medium>& media);
 
+    using Robots = std::map<std::string, Robot, std::less<>>;
     /// The robots are these from now on. One that was there before stays where it is, unless its
     /// configuration has changed.
     void set_robots(const std::map<std::string, RobotStart>& robots);
     /// Null where there is no robot of that name.
     [[nodiscard]] const sim::PoseTrack* robot(std::string_view name) const;
+    [[nodiscard]] const Robots& robots() const { return robots_; }
     /// Null where there is no movable model of that name. A body has the track of its robot. For a
     /// model that follows its script, ask model_pose().
     [[nodiscard]] const sim::PoseTrack* model(std::string_view name) const;
@@ -133,7 +137,8 @@ class World {
     std::function<void(const Change&, Haste)> on_change_;
     sim::SharedScene scene_;
     sim::SharedScene names_;  ///< scene_ without shapes
-    std::map<std::string, Robot, std::less<>> robots_;
+    std::uint64_t edition_ = 0;
+    Robots robots_;
     Movers::Models movable_;
     Movers movers_;  ///< of movable_
     SensorBackends backends_;

@@ -17,8 +17,8 @@ constexpr unsigned most_sphere_sides = 1024;
 /// The cosine of half the angle under which a flat piece may be seen from the centre. Corners lie
 /// at R and the middle of the piece at R cos: with R = 2 r / (1 + cos) one is as far outside as the
 /// other is inside, r (1 - cos) / (1 + cos).
-double least_cosine(double radius_m) {
-    return std::max(0.0, (radius_m - chord_tolerance_m) / (radius_m + chord_tolerance_m));
+double least_cosine(double radius_m, double tolerance_m) {
+    return std::max(0.0, (radius_m - tolerance_m) / (radius_m + tolerance_m));
 }
 
 double balanced_radius_m(double radius_m, double cosine) {
@@ -53,8 +53,8 @@ Mesh plane_mesh(const Plane& plane) {
 }
 
 /// Vertices 0 and 1 are the middles of the bottom and the top; then bottom and top rim in turn.
-Mesh cylinder_mesh(const Cylinder& cylinder) {
-    const unsigned sides = sides_for(least_cosine(cylinder.radius_m));
+Mesh cylinder_mesh(const Cylinder& cylinder, double tolerance_m) {
+    const unsigned sides = sides_for(least_cosine(cylinder.radius_m, tolerance_m));
     const double turn = 2.0 * std::numbers::pi / sides;
     const double radius_m = balanced_radius_m(cylinder.radius_m, std::cos(0.5 * turn));
     const double top_m = 0.5 * cylinder.length_m;
@@ -115,8 +115,8 @@ struct SphereCut {
     double turn;
     double corner_radius_m;
 
-    SphereCut(double radius_m, unsigned step) {
-        const unsigned needed = sides_for(std::sqrt(least_cosine(radius_m)));
+    SphereCut(double radius_m, unsigned step, double tolerance_m = chord_tolerance_m) {
+        const unsigned needed = sides_for(std::sqrt(least_cosine(radius_m, tolerance_m)));
         sides = (std::min(most_sphere_sides, needed) + step - 1) / step * step;
         turn = 2.0 * std::numbers::pi / sides;
         corner_radius_m = balanced_radius_m(radius_m, std::pow(std::cos(0.5 * turn), 2));
@@ -129,8 +129,8 @@ struct SphereCut {
     }
 };
 
-Mesh sphere_mesh(const Sphere& sphere) {
-    const SphereCut cut{sphere.radius_m, 2};
+Mesh sphere_mesh(const Sphere& sphere, double tolerance_m = chord_tolerance_m) {
+    const SphereCut cut{sphere.radius_m, 2, tolerance_m};
     std::vector<Ring> rings;
     for (unsigned ring = 0; ring < cut.sides / 2 - 1; ++ring)
         rings.push_back(cut.ring(ring));
@@ -138,17 +138,19 @@ Mesh sphere_mesh(const Sphere& sphere) {
 }
 
 struct Tessellate {
+    double tolerance_m;
+
     Mesh operator()(const Box& box) const { return box_mesh(box); }
-    Mesh operator()(const Cylinder& cylinder) const { return cylinder_mesh(cylinder); }
-    Mesh operator()(const Sphere& sphere) const { return sphere_mesh(sphere); }
+    Mesh operator()(const Cylinder& cylinder) const { return cylinder_mesh(cylinder, tolerance_m); }
+    Mesh operator()(const Sphere& sphere) const { return sphere_mesh(sphere, tolerance_m); }
     Mesh operator()(const Plane& plane) const { return plane_mesh(plane); }
     Mesh operator()(const SharedMesh& mesh) const { return *mesh; }
 };
 
 }  // namespace
 
-Mesh tessellate(const Shape& shape) {
-    return std::visit(Tessellate{}, shape);
+Mesh tessellate(const Shape& shape, double tolerance_m) {
+    return std::visit(Tessellate{tolerance_m}, shape);
 }
 
 Mesh capsule_mesh(double radius_m, double length_m) {
@@ -166,7 +168,7 @@ Mesh capsule_mesh(double radius_m, double length_m) {
 
 Mesh cone_mesh(double radius_m, double length_m) {
     // Nearer to the tip all is smaller, and so is the error.
-    const unsigned sides = sides_for(least_cosine(radius_m));
+    const unsigned sides = sides_for(least_cosine(radius_m, chord_tolerance_m));
     const double corner_radius_m = balanced_radius_m(radius_m, std::cos(std::numbers::pi / sides));
     return round_mesh(0.5 * length_m, {{corner_radius_m, -0.5 * length_m}}, sides);
 }

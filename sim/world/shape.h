@@ -44,10 +44,10 @@ using Shape = std::variant<Box, Cylinder, Sphere, Plane, SharedMesh>;
 /// How far a tessellated surface may lie from the true one.
 inline constexpr double chord_tolerance_m = 1e-4;
 
-/// Returns triangles that lie within chord_tolerance_m of the shape, some inside it and some
-/// outside. Boxes, planes and meshes are exact. A sphere with a radius above 20 m gets a million
-/// triangles and no more, so its triangles lie farther off.
-Mesh tessellate(const Shape& shape);
+/// Returns triangles that lie within the tolerance of the shape, some inside it and some outside.
+/// Boxes, planes and meshes are exact. A sphere with a radius above 20 m gets a million triangles
+/// and no more, so its triangles lie farther off.
+Mesh tessellate(const Shape& shape, double tolerance_m = chord_tolerance_m);
 
 // Worlds have more shapes. They are triangles from the start, within chord_tolerance_m as well.
 

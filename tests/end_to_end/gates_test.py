@@ -184,6 +184,11 @@ def check_the_token(program, scene, folder):
         knows = {"Authorization": "Bearer 0123456789abcdef"}
         assert scipd.tcp("GET", "/status", **knows).status == 200
         assert scipd.tcp("GET", "/poses", **knows, **upgrade).status == 101
+        offer = scipd.tcp("GET", "/poses", Sec_WebSocket_Protocol="scipd, bearer.0123456789abcdef", **upgrade)
+        assert offer.status == 101 and offer.fields["sec-websocket-protocol"] == "scipd", offer
+        scipd.tcp("GET", "/poses", Sec_WebSocket_Protocol="scipd", **upgrade).refused(401)
+        assert scipd.tcp("GET", "/").status in (200, 404), "the page asks for the token; this build may have none"
+        scipd.tcp("GET", "/", Origin=EVIL).refused(403, "Origin")
         scipd.tcp("GET", "/status", Origin=EVIL, **knows).refused(403, "Origin")
         scipd.tcp("GET", "/status", host="0.0.0.0:" + scipd.ready["http"].rpartition(":")[2], **knows).refused(403)
         assert scipd.unix("GET", "/status").status == 200

@@ -41,6 +41,7 @@ robots:
 TRUTH = "/sensors/{robot}/{sensor}/truth"
 READING = "/sensors/{robot}/{sensor}/reading"
 POSE = "/scene/models/{model}/pose"
+MATERIAL = "/scene/models/{model}/material"
 MEDIA = "/scene/media"
 FAULTS = "/sensors/{robot}/{sensor}/faults"
 FAULT = FAULTS + "/{fault}"
@@ -51,6 +52,11 @@ FOG_AND_STEAM = [{"kind": "fog", "visibility_m": 20, "box": {"from": [0, 0, 0], 
                  {"kind": "custom", "name": "steam", "extinction_per_m": 0.5, "returns_per_m": 2, "brightness": 0.2}]
 # In this order: method, path in the document, path of the request, body, status.
 EXCHANGES = [
+    ("GET", "/", "/", None, 200),
+    ("GET", "/", "/", None, 304),
+    ("GET", "/favicon.ico", "/favicon.ico", None, 200),
+    ("GET", "/page/{file}", "/page/main.js", None, 200),
+    ("GET", "/page/{file}", "/page/other.js", None, 404),
     ("GET", "/status", "/status", None, 200),
     ("GET", "/health", "/health", None, 200),
     ("GET", "/metrics", "/metrics", None, 200),
@@ -102,6 +108,9 @@ EXCHANGES = [
     ("PUT", "/robots/{robot}/pose", "/robots/robot/pose", {"xyz": 1}, 400),
     ("PUT", "/robots/{robot}/pose", "/robots/other/pose", {"xyz": [0, 0, 0]}, 404),
     ("GET", "/scene", "/scene", None, 200),
+    ("GET", "/scene/objects", "/scene/objects", None, 200),
+    ("GET", "/scene/meshes/{mesh}", "/scene/meshes/MESH", None, 200),
+    ("GET", "/scene/meshes/{mesh}", "/scene/meshes/0123456789abcdef", None, 404),
     ("POST", "/scene/models", "/scene/models",
      {"name": "m", "sdf": SDF, "pose": {"xyz": [1, 0, 0], "q": [0, 0, 0, 1]}}, 201),
     ("POST", "/scene/models", "/scene/models", {"name": "m", "sdf": SDF}, 409),
@@ -119,6 +128,9 @@ EXCHANGES = [
     ("PUT", POSE, "/scene/models/m/pose", {"xyz": [2, 0, 0], "t": 7}, 409),
     ("PUT", POSE, "/scene/models/m/pose", {"xyz": [2]}, 400),
     ("PUT", POSE, "/scene/models/n/pose", {"xyz": [2, 0, 0]}, 404),
+    ("PUT", MATERIAL, "/scene/models/m/material", {"material": "concrete"}, 200),
+    ("PUT", MATERIAL, "/scene/models/m/material", {}, 400),
+    ("PUT", MATERIAL, "/scene/models/n/material", {"material": "concrete"}, 404),
     ("DELETE", "/scene/models/{model}", "/scene/models/m", None, 204),
     ("DELETE", "/scene/models/{model}", "/scene/models/m", None, 404),
     ("GET", MEDIA, MEDIA, None, 200),
@@ -131,8 +143,12 @@ EXCHANGES = [
     ("PUT", "/scene", "/scene", {"file": "/etc/hostname"}, 403),
     ("GET", "/poses", "/poses", None, 426),
     ("GET", "/stream", "/stream", None, 426),
+    ("GET", "/view", "/view", None, 426),
+    ("GET", "/wire", "/wire?sensor=robot/multi", None, 426),
     ("GET", "/poses", "/poses", None, 101),
     ("GET", "/stream", "/stream", None, 101),
+    ("GET", "/view", "/view", None, 101),
+    ("GET", "/wire", "/wire?sensor=robot/multi", None, 101),
 ]
 # Over TCP: the answer of the document, its status, and the header fields of the request, which has a body.
 TOKEN = "0123456789abcdef"
@@ -194,11 +210,11 @@ def message(connection):
             return text
 
 
-def subscribe(path, sensor):
+def connect(path, target):
     connection = socket.socket(socket.AF_UNIX)
     connection.settimeout(60)
     connection.connect(path)
-    lines = [f"GET /stream?sensor=robot/{sensor} HTTP/1.1", "Host: localhost"]
+    lines = [f"GET {target} HTTP/1.1", "Host: localhost"]
     lines += [f"{key}: {value}" for key, value in UPGRADE.items()]
     connection.sendall("\r\n".join(lines + ["", ""]).encode())
     head = b""
@@ -206,6 +222,49 @@ def subscribe(path, sensor):
         head += connection.recv(1)
     assert b" 101 " in head.splitlines()[0], head
     return connection
+
+
+def subscribe(path, sensor):
+    return connect(path, "/stream?sensor=robot/" + sensor)
+
+
+def say(connection, said):
+    """With the mask 0, which leaves the bytes as they are."""
+    text = json.dumps(said).encode()
+    assert len(text) < 126, text
+    connection.sendall(bytes([0x81, 0x80 | len(text), 0, 0, 0, 0]) + text)
+
+
+def check_view(document, path, sensors):
+    for sensor in sensors:
+        connection = connect(path, "/view")
+        wanted = {"scans": {"robot/" + sensor: {"true": True}}}
+        document.check({"$ref": "#/components/schemas/ViewRequest"}, wanted)
+        say(connection, wanted)
+        assert set(json.loads(message(connection))) == {"scene"}
+        document.check({"$ref": "#/components/schemas/ViewPoses"}, json.loads(message(connection)))
+        frame = message(connection)
+        assert frame[:4] == b"SCV1", frame[:100]
+        header = json.loads(frame[12:12 + int.from_bytes(frame[8:12], "little")])
+        document.check({"$ref": "#/components/schemas/ViewFrame"}, header)
+        known = document.root["components"]["schemas"]["ViewFrame"]["properties"]
+        assert set(header) <= set(known), set(header) - set(known)
+        for array in header["arrays"]:
+            assert f"`{array['name']}` ({array['type']}" in known["arrays"]["description"], array
+
+
+def check_wire(document, path, tcp):
+    connection = connect(path, "/wire?sensor=robot/multi")
+    host, _, port = tcp.rpartition(":")
+    with socket.create_connection((host, int(port)), 60) as driver:
+        driver.sendall(b"VV\nGD0000001000\n")
+        said = [json.loads(message(connection)) for _ in range(4)]
+    for one in said:
+        document.check({"$ref": "#/components/schemas/WireMessage"}, one)
+    assert [(one["from"], one["line"], one["status"]) for one in said] == [
+        ("client", "VV", None), ("client", "GD0000001000", None),
+        ("scanner", "VV", "00"), ("scanner", "GD0000001000", "10")], said
+    assert "BM" in said[3]["explains"], said
 
 
 def check_stream(document, path, sensor, schema):
@@ -231,7 +290,7 @@ def check_paths(document, path):
     answer, content = ask(path, "GET", "/no/such/path")
     problem = json.loads(content)
     document.check({"$ref": "#/components/schemas/Problem"}, problem)
-    served = set(re.findall(r"/[^ ,;]+", problem["detail"].split("there are ")[1]))
+    served = set(re.findall(r"/[^ ,;]*", problem["detail"].split("there are ")[1]))
     assert served == set(document.root["paths"]), served ^ set(document.root["paths"])
     for template in served:
         documented = {method for method, where in document.operations() if where == template}
@@ -247,7 +306,11 @@ def check_exchanges(document, path, scene):
     for method, template, target, body, status in EXCHANGES:
         operation = document.operations()[(method, template)]
         body = {"file": scene} if body == {"file": "SCENE"} else body
-        answer, content = ask(path, method, target, body, UPGRADE if status == 101 else None)
+        if target.endswith("/MESH"):
+            target = target.replace("MESH", json.loads(ask(path, "GET", "/scene/objects")[1])["objects"][0]["mesh"])
+        headers = UPGRADE if status == 101 else {"If-None-Match": ask(path, method, target)[0].headers["ETag"]} \
+            if status == 304 else None
+        answer, content = ask(path, method, target, body, headers)
         assert answer.status == status, (method, target, answer.status, content)
         response = document.follow(operation["responses"][str(status)])
         if status != 400 and body is not None:
@@ -255,7 +318,7 @@ def check_exchanges(document, path, scene):
         if "content" in response:
             (kind, media), = response["content"].items()
             assert answer.headers["Content-Type"] == kind, (target, answer.headers["Content-Type"])
-            document.check(media["schema"], json.loads(content) if "json" in kind else content.decode())
+            document.check(media["schema"], json.loads(content) if "json" in kind else content.decode("latin-1"))
         else:
             assert content == b"", (target, content)
         unseen.discard((method, template, status))
@@ -291,6 +354,8 @@ def main():
             check_stream(document, control, "multi", "StreamScan")
             check_stream(document, control, "tof", "CameraReading")
             check_stream(document, control, "sonar", "RangerReading")
+            check_view(document, control, ["scanner", "multi", "tof", "sonar"])
+            check_wire(document, control, ready["sensors"][1]["tcp"])
             check_fault_stream(document, control)
             check_paths(document, control)
             check_exchanges(document, control, scene)

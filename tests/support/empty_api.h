@@ -15,6 +15,7 @@
 #include "daemon/api/api.h"
 #include "daemon/api/faults_api.h"
 #include "daemon/api/scan_stream.h"
+#include "daemon/api/scene_gallery.h"
 
 namespace scipd::tests {
 
@@ -52,6 +53,11 @@ class EmptyApi : public daemon::Api {
                                                     daemon::WebSocket& socket) override {
         return stream_.subscribe(sensor, socket);
     }
+    std::unique_ptr<daemon::Conversation> open_wire(const std::string&,
+                                                    daemon::WebSocket&) override {
+        return nullptr;
+    }
+    std::unique_ptr<daemon::Conversation> open_view(daemon::WebSocket&) override { return nullptr; }
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string&) const override {
         return {};
     }
@@ -60,6 +66,14 @@ class EmptyApi : public daemon::Api {
     sim::Expected<> take_pose_line(std::string_view, daemon::SenderClock&) override { return {}; }
     daemon::ScanStream& stream() { return stream_; }
     [[nodiscard]] daemon::SceneView scene() const override { return {"empty.sdf", scene_}; }
+    [[nodiscard]] daemon::WorldView world() const override {
+        const sim::SharedScene now = scene().scene;
+        daemon::WorldView view{"1", now, std::make_shared<const sim::MaterialLibrary>()};
+        for (const sim::Model& model : now->models)
+            view.models.push_back(model.world_from_model);
+        return view;
+    }
+    [[nodiscard]] daemon::SceneGallery& gallery() override { return gallery_; }
     void edit_scene(daemon::SceneEdit, daemon::EditDone done, std::stop_token) override {
         done({});
     }
@@ -79,6 +93,8 @@ class EmptyApi : public daemon::Api {
     std::vector<sim::Medium> media_;
     daemon::ScanStream stream_;
     EmptyFaults faults_;
+    daemon::SceneGallery gallery_{
+        [](const daemon::Worker::Begin& begin) { begin()()(); }};  // here and now
 };
 
 }  // namespace scipd::tests

@@ -19,7 +19,7 @@ SHORT_SHARE = 0.9
 
 FOLDERS = ("cmake", "daemon", "docs", "examples", "packaging", "protocol", "scenes", "sim", "tests", "tools")
 SOURCES = (".h", ".cpp")
-TEXTS = (".md", ".py", ".cmake", ".yaml", ".json", ".txt", "")
+TEXTS = (".md", ".py", ".cmake", ".yaml", ".json", ".txt", ".js", ".css", ".html", "")
 # Data, which was recorded, measured or generated.
 DATA = re.compile(r"scenes/.*\.(json|txt)$|tests/(bench/results/.*\.txt|fuzz/corpus/|protocol/dialogues/.*\.txt"
                   r"|sim/loaders/worlds/)")

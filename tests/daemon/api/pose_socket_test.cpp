@@ -44,6 +44,8 @@ class Client : public WebSocket {
         told_.push_back(json::parse(*message));
     }
 
+    void send_bytes(std::shared_ptr<const std::string>) override {}
+
     std::vector<json> told_;
 };
 

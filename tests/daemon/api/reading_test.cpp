@@ -50,6 +50,7 @@ World wall_before_sensors() {
 class Socket : public WebSocket {
   public:
     void send(std::shared_ptr<const std::string> message) override { sent.push_back(*message); }
+    void send_bytes(std::shared_ptr<const std::string>) override {}
 
     std::vector<std::string> sent;
 };

@@ -128,7 +128,8 @@ FleetStatus busy_status() {
     front.casts = {{"embree", 4001}, {"depth", 2}};
     front.lost = 2;
     front.stream_lost = 3;
-    front.lateness = LatenessStatus{0.125ms, 0.5ms, 2ms};
+    front.lateness = LatenessStatus{0.125ms, 0.5ms, 2ms, {0, 7, 0, 3}};
+    front.lateness->counts.back() = 1;
     SensorStatus rear;
     rear.name = "rescue/rear";
     rear.model = "URG-04LX";
@@ -142,6 +143,7 @@ FleetStatus busy_status() {
     status.clock = "wall";
     status.time = 100250ms;
     status.scene = "/scenes/room.sdf";
+    status.warnings = {"room.sdf: a wall is missing"};
     status.poses = {7, 1, "q must be a quaternion"};
     status.sensors = {front, rear};
     return status;
@@ -153,24 +155,28 @@ constexpr const char* front_text =
     R"("state":"measuring","warning":null,)"
     R"("tcp":"127.0.0.1:10940","pty":null,"clients":1,"scans":4000,)"
     R"("casts":{"depth":2,"embree":4001},"lost":2,"stream_lost":3,)"
-    R"("lateness_ms":{"p50":0.125,"p99":0.5,"max":2.0}})";
+    R"("lateness_ms":{"p50":0.125,"p99":0.5,"max":2.0},)"
+    R"("lateness_histogram":{"le_ms":[0.016,0.032,0.064,0.128,0.256,0.512,1.024,2.048,4.096,)"
+    R"(8.192,16.384,32.768,65.536,131.072],"counts":[0,7,0,3,0,0,0,0,0,0,0,0,0,0,1]}})";
 constexpr const char* rear_text =
     R"({"name":"rescue/rear","model":"URG-04LX","backend":"reference","backend_reason":null,)"
     R"("state":"idle","warning":"is inside model hull",)"
     R"("tcp":null,"pty":"/run/scipd/rear","clients":0,"scans":0,)"
     R"("casts":{},"lost":0,"stream_lost":0,)"
-    R"("lateness_ms":{"p50":null,"p99":null,"max":null}})";
+    R"("lateness_ms":{"p50":null,"p99":null,"max":null},"lateness_histogram":null})";
 
 TEST_F(RoutesTest, StatusIsTheWholeDocument) {
     api_.status_ = busy_status();
     const auto response = get("/status");
     EXPECT_EQ(response.status, 200);
     EXPECT_EQ(response.content_type, "application/json");
-    EXPECT_EQ(response.body,
-              std::string{R"({"uptime_s":100.5,"clock":"wall","time_s":100.25,)"
-                          R"("scene":"/scenes/room.sdf","poses":{"accepted":7,"refused":1,)"
-                          R"("last_refusal":"q must be a quaternion"},"fleet":null,"sensors":[)"} +
-                  front_text + "," + rear_text + "]}\n");
+    EXPECT_EQ(
+        response.body,
+        std::string{R"({"uptime_s":100.5,"clock":"wall","time_s":100.25,)"
+                    R"("scene":"/scenes/room.sdf","warnings":["room.sdf: a wall is missing"],)"
+                    R"("poses":{"accepted":7,"refused":1,)"
+                    R"("last_refusal":"q must be a quaternion"},"fleet":null,"sensors":[)"} +
+            front_text + "," + rear_text + "]}\n");
 }
 
 TEST_F(RoutesTest, WhatIsUnknownIsNull) {
@@ -276,6 +282,8 @@ TEST_F(RoutesTest, AWrongMethodIsToldTheRightOnes) {
         {"/scene/models/door/pose", "GET, PUT"},
         {"/poses", "GET"},
         {"/stream", "GET"},
+        {"/view", "GET"},
+        {"/wire", "GET"},
     };
     for (const auto& [path, allow] : table) {
         const auto response = ask({"DELETE", path, "", ""});
@@ -285,7 +293,7 @@ TEST_F(RoutesTest, AWrongMethodIsToldTheRightOnes) {
 }
 
 TEST_F(RoutesTest, UnknownPathsAreNotFound) {
-    for (const char* path : {"", "/", "//", "status", "/status/", "/Status", "/sensors/rescue",
+    for (const char* path : {"", "//", "status", "/status/", "/Status", "/sensors/rescue",
                              "/robots", "/robots/rescue", "/robots/rescue/pose/x", "*"}) {
         EXPECT_EQ(problem_status(get(path)), 404) << path;
     }
@@ -360,6 +368,16 @@ TEST_F(RoutesTest, AModelIsAskedFor) {
     EXPECT_EQ(folder.placement.movable, false);
 }
 
+TEST_F(RoutesTest, AModelGetsAnotherMaterial) {
+    EXPECT_EQ(put("/scene/models/a%3A%3Ab/material", R"({"material":"wood"})").status, 200);
+    ASSERT_EQ(api_.edits_.size(), 1U);
+    const auto& edit = std::get<SetMaterial>(api_.edits_[0]);
+    EXPECT_EQ(edit.model, "a::b");
+    EXPECT_EQ(edit.material, "wood");
+    for (const char* body : {"{}", R"({"material":""})", R"({"material":1})", R"({"colour":"x"})"})
+        EXPECT_EQ(problem_status(put("/scene/models/a/material", body)), 400) << body;
+}
+
 TEST_F(RoutesTest, AWrongModelNamesItsField) {
     const std::pair<std::string, const char*> table[] = {
         {R"({})", "name"},
@@ -381,6 +399,14 @@ TEST_F(RoutesTest, AWrongModelNamesItsField) {
         {R"({"name":"a","sdf":"x","pose":{"xyz":[1,2,3],"v":[1,0,0]}})", "pose"},
         {R"({"name":"a","sdf":"x","pose":{"xyz":[[1],2,3]}})", "pose"},
         {R"({"name":"a","sdf":"x","colour":"red"})", "colour"},
+        {R"({"name":"a","mesh":"x","mesh_data":"AAAA","mesh_format":"stl"})", "sdf"},
+        {R"({"name":"a","mesh_data":"AAAA"})", "mesh_format"},
+        {R"({"name":"a","mesh":"x","mesh_format":"stl"})", "mesh_format"},
+        {R"({"name":"a","mesh_data":"AAA","mesh_format":"stl"})", "mesh_data"},
+        {R"({"name":"a","mesh_data":"A=AA","mesh_format":"stl"})", "mesh_data"},
+        {R"({"name":"a","mesh_data":"AA\nA","mesh_format":"stl"})", "mesh_data"},
+        {R"({"name":"a","mesh_data":"AAAA","mesh_format":"../stl"})", "mesh_format"},
+        {R"({"name":"a","mesh_data":"AAAA","mesh_format":"sdf"})", "mesh_format"},
     };
     for (const auto& [body, field] : table) {
         const auto response = ask({"POST", "/scene/models", "", body});

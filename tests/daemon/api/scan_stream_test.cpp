@@ -37,6 +37,7 @@ class Client : public WebSocket {
     void send(std::shared_ptr<const std::string> message) override {
         unread_.push_back(std::move(message));
     }
+    void send_bytes(std::shared_ptr<const std::string>) override {}
 
     /// All that there is.
     std::vector<std::shared_ptr<const std::string>> take_all() {
@@ -136,6 +137,7 @@ TEST_F(ScanStreamTest, LosesOfAllAlikeForOneWhoDoesNotRead) {
 TEST_F(ScanStreamTest, AnswersThoseWhoWantOneSensorWithThatOne) {
     add(3, 1);
     struct Reader : WebSocket {
+        void send_bytes(std::shared_ptr<const std::string>) override {}
         void send(std::shared_ptr<const std::string> message) override {
             sensors.push_back(nlohmann::json::parse(*message).at("sensor"));
         }
@@ -173,6 +175,7 @@ TEST_F(ScanStreamTest, TellsOfFaultsBesideTheScans) {
     inject();
     Client client(stream_);
     struct Reader : WebSocket {
+        void send_bytes(std::shared_ptr<const std::string>) override {}
         void send(std::shared_ptr<const std::string>) override { ++messages; }
         int messages = 0;
     } of_other;

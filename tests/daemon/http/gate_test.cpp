@@ -151,6 +151,41 @@ TEST(Gate, AsksForTheToken) {
     EXPECT_EQ(status(), 403);
 }
 
+// No page in a browser can set the Authorization of a WebSocket.
+TEST(Gate, TakesTheTokenAsASubprotocol) {
+    const Gate gate{"correct-horse-battery"};
+    const auto status = [&](const char* offers, const char* authorization = nullptr) {
+        auto request = asked_of("localhost:8080");
+        request.set(http::field::sec_websocket_protocol, offers);
+        if (authorization != nullptr) request.set(http::field::authorization, authorization);
+        const auto answer = gate.answer(request, false, loopback);
+        return answer ? answer->status : 200;
+    };
+    EXPECT_EQ(status("scipd, bearer.correct-horse-battery"), 200);
+    EXPECT_EQ(status("bearer.correct-horse-battery,scipd"), 200);
+    for (const char* offers :
+         {"", "scipd", "correct-horse-battery", "scipd, bearer.", "scipd, bearer.correct-horse",
+          "scipd, Bearer correct-horse-battery", "bearer.x, bearer.correct-horse-battery"})
+        EXPECT_EQ(status(offers), 401) << offers;
+    EXPECT_EQ(status("bearer.correct-horse-battery", "Bearer other"), 401) << "which of the two?";
+}
+
+TEST(Gate, ShowsWhatIsPublicToAllWhoMayConnect) {
+    const Gate gate{"secret", [](std::string_view path) { return path == "/"; }};
+    const auto status = [&](http::verb method, const char* target, const char* host) {
+        auto request = asked_of(host);
+        request.method(method);
+        request.target(target);
+        const auto answer = gate.answer(request, false, loopback);
+        return answer ? answer->status : 200;
+    };
+    EXPECT_EQ(status(http::verb::get, "/", "localhost:8080"), 200);
+    EXPECT_EQ(status(http::verb::head, "/?x=1", "localhost:8080"), 200);
+    EXPECT_EQ(status(http::verb::put, "/", "localhost:8080"), 401);
+    EXPECT_EQ(status(http::verb::get, "/status", "localhost:8080"), 401);
+    EXPECT_EQ(status(http::verb::get, "/", "evil.example"), 403);
+}
+
 /// A server that answers everything with "heard", and WebSockets with a 404 that says the same.
 class GateOfAServer : public testing::Test {
   protected:

@@ -2,6 +2,8 @@
 // Copyright The scipd authors
 #include "daemon/world/scene_editor.h"
 
+#include <cstdlib>
+#include <filesystem>
 #include <future>
 #include <memory>
 #include <optional>
@@ -139,6 +141,49 @@ TEST_F(AddedWithinLimits, AreAsManyModelsAsAllowed) {
     EXPECT_EQ(add("c").result, Result::done) << "there is room again";
     EXPECT_EQ(add("d").result, Result::too_much);
     EXPECT_EQ(limits_->refused(Limit::added_models), 2U);
+}
+
+std::string material_of(const World& world, const std::string& model) {
+    const sim::Scene& scene = *world.scene();
+    for (const sim::Object& object : scene.objects) {
+        if (scene.models[object.model].name == model) return scene.materials[object.material].name;
+    }
+    return "none";
+}
+
+TEST_F(AddedWithinLimits, GetAnotherMaterialWhereTheyAre) {
+    using Result = EditOutcome::Result;
+    allow(Limit::added_models, 9);
+    EXPECT_EQ(add("a").result, Result::done);
+    EXPECT_EQ(add("b").result, Result::done);
+    ASSERT_TRUE(world_.place_model(
+        "a", {.time = std::chrono::seconds(1), .pose = {{7, 0, 0}, {1, 0, 0, 0}}}));
+    EXPECT_EQ(edit(SetMaterial{"a", "gold"}).result, Result::done);
+    EXPECT_EQ(material_of(world_, "a"), "gold");
+    EXPECT_NE(material_of(world_, "b"), "gold");
+    EXPECT_EQ(world_.model_pose("a", std::chrono::seconds(2))->translation_m.x, 7)
+        << "it stays where it was put";
+    EXPECT_EQ(edit(SetMaterial{"nobody", "gold"}).result, Result::unknown);
+}
+
+TEST_F(AddedWithinLimits, MayComeAsBytes) {
+    using Result = EditOutcome::Result;
+    allow(Limit::added_models, 9);
+    const tests::TempDir temporary;
+    ::setenv("TMPDIR", temporary.path().c_str(), 1);
+    AddModel model;
+    model.placement.name = "a";
+    model.mesh_format = "obj";
+    // v 0 0 0, v 1 0 0, v 0 1 0, f 1 2 3, a line each
+    model.mesh_data = "diAwIDAgMAp2IDEgMCAwCnYgMCAxIDAKZiAxIDIgMwo=";
+    EXPECT_EQ(edit(model).result, Result::done);
+    ASSERT_TRUE(sim::find_model(*world_.scene(), "a"));
+    EXPECT_EQ(sim::tessellate(world_.scene()->objects.back().shape).triangles.size(), 1U);
+    model.placement.name = "b";
+    model.mesh_data = "AAAA";
+    EXPECT_EQ(edit(model).result, Result::faulty);
+    EXPECT_TRUE(std::filesystem::is_empty(temporary.path())) << "nothing is left behind";
+    ::unsetenv("TMPDIR");
 }
 
 TEST_F(AddedWithinLimits, HaveAsManyTrianglesAsAllowed) {

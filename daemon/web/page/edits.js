@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Changes of the world: a box, a mesh from a file, a model less, another material. All by the control API, and each can
+// be taken back.
+import {meshFile, toBase64} from './mesh_file.js';
+
+export const FORMATS = ['stl', 'obj', 'ply', 'dae', 'glb', 'gltf', 'off', '3ds'];
+const BOX_M = 0.5;
+
+function modelPath(name, rest = '') {
+  return `/scene/models/${encodeURIComponent(name)}${rest}`;
+}
+
+export class Edits {
+  constructor({server, world, robots, selection, viewpoint, undo, notices}) {
+    Object.assign(this, {server, world, robots, selection, viewpoint, undo, notices});
+    this.added = new Map();
+  }
+
+  /** A name that no model has. */
+  freeName(wish) {
+    const taken = new Set(this.world.objects.map(({object}) => object.model));
+    for (const name of this.added.keys()) taken.add(name);
+    if (!taken.has(wish)) return wish;
+    for (let number = 2; ; ++number) {
+      if (!taken.has(`${wish} ${number}`)) return `${wish} ${number}`;
+    }
+  }
+
+  /** On the ground, in the middle of the view. */
+  place() {
+    const {x, y} = this.viewpoint.target;
+    return [round(x), round(y), 0];
+  }
+
+  addBox() {
+    return this.undo.inTurn(() => this.bringBox());
+  }
+
+  async bringBox() {
+    const name = this.freeName('box');
+    const half_m = BOX_M / 2;
+    const sdf = `<model name='box'><link name='body'><visual name='box'>` +
+      `<pose>0 0 ${half_m} 0 0 0</pose><geometry><box><size>${BOX_M} ${BOX_M} ${BOX_M}</size></box>` +
+      `</geometry></visual></link></model>`;
+    await this.add({name, sdf, static: false, pose: {xyz: this.place()}});
+  }
+
+  /** A file that was dropped or chosen; scale is 0.001 where its unit is a millimetre. */
+  addMesh(file, choices) {
+    return this.undo.inTurn(() => this.bringMesh(file, choices));
+  }
+
+  async bringMesh(file, {scale, material}) {
+    const format = file.name.split('.').pop().toLowerCase();
+    if (!FORMATS.includes(format)) {
+      this.notices.trouble(`${file.name} is no mesh that scipd reads: ${FORMATS.join(', ')}.`);
+      return;
+    }
+    const stem = file.name.slice(0, -format.length - 1).replace(/::/g, ' ') || 'mesh';
+    const request = {
+      name: this.freeName(stem.slice(0, 40)),
+      mesh_data: toBase64(new Uint8Array(await file.arrayBuffer())),
+      mesh_format: format,
+      pose: {xyz: this.place()},
+    };
+    if (scale !== 1) request.scale = scale;
+    if (material) request.material = material;
+    await this.add(request);
+  }
+
+  async add(request) {
+    try {
+      await this.bring(request);
+      this.undo.did(`added ${request.name}`, () => this.takeAway(request.name));
+      this.selection.select({kind: 'models', name: request.name, movable: true});
+    } catch (error) {
+      this.notices.trouble(`${request.name} cannot be added: ${error.message}`);
+    }
+  }
+
+  async bring(request) {
+    const answer = await this.server.post('/scene/models', request);
+    this.added.set(request.name, request);
+    for (const warning of answer.warnings || []) this.notices.tell(warning);
+    // The page is told of the new scene, but whoever selects the model next wants it now.
+    await this.world.load();
+  }
+
+  async takeAway(name) {
+    await this.server.remove(modelPath(name));
+    this.added.delete(name);
+    await this.world.load();
+  }
+
+  /** What brings a model back: as it was added, or else as the faces that were seen of it. */
+  recipe(name) {
+    const pose = this.robots.poseOf('models', name) || {xyz: [0, 0, 0], q: [0, 0, 0, 1]};
+    const added = this.added.get(name);
+    if (added) return {...added, pose: {xyz: pose.xyz, q: pose.q}};
+    const parts = this.world.objects.filter(({object}) => within(object.model, name));
+    const movable = parts.some(({object}) => object.movable);
+    return {name, ...meshFile(parts, this.world, movable ? pose : null), static: !movable};
+  }
+
+  async remove(thing) {
+    if (thing?.kind === 'models') await this.undo.inTurn(() => this.removeModel(thing));
+  }
+
+  async removeModel(thing) {
+    try {
+      const recipe = this.recipe(thing.name);
+      await this.takeAway(thing.name);
+      this.undo.did(`deleted ${thing.name}`, () => this.bring(recipe));
+      this.selection.select(null);
+      this.notices.tell(`${thing.name} is gone. Ctrl+Z brings it back.`);
+    } catch (error) {
+      this.notices.trouble(`${thing.name} cannot be deleted: ${error.message}`);
+    }
+  }
+
+  materialsOf(name) {
+    const own = this.world.objects.filter(({object}) => within(object.model, name));
+    return [...new Set(own.map(({object}) => object.material))];
+  }
+
+  setMaterial(name, material) {
+    return this.undo.inTurn(() => this.makeOf(name, material));
+  }
+
+  async makeOf(name, material) {
+    const before = this.materialsOf(name);
+    const put = (wanted) => this.server.put(modelPath(name, '/material'), {material: wanted})
+      .then(() => this.world.load());
+    try {
+      await put(material);
+      this.undo.did(`made ${name} of ${material}`, async () => {
+        if (before.length !== 1) throw new Error(`${name} was of several materials`);
+        await put(before[0]);
+      });
+    } catch (error) {
+      this.notices.trouble(`${name} cannot be made of ${material}: ${error.message}`);
+    }
+  }
+}
+
+/** A model, or one that lies in it. */
+function within(model, name) {
+  return model === name || Boolean(model?.startsWith(`${name}::`));
+}
+
+function round(value) {
+  return Math.round(value * 100) / 100;
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The pointer's hands: a click selects, a drag of a robot or a movable model moves it over the ground, and a drag of
+// the ring around the selected thing, or with Shift, turns it.
+import {movedTo, turned} from './pose.js';
+
+const SLACK_PX = 4;
+const MOST_TO_HOVER = 200_000;
+
+export class Hands {
+  constructor({stage, viewpoint, selection, robots, mover, undo, ring}) {
+    Object.assign(this, {stage, viewpoint, selection, robots, mover, undo, ring});
+    this.drag = null;
+    const canvas = stage.canvas;
+    canvas.addEventListener('pointerdown', (event) => this.press(event));
+    canvas.addEventListener('pointermove', (event) => this.move(event));
+    canvas.addEventListener('pointerup', (event) => this.release(event));
+    canvas.addEventListener('pointercancel', (event) => this.release(event));
+    canvas.addEventListener('contextmenu', (event) => event.preventDefault());
+  }
+
+  press(event) {
+    if (event.button !== 0 || !event.isPrimary) {
+      this.drag = null;
+      this.viewpoint.controls.enabled = true;
+      return;
+    }
+    const ring = this.ring.under(event);
+    const under = ring ? null : this.selection.under(event);
+    const thing = ring ? this.selection.thing : under?.thing;
+    this.drag = {thing, x: event.clientX, y: event.clientY, begun: false};
+    if (!thing?.movable) return;
+    const pose = this.robots.poseOf(thing.kind, thing.name);
+    if (!pose) return;
+    this.viewpoint.controls.enabled = false;
+    this.stage.canvas.setPointerCapture(event.pointerId);
+    const height_m = ring ? pose.xyz[2] : under.point.z;
+    const turns = Boolean(ring) || event.shiftKey;
+    Object.assign(this.drag, {
+      pose, turns, height_m, from: this.selection.onHeight(event, height_m),
+    });
+  }
+
+  move(event) {
+    if (!this.drag) {
+      this.hover(event);
+      return;
+    }
+    const far = Math.hypot(event.clientX - this.drag.x, event.clientY - this.drag.y) > SLACK_PX;
+    if (!this.drag.begun && !far) return;
+    if (!this.drag.begun) this.begin();
+    if (this.drag.from) this.follow(event);
+  }
+
+  begin() {
+    this.drag.begun = true;
+    if (!this.drag.from) return;
+    const {thing} = this.drag;
+    this.selection.select(thing);
+    this.robots.hold(thing.kind, thing.name);
+    this.stage.canvas.classList.add('holding');
+  }
+
+  follow(event) {
+    const {thing, pose, from, height_m, turns} = this.drag;
+    const to = this.selection.onHeight(event, height_m);
+    if (!to) return;
+    const [x, y, z] = pose.xyz;
+    if (turns) {
+      const angle_rad = Math.atan2(to.y - y, to.x - x) - Math.atan2(from.y - y, from.x - x);
+      this.mover.move(thing, turned(pose, angle_rad));
+    } else {
+      this.mover.move(thing, movedTo(pose, [x + to.x - from.x, y + to.y - from.y, z]));
+    }
+  }
+
+  release() {
+    const drag = this.drag;
+    this.drag = null;
+    this.viewpoint.controls.enabled = true;
+    if (!drag) return;
+    if (!drag.begun) {
+      this.selection.select(drag.thing || null);
+    } else if (drag.from) {
+      this.robots.release();
+      this.stage.canvas.classList.remove('holding');
+      this.undo.moved(drag.thing, drag.pose);
+    }
+  }
+
+  /** The cursor tells what can be taken, once a picture, and not in worlds through which it takes long to look. */
+  hover(event) {
+    if (event.pointerType !== 'mouse' || event.buttons) return;
+    if (this.selection.world.triangles > MOST_TO_HOVER) return;
+    const first = !this.hovered;
+    this.hovered = event;
+    if (first) requestAnimationFrame(() => this.tellCursor());
+  }
+
+  tellCursor() {
+    const event = this.hovered;
+    this.hovered = null;
+    const isRing = Boolean(this.ring.under(event));
+    const movable = !isRing && this.selection.under(event)?.thing?.movable;
+    this.stage.canvas.classList.toggle('turnable', isRing);
+    this.stage.canvas.classList.toggle('movable', Boolean(movable));
+  }
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What keys do, and the page that lists them. In a field keys write.
+import {byId, make} from './elements.js';
+import {PAINTS} from './paints.js';
+
+const ORBIT_RAD = 0.08;
+const PAN_PX = 40;
+
+export class Keys {
+  constructor(parts) {
+    Object.assign(this, parts);
+    this.table = this.makeTable();
+    byId('keys').append(...this.table.filter((row) => row.help).map(
+      ({shown, help}) => make('tr', {}, make('td', {}, ...kbd(shown)), make('td', {}, help))));
+    byId('help').addEventListener('click', () => this.help());
+    byId('help-close').addEventListener('click', () => byId('help-dialog').close());
+    window.addEventListener('keydown', (event) => this.press(event));
+  }
+
+  help() {
+    byId('help-dialog').showModal();
+  }
+
+  makeTable() {
+    const {settings, viewpoint, selection, views, edits, undo, addDialog} = this;
+    const orbit = (around, up) => () => viewpoint.orbit(around * ORBIT_RAD, up * ORBIT_RAD);
+    const pan = (right, up) => () => viewpoint.pan(right * PAN_PX, up * PAN_PX);
+    const toggle = (name) => () => settings.toggle(name);
+    const nextPaint = () => {
+      const now = PAINTS.findIndex(([name]) => name === settings.get('paint'));
+      settings.set('paint', PAINTS[(now + 1) % PAINTS.length][0]);
+    };
+    return [
+      {shown: 'W A S D', help: 'drive the selected thing, or the first robot; with Shift faster'},
+      {key: 'n', act: () => selection.step(1), shown: 'N, B', help: 'select the next thing, or the one before'},
+      {key: 'b', act: () => selection.step(-1)},
+      {key: 'arrowleft', act: orbit(-1, 0), shown: '← → ↑ ↓',
+        help: 'look from another side; with Shift: move the view'},
+      {key: 'arrowright', act: orbit(1, 0)},
+      {key: 'arrowup', act: orbit(0, 1)},
+      {key: 'arrowdown', act: orbit(0, -1)},
+      {key: 'shift+arrowleft', act: pan(-1, 0)},
+      {key: 'shift+arrowright', act: pan(1, 0)},
+      {key: 'shift+arrowup', act: pan(0, 1)},
+      {key: 'shift+arrowdown', act: pan(0, -1)},
+      {key: '+', act: () => viewpoint.zoom(0.87), shown: '+ −', help: 'nearer, farther'},
+      {key: '=', act: () => viewpoint.zoom(0.87)},
+      {key: 'shift++', act: () => viewpoint.zoom(0.87)},
+      {key: '-', act: () => viewpoint.zoom(1.15)},
+      {key: 'f', act: views.all, shown: 'F', help: 'see all of the world'},
+      {key: 't', act: views.top, shown: 'T', help: 'see it from above'},
+      {key: 'l', act: views.follow, shown: 'L', help: 'follow the selected thing, or the first robot'},
+      {key: 'r', act: toggle('rays'), shown: 'R', help: 'rays'},
+      {key: 'p', act: toggle('points'), shown: 'P', help: 'points'},
+      {key: 'v', act: toggle('truth'), shown: 'V', help: 'the truth beside what was sent'},
+      {key: 'e', act: toggle('echoes'), shown: 'E', help: 'all echoes'},
+      {key: 'x', act: toggle('through'), shown: 'X', help: 'through walls'},
+      {key: 'g', act: toggle('grid'), shown: 'G', help: 'grid and axes'},
+      {key: 'c', act: nextPaint, shown: 'C', help: 'the next colours of points'},
+      {key: 'o', act: () => edits.addBox(), shown: 'O', help: 'add a box'},
+      {key: 'm', act: () => addDialog.choose(), shown: 'M', help: 'add a mesh from a file'},
+      {key: 'delete', act: () => edits.remove(selection.thing), shown: 'Delete', help: 'delete the selected model'},
+      {key: 'ctrl+z', act: () => undo.undo(), shown: 'Ctrl+Z', help: 'undo'},
+      {key: 'escape', act: () => selection.select(null), shown: 'Esc', help: 'select nothing'},
+      ...this.panelKeys(),
+      {key: 'shift+?', act: () => this.help(), shown: '?', help: 'these keys'},
+      {key: '?', act: () => this.help()},
+    ];
+  }
+
+  panelKeys() {
+    return this.tabs.names.map((name, i) => ({
+      key: String(i + 1), act: () => this.settings.set('panel', name),
+      ...(i === 0 ? {shown: `1 – ${this.tabs.names.length}`, help: 'the panels'} : {}),
+    }));
+  }
+
+  press(event) {
+    if (event.target.closest?.('input:not([type=checkbox]), select, textarea, dialog[open]')) return;
+    const key = event.key.toLowerCase();
+    if (event.altKey || event.metaKey && key !== 'z') return;
+    const isCommand = event.ctrlKey || event.metaKey;
+    if (!isCommand && this.drive.press(key, event.shiftKey)) {
+      event.preventDefault();
+      return;
+    }
+    const name = (isCommand ? 'ctrl+' : '') + (event.shiftKey ? 'shift+' : '') + key;
+    const row = this.table.find((each) => each.key === name);
+    if (!row) return;
+    event.preventDefault();
+    row.act();
+  }
+}
+
+function kbd(shown) {
+  return shown.split(/(, | – | )/).map((part) => /^(, | – | )$/.test(part) ? part : make('kbd', {}, part));
+}

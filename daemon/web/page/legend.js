@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What the colours of the points mean now.
+import {byId, make, tell} from './elements.js';
+import {css, gradient} from './colours.js';
+import {PAINTS} from './paints.js';
+
+const BETWEEN_MS = 250;
+const MOST_NAMES = 12;
+
+export class Legend {
+  constructor({scans, settings}) {
+    Object.assign(this, {scans, settings});
+    this.bar = make('div', {class: 'bar-of-colours'});
+    this.low = make('span');
+    this.high = make('span');
+    this.scale = make('div', {}, this.bar, make('div', {class: 'row ends'}, this.low, this.high));
+    this.names = make('ul');
+    byId('legend-body').append(this.scale, this.names);
+    setInterval(() => this.update(), BETWEEN_MS);
+  }
+
+  get sensor() {
+    const chosen = this.settings.get('sensor');
+    return this.scans.isShown(chosen) ? chosen : this.scans.shown[0];
+  }
+
+  update() {
+    const legend = this.sensor && this.scans.legendOf(this.sensor);
+    byId('legend').hidden = !legend || !this.settings.get('points');
+    if (!legend) return;
+    const title = PAINTS.find(([name]) => name === this.settings.get('paint'))?.[1];
+    tell(byId('legend-title'), this.scans.shown.length > 1 ? `${title}, ${this.sensor}` : title);
+    this.scale.hidden = !legend.scale;
+    this.names.hidden = Boolean(legend.scale);
+    if (legend.scale) this.updateScale(legend);
+    else this.updateNames(legend.names || [{name: legend.note, colour: [0.5, 0.5, 0.5]}]);
+  }
+
+  updateScale({scale, low, high}) {
+    const background = gradient(scale);
+    if (this.background !== background) this.bar.style.background = this.background = background;
+    tell(this.low, low);
+    tell(this.high, high);
+  }
+
+  updateNames(names) {
+    const key = names.map(({name}) => name).join('\n');
+    if (key === this.named) return;
+    this.named = key;
+    const rows = names.slice(0, MOST_NAMES).map(({name, colour}) => {
+      const swatch = make('span', {class: 'swatch'});
+      swatch.style.background = css(colour);
+      return make('li', {}, swatch, make('span', {}, String(name)));
+    });
+    if (names.length > MOST_NAMES) rows.push(make('li', {class: 'dim'}, `and ${names.length - MOST_NAMES} more`));
+    this.names.replaceChildren(...rows);
+  }
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Puts the page together.
+import {AddDialog} from './add_dialog.js';
+import {Connection} from './connection.js';
+import {Drive} from './drive.js';
+import {Edits} from './edits.js';
+import {FaultsPanel} from './faults_panel.js';
+import {Ground} from './ground.js';
+import {Hands} from './hands.js';
+import {Header} from './header.js';
+import {Keys} from './keys.js';
+import {Legend} from './legend.js';
+import {Link} from './link.js';
+import {Mover} from './mover.js';
+import {Notices} from './notices.js';
+import {Recorder} from './recorder.js';
+import {Ring} from './ring.js';
+import {Robots} from './robots.js';
+import {Scans} from './scans.js';
+import {Selection} from './selection.js';
+import {SelectionCard} from './selection_card.js';
+import {SensorsPanel} from './sensors_panel.js';
+import {Server} from './server.js';
+import {Settings} from './settings.js';
+import {SharePanel} from './share_panel.js';
+import {Stage} from './stage.js';
+import {Status} from './status.js';
+import {Tabs} from './tabs.js';
+import {Theme} from './theme.js';
+import {Undo} from './undo.js';
+import {Viewpoint} from './viewpoint.js';
+import {Views} from './views.js';
+import {WirePanel} from './wire_panel.js';
+import {World} from './world.js';
+import {WorldPanel} from './world_panel.js';
+import {askForToken} from './token_dialog.js';
+import {byId} from './elements.js';
+
+const page = {};
+page.server = new Server(askForToken);
+page.settings = new Settings();
+page.notices = new Notices(byId('notices'));
+page.connection = new Connection(page.server, '/view');
+page.status = new Status(page.server);
+page.stage = new Stage(byId('canvas'));
+page.viewpoint = new Viewpoint(page.stage);
+page.ground = new Ground(page.stage, page.viewpoint);
+page.world = new World(page.server, page.stage, page.settings);
+page.robots = new Robots(page.stage, page.connection, page.world);
+page.scans = new Scans(page);
+page.selection = new Selection(page.stage, page.world, page.robots);
+page.mover = new Mover(page.server, page.robots, page.status, page.notices);
+page.undo = new Undo(page.notices, page.mover);
+page.edits = new Edits(page);
+page.ring = new Ring(page);
+page.hands = new Hands(page);
+page.drive = new Drive(page);
+page.views = new Views(page);
+page.link = new Link(page);
+page.recorder = new Recorder(page.scans, page.settings);
+page.addDialog = new AddDialog(page.edits, page.world);
+page.tabs = new Tabs(byId('tabs'), page.settings);
+page.theme = new Theme(page);
+new Header(page);
+new Legend(page);
+new SensorsPanel(page);
+new WirePanel(page);
+new FaultsPanel(page);
+new WorldPanel(page);
+new SharePanel(page);
+new SelectionCard(page);
+new Keys(page);
+
+async function loadWorld() {
+  try {
+    await page.world.load();
+  } catch (error) {
+    page.notices.trouble(`The world cannot be shown: ${error.message}`);
+  }
+}
+
+/** Of a daemon that one sees for the first time: what the link says, or else the first sensor and all of the world. */
+function restore() {
+  const {link, settings, scans, selection, status, views} = page;
+  for (const [name, value] of Object.entries(link.settingsWanted)) settings.set(name, value);
+  const sensors = status.sensors.map(({name}) => name);
+  if (!sensors.includes(settings.get('sensor'))) settings.set('sensor', sensors[0] || '');
+  for (const name of link.showWanted || sensors.slice(0, 1)) {
+    if (sensors.includes(name)) scans.show(name, true);
+  }
+  views.restore(link.viewWanted);
+  selection.selectLater(link.selectWanted);
+  if (link.wanted.follow) views.followLater();
+  link.begin();
+}
+
+page.connection.addEventListener('open', () => {
+  page.world.forget();
+  loadWorld();
+});
+page.connection.addEventListener('text', (event) => {
+  if (event.detail.scene) loadWorld();
+  if (event.detail.detail) page.notices.trouble(event.detail.detail);
+});
+
+async function begin() {
+  await page.server.get('/health');
+  await page.status.ask();
+  await loadWorld();
+  restore();
+  page.connection.open();
+}
+
+begin().catch((error) => page.notices.trouble(`The page cannot begin: ${error.message}`));

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Points and lines with a colour and an opacity each, drawn where they are in sight, and faintly where something stands
+// in front of them.
+import {
+  BufferAttribute, BufferGeometry, DynamicDrawUsage, GreaterDepth, Group, LessEqualDepth,
+  LineSegments, Points, ShaderMaterial,
+} from './three.module.js';
+
+const VERTEX = `
+  attribute vec4 tint;
+  uniform float size_px;
+  uniform float nearer;
+  varying vec4 seen;
+  void main() {
+    seen = tint;
+    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+    // A hit lies on a face, and wins over it.
+    gl_Position.z -= nearer * gl_Position.w;
+    gl_PointSize = size_px;
+  }`;
+
+const FRAGMENT = `
+  uniform float share;
+  uniform bool isRound;
+  uniform float light;
+  varying vec4 seen;
+  void main() {
+    if (isRound && length(gl_PointCoord - 0.5) > 0.5) discard;
+    gl_FragColor = vec4(seen.rgb * light, seen.a * share);
+  }`;
+const HIDDEN_SHARE = 0.18;
+
+function material(options, {share = 1, depthFunc = LessEqualDepth, light = 1, wider_px = 0}) {
+  return new ShaderMaterial({
+    vertexShader: VERTEX,
+    fragmentShader: FRAGMENT,
+    uniforms: {
+      share: {value: share},
+      size_px: {value: (options.size_px + wider_px) * Math.min(devicePixelRatio, 2)},
+      light: {value: light},
+      isRound: {value: options.isRound},
+      nearer: {value: options.nearer},
+    },
+    transparent: true,
+    depthWrite: false,
+    depthFunc,
+  });
+}
+
+class Marks {
+  constructor(Kind, options) {
+    this.geometry = new BufferGeometry();
+    this.capacity = 0;
+    this.group = new Group();
+    this.hidden = this.pass(Kind, options, {share: HIDDEN_SHARE, depthFunc: GreaterDepth});
+    // A dark rim, so that points are seen on faces of their own colour.
+    if (options.rim_px) this.pass(Kind, options, {light: 0.15, wider_px: options.rim_px});
+    this.pass(Kind, options, {});
+  }
+
+  pass(Kind, options, look) {
+    const object = new Kind(this.geometry, material(options, look));
+    object.frustumCulled = false;
+    object.renderOrder = options.order + 0.1 * this.group.children.length;
+    this.group.add(object);
+    return object;
+  }
+
+  /** Room for so many marks; what was in them is gone if there was less. */
+  reserve(count) {
+    if (count <= this.capacity) return;
+    this.geometry.dispose();
+    this.capacity = count;
+    this.positions = new BufferAttribute(new Float32Array(3 * count), 3).setUsage(DynamicDrawUsage);
+    this.tints = new BufferAttribute(new Uint8Array(4 * count), 4, true).setUsage(DynamicDrawUsage);
+    this.geometry.setAttribute('position', this.positions);
+    this.geometry.setAttribute('tint', this.tints);
+  }
+
+  put(index, x, y, z) {
+    const at = 3 * index;
+    const places = this.positions.array;
+    places[at] = x;
+    places[at + 1] = y;
+    places[at + 2] = z;
+  }
+
+  /** At a range along beam i of a shape. */
+  putAlong(index, {origins, directions}, i, range_m) {
+    const at = 3 * i;
+    this.put(index, origins[at] + range_m * directions[at],
+      origins[at + 1] + range_m * directions[at + 1], origins[at + 2] + range_m * directions[at + 2]);
+  }
+
+  tint(index, colour, opacity) {
+    const at = 4 * index;
+    const tints = this.tints.array;
+    tints[at] = 255 * colour[0];
+    tints[at + 1] = 255 * colour[1];
+    tints[at + 2] = 255 * colour[2];
+    tints[at + 3] = 255 * opacity;
+  }
+
+  show(count) {
+    this.geometry.setDrawRange(0, count);
+    if (!this.positions) return;
+    this.positions.needsUpdate = true;
+    this.tints.needsUpdate = true;
+  }
+
+  setThrough(on) {
+    this.hidden.visible = on;
+  }
+
+  dispose() {
+    this.geometry.dispose();
+    for (const {material: each} of this.group.children) each.dispose();
+  }
+}
+
+export class PointMarks extends Marks {
+  constructor(size_px, {rim_px = 0, order = 3} = {}) {
+    super(Points, {size_px, rim_px, isRound: true, nearer: 0.0006, order});
+  }
+}
+
+export class LineMarks extends Marks {
+  constructor() {
+    super(LineSegments, {size_px: 1, isRound: false, nearer: 0.0002, order: 2});
+  }
+}

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What is selected, in numbers that one can change, and what can be done with it.
+import {Euler, Quaternion} from './three.module.js';
+import {byId, make, tell} from './elements.js';
+import {yawOf} from './pose.js';
+
+const FIELDS = ['x', 'y', 'z', 'yaw'];
+
+export class SelectionCard {
+  constructor({selection, robots, world, mover, undo, edits, viewpoint, notices}) {
+    Object.assign(this, {selection, robots, world, mover, undo, edits, viewpoint, notices});
+    this.inputs = Object.fromEntries(FIELDS.map((name) => [name, byId(`pose-${name}`)]));
+    for (const input of Object.values(this.inputs)) {
+      input.addEventListener('change', () => this.move());
+    }
+    byId('selected-close').addEventListener('click', () => selection.select(null));
+    byId('selected-follow').addEventListener('click', () => this.toggleFollow());
+    byId('selected-delete').addEventListener('click', () => edits.remove(selection.thing));
+    this.material = byId('selected-material');
+    this.material.addEventListener('change', () =>
+      edits.setMaterial(selection.thing.name, this.material.value));
+    selection.addEventListener('changed', () => this.update());
+    viewpoint.addEventListener('follow', () => this.update());
+    robots.addEventListener('moved', (event) => {
+      const {thing} = selection;
+      if (event.detail.kind === thing?.kind && event.detail.name === thing.name) this.updatePose();
+    });
+  }
+
+  get pose() {
+    const {thing} = this.selection;
+    return thing && this.robots.poseOf(thing.kind, thing.name);
+  }
+
+  update() {
+    const {thing} = this.selection;
+    byId('selected').hidden = !thing;
+    if (!thing) return;
+    const isModel = thing.kind === 'models';
+    tell(byId('selected-name'), thing.name);
+    tell(byId('selected-kind'), isModel ? (thing.movable ? 'model' : 'model that stands still') : 'robot');
+    byId('selected-pose').hidden = !this.pose;
+    for (const input of Object.values(this.inputs)) input.disabled = !thing.movable;
+    byId('selected-delete').hidden = !isModel;
+    byId('selected-material-field').hidden = !isModel;
+    if (isModel) this.updateMaterial(thing.name);
+    const isFollowed = this.viewpoint.followed?.name === thing.name;
+    byId('selected-follow').setAttribute('aria-pressed', isFollowed);
+    tell(byId('selected-follow'), isFollowed ? 'Stop following' : 'Follow');
+    this.updatePose();
+  }
+
+  updateMaterial(name) {
+    const now = this.edits.materialsOf(name);
+    this.material.replaceChildren(
+      ...(now.length === 1 ? [] : [make('option', {value: '', disabled: true}, 'several')]),
+      ...this.world.materialNames().map((each) => make('option', {value: each}, each)));
+    this.material.value = now.length === 1 ? now[0] : '';
+  }
+
+  updatePose() {
+    const pose = this.pose;
+    if (!pose) return;
+    const values = [...pose.xyz, yawOf(pose) * 180 / Math.PI];
+    FIELDS.forEach((name, i) => {
+      const input = this.inputs[name];
+      if (document.activeElement !== input) input.value = values[i].toFixed(i < 3 ? 3 : 1);
+    });
+  }
+
+  move() {
+    const {thing} = this.selection;
+    const before = this.pose;
+    const [x, y, z, yaw_deg] = FIELDS.map((name) => Number(this.inputs[name].value));
+    if ([x, y, z, yaw_deg].some((value) => !Number.isFinite(value))) return;
+    const euler = new Euler().setFromQuaternion(new Quaternion(...before.q), 'ZYX');
+    euler.z = yaw_deg * Math.PI / 180;
+    this.mover.move(thing, {xyz: [x, y, z], q: new Quaternion().setFromEuler(euler).toArray()});
+    this.undo.moved(thing, before);
+  }
+
+  toggleFollow() {
+    const {thing} = this.selection;
+    if (!thing) return;
+    const isFollowed = this.viewpoint.followed?.name === thing.name;
+    this.viewpoint.follow(isFollowed ? null : thing.name,
+      () => this.robots.positionOf(thing.kind, thing.name));
+  }
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Where a sensor is: a small case that points ahead, and the frustum of a camera.
+import {
+  BufferGeometry, ConeBufferGeometry, CylinderBufferGeometry, Float32BufferAttribute, Group,
+  LineBasicMaterial, LineSegments, Mesh,
+} from './three.module.js';
+import {makeSurface} from './surface.js';
+import {matrixOf} from './pose.js';
+
+const CASE = [0.95, 0.62, 0.10];
+const FRUSTUM_M = 0.6;
+
+export class SensorMark {
+  constructor() {
+    this.surface = makeSurface(CASE);
+    this.group = new Group();
+    this.group.matrixAutoUpdate = false;
+    // Cylinders and cones of three.js stand along y.
+    const body = new Mesh(new CylinderBufferGeometry(0.03, 0.03, 0.06, 24), this.surface);
+    body.rotation.x = Math.PI / 2;
+    const tip = new Mesh(new ConeBufferGeometry(0.02, 0.06, 16), this.surface);
+    tip.rotation.z = -Math.PI / 2;
+    tip.position.x = 0.055;
+    this.frustum = new LineSegments(new BufferGeometry(), new LineBasicMaterial({color: 0xf09a1a}));
+    this.frustum.visible = false;
+    this.frustum.frustumCulled = false;
+    this.group.add(body, tip, this.frustum);
+    this.fov = null;
+  }
+
+  take(scan) {
+    this.group.matrix.copy(matrixOf(scan.pose));
+    this.group.matrixWorldNeedsUpdate = true;
+    if (scan.kind === 'picture') this.open(scan.fov_rad);
+  }
+
+  open(fov_rad) {
+    if (String(fov_rad) === this.fov) return;
+    this.fov = String(fov_rad);
+    const [y, z] = fov_rad.map((angle) => FRUSTUM_M * Math.tan(angle / 2));
+    const corners = [[y, z], [-y, z], [-y, -z], [y, -z]].map(([a, b]) => [FRUSTUM_M, a, b]);
+    const points = corners.flatMap((corner, i) =>
+      [0, 0, 0, ...corner, ...corner, ...corners[(i + 1) % 4]]);
+    this.frustum.geometry.setAttribute('position', new Float32BufferAttribute(points, 3));
+    this.frustum.visible = true;
+  }
+
+  dispose() {
+    this.surface.dispose();
+    this.group.traverse((part) => part.geometry?.dispose());
+  }
+}

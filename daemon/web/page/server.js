@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The control API: requests with the token, which it asks for when it must.
+
+const KEY = 'scipd token';
+
+/** What the daemon refused, in its own words. */
+export class Refusal extends Error {
+  constructor(status, problem) {
+    const field = problem?.field ? `${problem.field}: ` : '';
+    super(field + (problem?.detail || problem?.title || `HTTP status ${status}`));
+    this.status = status;
+    this.errors = problem?.errors || [];
+  }
+}
+
+async function refusal(answer) {
+  const problem = await answer.json().catch(() => null);
+  return new Refusal(answer.status, problem);
+}
+
+export class Server {
+  /** ask(wrong) is a promise of a token. */
+  constructor(ask) {
+    this.ask = ask;
+    this.token = sessionStorage.getItem(KEY);
+    this.asking = null;
+  }
+
+  get(path) {
+    return this.request('GET', path).then((answer) => answer.json());
+  }
+
+  async bytes(path) {
+    const answer = await this.request('GET', path);
+    return answer.arrayBuffer();
+  }
+
+  async put(path, body) {
+    const answer = await this.request('PUT', path, body);
+    return answer.status === 204 ? null : answer.json();
+  }
+
+  async post(path, body) {
+    const answer = await this.request('POST', path, body);
+    return answer.json();
+  }
+
+  remove(path) {
+    return this.request('DELETE', path);
+  }
+
+  async request(method, path, body) {
+    for (;;) {
+      const used = this.token;
+      const answer = await fetch(path, this.options(method, body));
+      if (answer.ok) return answer;
+      if (answer.status !== 401) throw await refusal(answer);
+      await this.newToken(used);
+    }
+  }
+
+  options(method, body) {
+    const headers = {};
+    if (this.token) headers.Authorization = `Bearer ${this.token}`;
+    if (body !== undefined) headers['Content-Type'] = 'application/json';
+    // A daemon that hangs is as good as gone; a world may take its time.
+    const patience_ms = method === 'GET' ? 20_000 : 180_000;
+    return {
+      method,
+      headers,
+      body: body === undefined ? undefined : JSON.stringify(body),
+      signal: AbortSignal.timeout(patience_ms),
+    };
+  }
+
+  /** Several requests may be refused at once; the user is asked once. */
+  async newToken(refused) {
+    if (this.token !== refused) return;
+    this.asking ??= this.ask(Boolean(refused)).finally(() => { this.asking = null; });
+    this.token = await this.asking;
+    sessionStorage.setItem(KEY, this.token);
+  }
+
+  /** A browser cannot set headers of a WebSocket, so the token goes as a subprotocol. */
+  socket(path) {
+    const address = new URL(path, location.href);
+    address.protocol = address.protocol === 'https:' ? 'wss:' : 'ws:';
+    const protocols = this.token ? ['scipd', `bearer.${this.token}`] : [];
+    const socket = new WebSocket(address, protocols);
+    socket.binaryType = 'arraybuffer';
+    return socket;
+  }
+}
+
+/** The path of a thing: at('/sensors/', 'robot/scanner', '/faults'); names are percent-encoded. */
+export function at(prefix, name, rest = '') {
+  return prefix + name.split('/').map(encodeURIComponent).join('/') + rest;
+}

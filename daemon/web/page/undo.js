@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What one did, and how to take it back: a list of {what, back()}. Deeds that take their time happen one after the
+// other, so that what is undone is what was done last, however fast the keys are.
+
+const MOST = 100;
+
+export class Undo extends EventTarget {
+  constructor(notices, mover) {
+    super();
+    this.notices = notices;
+    this.mover = mover;
+    this.deeds = [];
+    this.last = Promise.resolve();
+  }
+
+  /** Acts when all that came before is done. */
+  inTurn(act) {
+    this.last = this.last.then(act, act);
+    return this.last;
+  }
+
+  /** back is a function that returns a promise. */
+  did(what, back) {
+    this.deeds.push({what, back});
+    if (this.deeds.length > MOST) this.deeds.shift();
+    this.dispatchEvent(new Event('changed'));
+  }
+
+  moved(thing, from) {
+    this.did(`moved ${thing.name}`, async () => this.mover.move(thing, from));
+  }
+
+  get next() {
+    return this.deeds[this.deeds.length - 1]?.what || null;
+  }
+
+  undo() {
+    return this.inTurn(() => this.undoLast());
+  }
+
+  async undoLast() {
+    const deed = this.deeds.pop();
+    this.dispatchEvent(new Event('changed'));
+    if (!deed) {
+      this.notices.tell('There is nothing to undo.');
+      return;
+    }
+    try {
+      await deed.back();
+      this.notices.tell(`Undone: ${deed.what}`);
+    } catch (error) {
+      this.notices.trouble(`This cannot be undone (${deed.what}): ${error.message}`);
+    }
+  }
+}

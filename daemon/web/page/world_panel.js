@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What the world is made of: its models, its materials, and what scipd warned of when it read it.
+import {boundCheckbox, boundSelect, byId, make, tell} from './elements.js';
+import {css, ofMaterial} from './colours.js';
+import {cutAbove} from './surface.js';
+import {same} from './selection.js';
+
+export class WorldPanel {
+  constructor({settings, world, robots, selection, status, stage, ground, edits, addDialog}) {
+    Object.assign(this, {settings, world, robots, selection, status, stage, ground});
+    byId('world-choices').append(
+      boundSelect(settings, 'colours', 'Colour of objects',
+        [['material', 'by material'], ['model', 'by model']]),
+      this.cutSlider(),
+      make('div', {class: 'checks'}, boundCheckbox(settings, 'grid', 'Grid and axes', '(G)')));
+    settings.watch('grid', (on) => ground.setVisible(on));
+    byId('add-box').addEventListener('click', () => edits.addBox());
+    byId('add-mesh').addEventListener('click', () => addDialog.choose());
+    world.addEventListener('changed', () => this.update());
+    robots.addEventListener('known', () => this.update());
+    selection.addEventListener('changed', () => this.updateThings());
+    status.addEventListener('changed', () => this.updateWarnings());
+  }
+
+  cutSlider() {
+    this.cut = make('input', {type: 'range', min: 0, max: 5, step: 0.05, value: 0,
+      'aria-label': 'Hide what is higher than'});
+    this.cutText = make('output', {}, 'nothing');
+    this.cut.addEventListener('input', () => this.settings.set('cut_m', Number(this.cut.value)));
+    this.settings.watch('cut_m', () => this.applyCut());
+    return make('label', {class: 'field'}, make('span', {}, 'Hide above'),
+      make('span', {class: 'row'}, this.cut, this.cutText));
+  }
+
+  applyCut() {
+    const height_m = this.settings.get('cut_m');
+    this.cut.value = height_m;
+    cutAbove(height_m);
+    tell(this.cutText, height_m > 0 ? `${height_m.toFixed(2)} m` : 'nothing');
+    this.stage.invalidate();
+  }
+
+  update() {
+    const box = this.world.box();
+    if (!box.isEmpty()) this.cut.max = Math.max(1, Math.ceil(box.max.z * 10) / 10);
+    this.applyCut();
+    this.updateThings();
+    this.updateMaterials();
+    const triangles = this.world.triangles.toLocaleString('en');
+    tell(byId('world-size'), `${this.world.objects.length} objects, ${triangles} triangles`);
+  }
+
+  updateThings() {
+    const rows = this.selection.things().map((thing) => make('li', {}, make('button', {
+      class: 'thing', 'aria-pressed': same(thing, this.selection.thing),
+      on: {click: () => this.selection.select(thing)},
+    }, make('span', {}, thing.name), make('span', {class: 'dim'}, kindOf(thing)))));
+    byId('things').replaceChildren(...rows);
+  }
+
+  updateMaterials() {
+    const counts = new Map();
+    for (const {object} of this.world.objects) {
+      counts.set(object.material, (counts.get(object.material) || 0) + 1);
+    }
+    const known = new Map(this.world.materials.map((material) => [material.name, material]));
+    const rows = [...counts].sort().map(([name, count]) => {
+      const swatch = make('span', {class: 'swatch'});
+      swatch.style.background = css(ofMaterial(name));
+      const share = known.get(name)?.reflectivity;
+      return make('li', {}, swatch, make('span', {}, name),
+        make('span', {class: 'dim'}, `${count} ${count === 1 ? 'object' : 'objects'}` +
+          (typeof share === 'number' ? `, reflects ${Math.round(100 * share)} %` : '')));
+    });
+    byId('materials').replaceChildren(...rows);
+  }
+
+  updateWarnings() {
+    const warnings = this.status.latest?.warnings || [];
+    if (warnings.join('\n') === this.warned) return;
+    this.warned = warnings.join('\n');
+    byId('warnings-none').hidden = warnings.length > 0;
+    byId('warnings').replaceChildren(...warnings.map((text) => make('li', {class: 'warning'}, text)));
+  }
+}
+
+function kindOf({kind, movable}) {
+  if (kind === 'robots') return 'robot';
+  return movable ? 'can be moved' : 'stands still';
+}

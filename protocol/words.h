@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What requests, replies and statuses mean, in words for people who read along. Pure; any thread.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "protocol/command.h"
+#include "protocol/request.h"
+#include "protocol/status.h"
+
+namespace scipd::protocol {
+
+/// What a request asks: "asks for an endless stream of distances, steps 0 to 1080". Of a command
+/// that the model does not know it says so.
+[[nodiscard]] std::string request_words(const Request& request);
+
+/// What the reply with this echo and status tells: "tells the version", "refuses",
+/// "a scan of the stream, and 9 more to come".
+[[nodiscard]] std::string reply_words(const Request& echo, Status status);
+
+/// What the status means in a reply to this command. Null: a command that the model does not know.
+/// Empty: it means nothing that is known.
+[[nodiscard]] std::string_view status_words(const Command* command, Status status);
+
+}  // namespace scipd::protocol

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// One browser for all tests, Debian's, which draws without a graphics card.
+import {defineConfig} from '@playwright/test';
+
+export default defineConfig({
+  testDir: '.',
+  testMatch: '*.spec.js',
+  workers: 1,
+  timeout: 60_000,
+  expect: {timeout: 15_000},
+  reporter: 'list',
+  outputDir: process.env.PAGE_TEST_OUTPUT || 'results',
+  use: {
+    viewport: {width: 1280, height: 720},
+    colorScheme: 'light',
+    actionTimeout: 20_000,
+    launchOptions: {
+      executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
+      args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox',
+        '--disable-dev-shm-usage', '--disable-background-networking'],
+    },
+  },
+});

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The page as such: on a phone, in light and dark, by keyboard, and with a world that is large.
+import {expect, open, test, withScan} from './page.js';
+import {scene} from './daemon.js';
+
+const ROOM = ['--scene', scene('square_room.sdf')];
+const PANELS = ['Sensors', 'Wire', 'Faults', 'World', 'Share'];
+
+/** Contrast as WCAG has it, of each text that is seen with what lies under it. */
+function poorContrasts() {
+  const rgb = (css) => css.match(/[\d.]+/g).map(Number);
+  const light = ([r, g, b]) => [r, g, b].map((each) => each / 255)
+    .map((each) => each <= 0.03928 ? each / 12.92 : ((each + 0.055) / 1.055) ** 2.4)
+    .reduce((sum, each, k) => sum + each * [0.2126, 0.7152, 0.0722][k], 0);
+  const under = (element) => {
+    for (let each = element; each; each = each.parentElement) {
+      const colour = rgb(getComputedStyle(each).backgroundColor);
+      if (colour.length < 4 || colour[3] > 0.8) return colour;
+    }
+    return [255, 255, 255];
+  };
+  const found = [];
+  for (const element of document.querySelectorAll('body *')) {
+    const hasText = [...element.childNodes].some((node) => node.nodeType === 3 && node.data.trim());
+    if (!hasText || !element.checkVisibility() || element.closest('option')) continue;
+    const style = getComputedStyle(element);
+    const [a, b] = [light(rgb(style.color)), light(under(element))].sort((x, y) => y - x);
+    const ratio = (a + 0.05) / (b + 0.05);
+    if (ratio < 4.5) found.push(`${element.textContent.trim().slice(0, 30)}: ${ratio.toFixed(1)}`);
+    if (parseFloat(style.fontSize) < 12) found.push(`${element.textContent.trim().slice(0, 30)}: small`);
+  }
+  return found;
+}
+
+function withoutName() {
+  return [...document.querySelectorAll('button, select, input:not([type=file]), canvas, [role=tab]')]
+    .filter((element) => element.checkVisibility() && !(element.getAttribute('aria-label') ||
+      element.getAttribute('aria-labelledby') || element.textContent.trim() ||
+      element.closest('label')?.textContent.trim() || element.matches('.picture')))
+    .map((element) => element.outerHTML);
+}
+
+for (const theme of ['light', 'dark']) {
+  test(`is readable in ${theme}`, async ({page, start}) => {
+    await page.emulateMedia({colorScheme: theme});
+    const daemon = await start(ROOM);
+    await open(page, daemon, '#select=robots:robot');
+    await withScan(page);
+    await expect(page.locator('html')).toHaveAttribute('data-theme', theme);
+    for (const panel of PANELS) {
+      await page.getByRole('tab', {name: panel}).click();
+      expect(await page.evaluate(poorContrasts), panel).toEqual([]);
+      expect(await page.evaluate(withoutName), panel).toEqual([]);
+    }
+  });
+}
+
+test('fits a phone', async ({page, start}) => {
+  await page.setViewportSize({width: 375, height: 740});
+  const daemon = await start(ROOM);
+  await open(page, daemon);
+  await withScan(page);
+  for (const panel of PANELS) {
+    await page.getByRole('tab', {name: panel}).click();
+    const tooWide = await page.evaluate(() => [...document.querySelectorAll('body *')]
+      .filter((element) => element.checkVisibility() && !element.closest('svg') &&
+        element.getBoundingClientRect().right > innerWidth + 1)
+      .map((element) => element.outerHTML.slice(0, 80)));
+    expect(tooWide, panel).toEqual([]);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(375);
+  }
+  await page.locator('#view-top').click();
+  await expect(page.locator('#canvas')).toBeVisible();
+});
+
+test('the keyboard reaches all, and what it is on is seen', async ({page, start}) => {
+  const daemon = await start(ROOM);
+  await open(page, daemon);
+  await withScan(page);
+  const seen = new Set();
+  for (let i = 0; i < 40; ++i) {
+    await page.keyboard.press('Tab');
+    const {name, outline} = await page.evaluate(() => {
+      const element = document.activeElement;
+      // After the last one it is the browser's turn.
+      const name = element === document.body ? '' : element.id || element.textContent.trim() || element.ariaLabel;
+      return {name, outline: getComputedStyle(element).outlineStyle};
+    });
+    if (name === '' || seen.has(name)) continue;
+    seen.add(name);
+    expect(outline, name).not.toBe('none');
+  }
+  for (const name of ['theme', 'help', 'canvas', 'view-all', 'view-top', 'tab-sensors']) {
+    expect([...seen]).toContain(name);
+  }
+  await page.locator('#tab-sensors').focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(page.getByRole('tab', {name: 'Wire'})).toBeFocused();
+  await expect(page.locator('#panel-wire')).toBeVisible();
+  await page.locator('#canvas').press('?');
+  await expect(page.locator('#help-dialog')).toBeVisible();
+  await page.keyboard.press('Escape');
+  await page.locator('#theme').click();
+  await page.locator('#theme').click();
+  await expect(page.locator('html')).toHaveAttribute('data-theme', 'dark');
+});
+
+test('a million triangles are soon there', async ({page, start}) => {
+  const daemon = await start(ROOM);
+  let asked = 0;
+  await page.route('**/scene/meshes/*', (route) => route.fulfill({
+    body: hills(asked++ ? 2 : 708), contentType: 'application/octet-stream'}));
+  const before_ms = Date.now();
+  await open(page, daemon);
+  await page.getByRole('tab', {name: 'World'}).click();
+  await expect(page.locator('#world-size')).toContainText(/triangles/);
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  const took_ms = Date.now() - before_ms;
+  console.log(`a mesh of a million triangles: ${took_ms} ms`);
+  // Far more than 3 s, since other tests may run meanwhile.
+  expect(took_ms).toBeLessThan(15_000);
+});
+
+/** A square of n by n vertices in the format of GET /scene/meshes. */
+function hills(n) {
+  const triangles = 2 * (n - 1) * (n - 1);
+  const bytes = Buffer.alloc(12 + 12 * n * n + 12 * triangles);
+  bytes.write('SCM1', 0, 'latin1');
+  bytes.writeUInt32LE(n * n, 4);
+  bytes.writeUInt32LE(triangles, 8);
+  for (let i = 0; i < n * n; ++i) {
+    const [x, y] = [i % n, Math.floor(i / n)];
+    bytes.writeFloatLE(x / n, 12 + 12 * i);
+    bytes.writeFloatLE(y / n, 16 + 12 * i);
+    bytes.writeFloatLE(0.05 * Math.sin(x / 20) * Math.cos(y / 20), 20 + 12 * i);
+  }
+  let place = 12 + 12 * n * n;
+  for (let y = 0; y < n - 1; ++y) {
+    for (let x = 0; x < n - 1; ++x) {
+      const a = y * n + x;
+      for (const index of [a, a + 1, a + n, a + 1, a + n + 1, a + n]) {
+        bytes.writeUInt32LE(index, place);
+        place += 4;
+      }
+    }
+  }
+  return bytes;
+}

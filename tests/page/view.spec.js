@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What the page draws: the maze and a scan, pixel by pixel against what the daemon says is true.
+import {SENSOR, expect, open, test, withScan} from './page.js';
+import {hash, lookFrom} from './eye.js';
+import {readPng} from './png.js';
+
+// Above the start of the maze, a little from the south.
+const EYE = [1, 0.2, 7];
+const AT = [1, 1, 0];
+
+async function picture(page) {
+  await page.waitForTimeout(300);
+  return readPng(await page.screenshot());
+}
+
+/** Places of hits in W, from the true ranges and the pose of the scan. */
+async function hits(daemon) {
+  const truth = await daemon.get(`/sensors/${SENSOR}/truth`);
+  const [{xyz, q: [, , z, w]}] = truth.poses;
+  const yaw = 2 * Math.atan2(z, w);
+  return truth.true_m.map((range_m, i) => {
+    // A UST-10LX has 1440 steps a turn, and step 540 looks ahead.
+    const angle = yaw + (truth.steps[i] - 540) * 2 * Math.PI / 1440;
+    return range_m && {
+      range_m,
+      material: truth.material[i],
+      at: (share) => [xyz[0] + share * range_m * Math.cos(angle),
+        xyz[1] + share * range_m * Math.sin(angle), xyz[2]],
+    };
+  }).filter(Boolean);
+}
+
+function distance(a, b) {
+  return Math.hypot(...a.map((value, k) => value - b[k]));
+}
+
+/** Of the whole picture those that the view has, away from what lies on it. */
+function inSight(place, box) {
+  const {x, y} = place;
+  return x > box.x + 250 && x < box.x + box.width - 10 && y > box.y + 60 && y < box.y + box.height - 10;
+}
+
+async function look(page, daemon, settings) {
+  // Playwright goes to the same page only if more than the part behind # differs.
+  await page.goto('about:blank');
+  await open(page, daemon, hash(EYE, AT, {theme: 'light', ...settings}));
+  if (settings.points !== 'false') await withScan(page);
+  const box = await page.locator('#canvas').boundingBox();
+  const project = lookFrom(EYE, AT, box);
+  return {box, project, pixels: await picture(page)};
+}
+
+const ROBOT = ['--pose', '1,1,0', '--accuracy', 'ideal'];
+
+test('shows the maze and a scan where they are', async ({page, start}) => {
+  const daemon = await start(ROBOT);
+  const painted = await look(page, daemon, {rays: 'false', paint: 'material'});
+  const bare = await look(page, daemon, {rays: 'false', points: 'false'});
+  const {project, box} = painted;
+  const seen = (await hits(daemon)).map((hit) => ({...hit, place: project(hit.at(1))}))
+    .filter(({place}) => inSight(place, box));
+  expect(seen.length).toBeGreaterThan(300);
+
+  // The legend says which colour each material has.
+  const legend = await materialColours(page, daemon);
+  const right = seen.filter(({place, material}) => {
+    const [x, y] = [Math.round(place.x), Math.round(place.y)];
+    return distance(painted.pixels.at(x, y), legend[material]) < 60;
+  });
+  const changed = seen.filter(({place}) => {
+    const [x, y] = [Math.round(place.x), Math.round(place.y)];
+    return distance(painted.pixels.at(x, y), bare.pixels.at(x, y)) > 25;
+  });
+  expect(right.length / seen.length).toBeGreaterThan(0.9);
+  expect(changed.length / seen.length).toBeGreaterThan(0.5);
+
+  // Half a metre beside the hits nothing was drawn.
+  const beside = seen.map((hit) => project(hit.at(1 - 0.5 / hit.range_m)));
+  const same = beside.filter(({x, y}) =>
+    distance(painted.pixels.at(Math.round(x), Math.round(y)), bare.pixels.at(Math.round(x), Math.round(y))) < 10);
+  expect(same.length / beside.length).toBeGreaterThan(0.85);
+});
+
+async function materialColours(page, daemon) {
+  await page.goto('about:blank');
+  await open(page, daemon, hash(EYE, AT, {paint: 'material'}));
+  await withScan(page);
+  const rows = await page.locator('#legend li').evaluateAll((items) => items.map((item) => [
+    item.textContent, getComputedStyle(item.firstChild).backgroundColor]));
+  return Object.fromEntries(rows.map(([name, css]) => [name, css.match(/\d+/g).map(Number)]));
+}
+
+test('draws rays green to the hit and red from it on', async ({page, start}) => {
+  const daemon = await start(ROBOT);
+  const rays = await look(page, daemon, {points: 'false', rays: 'true'});
+  const none = await look(page, daemon, {points: 'false', rays: 'false'});
+  const found = await hits(daemon);
+  const tint = (share, reach_m) => found.filter((hit) => hit.range_m < 4).flatMap((hit) => {
+    const place = rays.project(hit.at(share ?? 1 + reach_m / hit.range_m));
+    if (!inSight(place, rays.box)) return [];
+    const [x, y] = [Math.round(place.x), Math.round(place.y)];
+    const [after, before] = [rays.pixels.at(x, y), none.pixels.at(x, y)];
+    return [after.map((value, k) => value - before[k])];
+  });
+  const mean = (list, k) => list.reduce((sum, each) => sum + each[k], 0) / list.length;
+  const before = tint(0.5);
+  const behind = tint(null, 0.5);
+  expect(before.length).toBeGreaterThan(200);
+  expect(behind.length).toBeGreaterThan(200);
+  // Green takes red away more than green, and red the other way round.
+  expect(mean(before, 1) - mean(before, 0)).toBeGreaterThan(10);
+  expect(mean(behind, 0) - mean(behind, 1)).toBeGreaterThan(4);
+});
+
+test('shows the walls of the maze', async ({page, start}) => {
+  const daemon = await start(ROBOT);
+  const {pixels, project, box} = await look(page, daemon, {points: 'false', rays: 'false', grid: 'false'});
+  const scene = await daemon.get('/scene/objects');
+  const sky = pixels.at(Math.round(box.x + box.width / 2), Math.round(box.y + box.height / 2) - 0);
+  const tops = scene.objects.filter(({name}) => /panel/.test(name)).map(({pose}) =>
+    ({floor: project([pose.xyz[0], pose.xyz[1], 1.19])})).filter(({floor}) => inSight(floor, box));
+  expect(tops.length).toBeGreaterThan(3);
+  const drawn = tops.filter(({floor}) =>
+    distance(pixels.at(Math.round(floor.x), Math.round(floor.y)), sky) > 12);
+  expect(drawn.length / tops.length).toBeGreaterThan(0.9);
+});
