@@ -118,10 +118,11 @@ void Sweep::cast(sim::Scan& scan, const BeamFired& fired, const sim::Conditions&
 
 void Sweep::cast_as_met(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions,
                         sim::ModelId unseen) {
-    const std::vector<sim::Mover> movers = world_.movers(fired(0), fired(beams() - 1), unseen);
     sim::RangeBackend& backend = world_.backend(name_);
     if (backend.casts_apart() && !scanner_.follows_light(backend, conditions))
-        return cast_apart(scan, fired, conditions, movers);
+        return cast_apart(scan, fired, conditions, unseen);
+    const std::vector<sim::Mover> movers =
+        world_.movers().all(fired(0), fired(beams() - 1), unseen);
     for (const sim::Part& part :
          sim::parts_of_sweep(optics(), scan.world_from_sensor, fired, movers)) {
         for (const auto& [mover, time] : part.updates)
@@ -131,10 +132,13 @@ void Sweep::cast_as_met(sim::Scan& scan, const BeamFired& fired, const sim::Cond
 }
 
 void Sweep::cast_apart(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions,
-                       const std::vector<sim::Mover>& movers) {
+                       sim::ModelId unseen) {
     sim::RangeBackend& backend = world_.backend(name_);
     const std::span<const sim::ModelId> none;
     scanner_.cast(backend, scan, {0, beams()}, conditions, sim::no_model, none);
+    const std::vector<sim::Mover> movers =
+        world_.movers().within(reach(scan), fired(0), fired(beams() - 1), unseen);
+    if (movers.empty()) return;
     for (const auto& [index, beams, time] : sim::passings_of_sweep(optics(), scan, fired, movers)) {
         const sim::Mover& mover = movers[index];
         backend.move(mover.id, mover.path->at(time));
@@ -142,9 +146,19 @@ void Sweep::cast_apart(sim::Scan& scan, const BeamFired& fired, const sim::Condi
     }
 }
 
+Ball Sweep::reach(const sim::Scan& scan) const {
+    const std::vector<sim::Pose>& poses = scan.world_from_sensor;
+    const glm::dvec3 middle_m = poses[poses.size() / 2].translation_m;
+    double strays_m = 0.0;
+    for (const sim::Pose& pose : poses)
+        strays_m = std::max(strays_m, glm::distance(pose.translation_m, middle_m));
+    return {middle_m, optics().max_range_m + strays_m};
+}
+
 void Sweep::cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired,
                                 const sim::Conditions& conditions, sim::ModelId unseen) {
-    const std::vector<sim::Mover> movers = world_.movers(fired(0), fired(beams() - 1), unseen);
+    const std::vector<sim::Mover> movers =
+        world_.movers().all(fired(0), fired(beams() - 1), unseen);
     sim::RangeBackend& backend = world_.backend(name_);
     for (const auto& [part, time] : sim::equal_parts(beams(), most_poses(), fired, movers)) {
         for (const sim::Mover& mover : movers)

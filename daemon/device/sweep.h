@@ -65,7 +65,9 @@ class Sweep {
     void cast_as_met(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions,
                      sim::ModelId unseen);
     void cast_apart(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions,
-                    const std::vector<sim::Mover>& movers);
+                    sim::ModelId unseen);
+    /// All that the scan can see lies in it.
+    [[nodiscard]] Ball reach(const sim::Scan& scan) const;
     void cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired,
                              const sim::Conditions& conditions, sim::ModelId unseen);
     /// Finds the beams that other scanners disturb.

@@ -5,6 +5,8 @@
 // A value; one thread.
 #pragma once
 
+#include <cstddef>
+
 #include "daemon/world/robot.h"
 #include "sim/time.h"
 #include "sim/world/pose.h"
@@ -23,6 +25,7 @@ struct MovableModel {
     sim::Time begun{};    ///< when its script began
     bool placed = false;  ///< a pose has moved it
     const Robot* carrier = nullptr;
+    std::size_t place = 0;  ///< among all movable models of the world
 
     [[nodiscard]] const sim::PoseTrack& path() const {
         return carrier != nullptr ? carrier->track : track;

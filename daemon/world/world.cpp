@@ -137,6 +137,7 @@ void World::find_carriers() {
         const auto body = movable_.find(robot.start.body);
         if (body != movable_.end()) body->second.carrier = &robot;
     }
+    movers_.view(movable_);
 }
 
 const sim::PoseTrack* World::robot(std::string_view name) const {
@@ -178,7 +179,10 @@ Placed World::place_robot(std::string_view name, const Placement& placement) {
             Reason::unknown, "robot",
             "robot: there is no \"" + std::string(name) + "\"; robots are " + names_of(robots_));
     }
+    const sim::Time left = found->second.track.last_time();
     return place(found->second.track, placement).map([&] {
+        const auto body = movable_.find(found->second.start.body);
+        if (body != movable_.end()) movers_.goes_to(body->second, placement.pose, left);
         tell([name = found->first,
               placement](World& copy) { (void)copy.place_robot(name, placement); },
              Haste::soon);
@@ -205,10 +209,15 @@ Placed World::place_model(std::string_view name, const Placement& placement) {
             Reason::carried, "model",
             "model: \"" + std::string(name) + "\" is the body of a robot; move the robot");
     }
-    if (found->second.follows_script()) {
-        end_script(found->second, placement);
-    } else if (Placed placed = place(found->second.track, placement); !placed) {
+    MovableModel& model = found->second;
+    const sim::Time left = model.track.last_time();
+    if (model.follows_script()) {
+        end_script(model, placement);
+        movers_.leaves_script(model);
+    } else if (Placed placed = place(model.track, placement); !placed) {
         return placed;
+    } else {
+        movers_.goes_to(model, placement.pose, left);
     }
     tell([name = found->first, placement](World& copy) { (void)copy.place_model(name, placement); },
          Haste::soon);
@@ -257,17 +266,6 @@ std::vector<sim::Pose> World::poses_at(sim::Time time) const {
     for (const auto& [name, model] : movable_)
         poses[model.id] = model.at(time);
     return poses;
-}
-
-std::vector<sim::Mover> World::movers(sim::Time from, sim::Time to, sim::ModelId except) {
-    std::vector<sim::Mover> movers;
-    movers.reserve(movable_.size());
-    for (auto& [name, model] : movable_) {
-        if (model.id == except) continue;
-        if (model.follows_script()) model.track = model.script->between(model.begun, from, to);
-        movers.push_back({model.id, model.radius_m, &model.path()});
-    }
-    return movers;
 }
 
 }  // namespace scipd::daemon

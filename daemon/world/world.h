@@ -19,13 +19,12 @@
 
 #include "daemon/world/cast.h"
 #include "daemon/world/light.h"
-#include "daemon/world/movable_model.h"
+#include "daemon/world/movers.h"
 #include "daemon/world/placement.h"
 #include "daemon/world/robot.h"
 #include "daemon/world/sensor_backends.h"
 #include "sim/backends/range_backend.h"
 #include "sim/time.h"
-#include "sim/world/mover.h"
 #include "sim/world/pose.h"
 #include "sim/world/pose_track.h"
 #include "sim/world/scene.h"
@@ -120,10 +119,9 @@ class World {
     void on_cast(std::function<void(const Cast&)> callback) { on_cast_ = std::move(callback); }
 
     [[nodiscard]] std::vector<sim::Pose> poses_at(sim::Time time) const;  ///< by ModelId
-    /// How all movable models but `except` move between these times. Good until the next call, and
-    /// until the scene or the robots are replaced.
-    [[nodiscard]] std::vector<sim::Mover> movers(sim::Time from, sim::Time to,
-                                                 sim::ModelId except = sim::no_model);
+    /// Of all movable models. Not const: sweeps ask how scripts move them. Good until the scene or
+    /// the robots are replaced.
+    [[nodiscard]] const Movers& movers() { return movers_; }
 
   private:
     void tell(const Change& change, Haste haste) const {
@@ -140,7 +138,8 @@ class World {
     sim::SharedScene names_;  ///< scene_ without shapes
     std::uint64_t edition_ = 0;
     Robots robots_;
-    std::map<std::string, MovableModel, std::less<>> movable_;
+    Movers::Models movable_;
+    Movers movers_;  ///< of movable_
     SensorBackends backends_;
     Light light_;
     std::function<void()> on_placed_;

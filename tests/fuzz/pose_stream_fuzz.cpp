@@ -117,7 +117,8 @@ class Daemon : public tests::EmptyApi {
 
     void check_sweep(sim::Time begin) {
         const auto fired = [&](std::size_t beam) { return begin + beam * 1ms; };
-        const auto parts = sim::equal_parts(25, 7, fired, world_.movers(begin, fired(24)));
+        const auto parts =
+            sim::equal_parts(25, 7, fired, world_.movers().all(begin, fired(24), sim::no_model));
         require(!parts.empty() && parts.size() <= 7, "no more parts than poses");
     }
 

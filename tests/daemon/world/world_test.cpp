@@ -33,7 +33,7 @@ class WorldTest : public testing::Test {
         const glm::vec3 ahead(1, 0, 0);
         sim::Hit hit;
         sim::RangeBackend& backend = world_.backend("robot/scanner");
-        for (const sim::Mover& mover : world_.movers(time, time))
+        for (const sim::Mover& mover : world_.movers().all(time, time, sim::no_model))
             backend.move(mover.id, mover.path->at(time));
         backend.cast(
             {.directions = {&ahead, 1}, .world_from_sensor = {&here, 1}, .max_range_m = 50},
