@@ -118,8 +118,7 @@ class World {
     }
     void on_cast(std::function<void(const Cast&)> callback) { on_cast_ = std::move(callback); }
 
-    /// Where all models are, by ModelId.
-    [[nodiscard]] std::vector<sim::Pose> poses_at(sim::Time time) const;
+    [[nodiscard]] std::vector<sim::Pose> poses_at(sim::Time time) const;  ///< by ModelId
     /// Of all movable models. Not const: sweeps ask how scripts move them. Good until the scene or
     /// the robots are replaced.
     [[nodiscard]] const Movers& movers() { return movers_; }

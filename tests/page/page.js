@@ -44,6 +44,6 @@ export async function withScan(page) {
 export const SENSOR = 'robot/scanner';
 
 export async function near(read, wanted, tolerance) {
-  await expect.poll(async () => Math.abs(await read() - wanted), {timeout: 15_000})
+  await expect.poll(async () => Math.abs(await read() - wanted), {timeout: 30_000})
     .toBeLessThan(tolerance);
 }

@@ -8,14 +8,15 @@ export default defineConfig({
   testDir: '.',
   testMatch: '*.spec.js',
   workers: 1,
-  timeout: 60_000,
-  expect: {timeout: 15_000},
+  // A busy machine without a graphics card is slow.
+  timeout: 240_000,
+  expect: {timeout: 30_000},
   reporter: 'list',
   outputDir: process.env.PAGE_TEST_OUTPUT || 'results',
   use: {
     viewport: {width: 1280, height: 720},
     colorScheme: 'light',
-    actionTimeout: 20_000,
+    actionTimeout: 60_000,
     launchOptions: {
       executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
       args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox',

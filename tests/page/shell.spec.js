@@ -120,7 +120,7 @@ test('a million triangles are soon there', async ({page, start}) => {
   const took_ms = Date.now() - before_ms;
   console.log(`a mesh of a million triangles: ${took_ms} ms`);
   // Far more than 3 s, since other tests may run meanwhile.
-  expect(took_ms).toBeLessThan(15_000);
+  expect(took_ms).toBeLessThan(60_000);
 });
 
 /** A square of n by n vertices in the format of GET /scene/meshes. */
