@@ -74,7 +74,9 @@ class AnyName : public tests::EmptyApi {
     void edit_scene(daemon::SceneEdit edit, daemon::EditDone done, std::stop_token) override {
         if (const auto* model = std::get_if<daemon::AddModel>(&edit)) {
             require(!model->placement.name.empty(), "a model has a name");
-            require(model->sdf.empty() != model->mesh.empty(), "a text or a mesh");
+            const int ways = int(!model->sdf.empty()) + int(!model->mesh.empty()) +
+                             int(!model->mesh_data.empty()) + int(!model->file.empty());
+            require(ways == 1, "a text, a file, a mesh or its bytes");
             require_sane(model->placement.world_from_model);
         }
         done({});
@@ -87,6 +89,9 @@ class AnyName : public tests::EmptyApi {
 void check(const daemon::HttpResponse& response) {
     require(response.status >= 200 && response.status < 600, "a status of HTTP");
     if (response.status == 204) return require(response.body.empty(), "204 has no body");
+    // Pages, meshes and metrics.
+    if (!response.content_type.ends_with("json"))
+        return require(response.status < 400, "a refusal is JSON");
     const auto document = nlohmann::json::parse(response.body, nullptr, false);
     require(!document.is_discarded(), "the body is JSON");
     if (response.status < 400) return;
