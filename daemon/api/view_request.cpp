@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/api/view_request.h"
 
+#include <limits>
 #include <utility>
 
 #include "sim/loaders/poses/small_json.h"
@@ -32,7 +33,9 @@ sim::Expected<ViewRequest::Scans> scans_in(const nlohmann::json& wanted) {
 }
 
 sim::Expected<std::uint32_t> number_in(const nlohmann::json& value) {
-    if (!value.is_number_unsigned()) return refuse("ack", "ack must be the number of a frame");
+    if (!value.is_number_unsigned() ||
+        value.get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max())
+        return refuse("ack", "ack must be the number of a frame");
     return value.get<std::uint32_t>();
 }
 

@@ -188,3 +188,19 @@ test('the view follows a robot', async ({page, start}) => {
   await page.waitForTimeout(1000);
   expect(await looksAt()).toBe('0.5,1,0');
 });
+
+test('nothing is undone in another world', async ({page, start}) => {
+  const daemon = await start(room());
+  await open(page, daemon);
+  await page.locator('#canvas').focus();
+  await page.keyboard.press('o');
+  const models = async () => (await daemon.get('/scene')).models.map(({name}) => name);
+  await expect.poll(models).toContain('box 2');
+  await daemon.put('/scene', {file: scene('corridor.sdf')});
+  await expect(page.locator('#world-name')).toHaveText('corridor.sdf');
+  const there = await models();
+  await page.locator('#canvas').focus();
+  await page.keyboard.press('Control+z');
+  await expect(page.locator('#notices')).toContainText('nothing to undo');
+  expect(await models()).toEqual(there);
+});

@@ -18,6 +18,12 @@ export class Edits {
     this.added = new Map();
   }
 
+  /** Another world is there. */
+  forget() {
+    this.added.clear();
+    this.undo.forget();
+  }
+
   /** A name that no model has. */
   freeName(wish) {
     const taken = new Set(this.world.objects.map(({object}) => object.model));

@@ -51,7 +51,7 @@ export class Link {
   get settingsWanted() {
     const values = {};
     for (const [name, text] of Object.entries(this.wanted)) {
-      if (!(name in DEFAULTS) || OWN.has(name)) continue;
+      if (!Object.hasOwn(DEFAULTS, name) || OWN.has(name)) continue;
       const kind = typeof DEFAULTS[name];
       if (kind === 'boolean') values[name] = text === 'true';
       else if (kind !== 'number') values[name] = text;

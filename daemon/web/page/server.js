@@ -79,7 +79,9 @@ export class Server {
   async newToken(refused) {
     if (this.token !== refused) return;
     this.asking ??= this.ask(Boolean(refused)).finally(() => { this.asking = null; });
-    this.token = await this.asking;
+    const answer = await this.asking;
+    // What no header can hold is no token, and fetch() would throw at it.
+    this.token = /^[\x21-\x7e]+$/.test(answer) ? answer : 'no-token';
     sessionStorage.setItem(KEY, this.token);
   }
 

@@ -31,7 +31,7 @@ export class Settings {
   }
 
   set(name, value) {
-    if (!(name in DEFAULTS)) throw new Error(`there is no setting ${name}`);
+    if (!Object.hasOwn(DEFAULTS, name)) throw new Error(`there is no setting ${name}`);
     if (this.values[name] === value) return;
     this.values[name] = value;
     for (const watcher of this.watchers) {

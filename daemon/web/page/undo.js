@@ -28,6 +28,12 @@ export class Undo extends EventTarget {
     this.dispatchEvent(new Event('changed'));
   }
 
+  /** In another world other things have the same names. */
+  forget() {
+    this.deeds = [];
+    this.dispatchEvent(new Event('changed'));
+  }
+
   moved(thing, from) {
     this.did(`moved ${thing.name}`, async () => this.mover.move(thing, from));
   }
@@ -51,6 +57,9 @@ export class Undo extends EventTarget {
       await deed.back();
       this.notices.tell(`Undone: ${deed.what}`);
     } catch (error) {
+      // The daemon may be away for a moment; what it refuses it will refuse again.
+      if (!error.status) this.deeds.push(deed);
+      this.dispatchEvent(new Event('changed'));
       this.notices.trouble(`This cannot be undone (${deed.what}): ${error.message}`);
     }
   }

@@ -323,7 +323,8 @@ TEST(ViewFrame, KeepsUpWithARobotThatMoves) {
 TEST(ViewRequest, IsReadWithCare) {
     for (const char* text :
          {"", "[]", "x", R"({"scans":1})", R"({"scans":{"a":1}})", R"({"scans":{"a":{"true":1}}})",
-          R"({"ack":-1})", R"({"ack":"1"})", R"({"ack_poses":1})", R"({"other":1})"})
+          R"({"ack":-1})", R"({"ack":4294967299})", R"({"ack":"1"})", R"({"ack_poses":1})",
+          R"({"other":1})"})
         EXPECT_FALSE(parse_view_request(text)) << text;
     const auto all =
         parse_view_request(R"({"scans":{"a/b":{"true":true}},"ack":3,"ack_poses":true})");
