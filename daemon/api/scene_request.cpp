@@ -62,6 +62,18 @@ Expected<> read_text(const RequestJson& object, const std::string& key, std::str
     return {};
 }
 
+/// A text that things can be called by.
+Expected<> read_name(const RequestJson& object, const std::string& key, std::string& name) {
+    std::string text;
+    return read_text(object, key, text).and_then([&]() -> Expected<> {
+        if (text.empty()) return {};
+        const auto checked = sim::check_name(text);
+        if (!checked) return refuse(key, key + " " + checked.error().why);
+        name = text;
+        return {};
+    });
+}
+
 Expected<> read_path(const RequestJson& object, const std::string& key,
                      std::filesystem::path& path) {
     std::string text;
@@ -153,7 +165,7 @@ Expected<> read_source(const RequestJson& object, AddModel& edit) {
         .and_then([&] { return read_path(object, "file", edit.file); })
         .and_then([&] { return read_path(object, "mesh", edit.mesh); })
         .and_then([&] { return read_bytes(object, edit); })
-        .and_then([&] { return read_text(object, "material", edit.material); })
+        .and_then([&] { return read_name(object, "material", edit.material); })
         .and_then([&] { return check_source(object); })
         .and_then([&] { return read_scale(object, edit.scale); });
 }
@@ -193,7 +205,7 @@ Expected<SetMaterial> parse_set_material(const std::string& model, const std::st
     return object_in(body, material_keys).and_then([&](const RequestJson& object) {
         SetMaterial edit{model, {}};
         return require(object, "material")
-            .and_then([&] { return read_text(object, "material", edit.material); })
+            .and_then([&] { return read_name(object, "material", edit.material); })
             .map([&] { return std::move(edit); });
     });
 }

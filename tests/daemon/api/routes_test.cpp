@@ -374,7 +374,8 @@ TEST_F(RoutesTest, AModelGetsAnotherMaterial) {
     const auto& edit = std::get<SetMaterial>(api_.edits_[0]);
     EXPECT_EQ(edit.model, "a::b");
     EXPECT_EQ(edit.material, "wood");
-    for (const char* body : {"{}", R"({"material":""})", R"({"material":1})", R"({"colour":"x"})"})
+    for (const char* body : {"{}", R"({"material":""})", R"({"material":1})", R"({"colour":"x"})",
+                             R"({"material":"a\u0000b"})", R"({"material":"a\nb"})"})
         EXPECT_EQ(problem_status(put("/scene/models/a/material", body)), 400) << body;
 }
 
