@@ -3,6 +3,7 @@
 #include "daemon/device/sweep.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -136,6 +137,7 @@ void Sweep::cast_apart(sim::Scan& scan, const BeamFired& fired, const sim::Condi
     sim::RangeBackend& backend = world_.backend(name_);
     const std::span<const sim::ModelId> none;
     scanner_.cast(backend, scan, {0, beams()}, conditions, sim::no_model, none);
+    if (world_.movers().empty()) return;
     const std::vector<sim::Mover> movers =
         world_.movers().within(reach(scan), fired(0), fired(beams() - 1), unseen);
     if (movers.empty()) return;
@@ -149,10 +151,12 @@ void Sweep::cast_apart(sim::Scan& scan, const BeamFired& fired, const sim::Condi
 Ball Sweep::reach(const sim::Scan& scan) const {
     const std::vector<sim::Pose>& poses = scan.world_from_sensor;
     const glm::dvec3 middle_m = poses[poses.size() / 2].translation_m;
-    double strays_m = 0.0;
-    for (const sim::Pose& pose : poses)
-        strays_m = std::max(strays_m, glm::distance(pose.translation_m, middle_m));
-    return {middle_m, optics().max_range_m + strays_m};
+    double farthest_m2 = 0.0;
+    for (const sim::Pose& pose : poses) {
+        const glm::dvec3 moved_m = pose.translation_m - middle_m;
+        farthest_m2 = std::max(farthest_m2, glm::dot(moved_m, moved_m));
+    }
+    return {middle_m, optics().max_range_m + std::sqrt(farthest_m2)};
 }
 
 void Sweep::cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired,

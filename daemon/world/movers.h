@@ -28,6 +28,8 @@ class Movers {
     /// It moves by poses now, and by its script before.
     void leaves_script(const MovableModel& model);
 
+    /// Nothing can move.
+    [[nodiscard]] bool empty() const { return models_.empty(); }
     /// How all but `except` move between these times. Good until the next call.
     [[nodiscard]] std::vector<sim::Mover> all(sim::Time from, sim::Time to,
                                               sim::ModelId except) const;

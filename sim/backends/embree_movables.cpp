@@ -80,15 +80,19 @@ void EmbreeMovables::trace(CoherentTracer& tracer, const int* valid, RTCRayHit16
 }
 
 void EmbreeMovables::turn_normals(RTCRayHit16& packet) const {
-    RTCHit16& hit = packet.hit;
     for (std::size_t k = 0; k < packet_size; ++k) {
-        if (hit.instID[0][k] == RTC_INVALID_GEOMETRY_ID) continue;
-        const glm::vec3 normal = movables_[hit.instID[0][k]].world_from_model *
-                                 glm::vec3{hit.Ng_x[k], hit.Ng_y[k], hit.Ng_z[k]};
-        hit.Ng_x[k] = normal.x;
-        hit.Ng_y[k] = normal.y;
-        hit.Ng_z[k] = normal.z;
+        const ModelId model = packet.hit.instID[0][k];
+        if (model != RTC_INVALID_GEOMETRY_ID) set_normal(packet.hit, k, model, packet.hit);
     }
+}
+
+void EmbreeMovables::set_normal(RTCHit16& hit, std::size_t k, ModelId model,
+                                const RTCHit16& in_model) const {
+    const glm::vec3 normal = movables_[model].world_from_model *
+                             glm::vec3{in_model.Ng_x[k], in_model.Ng_y[k], in_model.Ng_z[k]};
+    hit.Ng_x[k] = normal.x;
+    hit.Ng_y[k] = normal.y;
+    hit.Ng_z[k] = normal.z;
 }
 
 void EmbreeMovables::trace_alone(ModelId model, CoherentTracer& tracer, const int* valid,
@@ -114,12 +118,8 @@ void EmbreeMovables::trace_alone(ModelId model, CoherentTracer& tracer, const in
     tracer.trace(valid, bodies_.of(model), local);
     for (std::size_t k = 0; k < packet_size; ++k) {
         if (local.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID) continue;
-        const glm::vec3 normal = movable.world_from_model *
-                                 glm::vec3{local.hit.Ng_x[k], local.hit.Ng_y[k], local.hit.Ng_z[k]};
         packet.ray.tfar[k] = ray.tfar[k];
-        packet.hit.Ng_x[k] = normal.x;
-        packet.hit.Ng_y[k] = normal.y;
-        packet.hit.Ng_z[k] = normal.z;
+        set_normal(packet.hit, k, model, local.hit);
         packet.hit.geomID[k] = local.hit.geomID[k];
         packet.hit.instID[0][k] = model;
     }

@@ -52,6 +52,8 @@ class EmbreeMovables {
 
     void place(Movable& movable);
     void turn_normals(RTCRayHit16& packet) const;
+    /// Of ray k, from the model's frame to W.
+    void set_normal(RTCHit16& hit, std::size_t k, ModelId model, const RTCHit16& in_model) const;
 
     SharedScene scene_;
     DeviceHandle device_;  ///< null: nothing can move

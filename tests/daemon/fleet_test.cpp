@@ -77,12 +77,8 @@ class FleetTest : public testing::TestWithParam<std::size_t> {
         return api_.status().sensors.at(index);
     }
 
-    static std::uint16_t port_of(const std::string& address) {
-        return static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1)));
-    }
-
     [[nodiscard]] ScannerWire connect(std::size_t index = 0) const {
-        return ScannerWire::tcp(port_of(*sensor(index).tcp));
+        return ScannerWire::tcp(tests::port_of(*sensor(index).tcp));
     }
 
     bool streams(ScannerWire& wire) {
@@ -318,7 +314,7 @@ TEST_P(FleetTest, ChangesNothingWhereSomethingFails) {
     EXPECT_THROW(fleet_.apply(lost_world), sim::LoadError);
 
     SensorConfig taken = on_tcp("taken");
-    taken.tcp->port = port_of(*sensor().tcp);
+    taken.tcp->port = tests::port_of(*sensor().tcp);
     EXPECT_THROW(fleet_.apply(of({on_tty("rear"), taken})), std::runtime_error);
 
     EXPECT_FALSE(fs::is_symlink(directory_.path() / "rear"));
@@ -413,8 +409,8 @@ TEST_P(FleetTest, LetsScannersExchangeTheirPorts) {
         SensorConfig c = on_tcp("c");
         finds_free_ones.apply(of({c, on_tcp("d")}));
         const FleetApi api{finds_free_ones.simulation()};
-        a.tcp->port = port_of(*api.status().sensors[0].tcp);
-        b.tcp->port = port_of(*api.status().sensors[1].tcp);
+        a.tcp->port = tests::port_of(*api.status().sensors[0].tcp);
+        b.tcp->port = tests::port_of(*api.status().sensors[1].tcp);
     }
     fleet_.apply(of({a, b}));
     ScannerWire before = connect(0);
@@ -422,7 +418,7 @@ TEST_P(FleetTest, LetsScannersExchangeTheirPorts) {
 
     std::swap(a.tcp, b.tcp);
     fleet_.apply(of({a, b}));
-    EXPECT_EQ(port_of(*sensor(0).tcp), a.tcp->port);
+    EXPECT_EQ(tests::port_of(*sensor(0).tcp), a.tcp->port);
     ScannerWire to_a = connect(0);
     ScannerWire to_b = connect(1);
     EXPECT_TRUE(answers(to_a, "UST-10LX"));

@@ -36,6 +36,10 @@ milliseconds left_until(Steady::time_point end) {
 
 }  // namespace
 
+std::uint16_t port_of(const std::string& address) {
+    return static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1)));
+}
+
 ScannerWire ScannerWire::tcp(std::uint16_t port, int receive_buffer, const char* host) {
     ScannerWire wire(checked(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0), "socket"));
     if (receive_buffer > 0) {

@@ -20,6 +20,9 @@
 
 namespace scipd::tests {
 
+/// Of an address such as 127.0.0.1:10940.
+[[nodiscard]] std::uint16_t port_of(const std::string& address);
+
 class ScannerWire : public protocol::client::Transport {
   public:
     /// Far longer than any answer takes even on a busy machine.

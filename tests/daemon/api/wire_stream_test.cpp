@@ -72,9 +72,7 @@ class WireStreamTest : public testing::Test {
         }
     }
     [[nodiscard]] ScannerWire connect() const {
-        const std::string address = port_->address();
-        return ScannerWire::tcp(
-            static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1))));
+        return ScannerWire::tcp(tests::port_of(port_->address()));
     }
 
     boost::asio::io_context io_;

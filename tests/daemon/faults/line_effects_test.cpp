@@ -116,9 +116,7 @@ class CutEffects : public testing::Test {
     }
 
     [[nodiscard]] ScannerWire connect() const {
-        const std::string address = tcp_->address();
-        return ScannerWire::tcp(
-            static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1))));
+        return ScannerWire::tcp(tests::port_of(tcp_->address()));
     }
     bool is_answered(ScannerWire& wire) {
         wire.write("QT\n");

@@ -54,9 +54,7 @@ class LineStateTest : public testing::Test {
     }
 
     [[nodiscard]] ScannerWire connect() {
-        const std::string address = port_->address();
-        ScannerWire wire = ScannerWire::tcp(
-            static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1))));
+        ScannerWire wire = ScannerWire::tcp(tests::port_of(port_->address()));
         EXPECT_TRUE(run_until(io_, [&] { return port_->connected(); }));
         return wire;
     }

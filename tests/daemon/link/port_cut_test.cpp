@@ -40,8 +40,7 @@ class Client {
         sockaddr_in to{};
         to.sin_family = AF_INET;
         to.sin_addr.s_addr = ::htonl(INADDR_LOOPBACK);
-        to.sin_port =
-            ::htons(static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1))));
+        to.sin_port = ::htons(tests::port_of(address));
         const auto* const name = reinterpret_cast<const sockaddr*>(&to);
         refusal_ = ::connect(socket_, name, sizeof(to)) == 0 ? 0 : errno;
     }

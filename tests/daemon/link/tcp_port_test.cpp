@@ -36,9 +36,7 @@ class TcpPortTest : public testing::Test {
     }
 
     [[nodiscard]] ScannerWire connect() const {
-        const std::string address = port_->address();
-        return ScannerWire::tcp(
-            static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1))));
+        return ScannerWire::tcp(tests::port_of(port_->address()));
     }
 
     /// These become its port's limits.
@@ -297,9 +295,7 @@ TEST_F(TcpPortTest, CutsAsItsLinkDoes) {
 
 TEST_F(TcpPortTest, KeepsAClientThatReadsSlowlyAndNotOneThatNeverDoes) {
     port_->serve(device_, {.dead_after = 3s});
-    const std::string address = port_->address();
-    ScannerWire wire = ScannerWire::tcp(
-        static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1))), 4096);
+    ScannerWire wire = ScannerWire::tcp(tests::port_of(port_->address()), 4096);
     wire.write("MD0000108000000\n");
     EXPECT_TRUE(comes(wire, "MD0000108000000\n00P\n\n"));
     std::int64_t revolution = device_.next_revolution() + 1;

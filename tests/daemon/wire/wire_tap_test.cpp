@@ -40,9 +40,7 @@ class WireTapTest : public testing::Test {
     }
 
     [[nodiscard]] ScannerWire connect() const {
-        const std::string address = port_->address();
-        return ScannerWire::tcp(
-            static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1))));
+        return ScannerWire::tcp(tests::port_of(port_->address()));
     }
     /// Says this, and reads until that has come.
     std::string ask(ScannerWire& wire, const std::string& request, const std::string& until) {
