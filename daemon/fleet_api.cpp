@@ -100,6 +100,8 @@ WorldView FleetApi::world() const {
     const World& world = simulation_.world;
     const sim::Time now = simulation_.clock.now();
     WorldView view{.version = run_ + '-' + std::to_string(world.edition()),
+                   .loaded = run_ + '-' + std::to_string(simulation_.editor.loads()),
+                   .most_body_bytes = simulation_.limits->values()[Limit::http_body_bytes],
                    .scene = world.scene(),
                    .materials = world.light().materials(),
                    .time = simulation_.clock.origin() + now,

@@ -45,7 +45,10 @@ std::vector<std::string> robots_by_model(const WorldView& world) {
 std::string document(const WorldView& world, const SceneObjects& objects) {
     const sim::Scene& scene = *world.scene;
     const auto robots = robots_by_model(world);
-    ObjectText text({{"version", world.version}, {"time_s", seconds(world.time)}});
+    ObjectText text({{"version", world.version},
+                     {"loaded", world.loaded},
+                     {"time_s", seconds(world.time)},
+                     {"limits", {{"http_body_bytes", world.most_body_bytes}}}});
     text.add_list("objects", objects.size(), [&](std::string& list, std::size_t id) {
         const sim::Object& object = scene.objects[id];
         list += objects.text(static_cast<sim::ObjectId>(id));

@@ -141,6 +141,9 @@ void route(Api& api, const HttpRequest& request, Respond respond) {
 
 std::variant<HttpResponse, Converse> open_socket(Api& api, const HttpRequest& request) {
     const std::string& path = request.path;
+    const bool has_query = !request.query.empty();
+    if (has_query && (path == "/poses" || path == "/view"))
+        return problem(400, path + " takes no parameters");
     if (path == "/poses") return [&api](WebSocket& socket) { return take_poses(api, socket); };
     if (path == "/view") return [&api](WebSocket& socket) { return api.open_view(socket); };
     const bool is_wire = path == "/wire";
@@ -148,7 +151,8 @@ std::variant<HttpResponse, Converse> open_socket(Api& api, const HttpRequest& re
         return problem(404, path + " is no WebSocket; there are /poses, /stream, /view and /wire");
     }
     const std::string sensor = query_value(request.query, "sensor").value_or("");
-    if (sensor.empty() && (is_wire || !request.query.empty())) {
+    const bool is_alone = request.query.find('&') == request.query.npos;
+    if (sensor.empty() ? is_wire || has_query : !is_alone) {
         return problem(400, "there is one parameter, ?sensor=ROBOT/SENSOR", "sensor");
     }
     if (!sensor.empty() && !api.log(sensor)) {

@@ -9,6 +9,7 @@
 #include <span>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "daemon/world/base64.h"
 #include "sim/loaders/poses/pose_line.h"
@@ -30,13 +31,14 @@ constexpr std::array<std::string_view, 1> world_keys{"file"};
 constexpr std::array<std::string_view, 11> model_keys{
     "name",  "sdf",      "file", "mesh",   "mesh_data", "mesh_format",
     "scale", "material", "pose", "static", "replace"};
-constexpr std::array<std::string_view, 1> material_keys{"material"};
+constexpr std::array<std::string_view, 2> material_keys{"material", "materials"};
 
-std::string listed(std::span<const std::string_view> keys) {
-    std::string text;
-    for (const auto key : keys)
-        text += (text.empty() ? "" : ", ") + std::string(key);
-    return text;
+/// "there is file", "there are name, sdf and pose".
+std::string there_are(std::span<const std::string_view> keys) {
+    std::string text{keys.front()};
+    for (const auto key : keys.subspan(1))
+        text += (key == keys.back() ? " and " : ", ") + std::string(key);
+    return (keys.size() == 1 ? "there is " : "there are ") + text;
 }
 
 /// The object that a body is. Other keys than these are refused.
@@ -47,7 +49,7 @@ Expected<RequestJson> object_in(const std::string& body, std::span<const std::st
     for (const auto& [key, value] : object->items()) {
         if (std::ranges::find(keys, key) != keys.end()) continue;
         return refuse(sim::printable(key, 64),
-                      "the key " + sim::quote(key) + " is unknown; there are " + listed(keys));
+                      "the key " + sim::quote(key) + " is unknown; " + there_are(keys));
     }
     return object;
 }
@@ -121,6 +123,8 @@ Expected<> read_scale(const RequestJson& object, double& scale) {
     if (!object.contains("scale")) return {};
     if (!object["scale"].is_number()) return refuse("scale", "scale must be a number");
     scale = object["scale"];
+    if (!(scale > 0.0 && scale <= 1e7))
+        return refuse("scale", "scale must be above 0 and at most 1e7");
     return {};
 }
 
@@ -186,6 +190,24 @@ Expected<AddModel> model_in(const RequestJson& object) {
         });
 }
 
+Expected<std::vector<std::string>> materials_in(const RequestJson& object) {
+    const bool is_list = object.contains("materials");
+    if (is_list == object.contains("material"))
+        return refuse("material", "one of material and materials must be given");
+    std::vector<std::string> materials(1);
+    if (!is_list) return read_name(object, "material", materials[0]).map([&] { return materials; });
+    const RequestJson& names = object["materials"];
+    if (!names.is_array() || names.empty())
+        return refuse("materials", "materials must be a list of names, one for each object");
+    materials.resize(names.size());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const RequestJson one{{"materials", names[i]}};
+        if (const auto read = read_name(one, "materials", materials[i]); !read)
+            return tl::unexpected(read.error());
+    }
+    return materials;
+}
+
 }  // namespace
 
 Expected<LoadWorld> parse_load_world(const std::string& body) {
@@ -203,10 +225,9 @@ Expected<AddModel> parse_add_model(const std::string& body) {
 
 Expected<SetMaterial> parse_set_material(const std::string& model, const std::string& body) {
     return object_in(body, material_keys).and_then([&](const RequestJson& object) {
-        SetMaterial edit{model, {}};
-        return require(object, "material")
-            .and_then([&] { return read_name(object, "material", edit.material); })
-            .map([&] { return std::move(edit); });
+        return materials_in(object).map([&](std::vector<std::string> materials) {
+            return SetMaterial{model, std::move(materials)};
+        });
     });
 }
 

@@ -14,20 +14,29 @@ namespace {
 
 using sim::refuse;
 
+/// `where`: "scans.R/S".
+sim::Expected<ViewDepth> depth_in(const nlohmann::json& how, const std::string& where) {
+    if (!how.is_object())
+        return refuse("scans", where + " must be an object: {} or {\"true\": true}");
+    ViewDepth depth = ViewDepth::sent;
+    for (const auto& [key, value] : how.items()) {
+        if (key != "true") {
+            return refuse(
+                "scans", where + ": the key " + sim::quote(key) + " is unknown; there is \"true\"");
+        }
+        if (!value.is_boolean()) return refuse("scans", where + ".true must be true or false");
+        if (value.get<bool>()) depth = ViewDepth::truth;
+    }
+    return depth;
+}
+
 sim::Expected<ViewRequest::Scans> scans_in(const nlohmann::json& wanted) {
     if (!wanted.is_object()) return refuse("scans", "scans must be an object: {\"R/S\": {}}");
     ViewRequest::Scans scans;
     for (const auto& [sensor, how] : wanted.items()) {
-        if (!how.is_object()) {
-            return refuse("scans", "scans." + sim::printable(sensor, 64) +
-                                       " must be an object: {} or {\"true\": true}");
-        }
-        const auto truth = how.find("true");
-        if (truth != how.end() && !truth->is_boolean())
-            return refuse("scans",
-                          "scans." + sim::printable(sensor, 64) + ".true must be true or false");
-        const bool deep = truth != how.end() && truth->get<bool>();
-        scans.emplace(sensor, deep ? ViewDepth::truth : ViewDepth::sent);
+        const auto depth = depth_in(how, "scans." + sim::printable(sensor, 64));
+        if (!depth) return tl::unexpected(depth.error());
+        scans.emplace(sensor, *depth);
     }
     return scans;
 }
@@ -55,12 +64,13 @@ sim::Expected<ViewRequest> parse_view_request(std::string_view text) {
             const auto number = number_in(value);
             if (!number) return tl::unexpected(number.error());
             request.ack = *number;
-        } else if (key == "ack_poses" && value == true) {
+        } else if (key == "ack_poses") {
+            if (value != true) return refuse(key, "ack_poses must be true");
             request.ack_poses = true;
         } else {
-            return refuse(sim::printable(key, 64), "the key " + sim::quote(key) +
-                                                       " is unknown; there are scans, ack and "
-                                                       "ack_poses, which is true");
+            return refuse(
+                sim::printable(key, 64),
+                "the key " + sim::quote(key) + " is unknown; there are scans, ack and ack_poses");
         }
     }
     return request;

@@ -23,6 +23,9 @@ struct RobotView {
 struct WorldView {
     /// Another one whenever there are other objects, materials or robots.
     std::string version;
+    /// Another one whenever a world is loaded; edits leave it as it is.
+    std::string loaded;
+    int most_body_bytes = 0;  ///< that a request may have which adds a model
     sim::SharedScene scene;
     sim::SharedMaterials materials;
     sim::Time time{};

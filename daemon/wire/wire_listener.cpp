@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "protocol/request.h"
+#include "protocol/scip1_words.h"
 #include "protocol/words.h"
 
 namespace scipd::daemon {
@@ -62,10 +63,14 @@ WireEntry WireListener::begin(std::string_view line, std::size_t bytes) const {
 }
 
 void WireListener::heard(std::string_view bytes) {
+    const protocol::DeviceProfile& profile = device_.profile();
     while (auto line = reader_.next(bytes)) {
         WireEntry entry = begin(line->text, line->text.size() + 1);
         entry.from_client = true;
-        entry.means = protocol::request_words(parse_request(*std::move(line), device_.profile()));
+        if (profile.speaks_scip1())
+            entry.means = protocol::scip1_request_words(parse_scip1(line->text, profile));
+        if (entry.means.empty())
+            entry.means = protocol::request_words(parse_request(*std::move(line), profile));
         take_(std::move(entry));
     }
 }
@@ -74,18 +79,37 @@ void WireListener::said(const protocol::Send& message) {
     std::string_view rest = message.bytes;
     const std::string_view line = take_line(rest);
     WireEntry entry = begin(line, message.bytes.size());
-    const auto status = status_in(take_line(rest));
-    if (status) {
-        const auto echo = protocol::parse_request({std::string(line)}, device_.profile());
-        entry.status = status->text();
-        entry.means = protocol::reply_words(echo, *status);
-        entry.explains = protocol::status_words(echo.command, *status);
-        if (const auto scan = device_.latest_scan(); scan && has_scan(echo, *status))
-            entry.scan = scan->revolution;
+    const std::string_view second = take_line(rest);
+    if (const auto status = status_in(second)) {
+        explain(protocol::parse_request({std::string(line)}, device_.profile()), *status, entry);
+    } else if (second.size() == 1 && device_.profile().speaks_scip1()) {
+        explain(protocol::parse_scip1(line, device_.profile()), second.front(), entry);
     } else {
-        entry.means = "a reply in SCIP 1.1, or one that a fault has damaged";
+        entry.means = "a reply that a fault has damaged";
     }
     take_(std::move(entry));
+}
+
+void WireListener::explain(const protocol::Request& echo, protocol::Status status,
+                           WireEntry& entry) const {
+    entry.status = status.text();
+    entry.means = protocol::reply_words(echo, status);
+    entry.explains = protocol::status_words(echo.command, status);
+    if (has_scan(echo, status)) entry.scan = latest_scan();
+}
+
+void WireListener::explain(const protocol::Scip1Request& echo, char status,
+                           WireEntry& entry) const {
+    const bool has_scan = echo.kind == protocol::Scip1Request::Kind::scan;
+    entry.status = status;
+    entry.means = protocol::scip1_reply_words(echo, status);
+    entry.explains = protocol::scip1_status_words(status);
+    if (has_scan && status == protocol::scip1_status::ok) entry.scan = latest_scan();
+}
+
+std::optional<std::int64_t> WireListener::latest_scan() const {
+    const auto scan = device_.latest_scan();
+    return scan ? std::optional(scan->revolution) : std::nullopt;
 }
 
 void WireListener::dropped() {

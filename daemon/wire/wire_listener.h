@@ -4,6 +4,8 @@
 // Listens at one port of a scanner, and tells each request and reply in words. Lives on its shard.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,6 +13,9 @@
 #include "daemon/link/wire_ear.h"
 #include "daemon/wire/wire_entry.h"
 #include "protocol/line_reader.h"
+#include "protocol/request.h"
+#include "protocol/scip1.h"
+#include "protocol/status.h"
 
 namespace scipd::daemon {
 
@@ -26,6 +31,9 @@ class WireListener : public WireEar {
 
   private:
     [[nodiscard]] WireEntry begin(std::string_view line, std::size_t bytes) const;
+    void explain(const protocol::Request& echo, protocol::Status status, WireEntry& entry) const;
+    void explain(const protocol::Scip1Request& echo, char status, WireEntry& entry) const;
+    [[nodiscard]] std::optional<std::int64_t> latest_scan() const;
 
     Device& device_;
     std::string client_;

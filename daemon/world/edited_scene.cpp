@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/world/edited_scene.h"
 
+#include <algorithm>
 #include <memory>
 #include <set>
 #include <utility>
@@ -143,6 +144,16 @@ EditedOrNot with_model(const AddModel& edit, const PresentScene& present) {
                        std::move(warnings), std::move(notes), std::move(all)};
 }
 
+/// Whoever sent bytes knows of no file.
+std::vector<std::string> told_of_data(std::vector<std::string> lines,
+                                      const std::filesystem::path& file) {
+    for (std::string& line : lines) {
+        for (auto at = line.find(file.string()); at != line.npos; at = line.find(file.string()))
+            line.replace(at, file.string().size(), "mesh_data");
+    }
+    return lines;
+}
+
 EditedOrNot edited(const AddModel& edit, const PresentScene& present) {
     if (edit.mesh_data.empty()) return with_model(edit, present);
     const InlineMesh mesh(edit.mesh_data, edit.mesh_format);
@@ -151,24 +162,61 @@ EditedOrNot edited(const AddModel& edit, const PresentScene& present) {
     PresentScene beside = present;
     beside.allow.push_back(mesh.folder());
     beside.options.limits.folders->push_back(mesh.folder());
-    return with_model(of_file, beside);
+    try {
+        EditedOrNot now = with_model(of_file, beside);
+        if (now) now->warnings = told_of_data(std::move(now->warnings), mesh.file());
+        return now;
+    } catch (const sim::LoadError& error) {
+        throw sim::LoadError(told_of_data(error.faults(), mesh.file()));
+    }
+}
+
+std::vector<sim::Object*> objects_of(sim::Scene& scene, const std::string& model) {
+    std::vector<sim::Object*> own;
+    for (sim::Object& object : scene.objects) {
+        const std::string& name = scene.models[object.model].name;
+        if (name == model || name.starts_with(model + "::")) own.push_back(&object);
+    }
+    return own;
+}
+
+/// What the scene itself says of a material of this name counts, such as its laser_retro.
+sim::MaterialId material_called(const std::string& name, sim::Scene& scene) {
+    const auto own = std::ranges::find(scene.materials, name, &sim::Material::name);
+    if (own == scene.materials.end()) return sim::id_of({name}, scene.materials);
+    return static_cast<sim::MaterialId>(own - scene.materials.begin());
+}
+
+std::vector<std::string> warnings_about(const std::vector<sim::Object*>& objects,
+                                        const sim::Scene& scene, const std::string& model,
+                                        const sim::SceneOptions& options) {
+    auto alone = std::make_shared<sim::Scene>();
+    alone->materials = scene.materials;
+    for (const sim::Object* object : objects)
+        alone->objects.push_back(*object);
+    sim::LoadedScene told{alone, {}, {}};
+    sim::check_materials(told, model, options);
+    return told.warnings;
 }
 
 EditedOrNot edited(const SetMaterial& edit, const PresentScene& present) {
     if (!sim::find_model(*present.scene, edit.model))
         return refuse(Result::unknown, "there is no model \"" + edit.model + "\"");
     auto scene = std::make_shared<sim::Scene>(*present.scene);
-    const sim::MaterialId material = sim::id_of({edit.material}, scene->materials);
-    for (sim::Object& object : scene->objects) {
-        const std::string& model = scene->models[object.model].name;
-        if (model == edit.model || model.starts_with(edit.model + "::")) object.material = material;
+    const std::vector<sim::Object*> objects = objects_of(*scene, edit.model);
+    const auto& wanted = edit.materials;
+    if (wanted.size() != 1 && wanted.size() != objects.size()) {
+        return refuse(Result::faulty, "the model \"" + edit.model + "\" has " +
+                                          std::to_string(objects.size()) + " objects, not " +
+                                          std::to_string(wanted.size()));
     }
-    auto nothing = std::make_shared<sim::Scene>();
-    nothing->materials = {scene->materials.front(), scene->materials[material]};
-    sim::LoadedScene told{nothing, {}, {}};
-    sim::check_materials(told, edit.model, present.options);
-    return EditedScene{present.file, std::move(scene), std::move(nothing), told.warnings,
-                       {},           present.added};
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        objects[i]->material = material_called(wanted[wanted.size() == 1 ? 0 : i], *scene);
+    sim::drop_unused_names(*scene);
+    auto warnings = warnings_about(objects, *scene, edit.model, present.options);
+    return EditedScene{
+        present.file, std::move(scene), std::make_shared<const sim::Scene>(), std::move(warnings),
+        {},           present.added};
 }
 
 EditedOrNot edited(const RemoveModel& edit, const PresentScene& present) {

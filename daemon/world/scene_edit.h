@@ -38,10 +38,11 @@ struct RemoveModel {
     std::string name;
 };
 
-/// All objects of a model, and of those that lie in it, get one material.
+/// The objects of a model, and of those that lie in it, get other materials: all the same one, or
+/// each its own, in their order in the scene.
 struct SetMaterial {
     std::string model;
-    std::string material;
+    std::vector<std::string> materials;
 };
 
 using SceneEdit = std::variant<LoadWorld, AddModel, RemoveModel, SetMaterial>;

@@ -82,6 +82,7 @@ void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn)
 }
 
 void SceneEditor::take_up(Next& next) {
+    loads_ += next.whole ? 1 : 0;
     file_ = next.file;
     added_ = std::move(next.added);
     worker_.discard(std::make_shared<SensorBackends>(world_.replace_scene(

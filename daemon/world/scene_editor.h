@@ -5,6 +5,7 @@
 // whole, between two scans. An edit that fails changes nothing. Lives on the I/O thread.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -43,12 +44,15 @@ class SceneEditor {
     /// `added` are models of the scene that edits have brought.
     void set_file(std::filesystem::path file, sim::SceneOptions options,
                   std::vector<std::filesystem::path> allow, AddedTriangles added = {}) {
+        ++loads_;
         added_ = std::move(added);
         file_ = std::move(file);
         options_ = std::move(options);
         allow_ = std::move(allow);
     }
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+    /// How many worlds have been loaded, the same one again or another.
+    [[nodiscard]] std::uint64_t loads() const { return loads_; }
     /// What there is to know about the world, and about what edits have added to it.
     void set_warnings(std::vector<std::string> warnings) { warnings_ = std::move(warnings); }
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
@@ -69,6 +73,7 @@ class SceneEditor {
     Requests requests_;
     SharedLimits limits_;
     AddedTriangles added_;
+    std::uint64_t loads_ = 0;
     std::filesystem::path file_;
     std::vector<std::string> warnings_;
     sim::SceneOptions options_;

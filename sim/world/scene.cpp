@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <utility>
 
 namespace scipd::sim {
@@ -86,7 +87,26 @@ SharedScene without_model(const Scene& scene, std::string_view name) {
         rest->frames.push_back(frame);
         rest->frames.back().model = *new_id[frame.model];
     }
+    drop_unused_names(*rest);
     return rest;
+}
+
+void drop_unused_names(Scene& scene) {
+    constexpr MaterialId gone = std::numeric_limits<MaterialId>::max();
+    std::vector<MaterialId> new_id(scene.materials.size(), gone);
+    new_id.front() = 0;
+    for (const Object& object : scene.objects)
+        new_id[object.material] = 0;
+    std::vector<Material> kept;
+    for (MaterialId id = 0; id < new_id.size(); ++id) {
+        Material& material = scene.materials[id];
+        if (new_id[id] == gone && material == Material{material.name}) continue;
+        new_id[id] = static_cast<MaterialId>(kept.size());
+        kept.push_back(std::move(material));
+    }
+    scene.materials = std::move(kept);
+    for (Object& object : scene.objects)
+        object.material = new_id[object.material];
 }
 
 }  // namespace scipd::sim

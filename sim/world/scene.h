@@ -96,7 +96,11 @@ SharedScene without_shapes(const Scene& scene);
 
 /// The scene less this model and all that lie in it (NAME::...). What stays keeps its order and
 /// closes the gaps, so that ids behind the first gap are others now: look models up by name.
-/// Materials stay, all of them. Null where there is no such model.
+/// Null where there is no such model.
 SharedScene without_model(const Scene& scene, std::string_view name);
+
+/// Forgets the materials that no object is of and that are no more than a name, so that a world
+/// which is changed for days does not collect names. Ids behind the first gap are others then.
+void drop_unused_names(Scene& scene);
 
 }  // namespace scipd::sim

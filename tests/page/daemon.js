@@ -54,9 +54,17 @@ export class Daemon {
     return answer.json();
   }
 
-  async put(route, body) {
+  put(route, body) {
+    return this.send('PUT', route, body);
+  }
+
+  post(route, body) {
+    return this.send('POST', route, body);
+  }
+
+  async send(method, route, body) {
     const answer = await fetch(new URL(route, this.address), {
-      method: 'PUT', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(body)});
+      method, headers: {'Content-Type': 'application/json'}, body: JSON.stringify(body)});
     if (!answer.ok) throw new Error(`${route}: ${answer.status} ${await answer.text()}`);
   }
 

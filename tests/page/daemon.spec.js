@@ -37,6 +37,23 @@ test('a fault that the page starts is seen on the wire', async ({page, start}) =
   scip.close();
 });
 
+test('a reply that a fault swallows whole has its place in the conversation', async ({page, start}) => {
+  const daemon = await start();
+  await open(page, daemon);
+  await page.getByRole('tab', {name: 'Wire'}).click();
+  const scip = await Scip.connect(daemon.port);
+  await expect(async () => {
+    await scip.ask('VV');
+    await expect(page.locator('#wire li.reply')).not.toHaveCount(0, {timeout: 500});
+  }).toPass();
+  await daemon.post(`/sensors/${SENSOR}/faults`, {kind: 'truncate', keep: 0, command: 'VV'});
+  await page.locator('#wire-clear').click();
+  scip.say('VV');
+  await scip.ask('PP');
+  await expect(page.locator('#wire li')).toHaveText([/VV/, /fault truncate/, /PP/, /PP/]);
+  scip.close();
+});
+
 test('each kind of fault starts as the form proposes it', async ({page, start}, info) => {
   const daemon = await start(['--pty', info.outputPath('tty')]);
   await open(page, daemon);

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // What one does to the world by hand, and what a driver of the scanner sees of it.
-import {readFileSync} from 'node:fs';
+import {readFileSync, writeFileSync} from 'node:fs';
 import {expect, near, open, test, withScan} from './page.js';
 import {hash, lookFrom} from './eye.js';
 import {Scip} from './scip.js';
@@ -156,6 +156,65 @@ test('a model of the world that was deleted comes back as it was', async ({page,
   expect(back.material).toBe(movable.material);
 });
 
+// Two boxes in one link, each of its own material.
+const PAIR = `<sdf version='1.9' xmlns:scipd='urn:scipd:sdf'><model name='pair'><link name='l'>${
+  [['wood', 0], ['matt_black', 1]].map(([material, y]) =>
+    `<visual name='${material}'><pose>0 ${y} 0.25 0 0 0</pose><scipd:material>${material}</scipd:material>` +
+    '<geometry><box><size>.5 .5 .5</size></box></geometry></visual>').join('')}</link></model></sdf>`;
+
+test('a model of several materials that was made of one gets them back', async ({page, start}) => {
+  const daemon = await start(room());
+  await daemon.post('/scene/models', {name: 'pair', sdf: PAIR});
+  const materials = async () => (await daemon.get('/scene/objects')).objects
+    .filter(({model}) => model === 'pair').map(({material}) => material);
+  const before = await materials();
+  expect(new Set(before).size).toBe(2);
+  await open(page, daemon, hash(EYE, AT, {select: 'models:pair'}));
+  await expect(page.locator('#selected-material')).toHaveValue('');
+  await page.locator('#selected-material').selectOption('metal');
+  await expect.poll(materials).toEqual(['metal', 'metal']);
+  await page.locator('#canvas').press('Control+z');
+  await expect.poll(materials).toEqual(before);
+});
+
+test('a box that was made of something else comes back so', async ({page, start}) => {
+  const daemon = await start(room());
+  const box = async () => (await daemon.get('/scene/objects')).objects.find(({model}) => model === 'box 2')?.material;
+  await open(page, daemon, hash(EYE, AT));
+  await page.locator('#canvas').press('o');
+  await expect(page.locator('#selected-name')).toHaveText('box 2');
+  await page.locator('#selected-material').selectOption('matt_black');
+  await expect.poll(box).toBe('matt_black');
+  await page.locator('#canvas').press('Delete');
+  await expect.poll(box).toBe(undefined);
+  await page.locator('#canvas').press('Control+z');
+  await expect.poll(box).toBe('matt_black');
+});
+
+test('a model that is too large to be brought back goes only when that is clear', async ({page, start}, info) => {
+  const config = info.outputPath('config.yaml');
+  writeFileSync(config, `scene: ${scene('square_room.sdf')}
+http: 127.0.0.1:0
+limits: {http_body_bytes: 500}
+robots: {robot: {sensors: {scanner: {model: UST-10LX, tcp: "127.0.0.1:0"}}}}
+`);
+  const daemon = await start(['--config', config]);
+  const models = async () => (await daemon.get('/scene')).models.map(({name}) => name);
+  const atFirst = await models();
+  await open(page, daemon, hash(EYE, AT, {select: 'models:box'}));
+  await expect(page.locator('#selected-name')).toHaveText('box');
+  await page.locator('#canvas').press('Delete');
+  await expect(page.locator('#ask-dialog')).toContainText('http_body_bytes');
+  await page.getByRole('button', {name: 'Keep it'}).click();
+  expect(await models()).toEqual(atFirst);
+  await page.locator('#canvas').press('Delete');
+  await page.getByRole('button', {name: 'Delete it'}).click();
+  await expect.poll(models).toEqual(atFirst.filter((name) => name !== 'box'));
+  await expect(page.locator('#notices')).toContainText('box is gone.');
+  await page.locator('#canvas').press('Control+z');
+  await expect(page.locator('#notices')).toContainText('nothing to undo');
+});
+
 test('a gamepad drives the robot', async ({page, start}) => {
   const daemon = await start(room());
   await page.addInitScript(() => {
@@ -203,4 +262,19 @@ test('nothing is undone in another world', async ({page, start}) => {
   await page.keyboard.press('Control+z');
   await expect(page.locator('#notices')).toContainText('nothing to undo');
   expect(await models()).toEqual(there);
+});
+
+test('nothing is undone in the same world once it was loaded again', async ({page, start}) => {
+  const daemon = await start(room());
+  await open(page, daemon);
+  await page.locator('#canvas').press('o');
+  const models = async () => (await daemon.get('/scene')).models.map(({name}) => name);
+  await expect.poll(models).toContain('box 2');
+  await expect(page.locator('#selected-name')).toHaveText('box 2');
+  await daemon.put('/scene', {file: scene('square_room.sdf')});
+  await expect(page.locator('#selected')).toBeHidden();
+  await daemon.post('/scene/models', {name: 'box 2', sdf: PAIR});
+  await page.locator('#canvas').press('Control+z');
+  await expect(page.locator('#notices')).toContainText('nothing to undo');
+  expect(await models()).toContain('box 2');
 });

@@ -52,8 +52,12 @@ export class Scip {
     }
   }
 
-  async ask(request) {
+  say(request) {
     this.socket.write(`${request}\n`);
+  }
+
+  async ask(request) {
+    this.say(request);
     return this.message();
   }
 

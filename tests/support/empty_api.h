@@ -68,7 +68,11 @@ class EmptyApi : public daemon::Api {
     [[nodiscard]] daemon::SceneView scene() const override { return {"empty.sdf", scene_}; }
     [[nodiscard]] daemon::WorldView world() const override {
         const sim::SharedScene now = scene().scene;
-        daemon::WorldView view{"1", now, std::make_shared<const sim::MaterialLibrary>()};
+        daemon::WorldView view{.version = "1",
+                               .loaded = "1",
+                               .most_body_bytes = 1000,
+                               .scene = now,
+                               .materials = std::make_shared<const sim::MaterialLibrary>()};
         for (const sim::Model& model : now->models)
             view.models.push_back(model.world_from_model);
         return view;

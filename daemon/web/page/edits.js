@@ -3,6 +3,7 @@
 //
 // Changes of the world: a box, a mesh from a file, a model less, another material. All by the control API, and each can
 // be taken back.
+import {ask} from './ask_dialog.js';
 import {meshFile, toBase64} from './mesh_file.js';
 
 export const FORMATS = ['stl', 'obj', 'ply', 'dae', 'glb', 'gltf', 'off', '3ds'];
@@ -16,6 +17,7 @@ export class Edits {
   constructor({server, world, robots, selection, viewpoint, undo, notices}) {
     Object.assign(this, {server, world, robots, selection, viewpoint, undo, notices});
     this.added = new Map();
+    world.addEventListener('loaded', () => this.forget());
   }
 
   /** Another world is there. */
@@ -105,46 +107,70 @@ export class Edits {
     const pose = this.robots.poseOf('models', name) || {xyz: [0, 0, 0], q: [0, 0, 0, 1]};
     const added = this.added.get(name);
     if (added) return {...added, pose: {xyz: pose.xyz, q: pose.q}};
-    const parts = this.world.objects.filter(({object}) => within(object.model, name));
+    const parts = this.partsOf(name);
     const movable = parts.some(({object}) => object.movable);
     return {name, ...meshFile(parts, this.world, movable ? pose : null), static: !movable};
+  }
+
+  /** A model that was made of something else since it was added comes back so. */
+  async bringBack(recipe, materials) {
+    await this.bring(recipe);
+    const now = this.materialsOf(recipe.name);
+    if (now.length === materials.length && now.join('\n') !== materials.join('\n')) {
+      await this.putMaterials(recipe.name, {materials});
+    }
   }
 
   async remove(thing) {
     if (thing?.kind === 'models') await this.undo.inTurn(() => this.removeModel(thing));
   }
 
-  async removeModel(thing) {
+  async removeModel({name}) {
+    const recipe = this.recipe(name);
+    const materials = this.materialsOf(name);
+    const comesBack = sizeOf(recipe) <= this.world.limits.http_body_bytes;
+    if (!comesBack && !await this.askForGood(recipe)) return;
     try {
-      const recipe = this.recipe(thing.name);
-      await this.takeAway(thing.name);
-      this.undo.did(`deleted ${thing.name}`, () => this.bring(recipe));
-      this.selection.select(null);
-      this.notices.tell(`${thing.name} is gone. Ctrl+Z brings it back.`);
+      await this.takeAway(name);
     } catch (error) {
-      this.notices.trouble(`${thing.name} cannot be deleted: ${error.message}`);
+      this.notices.trouble(`${name} cannot be deleted: ${error.message}`);
+      return;
     }
+    this.selection.select(null);
+    if (comesBack) this.undo.did(`deleted ${name}`, () => this.bringBack(recipe, materials));
+    this.notices.tell(`${name} is gone.${comesBack ? ' Ctrl+Z brings it back.' : ''}`);
   }
 
+  /** Before a model goes that no request can bring back. */
+  askForGood(recipe) {
+    return ask(`Delete ${recipe.name} for good?`,
+      `It cannot be brought back: its faces take ${megabytes(sizeOf(recipe))}, and http_body_bytes under limits in ` +
+      `the configuration allows ${megabytes(this.world.limits.http_body_bytes)}.`, 'Delete it');
+  }
+
+  partsOf(name) {
+    return this.world.objects.filter(({object}) => within(object.model, name));
+  }
+
+  /** One for each of its objects. */
   materialsOf(name) {
-    const own = this.world.objects.filter(({object}) => within(object.model, name));
-    return [...new Set(own.map(({object}) => object.material))];
+    return this.partsOf(name).map(({object}) => object.material);
   }
 
   setMaterial(name, material) {
     return this.undo.inTurn(() => this.makeOf(name, material));
   }
 
+  async putMaterials(name, wanted) {
+    await this.server.put(modelPath(name, '/material'), wanted);
+    await this.world.load();
+  }
+
   async makeOf(name, material) {
-    const before = this.materialsOf(name);
-    const put = (wanted) => this.server.put(modelPath(name, '/material'), {material: wanted})
-      .then(() => this.world.load());
+    const materials = this.materialsOf(name);
     try {
-      await put(material);
-      this.undo.did(`made ${name} of ${material}`, async () => {
-        if (before.length !== 1) throw new Error(`${name} was of several materials`);
-        await put(before[0]);
-      });
+      await this.putMaterials(name, {material});
+      this.undo.did(`made ${name} of ${material}`, () => this.putMaterials(name, {materials}));
     } catch (error) {
       this.notices.trouble(`${name} cannot be made of ${material}: ${error.message}`);
     }
@@ -154,6 +180,15 @@ export class Edits {
 /** A model, or one that lies in it. */
 function within(model, name) {
   return model === name || Boolean(model?.startsWith(`${name}::`));
+}
+
+/** Of a request, in bytes. */
+function sizeOf(request) {
+  return new Blob([JSON.stringify(request)]).size;
+}
+
+function megabytes(bytes) {
+  return `${(bytes / 1e6).toFixed(1)} MB`;
 }
 
 function round(value) {

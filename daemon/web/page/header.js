@@ -5,8 +5,8 @@
 import {byId, tell} from './elements.js';
 
 export class Header {
-  constructor({status, connection, edits}) {
-    Object.assign(this, {status, connection, edits});
+  constructor({status, connection}) {
+    Object.assign(this, {status, connection});
     this.lostWhy = null;
     connection.addEventListener('open', () => this.found());
     connection.addEventListener('lost', () => this.lost('The connection is lost.'));
@@ -30,8 +30,6 @@ export class Header {
 
   update() {
     const {scene, time_s, clock, poses} = this.status.latest;
-    if (this.scene && scene !== this.scene) this.edits.forget();
-    this.scene = scene;
     tell(byId('world-name'), scene.split('/').pop());
     byId('world-name').title = scene;
     tell(byId('time'), `${time_s.toFixed(0)} s${clock === 'poses' ? ', by poses' : ''}`);

@@ -53,7 +53,7 @@ export class SelectionCard {
   }
 
   updateMaterial(name) {
-    const now = this.edits.materialsOf(name);
+    const now = [...new Set(this.edits.materialsOf(name))];
     this.material.replaceChildren(
       ...(now.length === 1 ? [] : [make('option', {value: '', disabled: true}, 'several')]),
       ...this.world.materialNames().map((each) => make('option', {value: each}, each)));

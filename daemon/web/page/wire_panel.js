@@ -7,10 +7,10 @@ import {Connection} from './connection.js';
 import {byId, make, tell} from './elements.js';
 
 const MOST_ENTRIES = 400;
-const GOOD = ['00', '99', '02', '03'];
+const GOOD = ['00', '99', '02', '03', '0'];
 
 export class WirePanel {
-  constructor({server, settings, status}) {
+  constructor({server, settings, status, connection}) {
     Object.assign(this, {server, settings});
     this.list = byId('wire');
     this.connection = null;
@@ -23,6 +23,7 @@ export class WirePanel {
       this.listen();
     });
     status.addEventListener('changed', () => this.offer(status.sensors));
+    connection.addEventListener('text', (event) => this.takeFault(event.detail.fault));
     this.listen();
   }
 
@@ -78,6 +79,29 @@ export class WirePanel {
     this.show(message);
   }
 
+  /** What a fault takes away whole is on no wire, so the fault itself is told where it acts. */
+  takeFault(fault) {
+    if (!this.connection || this.paused || fault?.sensor !== this.listened) return;
+    byId('wire-none').hidden = true;
+    if (this.collapse.checked && this.fault?.id === fault.id && this.fault.entry.isConnected) {
+      this.fault.count += 1;
+      tell(this.fault.counter, `× ${this.fault.count}`);
+      return;
+    }
+    this.showFault(fault);
+  }
+
+  showFault({id, kind, what, time_s}) {
+    const counter = make('span', {class: 'dim count'});
+    const entry = make('li', {class: 'fault'},
+      make('div', {class: 'row'}, make('span', {class: 'chip bad'}, `fault ${kind}`), counter),
+      make('div', {class: 'means'}, what),
+      make('div', {class: 'dim small'}, `${time_s.toFixed(3)} s`));
+    entry.dataset.text = `fault ${kind} ${what}`.toLowerCase();
+    this.add(entry);
+    this.fault = {id, entry, counter, count: 1};
+  }
+
   /** True if it goes on with a stream that is the last entry of its client. */
   joins(message) {
     const stream = this.streams.get(message.client);
@@ -92,6 +116,7 @@ export class WirePanel {
   }
 
   show(message) {
+    this.fault = null;
     const counter = make('span', {class: 'dim count'});
     const isFromClient = message.from === 'client';
     const entry = make('li', {class: isFromClient ? 'request' : 'reply'},

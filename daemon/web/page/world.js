@@ -15,7 +15,7 @@ import * as colours from './colours.js';
 const FLAT_M = 0.05;
 const STILL = 'still';
 
-/** Tells changed when other objects are there. */
+/** Tells changed when other objects are there, and loaded when they are those of a world that was loaded anew. */
 export class World extends EventTarget {
   constructor(server, stage, settings) {
     super();
@@ -29,6 +29,8 @@ export class World extends EventTarget {
     this.geometries = new Map();
     this.edgeLines = new LineBasicMaterial({transparent: true, opacity: 0.35, depthWrite: false});
     this.version = null;
+    this.loaded = null;
+    this.limits = {};
     this.loading = Promise.resolve();
     stage.scene.add(this.group);
     settings.watch('colours', () => this.recolour());
@@ -52,10 +54,14 @@ export class World extends EventTarget {
       await this.loadNow(tries - 1);
       return;
     }
+    const isAnother = this.loaded !== null && list.loaded !== this.loaded;
     this.version = list.version;
-    this.materials = list.materials || [];
+    this.loaded = list.loaded;
+    this.limits = list.limits;
+    this.materials = list.materials;
     this.replace(list);
     this.dispatchEvent(new Event('changed'));
+    if (isAnother) this.dispatchEvent(new Event('loaded'));
   }
 
   /** The daemon may have begun anew with another world of the same version. */

@@ -373,9 +373,14 @@ TEST_F(RoutesTest, AModelGetsAnotherMaterial) {
     ASSERT_EQ(api_.edits_.size(), 1U);
     const auto& edit = std::get<SetMaterial>(api_.edits_[0]);
     EXPECT_EQ(edit.model, "a::b");
-    EXPECT_EQ(edit.material, "wood");
-    for (const char* body : {"{}", R"({"material":""})", R"({"material":1})", R"({"colour":"x"})",
-                             R"({"material":"a\u0000b"})", R"({"material":"a\nb"})"})
+    EXPECT_THAT(edit.materials, ElementsAre("wood"));
+    EXPECT_EQ(put("/scene/models/a/material", R"({"materials":["wood","gold"]})").status, 200);
+    EXPECT_THAT(std::get<SetMaterial>(api_.edits_[1]).materials, ElementsAre("wood", "gold"));
+    for (const char* body :
+         {"{}", R"({"material":""})", R"({"materials":[]})", R"({"materials":"wood"})",
+          R"({"materials":["wood",1]})", R"({"material":"wood","materials":["wood"]})",
+          R"({"material":1})", R"({"colour":"x"})", R"({"material":"a\u0000b"})",
+          R"({"material":"a\nb"})"})
         EXPECT_EQ(problem_status(put("/scene/models/a/material", body)), 400) << body;
 }
 

@@ -133,6 +133,7 @@ TEST(SceneObjects, AreToldWithWhereTheyAre) {
                          .build());
     const json said = json::parse(world.get("/scene/objects").body);
     EXPECT_EQ(said["version"], "1");
+    EXPECT_EQ(said["limits"]["http_body_bytes"], 1000);
     const json object = said["objects"][0];
     EXPECT_EQ(object["id"], 0);
     EXPECT_EQ(object["model"], "model 0");

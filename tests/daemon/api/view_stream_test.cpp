@@ -324,8 +324,11 @@ TEST(ViewRequest, IsReadWithCare) {
     for (const char* text :
          {"", "[]", "x", R"({"scans":1})", R"({"scans":{"a":1}})", R"({"scans":{"a":{"true":1}}})",
           R"({"ack":-1})", R"({"ack":4294967299})", R"({"ack":"1"})", R"({"ack_poses":1})",
-          R"({"other":1})"})
+          R"({"other":1})", R"({"scans":{"a":{"echoes":true}}})"})
         EXPECT_FALSE(parse_view_request(text)) << text;
+    EXPECT_EQ(parse_view_request(R"({"ack_poses":1})").error().why, "ack_poses must be true");
+    EXPECT_EQ(parse_view_request(R"({"scans":{"a":{"echoes":true}}})").error().why,
+              "scans.a: the key 'echoes' is unknown; there is \"true\"");
     const auto all =
         parse_view_request(R"({"scans":{"a/b":{"true":true}},"ack":3,"ack_poses":true})");
     ASSERT_TRUE(all);

@@ -128,6 +128,42 @@ TEST_F(WireTapTest, LeavesThePortToWhoeverListensThereNext) {
     port_->stop();
 }
 
+TEST_F(WireTapTest, TellsScip1) {
+    SensorConfig config = ideal_sensor("URG-04LX");
+    config.power_up = PowerUp::scip1;
+    Device old{"robot", config, 1, world_, clock_};
+    ScanLoop loop{old, clock_};
+    WireTap tap{old, {port_}};
+    port_->serve(old);
+    tap.listen([this](WireEntry entry) { told_.push_back(std::move(entry)); });
+    ScannerWire wire = connect();
+    ask(wire, "V\n", "V\n0\n");
+    ask(wire, "L0\nG04472501\n", "G04472501\nE\n");
+    ask(wire, "L1\nG04472501\n", "G04472501\n0\n");
+    ask(wire, "SCIP2.0\n", "SCIP2.0\n0\n");
+    ask(wire, "V\n", "V\n0E");
+    std::vector<std::array<std::string, 4>> replies;
+    for (const WireEntry& entry : told_) {
+        if (!entry.from_client)
+            replies.push_back({entry.line, entry.status, entry.means, entry.explains});
+    }
+    using Reply = std::array<std::string, 4>;
+    EXPECT_THAT(replies,
+                testing::ElementsAre(
+                    Reply{"V", "0", "tells the version", "carried out"},
+                    Reply{"L0", "0", "the laser is off", "carried out"},
+                    Reply{"G04472501", "E", "not carried out",
+                          "the scanner does not know the request, or its laser is off"},
+                    Reply{"L1", "0", "the laser is on", "carried out"},
+                    Reply{"G04472501", "0", "the scan that was asked for", "carried out"},
+                    Reply{"SCIP2.0", "0", "SCIP 2.0 is spoken", "carried out"},
+                    Reply{"V", "0E", "not carried out",
+                          "the scanner does not know the command, or is in time-adjust mode"}));
+    EXPECT_EQ(told_[3].means, "asks for one scan, steps 44 to 725, in SCIP 1.1");
+    tap.listen(nullptr);
+    port_->stop();
+}
+
 TEST_F(WireTapTest, ShowsWhatFaultsHaveMadeOfAMessage) {
     struct Spoiler : LineHook {
         void leaving(protocol::Send& message) override { message.bytes[1] = '\x07'; }

@@ -158,12 +158,67 @@ TEST_F(AddedWithinLimits, GetAnotherMaterialWhereTheyAre) {
     EXPECT_EQ(add("b").result, Result::done);
     ASSERT_TRUE(world_.place_model(
         "a", {.time = std::chrono::seconds(1), .pose = {{7, 0, 0}, {1, 0, 0, 0}}}));
-    EXPECT_EQ(edit(SetMaterial{"a", "gold"}).result, Result::done);
+    EXPECT_EQ(edit(SetMaterial{"a", {"gold"}}).result, Result::done);
     EXPECT_EQ(material_of(world_, "a"), "gold");
     EXPECT_NE(material_of(world_, "b"), "gold");
     EXPECT_EQ(world_.model_pose("a", std::chrono::seconds(2))->translation_m.x, 7)
         << "it stays where it was put";
-    EXPECT_EQ(edit(SetMaterial{"nobody", "gold"}).result, Result::unknown);
+    EXPECT_EQ(edit(SetMaterial{"nobody", {"gold"}}).result, Result::unknown);
+}
+
+std::vector<sim::Material> materials_of(const World& world, const std::string& model) {
+    const sim::Scene& scene = *world.scene();
+    std::vector<sim::Material> materials;
+    for (const sim::Object& object : scene.objects) {
+        if (scene.models[object.model].name == model)
+            materials.push_back(scene.materials[object.material]);
+    }
+    return materials;
+}
+
+std::vector<std::string> names_of(const std::vector<sim::Material>& materials) {
+    std::vector<std::string> names;
+    for (const sim::Material& material : materials)
+        names.push_back(material.name);
+    return names;
+}
+
+TEST_F(AddedWithinLimits, GetAMaterialForEachOfTheirObjects) {
+    using Result = EditOutcome::Result;
+    allow(Limit::added_models, 9);
+    AddModel pair;
+    pair.placement.name = "pair";
+    const std::string box = "<geometry><box><size>1 1 1</size></box></geometry></visual>";
+    pair.sdf =
+        "<sdf version='1.9' xmlns:scipd='urn:scipd:sdf'><model name='m'><link name='l'>"
+        "<visual name='a'><scipd:material>oak</scipd:material>" +
+        box +
+        "<visual name='b'><scipd:material>elm</scipd:material>"
+        "<laser_retro>7</laser_retro>" +
+        box + "</link></model></sdf>";
+    ASSERT_EQ(edit(pair).result, Result::done);
+    const auto before = materials_of(world_, "pair");
+    ASSERT_THAT(names_of(before), testing::ElementsAre("oak", "elm"));
+    EXPECT_EQ(before[1].laser_retro, 7.0);
+    EXPECT_EQ(edit(SetMaterial{"pair", {"gold"}}).result, Result::done);
+    EXPECT_THAT(names_of(materials_of(world_, "pair")), testing::ElementsAre("gold", "gold"));
+    EXPECT_EQ(edit(SetMaterial{"pair", names_of(before)}).result, Result::done);
+    EXPECT_EQ(materials_of(world_, "pair"), before);
+    const EditOutcome wrong = edit(SetMaterial{"pair", {"a", "b", "c"}});
+    EXPECT_EQ(wrong.result, Result::faulty);
+    EXPECT_THAT(wrong.messages, testing::ElementsAre("the model \"pair\" has 2 objects, not 3"));
+}
+
+TEST_F(AddedWithinLimits, LeaveNoNamesOfMaterialsBehind) {
+    allow(Limit::added_models, 9);
+    add("a");
+    add("b");
+    const std::size_t before = world_.scene()->materials.size();
+    for (int i = 0; i < 50; ++i)
+        edit(SetMaterial{i % 3 == 0 ? "a" : "b", {"material " + std::to_string(i)}});
+    EXPECT_EQ(material_of(world_, "a"), "material 48");
+    EXPECT_EQ(material_of(world_, "b"), "material 49");
+    EXPECT_LE(world_.scene()->materials.size(), before + 2);
 }
 
 TEST_F(AddedWithinLimits, MayComeAsBytes) {
@@ -182,6 +237,8 @@ TEST_F(AddedWithinLimits, MayComeAsBytes) {
     model.placement.name = "b";
     model.mesh_data = "AAAA";
     EXPECT_EQ(edit(model).result, Result::faulty);
+    const auto refusal = edit(model).messages;
+    EXPECT_THAT(refusal, testing::ElementsAre(testing::StartsWith("mesh_data: ")));
     EXPECT_TRUE(std::filesystem::is_empty(temporary.path())) << "nothing is left behind";
     ::unsetenv("TMPDIR");
 }

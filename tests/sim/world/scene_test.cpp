@@ -135,6 +135,18 @@ TEST(Scene, ThereIsNoSceneWithoutAModelThatIsNotThere) {
     EXPECT_EQ(without_model(house(), ""), nullptr);
 }
 
+TEST(Scene, ForgetsNamesThatNothingIsMadeOf) {
+    Scene scene;
+    scene.models = {{"hut"}};
+    scene.materials = {{"default"}, {"unused"}, {"oak"}, {"shiny", 7.0}, {"elm"}, {"last"}};
+    scene.objects = {object("hut::a", 0, 4), object("hut::b", 0, 2)};
+    drop_unused_names(scene);
+    EXPECT_THAT(scene.materials, ElementsAre(Material{"default"}, Material{"oak"},
+                                             Material{"shiny", 7.0}, Material{"elm"}));
+    EXPECT_EQ(scene.materials[scene.objects[0].material].name, "elm");
+    EXPECT_EQ(scene.materials[scene.objects[1].material].name, "oak");
+}
+
 TEST(Scene, AddingAndRemovingIsNothing) {
     const SharedScene there_and_back = without_model(*with_models(house(), cart()), "cart");
     EXPECT_EQ(names(*there_and_back), names(house()));

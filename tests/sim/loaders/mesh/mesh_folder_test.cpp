@@ -119,6 +119,11 @@ TEST_F(MeshFolderTest, nothingElsewhereIsRead) {
     }
     EXPECT_THAT(faults("in/a.gltf", gltf_with("../secret.bin")),
                 ElementsAre(HasSubstr("which does not lie in the folder of the mesh")));
+    EXPECT_THAT(faults("in/a.gltf", gltf_with("../gone.bin")),
+                ElementsAre(HasSubstr("which does not lie in the folder of the mesh")))
+        << "nobody learns what lies elsewhere";
+    EXPECT_THAT(faults("in/a.gltf", gltf_with("gone.bin")),
+                ElementsAre(HasSubstr("which is not there")));
 }
 
 // As `colcon build --symlink-install` and nix do it.
