@@ -76,6 +76,8 @@ test('tells that the daemon is gone, and goes on when it is back', async ({page,
   await daemon.end('SIGKILL');
   await expect(page.locator('#state')).toHaveText('lost');
   await expect(page.locator('#lost')).toBeVisible();
+  await page.locator('#canvas').press('o');
+  await expect(page.locator('#notices')).toContainText('box cannot be added: the daemon is not there');
   const again = await start(['--scene', scene('square_room.sdf')], address);
   await expect(page.locator('#state')).toHaveText('live');
   await expect(page.locator('#lost')).toBeHidden();

@@ -93,6 +93,51 @@ test('keys select, drive, add, delete and undo', async ({page, start}) => {
   await near(async () => (await poseOf(daemon)).xyz[0], -1, 0.001);
 });
 
+test('a place that cannot be is not kept in the card', async ({page, start, complaints}) => {
+  const daemon = await start(room());
+  await open(page, daemon, hash(EYE, AT, {select: 'robots:robot'}));
+  const [x, y] = [page.locator('#pose-x'), page.locator('#pose-y')];
+  await expect(x).toHaveValue('-1.000');
+  await x.fill('');
+  await x.press('Enter');
+  await expect(page.locator('#notices')).toContainText('A place is three numbers');
+  await expect(x).toHaveValue('-1.000');
+  expect((await poseOf(daemon)).xyz[0]).toBe(-1);
+  await x.fill('1e9');
+  await x.press('Enter');
+  await expect(page.locator('#notices')).toContainText('robot cannot be moved');
+  await expect(x).toBeFocused();
+  await expect(x).toHaveValue('-1.000');
+  // The browser itself tells of what is refused.
+  for (const text of complaints.splice(0)) expect(text).toMatch(/400.*pose/);
+  await y.fill('0.25');
+  await daemon.put('/robots/robot/pose', {xyz: [0.5, 0, 0]});
+  await expect(x).toHaveValue('0.500');
+  await expect(y).toHaveValue('0.25');
+  await y.press('Enter');
+  await near(async () => (await poseOf(daemon)).xyz[1], 0.25, 1e-6);
+  expect((await poseOf(daemon)).xyz[0]).toBe(0.5);
+});
+
+test('keys do nothing behind a dialog', async ({page, start}) => {
+  const daemon = await start(room());
+  const atFirst = (await daemon.get('/scene')).models.length;
+  await open(page, daemon, hash(EYE, AT));
+  await page.locator('#canvas').press('?');
+  await expect(page.locator('#help-dialog')).toBeVisible();
+  await page.evaluate(() => {
+    document.activeElement.blur();
+    for (const key of ['o', 'w']) document.body.dispatchEvent(new KeyboardEvent('keydown', {key, bubbles: true}));
+  });
+  await page.waitForTimeout(500);
+  expect((await daemon.get('/scene')).models.length).toBe(atFirst);
+  expect((await poseOf(daemon)).xyz[0]).toBe(-1);
+  await page.keyboard.press('Escape');
+  await expect(page.locator('#help-dialog')).toBeHidden();
+  await page.locator('#canvas').press('o');
+  await expect.poll(async () => (await daemon.get('/scene')).models.length).toBe(atFirst + 1);
+});
+
 test('a mesh file that is added is seen by the scanner, and so is its material', async ({page, start}) => {
   const daemon = await start(room('-1,0,0', 'material'));
   await open(page, daemon, hash(EYE, [0.5, 0, 0]));

@@ -68,6 +68,27 @@ test('scans are saved as CSV, JSON lines and UBH', async ({page, start}) => {
     .toEqual(sent.map((mm, i) => [mm, intensity[i]]));
 });
 
+test('what a link says wrongly is left out', async ({page, start}) => {
+  const daemon = await start(ROOM);
+  await open(page, daemon);
+  await withScan(page);
+  const chosen = () => page.evaluate(() => {
+    const {paint, trail_s, cut_m, keep_s, eye} = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
+    return {paint, trail_s, cut_m, keep_s, eye};
+  });
+  await page.locator('#view-all').click();
+  await expect.poll(async () => (await chosen()).eye).toMatch(/,/);
+  const usual = await chosen();
+  for (const wrong of ['eye=1e300,0,0&at=0,0,0', 'eye=1,2,3&at=1,2,3', 'eye=1,2&at=0,0,0', 'eye=a,b,c&at=0,0,0',
+    'paint=x&colours=y&trail_s=-1&cut_m=1e300&keep_s=', 'trail_s=1e9&keep_s=0&panel=x&sensor=x&select=x:y']) {
+    await page.goto('about:blank');
+    await open(page, daemon, `#${wrong}`);
+    await withScan(page);
+    await page.locator('#view-all').click();
+    await expect.poll(chosen, wrong).toEqual(usual);
+  }
+});
+
 test('a link holds the view, the selection and what is shown', async ({page, start, context}) => {
   const daemon = await start(ROOM);
   await open(page, daemon, hash([1, -3, 4], [0.5, 0, 0]));

@@ -75,6 +75,23 @@ test('fits a phone', async ({page, start}) => {
   await expect(page.locator('#canvas')).toBeVisible();
 });
 
+test('the card of what is selected can be read on a phone', async ({page, start}) => {
+  await page.setViewportSize({width: 375, height: 740});
+  const daemon = await start([...ROOM, '--pose', '-12.345,-12.345,-3.14']);
+  await open(page, daemon, '#select=robots:robot');
+  const x = page.locator('#pose-x');
+  await expect(x).toHaveValue('-12.345');
+  for (const name of ['x', 'y', 'z', 'yaw']) {
+    const cutOff = await page.locator(`#pose-${name}`).evaluate((input) => input.scrollWidth > input.clientWidth);
+    expect(cutOff, name).toBe(false);
+  }
+  await x.fill('');
+  await x.press('Enter');
+  const notice = await page.locator('.notice').boundingBox();
+  const card = await page.locator('#selected').boundingBox();
+  expect(notice.y + notice.height).toBeLessThan(card.y);
+});
+
 test('the keyboard reaches all, and what it is on is seen', async ({page, start}) => {
   const daemon = await start(ROOM);
   await open(page, daemon);

@@ -88,7 +88,7 @@ export class FaultsPanel {
     trouble.hidden = true;
     try {
       const answer = await this.server.post(at('/sensors/', this.sensor.value, '/faults'), this.request());
-      this.notices.tell(`Fault ${answer.id} is asked for. ${(answer.notes || []).join(' ')}`);
+      this.notices.tell([`Fault ${answer.id} is asked for.`, ...(answer.notes || [])].join(' '));
     } catch (error) {
       trouble.textContent = error.message;
       trouble.hidden = false;

@@ -78,7 +78,8 @@ export class Keys {
   }
 
   press(event) {
-    if (event.target.closest?.('input:not([type=checkbox]), select, textarea, dialog[open]')) return;
+    if (document.querySelector('dialog[open]')) return;
+    if (event.target.closest?.('input:not([type=checkbox]), select, textarea')) return;
     const key = event.key.toLowerCase();
     if (event.altKey || event.metaKey && key !== 'z') return;
     const isCommand = event.ctrlKey || event.metaKey;

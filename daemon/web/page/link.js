@@ -3,9 +3,11 @@
 //
 // The link that holds what one sees: from where, what is selected and shown, and what was chosen. It stands in the
 // address line, behind #, so the daemon never gets it. It has no token.
-import {DEFAULTS} from './settings.js';
+import {DEFAULTS, fits} from './settings.js';
 
 const SETTLE_MS = 300;
+// Farther out a picture in single precision shakes.
+const FARTHEST_M = 1e5;
 // These belong to the user, not to the view.
 const OWN = new Set(['theme']);
 
@@ -52,10 +54,8 @@ export class Link {
     const values = {};
     for (const [name, text] of Object.entries(this.wanted)) {
       if (!Object.hasOwn(DEFAULTS, name) || OWN.has(name)) continue;
-      const kind = typeof DEFAULTS[name];
-      if (kind === 'boolean') values[name] = text === 'true';
-      else if (kind !== 'number') values[name] = text;
-      else if (Number.isFinite(Number(text))) values[name] = Number(text);
+      const value = READ[typeof DEFAULTS[name]](text);
+      if (fits(name, value)) values[name] = value;
     }
     return values;
   }
@@ -63,7 +63,8 @@ export class Link {
   /** {eye, at} or null. */
   get viewWanted() {
     const [eye, at] = [this.wanted.eye, this.wanted.at].map((text) => (text || '').split(',').map(Number));
-    const isGood = [eye, at].every((place) => place.length === 3 && place.every(Number.isFinite));
+    const isPlace = (place) => place.length === 3 && place.every((value) => Math.abs(value) <= FARTHEST_M);
+    const isGood = isPlace(eye) && isPlace(at) && eye.some((value, i) => value !== at[i]);
     return isGood ? {eye, at} : null;
   }
 
@@ -76,6 +77,12 @@ export class Link {
     return 'show' in this.wanted ? this.wanted.show.split(',').filter(Boolean) : null;
   }
 }
+
+const READ = {
+  boolean: (text) => text === 'true',
+  number: (text) => text.trim() === '' ? NaN : Number(text),
+  string: (text) => text,
+};
 
 function places(xyz) {
   return xyz.map((value) => Number(value.toFixed(3))).join();

@@ -12,7 +12,10 @@ export class SelectionCard {
   constructor({selection, robots, world, mover, undo, edits, viewpoint, notices}) {
     Object.assign(this, {selection, robots, world, mover, undo, edits, viewpoint, notices});
     this.inputs = Object.fromEntries(FIELDS.map((name) => [name, byId(`pose-${name}`)]));
+    this.typed = null;
     for (const input of Object.values(this.inputs)) {
+      input.addEventListener('input', () => { this.typed = input; });
+      input.addEventListener('blur', () => this.endTyping());
       input.addEventListener('change', () => this.move());
     }
     byId('selected-close').addEventListener('click', () => selection.select(null));
@@ -66,15 +69,25 @@ export class SelectionCard {
     const values = [...pose.xyz, yawOf(pose) * 180 / Math.PI];
     FIELDS.forEach((name, i) => {
       const input = this.inputs[name];
-      if (document.activeElement !== input) input.value = values[i].toFixed(i < 3 ? 3 : 1);
+      if (this.typed !== input) input.value = values[i].toFixed(i < 3 ? 3 : 1);
     });
+  }
+
+  /** From now on the fields show again where the thing is. */
+  endTyping() {
+    this.typed = null;
+    this.updatePose();
   }
 
   move() {
     const {thing} = this.selection;
     const before = this.pose;
-    const [x, y, z, yaw_deg] = FIELDS.map((name) => Number(this.inputs[name].value));
-    if ([x, y, z, yaw_deg].some((value) => !Number.isFinite(value))) return;
+    const [x, y, z, yaw_deg] = FIELDS.map((name) => this.inputs[name].valueAsNumber);
+    this.endTyping();
+    if ([x, y, z, yaw_deg].some(Number.isNaN)) {
+      this.notices.tell('A place is three numbers in metres, and a yaw is one in degrees.');
+      return;
+    }
     const euler = new Euler().setFromQuaternion(new Quaternion(...before.q), 'ZYX');
     euler.z = yaw_deg * Math.PI / 180;
     this.mover.move(thing, {xyz: [x, y, z], q: new Quaternion().setFromEuler(euler).toArray()});

@@ -54,10 +54,19 @@ export class Server {
   async request(method, path, body) {
     for (;;) {
       const used = this.token;
-      const answer = await fetch(path, this.options(method, body));
+      const answer = await this.answer(path, this.options(method, body));
       if (answer.ok) return answer;
       if (answer.status !== 401) throw await refusal(answer);
       await this.newToken(used);
+    }
+  }
+
+  /** In plain words where there is none: those of browsers differ. */
+  async answer(path, options) {
+    try {
+      return await fetch(path, options);
+    } catch (error) {
+      throw new Error(error.name === 'TimeoutError' ? 'the daemon does not answer' : 'the daemon is not there');
     }
   }
 

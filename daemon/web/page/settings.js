@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 //
 // What the user chose: named values that others watch.
+import {PAINTS} from './paints.js';
 
 export const DEFAULTS = {
   theme: 'auto',
@@ -19,6 +20,19 @@ export const DEFAULTS = {
   panel: 'sensors',
   sensor: '',
 };
+
+/** What of its kind a setting may not be all of: a link can ask for anything. */
+const FITS = {
+  paint: (value) => PAINTS.some(([name]) => name === value),
+  colours: (value) => ['material', 'model'].includes(value),
+  trail_s: (value) => value >= 0 && value <= 15,
+  cut_m: (value) => value >= 0 && value <= 1000,
+  keep_s: (value) => value >= 5 && value <= 60,
+};
+
+export function fits(name, value) {
+  return !Object.hasOwn(FITS, name) || FITS[name](value);
+}
 
 export class Settings {
   constructor(values = {}) {
