@@ -94,6 +94,39 @@ test('tells that the daemon is gone, and goes on when it is back', async ({page,
   complaints.length = 0;
 });
 
+test('asks for the new token when the daemon comes back with another', async ({page, start, complaints}, info) => {
+  const file = info.outputPath('token');
+  const config = info.outputPath('config.yaml');
+  const begin = async (token, port) => {
+    writeFileSync(file, `${token}\n`, {mode: 0o600});
+    writeFileSync(config, `scene: ${scene('square_room.sdf')}
+http: {listen: "127.0.0.1:${port}", token_file: ${file}}
+robots: {robot: {sensors: {scanner: {model: UST-10LX, tcp: "127.0.0.1:0"}}}}
+`);
+    return start(['--config', config]);
+  };
+  const give = async (token) => {
+    await page.locator('#token').fill(token);
+    await page.getByRole('button', {name: 'Go on'}).click();
+  };
+  const [old, other] = ['an-old-token-of-this-test-012345', 'another-token-of-this-test-01234'];
+  const daemon = await begin(old, 0);
+  await page.goto(daemon.address);
+  await give(old);
+  await expect(page.locator('#state')).toHaveText('live');
+  const port = new URL(daemon.address).port;
+  await daemon.end('SIGKILL');
+  await expect(page.locator('#state')).toHaveText('lost');
+  await begin(other, port);
+  await expect(page.locator('#token-wrong')).toBeVisible();
+  await give(other);
+  await expect(page.locator('#state')).toHaveText('live');
+  await expect(page.locator('#token-dialog')).toBeHidden();
+  await withScan(page);
+  // The browser itself tells of connections that fail and of tokens that are refused.
+  for (const text of complaints.splice(0)) expect(text).toMatch(/401|ERR_CONNECTION|Failed to load resource|WebSocket/);
+});
+
 test('asks for the token, and works with it', async ({page, start, complaints}, info) => {
   const file = info.outputPath('token');
   writeFileSync(file, 'a-token-of-this-test-0123456789\n', {mode: 0o600});

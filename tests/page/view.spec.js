@@ -5,6 +5,8 @@
 import {SENSOR, expect, open, test, withScan} from './page.js';
 import {hash, lookFrom} from './eye.js';
 import {readPng} from './png.js';
+import {Scip} from './scip.js';
+import {scene} from './daemon.js';
 
 // Above the start of the maze, a little from the south.
 const EYE = [1, 0.2, 7];
@@ -25,6 +27,7 @@ async function hits(daemon) {
     const angle = yaw + (truth.steps[i] - 540) * 2 * Math.PI / 1440;
     return range_m && {
       range_m,
+      step: truth.steps[i],
       material: truth.material[i],
       at: (share) => [xyz[0] + share * range_m * Math.cos(angle),
         xyz[1] + share * range_m * Math.sin(angle), xyz[2]],
@@ -125,4 +128,55 @@ test('shows the walls of the maze', async ({page, start}) => {
   const drawn = tops.filter(({floor}) =>
     distance(pixels.at(Math.round(floor.x), Math.round(floor.y)), sky) > 12);
   expect(drawn.length / tops.length).toBeGreaterThan(0.9);
+});
+
+/** The brightest that a mark of a few pixels around this place can be, by its darkest colour. */
+function whiteness(pixels, {x, y}) {
+  const near = [-1, 0, 1].flatMap((dx) => [-1, 0, 1].map((dy) => [Math.round(x) + dx, Math.round(y) + dy]));
+  return Math.max(...near.map(([u, v]) => Math.min(...pixels.at(u, v).slice(0, 3))));
+}
+
+/** Of these places, the share where two pictures differ. */
+function changedShare(places, one, other) {
+  const changed = places.filter(({x, y}) =>
+    distance(one.at(Math.round(x), Math.round(y)), other.at(Math.round(x), Math.round(y))) > 25);
+  return changed.length / places.length;
+}
+
+test('shows in white what is true beside what was sent', async ({page, start}) => {
+  await page.emulateMedia({colorScheme: 'dark'});
+  const daemon = await start(ROBOT);
+  const [first, last] = [300, 780];
+  await daemon.post(`/sensors/${SENSOR}/faults`, {kind: 'stick', steps: [first, last], range_m: 0.5});
+  const scip = await Scip.connect(daemon.port);
+  await expect.poll(async () => (await scip.scan())[540]).toBe(500);
+  scip.close();
+  const bare = await look(page, daemon, {rays: 'false', points: 'false'});
+  const sent = await look(page, daemon, {rays: 'false', truth: 'false'});
+  const both = await look(page, daemon, {rays: 'false', truth: 'true'});
+  const stuck = (await hits(daemon)).filter(({step, range_m}) => step > first && step < last && range_m > 0.8);
+  const wrong = stuck.map((hit) => bare.project(hit.at(0.5 / hit.range_m)));
+  const real = stuck.map((hit) => bare.project(hit.at(1))).filter((place) => inSight(place, bare.box));
+  expect(real.length).toBeGreaterThan(150);
+  expect(changedShare(wrong, sent.pixels, bare.pixels)).toBeGreaterThan(0.9);
+  expect(changedShare(real, sent.pixels, bare.pixels)).toBeLessThan(0.05);
+  const isWhite = ({pixels}, place) => whiteness(pixels, place) > 200;
+  expect(real.filter((place) => isWhite(both, place)).length / real.length).toBeGreaterThan(0.9);
+  expect(real.filter((place) => isWhite(sent, place)).length / real.length).toBeLessThan(0.05);
+});
+
+test('a trail shows where hits were, for its time', async ({page, start}) => {
+  const daemon = await start(['--scene', scene('square_room.sdf'), '--accuracy', 'ideal']);
+  const ofBox = async () => (await hits(daemon)).filter(({material}) => material === 'cardboard');
+  const trailed = await look(page, daemon, {rays: 'false', trail_s: '5'});
+  const old = (await ofBox()).map((hit) => trailed.project(hit.at(1))).filter((place) => inSight(place, trailed.box));
+  expect(old.length).toBeGreaterThan(10);
+  await daemon.put('/scene/models/box/pose', {xyz: [-2.5, 1.5, 0.3]});
+  await expect.poll(async () => (await ofBox()).every((hit) => hit.at(1)[0] < -1)).toBe(true);
+  const soon = await picture(page);
+  await page.waitForTimeout(6000);
+  const later = await picture(page);
+  expect(changedShare(old, soon, later)).toBeGreaterThan(0.8);
+  const bare = await look(page, daemon, {rays: 'false', trail_s: '0'});
+  expect(changedShare(old, later, bare.pixels)).toBeLessThan(0.1);
 });
