@@ -37,8 +37,8 @@ struct LimitRow {
 
 // None hinders who means well. The longest request of SCIP has 32 bytes. A scanner serves one
 // client, and a few wait. A driver, a viewer or a simulator has a connection or two. A hundred
-// robots send 100'000 poses a second, if each has 1000. A world has 20 million triangles at most
-// by itself.
+// robots send 100'000 poses a second, if each has 1000. A body may have a mesh of 6 MB, as people
+// drop them on the page. A world has 20 million triangles at most by itself.
 inline constexpr std::array<LimitRow, 11> limit_table{{
     {"scip_line_bytes", 128, 32, 4096, "a request has more than @ bytes"},
     {"scanner_connections", 6, 1, 10'000, "more than @ clients are connected or wait"},
@@ -46,7 +46,7 @@ inline constexpr std::array<LimitRow, 11> limit_table{{
     {"control_connections", 256, 1, 10'000, "more than @ clients are connected"},
     {"http_header_bytes", 16'384, 256, 1'000'000,
      "the header, or what frames a chunk of the body, is larger than @ bytes"},
-    {"http_body_bytes", 1'048'576, 1, 1'000'000'000, "the body is larger than @ bytes"},
+    {"http_body_bytes", 8'388'608, 1, 1'000'000'000, "the body is larger than @ bytes"},
     {"websocket_messages_per_s", 100'000, 1, 1'000'000, "more than @ messages a second"},
     {"websocket_queue_bytes", 67'108'864, 1, 1'000'000'000, "more than @ bytes wait to be read"},
     {"added_models", 10'000, 1, 1'000'000, "more than @ models would have been added"},

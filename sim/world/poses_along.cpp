@@ -108,20 +108,23 @@ std::vector<Pose> poses_along(const PoseTrack& track, const Pose& thing_from_mou
                               std::span<const Time> times) {
     std::vector<Pose> poses = Recycled<Pose>::take(times.size());
     for (std::size_t first = 0; first < times.size();) {
+        const auto until = [&](Time end) {
+            const auto behind = std::ranges::lower_bound(times.subspan(first), end);
+            const auto count = static_cast<std::size_t>(behind - times.begin()) - first;
+            return std::span(poses).subspan(first, count);
+        };
         const PoseTrack::Stretch stretch = track.stretch(times[first]);
-        const bool rests = stretch.velocity == Velocity{};
-        const EvenMotion motion(stretch, thing_from_mount, times[first]);
-        const Time end = rests ? stretch.end : motion.end();
-        const auto behind = std::ranges::lower_bound(times.subspan(first), end);
-        const auto count = static_cast<std::size_t>(behind - times.begin()) - first;
-        const std::span<Pose> there = std::span(poses).subspan(first, count);
-        if (rests) {
+        std::span<Pose> there;
+        if (stretch.velocity == Velocity{}) {
             // The same to the last bit, however often it is asked for.
+            there = until(stretch.end);
             std::ranges::fill(there, stretch.from * thing_from_mount);
         } else {
-            motion.place(times.subspan(first, count), there);
+            const EvenMotion motion(stretch, thing_from_mount, times[first]);
+            there = until(motion.end());
+            motion.place(times.subspan(first, there.size()), there);
         }
-        first += count;
+        first += there.size();
     }
     return poses;
 }
