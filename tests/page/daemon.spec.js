@@ -94,6 +94,18 @@ test('tells that the daemon is gone, and goes on when it is back', async ({page,
   complaints.length = 0;
 });
 
+test('says in plain words that the daemon does not answer', async ({page, start}) => {
+  const daemon = await start();
+  await open(page, daemon);
+  await page.evaluate(() => {
+    const timeout = AbortSignal.timeout.bind(AbortSignal);
+    AbortSignal.timeout = () => timeout(500);
+  });
+  await page.route('**/scene/models', () => {});
+  await page.locator('#canvas').press('o');
+  await expect(page.locator('#notices')).toContainText('box cannot be added: the daemon does not answer');
+});
+
 test('asks for the new token when the daemon comes back with another', async ({page, start, complaints}, info) => {
   const file = info.outputPath('token');
   const config = info.outputPath('config.yaml');
@@ -137,6 +149,7 @@ robots: {robot: {sensors: {scanner: {model: UST-10LX, tcp: "127.0.0.1:0"}}}}
 `);
   const daemon = await start(['--config', config]);
   await page.goto(daemon.address);
+  for (let i = 0; i < 3; ++i) await page.keyboard.press('Escape');
   await page.locator('#token').fill('wrong');
   await page.getByRole('button', {name: 'Go on'}).click();
   await expect(page.locator('#token-wrong')).toBeVisible();

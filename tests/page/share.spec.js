@@ -73,14 +73,15 @@ test('what a link says wrongly is left out', async ({page, start}) => {
   await open(page, daemon);
   await withScan(page);
   const chosen = () => page.evaluate(() => {
-    const {paint, trail_s, cut_m, keep_s, eye} = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
-    return {paint, trail_s, cut_m, keep_s, eye};
+    const {paint, rays, trail_s, cut_m, keep_s, eye} = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
+    return {paint, rays, trail_s, cut_m, keep_s, eye};
   });
   await page.locator('#view-all').click();
   await expect.poll(async () => (await chosen()).eye).toMatch(/,/);
   const usual = await chosen();
   for (const wrong of ['eye=1e300,0,0&at=0,0,0', 'eye=1,2,3&at=1,2,3', 'eye=1,2&at=0,0,0', 'eye=a,b,c&at=0,0,0',
-    'paint=x&colours=y&trail_s=-1&cut_m=1e300&keep_s=', 'trail_s=1e9&keep_s=0&panel=x&sensor=x&select=x:y']) {
+    'paint=x&colours=y&trail_s=-1&cut_m=1e300&keep_s=', 'trail_s=1e9&keep_s=0&panel=x&sensor=x&select=x:y',
+    'rays=x&trail_s=3&keep_s=7']) {
     await page.goto('about:blank');
     await open(page, daemon, `#${wrong}`);
     await withScan(page);

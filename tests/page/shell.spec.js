@@ -70,27 +70,40 @@ test('fits a phone', async ({page, start}) => {
       .map((element) => element.outerHTML.slice(0, 80)));
     expect(tooWide, panel).toEqual([]);
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(375);
+    const view = await page.locator('#view').boundingBox();
+    expect([view.width, Math.round(view.height)]).toEqual([375, Math.round(0.46 * 740)]);
   }
   await page.locator('#view-top').click();
   await expect(page.locator('#canvas')).toBeVisible();
 });
 
-test('the card of what is selected can be read on a phone', async ({page, start}) => {
-  await page.setViewportSize({width: 375, height: 740});
-  const daemon = await start([...ROOM, '--pose', '-12.345,-12.345,-3.14']);
-  await open(page, daemon, '#select=robots:robot');
-  const x = page.locator('#pose-x');
-  await expect(x).toHaveValue('-12.345');
-  for (const name of ['x', 'y', 'z', 'yaw']) {
-    const cutOff = await page.locator(`#pose-${name}`).evaluate((input) => input.scrollWidth > input.clientWidth);
-    expect(cutOff, name).toBe(false);
-  }
-  await x.fill('');
-  await x.press('Enter');
-  const notice = await page.locator('.notice').boundingBox();
-  const card = await page.locator('#selected').boundingBox();
-  expect(notice.y + notice.height).toBeLessThan(card.y);
-});
+for (const width of [375, 1280]) {
+  test(`the card of what is selected can be read, ${width} pixels wide`, async ({page, start}) => {
+    await page.setViewportSize({width, height: 740});
+    const daemon = await start([...ROOM, '--pose', '-12.345,-12.345,-3.14']);
+    await open(page, daemon, '#select=robots:robot');
+    await expect(page.locator('#pose-x')).toHaveValue('-12.345');
+    for (const name of ['x', 'y', 'z', 'yaw']) {
+      const cutOff = await page.locator(`#pose-${name}`).evaluate((input) => input.scrollWidth > input.clientWidth);
+      expect(cutOff, name).toBe(false);
+    }
+    await page.locator('#pose-x').fill('');
+    await page.locator('#pose-x').press('Enter');
+    for (let i = 0; i < 3; ++i) await page.locator('#canvas').press('o');
+    for (let i = 0; i < 4; ++i) await page.locator('#canvas').press('Control+z');
+    await expect(page.locator('#notices')).toContainText('nothing to undo');
+    await page.keyboard.press('n');
+    const card = await page.locator('#selected').boundingBox();
+    const view = await page.locator('#view').boundingBox();
+    expect(card.x).toBeGreaterThan(view.x);
+    expect(card.y).toBeGreaterThan(view.y);
+    expect(card.y + card.height).toBeLessThan(view.y + view.height);
+    for (const notice of await page.locator('.notice:visible').all()) {
+      const {y, height} = await notice.boundingBox();
+      expect(y >= card.y + card.height || y + height <= card.y).toBe(true);
+    }
+  });
+}
 
 test('the keyboard reaches all, and what it is on is seen', async ({page, start}) => {
   const daemon = await start(ROOM);
@@ -122,6 +135,23 @@ test('the keyboard reaches all, and what it is on is seen', async ({page, start}
   await page.locator('#theme').click();
   await page.locator('#theme').click();
   await expect(page.locator('html')).toHaveAttribute('data-theme', 'dark');
+});
+
+test('a key that is held drives nothing behind a dialog', async ({page, start}) => {
+  const daemon = await start([...ROOM, '--pose', '-2.5,0,0']);
+  const place = async () => (await daemon.get('/robots/robot/pose')).xyz;
+  await open(page, daemon, '#select=robots:robot');
+  await expect(page.locator('#selected')).toBeVisible();
+  await page.locator('#canvas').focus();
+  await page.keyboard.down('w');
+  await expect.poll(async () => (await place())[0]).toBeGreaterThan(-2.4);
+  await page.locator('#help').dispatchEvent('click');
+  await expect(page.locator('#help-dialog')).toBeVisible();
+  await page.waitForTimeout(500);
+  const stopped = await place();
+  await page.waitForTimeout(500);
+  expect(await place()).toEqual(stopped);
+  await page.keyboard.up('w');
 });
 
 test('a million triangles are soon there', async ({page, start}) => {

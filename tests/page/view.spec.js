@@ -180,3 +180,19 @@ test('a trail shows where hits were, for its time', async ({page, start}) => {
   const bare = await look(page, daemon, {rays: 'false', trail_s: '0'});
   expect(changedShare(old, later, bare.pixels)).toBeLessThan(0.1);
 });
+
+test('a trail begins anew with a daemon that does', async ({page, start}) => {
+  const daemon = await start();
+  await open(page, daemon);
+  const lengths = await page.evaluate(async () => {
+    const {Trail} = await import('/page/trail.js');
+    const trail = new Trail();
+    trail.setLength(5);
+    const hits = {positions: {array: new Float32Array(30)}, tints: {array: new Uint8Array(40)}};
+    return [[1000, 4], [1001, 3], [1, 2], [2, 1]].map(([now_s, count]) => {
+      trail.add(now_s, hits, count);
+      return trail.marks.geometry.drawRange.count;
+    });
+  });
+  expect(lengths).toEqual([4, 7, 2, 3]);
+});

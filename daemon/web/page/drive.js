@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 //
 // Drives the selected robot or model, or the first robot, with W A S D or a gamepad: ahead and back, and turns.
+import {isDialogOpen} from './elements.js';
 import {turned, yawOf, movedTo} from './pose.js';
 
 const SPEED_M_S = 0.8;
@@ -43,7 +44,7 @@ export class Drive {
 
   /** {ahead, left} from -1 to 1. */
   wish() {
-    const key = (name) => (this.pressed.has(name) ? 1 : 0);
+    const key = (name) => (this.pressed.has(name) && !isDialogOpen() ? 1 : 0);
     const wish = {ahead: key('w') - key('s'), left: key('a') - key('d')};
     for (const pad of navigator.getGamepads?.() || []) {
       if (!pad?.connected) continue;

@@ -33,6 +33,11 @@ export function byId(id) {
   return document.getElementById(id);
 }
 
+/** While one is open, what lies behind it is out of reach. */
+export function isDialogOpen() {
+  return document.querySelector('dialog[open]') !== null;
+}
+
 /** Changes a text only if it differs, so that nothing is laid out or read aloud for nothing. */
 export function tell(element, text) {
   if (element.textContent !== text) element.textContent = text;

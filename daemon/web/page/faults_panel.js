@@ -125,7 +125,7 @@ export class FaultsPanel {
     return make('li', {class: 'card'},
       make('div', {class: 'row'}, make('strong', {}, kind),
         make('span', {class: `chip ${state === 'active' ? 'bad' : ''}`}, state),
-        make('span', {class: 'dim'}, `acted ${hits} times`),
+        make('span', {class: 'dim'}, hits === 1 ? 'acted once' : `acted ${hits} times`),
         make('button', {'aria-label': `Stop fault ${id}, ${kind}`, on: {click: () => this.stop(id)}},
           state === 'ended' ? 'Forget' : 'Stop')),
       make('code', {class: 'small'}, JSON.stringify(rest)));

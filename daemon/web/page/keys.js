@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // What keys do, and the page that lists them. In a field keys write.
-import {byId, make} from './elements.js';
+import {byId, isDialogOpen, make} from './elements.js';
 import {PAINTS} from './paints.js';
 
 const ORBIT_RAD = 0.08;
@@ -78,7 +78,7 @@ export class Keys {
   }
 
   press(event) {
-    if (document.querySelector('dialog[open]')) return;
+    if (isDialogOpen()) return;
     if (event.target.closest?.('input:not([type=checkbox]), select, textarea')) return;
     const key = event.key.toLowerCase();
     if (event.altKey || event.metaKey && key !== 'z') return;

@@ -79,7 +79,7 @@ export class Link {
 }
 
 const READ = {
-  boolean: (text) => text === 'true',
+  boolean: (text) => ({true: true, false: false})[text],
   number: (text) => text.trim() === '' ? NaN : Number(text),
   string: (text) => text,
 };

@@ -3,6 +3,7 @@
 //
 // What is drawn of scans, and a card for each sensor: whether one sees its scans, and how it is doing.
 import {boundCheckbox, boundSelect, byId, make, tell} from './elements.js';
+import {CHOICES} from './settings.js';
 import {histogram} from './histogram.js';
 import {PAINTS} from './paints.js';
 import {pictureOf} from './picture.js';
@@ -23,8 +24,7 @@ export class SensorsPanel {
     const {settings} = this;
     return [
       boundSelect(settings, 'paint', 'Colour of points', PAINTS),
-      boundSelect(settings, 'trail_s', 'Trail',
-        [[0, 'none'], [1, '1 s'], [2, '2 s'], [5, '5 s'], [15, '15 s']]),
+      boundSelect(settings, 'trail_s', 'Trail', CHOICES.trail_s.map((each) => [each, each ? `${each} s` : 'none'])),
       make('div', {class: 'checks'},
         boundCheckbox(settings, 'rays', 'Rays', 'Green to the hit, red from it on (R)'),
         boundCheckbox(settings, 'points', 'Points', 'What the scanner sent (P)'),

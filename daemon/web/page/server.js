@@ -20,6 +20,15 @@ async function refusal(answer) {
   return new Refusal(answer.status, problem);
 }
 
+/** What comes of it, or plain words where it ends before all was said: those of browsers differ. */
+async function heard(coming) {
+  try {
+    return await coming;
+  } catch (error) {
+    throw new Error(error.name === 'TimeoutError' ? 'the daemon does not answer' : 'the daemon is not there');
+  }
+}
+
 export class Server {
   /** ask(wrong) is a promise of a token. */
   constructor(ask) {
@@ -28,23 +37,24 @@ export class Server {
     this.asking = null;
   }
 
-  get(path) {
-    return this.request('GET', path).then((answer) => answer.json());
+  async get(path) {
+    const answer = await this.request('GET', path);
+    return heard(answer.json());
   }
 
   async bytes(path) {
     const answer = await this.request('GET', path);
-    return answer.arrayBuffer();
+    return heard(answer.arrayBuffer());
   }
 
   async put(path, body) {
     const answer = await this.request('PUT', path, body);
-    return answer.status === 204 ? null : answer.json();
+    return answer.status === 204 ? null : heard(answer.json());
   }
 
   async post(path, body) {
     const answer = await this.request('POST', path, body);
-    return answer.json();
+    return heard(answer.json());
   }
 
   remove(path) {
@@ -54,19 +64,10 @@ export class Server {
   async request(method, path, body) {
     for (;;) {
       const used = this.token;
-      const answer = await this.answer(path, this.options(method, body));
+      const answer = await heard(fetch(path, this.options(method, body)));
       if (answer.ok) return answer;
       if (answer.status !== 401) throw await refusal(answer);
       await this.newToken(used);
-    }
-  }
-
-  /** In plain words where there is none: those of browsers differ. */
-  async answer(path, options) {
-    try {
-      return await fetch(path, options);
-    } catch (error) {
-      throw new Error(error.name === 'TimeoutError' ? 'the daemon does not answer' : 'the daemon is not there');
     }
   }
 

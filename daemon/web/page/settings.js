@@ -21,17 +21,20 @@ export const DEFAULTS = {
   sensor: '',
 };
 
-/** What of its kind a setting may not be all of: a link can ask for anything. */
-const FITS = {
-  paint: (value) => PAINTS.some(([name]) => name === value),
-  colours: (value) => ['material', 'model'].includes(value),
-  trail_s: (value) => value >= 0 && value <= 15,
-  cut_m: (value) => value >= 0 && value <= 1000,
-  keep_s: (value) => value >= 5 && value <= 60,
+/** What one can choose of. */
+export const CHOICES = {
+  paint: PAINTS.map(([name]) => name),
+  colours: ['material', 'model'],
+  trail_s: [0, 1, 2, 5, 15],
+  keep_s: [5, 10, 30, 60],
 };
+const HIGHEST_CUT_M = 1000;
 
+/** False of what nobody can choose: a link can ask for anything. */
 export function fits(name, value) {
-  return !Object.hasOwn(FITS, name) || FITS[name](value);
+  if (typeof value !== typeof DEFAULTS[name]) return false;
+  if (name === 'cut_m') return value >= 0 && value <= HIGHEST_CUT_M;
+  return !Object.hasOwn(CHOICES, name) || CHOICES[name].includes(value);
 }
 
 export class Settings {

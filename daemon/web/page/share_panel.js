@@ -3,6 +3,7 @@
 //
 // What one takes along: a picture, the scans of the last seconds, a link to the same view.
 import {boundSelect, byId, make, tell} from './elements.js';
+import {CHOICES} from './settings.js';
 import {FILES} from './scan_files.js';
 
 const BETWEEN_MS = 1000;
@@ -13,7 +14,7 @@ export class SharePanel {
     byId('save-picture').addEventListener('click', () => this.savePicture());
     byId('copy-link').addEventListener('click', () => this.copyLink());
     byId('keep').append(boundSelect(settings, 'keep_s', 'Keep the last',
-      [[5, '5 s'], [10, '10 s'], [30, '30 s'], [60, '60 s']]));
+      CHOICES.keep_s.map((each) => [each, `${each} s`])));
     byId('save-scans').append(...Object.entries(FILES).map(([ending, {label}]) =>
       make('button', {id: `save-${ending}`, on: {click: () => this.saveScans(ending)}}, label)));
     setInterval(() => this.update(), BETWEEN_MS);

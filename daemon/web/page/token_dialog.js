@@ -15,12 +15,15 @@ export function askForToken(wrong) {
       event.preventDefault();
       if (!input.value.trim()) return;
       byId('token-form').removeEventListener('submit', take);
+      dialog.onclose = null;
       dialog.close();
       done(input.value.trim());
     };
     byId('token-form').addEventListener('submit', take);
-    dialog.oncancel = (event) => event.preventDefault();
-    if (!dialog.open) dialog.showModal();
+    // Without a token nothing goes on, so Esc does not end the question. A browser heeds no refusal of the second Esc.
+    const show = () => { if (!dialog.open) dialog.showModal(); };
+    dialog.onclose = show;
+    show();
     input.focus();
   });
 }

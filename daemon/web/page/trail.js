@@ -20,6 +20,8 @@ export class Trail {
   /** The first `count` of the hits that were drawn. */
   add(now_s, hits, count) {
     if (!this.length_s || !count) return;
+    // A daemon that began anew counts from nought: what the one before saw would stay for hours.
+    if (now_s < this.scans[this.scans.length - 1]?.born_s) this.clear();
     const points = hits.positions.array.slice(0, 3 * count);
     this.scans.push({born_s: now_s, count, points, tints: hits.tints.array.slice(0, 4 * count)});
     this.points += count;
@@ -34,6 +36,7 @@ export class Trail {
   clear() {
     this.scans = [];
     this.points = 0;
+    this.faded_s = 0;
     this.marks.show(0);
   }
 

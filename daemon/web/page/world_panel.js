@@ -3,6 +3,7 @@
 //
 // What the world is made of: its models, its materials, and what scipd warned of when it read it.
 import {boundCheckbox, boundSelect, byId, make, tell} from './elements.js';
+import {CHOICES} from './settings.js';
 import {css, ofMaterial} from './colours.js';
 import {cutAbove} from './surface.js';
 import {same} from './selection.js';
@@ -12,7 +13,7 @@ export class WorldPanel {
     Object.assign(this, {settings, world, robots, selection, status, stage, ground});
     byId('world-choices').append(
       boundSelect(settings, 'colours', 'Colour of objects',
-        [['material', 'by material'], ['model', 'by model']]),
+        CHOICES.colours.map((each) => [each, `by ${each}`])),
       this.cutSlider(),
       make('div', {class: 'checks'}, boundCheckbox(settings, 'grid', 'Grid and axes', '(G)')));
     settings.watch('grid', (on) => ground.setVisible(on));
