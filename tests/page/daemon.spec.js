@@ -49,6 +49,7 @@ test('a reply that a fault swallows whole has its place in the conversation', as
   await daemon.post(`/sensors/${SENSOR}/faults`, {kind: 'truncate', keep: 0, command: 'VV'});
   await page.locator('#wire-clear').click();
   scip.say('VV');
+  await expect(page.locator('#wire li.fault')).toHaveText(/fault truncate/);
   await scip.ask('PP');
   await expect(page.locator('#wire li')).toHaveText([/VV/, /fault truncate/, /PP/, /PP/]);
   scip.close();
