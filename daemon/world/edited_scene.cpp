@@ -206,8 +206,10 @@ EditedOrNot edited(const SetMaterial& edit, const PresentScene& present) {
     const std::vector<sim::Object*> objects = objects_of(*scene, edit.model);
     const auto& wanted = edit.materials;
     if (wanted.size() != 1 && wanted.size() != objects.size()) {
+        const std::size_t count = objects.size();
         return refuse(Result::faulty, "the model \"" + edit.model + "\" has " +
-                                          std::to_string(objects.size()) + " objects, not " +
+                                          std::to_string(count) +
+                                          (count == 1 ? " object" : " objects") + ", not " +
                                           std::to_string(wanted.size()));
     }
     for (std::size_t i = 0; i < objects.size(); ++i)
