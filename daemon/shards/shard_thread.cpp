@@ -88,6 +88,8 @@ void ShardThread::run() {
             if (!ended_) run_some();
         });
     }
+    // A context of EGL that is current in a thread that ends is never freed.
+    guarded([this] { (void)world_.replace_backends({}); });
 }
 
 void ShardThread::run_some() {
