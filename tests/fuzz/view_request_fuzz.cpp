@@ -21,12 +21,15 @@ void require(bool holds) {
     if (!holds) std::abort();
 }
 
+/// As short as can be: what is said has a greatest length.
 nlohmann::json said(const ViewRequest& request) {
     nlohmann::json message = nlohmann::json::object();
     if (request.scans) {
         message["scans"] = nlohmann::json::object();
-        for (const auto& [sensor, depth] : *request.scans)
-            message["scans"][sensor] = {{"true", depth == ViewDepth::truth}};
+        for (const auto& [sensor, depth] : *request.scans) {
+            nlohmann::json& how = message["scans"][sensor] = nlohmann::json::object();
+            if (depth == ViewDepth::truth) how["true"] = true;
+        }
     }
     if (request.ack) message["ack"] = *request.ack;
     if (request.ack_poses) message["ack_poses"] = true;

@@ -108,7 +108,8 @@ class Walk {
     void include(const XMLElement& at, const MvsimNode& node) {
         const fs::path& file =
             files_.emplace_back(node.beside(node.attribute("file")).lexically_normal());
-        if (files_.size() > most_files) throw LoadError({file.string() + ": is one file too many"});
+        const std::string named = printable(file.string(), whole_path);
+        if (files_.size() > most_files) throw LoadError({named + ": is one file too many"});
         const auto text = visitor_.read(file);
         if (!text) {
             throw std::invalid_argument("names " + printable(file.string()) +
@@ -121,7 +122,7 @@ class Walk {
                 within[given->Name()] = node.attribute(given->Name());
         }
         std::swap(variables_, within);
-        if (++depth_ > deepest_block) throw LoadError({file.string() + ": includes itself"});
+        if (++depth_ > deepest_block) throw LoadError({named + ": includes itself"});
         element(root, file);
         --depth_;
         variables_ = std::move(within);

@@ -221,5 +221,11 @@ TEST_F(Mvsim, whatGoesInCirclesOrOnForEverIsRefused) {
                 ElementsAre("a.world.xml:2: its loops make more than 200000 elements"));
 }
 
+// Found by fuzzing.
+TEST_F(Mvsim, theNameOfOneFileTooManyIsFitToBeShown) {
+    EXPECT_THAT(faults("<for var='i' from='0' to='1000'><include file='\x1B[31m\xFF.xml'/></for>"),
+                ElementsAre("?[31m?.xml: is one file too many"));
+}
+
 }  // namespace
 }  // namespace scipd::sim
