@@ -8,6 +8,7 @@
 #include <iomanip>
 #include <memory>
 #include <ostream>
+#include <thread>
 #include <utility>
 
 #include <boost/asio/io_context.hpp>
@@ -99,6 +100,21 @@ void print_unsound(const StreamReport& stream, std::ostream& out) {
     out << "\n";
 }
 
+/// Whoever wakes up for each of thousands of scans a second takes a core away from what sends them
+/// each time: with 350 scanners on two cores a scan then costs an eighth more in all. Scans of few
+/// scanners are read at once, so that their delays are exact.
+std::chrono::milliseconds between_rounds(std::size_t scanners) {
+    constexpr std::size_t few = 32;
+    return std::chrono::milliseconds(scanners > few ? 1 : 0);
+}
+
+void read_in_rounds(asio::io_context& io, std::chrono::milliseconds rest) {
+    while (io.run_one() > 0) {
+        io.poll();
+        std::this_thread::sleep_for(rest);
+    }
+}
+
 }  // namespace
 
 std::size_t LoadReport::unsound() const {
@@ -118,7 +134,7 @@ LoadReport load_scanners(const std::vector<std::string>& targets, std::chrono::s
     const Clock::time_point begin = Clock::now();
     for (const auto& reader : readers)
         reader->start();
-    io.run();
+    read_in_rounds(io, between_rounds(targets.size()));
     LoadReport report{.seconds = std::chrono::duration<double>(Clock::now() - begin).count()};
     for (const auto& reader : readers)
         report.streams.push_back(reader->report());
