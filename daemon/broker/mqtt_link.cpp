@@ -134,10 +134,7 @@ bool MqttLink::step(std::chrono::milliseconds patience) {
 }
 
 void MqttLink::take_connected(int code) {
-    if (code != 0) {
-        trouble_ = mosquitto_connack_string(code);
-        return;
-    }
+    if (code != 0) return void(trouble_ = mosquitto_connack_string(code));
     connected_ = true;
     hooks_.connected();
 }
@@ -200,19 +197,19 @@ void MqttLink::say_goodbye() {
     ::close(socket);
 }
 
-// Where the broker has refused the client, take_connected() knows better why.
+// Where the broker has refused the client, take_connected() knows better why. And that there is no
+// connection says less than why the last one ended.
 void MqttLink::lose(int code) {
-    const bool refused = code == MOSQ_ERR_CONN_REFUSED;
-    lose(refused ? trouble_ : text_of_error(code));
+    const bool still_lost = code == MOSQ_ERR_NO_CONN && !connected_;
+    lose(code == MOSQ_ERR_CONN_REFUSED || still_lost ? trouble_ : text_of_error(code));
 }
 
 void MqttLink::lose(const std::string& why) {
-    const bool had = std::exchange(connected_, false);
     error_code ignored;
     loop_->socket.close(ignored);
     loop_->writing = false;
     trouble_ = why;
-    if (had) hooks_.lost(why);
+    if (std::exchange(connected_, false)) hooks_.lost(why);
 }
 
 // Behind the library's back: it may close its socket in any call, and the number may be another
