@@ -96,9 +96,9 @@ RequestedBackend requested_backend(const std::string& robot, const SensorConfig&
     return request;
 }
 
-FleetPlan make_plan(Config config, const SettledBackends& settled, const std::stop_token& stop,
+FleetPlan make_plan(Config config, const KnownSensors& known, const std::stop_token& stop,
                     const Homes& now, const JoinWorld& join) {
-    Homes homes = find_homes(config, now);
+    Homes homes = find_homes(config, now, known);
     std::optional<Scenario> scenario = load_scenario(config);
     LoadedMaterials materials = load_materials(config);
     sim::LoadedScene loaded = load_world(config, materials.library, stop);
@@ -113,9 +113,9 @@ FleetPlan make_plan(Config config, const SettledBackends& settled, const std::st
             RequestedBackend request = requested_backend(robot.name, sensor, robot.world_from_robot,
                                                          config.clock, materials.library);
             request.shard = homes.sensors.at(request.sensor);
-            const auto known = settled.find(request.sensor);
-            if (!request.settled && known != settled.end() && known->second.config == sensor)
-                request.settled = known->second.choice;
+            const auto before = known.find(request.sensor);
+            if (!request.settled && before != known.end() && before->second.config == sensor)
+                request.settled = before->second.choice;
             requests.push_back(std::move(request));
         }
     }

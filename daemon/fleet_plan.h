@@ -5,7 +5,6 @@
 // Touches nothing that runs, so that any thread may do it.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -15,6 +14,7 @@
 #include "daemon/config/config.h"
 #include "daemon/faults/scenario.h"
 #include "daemon/homes.h"
+#include "daemon/known_sensors.h"
 #include "daemon/world/edited_scene.h"
 #include "daemon/world/requested_backend.h"
 #include "daemon/world/sensor_backends.h"
@@ -35,20 +35,11 @@ struct FleetPlan {
     sim::Time scripts_age{};  ///< how long ago the scripts of the world began
 };
 
-/// What `auto` has been settled as, by sensor. It holds while the configuration of the sensor stays
-/// the same.
-struct SettledBackend {
-    SensorConfig config;
-    SharedChoice choice;
-};
-using SettledBackends = std::map<std::string, SettledBackend>;
-
 /// Where nothing is settled yet, `auto` takes the preferred backend for now. Throws LoadError, also
 /// soon after `stop`, and std::runtime_error where this machine lacks a backend that is wanted.
 /// `join` makes the world the one that is shared with others, and throws what it throws.
-FleetPlan make_plan(Config config, const SettledBackends& settled = {},
-                    const std::stop_token& stop = {}, const Homes& now = {},
-                    const JoinWorld& join = {});
+FleetPlan make_plan(Config config, const KnownSensors& known = {}, const std::stop_token& stop = {},
+                    const Homes& now = {}, const JoinWorld& join = {});
 
 /// What a sensor asks of the backends while its robot is at this pose. In lockstep two runs have to
 /// be the same, so there `auto` is settled from the first. `materials` are those of the world.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "daemon/config/config.h"
+#include "daemon/known_sensors.h"
 #include "daemon/port_keys.h"
 #include "daemon/shards/spread.h"
 
@@ -44,13 +45,46 @@ std::optional<std::size_t> held(const Lodger& lodger, const Homes& now) {
     return std::nullopt;
 }
 
-/// How many beams it fires in a second.
-double cost_of(const SensorConfig& sensor) {
-    const double beams = sensor.staring ? sensor.staring->beams() : sensor.model.optics.beams();
-    const std::chrono::duration<double> period =
-        sensor.staring ? sensor.staring->period : sensor.model.optics.scan_period;
-    return beams / period.count();
-}
+/// What a sensor costs while it measures, as a share of a core.
+class Costs {
+  public:
+    Costs(const std::vector<Lodger>& lodgers, const KnownSensors& known) : known_(known) {
+        double rays = 0.0;
+        Seconds spent{};
+        for (const Lodger& lodger : lodgers) {
+            const auto sweep = measured(lodger);
+            if (!sweep) continue;
+            rays += rays_of(*lodger.config);
+            spent += *sweep;
+        }
+        if (rays > 0.0) ray_ = spent / rays;
+    }
+
+    [[nodiscard]] double of(const Lodger& lodger) const {
+        const SensorConfig& sensor = *lodger.config;
+        const Seconds period =
+            sensor.staring ? sensor.staring->period : sensor.model.optics.scan_period;
+        return measured(lodger).value_or(rays_of(sensor) * ray_) / period;
+    }
+
+  private:
+    using Seconds = std::chrono::duration<double>;
+
+    [[nodiscard]] std::optional<Seconds> measured(const Lodger& lodger) const {
+        const auto found = known_.find(lodger.name);
+        const bool same = found != known_.end() && found->second.config == *lodger.config;
+        return same ? found->second.sweep : std::nullopt;
+    }
+
+    static double rays_of(const SensorConfig& sensor) {
+        if (sensor.staring) return sensor.staring->beams();
+        const sim::SensorSpec& optics = sensor.model.optics;
+        return optics.beams() * (sensor.sees_light() ? optics.footprint.rays : 1);
+    }
+
+    const KnownSensors& known_;
+    Seconds ray_{30e-9};  ///< about that; where nothing is measured, only shares matter
+};
 
 /// Who is disturbed by another scanner looks at it while it turns.
 bool live_together(const std::vector<Lodger>& lodgers) {
@@ -60,12 +94,13 @@ bool live_together(const std::vector<Lodger>& lodgers) {
 
 }  // namespace
 
-Homes find_homes(const Config& config, const Homes& now) {
+Homes find_homes(const Config& config, const Homes& now, const KnownSensors& known) {
     const std::vector<Lodger> lodgers = lodgers_of(config);
+    const Costs costs(lodgers, known);
     const bool together = live_together(lodgers);
     std::vector<Burden> burdens;
     for (const Lodger& lodger : lodgers)
-        burdens.push_back({cost_of(*lodger.config), held(lodger, now)});
+        burdens.push_back({costs.of(lodger), held(lodger, now)});
     if (together && std::ranges::any_of(burdens, [](const Burden& b) { return b.held > 0; })) {
         throw std::runtime_error(
             "interference: scanners that disturb each other live on one thread, and these live on "

@@ -12,6 +12,7 @@
 namespace scipd::daemon {
 
 struct Config;
+struct KnownSensor;
 
 /// Numbers of shards.
 struct Homes {
@@ -21,8 +22,10 @@ struct Homes {
 };
 
 /// For this configuration, where those are that run now. A sensor goes where its tty is, or its TCP
-/// port, or its namesake; the others go where there is least to do. Throws std::runtime_error where
+/// port, or its namesake; the others go where there is least to do, as far as is `known` by name.
+/// What nobody has measured costs what the rays of the others cost. Throws std::runtime_error where
 /// sensors that live apart would have to live together.
-[[nodiscard]] Homes find_homes(const Config& config, const Homes& now);
+[[nodiscard]] Homes find_homes(const Config& config, const Homes& now,
+                               const std::map<std::string, KnownSensor>& known);
 
 }  // namespace scipd::daemon

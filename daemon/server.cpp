@@ -174,18 +174,18 @@ void Server::reload() {
     if (asked_again_) return;
     Simulation& simulation = fleet_.simulation();
     simulation.worker.add([this, &simulation] {
-        return [this, settled = simulation.settled_backends(), homes = fleet_.homes(),
+        return [this, known = simulation.known_sensors(), homes = fleet_.homes(),
                 stop = simulation.worker.stopping(),
                 join = shared_ ? shared_->rejoining() : JoinWorld{}]() -> Worker::Finish {
             const auto task = std::make_shared<std::packaged_task<Next()>>(
-                [&] { return load_next(options_, settled, stop, homes, join); });
+                [&] { return load_next(options_, known, stop, homes, join); });
             (*task)();
             return [this, task] { take_up(task->get_future()); };
         };
     });
 }
 
-Server::Next Server::load_next(const Options& options, const SettledBackends& settled,
+Server::Next Server::load_next(const Options& options, const KnownSensors& known,
                                const std::stop_token& stop, const Homes& homes,
                                const JoinWorld& join) {
     const Config& started = options.config;
@@ -196,7 +196,7 @@ Server::Next Server::load_next(const Options& options, const SettledBackends& se
     const bool asks_for_a_start = set_at_the_start(config) != set_at_the_start(started);
     config.clock = started.clock;
     options.put_into(config);
-    return {make_plan(std::move(config), settled, stop, homes, join), asks_for_a_start};
+    return {make_plan(std::move(config), known, stop, homes, join), asks_for_a_start};
 }
 
 void Server::take_up(std::future<Next> loaded) {

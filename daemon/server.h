@@ -54,7 +54,7 @@ class Server {
     void wait_for_signal();
     void reload();
     /// On the worker's thread.
-    static Next load_next(const Options& options, const SettledBackends& settled,
+    static Next load_next(const Options& options, const KnownSensors& known,
                           const std::stop_token& stop, const Homes& homes, const JoinWorld& join);
     void take_up(std::future<Next> loaded);
     void stop();

@@ -2,8 +2,12 @@
 // Copyright The scipd authors
 #include "daemon/simulation.h"
 
+#include <variant>
+
 #include <spdlog/spdlog.h>
 
+#include "daemon/device/device.h"
+#include "daemon/device/staring_sensor.h"
 #include "daemon/mounting.h"
 
 namespace scipd::daemon {
@@ -72,11 +76,17 @@ void Simulation::choose_backends() {
     if (!lockstep) chooser.choose();
 }
 
-SettledBackends Simulation::settled_backends() const {
-    SettledBackends settled;
-    for (const auto& station : stations)
-        settled[station->name()] = {station->config, world.choice_of(station->name())};
-    return settled;
+KnownSensors Simulation::known_sensors() {
+    return shards.still([this] {
+        KnownSensors known;
+        for (const auto& station : stations) {
+            const SensorCounts counts =
+                std::visit([](const auto& sensor) { return sensor->counts(); }, station->sensor);
+            known[station->name()] = {station->config, world.choice_of(station->name()),
+                                      mean_cast(counts)};
+        }
+        return known;
+    });
 }
 
 std::vector<ScenarioRun::Target> Simulation::scanners() const {

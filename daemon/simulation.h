@@ -45,8 +45,8 @@ struct Simulation {
     /// Measures, in a while, which backends are to cast for the sensors that leave it open, and
     /// again for those whose scene has changed much since.
     void choose_backends();
-    /// What a configuration that comes need not measure again.
-    [[nodiscard]] SettledBackends settled_backends() const;
+    /// What a configuration that comes need not find out again.
+    [[nodiscard]] KnownSensors known_sensors();
     /// Mounts each sensor where the scene has the place it is mounted on. Returns a warning for
     /// each place that the scene does not have.
     [[nodiscard]] std::vector<std::string> remount();

@@ -19,6 +19,16 @@ SensorCounts& SensorCounts::operator+=(const SensorCounts& other) {
     return *this;
 }
 
+std::optional<std::chrono::duration<double>> mean_cast(const SensorCounts& counts) {
+    CastCount all;
+    for (const auto& [backend, count] : counts.casts) {
+        all.casts += count.casts;
+        all.spent += count.spent;
+    }
+    if (all.casts == 0) return std::nullopt;
+    return std::chrono::duration<double>(all.spent) / static_cast<double>(all.casts);
+}
+
 void add(const protocol::StatusCounts& more, protocol::StatusCounts& counts) {
     for (const auto& [status, count] : more)
         counts[status] += count;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "daemon/device/lateness.h"
@@ -32,6 +33,9 @@ struct SensorCounts {
 
     SensorCounts& operator+=(const SensorCounts& other);
 };
+
+/// Of all backends; nothing: there was no cast.
+[[nodiscard]] std::optional<std::chrono::duration<double>> mean_cast(const SensorCounts& counts);
 
 void add(const protocol::StatusCounts& more, protocol::StatusCounts& counts);
 

@@ -210,7 +210,7 @@ TEST_P(FleetTest, MeasuresBackendsBehindWhatIsAskedForMeanwhile) {
     // And not again without a reason: what is settled goes with the sensors.
     Config same = of(cameras);
     same.scene = SCIPD_SCENES "/corridor.sdf";
-    fleet_.apply(make_plan(same, fleet_.simulation().settled_backends(), {}, fleet_.homes()));
+    fleet_.apply(make_plan(same, fleet_.simulation().known_sensors(), {}, fleet_.homes()));
     EXPECT_TRUE(measured());
 }
 
@@ -221,6 +221,7 @@ TEST_P(FleetTest, ShowsTheLatestOfACameraThatIsWatched) {
     camera.name = "camera";
     camera.backend = "depth";
     fleet_.apply(of({camera}));
+    EXPECT_FALSE(fleet_.simulation().known_sensors().at("rescue/camera").sweep);
     EXPECT_TRUE(api_.latest("rescue/camera"));
     Simulation& simulation = fleet_.simulation();
     auto& sensor = *std::get<std::unique_ptr<StaringSensor>>(simulation.stations[0]->sensor);
@@ -231,6 +232,7 @@ TEST_P(FleetTest, ShowsTheLatestOfACameraThatIsWatched) {
     const int before = seen;
     EXPECT_TRUE(run_until(io_, [&] { return seen > before + 3; }));
     simulation.shards.still([&] { sensor.watch(nullptr); });
+    EXPECT_GT(simulation.known_sensors().at("rescue/camera").sweep, 0s);
 }
 
 TEST_P(FleetTest, TakesAWorldOfAnyKind) {
@@ -352,8 +354,7 @@ TEST_P(FleetTest, ChangesNothingWhereDescriptorsRunOutOnTheWay) {
     Config next = of({kept, changed, on_tty("new"), on_tcp("more")});
     next.robots[0].poses = PoseSource{.address = {"127.0.0.1", 0}, .file = {}};
     const auto try_with = [&](rlim_t more) {
-        FleetPlan plan =
-            make_plan(next, fleet_.simulation().settled_backends(), {}, fleet_.homes());
+        FleetPlan plan = make_plan(next, fleet_.simulation().known_sensors(), {}, fleet_.homes());
         const FewDescriptors few(more);
         try {
             fleet_.apply(std::move(plan));
