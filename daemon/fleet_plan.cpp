@@ -98,7 +98,6 @@ RequestedBackend requested_backend(const std::string& robot, const SensorConfig&
 
 FleetPlan make_plan(Config config, const KnownSensors& known, const std::stop_token& stop,
                     const Homes& now, const JoinWorld& join) {
-    Homes homes = find_homes(config, now, known);
     std::optional<Scenario> scenario = load_scenario(config);
     LoadedMaterials materials = load_materials(config);
     sim::LoadedScene loaded = load_world(config, materials.library, stop);
@@ -106,6 +105,8 @@ FleetPlan make_plan(Config config, const KnownSensors& known, const std::stop_to
     if (join) shared = share(config, materials.library, stop, join(*loaded.scene), loaded);
     std::ranges::move(materials.warnings, std::back_inserter(loaded.warnings));
     std::vector<std::string> notices = mount_by_name(config, *loaded.scene);
+    // Of a sensor that is mounted by name nothing is known before it has its place.
+    Homes homes = find_homes(config, now, known);
     std::ranges::move(media_notices(config), std::back_inserter(notices));
     std::vector<RequestedBackend> requests;
     for (const RobotConfig& robot : config.robots) {
@@ -113,9 +114,8 @@ FleetPlan make_plan(Config config, const KnownSensors& known, const std::stop_to
             RequestedBackend request = requested_backend(robot.name, sensor, robot.world_from_robot,
                                                          config.clock, materials.library);
             request.shard = homes.sensors.at(request.sensor);
-            const auto before = known.find(request.sensor);
-            if (!request.settled && before != known.end() && before->second.config == sensor)
-                request.settled = before->second.choice;
+            const KnownSensor* const before = find_known(known, request.sensor, sensor);
+            if (!request.settled && before != nullptr) request.settled = before->choice;
             requests.push_back(std::move(request));
         }
     }

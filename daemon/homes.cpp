@@ -71,9 +71,8 @@ class Costs {
     using Seconds = std::chrono::duration<double>;
 
     [[nodiscard]] std::optional<Seconds> measured(const Lodger& lodger) const {
-        const auto found = known_.find(lodger.name);
-        const bool same = found != known_.end() && found->second.config == *lodger.config;
-        return same ? found->second.sweep : std::nullopt;
+        const KnownSensor* const known = find_known(known_, lodger.name, *lodger.config);
+        return known != nullptr ? known->sweep : std::nullopt;
     }
 
     static double rays_of(const SensorConfig& sensor) {

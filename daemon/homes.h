@@ -21,10 +21,10 @@ struct Homes {
     std::map<std::string, std::size_t> ports;    ///< by key
 };
 
-/// For this configuration, where those are that run now. A sensor goes where its tty is, or its TCP
-/// port, or its namesake; the others go where there is least to do, as far as is `known` by name.
-/// What nobody has measured costs what the rays of the others cost. Throws std::runtime_error where
-/// sensors that live apart would have to live together.
+/// For this configuration, with all sensors mounted, where those are that run now. A sensor goes
+/// where its tty is, or its TCP port, or its namesake; the others go where there is least to do, as
+/// far as is `known`. What nobody has measured costs what the rays of the others cost. Throws
+/// std::runtime_error where sensors that live apart would have to live together.
 [[nodiscard]] Homes find_homes(const Config& config, const Homes& now,
                                const std::map<std::string, KnownSensor>& known);
 

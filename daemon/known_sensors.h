@@ -26,4 +26,12 @@ struct KnownSensor {
 /// By name.
 using KnownSensors = std::map<std::string, KnownSensor>;
 
+/// Null: nothing is known of a sensor of this name that is configured like this.
+[[nodiscard]] inline const KnownSensor* find_known(const KnownSensors& known,
+                                                   const std::string& name,
+                                                   const SensorConfig& config) {
+    const auto found = known.find(name);
+    return found != known.end() && found->second.config == config ? &found->second : nullptr;
+}
+
 }  // namespace scipd::daemon

@@ -70,11 +70,11 @@ TEST_F(HomesTest, CountsTheRaysOfWhatHasNotMeasuredYet) {
         add(name);
     config_.robots[0].sensors[3].accuracy = sim::Accuracy::material;
     EXPECT_THAT(homes(), ElementsAre(1, 1, 1, 0));
-    // A ray costs what it costs the others: six rays of "a" to "c" are less than one sweep of "d".
+    // A ray costs what it costs "a", so "d" costs seven times as much.
     for (const SensorConfig& sensor : config_.robots[0].sensors)
         know(sensor, sensor.name == "a" ? std::optional(700us) : std::nullopt);
     EXPECT_THAT(homes(), ElementsAre(1, 1, 1, 0));
-    // Here it costs less than a tenth of what "a" takes.
+    // A ray costs a third of that, as "b" and "c" take nothing; "d" has one a beam now.
     know(config_.robots[0].sensors[1], 0us);
     know(config_.robots[0].sensors[2], 0us);
     config_.robots[0].sensors[3].accuracy = sim::Accuracy::ideal;
