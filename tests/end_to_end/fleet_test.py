@@ -124,10 +124,11 @@ def a_broker_goes_and_comes_back(lab, east, west, north):
     west.wait_to_see(5.75)
     north.wait_to_see(6.75)
     # The broker had forgotten all, and knows it again.
+    names = {"scipd/hall/daemons/" + name for name in ("east", "west", "north")}
+    wait_for(lambda: names <= lab.broker.kept("scipd/hall/daemons/#").keys(), "not all say that they are there")
     kept = lab.broker.kept("scipd/hall/#")
     assert json.loads(kept["scipd/hall/models/pillar"]) == {"remove": True}, kept
     assert "scipd/hall/models/crate" not in kept, kept
-    assert {"scipd/hall/daemons/" + name for name in ("east", "west", "north")} <= kept.keys(), kept
 
 
 def a_daemon_dies_and_comes_back(lab, east, west):
