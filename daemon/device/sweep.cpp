@@ -3,7 +3,6 @@
 #include "daemon/device/sweep.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <utility>
 
@@ -138,25 +137,17 @@ void Sweep::cast_apart(sim::Scan& scan, const BeamFired& fired, const sim::Condi
     const std::span<const sim::ModelId> none;
     scanner_.cast(backend, scan, {0, beams()}, conditions, sim::no_model, none);
     if (world_.movers().empty()) return;
+    const sim::SensorMotion motion = sim::motion_of(scan.world_from_sensor);
+    const Ball reach{motion.middle.translation_m, optics().max_range_m + motion.moved_m};
     const std::vector<sim::Mover> movers =
-        world_.movers().within(reach(scan), fired(0), fired(beams() - 1), unseen);
+        world_.movers().within(reach, fired(0), fired(beams() - 1), unseen);
     if (movers.empty()) return;
-    for (const auto& [index, beams, time] : sim::passings_of_sweep(optics(), scan, fired, movers)) {
+    for (const auto& [index, beams, time] :
+         sim::passings_of_sweep(optics(), motion, scan, fired, movers)) {
         const sim::Mover& mover = movers[index];
         backend.move(mover.id, mover.path->at(time));
         scanner_.cast_moving(backend, scan, beams, mover.id);
     }
-}
-
-Ball Sweep::reach(const sim::Scan& scan) const {
-    const std::vector<sim::Pose>& poses = scan.world_from_sensor;
-    const glm::dvec3 middle_m = poses[poses.size() / 2].translation_m;
-    double farthest_m2 = 0.0;
-    for (const sim::Pose& pose : poses) {
-        const glm::dvec3 moved_m = pose.translation_m - middle_m;
-        farthest_m2 = std::max(farthest_m2, glm::dot(moved_m, moved_m));
-    }
-    return {middle_m, optics().max_range_m + std::sqrt(farthest_m2)};
 }
 
 void Sweep::cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired,

@@ -66,8 +66,6 @@ class Sweep {
                      sim::ModelId unseen);
     void cast_apart(sim::Scan& scan, const BeamFired& fired, const sim::Conditions& conditions,
                     sim::ModelId unseen);
-    /// All that the scan can see lies in it.
-    [[nodiscard]] Ball reach(const sim::Scan& scan) const;
     void cast_in_equal_parts(sim::Scan& scan, const BeamFired& fired,
                              const sim::Conditions& conditions, sim::ModelId unseen);
     /// Finds the beams that other scanners disturb.

@@ -18,13 +18,6 @@ namespace {
 /// Backends round by less than this.
 constexpr double margin_m = 5e-3;
 
-/// How the sensor moves during the sweep: at most so far from its pose in the middle.
-struct SensorMotion {
-    Pose middle;
-    double moved_m = 0.0;
-    double turned_rad = 0.0;
-};
-
 /// A mover by the beams that may meet it.
 struct Encounter {
     std::size_t first = 0;
@@ -42,32 +35,14 @@ struct Encounter {
     }
 };
 
-SensorMotion motion_of(std::span<const Pose> poses) {
-    SensorMotion motion{poses[poses.size() / 2]};
-    double farthest_m2 = 0.0;
-    const Pose* most_turned = &motion.middle;
-    double least_cosine = 1.0;
-    for (const Pose& pose : poses) {
-        const glm::dvec3 moved_m = pose.translation_m - motion.middle.translation_m;
-        farthest_m2 = std::max(farthest_m2, glm::dot(moved_m, moved_m));
-        const double cosine = std::abs(glm::dot(pose.rotation, motion.middle.rotation));
-        if (cosine >= least_cosine) continue;
-        least_cosine = cosine;
-        most_turned = &pose;
-    }
-    motion.moved_m = std::sqrt(farthest_m2);
-    motion.turned_rad = angle_between_rad(most_turned->rotation, motion.middle.rotation);
-    return motion;
-}
-
 class Sweeping {
   public:
-    Sweeping(const SensorSpec& optics, std::span<const Pose> poses,
+    Sweeping(const SensorSpec& optics, const SensorMotion& sensor,
              const std::function<Time(std::size_t)>& fired)
         : optics_(optics),
           beams_(static_cast<std::size_t>(optics.beams())),
           fired_(fired),
-          sensor_(motion_of(poses)),
+          sensor_(sensor),
           sensor_from_world_(inverse(sensor_.middle)),
           begin_(fired(0)),
           middle_(fired(beams_ / 2)),
@@ -259,17 +234,18 @@ std::vector<Passing> Sweeping::passings(std::span<const Mover> movers, const Sca
 
 }  // namespace
 
-std::vector<Passing> passings_of_sweep(const SensorSpec& optics, const Scan& scan,
+std::vector<Passing> passings_of_sweep(const SensorSpec& optics, const SensorMotion& sensor,
+                                       const Scan& scan,
                                        const std::function<Time(std::size_t beam)>& fired,
                                        std::span<const Mover> movers) {
-    return Sweeping(optics, scan.world_from_sensor, fired).passings(movers, scan);
+    return Sweeping(optics, sensor, fired).passings(movers, scan);
 }
 
 std::vector<Part> parts_of_sweep(const SensorSpec& optics, std::span<const Pose> world_from_sensor,
                                  const std::function<Time(std::size_t beam)>& fired,
                                  std::span<const Mover> movers) {
     if (movers.empty()) return {{.beams = {0, static_cast<std::size_t>(optics.beams())}}};
-    const Sweeping sweep(optics, world_from_sensor, fired);
+    const Sweeping sweep(optics, motion_of(world_from_sensor), fired);
     std::vector<Encounter> met;
     met.reserve(movers.size());
     for (const Mover& mover : movers)

@@ -23,6 +23,7 @@
 
 #include "sim/sensor/scan.h"
 #include "sim/sensor/scanner.h"
+#include "sim/sensor/sensor_motion.h"
 #include "sim/sensor/sensor_spec.h"
 #include "sim/time.h"
 #include "sim/world/mover.h"
@@ -55,10 +56,10 @@ struct Passing {
 };
 
 /// The same for each model by itself, in front of what the scan has met so far: models that no beam
-/// reaches are left out.
+/// reaches are left out. `sensor` moves as the poses of the scan say.
 [[nodiscard]] std::vector<Passing> passings_of_sweep(
-    const SensorSpec& optics, const Scan& scan, const std::function<Time(std::size_t beam)>& fired,
-    std::span<const Mover> movers);
+    const SensorSpec& optics, const SensorMotion& sensor, const Scan& scan,
+    const std::function<Time(std::size_t beam)>& fired, std::span<const Mover> movers);
 
 /// The parts of one sweep, in order. `world_from_sensor` is one pose or one for each beam; `fired`
 /// tells when a beam is fired, counted from the first. The first part places all movers.
