@@ -83,14 +83,24 @@ Fleet::~Fleet() {
 }
 
 void Fleet::apply(const Config& config) {
-    apply(make_plan(config, {}, {}, homes_));
+    // Of a sensor of which nothing is known, none moves.
+    (void)apply(make_plan(config, {}, {}, homes_));
 }
 
-void Fleet::apply(FleetPlan&& plan) {
-    simulation_->shards.still([&] {
+bool Fleet::apply(FleetPlan&& plan) {
+    return simulation_->shards.still([&] {
+        if (!can_move_to(plan.homes)) return false;
         Ports ports = prepare_ports(plan.config, plan.homes);
         Feeds feeds = open_feeds(plan.config);
         take_up(std::move(plan), std::move(ports), std::move(feeds));
+        return true;
+    });
+}
+
+bool Fleet::can_move_to(const Homes& homes) const {
+    return std::ranges::none_of(simulation_->stations, [&](const auto& station) {
+        const auto home = homes.sensors.find(station->name());
+        return home != homes.sensors.end() && home->second != station->shard && in_use(*station);
     });
 }
 
@@ -177,21 +187,25 @@ std::vector<Station*> Fleet::replace_stations(const Config& config, const Ports&
     end_faults(old);
     keep_counts(old, *simulation_);
     std::vector<Station*> fresh;
-    auto station = stations.begin();
+    Stations left;
+    auto place = stations.begin();
     for (const RobotConfig& robot : config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {
-            if (!*station) {
-                const std::size_t home = homes_.sensors.at(sensor_name(robot.name, sensor.name));
-                const StationContext context{.shard = simulation_->shards.at(home),
-                                             .stream = simulation_->stream,
-                                             .view = simulation_->view,
-                                             .wire = simulation_->wire,
-                                             .lockstep = simulation_->lockstep != nullptr};
-                *station = make_station(context, robot.name, sensor, config.seed,
-                                        ports_of(ports, robot.name, sensor));
-                fresh.push_back(station->get());
+            std::unique_ptr<Station>& station = *place++;
+            const std::size_t home = homes_.sensors.at(sensor_name(robot.name, sensor.name));
+            if (station && station->shard == home) continue;
+            const StationContext context{.shard = simulation_->shards.at(home),
+                                         .stream = simulation_->stream,
+                                         .view = simulation_->view,
+                                         .wire = simulation_->wire,
+                                         .lockstep = simulation_->lockstep != nullptr};
+            SensorPorts served = ports_of(ports, robot.name, sensor);
+            if (station) {
+                left.push_back(std::exchange(station, moved(*station, context, served)));
+            } else {
+                station = make_station(context, robot.name, sensor, config.seed, served);
+                fresh.push_back(station.get());
             }
-            ++station;
         }
     }
     stations.swap(old);

@@ -39,9 +39,10 @@ class Fleet {
     /// As stop().
     ~Fleet();
 
-    /// Throws LoadError for a trajectory, std::runtime_error for a port or a source of poses: then
-    /// all is as before.
-    void apply(FleetPlan&& plan);
+    /// False: somebody has come to use a scanner that the plan moves to another shard; all is as
+    /// before, and it takes another plan. Throws LoadError for a trajectory, std::runtime_error for
+    /// a port or a source of poses: then all is as before, too.
+    [[nodiscard]] bool apply(FleetPlan&& plan);
     /// The same of a configuration whose world is still to be loaded, and throws what make_plan()
     /// throws.
     void apply(const Config& config);
@@ -57,6 +58,8 @@ class Fleet {
     struct Feed;
     using Feeds = std::vector<Feed>;
 
+    /// Whether nobody uses a scanner that would live elsewhere.
+    [[nodiscard]] bool can_move_to(const Homes& homes) const;
     /// With all that it takes to serve those scanners that will be new.
     [[nodiscard]] Ports prepare_ports(const Config& config, const Homes& homes) const;
     [[nodiscard]] Feeds open_feeds(const Config& config);

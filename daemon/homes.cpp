@@ -45,6 +45,12 @@ std::optional<std::size_t> held(const Lodger& lodger, const Homes& now) {
     return std::nullopt;
 }
 
+/// A tty stays where it is.
+bool may_move(const Lodger& lodger, const KnownSensors& known) {
+    const KnownSensor* const before = find_known(known, lodger.name, *lodger.config);
+    return before != nullptr && before->may_move && lodger.ports.pty.empty();
+}
+
 /// What a sensor costs while it measures, as a share of a core.
 class Costs {
   public:
@@ -99,7 +105,7 @@ Homes find_homes(const Config& config, const Homes& now, const KnownSensors& kno
     const bool together = live_together(lodgers);
     std::vector<Burden> burdens;
     for (const Lodger& lodger : lodgers)
-        burdens.push_back({costs.of(lodger), held(lodger, now)});
+        burdens.push_back({costs.of(lodger), held(lodger, now), may_move(lodger, known)});
     if (together && std::ranges::any_of(burdens, [](const Burden& b) { return b.held > 0; })) {
         throw std::runtime_error(
             "interference: scanners that disturb each other live on one thread, and these live on "

@@ -43,7 +43,7 @@ Server::Server(const Options& options)
     listen_for_control();
     if (options_.config.http) listen_for_http(*options_.config.http);
     const Config config = plan.config;
-    fleet_.apply(std::move(plan));
+    (void)fleet_.apply(std::move(plan));
     if (shared_) shared_->serve(config);
     fleet_.simulation().choose_backends();
     warn_of_unneeded();
@@ -171,10 +171,13 @@ void Server::reload() {
     }
     service_.reloading(options_.config_file->string());
     asked_again_ = std::exchange(loading_, true);
-    if (asked_again_) return;
+    if (!asked_again_) load_again(Moves::allowed);
+}
+
+void Server::load_again(Moves moves) {
     Simulation& simulation = fleet_.simulation();
-    simulation.worker.add([this, &simulation] {
-        return [this, known = simulation.known_sensors(), homes = fleet_.homes(),
+    simulation.worker.add([this, &simulation, moves] {
+        return [this, known = simulation.known_sensors(moves), homes = fleet_.homes(),
                 stop = simulation.worker.stopping(),
                 join = shared_ ? shared_->rejoining() : JoinWorld{}]() -> Worker::Finish {
             const auto task = std::make_shared<std::packaged_task<Next()>>(
@@ -200,11 +203,11 @@ Server::Next Server::load_next(const Options& options, const KnownSensors& known
 }
 
 void Server::take_up(std::future<Next> loaded) {
-    loading_ = false;
     try {
         Next next = loaded.get();
         const Config config = next.plan.config;
-        fleet_.apply(std::move(next.plan));
+        // Somebody has connected meanwhile to a scanner that was to move.
+        if (!fleet_.apply(std::move(next.plan))) return load_again(Moves::forbidden);
         if (shared_) shared_->serve(config);
         if (next.asks_for_a_start) {
             spdlog::warn(
@@ -220,6 +223,7 @@ void Server::take_up(std::future<Next> loaded) {
         spdlog::error("SIGHUP: nothing was changed, since\n{}", error.what());
         service_.reloaded(error.what());
     }
+    loading_ = false;
     if (asked_again_) reload();
 }
 

@@ -53,6 +53,8 @@ class Server {
     void listen_for_http(const Address& address);
     void wait_for_signal();
     void reload();
+    /// Loads the configuration again on the worker's thread, and takes it up.
+    void load_again(Moves moves);
     /// On the worker's thread.
     static Next load_next(const Options& options, const KnownSensors& known,
                           const std::stop_token& stop, const Homes& homes, const JoinWorld& join);

@@ -49,6 +49,8 @@ class ScanStream {
         void follow(FaultLog& faults);
         /// Scans that a subscriber was too slow for.
         [[nodiscard]] std::uint64_t lost() const { return source_->lost; }
+        /// From what the other has counted, too.
+        void count_on_from(const Tap& other) { source_->lost += other.lost(); }
 
       private:
         friend class ScanStream;

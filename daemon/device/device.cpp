@@ -8,32 +8,13 @@
 
 #include <spdlog/spdlog.h>
 
-#include "protocol/ideal.h"
+#include "daemon/device/powered_profile.h"
 #include "protocol/reply_grid.h"
 #include "protocol/settings.h"
 #include "protocol/timestamp.h"
 #include "sim/fnv1a.h"
 
 namespace scipd::daemon {
-namespace {
-
-// The rate of the serial line can be set for good by the user, as II says.
-void power_up_at(int bit_rate, protocol::DeviceProfile& profile) {
-    const auto place = std::ranges::find(profile.bit_rates, bit_rate);
-    if (place == profile.bit_rates.end()) return;
-    std::rotate(profile.bit_rates.begin(), place, place + 1);
-    profile.bit_rate = std::to_string(bit_rate) + "[bps]<-Default setting by user";
-}
-
-protocol::DeviceProfile profile_of(const SensorConfig& config) {
-    protocol::DeviceProfile profile = config.model.profile;
-    if (config.timing == Timing::ideal) profile = protocol::ideal(profile);
-    if (config.link.baud) power_up_at(*config.link.baud, profile);
-    return profile;
-}
-
-}  // namespace
-
 /// One client, known to the device for as long as it lives.
 class Device::ServedClient final : public Endpoint::Client {
   public:
@@ -75,7 +56,7 @@ class Device::ServedClient final : public Endpoint::Client {
 
 Device::Device(const std::string& robot, const SensorConfig& config, std::uint64_t seed,
                World& world, Clock& clock)
-    : profile_(profile_of(config)),
+    : profile_(powered_profile(config)),
       chance_{.seed = seed, .sensor = sim::fnv1a<std::uint64_t>(sensor_name(robot, config.name))},
       patience_(config.wait_for_poses),
       clock_(clock),
@@ -102,6 +83,17 @@ Device::Device(const std::string& robot, const SensorConfig& config, std::uint64
 
 Device::~Device() {
     world_.light().lamps().remove(*this);
+}
+
+void Device::go_on_as(const Device& other) {
+    device_clock_ = other.device_clock_;
+    timing_ = other.timing_;
+    state_ = other.state_;
+    boots_told_ = other.boots_told_;
+    bit_rate_told_ = other.bit_rate_told_;
+    pace_ = other.pace_;
+    log_ = other.log_;
+    counts_ = other.counts();
 }
 
 std::optional<LampBeam> Device::shines(sim::Time time) const {
@@ -184,6 +176,14 @@ std::int64_t Device::next_revolution() const {
 sim::Time Device::leaves(std::int64_t revolution) const {
     return late_ + device_clock_.world_time(
                        protocol::scan_leaves(timing_.complete(revolution), state_, profile_));
+}
+
+protocol::Uptime Device::start_of(std::int64_t revolution) const {
+    return timing_.start(revolution);
+}
+
+sim::SharedScan Device::latest_scan() const {
+    return log_.latest() ? log_.latest()->cast : nullptr;
 }
 
 bool Device::poses_known(std::int64_t revolution) const {

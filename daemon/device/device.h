@@ -42,6 +42,10 @@ class Device : public ScanSource, public Endpoint, private Lamp {
            Clock& clock);
     ~Device() override;
 
+    /// Takes over all that another has gone through, which is configured alike and has neither
+    /// clients nor faults.
+    void go_on_as(const Device& other);
+
     [[nodiscard]] std::unique_ptr<Client> connect(std::function<void()> on_actions,
                                                   protocol::LinkKind link) override;
     [[nodiscard]] Clock& clock() override { return clock_; }
@@ -64,9 +68,7 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     /// The same of what no client waits for. For the hook, from within a call of the device's.
     void amend(const Change& change) { change(state_, uptime()); }
     /// The instant of step 0, on its own clock.
-    [[nodiscard]] protocol::Uptime start_of(std::int64_t revolution) const {
-        return timing_.start(revolution);
-    }
+    [[nodiscard]] protocol::Uptime start_of(std::int64_t revolution) const;
     void shift_poses(const PoseShift& shift) { sweep_.shift_poses(shift); }
     [[nodiscard]] sim::Pose world_from_robot() const { return sweep_.robot_at(clock_.now()); }
     [[nodiscard]] const sim::SensorSpec& optics() const { return sweep_.optics(); }
@@ -92,9 +94,7 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     [[nodiscard]] const Lateness& lateness() const { return counts_.lateness; }
     /// But for what links and faults count.
     [[nodiscard]] SensorCounts counts() const;
-    [[nodiscard]] sim::SharedScan latest_scan() const {
-        return log_.latest() ? log_.latest()->cast : nullptr;
-    }
+    [[nodiscard]] sim::SharedScan latest_scan() const;
     [[nodiscard]] const ScanLog& log() const { return log_; }
     void ask_log() { log_.ask(clock_.now()); }
     [[nodiscard]] std::size_t clients() const { return clients_.size(); }

@@ -72,6 +72,8 @@ class Port {
     void begin(std::shared_ptr<Connection> connection);
     /// Cuts off who is connected.
     void end_connection();
+    /// From what the other has counted, too.
+    void count_on_from(const Port& other) { counts_before_ += other.counts(); }
     /// Null: there is none.
     [[nodiscard]] Connection* connection() const { return connection_.get(); }
 

@@ -79,15 +79,17 @@ TcpPort::TcpPort(const asio::any_io_executor& executor, const Address& address,
 
 std::shared_ptr<TcpPort> TcpPort::moved_to(const asio::any_io_executor& executor) {
     const Address address{endpoint_.address().to_string(), endpoint_.port()};
+    std::optional<int> socket;
     // While it refuses clients, nothing listens there.
-    if (!acceptor_.is_open()) return std::make_shared<TcpPort>(executor, address);
-    const int socket = ::dup(acceptor_.native_handle());
-    if (socket < 0) {
+    if (acceptor_.is_open()) socket = ::dup(acceptor_.native_handle());
+    if (socket == -1) {
         throw std::runtime_error("cannot move the port " + text_of(address) + ": " +
                                  std::generic_category().message(errno));
     }
     auto moved = std::make_shared<TcpPort>(executor, address, socket);
     moved->handed_ = handed_;
+    moved->count_on_from(*this);
+    moved_to_ = moved;
     return moved;
 }
 
@@ -100,8 +102,7 @@ void TcpPort::serve(Endpoint& scanner, const LinkConfig& link) {
 }
 
 void TcpPort::stop() {
-    error_code ignored;
-    acceptor_.close(ignored);
+    close();
     pause_.cancel();
     turn_all_away();
     disconnect();
@@ -128,9 +129,8 @@ void TcpPort::cut(Cut how) {
 
 void TcpPort::follow_line() {
     if (!scanner_) return;
-    error_code ignored;
     if (line().refuses) {
-        if (!handed_) acceptor_.close(ignored);
+        if (!handed_) close();
         turn_all_away();
     } else if (!acceptor_.is_open()) {
         listen_again();
@@ -161,11 +161,18 @@ void TcpPort::listen() {
     }
 }
 
+// Where it has moved, the socket is still open. If it was only closed here, epoll would go on
+// telling of it, and would not take it again under the same number.
+void TcpPort::close() {
+    if (acceptor_.is_open()) ::close(acceptor_.release());
+}
+
 void TcpPort::accept() {
     if (accepting_ || !acceptor_.is_open()) return;
     accepting_ = true;
     acceptor_.async_accept([self = shared_from_this()](error_code error, tcp::socket socket) {
         self->accepting_ = false;
+        if (!self->scanner_ && !error) return self->pass_on(std::move(socket));
         if (!self->scanner_ || (self->line().refuses && !self->handed_)) return;
         // It refused clients for a while.
         if (error == asio::error::operation_aborted) return self->accept();
@@ -185,6 +192,17 @@ void TcpPort::take_in(tcp::socket socket) {
     if (!connected()) return connect(std::move(socket));
     if (make_room()) return waiting_.push_back(std::move(socket));
     limits().refuse(Limit::scanner_connections, address());
+}
+
+void TcpPort::pass_on(tcp::socket socket) {
+    const auto there = moved_to_.lock();
+    error_code error;
+    const int descriptor = there ? socket.release(error) : -1;
+    if (!there || error) return;
+    asio::post(there->acceptor_.get_executor(), [there, descriptor] {
+        tcp::socket here(there->acceptor_.get_executor(), there->endpoint_.protocol(), descriptor);
+        if (there->scanner_) there->take_in(std::move(here));
+    });
 }
 
 void TcpPort::serve_next() {

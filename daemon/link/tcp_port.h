@@ -29,6 +29,7 @@ class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
             std::optional<int> handed = {});
 
     /// One that listens on the same socket with another executor, where this one is to be stopped.
+    /// It counts on, and gets whoever connects here meanwhile.
     [[nodiscard]] std::shared_ptr<TcpPort> moved_to(const boost::asio::any_io_executor& executor);
 
     /// Its serve() needs nothing.
@@ -47,9 +48,12 @@ class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
     void listen();
     /// Tries until it listens, or is not to listen any more.
     void listen_again();
+    void close();
     void accept();
     void accept_later();
     void take_in(boost::asio::ip::tcp::socket socket);
+    /// To the one that it was moved to.
+    void pass_on(boost::asio::ip::tcp::socket socket);
     void serve_next();
     /// False: no more clients may wait.
     [[nodiscard]] bool make_room();
@@ -65,6 +69,7 @@ class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
     boost::asio::ip::tcp::endpoint endpoint_;  ///< with the port that was really taken
     boost::asio::steady_timer pause_;
     Endpoint* scanner_ = nullptr;  ///< null: stopped, or not served yet
+    std::weak_ptr<TcpPort> moved_to_;
     std::optional<TcpPeer> peer_;  ///< where a silent client has a time limit
     std::chrono::nanoseconds dead_after_{};
     boost::asio::steady_timer peer_timer_;

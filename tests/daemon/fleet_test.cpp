@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -210,7 +211,8 @@ TEST_P(FleetTest, MeasuresBackendsBehindWhatIsAskedForMeanwhile) {
     // And not again without a reason: what is settled goes with the sensors.
     Config same = of(cameras);
     same.scene = SCIPD_SCENES "/corridor.sdf";
-    fleet_.apply(make_plan(same, fleet_.simulation().known_sensors(), {}, fleet_.homes()));
+    EXPECT_TRUE(
+        fleet_.apply(make_plan(same, fleet_.simulation().known_sensors(), {}, fleet_.homes())));
     EXPECT_TRUE(measured());
 }
 
@@ -357,7 +359,7 @@ TEST_P(FleetTest, ChangesNothingWhereDescriptorsRunOutOnTheWay) {
         FleetPlan plan = make_plan(next, fleet_.simulation().known_sensors(), {}, fleet_.homes());
         const FewDescriptors few(more);
         try {
-            fleet_.apply(std::move(plan));
+            EXPECT_TRUE(fleet_.apply(std::move(plan)));
         } catch (const std::exception&) {
             return false;
         }
@@ -400,6 +402,74 @@ TEST_P(FleetTest, HandsAPortToAnotherScanner) {
 }
 
 // Each scanner stays where its tty is, and the other one's port comes to it, on another thread.
+/// Where scanners live, by name.
+std::map<std::string, std::size_t> shards_of(Fleet& fleet) {
+    std::map<std::string, std::size_t> shards;
+    for (const auto& station : fleet.simulation().stations)
+        shards[station->name()] = station->shard;
+    return shards;
+}
+
+TEST_P(FleetTest, MovesScannersThatNobodyUsesToWhereThereIsLessToDo) {
+    if (GetParam() == 1) GTEST_SKIP() << "there is one thread";
+    // In turn: "a" and "d" live together.
+    const std::vector<SensorConfig> all{on_tcp("a"), on_tcp("b"), on_tcp("c"), on_tcp("d")};
+    fleet_.apply(of(all));
+    const std::size_t home = shards_of(fleet_).at("rescue/a");
+    ASSERT_EQ(shards_of(fleet_).at("rescue/d"), home);
+    ScannerWire used = connect(0);
+    ASSERT_TRUE(streams(used));
+    {
+        ScannerWire before = connect(3);
+        ASSERT_TRUE(answers(before, "UST-10LX"));
+        before.write("MD0540054000003\n");
+        ASSERT_TRUE(run_until(io_, [&] { return sensor(3).scans >= 3; }));
+    }
+    ASSERT_TRUE(run_until(io_, [&] { return sensor(3).clients == 0; }));
+    const std::string address = *sensor(3).tcp;
+    const std::uint64_t scans = sensor(3).scans;
+    const auto uptime_of_d = [&] {
+        return fleet_.simulation().shards.still([&] {
+            const auto& station = fleet_.simulation().stations.back();
+            return std::get<std::unique_ptr<Device>>(station->sensor)->uptime();
+        });
+    };
+    const auto uptime = uptime_of_d();
+
+    const Config fewer = of({all[0], all[3]});
+    const auto plan = [&](Moves moves) {
+        return make_plan(fewer, fleet_.simulation().known_sensors(moves), {}, fleet_.homes());
+    };
+    // Somebody comes while it is loaded.
+    {
+        FleetPlan too_late = plan(Moves::allowed);
+        EXPECT_NE(too_late.homes.sensors.at("rescue/d"), home);
+        ScannerWire comes = connect(3);
+        ASSERT_TRUE(answers(comes, "UST-10LX"));
+        EXPECT_FALSE(fleet_.apply(std::move(too_late)));
+        EXPECT_EQ(api_.status().sensors.size(), 4U);
+        ASSERT_TRUE(answers(comes, "UST-10LX"));
+        EXPECT_EQ(plan(Moves::forbidden).homes.sensors.at("rescue/d"), home);
+    }
+    ASSERT_TRUE(run_until(io_, [&] { return sensor(3).clients == 0; }));
+
+    EXPECT_TRUE(fleet_.apply(plan(Moves::allowed)));
+    EXPECT_EQ(shards_of(fleet_).at("rescue/a"), home);
+    EXPECT_NE(shards_of(fleet_).at("rescue/d"), home);
+    EXPECT_EQ(*sensor(1).tcp, address);
+    EXPECT_EQ(sensor(1).scans, scans);
+    EXPECT_GE(uptime_of_d(), uptime);
+    ScannerWire after = connect(1);
+    EXPECT_TRUE(answers(after, "UST-10LX"));
+    after.write("MD0540054000000\n");
+    EXPECT_TRUE(run_until(io_, [&] { return sensor(1).scans >= scans + 3; }));
+    const std::uint64_t before = sensor().scans;
+    EXPECT_TRUE(run_until(io_, [&] { return sensor().scans >= before + 3; }));
+    // And where it is used, it stays.
+    fleet_.apply(of({all[0], all[3], all[1]}));
+    EXPECT_NE(shards_of(fleet_).at("rescue/d"), home);
+}
+
 TEST_P(FleetTest, LetsScannersExchangeTheirPorts) {
     SensorConfig a = on_tty("a");
     SensorConfig b = on_tty("b");

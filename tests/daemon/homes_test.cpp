@@ -92,5 +92,24 @@ TEST_F(HomesTest, LeavesThemWhereTheyAreWhateverTheyCost) {
     EXPECT_EQ(found.sensors.at("robot/c"), 0U);
 }
 
+TEST_F(HomesTest, MovesThoseThatNobodyUses) {
+    Homes now{.shards = 2};
+    for (const char* name : {"a", "b", "c", "d"}) {
+        SensorConfig& sensor = add(name);
+        if (sensor.name == "b") sensor.pty = PtyConfig{"/tmp/b"};
+        know(sensor, 100us);
+        now.sensors[std::string("robot/") + name] = 1;
+    }
+    for (const char* name : {"b", "c", "d"})
+        known_.at(std::string("robot/") + name).may_move = true;
+    // A tty cannot move, and what is configured anew is not the one that nobody uses.
+    config_.robots[0].sensors[3].accuracy = sim::Accuracy::sensor;
+    const Homes found = find_homes(config_, now, known_);
+    EXPECT_EQ(found.sensors.at("robot/a"), 1U);
+    EXPECT_EQ(found.sensors.at("robot/b"), 1U);
+    EXPECT_EQ(found.sensors.at("robot/c"), 0U);
+    EXPECT_EQ(found.sensors.at("robot/d"), 1U);
+}
+
 }  // namespace
 }  // namespace scipd::daemon

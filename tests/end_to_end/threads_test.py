@@ -7,8 +7,10 @@ import contextlib
 import json
 import pathlib
 import signal
+import statistics
 import subprocess
 import sys
+import threading
 import time
 
 from fault_lab import PATIENCE_S, Client, Lab, Scan, wait_for
@@ -80,27 +82,28 @@ def sends_the_same_bytes(program, scene):
         assert len(seen) >= 15 * SCANNERS, "all scans are alike"
 
 
-def nearest_m(running, i):
-    """Of one scan that was fired from now on."""
+def ahead_m(running, i):
+    """Of one scan that was fired from now on: the median of the beams in its middle, which look along x."""
     client = Client(running.address(f"s{i}"))
     stream(client, 3)
     last = Scan(all_messages(client, 3)[-1])
     client.close()
-    return min(mm for mm in last.ranges if mm > 20) / 1000
+    middle = len(last.ranges) // 2
+    return statistics.median(last.ranges[middle - 10:middle + 11]) / 1000
 
 
 def tells_all_of_poses_and_edits(program, scene):
     with lab(program, scene, 4) as running:
-        before = [nearest_m(running, i) for i in range(SCANNERS)]
+        before = [ahead_m(running, i) for i in range(SCANNERS)]
         status, said = running.control.ask("PUT", "/robots/robot/pose", {"xyz": [1.2, 0, 0], "rpy": [0, 0, 0]})
         assert status in (200, 204), said
-        moved = [nearest_m(running, i) for i in range(SCANNERS)]
+        moved = [ahead_m(running, i) for i in range(SCANNERS)]
         box = ("<model name='b'><static>true</static><pose>1.9 0 0.3 0 0 0</pose><link name='l'><visual name='v'>"
                "<geometry><box><size>0.2 4 0.6</size></box></geometry></visual></link></model>")
         status, said = running.control.ask("POST", "/scene/models",
                                            {"name": "b", "sdf": box, "pose": {"xyz": [1.9, 0, 0.3]}})
         assert status in (200, 201), said
-        walled = [nearest_m(running, i) for i in range(SCANNERS)]
+        walled = [ahead_m(running, i) for i in range(SCANNERS)]
         for i in range(SCANNERS):
             assert before[i] - moved[i] > 0.5, f"s{i} did not move: {before[i]} m, {moved[i]} m"
             assert abs(walled[i] - 0.6) < 0.1, f"s{i} does not see the wall at 0.6 m: {walled[i]} m"
@@ -124,6 +127,40 @@ def reloads_in_peace(program, scene):
         assert sum(lost) == 0, lost
 
 
+def moves_in_peace(program, scene):
+    """Whoever connects to a scanner is answered, while reloads move those that nobody uses."""
+    light = {f"s{i}": scanner(3) for i in range(1, 5)}
+    both = {**light, "heavy": scanner(0)}  # all that are light live on the other thread then
+    with Lab(program, scene, sensors=light, lockstep=False, options=["--threads", "2"]) as running:
+        file = running.folder / "lab.yaml"
+        configuration = json.loads(file.read_text())
+        addresses = [running.address(name) for name in light]
+        answered, faults, done = [0], [], threading.Event()
+
+        def asks():
+            try:
+                while not done.is_set():
+                    for address in addresses:
+                        client = Client(address)
+                        assert b"VEND" in client.ask("VV")
+                        client.close()
+                        answered[0] += 1
+            except (AssertionError, OSError) as fault:
+                faults.append(fault)
+
+        asking = threading.Thread(target=asks)
+        asking.start()
+        for turn in range(40):
+            configuration["robots"]["robot"]["sensors"] = light if turn % 2 else both
+            file.write_text(json.dumps(configuration))
+            running.process.send_signal(signal.SIGHUP)
+            wait_for(lambda n=5 - turn % 2: len(running.control.ask("GET", "/status")[1]["sensors"]) == n, "reload")
+        done.set()
+        asking.join()
+        assert not faults, faults
+        assert answered[0] >= 20, answered
+
+
 def refuses_what_is_no_number(program, scene):
     for wrong in ["0", "-1", "many", "5000"]:
         said = subprocess.run([program, "--threads", wrong], capture_output=True, text=True, timeout=PATIENCE_S)
@@ -132,7 +169,8 @@ def refuses_what_is_no_number(program, scene):
 
 if __name__ == "__main__":
     program, scene = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
-    for check in [refuses_what_is_no_number, sends_the_same_bytes, tells_all_of_poses_and_edits, reloads_in_peace]:
+    for check in [refuses_what_is_no_number, sends_the_same_bytes, tells_all_of_poses_and_edits, reloads_in_peace,
+                  moves_in_peace]:
         begin = time.monotonic()
         check(program, scene)
         print(f"{check.__name__}: {time.monotonic() - begin:.1f} s")

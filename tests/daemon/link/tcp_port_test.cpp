@@ -266,6 +266,66 @@ TEST_F(TcpPortTest, CutsOffTheClientOfTheDeviceBefore) {
     EXPECT_EQ(device_.clients(), 0U);
 }
 
+TEST_F(TcpPortTest, MovesWithoutLosingWhoeverComesMeanwhile) {
+    port_->serve(device_);
+    {
+        ScannerWire before = connect();
+        EXPECT_TRUE(is_answered_by(before, "UST-10LX"));
+    }
+    ASSERT_TRUE(run_until(io_, [&] { return !port_->connected(); }));
+    const std::uint64_t sent_bytes = port_->counts().sent_bytes;
+    EXPECT_GT(sent_bytes, 0U);
+
+    ScannerWire cut_off = connect();
+    ScannerWire accepted = connect();  // but the port has not been told yet
+    ASSERT_TRUE(run_until(io_, [&] { return port_->connected(); }));
+    boost::asio::io_context there;
+    const std::shared_ptr<TcpPort> old = port_;
+    port_ = old->moved_to(there.get_executor());
+    ScannerWire in_the_backlog = connect();
+    old->stop();
+    EXPECT_EQ(port_->address(), old->address());
+    EXPECT_EQ(port_->counts().sent_bytes, sent_bytes);
+    WallClock clock{there.get_executor()};
+    Device device("robot", ideal_sensor(), 1, world_, clock);
+    port_->serve(device);
+    const auto is_answered = [&](ScannerWire& wire) {
+        wire.write("VV\n");
+        std::string received;
+        return run_until(there, [&] {
+            io_.restart();
+            io_.poll();
+            std::array<char, 1024> buffer;
+            received.append(buffer.data(), wire.read(buffer, 0ms));
+            return received.ends_with("\n\n");
+        });
+    };
+    {
+        ScannerWire first = std::move(in_the_backlog);
+        EXPECT_TRUE(is_answered(first));
+    }
+    EXPECT_TRUE(is_answered(accepted));
+    EXPECT_TRUE(is_cut_off(cut_off));
+    port_->stop();
+    there.restart();
+    there.run_for(10ms);
+}
+
+TEST_F(TcpPortTest, MovesThereAndBack) {
+    boost::asio::io_context there;
+    const std::string address = port_->address();
+    for (int i = 0; i < 4; ++i) {
+        port_->serve(device_);
+        const auto moved = port_->moved_to((i % 2 == 0 ? there : io_).get_executor());
+        port_->stop();
+        port_ = moved;
+    }
+    EXPECT_EQ(port_->address(), address);
+    port_->serve(other_);
+    ScannerWire wire = connect();
+    EXPECT_TRUE(is_answered_by(wire, "UTM-30LX"));
+}
+
 TEST_F(TcpPortTest, TakesTheTimeOfItsLinkAndNoRate) {
     port_->serve(device_, {.latency = 20ms, .baud = 19200});
     ScannerWire wire = connect();
