@@ -6,10 +6,12 @@
 // somebody waits for time to go on.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "daemon/poses/pose_feed.h"
+#include "sim/fnv1a.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/poses/trajectory_file.h"
 
@@ -45,6 +47,10 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
 
     static constexpr sim::Time ahead = std::chrono::milliseconds(500);
 
+    // Feeds that begin together go on at so many moments of that time, each by the name of its robot.
+    // If hundreds of them went on at once, all sweeps would wait for milliseconds.
+    static constexpr int moments = 25;
+
     // Poses may lie close together or be played fast, so the sweeps get their turn in between.
     static constexpr int poses_in_one_go = 256;
 
@@ -64,6 +70,7 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
 
     void begin() override {
         lap_begin_ = context_.clock.now();
+        wait_ = ahead * static_cast<int>(sim::fnv1a<std::uint64_t>(robot()) % moments) / moments;
         if (context_.lockstep == nullptr) return play();
         context_.lockstep->add(this);
         step();
@@ -74,7 +81,8 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
         const auto due = [&] { return next_ < poses_.size() && next_time() <= now + 2 * ahead; };
         for (int i = 0; i < poses_in_one_go && due(); ++i)
             hand_on();
-        if (next_ < poses_.size()) alarm_->set(due() ? now : now + ahead, [this] { play(); });
+        if (next_ == poses_.size()) return;
+        alarm_->set(due() ? now : now + std::exchange(wait_, ahead), [this] { play(); });
     }
 
     void step() {
@@ -115,6 +123,7 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
     bool loop_;
     std::unique_ptr<Clock::Alarm> alarm_;
     sim::Time lap_begin_{};  ///< world time of the first pose
+    sim::Time wait_{};       ///< until it goes on the next time
     std::size_t next_ = 0;
 };
 
