@@ -89,7 +89,7 @@ void Fleet::apply(const Config& config) {
 
 bool Fleet::apply(FleetPlan&& plan) {
     return simulation_->shards.still([&] {
-        if (!can_move_to(plan.homes)) return false;
+        if (!nobody_minds(plan)) return false;
         Ports ports = prepare_ports(plan.config, plan.homes);
         Feeds feeds = open_feeds(plan.config);
         take_up(std::move(plan), std::move(ports), std::move(feeds));
@@ -97,11 +97,17 @@ bool Fleet::apply(FleetPlan&& plan) {
     });
 }
 
-bool Fleet::can_move_to(const Homes& homes) const {
-    return std::ranges::none_of(simulation_->stations, [&](const auto& station) {
-        const auto home = homes.sensors.find(station->name());
-        return home != homes.sensors.end() && home->second != station->shard && in_use(*station);
-    });
+bool Fleet::nobody_minds(const FleetPlan& plan) const {
+    const Stations& stations = simulation_->stations;
+    for (const RobotConfig& robot : plan.config.robots) {
+        for (const SensorConfig& sensor : robot.sensors) {
+            const auto same = find_unchanged(stations, robot.name, sensor, plan.config.seed);
+            if (same == stations.end()) continue;
+            const std::size_t home = plan.homes.sensors.at((*same)->name());
+            if (home != (*same)->shard && in_use(**same)) return false;
+        }
+    }
+    return true;
 }
 
 // An exception on the way would leave ports behind that serve devices which are gone.

@@ -58,8 +58,8 @@ class Fleet {
     struct Feed;
     using Feeds = std::vector<Feed>;
 
-    /// Whether nobody uses a scanner that would live elsewhere.
-    [[nodiscard]] bool can_move_to(const Homes& homes) const;
+    /// Whether nobody uses a scanner that stays the same, but would live elsewhere.
+    [[nodiscard]] bool nobody_minds(const FleetPlan& plan) const;
     /// With all that it takes to serve those scanners that will be new.
     [[nodiscard]] Ports prepare_ports(const Config& config, const Homes& homes) const;
     [[nodiscard]] Feeds open_feeds(const Config& config);

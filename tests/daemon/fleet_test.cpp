@@ -498,6 +498,30 @@ TEST_P(FleetTest, LetsScannersExchangeTheirPorts) {
     EXPECT_TRUE(answers(tty, "UTM-30LX"));
 }
 
+// Without a tty a scanner goes where its port is. It has changed, so its client is cut off.
+TEST_P(FleetTest, LetsScannersExchangeThePortsThatClientsUse) {
+    SensorConfig a = on_tcp("a");
+    SensorConfig b = on_tcp("b");
+    b.model = find_model("UTM-30LX");
+    fleet_.apply(of({a, b}));
+    for (SensorConfig* sensor : {&a, &b})
+        sensor->tcp->port = tests::port_of(*this->sensor(sensor == &a ? 0 : 1).tcp);
+    fleet_.stop();
+    Fleet fleet{io_.get_executor(), ClockKind::wall, nullptr, GetParam()};
+    const FleetApi api{fleet.simulation()};
+    fleet.apply(of({a, b}));
+    ScannerWire before = ScannerWire::tcp(a.tcp->port);
+    EXPECT_TRUE(answers(before, "UST-10LX"));
+    std::swap(a.tcp, b.tcp);
+    EXPECT_TRUE(
+        fleet.apply(make_plan(of({a, b}), fleet.simulation().known_sensors(), {}, fleet.homes())));
+    ScannerWire to_a = ScannerWire::tcp(a.tcp->port);
+    EXPECT_TRUE(answers(to_a, "UST-10LX"));
+    ScannerWire to_b = ScannerWire::tcp(b.tcp->port);
+    EXPECT_TRUE(answers(to_b, "UTM-30LX"));
+    fleet.stop();
+}
+
 TEST_P(FleetTest, HandsAPortOnWithoutTheFaultsOfTheScannerBefore) {
     Config config = of({on_tty("tty")});
     config.scenario =
