@@ -47,8 +47,8 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
 
     static constexpr sim::Time ahead = std::chrono::milliseconds(500);
 
-    // Feeds that begin together go on at so many moments of that time, each by the name of its robot.
-    // If hundreds of them went on at once, all sweeps would wait for milliseconds.
+    // Feeds that begin together go on at so many moments of that time, each by the name of its
+    // robot. If hundreds of them went on at once, all sweeps would wait for milliseconds.
     static constexpr int moments = 25;
 
     // Poses may lie close together or be played fast, so the sweeps get their turn in between.
