@@ -11,6 +11,7 @@
 #include "daemon/fleet_metrics.h"
 #include "daemon/fleet_plan.h"
 #include "daemon/link/port.h"
+#include "daemon/link/tcp_port.h"
 #include "daemon/load_world.h"
 #include "daemon/logging.h"
 #include "daemon/poses/pose_feed.h"
@@ -89,25 +90,34 @@ void Fleet::apply(const Config& config) {
 
 bool Fleet::apply(FleetPlan&& plan) {
     return simulation_->shards.still([&] {
-        if (!nobody_minds(plan)) return false;
-        Ports ports = prepare_ports(plan.config, plan.homes);
+        const std::vector<const Station*> moving = stations_to_move(plan);
+        if (std::ranges::any_of(moving, [](const Station* one) { return in_use(*one); }))
+            return false;
+        Ports ports;
+        try {
+            ports = prepare_ports(plan.config, plan.homes);
+        } catch (const PortNotMoved&) {
+            if (moving.empty()) throw;
+            return false;
+        }
         Feeds feeds = open_feeds(plan.config);
         take_up(std::move(plan), std::move(ports), std::move(feeds));
         return true;
     });
 }
 
-bool Fleet::nobody_minds(const FleetPlan& plan) const {
+std::vector<const Station*> Fleet::stations_to_move(const FleetPlan& plan) const {
+    std::vector<const Station*> moving;
     const Stations& stations = simulation_->stations;
     for (const RobotConfig& robot : plan.config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {
             const auto same = find_unchanged(stations, robot.name, sensor, plan.config.seed);
             if (same == stations.end()) continue;
-            const std::size_t home = plan.homes.sensors.at((*same)->name());
-            if (home != (*same)->shard && in_use(**same)) return false;
+            if (plan.homes.sensors.at((*same)->name()) != (*same)->shard)
+                moving.push_back(same->get());
         }
     }
-    return true;
+    return moving;
 }
 
 // An exception on the way would leave ports behind that serve devices which are gone.

@@ -39,8 +39,8 @@ class Fleet {
     /// As stop().
     ~Fleet();
 
-    /// False: somebody has come to use a scanner that the plan moves to another shard; all is as
-    /// before, and it takes another plan. Throws LoadError for a trajectory, std::runtime_error for
+    /// False: the plan moves a scanner to another shard that somebody has come to use, or there are
+    /// no descriptors for that; all is as before, and it takes a plan that moves none. Throws LoadError for a trajectory, std::runtime_error for
     /// a port or a source of poses: then all is as before, too.
     [[nodiscard]] bool apply(FleetPlan&& plan);
     /// The same of a configuration whose world is still to be loaded, and throws what make_plan()
@@ -58,8 +58,8 @@ class Fleet {
     struct Feed;
     using Feeds = std::vector<Feed>;
 
-    /// Whether nobody uses a scanner that stays the same, but would live elsewhere.
-    [[nodiscard]] bool nobody_minds(const FleetPlan& plan) const;
+    /// Those that stay the same, but would live elsewhere.
+    [[nodiscard]] std::vector<const Station*> stations_to_move(const FleetPlan& plan) const;
     /// With all that it takes to serve those scanners that will be new.
     [[nodiscard]] Ports prepare_ports(const Config& config, const Homes& homes) const;
     [[nodiscard]] Feeds open_feeds(const Config& config);

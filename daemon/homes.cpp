@@ -47,8 +47,8 @@ std::optional<std::size_t> held(const Lodger& lodger, const Homes& now) {
 
 /// A tty stays where it is.
 bool may_move(const Lodger& lodger, const KnownSensors& known) {
-    const KnownSensor* const before = find_known(known, lodger.name, *lodger.config);
-    return before != nullptr && before->may_move && lodger.ports.pty.empty();
+    const auto before = known.find(lodger.name);
+    return before != known.end() && before->second.may_move && lodger.ports.pty.empty();
 }
 
 /// What a sensor costs while it measures, as a share of a core.
@@ -106,7 +106,10 @@ Homes find_homes(const Config& config, const Homes& now, const KnownSensors& kno
     std::vector<Burden> burdens;
     for (const Lodger& lodger : lodgers)
         burdens.push_back({costs.of(lodger), held(lodger, now), may_move(lodger, known)});
-    if (together && std::ranges::any_of(burdens, [](const Burden& b) { return b.held > 0; })) {
+    const auto is_elsewhere = [](const Burden& burden) {
+        return burden.held > 0 && !burden.may_move;
+    };
+    if (together && std::ranges::any_of(burdens, is_elsewhere)) {
         throw std::runtime_error(
             "interference: scanners that disturb each other live on one thread, and these live on "
             "several by now; start scipd again for that");

@@ -206,8 +206,10 @@ void Server::take_up(std::future<Next> loaded) {
     try {
         Next next = loaded.get();
         const Config config = next.plan.config;
-        // Somebody has connected meanwhile to a scanner that was to move.
-        if (!fleet_.apply(std::move(next.plan))) return load_again(Moves::forbidden);
+        if (!fleet_.apply(std::move(next.plan))) {
+            fleet_.simulation().worker.discard(std::make_shared<FleetPlan>(std::move(next.plan)));
+            return load_again(Moves::forbidden);
+        }
         if (shared_) shared_->serve(config);
         if (next.asks_for_a_start) {
             spdlog::warn(

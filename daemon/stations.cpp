@@ -98,9 +98,8 @@ std::unique_ptr<Station> make_station(const StationContext& context, const std::
 bool in_use(const Station& station) {
     const auto* const device = std::get_if<std::unique_ptr<Device>>(&station.sensor);
     if (device == nullptr || station.ports.pty) return true;
-    const FaultInjector& faults = *station.faults;
     return (*device)->clients() > 0 || (*device)->watched() || station.wire_tap->listens() ||
-           faults.log().hits() > 0 || !faults.list().empty();
+           station.faults->asked();
 }
 
 std::unique_ptr<Station> moved(const Station& station, const StationContext& context,

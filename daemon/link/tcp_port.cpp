@@ -83,8 +83,8 @@ std::shared_ptr<TcpPort> TcpPort::moved_to(const asio::any_io_executor& executor
     // While it refuses clients, nothing listens there.
     if (acceptor_.is_open()) socket = ::dup(acceptor_.native_handle());
     if (socket == -1) {
-        throw std::runtime_error("cannot move the port " + text_of(address) + ": " +
-                                 std::generic_category().message(errno));
+        throw PortNotMoved("cannot move the port " + text_of(address) + ": " +
+                           std::generic_category().message(errno));
     }
     auto moved = std::make_shared<TcpPort>(executor, address, socket);
     moved->handed_ = handed_;
@@ -104,7 +104,9 @@ void TcpPort::serve(Endpoint& scanner, const LinkConfig& link) {
 void TcpPort::stop() {
     close();
     pause_.cancel();
-    turn_all_away();
+    for (tcp::socket& socket : waiting_)
+        pass_on(std::move(socket));
+    waiting_.clear();
     disconnect();
     scanner_ = nullptr;
 }
@@ -196,12 +198,11 @@ void TcpPort::take_in(tcp::socket socket) {
 
 void TcpPort::pass_on(tcp::socket socket) {
     const auto there = moved_to_.lock();
-    error_code error;
-    const int descriptor = there ? socket.release(error) : -1;
-    if (!there || error) return;
-    asio::post(there->acceptor_.get_executor(), [there, descriptor] {
+    if (!there) return reset_on_close(socket.native_handle());
+    asio::post(there->acceptor_.get_executor(), [there, descriptor = socket.release()] {
         tcp::socket here(there->acceptor_.get_executor(), there->endpoint_.protocol(), descriptor);
-        if (there->scanner_) there->take_in(std::move(here));
+        // It may have moved on by now.
+        there->scanner_ ? there->take_in(std::move(here)) : there->pass_on(std::move(here));
     });
 }
 

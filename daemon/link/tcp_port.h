@@ -9,6 +9,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include <boost/asio/any_io_executor.hpp>
@@ -21,6 +22,12 @@
 
 namespace scipd::daemon {
 
+/// There are no descriptors for a port in two places.
+class PortNotMoved : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
 class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
   public:
     /// Binds and listens; or takes the descriptor of a socket that listens there already, and that
@@ -29,7 +36,7 @@ class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
             std::optional<int> handed = {});
 
     /// One that listens on the same socket with another executor, where this one is to be stopped.
-    /// It counts on, and gets whoever connects here meanwhile.
+    /// It counts on, and gets whoever connects here meanwhile or waits. Throws PortNotMoved.
     [[nodiscard]] std::shared_ptr<TcpPort> moved_to(const boost::asio::any_io_executor& executor);
 
     /// Its serve() needs nothing.
@@ -52,7 +59,7 @@ class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
     void accept();
     void accept_later();
     void take_in(boost::asio::ip::tcp::socket socket);
-    /// To the one that it was moved to.
+    /// To the one that it was moved to; where there is none, as turn_all_away().
     void pass_on(boost::asio::ip::tcp::socket socket);
     void serve_next();
     /// False: no more clients may wait.

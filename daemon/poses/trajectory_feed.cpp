@@ -45,6 +45,8 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
         return std::move(loaded.poses);
     }
 
+    // It goes on so often, and hands on what lies within three times that: so all is known of a
+    // movement of which a pose has come, and whose poses are a second apart at most.
     static constexpr sim::Time ahead = std::chrono::milliseconds(500);
 
     // Feeds that begin together go on at so many moments of that time, each by the name of its
@@ -78,7 +80,7 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
 
     void play() {
         const sim::Time now = context_.clock.now();
-        const auto due = [&] { return next_ < poses_.size() && next_time() <= now + 2 * ahead; };
+        const auto due = [&] { return next_ < poses_.size() && next_time() <= now + 3 * ahead; };
         for (int i = 0; i < poses_in_one_go && due(); ++i)
             hand_on();
         if (next_ == poses_.size()) return;

@@ -21,6 +21,8 @@
 
 #include "daemon/device/device.h"
 #include "daemon/device/staring_sensor.h"
+#include "daemon/faults/fault_injector.h"
+#include "daemon/faults/read_fault.h"
 #include "daemon/fleet_api.h"
 #include "daemon/fleet_plan.h"
 #include "daemon/models/registry.h"
@@ -453,6 +455,14 @@ TEST_P(FleetTest, MovesScannersThatNobodyUsesToWhereThereIsLessToDo) {
     }
     ASSERT_TRUE(run_until(io_, [&] { return sensor(3).clients == 0; }));
 
+    // There are no descriptors for a port in two places.
+    {
+        FleetPlan too_large = plan(Moves::allowed);
+        const FewDescriptors few(0);
+        EXPECT_FALSE(fleet_.apply(std::move(too_large)));
+        EXPECT_EQ(api_.status().sensors.size(), 4U);
+    }
+
     EXPECT_TRUE(fleet_.apply(plan(Moves::allowed)));
     EXPECT_EQ(shards_of(fleet_).at("rescue/a"), home);
     EXPECT_NE(shards_of(fleet_).at("rescue/d"), home);
@@ -465,7 +475,19 @@ TEST_P(FleetTest, MovesScannersThatNobodyUsesToWhereThereIsLessToDo) {
     EXPECT_TRUE(run_until(io_, [&] { return sensor(1).scans >= scans + 3; }));
     const std::uint64_t before = sensor().scans;
     EXPECT_TRUE(run_until(io_, [&] { return sensor().scans >= before + 3; }));
-    // And where it is used, it stays.
+    // And where it is used, it stays; so does one that has had a fault, of which the log tells.
+    {
+        Station& faulted = *fleet_.simulation().stations.front();
+        EXPECT_TRUE(in_use(faulted));
+        used.close();
+        ASSERT_TRUE(run_until(io_, [&] { return sensor().clients == 0; }));
+        EXPECT_FALSE(in_use(faulted));
+        fleet_.simulation().shards.still([&] {
+            faulted.faults->start(parse_fault(R"({"kind":"late","ms":20})").value(), 1);
+            faulted.faults->stop_all();
+        });
+        EXPECT_TRUE(in_use(faulted));
+    }
     fleet_.apply(of({all[0], all[3], all[1]}));
     EXPECT_NE(shards_of(fleet_).at("rescue/d"), home);
 }

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -102,13 +103,26 @@ TEST_F(HomesTest, MovesThoseThatNobodyUses) {
     }
     for (const char* name : {"b", "c", "d"})
         known_.at(std::string("robot/") + name).may_move = true;
-    // A tty cannot move, and what is configured anew is not the one that nobody uses.
-    config_.robots[0].sensors[3].accuracy = sim::Accuracy::sensor;
+    // A tty cannot move.
     const Homes found = find_homes(config_, now, known_);
     EXPECT_EQ(found.sensors.at("robot/a"), 1U);
     EXPECT_EQ(found.sensors.at("robot/b"), 1U);
     EXPECT_EQ(found.sensors.at("robot/c"), 0U);
-    EXPECT_EQ(found.sensors.at("robot/d"), 1U);
+    EXPECT_EQ(found.sensors.at("robot/d"), 0U);
+}
+
+TEST_F(HomesTest, BringsThoseTogetherThatDisturbEachOtherWhereNobodyUsesThem) {
+    Homes now{.shards = 2};
+    for (const char* name : {"a", "b"}) {
+        know(add(name), 100us);
+        now.sensors[std::string("robot/") + name] = 1;
+    }
+    config_.robots[0].sensors[0].interference = true;
+    EXPECT_THROW((void)find_homes(config_, now, known_), std::runtime_error);
+    for (auto& [name, sensor] : known_)
+        sensor.may_move = true;
+    for (const auto& [name, shard] : find_homes(config_, now, known_).sensors)
+        EXPECT_EQ(shard, 0U) << name;
 }
 
 }  // namespace

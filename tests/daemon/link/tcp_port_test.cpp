@@ -311,6 +311,25 @@ TEST_F(TcpPortTest, MovesWithoutLosingWhoeverComesMeanwhile) {
     there.run_for(10ms);
 }
 
+TEST_F(TcpPortTest, MovesWithThoseWhoWait) {
+    port_->serve(device_);
+    ScannerWire first = connect();
+    EXPECT_TRUE(is_answered_by(first, "UST-10LX"));
+    ScannerWire waits = connect();
+    io_.restart();
+    io_.run_for(20ms);
+    boost::asio::io_context there;
+    const std::shared_ptr<TcpPort> old = port_;
+    const auto between = old->moved_to(there.get_executor());
+    old->stop();
+    // Before it is told who waits, it moves back.
+    port_ = between->moved_to(io_.get_executor());
+    between->stop();
+    there.run_for(20ms);
+    port_->serve(other_);
+    EXPECT_TRUE(is_answered_by(waits, "UTM-30LX"));
+}
+
 TEST_F(TcpPortTest, MovesThereAndBack) {
     boost::asio::io_context there;
     const std::string address = port_->address();

@@ -258,14 +258,14 @@ TEST_F(PoseFeedTest, PlaysATrajectoryFromTheMomentOfItsStart) {
     const auto poses = feed(trajectory(file));
     EXPECT_EQ(intake_.accepted(), 0U);
     poses->serve("robot");
-    // Of what lies within the next second the sweeps need to know now.
+    // Of what lies within the next second and a half the sweeps need to know now.
     EXPECT_EQ(intake_.accepted(), 2U);
     EXPECT_DOUBLE_EQ(robot_x(10s), 1.0);
     EXPECT_DOUBLE_EQ(robot_x(10250ms), 1.5);
     // It goes on twice a second.
-    clock_.advance_to(11900ms);
+    clock_.advance_to(11400ms);
     EXPECT_EQ(intake_.accepted(), 2U);
-    clock_.advance_to(12500ms);
+    clock_.advance_to(12s);
     EXPECT_EQ(intake_.accepted(), 3U);
     EXPECT_DOUBLE_EQ(robot_x(13s), 3.0);
     poses->stop();
@@ -314,6 +314,27 @@ TEST_F(PoseFeedTest, HandsOnTheTrajectoriesOfManyRobotsOneAfterTheOther) {
     EXPECT_LE(most, 500U);
     for (const auto& poses : feeds)
         poses->stop();
+}
+
+// Whatever the moment at which its feed goes on.
+TEST_F(PoseFeedTest, KnowsAllOfAMovementWhosePosesAreASecondApart) {
+    const tests::TempDir directory;
+    std::string text;
+    for (int i = 0; i < 8; ++i)
+        text += std::to_string(0.95 * i) + " " + std::to_string(0.95 * i) + " 0 0 0 0 0 1\n";
+    const auto file = directory.write("drive.tum", text);
+    for (const char* robot : {"a", "b", "c", "d", "e", "f", "g", "h"}) {
+        world_.set_robots({{robot, {}}});
+        const sim::Time begin = clock_.now();
+        const auto poses = feed(trajectory(file));
+        poses->serve(robot);
+        for (sim::Time since{}; since < 6s; since += 20ms) {
+            clock_.advance_to(begin + since);
+            const double x_m = world_.robot(robot)->at(begin + since).translation_m.x;
+            ASSERT_NEAR(x_m, std::chrono::duration<double>(since).count(), 1e-9) << robot;
+        }
+        poses->stop();
+    }
 }
 
 // One that is made for a configuration that then fails elsewhere never serves.
