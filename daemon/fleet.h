@@ -40,8 +40,9 @@ class Fleet {
     ~Fleet();
 
     /// False: the plan moves a scanner to another shard that somebody has come to use, or there are
-    /// no descriptors for that; all is as before, and it takes a plan that moves none. Throws LoadError for a trajectory, std::runtime_error for
-    /// a port or a source of poses: then all is as before, too.
+    /// no descriptors for that; all is as before, and it takes a plan that moves none. Throws
+    /// LoadError for a trajectory, std::runtime_error for a port or a source of poses: then all is
+    /// as before, too.
     [[nodiscard]] bool apply(FleetPlan&& plan);
     /// The same of a configuration whose world is still to be loaded, and throws what make_plan()
     /// throws.

@@ -412,84 +412,101 @@ std::map<std::string, std::size_t> shards_of(Fleet& fleet) {
     return shards;
 }
 
-TEST_P(FleetTest, MovesScannersThatNobodyUsesToWhereThereIsLessToDo) {
-    if (GetParam() == 1) GTEST_SKIP() << "there is one thread";
-    // In turn: "a" and "d" live together.
-    const std::vector<SensorConfig> all{on_tcp("a"), on_tcp("b"), on_tcp("c"), on_tcp("d")};
-    fleet_.apply(of(all));
-    const std::size_t home = shards_of(fleet_).at("rescue/a");
-    ASSERT_EQ(shards_of(fleet_).at("rescue/d"), home);
-    ScannerWire used = connect(0);
-    ASSERT_TRUE(streams(used));
-    {
-        ScannerWire before = connect(3);
-        ASSERT_TRUE(answers(before, "UST-10LX"));
-        before.write("MD0540054000003\n");
-        ASSERT_TRUE(run_until(io_, [&] { return sensor(3).scans >= 3; }));
+/// Four scanners in turn on three threads, so that the first and the last live together; a client
+/// streams from the first.
+class FleetMovesTest : public FleetTest {
+  protected:
+    void SetUp() override {
+        fleet_.apply(of(all_));
+        home_ = shards_of(fleet_).at("rescue/a");
+        ASSERT_EQ(shards_of(fleet_).at("rescue/d"), home_);
+        used_.emplace(connect(0));
+        ASSERT_TRUE(streams(*used_));
     }
-    ASSERT_TRUE(run_until(io_, [&] { return sensor(3).clients == 0; }));
-    const std::string address = *sensor(3).tcp;
-    const std::uint64_t scans = sensor(3).scans;
-    const auto uptime_of_d = [&] {
+    ~FleetMovesTest() override { used_.reset(); }
+
+    /// For the first and the last alone.
+    [[nodiscard]] FleetPlan plan(Moves moves = Moves::allowed) {
+        return make_plan(of({all_[0], all_[3]}), fleet_.simulation().known_sensors(moves), {},
+                         fleet_.homes());
+    }
+    [[nodiscard]] bool left_alone(std::size_t index) {
+        return run_until(io_, [&] { return sensor(index).clients == 0; });
+    }
+    protocol::Uptime uptime_of_last() {
         return fleet_.simulation().shards.still([&] {
             const auto& station = fleet_.simulation().stations.back();
             return std::get<std::unique_ptr<Device>>(station->sensor)->uptime();
         });
-    };
-    const auto uptime = uptime_of_d();
-
-    const Config fewer = of({all[0], all[3]});
-    const auto plan = [&](Moves moves) {
-        return make_plan(fewer, fleet_.simulation().known_sensors(moves), {}, fleet_.homes());
-    };
-    // Somebody comes while it is loaded.
-    {
-        FleetPlan too_late = plan(Moves::allowed);
-        EXPECT_NE(too_late.homes.sensors.at("rescue/d"), home);
-        ScannerWire comes = connect(3);
-        ASSERT_TRUE(answers(comes, "UST-10LX"));
-        EXPECT_FALSE(fleet_.apply(std::move(too_late)));
-        EXPECT_EQ(api_.status().sensors.size(), 4U);
-        ASSERT_TRUE(answers(comes, "UST-10LX"));
-        EXPECT_EQ(plan(Moves::forbidden).homes.sensors.at("rescue/d"), home);
-    }
-    ASSERT_TRUE(run_until(io_, [&] { return sensor(3).clients == 0; }));
-
-    // There are no descriptors for a port in two places.
-    {
-        FleetPlan too_large = plan(Moves::allowed);
-        const FewDescriptors few(0);
-        EXPECT_FALSE(fleet_.apply(std::move(too_large)));
-        EXPECT_EQ(api_.status().sensors.size(), 4U);
     }
 
-    EXPECT_TRUE(fleet_.apply(plan(Moves::allowed)));
-    EXPECT_EQ(shards_of(fleet_).at("rescue/a"), home);
-    EXPECT_NE(shards_of(fleet_).at("rescue/d"), home);
+    std::vector<SensorConfig> all_{on_tcp("a"), on_tcp("b"), on_tcp("c"), on_tcp("d")};
+    std::size_t home_ = 0;
+    std::optional<ScannerWire> used_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Threads, FleetMovesTest, testing::Values(3));
+
+TEST_P(FleetMovesTest, GoToWhereThereIsLessToDoOfScannersThatNobodyUses) {
+    {
+        ScannerWire before = connect(3);
+        before.write("MD0540054000003\n");
+        ASSERT_TRUE(run_until(io_, [&] { return sensor(3).scans >= 3; }));
+    }
+    ASSERT_TRUE(left_alone(3));
+    const std::string address = *sensor(3).tcp;
+    const std::uint64_t scans = sensor(3).scans;
+    const auto uptime = uptime_of_last();
+
+    EXPECT_TRUE(fleet_.apply(plan()));
+    EXPECT_EQ(shards_of(fleet_).at("rescue/a"), home_);
+    EXPECT_NE(shards_of(fleet_).at("rescue/d"), home_);
     EXPECT_EQ(*sensor(1).tcp, address);
     EXPECT_EQ(sensor(1).scans, scans);
-    EXPECT_GE(uptime_of_d(), uptime);
+    EXPECT_GE(uptime_of_last(), uptime);
     ScannerWire after = connect(1);
     EXPECT_TRUE(answers(after, "UST-10LX"));
     after.write("MD0540054000000\n");
     EXPECT_TRUE(run_until(io_, [&] { return sensor(1).scans >= scans + 3; }));
     const std::uint64_t before = sensor().scans;
     EXPECT_TRUE(run_until(io_, [&] { return sensor().scans >= before + 3; }));
-    // And where it is used, it stays; so does one that has had a fault, of which the log tells.
-    {
-        Station& faulted = *fleet_.simulation().stations.front();
-        EXPECT_TRUE(in_use(faulted));
-        used.close();
-        ASSERT_TRUE(run_until(io_, [&] { return sensor().clients == 0; }));
-        EXPECT_FALSE(in_use(faulted));
-        fleet_.simulation().shards.still([&] {
-            faulted.faults->start(parse_fault(R"({"kind":"late","ms":20})").value(), 1);
-            faulted.faults->stop_all();
-        });
-        EXPECT_TRUE(in_use(faulted));
-    }
-    fleet_.apply(of({all[0], all[3], all[1]}));
-    EXPECT_NE(shards_of(fleet_).at("rescue/d"), home);
+    // Where it is used, it stays.
+    fleet_.apply(of({all_[0], all_[3], all_[1]}));
+    EXPECT_NE(shards_of(fleet_).at("rescue/d"), home_);
+}
+
+TEST_P(FleetMovesTest, AreGivenUpWhereSomebodyComesMeanwhile) {
+    FleetPlan too_late = plan();
+    EXPECT_NE(too_late.homes.sensors.at("rescue/d"), home_);
+    ScannerWire comes = connect(3);
+    ASSERT_TRUE(answers(comes, "UST-10LX"));
+    EXPECT_FALSE(fleet_.apply(std::move(too_late)));
+    EXPECT_EQ(api_.status().sensors.size(), 4U);
+    ASSERT_TRUE(answers(comes, "UST-10LX"));
+    comes.close();
+    ASSERT_TRUE(left_alone(3));
+    EXPECT_TRUE(fleet_.apply(plan(Moves::forbidden)));
+    EXPECT_EQ(shards_of(fleet_).at("rescue/d"), home_);
+}
+
+TEST_P(FleetMovesTest, AreGivenUpWhereNoDescriptorsAreLeft) {
+    FleetPlan too_large = plan();
+    const FewDescriptors few(0);
+    EXPECT_FALSE(fleet_.apply(std::move(too_large)));
+    EXPECT_EQ(api_.status().sensors.size(), 4U);
+}
+
+// Its log tells of the fault.
+TEST_P(FleetMovesTest, LeaveAScannerThatHasHadAFault) {
+    Station& faulted = *fleet_.simulation().stations.back();
+    EXPECT_FALSE(in_use(faulted));
+    fleet_.simulation().shards.still([&] {
+        faulted.faults->start(parse_fault(R"({"kind":"late","ms":20})").value(), 1);
+        faulted.faults->stop_all();
+    });
+    EXPECT_TRUE(in_use(faulted));
+    EXPECT_TRUE(fleet_.apply(plan()));
+    EXPECT_EQ(shards_of(fleet_).at("rescue/d"), home_);
 }
 
 TEST_P(FleetTest, LetsScannersExchangeTheirPorts) {
