@@ -90,34 +90,23 @@ void Fleet::apply(const Config& config) {
 
 bool Fleet::apply(FleetPlan&& plan) {
     return simulation_->shards.still([&] {
-        const std::vector<const Station*> moving = stations_to_move(plan);
-        if (std::ranges::any_of(moving, [](const Station* one) { return in_use(*one); }))
+        const std::vector<std::string>& moved = plan.homes.moved;
+        if (std::ranges::any_of(moved, [&](const std::string& sensor) {
+                const Station* const station = find_station(simulation_->stations, sensor);
+                return station != nullptr && in_use(*station);
+            }))
             return false;
         Ports ports;
         try {
             ports = prepare_ports(plan.config, plan.homes);
         } catch (const PortNotMoved&) {
-            if (moving.empty()) throw;
+            if (moved.empty()) throw;
             return false;
         }
         Feeds feeds = open_feeds(plan.config);
         take_up(std::move(plan), std::move(ports), std::move(feeds));
         return true;
     });
-}
-
-std::vector<const Station*> Fleet::stations_to_move(const FleetPlan& plan) const {
-    std::vector<const Station*> moving;
-    const Stations& stations = simulation_->stations;
-    for (const RobotConfig& robot : plan.config.robots) {
-        for (const SensorConfig& sensor : robot.sensors) {
-            const auto same = find_unchanged(stations, robot.name, sensor, plan.config.seed);
-            if (same == stations.end()) continue;
-            if (plan.homes.sensors.at((*same)->name()) != (*same)->shard)
-                moving.push_back(same->get());
-        }
-    }
-    return moving;
 }
 
 // An exception on the way would leave ports behind that serve devices which are gone.

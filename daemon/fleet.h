@@ -59,8 +59,6 @@ class Fleet {
     struct Feed;
     using Feeds = std::vector<Feed>;
 
-    /// Those that stay the same, but would live elsewhere.
-    [[nodiscard]] std::vector<const Station*> stations_to_move(const FleetPlan& plan) const;
     /// With all that it takes to serve those scanners that will be new.
     [[nodiscard]] Ports prepare_ports(const Config& config, const Homes& homes) const;
     [[nodiscard]] Feeds open_feeds(const Config& config);

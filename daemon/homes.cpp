@@ -118,6 +118,8 @@ Homes find_homes(const Config& config, const Homes& now, const KnownSensors& kno
     Homes next{.shards = now.shards};
     for (std::size_t i = 0; i < lodgers.size(); ++i) {
         next.sensors[lodgers[i].name] = shard_of[i];
+        if (shard_of[i] != burdens[i].held.value_or(shard_of[i]))
+            next.moved.push_back(lodgers[i].name);
         for (const std::string& key : {lodgers[i].ports.tcp, lodgers[i].ports.pty}) {
             if (!key.empty()) next.ports[key] = shard_of[i];
         }

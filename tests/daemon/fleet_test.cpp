@@ -403,7 +403,6 @@ TEST_P(FleetTest, HandsAPortToAnotherScanner) {
     EXPECT_TRUE(answers(wire, "UTM-30LX"));
 }
 
-// Each scanner stays where its tty is, and the other one's port comes to it, on another thread.
 /// Where scanners live, by name.
 std::map<std::string, std::size_t> shards_of(Fleet& fleet) {
     std::map<std::string, std::size_t> shards;
@@ -496,6 +495,18 @@ TEST_P(FleetMovesTest, AreGivenUpWhereNoDescriptorsAreLeft) {
     EXPECT_EQ(api_.status().sensors.size(), 4U);
 }
 
+// It keeps its port, and moves for nothing but the load.
+TEST_P(FleetMovesTest, OfAScannerThatChangesAreGivenUpWhereNoDescriptorsAreLeft) {
+    all_[3].accuracy = sim::Accuracy::sensor;
+    FleetPlan too_large = plan();
+    EXPECT_NE(too_large.homes.sensors.at("rescue/d"), home_);
+    FleetPlan fits = plan(Moves::forbidden);
+    const FewDescriptors few(0);
+    EXPECT_FALSE(fleet_.apply(std::move(too_large)));
+    EXPECT_TRUE(fleet_.apply(std::move(fits)));
+    EXPECT_EQ(shards_of(fleet_).at("rescue/d"), home_);
+}
+
 // Its log tells of the fault.
 TEST_P(FleetMovesTest, LeaveAScannerThatHasHadAFault) {
     Station& faulted = *fleet_.simulation().stations.back();
@@ -509,6 +520,7 @@ TEST_P(FleetMovesTest, LeaveAScannerThatHasHadAFault) {
     EXPECT_EQ(shards_of(fleet_).at("rescue/d"), home_);
 }
 
+// Each scanner stays where its tty is, and the other one's port comes to it, on another thread.
 TEST_P(FleetTest, LetsScannersExchangeTheirPorts) {
     SensorConfig a = on_tty("a");
     SensorConfig b = on_tty("b");
