@@ -15,6 +15,7 @@
 #include "sim/fnv1a.h"
 
 namespace scipd::daemon {
+
 /// One client, known to the device for as long as it lives.
 class Device::ServedClient final : public Endpoint::Client {
   public:
@@ -203,7 +204,8 @@ void Device::turn_complete(std::int64_t revolution) {
     }
     std::vector<ServedClient*> takers;
     for (ServedClient* client : clients_) {
-        if (client->session().turn_complete(turn(revolution))) takers.push_back(client);
+        if (client->session().turn_complete({.start = start_of(revolution)}))
+            takers.push_back(client);
     }
     if (!takers.empty()) {
         const protocol::ScanView scan = measure(revolution).sent.view();
@@ -223,7 +225,7 @@ void Device::serve_latest(ServedClient& client) {
     protocol::Session& session = client.session();
     // Once a request is answered, the one behind it may want the latest scan as well.
     for (std::int64_t revolution = next_revolution() - 1;
-         revolution >= 0 && session.waits_for(turn(revolution)) &&
+         revolution >= 0 && session.waits_for({.start = start_of(revolution)}) &&
          (patience_ == sim::Time::zero() || poses_known(revolution)) &&
          (hook_ == nullptr || hook_->serves(revolution));) {
         session.take(measure(revolution).sent.view(), uptime());
@@ -251,15 +253,11 @@ void Device::tell_clients(const ServedClient* knows) {
     follow_motor();
 }
 
-protocol::Turn Device::turn(std::int64_t revolution) const {
-    return {.start = timing_.start(revolution)};
-}
-
 const ScanRecord& Device::measure(std::int64_t revolution) {
     if (const auto latest = log_.latest(); latest && latest->cast->revolution == revolution)
         return *latest;
     const sim::SensorSpec& optics = sweep_.optics();
-    const protocol::Turn now = turn(revolution);
+    const protocol::Turn now{.start = start_of(revolution)};
     ScanRecord record{cast(revolution)};
     record.sent = to_wire(*record.cast, now, optics, profile_);
     record.accuracy = sweep_.accuracy();

@@ -114,7 +114,6 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     /// As others see it: a light that turns with its mirror, and shines where it measures.
     [[nodiscard]] std::optional<LampBeam> shines(sim::Time time) const override;
 
-    [[nodiscard]] protocol::Turn turn(std::int64_t revolution) const;
     /// Lets the mirror turn as the device's state says. To be called after whatever may have
     /// changed that.
     void follow_motor();

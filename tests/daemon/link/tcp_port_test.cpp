@@ -39,6 +39,12 @@ class TcpPortTest : public testing::Test {
         return ScannerWire::tcp(tests::port_of(port_->address()));
     }
 
+    /// Those who have connected stand in line then.
+    void let_them_come() {
+        io_.restart();
+        io_.run_for(50ms);
+    }
+
     /// These become its port's limits.
     std::shared_ptr<Limits> hold_to(Limit limit, int value) {
         LimitValues values;
@@ -128,8 +134,7 @@ TEST_F(TcpPortTest, LetsAFewWaitInTurnAndClosesTheOthersAtOnce) {
     ScannerWire third = connect();
     second.write("VV\n");
     third.write("VV\n");
-    io_.restart();
-    io_.run_for(50ms);
+    let_them_come();
     EXPECT_EQ(limits->refused(Limit::scanner_connections), 0U);
     ScannerWire fourth = connect();
     EXPECT_TRUE(is_cut_off(fourth));
@@ -159,15 +164,13 @@ TEST_F(TcpPortTest, GivesThePlacesOfThoseWhoHungUpWhileTheyWaitedToOthers) {
     ScannerWire closed_with_bytes = connect();
     closed_with_bytes.write("VV\n");
     ScannerWire reset = connect();
-    io_.restart();
-    io_.run_for(50ms);
+    let_them_come();
     closed.close();
     closed_with_bytes.close();
     reset.abort();
     ScannerWire next = connect();
     next.write("VV\n");
-    io_.restart();
-    io_.run_for(50ms);
+    let_them_come();
     EXPECT_EQ(limits->refused(Limit::scanner_connections), 0U);
     EXPECT_EQ(device_.clients(), 1U);
     first.close();
@@ -198,11 +201,9 @@ TEST_F(TcpPortTest, AnswersAClientThatSentAllWhileItWaitedWhereNobodyNeedsItsPla
     ScannerWire second = connect();
     second.write("VV\n");
     second.half_close();
-    io_.restart();
-    io_.run_for(50ms);
+    let_them_come();
     ScannerWire third = connect();
-    io_.restart();
-    io_.run_for(50ms);
+    let_them_come();
     first.close();
     EXPECT_TRUE(comes(second, "PROD:UST-10LX;"));
     EXPECT_TRUE(is_cut_off(second));
@@ -214,8 +215,7 @@ TEST_F(TcpPortTest, TurnsThoseWhoWaitAwayWhenItRefuses) {
     ScannerWire first = connect();
     EXPECT_TRUE(is_answered_by(first, "UST-10LX"));
     ScannerWire second = connect();
-    io_.restart();
-    io_.run_for(50ms);
+    let_them_come();
     port_->set_line({.refuses = true});
     EXPECT_TRUE(is_cut_off(second));
     EXPECT_TRUE(is_answered_by(first, "UST-10LX"));
@@ -316,8 +316,7 @@ TEST_F(TcpPortTest, MovesWithThoseWhoWait) {
     ScannerWire first = connect();
     EXPECT_TRUE(is_answered_by(first, "UST-10LX"));
     ScannerWire waits = connect();
-    io_.restart();
-    io_.run_for(20ms);
+    let_them_come();
     boost::asio::io_context there;
     const std::shared_ptr<TcpPort> old = port_;
     const auto between = old->moved_to(there.get_executor());
