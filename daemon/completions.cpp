@@ -28,9 +28,10 @@ struct Place {
 };
 
 /// The values that an option names in its help, as {a,b} or as a|b: "a b". Names in capitals stand
-/// for what the user fills in.
+/// for what the user fills in. None where a file may stand as well: the shell offers files then.
 std::string values_of(const CLI::Option& option) {
     std::string type = option.get_type_name();
+    if (type.find("PATH(existing)") != type.npos) return {};
     const auto begin = type.find('{');
     if (begin != type.npos) {
         type = type.substr(begin + 1, type.find('}') - begin - 1);

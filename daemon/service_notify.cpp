@@ -57,7 +57,9 @@ bool send(const std::string& assignments) {
     return !waits;
 }
 
-/// What is told later supersedes what could not be told.
+constexpr std::string_view is_ready = "READY=1\n";
+
+/// What is told later supersedes what could not be told, but for is_ready (status()).
 void tell(const std::string& assignments) {
     untold = send(assignments) ? std::string{} : assignments;
 }
@@ -83,12 +85,14 @@ bool is_heard() {
     return listener().has_value();
 }
 
+// Without is_ready systemd would wait for ever, and end scipd.
 void status(const std::string& text) {
-    tell(status_line(text));
+    const bool owes_ready = untold.starts_with(is_ready);
+    tell((owes_ready ? std::string(is_ready) : std::string{}) + status_line(text));
 }
 
 void ready(const std::string& status) {
-    tell("READY=1\n" + status_line(status));
+    tell(std::string(is_ready) + status_line(status));
 }
 
 void reloading(const std::string& status) {

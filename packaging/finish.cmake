@@ -5,7 +5,9 @@
 
 file(GLOB texts ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/*/usr/share/man/man*/*
      ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/*/usr/share/doc/*/changelog*)
-file(GLOB archives ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/*/usr/lib/scipd/*.a)
+# Debian's own folder of libraries has the machine's name below usr/lib.
+file(GLOB archives ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/*/usr/lib/scipd/*.a
+     ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/*/usr/lib/*/scipd/*.a)
 execute_process(COMMAND gzip -9 --no-name ${texts} COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND strip --strip-debug --remove-section=.comment --enable-deterministic-archives ${archives}
                 COMMAND_ERROR_IS_FATAL ANY)

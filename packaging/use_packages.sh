@@ -117,6 +117,8 @@ upgrade() {
 }
 
 purge() {
+    # As docs/service.md advises for those who are to use the ttys.
+    gpasswd -a daemon scipd >/dev/null
     apt_get remove scipd
     grep -q 'model: UST-20LX' /etc/scipd/scipd.yaml || fail "removing it without purging takes the configuration away"
     apt_get purge scipd scipd-tools libscipd-dev

@@ -29,6 +29,9 @@ CASES = [
     ("scipbench com", ["compare", "completion"], ["table3"]),
 ]
 
+# Where a file is due. In bash and zsh it is not these completions that offer files.
+FILES = ["scipctl scene load /usr/bi", "scipctl scene add x /usr/bi", "scipctl fleet add x /usr/bi"]
+
 
 def bash(program, line, home):
     words = line.split(" ")
@@ -81,6 +84,8 @@ def main():
                 continue
             for line, wanted, unwanted in CASES:
                 found += faults(shell, line, wanted, unwanted, pathlib.Path(home))
+        for line in FILES if shutil.which("fish") else []:
+            found += faults(fish, line, ["/usr/bin/"], [], pathlib.Path(home))
     sys.exit("\n".join(found) or None)
 
 

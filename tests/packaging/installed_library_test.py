@@ -21,7 +21,7 @@ SOURCES, BUILD, SCIPD = (pathlib.Path(argument) for argument in sys.argv[1:4])
 USER = """
 cmake_minimum_required(VERSION 3.22)
 project(user LANGUAGES CXX)
-find_package(scipd {version} REQUIRED)
+find_package(scipd {version} REQUIRED COMPONENTS protocol sim)
 add_library(user OBJECT user.cpp)
 target_compile_options(user PRIVATE -Wall -Wextra -Werror)
 target_link_libraries(user PRIVATE scipd::protocol scipd::sim)

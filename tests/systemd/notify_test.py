@@ -2,16 +2,18 @@
 # Copyright The scipd authors
 #
 # What scipd tells systemd, and when it feeds the watchdog: notify_test.py SCIPD SCENES
+import json
 import os
 import pathlib
 import re
 import signal
+import socket
 import sys
 import tempfile
 import time
 
 from manager import PATIENCE_S, Manager, run_all
-from fault_lab import Client
+from fault_lab import Client, Control
 
 WATCHDOG_S = 1.0  # fed four times in this
 SENSOR = {"model": "UST-10LX", "tcp": "127.0.0.1:0"}
@@ -148,6 +150,30 @@ def serves_where_nobody_reads(program, scenes, folder):
         assert scipd.process.wait(PATIENCE_S) == 0
 
 
+def says_that_it_is_ready_to_whom_that_reads_late(program, scenes, folder):
+    document = configuration(scenes, "front", allow=[str(scenes)])
+    with Manager(program, folder, document, watchdog_s=WATCHDOG_S) as scipd:
+        fill(scipd.folder / "notify")
+        scipd.control = Control(json.loads(scipd.process.stdout.readline())["control"])
+        # The status of the new world must not take the place of what was not told yet.
+        status, answer = scipd.control.ask("PUT", "/scene", {"file": str(scenes / "rescue_maze.sdf")})
+        assert status < 300, answer
+        time.sleep(WATCHDOG_S)
+        scipd.drain()
+        assert scipd.hear("READY", READY="1")["STATUS"].startswith("1 sensor in rescue_maze.sdf: ")
+
+
+def fill(path):
+    """Sends until the queue of the socket is full."""
+    with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as sender:
+        sender.setblocking(False)
+        try:
+            while True:
+                sender.sendto(b"X=1", str(path))
+        except BlockingIOError:
+            pass
+
+
 def feeds_no_watchdog_of_another(program, scenes, folder):
     with start(program, folder, configuration(scenes, "front"), watchdog_s=WATCHDOG_S, watched_pid="1") as scipd:
         assert scipd.meals(2 * WATCHDOG_S) == 0
@@ -168,7 +194,8 @@ def main():
              feeds_the_watchdog_whoever_wants_scans, feeds_it_while_time_stands_still,
              feeds_it_beside_a_fault_on_purpose, feeds_nothing_while_it_is_stuck,
              reads_again_what_was_to_be_read_again_while_it_loaded, serves_where_nobody_reads,
-             feeds_no_watchdog_of_another, serves_as_always_where_nobody_hears]
+             says_that_it_is_ready_to_whom_that_reads_late, feeds_no_watchdog_of_another,
+             serves_as_always_where_nobody_hears]
 
     for test in tests:
         with tempfile.TemporaryDirectory(prefix="scipd-notify-") as folder:
