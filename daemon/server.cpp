@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/server.h"
 
+#include <chrono>
 #include <csignal>
 #include <memory>
 #include <system_error>
@@ -23,6 +24,21 @@
 namespace scipd::daemon {
 
 namespace asio = boost::asio;
+
+namespace {
+
+/// What systemd waits for beside the world: a broker, say, and the backends that are measured.
+constexpr std::chrono::minutes beside_the_world{5};
+
+/// The kernel lets the first process of a container ignore signals that it does not handle.
+void end_as_others_end() {
+    constexpr pid_t first_process = 1;
+    if (::getpid() != first_process) return;
+    for (const int signal : {SIGINT, SIGTERM})
+        std::signal(signal, [](int ended_by) { ::_exit(128 + ended_by); });
+}
+
+}  // namespace
 
 Server::Server(const Options& options)
     : options_(options),
@@ -55,7 +71,9 @@ Server::Server(const Options& options)
 // in the part of the heap that other threads have, so that this one does not wait while the memory
 // is given back.
 FleetPlan Server::load_first() {
-    service_notify::status("loads " + options_.config.scene.string());
+    end_as_others_end();
+    service_notify::loading("loads " + options_.config.scene.string(),
+                            options_.config.limits.load_time + beside_the_world);
     JoinWorld join;
     if (options_.config.fleet) {
         share_world(*options_.config.fleet);

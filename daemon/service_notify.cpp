@@ -91,6 +91,11 @@ void status(const std::string& text) {
     tell((owes_ready ? std::string(is_ready) : std::string{}) + status_line(text));
 }
 
+void loading(const std::string& status, std::chrono::seconds patience) {
+    const std::chrono::microseconds patience_us = patience;
+    tell("EXTEND_TIMEOUT_USEC=" + std::to_string(patience_us.count()) + "\n" + status_line(status));
+}
+
 void ready(const std::string& status) {
     tell(std::string(is_ready) + status_line(status));
 }

@@ -17,6 +17,8 @@ namespace scipd::daemon::service_notify {
 bool is_heard();
 
 void status(const std::string& text);
+/// The start may take this long from now, even if that is longer than the unit says.
+void loading(const std::string& status, std::chrono::seconds patience);
 void ready(const std::string& status);
 void reloading(const std::string& status);
 void stopping();

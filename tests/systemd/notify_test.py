@@ -62,6 +62,12 @@ def tells_every_reload_from_its_beginning_to_its_end(program, scenes, folder):
         assert scipd.process.poll() is None
 
 
+def asks_for_as_much_time_as_the_world_may_take(program, scenes, folder):
+    with start(program, folder, configuration(scenes, "front", limits={"world_load_s": 2000})) as scipd:
+        # Beside the world there are five minutes for all else.
+        assert any(m.get("EXTEND_TIMEOUT_USEC") == "2300000000" for m in scipd.told), scipd.told
+
+
 def tells_of_another_world(program, scenes, folder):
     document = configuration(scenes, "front", allow=[str(scenes)])
     with start(program, folder, document) as scipd:
@@ -190,9 +196,9 @@ def serves_as_always_where_nobody_hears(program, scenes, folder):
 def main():
     program, scenes = sys.argv[1], pathlib.Path(sys.argv[2])
     tests = [says_what_it_serves_and_where, names_some_of_many, tells_every_reload_from_its_beginning_to_its_end,
-             tells_of_another_world, says_why_it_cannot_start, says_what_is_wrong_with_its_configuration,
-             feeds_the_watchdog_whoever_wants_scans, feeds_it_while_time_stands_still,
-             feeds_it_beside_a_fault_on_purpose, feeds_nothing_while_it_is_stuck,
+             asks_for_as_much_time_as_the_world_may_take, tells_of_another_world, says_why_it_cannot_start,
+             says_what_is_wrong_with_its_configuration, feeds_the_watchdog_whoever_wants_scans,
+             feeds_it_while_time_stands_still, feeds_it_beside_a_fault_on_purpose, feeds_nothing_while_it_is_stuck,
              reads_again_what_was_to_be_read_again_while_it_loaded, serves_where_nobody_reads,
              says_that_it_is_ready_to_whom_that_reads_late, feeds_no_watchdog_of_another,
              serves_as_always_where_nobody_hears]
