@@ -16,6 +16,7 @@
 #include <syslog.h>
 #include <unistd.h>
 
+#include "daemon/config/address.h"
 #include "daemon/journal.h"
 #include "daemon/logging.h"
 #include "daemon/options.h"
@@ -66,13 +67,22 @@ void print_refusal(const std::string& text) {
         print(text, stderr);
 }
 
-enum ExitCode { ended_as_asked = 0, failed_while_running = 1, cannot_start = 2 };
+enum ExitCode {
+    ended_as_asked = 0,
+    failed = 1,  ///< and may do better when it is started again
+    cannot_start = 2,
+};
 
 using scipd::daemon::LogFormat;
 
 LogFormat log_format(const scipd::daemon::Options& options) {
     if (options.log_format == "json") return LogFormat::json;
     return scipd::daemon::leads_to_journal(STDERR_FILENO) ? LogFormat::journal : LogFormat::text;
+}
+
+ExitCode exit_code_of(const std::exception& no_start) {
+    const bool may_come = dynamic_cast<const scipd::daemon::NotThereYet*>(&no_start) != nullptr;
+    return may_come ? failed : cannot_start;
 }
 
 int serve(const scipd::daemon::Options& options) {
@@ -86,14 +96,14 @@ int serve(const scipd::daemon::Options& options) {
         } else if (scipd::daemon::finish_logging()) {
             print_error(error);
         }
-        return cannot_start;
+        return exit_code_of(error);
     }
     print(server->ready_line() + "\n");
     try {
         server->run();
     } catch (const std::exception& error) {
         spdlog::critical("{}", error.what());
-        return failed_while_running;
+        return failed;
     }
     return ended_as_asked;
 }

@@ -42,7 +42,8 @@ constexpr const char* examples = R"(Examples:
         any number of robots and scanners; scipd --check fleet.yaml tells every fault in it
 
 Lengths are metres, angles radians; x is forward, y left, z up.
-Exit codes: 0 it ended as asked; 1 it failed while running, or --probe cannot draw here;
+Exit codes: 0 it ended as asked; 1 it failed while running, or --probe cannot draw here,
+or at the start its broker did not answer or the machine lacked an address to listen on;
 2 the options, the configuration or the world are wrong, or an address or a name is taken.)";
 
 Answer refusal(const std::string& sentence) {

@@ -49,8 +49,7 @@ void require(int code, const std::string& what) {
 
 struct MqttLink::Library {
     Library(const std::string& client, MqttLink* link) {
-        static const int prepared = mosquitto_lib_init();
-        require(prepared, "cannot prepare the MQTT library");
+        require(mosquitto_lib_init(), "cannot prepare the MQTT library");
         constexpr bool begin_anew = true;
         client_ = mosquitto_new(client.c_str(), begin_anew, link);
         if (client_ == nullptr) throw std::runtime_error("cannot make an MQTT client");
@@ -136,6 +135,7 @@ bool MqttLink::step(std::chrono::milliseconds patience) {
 }
 
 void MqttLink::take_connected(int code) {
+    answered_ = true;
     if (code != 0) return void(trouble_ = mosquitto_connack_string(code));
     connected_ = true;
     hooks_.connected();
@@ -202,6 +202,7 @@ void MqttLink::say_goodbye() {
 // Where the broker has refused the client, take_connected() knows better why. And that there is no
 // connection says less than why the last one ended.
 void MqttLink::lose(int code) {
+    if (code == MOSQ_ERR_TLS) answered_ = true;
     const bool still_lost = code == MOSQ_ERR_NO_CONN && !connected_;
     lose(code == MOSQ_ERR_CONN_REFUSED || still_lost ? trouble_ : text_of_error(code));
 }

@@ -62,6 +62,8 @@ class MqttLink {
     [[nodiscard]] bool connected() const { return connected_; }
     /// Whether the broker takes less than it is sent.
     [[nodiscard]] bool congested() const;
+    /// Whether the broker has ever answered, be it to refuse this client.
+    [[nodiscard]] bool answered() const { return answered_; }
     /// Why there is no connection.
     [[nodiscard]] const std::string& trouble() const { return trouble_; }
 
@@ -94,6 +96,7 @@ class MqttLink {
     std::unique_ptr<Library> library_;
     std::unique_ptr<Loop> loop_;
     bool connected_ = false;
+    bool answered_ = false;
     bool trying_ = false;  ///< the other thread has the library
     bool came_ = false;    ///< a message, since this was set
     std::string trouble_ = "it has not answered yet";

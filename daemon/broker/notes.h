@@ -36,6 +36,12 @@ struct DaemonNote {
     bool operator==(const DaemonNote&) const = default;
 };
 
+/// What is told of it when it has gone without a word.
+inline DaemonNote lost(DaemonNote who) {
+    who.lost = true;
+    return who;
+}
+
 std::string text_of(const SceneNote& note);
 std::string text_of(const DaemonNote& note);
 /// What is told of two base worlds that differ, of a world of this name.

@@ -32,11 +32,6 @@ double unix_s() {
         .count();
 }
 
-DaemonNote lost(DaemonNote who) {
-    who.lost = true;
-    return who;
-}
-
 }  // namespace
 
 SharedWorld::SharedWorld(const boost::asio::any_io_executor& executor, const BrokerConfig& config,
@@ -83,10 +78,12 @@ void SharedWorld::require_answer(bool came) const {
     if (came) return;
     const std::string why =
         link_.connected() ? "it does not let this daemon read its topics" : link_.trouble();
-    throw std::runtime_error(
-        fmt::format("cannot join the world {0} by the broker {1}: {2}; start the broker first, and "
-                    "see that its user may read and write scipd/{0}/#",
-                    config_.world, text_of(config_.broker), why));
+    const std::string text = fmt::format(
+        "cannot join the world {0} by the broker {1}: {2}; start the broker first, and "
+        "see that its user may read and write scipd/{0}/#",
+        config_.world, text_of(config_.broker), why);
+    if (!link_.answered()) throw NotThereYet(text);
+    throw std::runtime_error(text);
 }
 
 JoinedWorld SharedWorld::join(const sim::Scene& base) {

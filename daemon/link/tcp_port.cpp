@@ -68,9 +68,10 @@ TcpPort::TcpPort(const asio::any_io_executor& executor, const Address& address,
         }
         endpoint_ = acceptor_.local_endpoint();
     } catch (const boost::system::system_error& error) {
+        const std::string what = "cannot listen on " + text_of(address);
+        require_own_address(what, error.code());
         const bool taken = error.code() == asio::error::address_in_use;
-        throw std::runtime_error("cannot listen on " + text_of(address) + ": " +
-                                 error.code().message() +
+        throw std::runtime_error(what + ": " + error.code().message() +
                                  (taken ? ", maybe by another scipd" : "") +
                                  "; choose another address, or port 0 for a free one, such as "
                                  "--tcp 127.0.0.1:0");

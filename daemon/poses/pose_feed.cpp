@@ -108,9 +108,10 @@ class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
             socket_.open(endpoint.protocol());
             socket_.bind(endpoint);
         } catch (const boost::system::system_error& error) {
+            const std::string what = "cannot receive poses on " + text_of(address);
+            require_own_address(what, error.code());
             const bool taken = error.code() == asio::error::address_in_use;
-            throw std::runtime_error("cannot receive poses on " + text_of(address) + ": " +
-                                     error.code().message() +
+            throw std::runtime_error(what + ": " + error.code().message() +
                                      (taken ? "; each robot needs an address of its own" : ""));
         }
     }

@@ -211,7 +211,17 @@ def what_is_far_is_left_out(lab, west):
     assert near.end() == 0
 
 
+def without_a_broker_it_may_do_better_later(scipd):
+    with FleetLab(scipd) as lab:
+        lab.broker.kill()
+        early = lab.start("early")
+        assert early.ready is None and early.end() == 1
+        assert "cannot join the world hall by the broker mqtt://127.0.0.1" in early.log(), early.log()
+        assert "start the broker first" in early.log(), early.log()
+
+
 def main(scipd, scipctl):
+    without_a_broker_it_may_do_better_later(scipd)
     with FleetLab(scipd) as lab:
         east = lab.start("east", robot=CART)
         west = lab.start("west")

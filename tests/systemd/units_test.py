@@ -13,7 +13,8 @@ import tempfile
 SKIPPED = 77
 UNITS = ["scipd.service", "scipd@demo.service", "scipd@demo.socket"]
 WORST_EXPOSURE = 2.0
-NEEDED = ["Type=notify", "WatchdogSec=", "Restart=on-failure", "ExecReload=", "OOMPolicy=continue"]
+NEEDED = ["Type=notify", "StartLimitBurst=15", "RestartPreventExitStatus=2",
+          "WatchdogSec=", "Restart=on-failure", "ExecReload=", "OOMPolicy=continue"]
 
 
 def run(*command):
