@@ -2,9 +2,11 @@
 // Copyright The scipd authors
 #include "daemon/http/connection.h"
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 #include <boost/asio/ip/tcp.hpp>
@@ -12,6 +14,7 @@
 #include <poll.h>
 
 #include "daemon/http/framing.h"
+#include "daemon/http/plain.h"
 #include "daemon/http/problem.h"
 #include "daemon/http/web_socket_connection.h"
 
@@ -54,39 +57,6 @@ Address address_of(const asio::local::stream_protocol::socket&) {
     return {};
 }
 
-HttpRequest to_plain(const http::request<http::string_body>& request,
-                     const std::shared_ptr<Rate>& rate) {
-    const std::string target{request.target().data(), request.target().size()};
-    const auto mark = target.find('?');
-    // HEAD is GET without the body of the answer.
-    const bool is_head = request.method() == http::verb::head;
-    const std::string method{request.method_string().data(), request.method_string().size()};
-    return {.method = is_head ? "GET" : method,
-            .path = target.substr(0, mark),
-            .query = mark == target.npos ? "" : target.substr(mark + 1),
-            .body = request.body(),
-            .if_none_match = std::string(request[http::field::if_none_match]),
-            .withdrawn = {},
-            .rate = rate};
-}
-
-http::response<http::string_body> to_beast(HttpResponse plain, bool keep_alive) {
-    http::response<http::string_body> response;
-    response.version(11);
-    response.result(static_cast<unsigned>(plain.status));
-    if (!plain.content_type.empty()) response.set(http::field::content_type, plain.content_type);
-    if (!plain.allow.empty()) response.set(http::field::allow, plain.allow);
-    if (plain.status == 426) response.set(http::field::upgrade, "websocket");
-    for (const auto& [name, value] : plain.headers)
-        response.set(name, value);
-    if (!plain.body.empty()) response.set("X-Content-Type-Options", "nosniff");
-    response.body() = std::move(plain.body);
-    response.keep_alive(keep_alive);
-    // A 204 has no length, not even 0 (RFC 9110, 8.6), and that of a 304 would be the file's.
-    if (plain.status != 204 && plain.status != 304) response.prepare_payload();
-    return response;
-}
-
 /// What to tell a client whose request cannot be read, or nothing where it is gone.
 std::optional<HttpResponse> unreadable(const error_code& error, Limits& limits,
                                        const HttpDoor& door) {
@@ -126,13 +96,15 @@ void HttpConnection<Protocol>::read_header() {
     // Its own limit is not exact: it is of what the parser gets at once.
     parser_->header_limit(std::numeric_limits<std::uint32_t>::max());
     parser_->body_limit(limits[Limit::http_body_bytes]);
-    room_ = limits[Limit::http_header_bytes];
-    stream_.expires_after(service_->idle);
+    room_ = most_of_header();
+    patience_ = service_->idle;
+    stream_.expires_after(patience_);
     parse();
 }
 
 template <class Protocol>
 void HttpConnection<Protocol>::read_more() {
+    if (parser_->is_header_done()) stream_.expires_after(patience_);
     stream_.async_read_some(buffer_.prepare(gulp), [self = this->shared_from_this()](
                                                        const Error& error, std::size_t bytes) {
         if (error) return self->refuse(error);
@@ -149,6 +121,7 @@ void HttpConnection<Protocol>::parse() {
     const bool in_body = parser_->is_header_done();
     const auto is_done = [&] { return in_body ? parser_->is_done() : parser_->is_header_done(); };
     while (!is_done()) {
+        if (!in_body && room_ == most_of_header()) skip_empty_lines();
         const std::size_t size = buffer_.size();
         if (size == 0) return read_more();
         Error error;
@@ -163,15 +136,23 @@ void HttpConnection<Protocol>::parse() {
     in_body ? answer() : come_in();
 }
 
+/// In front of a request some clients send one, which belongs to the body before (RFC 9112, 2.2).
+template <class Protocol>
+void HttpConnection<Protocol>::skip_empty_lines() {
+    const std::string_view come{static_cast<const char*>(buffer_.cdata().data()), buffer_.size()};
+    buffer_.consume(std::min(come.find_first_not_of("\r\n"), come.size()));
+}
+
 template <class Protocol>
 void HttpConnection<Protocol>::turn_away(HttpResponse why) {
-    stream_.expires_after(linger);
+    patience_ = linger;
     write(std::move(why), false);
 }
 
 template <class Protocol>
 void HttpConnection<Protocol>::come_in() {
     if (service_->closed) return;
+    to_origin_form(parser_->get());
     const auto& request = parser_->get();
     if (auto fault = framing_fault(request)) return write(std::move(*fault), false);
     if (!door_->gate) return allow_body();
@@ -186,7 +167,8 @@ void HttpConnection<Protocol>::come_in() {
 /// A client that asks before it sends a large body waits for the answer.
 template <class Protocol>
 void HttpConnection<Protocol>::allow_body() {
-    if (parser_->is_done() || parser_->get()[http::field::expect] != "100-continue") {
+    if (parser_->is_done() ||
+        !boost::beast::iequals(parser_->get()[http::field::expect], "100-continue")) {
         return read_body();
     }
     go_on_ = {http::status::continue_, 11};
@@ -198,7 +180,7 @@ void HttpConnection<Protocol>::allow_body() {
 
 template <class Protocol>
 void HttpConnection<Protocol>::read_body() {
-    room_ = (*service_->limits)[Limit::http_header_bytes];
+    room_ = most_of_header();
     parse();
 }
 
@@ -261,10 +243,19 @@ void HttpConnection<Protocol>::write(HttpResponse plain, bool keep_alive, bool w
     glance_.cancel();
     response_ = to_beast(std::move(plain), keep_alive);
     if (!with_body) response_.body().clear();
-    http::async_write(
-        stream_, response_,
+    serializer_.emplace(response_);
+    write_more(keep_alive);
+}
+
+/// A large answer may take any time, as long as its client goes on reading.
+template <class Protocol>
+void HttpConnection<Protocol>::write_more(bool keep_alive) {
+    stream_.expires_after(patience_);
+    http::async_write_some(
+        stream_, *serializer_,
         [self = this->shared_from_this(), keep_alive](const Error& error, std::size_t) {
             if (error || self->service_->closed) return;
+            if (!self->serializer_->is_done()) return self->write_more(keep_alive);
             keep_alive ? self->read_header() : self->close_gently();
         });
 }

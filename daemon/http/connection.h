@@ -7,6 +7,7 @@
 // Not a coroutine: Asio 1.74 has none with clang, which fuzzes and checks these sources.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -37,8 +38,12 @@ class HttpConnection : public HttpClient,
   private:
     using Error = boost::system::error_code;
 
+    [[nodiscard]] std::size_t most_of_header() const {
+        return (*service_->limits)[Limit::http_header_bytes];
+    }
     void read_more();
     void parse();
+    void skip_empty_lines();
     void come_in();
     void allow_body();
     void read_body();
@@ -47,6 +52,7 @@ class HttpConnection : public HttpClient,
     void upgrade();
     void refuse(const Error& error);
     void write(HttpResponse plain, bool keep_alive, bool with_body = true);
+    void write_more(bool keep_alive);
     void close_gently();
     void drop_input();
 
@@ -55,6 +61,8 @@ class HttpConnection : public HttpClient,
     boost::beast::basic_stream<Protocol> stream_;
     boost::beast::flat_buffer buffer_;
     std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
+    /// How long it may send or take nothing.
+    std::chrono::milliseconds patience_{};
     std::size_t room_ = 0;  ///< for what is left of the header, or for what frames a chunk
     const std::shared_ptr<Rate> rate_ = std::make_shared<Rate>();
     bool answered_ = false;
@@ -62,6 +70,8 @@ class HttpConnection : public HttpClient,
     boost::asio::steady_timer glance_;  ///< when to look whether it has
     boost::beast::http::response<boost::beast::http::empty_body> go_on_;
     boost::beast::http::response<boost::beast::http::string_body> response_;
+    std::optional<boost::beast::http::response_serializer<boost::beast::http::string_body>>
+        serializer_;
 };
 
 }  // namespace scipd::daemon

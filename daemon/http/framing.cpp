@@ -2,6 +2,9 @@
 // Copyright The scipd authors
 #include "daemon/http/framing.h"
 
+#include <algorithm>
+#include <string>
+
 #include <boost/beast/core/string.hpp>
 #include <boost/beast/http/field.hpp>
 
@@ -22,6 +25,17 @@ std::optional<HttpResponse> framing_fault(const http::request_header<>& request)
     }
     return problem(501, "Transfer-Encoding must be chunked and nothing else, in HTTP/1.1",
                    "Transfer-Encoding");
+}
+
+void to_origin_form(http::request_header<>& request) {
+    const std::string scheme = "http://";
+    const std::string target(request.target());
+    const bool is_absolute = boost::beast::iequals(target.substr(0, scheme.size()), scheme);
+    if (!is_absolute || request.count(http::field::host) != 1) return;
+    const auto end = std::min(target.find_first_of("/?", scheme.size()), target.size());
+    request.set(http::field::host, target.substr(scheme.size(), end - scheme.size()));
+    const std::string rest = target.substr(end);
+    request.target(rest.starts_with('/') ? rest : "/" + rest);
 }
 
 }  // namespace scipd::daemon

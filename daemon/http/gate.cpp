@@ -10,6 +10,7 @@
 #include <boost/beast/http/verb.hpp>
 
 #include "daemon/http/problem.h"
+#include "daemon/http/url.h"
 
 namespace scipd::daemon {
 namespace {
@@ -74,20 +75,23 @@ bool is_same(std::string_view said, std::string_view token) {
     return differences == 0;
 }
 
-/// What a client says is the token; nothing where it says none, or two.
-std::optional<std::string_view> said_token(const Gate::Header& request) {
+/// Whether a client says the token. One that says two does not.
+bool says(const std::string& token, const Gate::Header& request) {
     constexpr std::string_view scheme = "Bearer ";
     constexpr std::string_view offer = "bearer.";
     const std::string_view said = field(request, http::field::authorization);
     if (!said.empty()) {
-        const bool is_said = request.count(http::field::authorization) == 1 &&
-                             same_letters(said.substr(0, scheme.size()), scheme);
-        return is_said ? std::optional(said.substr(scheme.size())) : std::nullopt;
+        return request.count(http::field::authorization) == 1 &&
+               same_letters(said.substr(0, scheme.size()), scheme) &&
+               is_same(said.substr(scheme.size()), token);
     }
     for (const std::string_view offered : subprotocols(request)) {
-        if (offered.starts_with(offer)) return offered.substr(offer.size());
+        if (!offered.starts_with(offer)) continue;
+        const std::string_view as_it_is = offered.substr(offer.size());
+        return is_same(as_it_is, token) ||
+               is_same(percent_decoded(as_it_is).value_or(std::string{}), token);
     }
-    return std::nullopt;
+    return false;
 }
 
 HttpResponse unknown_client() {
@@ -155,11 +159,9 @@ std::optional<HttpResponse> Gate::answer(const Header& request, bool has_body,
     const std::string_view origin = field(request, http::field::origin);
     if (origins > 1 || (origins == 1 && !is_own(origin, hosts))) return wrong_origin(hosts);
     if (is_preflight(request) && origins == 1) return preflight_answer(origin);
-    if (needs_token(request)) {
-        const auto said = said_token(request);
-        if (!said || !is_same(*said, token_)) return unknown_client();
-    }
-    if (has_body && !is_json(field(request, http::field::content_type))) {
+    if (needs_token(request) && !says(token_, request)) return unknown_client();
+    const bool is_one_type = request.count(http::field::content_type) == 1;
+    if (has_body && !(is_one_type && is_json(field(request, http::field::content_type)))) {
         return problem(415, "a body must have the Content-Type application/json", "Content-Type");
     }
     return std::nullopt;

@@ -45,7 +45,8 @@ class Gate {
 };
 
 /// The subprotocol that a WebSocket of scipd has where its client offers it. A page in a browser
-/// can say the token in no other way than beside it, as the subprotocol `bearer.TOKEN`.
+/// can say the token in no other way than beside it, as the subprotocol `bearer.TOKEN`. There it
+/// may be percent-encoded: browsers offer none with `/` or `=`, and a comma would end it.
 inline constexpr const char* own_subprotocol = "scipd";
 
 /// The subprotocols that a request for a WebSocket offers.

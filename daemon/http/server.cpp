@@ -108,7 +108,7 @@ void remove_stale(const fs::path& path, const asio::any_io_executor& executor) {
     Local::socket probe{executor};
     error_code error;
     probe.connect(Local::endpoint{path.string()}, error);
-    if (!error) throw std::runtime_error("another program listens there");
+    if (!error) throw SocketTaken("another program listens there");
     if (error != asio::error::connection_refused) throw boost::system::system_error{error};
     fs::remove(path);
 }
@@ -123,12 +123,16 @@ void let_in(const fs::path& socket, std::optional<unsigned> group) {
 
 template <class Listen>
 void name_failures(const std::string& where, Listen listen) {
+    const std::string what = "cannot listen on " + where;
     try {
         listen();
     } catch (const boost::system::system_error& error) {
-        throw std::runtime_error("cannot listen on " + where + ": " + error.code().message());
+        require_own_address(what, error.code());
+        throw std::runtime_error(what + ": " + error.code().message());
+    } catch (const SocketTaken& taken) {
+        throw SocketTaken(what + ": " + taken.what());
     } catch (const std::exception& error) {
-        throw std::runtime_error("cannot listen on " + where + ": " + error.what());
+        throw std::runtime_error(what + ": " + error.what());
     }
 }
 

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
@@ -23,6 +24,12 @@
 namespace scipd::daemon {
 
 class HttpPort;
+
+/// Another program listens at that Unix socket.
+class SocketTaken : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
 
 class HttpServer {
   public:

@@ -37,7 +37,9 @@ WebSocketConnection<Protocol>::WebSocketConnection(Stream stream,
     service_->clients.insert(this);
     boost::beast::get_lowest_layer(socket_).expires_never();
     socket_.set_option(websocket::stream_base::timeout::suggested(boost::beast::role_type::server));
-    socket_.read_message_max((*service_->limits)[Limit::http_body_bytes]);
+    // It would end the connection without the reason.
+    constexpr std::size_t no_limit = 0;
+    socket_.read_message_max(no_limit);
     socket_.auto_fragment(false);
     socket_.control_callback([this](websocket::frame_type type, auto) {
         if (type != websocket::frame_type::close) count();
@@ -68,19 +70,25 @@ void WebSocketConnection<Protocol>::open(const Request& request, Converse conver
 template <class Protocol>
 void WebSocketConnection<Protocol>::read() {
     waits_for_room_ = queue_.size() >= most_unread;
-    if (waits_for_room_) return;
-    socket_.async_read(buffer_, [self = this->shared_from_this()](const Error& error, std::size_t) {
-        self->received(error);
-    });
+    if (!waits_for_room_) read_more();
+}
+
+template <class Protocol>
+void WebSocketConnection<Protocol>::read_more() {
+    constexpr std::size_t any_size = 0;
+    socket_.async_read_some(buffer_, any_size,
+                            [self = this->shared_from_this()](const Error& error, std::size_t) {
+                                self->received(error);
+                            });
 }
 
 template <class Protocol>
 void WebSocketConnection<Protocol>::received(const Error& error) {
     // The conversation may hold what refers to others that end before the last handler does.
-    Limits& limits = *service_->limits;
-    if (error == websocket::error::message_too_big)
-        limits.refuse(Limit::http_body_bytes, door_->name);
     if (error || service_->closed || refused_) return conversation_.reset();
+    if (buffer_.size() > (*service_->limits)[Limit::http_body_bytes])
+        return refuse(Limit::http_body_bytes, websocket::close_code::too_big);
+    if (!socket_.is_message_done()) return read_more();
     count();
     if (!refused_) work_off();
 }
@@ -136,12 +144,12 @@ void WebSocketConnection<Protocol>::written(const Error& error) {
 
 // In another turn, since the conversation itself may be sending.
 template <class Protocol>
-void WebSocketConnection<Protocol>::refuse(Limit limit) {
+void WebSocketConnection<Protocol>::refuse(Limit limit, boost::beast::websocket::close_code code) {
     refused_ = true;
     const std::string why = service_->limits->refuse(limit, door_->name);
-    asio::post(socket_.get_executor(), [self = this->shared_from_this(), why] {
+    asio::post(socket_.get_executor(), [self = this->shared_from_this(), why, code] {
         self->conversation_.reset();
-        websocket::close_reason reason(websocket::close_code::policy_error);
+        websocket::close_reason reason(code);
         reason.reason.assign(why.data(), std::min(why.size(), reason.reason.max_size()));
         self->socket_.async_close(reason, [self](const Error&) { self->patience_.cancel(); });
         self->patience_.expires_after(last_words);

@@ -51,6 +51,7 @@ class WebSocketConnection : public HttpClient,
 
     void enqueue(Message message);
     void read();
+    void read_more();
     void received(const Error& error);
     /// A message, a ping or a pong has come.
     void count();
@@ -58,7 +59,8 @@ class WebSocketConnection : public HttpClient,
     void write();
     void written(const Error& error);
     /// Closes, and tells the client why.
-    void refuse(Limit limit);
+    void refuse(Limit limit, boost::beast::websocket::close_code code =
+                                 boost::beast::websocket::close_code::policy_error);
 
     std::shared_ptr<HttpService> service_;
     SharedDoor door_;

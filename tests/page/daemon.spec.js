@@ -122,7 +122,7 @@ robots: {robot: {sensors: {scanner: {model: UST-10LX, tcp: "127.0.0.1:0"}}}}
     await page.locator('#token').fill(token);
     await page.getByRole('button', {name: 'Go on'}).click();
   };
-  const [old, other] = ['an-old-token-of-this-test-012345', 'another-token-of-this-test-01234'];
+  const [old, other] = ['an+old/token,of(this)test==012345', 'another-token-of-this-test-01234'];
   const daemon = await begin(old, 0);
   await page.goto(daemon.address);
   await give(old);

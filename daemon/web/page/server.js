@@ -99,11 +99,16 @@ export class Server {
   socket(path) {
     const address = new URL(path, location.href);
     address.protocol = address.protocol === 'https:' ? 'wss:' : 'ws:';
-    const protocols = this.token ? ['scipd', `bearer.${this.token}`] : [];
+    const protocols = this.token ? ['scipd', `bearer.${asSubprotocol(this.token)}`] : [];
     const socket = new WebSocket(address, protocols);
     socket.binaryType = 'arraybuffer';
     return socket;
   }
+}
+
+/** WebSocket() throws at a subprotocol with other signs than those of a token of HTTP (RFC 9110, 5.6.2). */
+function asSubprotocol(text) {
+  return encodeURIComponent(text).replaceAll('(', '%28').replaceAll(')', '%29');
 }
 
 /** The path of a thing: at('/sensors/', 'robot/scanner', '/faults'); names are percent-encoded. */

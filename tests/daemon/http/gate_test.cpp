@@ -124,6 +124,8 @@ TEST(Gate, LetsBodiesInThatAreJson) {
         request.set(http::field::content_type, type);
         EXPECT_EQ(status(request, true), 200) << type;
     }
+    request.insert(http::field::content_type, "text/plain");
+    EXPECT_EQ(status(request, true), 415) << "it says two";
 }
 
 TEST(Gate, AsksForTheToken) {
@@ -168,6 +170,22 @@ TEST(Gate, TakesTheTokenAsASubprotocol) {
           "scipd, Bearer correct-horse-battery", "bearer.x, bearer.correct-horse-battery"})
         EXPECT_EQ(status(offers), 401) << offers;
     EXPECT_EQ(status("bearer.correct-horse-battery", "Bearer other"), 401) << "which of the two?";
+}
+
+// Of those that `openssl rand -base64` makes, say.
+TEST(Gate, TakesATokenAsBrowsersMustWriteIt) {
+    const auto status = [&](const char* token, const char* offer) {
+        auto request = asked_of("localhost:8080");
+        request.set(http::field::sec_websocket_protocol, offer);
+        const auto answer = Gate{token}.answer(request, false, loopback);
+        return answer ? answer->status : 200;
+    };
+    EXPECT_EQ(status("aZ+/==,(x)", "scipd, bearer.aZ%2B%2F%3D%3D%2C%28x%29"), 200);
+    EXPECT_EQ(status("aZ+/==", "scipd, bearer.aZ+/=="), 200) << "programs may";
+    EXPECT_EQ(status("50%41", "scipd, bearer.50%41"), 200);
+    EXPECT_EQ(status("50%41", "scipd, bearer.50%2541"), 200);
+    EXPECT_EQ(status("50%41", "scipd, bearer.50A"), 401);
+    EXPECT_EQ(status("correct-horse", "scipd, bearer.%zz"), 401);
 }
 
 TEST(Gate, ShowsWhatIsPublicToAllWhoMayConnect) {

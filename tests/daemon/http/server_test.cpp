@@ -43,6 +43,9 @@ struct Waiting {
 };
 std::vector<Waiting> waiting;
 
+/// The size of what "/large" answers: more than the kernel keeps.
+constexpr std::size_t large = 4'000'000;
+
 /// Says what it was asked; "/throw" does.
 void echo(const HttpRequest& request, const Respond& respond) {
     if (request.path == "/never") return waiting.push_back({request.withdrawn, respond});
@@ -51,6 +54,7 @@ void echo(const HttpRequest& request, const Respond& respond) {
     response.content_type = "text/plain";
     response.body = request.method + " " + request.path + " [" + request.query + "] " +
                     std::to_string(request.body.size());
+    if (request.path == "/large") response.body = std::string(large, 'x');
     if (request.path == "/allow") response.status = 405, response.allow = "GET, PUT";
     if (request.path == "/empty")
         response = {.status = 204, .content_type = {}, .body = {}, .allow = {}};
@@ -617,9 +621,9 @@ TEST_F(RawWebSocketTest, EndsAtAMessageThatIsTooLarge) {
     auto socket = open();
     asio::write(socket, asio::buffer(message(most)));
     EXPECT_EQ(up_to(socket, std::string(most, 'x')).size(), 10 + most);
-    constexpr std::size_t head = 14;  // which says how much would come
-    asio::write(socket, asio::buffer(message(most + 1), head));
-    (void)up_to(socket, "\x88\x02\x03\xf1");  // code 1009
+    asio::write(socket, asio::buffer(message(most + 1)));
+    EXPECT_THAT(up_to(socket, "http_body_bytes under limits"),
+                AllOf(HasSubstr("\x03\xf1"), HasSubstr("100000 bytes")));  // code 1009
     socket.close();
     EXPECT_TRUE(eventually([&] { return limits_->refused(Limit::http_body_bytes) == 1; }));
 }
@@ -654,6 +658,51 @@ TEST_F(HttpServerTest, DropsAClientThatNeverFinishes) {
     asio::write(slow, asio::buffer(std::string{"GET / HTTP/1.1\r\nHo"}));
     EXPECT_EQ(rest(silent), "");
     EXPECT_EQ(rest(slow), "");
+}
+
+TEST_F(HttpServerTest, LetsAClientTakeItsTimeThatGoesOn) {
+    start();
+    on_server([this] { server_->set_idle(std::chrono::milliseconds{200}); });
+    const auto pause = [] { std::this_thread::sleep_for(std::chrono::milliseconds{50}); };
+    auto slow = connect_local();
+    asio::write(slow, asio::buffer("PUT / HTTP/1.1\r\nContent-Length: 8\r\n" + last + "\r\n"));
+    for (int i = 0; i < 8; ++i) {
+        pause();
+        asio::write(slow, asio::buffer("x", 1));
+    }
+    EXPECT_THAT(rest(slow), HasSubstr("PUT / [] 8"));
+
+    auto reader = connect_local();
+    asio::write(reader, asio::buffer("GET /large HTTP/1.1\r\n" + last + "\r\n"));
+    std::string piece(large / 8, '\0');
+    for (int i = 0; i < 8; ++i) {
+        pause();
+        asio::read(reader, asio::buffer(piece));
+    }
+    EXPECT_THAT(rest(reader), testing::EndsWith("xxx"));
+
+    auto gone = connect_local();
+    asio::write(gone, asio::buffer("GET /large HTTP/1.1\r\n" + last + "\r\n"));
+    std::this_thread::sleep_for(std::chrono::milliseconds{600});
+    EXPECT_LT(rest(gone).size(), large) << "it has taken nothing for too long";
+}
+
+TEST_F(HttpServerTest, TakesWhatServersMustTake) {
+    start();
+    const std::string here = "127.0.0.1:" + std::to_string(port_);
+    const std::string host = "Host: " + here + "\r\n";
+    EXPECT_THAT(ask(connect(), "\r\n\r\nGET /a HTTP/1.1\r\n" + host + last + "\r\n"),
+                HasSubstr("GET /a []"))
+        << "empty lines in front";
+    const auto as_to_a_proxy = [&](const std::string& target) {
+        return ask(connect(), "GET " + target + " HTTP/1.1\r\n" + host + last + "\r\n");
+    };
+    EXPECT_THAT(as_to_a_proxy("HTTP://" + here + "/a/b?c"), HasSubstr("GET /a/b [c]"));
+    EXPECT_THAT(as_to_a_proxy("http://" + here + "?c"), HasSubstr("GET / [c]"));
+    EXPECT_THAT(as_to_a_proxy("http://evil.example/a"), StartsWith("HTTP/1.1 403 "));
+    EXPECT_THAT(ask(connect_local(), "PUT / HTTP/1.1\r\nContent-Length: 1\r\n" + last +
+                                         "Expect: 100-Continue\r\n\r\nx"),
+                StartsWith("HTTP/1.1 100 Continue"));
 }
 
 TEST_F(HttpServerTest, TheSocketIsForItsUserAndGroupAndGoesAtTheEnd) {
