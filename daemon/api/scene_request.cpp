@@ -79,7 +79,13 @@ Expected<> read_name(const RequestJson& object, const std::string& key, std::str
 Expected<> read_path(const RequestJson& object, const std::string& key,
                      std::filesystem::path& path) {
     std::string text;
-    return read_text(object, key, text).map([&] { path = text; });
+    return read_text(object, key, text).and_then([&]() -> Expected<> {
+        const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
+        if (std::ranges::any_of(text, is_control))
+            return refuse(key, key + " must have no control characters");
+        path = text;
+        return {};
+    });
 }
 
 Expected<> read_switch(const RequestJson& object, const std::string& key,

@@ -39,7 +39,7 @@ const Folders* folders_to_read() {
 
 Expected<> check_allowed(const fs::path& file) {
     if (!held_to || lies_in_one_of(*held_to, file)) return {};
-    return refuse("lies in no folder that `allow` in the configuration names");
+    return refuse(lies_in_no_folder);
 }
 
 }  // namespace scipd::sim

@@ -23,6 +23,9 @@ bool lies_in_one_of(const Folders& folders, const std::filesystem::path& file);
 void read_only_from(Folders folders);
 /// The folders; null: all may be read.
 [[nodiscard]] const Folders* folders_to_read();
+/// What to say of other files.
+constexpr const char* lies_in_no_folder =
+    "lies in no folder that `allow` in the configuration names";
 /// Whether this process may read the file.
 [[nodiscard]] Expected<> check_allowed(const std::filesystem::path& file);
 

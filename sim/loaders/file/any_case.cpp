@@ -6,6 +6,7 @@
 #include <system_error>
 #include <vector>
 
+#include "sim/loaders/file/allowed_folder.h"
 #include "sim/text/quote.h"
 
 namespace scipd::sim {
@@ -38,19 +39,19 @@ std::string lower(std::string_view text) {
 fs::path exactly(const fs::path& folder, const fs::path& name) {
     std::error_code error;
     fs::path whole = folder / name;
-    return !whole.empty() && fs::exists(whole, error) ? whole : fs::path{};
+    return !whole.empty() && fs::exists(whole, error) && check_allowed(whole) ? whole : fs::path{};
 }
 
 fs::path in_any_case(const fs::path& folder, const fs::path& name) {
     fs::path at = name.is_absolute() ? name.root_path() : folder;
     for (const auto& part : name.relative_path()) {
         if (part.empty()) continue;  // after a trailing slash
-        fs::path next = exactly(at, part);
-        if (next.empty()) next = alike(at, part);
+        std::error_code error;
+        fs::path next = fs::exists(at / part, error) ? at / part : alike(at, part);
         if (next.empty()) return {};
         at = std::move(next);
     }
-    return at;
+    return check_allowed(at) ? at : fs::path{};
 }
 
 fs::path as_it_is_called(const fs::path& file, std::vector<std::string>& warnings) {

@@ -2,7 +2,8 @@
 // Copyright The scipd authors
 //
 // Finds files whose names differ from the requested name only in upper and lower case. Worlds that
-// were made on a file system that ignores case often name files so. Any thread; nothing shared.
+// were made on a file system that ignores case often name files so. Nothing is found that this
+// process must not read: nobody learns what lies there. Any thread; nothing shared.
 #pragma once
 
 #include <filesystem>

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "sim/loaders/file/allowed_folder.h"
 #include "sim/loaders/file/any_case.h"
 #include "sim/loaders/sdf/model_folder.h"
 #include "sim/text/quote.h"
@@ -241,6 +242,8 @@ std::string Resources::not_found(const std::string& text, const fs::path& beside
             ", nor in GZ_SIM_RESOURCE_PATH, GAZEBO_MODEL_PATH, SDF_PATH, ROS_PACKAGE_PATH or "
             "AMENT_PREFIX_PATH";
     }
+    // The same where there is such a file: who must not read it learns nothing of it.
+    if (folders_to_read() != nullptr) sentence += ", or it " + std::string{lies_in_no_folder};
     return sentence;
 }
 

@@ -392,6 +392,8 @@ TEST_F(RoutesTest, AWrongModelNamesItsField) {
         {R"({"name":"a"})", "sdf"},
         {R"({"name":"a","sdf":"x","mesh":"y"})", "sdf"},
         {R"({"name":"a","file":"x","mesh":"y"})", "sdf"},
+        {R"({"name":"a","mesh":"a.stl\u0000.txt"})", "mesh"},
+        {R"({"name":"a","file":"a\n.sdf"})", "file"},
         {R"({"name":"a","file":""})", "file"},
         {R"({"name":"a","file":"x","static":"no"})", "static"},
         {R"({"name":"a","sdf":1})", "sdf"},

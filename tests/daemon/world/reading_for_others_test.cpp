@@ -101,6 +101,22 @@ TEST_F(ReadingForOthers, TakesMeshesOfAllowedFoldersAlone) {
     }
 }
 
+// Neither whether something is there, nor how it is called.
+TEST_F(ReadingForOthers, TellsNothingOfWhatLiesElsewhere) {
+    const auto refusal = [this](const fs::path& folder, const std::string& name) {
+        std::string text = add_text(mesh_model(folder / name));
+        for (auto at = text.find(name); at != text.npos; at = text.find(name))
+            text.erase(at, name.size());
+        return text;
+    };
+    for (const fs::path& folder : {secret_, fs::path("../secret"), fs::path("way_out")}) {
+        const std::string nothing = refusal(folder, "none.stl");
+        EXPECT_THAT(nothing, HasSubstr(not_allowed));
+        for (const char* name : {"part.stl", "PART.stl", "part.stl/x.stl"})
+            EXPECT_EQ(refusal(folder, name), nothing) << folder << name;
+    }
+}
+
 TEST_F(ReadingForOthers, OpensNoFifosAndNoDevices) {
     EXPECT_THAT(add_text(mesh_model("fifo.stl")), HasSubstr("is a FIFO"));
     EXPECT_THAT(add_text(mesh_model("zero.stl")), HasSubstr(not_allowed));
