@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdlib>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
 
@@ -64,6 +65,11 @@ HandedSockets::HandedSockets() {
     constexpr int keep_environment = 0;
     char** names = nullptr;
     const int count = ::sd_listen_fds_with_names(keep_environment, &names);
+    if (count < 0) {
+        throw std::runtime_error(
+            "cannot take the sockets of systemd: " + std::generic_category().message(-count) +
+            "; LISTEN_FDS must tell their number, and LISTEN_FDNAMES as many names");
+    }
     for (int i = 0; i < count; ++i) {
         const int descriptor = SD_LISTEN_FDS_START + i;
         sockets_.push_back({descriptor, names[i], where(descriptor)});

@@ -19,6 +19,7 @@ namespace scipd::daemon {
 
 class HandedSockets {
   public:
+    /// Throws std::runtime_error where what systemd says of them makes no sense.
     HandedSockets();
     HandedSockets(const HandedSockets&) = delete;
     HandedSockets& operator=(const HandedSockets&) = delete;

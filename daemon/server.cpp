@@ -16,6 +16,7 @@
 #include "daemon/api/routes.h"
 #include "daemon/config/config_file.h"
 #include "daemon/config/run_directory.h"
+#include "daemon/link/leftovers.h"
 #include "daemon/service_notify.h"
 #include "daemon/simulation.h"
 #include "daemon/web/page.h"
@@ -55,6 +56,7 @@ Server::Server(const Options& options)
     FleetPlan plan = load_first();
     signals_.add(SIGINT);
     signals_.add(SIGTERM);
+    warn_of_unneeded(plan.config);
     // The control socket next: if another scipd has it, its ttys are not touched either.
     listen_for_control();
     if (options_.config.http) listen_for_http(*options_.config.http);
@@ -62,7 +64,6 @@ Server::Server(const Options& options)
     (void)fleet_.apply(std::move(plan));
     if (shared_) shared_->serve(config);
     fleet_.simulation().choose_backends();
-    warn_of_unneeded();
     wait_for_signal();
 }
 
@@ -99,19 +100,32 @@ void Server::share_world(const BrokerConfig& config) {
 // own.
 void Server::listen_for_control() {
     const std::filesystem::path& named = options_.config.control;
-    if (named.empty()) {
-        make_run_directory();
-    } else {
+    control_socket_ = first_control_socket();
+    if (!named.empty()) {
         make_folder(named.parent_path());
+        return listen_at_control();
     }
-    control_socket_ = named.empty() ? usual_control_socket() : named;
-    try {
-        hold_control();
-    } catch (const PathHeld&) {
-        if (!named.empty()) throw;
+    remove_leftovers(make_run_directory());
+    const auto listen_beside = [this] {
         control_socket_.replace_filename("control-" + std::to_string(::getpid()) + ".sock");
-        hold_control();
+        listen_at_control();
+    };
+    try {
+        listen_at_control();
+    } catch (const PathHeld&) {
+        listen_beside();
+    } catch (const SocketTaken&) {
+        listen_beside();
     }
+}
+
+std::filesystem::path Server::first_control_socket() const {
+    const std::filesystem::path& named = options_.config.control;
+    return named.empty() ? usual_control_socket() : named;
+}
+
+void Server::listen_at_control() {
+    hold_control();
     control_.listen(control_socket_, options_.config.control_group, handed_.at(control_socket_));
 }
 
@@ -154,13 +168,16 @@ std::string Server::ready_line() const {
     return line.dump(-1, ' ', ascii, nlohmann::json::error_handler_t::replace);
 }
 
-void Server::warn_of_unneeded() const {
+// Before anything is opened: such a socket may be why that fails.
+void Server::warn_of_unneeded(const Config& config) const {
     std::vector<std::string> addresses;
-    for (const SensorStatus& sensor : api_.status().sensors) {
-        if (sensor.tcp) addresses.push_back(*sensor.tcp);
+    for (const RobotConfig& robot : config.robots) {
+        for (const SensorConfig& sensor : robot.sensors)
+            if (sensor.tcp) addresses.push_back(text_of(*sensor.tcp));
     }
-    if (http_) addresses.push_back(*http_);
-    for (const std::string& warning : handed_.unneeded(addresses, control_socket_))
+    // A reload changes neither this nor the control socket.
+    if (options_.config.http) addresses.push_back(text_of(*options_.config.http));
+    for (const std::string& warning : handed_.unneeded(addresses, first_control_socket()))
         spdlog::warn("{}", warning);
 }
 
@@ -236,7 +253,7 @@ void Server::take_up(std::future<Next> loaded) {
                 "is started again");
         }
         fleet_.simulation().choose_backends();
-        warn_of_unneeded();
+        warn_of_unneeded(config);
         spdlog::info("SIGHUP: {} is running now", options_.config_file->string());
         service_.reloaded();
     } catch (const std::exception& error) {

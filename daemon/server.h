@@ -62,7 +62,9 @@ class Server {
     void stop();
 
     /// Of the sockets that were handed over.
-    void warn_of_unneeded() const;
+    void warn_of_unneeded(const Config& config) const;
+    [[nodiscard]] std::filesystem::path first_control_socket() const;
+    void listen_at_control();
 
     const Options options_;  ///< that it was started with
     const HandedSockets handed_;

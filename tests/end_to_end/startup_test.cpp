@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -26,11 +27,11 @@ namespace fs = std::filesystem;
 
 class Startup : public testing::Test {
   protected:
-    /// Checks that scipd exits with 2, says why only on standard error, and leaves nothing behind.
-    /// Returns the message.
-    std::string refusal(const Arguments& arguments) {
+    /// Checks that scipd exits with 2, or that code, says why only on standard error, and leaves
+    /// nothing behind. Returns the message.
+    std::string refusal(const Arguments& arguments, int exit_code = 2) {
         DaemonProcess daemon(directory_, arguments);
-        EXPECT_EQ(daemon.wait(), 2);
+        EXPECT_EQ(daemon.wait(), exit_code);
         EXPECT_EQ(daemon.standard_output(), "");
         EXPECT_THAT(daemon.standard_error(), EndsWith("\n"));
         return daemon.standard_error();
@@ -99,6 +100,29 @@ robots:
     EXPECT_EQ(ScannerWire::tcp(first.port()).ask("VV"), "00");
 }
 
+// Of 192.0.2.0/24, which no machine has (RFC 5737).
+TEST_F(Startup, MayDoBetterLaterWhereItLacksAnAddress) {
+    const std::string lacks = ": this machine has no such address now; ";
+    EXPECT_THAT(refusal(in_square_room({"--tcp", "192.0.2.1:10940", "--pty", "none"}), 1),
+                HasSubstr("cannot listen on 192.0.2.1:10940" + lacks));
+    directory_.write("token", "a-token-of-this-test-0123456789\n");
+    fs::permissions(directory_.path() / "token", fs::perms::owner_read);
+    const fs::path on_http =
+        directory_.write("http.yaml", "scene: " + scene("square_room.sdf").string() + R"(
+http: {listen: "192.0.2.1:8080", token_file: token}
+robots: {rescue: {sensors: {front: {model: UST-10LX, pty: auto}}}}
+)");
+    EXPECT_THAT(refusal({"--config", on_http}, 1),
+                HasSubstr("cannot listen on 192.0.2.1:8080" + lacks));
+    const fs::path file =
+        directory_.write("poses.yaml", "scene: " + scene("square_room.sdf").string() + R"(
+robots:
+  rescue: {poses: "udp:192.0.2.1:14550", sensors: {front: {model: UST-10LX, pty: auto}}}
+)");
+    EXPECT_THAT(refusal({"--config", file}, 1),
+                HasSubstr("cannot receive poses on 192.0.2.1:14550" + lacks));
+}
+
 // Drivers are pointed at that port: they would speak to the wrong scanner if it were another one.
 TEST_F(Startup, RefusesAPortOfAnotherScipdAndSaysWhatToDo) {
     DaemonProcess first(directory_, on_tcp());
@@ -135,6 +159,42 @@ TEST_F(Startup, LeavesAnotherScipdAlone) {
                 HasSubstr(first.control().string() + used));
     EXPECT_EQ(ScannerWire::tty(first.tty()).ask("VV"), "00");
     EXPECT_EQ(first.get("/status").at("sensors").size(), 1U);
+}
+
+TEST_F(Startup, FindsASocketOfItsOwnWhereTheLockOfTheFirstIsGone) {
+    DaemonProcess first(directory_, on_tty());
+    fs::remove(run_directory() / ".control.sock.lock");
+    DaemonProcess second(directory_, on_tty());
+    ASSERT_NE(second.ready_line(), "") << second.standard_error();
+    EXPECT_EQ(second.control(),
+              run_directory() / ("control-" + std::to_string(second.pid()) + ".sock"));
+    EXPECT_EQ(first.get("/sensors").size(), 1U);
+}
+
+TEST_F(Startup, RemovesWhatAKilledOneHasLeftUnderNamesOfItsOwn) {
+    DaemonProcess first(directory_, on_tty());
+    DaemonProcess second(directory_, on_tty());
+    DaemonProcess third(directory_, on_tty());
+    ASSERT_NE(third.ready_line(), "") << third.standard_error();
+    const fs::path precious = directory_.write("scipd/notes-999999999", "mine");
+    directory_.write("scipd/.notes-999999999.lock", "");
+    second.signal(SIGKILL);
+    second.wait();
+    EXPECT_TRUE(fs::exists(second.control()));
+    DaemonProcess fourth(directory_, on_tty());
+    ASSERT_NE(fourth.ready_line(), "") << fourth.standard_error();
+    const auto left = [&](const DaemonProcess& daemon) {
+        const std::string process = std::to_string(daemon.pid());
+        return std::count_if(fs::directory_iterator(run_directory()), fs::directory_iterator(),
+                             [&](const fs::directory_entry& entry) {
+                                 const std::string name = entry.path().filename();
+                                 return name.find(process) != name.npos;
+                             });
+    };
+    EXPECT_EQ(left(second), 0);
+    EXPECT_EQ(left(third), 4) << "which lives: a socket, a tty and their locks";
+    EXPECT_TRUE(fs::exists(precious));
+    EXPECT_EQ(ScannerWire::tty(third.tty()).ask("VV"), "00");
 }
 
 TEST_F(Startup, GivesItsProcessToTheNamesThatTheFirstScipdHas) {

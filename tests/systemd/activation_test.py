@@ -126,7 +126,28 @@ def takes_none_that_are_for_another(program, scenes, folder):
     with Manager(program, folder, sockets.configuration(scenes, "front"), sockets=sockets.named(),
                  listen_pid="1") as scipd:
         assert scipd.process.wait(PATIENCE_S) == 2
-        assert "another program listens there" in scipd.log(), scipd.log()
+        assert f"cannot listen on {text_of(sockets.http)}: Address already in use" in scipd.log(), scipd.log()
+
+
+def tells_of_what_is_in_its_way(program, scenes, folder):
+    """A socket on all addresses of both kinds, such as a bare ListenStream=10940 makes."""
+    sockets = Sockets(folder)
+    wide = socket.create_server(("::", 0), family=socket.AF_INET6, dualstack_ipv6=True)
+    port = wide.getsockname()[1]
+    document = sockets.configuration(scenes, "front")
+    document["robots"]["rescue"]["sensors"]["front"]["tcp"] = f"0.0.0.0:{port}"
+    with Manager(program, folder, document, sockets=sockets.named() + [("wide", wide)]) as scipd:
+        assert scipd.process.wait(PATIENCE_S) == 2
+        assert f"systemd hands over a socket on [::]:{port}" in scipd.log(), scipd.log()
+        assert f"cannot listen on 0.0.0.0:{port}" in scipd.log(), scipd.log()
+
+
+def refuses_what_makes_no_sense(program, scenes, folder):
+    sockets = Sockets(folder)
+    with Manager(program, folder, sockets.configuration(scenes, "front"), sockets=sockets.named(),
+                 environment={"LISTEN_FDNAMES": "one"}) as scipd:
+        assert scipd.process.wait(PATIENCE_S) == 2
+        assert "cannot take the sockets of systemd" in scipd.log(), scipd.log()
 
 
 def refuses_clients_as_a_fault_asks(program, scenes, folder):
@@ -168,7 +189,8 @@ def starts_after_a_kill(program, scenes, folder):
 def main():
     program, scenes = sys.argv[1], pathlib.Path(sys.argv[2])
     tests = [answers_who_came_before_it_started, keeps_them_over_a_reload, warns_of_what_fits_nothing,
-             takes_none_that_are_for_another, refuses_clients_as_a_fault_asks, starts_after_a_kill]
+             takes_none_that_are_for_another, tells_of_what_is_in_its_way, refuses_what_makes_no_sense,
+             refuses_clients_as_a_fault_asks, starts_after_a_kill]
     for test in tests:
         with tempfile.TemporaryDirectory(prefix="scipd-activation-") as folder:
             run_all([test], program, scenes, folder)

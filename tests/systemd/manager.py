@@ -41,7 +41,7 @@ class Manager:
             script += f"{FIRST_HANDED + number}<&{handed[-1]} "
         if sockets:
             environment["LISTEN_FDS"] = str(len(sockets))
-            environment["LISTEN_FDNAMES"] = ":".join(name for name, _ in sockets)
+            environment.setdefault("LISTEN_FDNAMES", ":".join(name for name, _ in sockets))
             script += f"; export LISTEN_PID={listen_pid}"
         if watchdog_s:
             environment["WATCHDOG_USEC"] = str(int(watchdog_s * 1e6))
