@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# Man pages, and completions for bash, zsh and fish. The programs' own options and docs/configuration.md are their only
-# source: packaging/make_man.py reads what --help prints, and each program prints its completions.
+# Man pages, and completions for bash, zsh and fish. The programs' own options, docs/configuration.md and
+# docs/running.md are their only source: packaging/make_man.py reads what --help prints, and each program prints its
+# completions.
 
 find_package(Python3 COMPONENTS Interpreter)
 set(texts ${CMAKE_BINARY_DIR}/packaging)
@@ -52,7 +53,7 @@ set(tools scipctl scipcat)
 if(TARGET scipbench)
   list(APPEND tools scipbench)
 endif()
-scipd_man(scipd.1 scipd program $<TARGET_FILE:scipd> scipd)
+scipd_man(scipd.1 scipd program $<TARGET_FILE:scipd> scipd ${CMAKE_SOURCE_DIR}/docs/running.md)
 scipd_man(scipd.yaml.5 scipd page ${CMAKE_SOURCE_DIR}/docs/configuration.md ${CMAKE_SOURCE_DIR}/docs/configuration.md)
 scipd_completions(scipd scipd --completion)
 foreach(tool ${tools})

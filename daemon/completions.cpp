@@ -23,6 +23,7 @@ struct Option {
 struct Place {
     std::string path;  ///< /pose/set; empty for the program
     std::string arguments;
+    bool takes_file = false;  ///< as an argument
     std::vector<const CLI::App*> commands;
     std::vector<Option> options;
 };
@@ -43,6 +44,11 @@ std::string values_of(const CLI::Option& option) {
     return type;
 }
 
+bool stands_for_file(const CLI::Option& option) {
+    const std::string type = option.get_type_name();
+    return type.find("FILE") != type.npos || type.find("PATH") != type.npos;
+}
+
 std::string looked_up(const MoreWords& more, const std::string& place, const std::string& other) {
     const auto found = more.find(place);
     return found == more.end() ? other : found->second;
@@ -55,6 +61,7 @@ Place place_of(const CLI::App& app, const std::string& path, const MoreWords& mo
         const std::string values = values_of(*option);
         if (option->get_positional()) {
             place.arguments += values.empty() ? "" : values + " ";
+            place.takes_file = place.takes_file || stands_for_file(*option);
             continue;
         }
         const std::string& name = option->get_lnames().front();
@@ -103,9 +110,8 @@ std::string words_of(const Place& place) {
 }
 
 /// What bash and zsh share: code that puts the words that may follow into $choices. `typed` are the
-/// words before the cursor, `last` is the last of them.
-void print_choices(const std::vector<Place>& places, const char* typed, const char* last,
-                   std::ostream& out) {
+/// words before the cursor, and $last is the last of them, or the option whose value follows a =.
+void print_choices(const std::vector<Place>& places, const char* typed, std::ostream& out) {
     out << "  local command='' word choices=''\n";
     if (places.size() > 1) {
         out << "  for word in " << typed << "; do\n    case \"$command/$word\" in\n      "
@@ -114,7 +120,7 @@ void print_choices(const std::vector<Place>& places, const char* typed, const ch
     out << "  case \"$command\" in\n";
     for (const Place& place : places)
         out << "    \"" << place.path << "\") choices=\"" << words_of(place) << "\" ;;\n";
-    out << "  esac\n  case \"$command/" << last << "\" in\n";
+    out << "  esac\n  case \"$command/$last\" in\n";
     for (const Place& place : places) {
         for (const Option& option : place.options) {
             if (!option.takes_value) continue;
@@ -126,11 +132,22 @@ void print_choices(const std::vector<Place>& places, const char* typed, const ch
     out << "  esac\n";
 }
 
+/// Its words break at =, which is one of them. It offers files only where these completions offer
+/// nothing, so options must wait for their - where a file may stand.
 void print_bash(const std::string& program, const std::vector<Place>& places, std::ostream& out) {
-    out << "# Completions of " << program << " for bash.\n_" << program << "() {\n";
-    print_choices(places, "\"${COMP_WORDS[@]:1:COMP_CWORD-1}\"", "${COMP_WORDS[COMP_CWORD-1]}",
-                  out);
-    out << "  COMPREPLY=($(compgen -W \"$choices\" -- \"${COMP_WORDS[COMP_CWORD]}\"))\n"
+    out << "# Completions of " << program << " for bash.\n_" << program << "() {\n"
+        << "  local current=\"${COMP_WORDS[COMP_CWORD]}\" last=\"${COMP_WORDS[COMP_CWORD-1]}\"\n"
+        << "  if [[ $current == = ]]; then current=''\n"
+        << "  elif [[ $last == = ]]; then last=\"${COMP_WORDS[COMP_CWORD-2]}\"; fi\n";
+    print_choices(places, "\"${COMP_WORDS[@]:1:COMP_CWORD-1}\"", out);
+    std::string files;
+    for (const Place& place : places)
+        if (place.takes_file && place.arguments.empty())
+            files += (files.empty() ? "" : "|") + place.path;
+    if (!files.empty())
+        out << "  if [[ $choices == *--* && $current != -* && \"$command\" == @(" << files
+            << ") ]]; then choices=''; fi\n";
+    out << "  COMPREPLY=($(compgen -W \"$choices\" -- \"$current\"))\n"
         << "}\ncomplete -o default -F _" << program << " " << program << "\n";
 }
 
@@ -139,7 +156,10 @@ void print_bash(const std::string& program, const std::vector<Place>& places, st
 void print_zsh(const std::string& program, const std::vector<Place>& places, std::ostream& out) {
     out << "#compdef " << program << "\n# Completions of " << program << " for zsh.\n_" << program
         << "() {\n";
-    print_choices(places, "\"${(@)words[2,CURRENT-1]}\"", "${words[CURRENT-1]}", out);
+    out << "  local last=${words[CURRENT-1]}\n"
+        << "  if [[ ${words[CURRENT]} == --*=* ]]; then last=${words[CURRENT]%%=*}; compset -P "
+           "'*='; fi\n";
+    print_choices(places, "\"${(@)words[2,CURRENT-1]}\"", out);
     out << "  compadd -- ${=choices}\n  _files\n}\n"
         << "if [[ $funcstack[1] == _" << program << " ]]; then _" << program
         << " \"$@\"; else compdef _" << program << " " << program << "; fi\n";

@@ -7,16 +7,19 @@
 
 #include <sys/stat.h>
 #include <sys/uio.h>
+#include <unistd.h>
 #define SD_JOURNAL_SUPPRESS_LOCATION  // which would be this file
 #include <systemd/sd-journal.h>
 
 namespace scipd::daemon {
 
-// systemd names the stream that it has made, since standard error may lead elsewhere by now.
+// systemd names the stream that it has made, since standard error may lead elsewhere by now. Where
+// nobody takes entries, as in a sandbox without /run/systemd, its library drops them silently.
 bool leads_to_journal(int descriptor) {
     const char* const stream = std::getenv("JOURNAL_STREAM");
     struct stat status {};
     if (stream == nullptr || ::fstat(descriptor, &status) != 0) return false;
+    if (::access("/run/systemd/journal/socket", W_OK) != 0) return false;
     return stream == std::to_string(status.st_dev) + ":" + std::to_string(status.st_ino);
 }
 

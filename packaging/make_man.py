@@ -4,7 +4,7 @@
 """
 Writes a man page.
 
-  make_man.py program PROGRAM VERSION OUT     from what the program prints with --help
+  make_man.py program PROGRAM VERSION OUT     from what it prints with --help; scipd's also from docs/running.md
   make_man.py page docs/NAME.md VERSION OUT   from a page of the documentation; OUT is scipd.yaml.5
 """
 import itertools
@@ -16,6 +16,7 @@ import markdown_page
 import roff
 from help_text import read_help
 
+RUNNING = pathlib.Path(__file__).parents[1] / "docs/running.md"
 OTHERS = [("scipd", 1), ("scipctl", 1), ("scipcat", 1), ("scipbench", 1), ("scipd.yaml", 5)]
 
 
@@ -63,6 +64,18 @@ def command_lines(help_):
     return lines
 
 
+def running_lines():
+    """What docs/running.md says that --help does not."""
+    page = RUNNING.read_text()
+    lines = []
+    for title, sections in [("SIGNALS", ["Reload", "End"]), ("FILES", ["Files"]), ("ENVIRONMENT", ["Environment"])]:
+        lines += [f".SH {title}"]
+        for section in sections:
+            text = page.partition(f"\n## {section}\n")[2].partition("\n## ")[0]
+            lines += markdown_page.body("# \n\n" + text)
+    return lines
+
+
 def program_page(program, version):
     name = pathlib.Path(program).name
     help_ = read_help(program, name=name)
@@ -74,6 +87,8 @@ def program_page(program, version):
         body += [".SH COMMANDS"]
         for command in help_.commands:
             body += command_lines(command)
+    if name == "scipd":
+        body += running_lines()
     body += [".SH NOTES", *footer_lines(help_.footer), *see_also(name)]
     return roff.page(name, 1, version, body)
 

@@ -60,7 +60,8 @@ std::string listed(const std::vector<fs::path>& sockets, const fs::path& but = {
 
 fs::path socket_of_the_scipd_meant(const fs::path& usual) {
     const std::vector<fs::path> sockets = living(usual);
-    if (sockets.empty()) return usual;
+    const fs::path of_service = "/run/scipd/control.sock";
+    if (sockets.empty()) return somebody_listens(of_service) ? of_service : usual;
     if (sockets.size() == 1) return sockets.front();
     if (std::ranges::find(sockets, usual) == sockets.end()) {
         throw WrongInput("several scipd run; name the socket of one with --control: " +

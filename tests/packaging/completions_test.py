@@ -6,6 +6,7 @@ What shells offer, asked of the shells themselves: completions_test.py COMPLETIO
 out, but bash must be.
 """
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -19,6 +20,9 @@ CASES = [
     ("scipd --accuracy ", ["ideal", "sensor", "material"], ["--accuracy"]),
     ("scipd --model UTM", ["UTM-30LX", "UTM-30LX-EW"], ["UST-10LX"]),
     ("scipd --backend ", ["auto", "reference"], ["--model"]),
+    ("scipd --model=UTM", ["UTM-30LX", "UTM-30LX-EW"], ["UST-10LX", "--model"]),
+    ("scipd --backend=", ["auto", "reference"], ["--model"]),
+    ("scipcat plot x --color ", ["distance", "intensity", "material", "error"], ["--color"]),
     ("scipcat ", ["info", "record", "plot", "completion"], ["--baud"]),
     ("scipcat plot --in", ["--intensity"], ["info"]),
     ("scipctl pose p", ["play"], ["get"]),
@@ -29,12 +33,15 @@ CASES = [
     ("scipbench com", ["compare", "completion"], ["table3"]),
 ]
 
-# Where a file is due. In bash and zsh it is not these completions that offer files.
-FILES = ["scipctl scene load /usr/bi", "scipctl scene add x /usr/bi", "scipctl fleet add x /usr/bi"]
+# Where a file is due. zsh offers files beside these completions, and bash where they offer nothing.
+FILES = ["scipctl scene load ", "scipctl scene add x ", "scipctl fleet add x ", "scipctl scenario run ",
+         "scipctl pose play "]
 
 
 def bash(program, line, home):
-    words = line.split(" ")
+    words = [word for word in re.split(r"(=)| ", line) if word is not None]
+    if words[-2:] == ["=", ""]:
+        words.pop()  # the cursor is at the =
     script = (f"source {FOLDER}/{program}.bash; COMP_WORDS=(); for word in \"$@\"; do COMP_WORDS+=(\"$word\"); done; "
               f"COMP_CWORD={len(words) - 1}; $(complete -p {program} | sed 's/.*-F \\([^ ]*\\).*/\\1/'); "
               "printf '%s\\n' \"${COMPREPLY[@]}\"")
@@ -42,17 +49,20 @@ def bash(program, line, home):
 
 
 def fish(program, line, home):
-    return run(["fish", "--no-config", "-c", f"source {FOLDER}/{program}.fish; complete --do-complete '{line}'"], home)
+    """It offers --model=UTM-30LX as a whole."""
+    script = f"source {FOLDER}/{program}.fish; complete --do-complete '{line}'"
+    return [word.rpartition("=")[2] for word in run(["fish", "--no-config", "-c", script], home)]
 
 
 def zsh(program, line, home):
     """zsh finds the function in a folder. What it hands to compadd is offered where it begins as typed."""
     shutil.copy(FOLDER / f"{program}.zsh", home / f"_{program}")
-    script = (f"fpath=({home} $fpath); autoload -Uz _{program}; _files() {{}}; "
+    script = (f"fpath=({home} $fpath); autoload -Uz _{program}; _files() {{}}; compset() {{}}; "
               "compadd() { shift; print -rl -- \"$@\" }; "
               f"words=(\"$@\"); CURRENT=$#; _{program}")
     words = line.split(" ")
-    return [word for word in run(["zsh", "-fc", script, "zsh", *words], home) if word.startswith(words[-1])]
+    begun = words[-1].rpartition("=")[2]
+    return [word for word in run(["zsh", "-fc", script, "zsh", *words], home) if word.startswith(begun)]
 
 
 def run(command, home):
@@ -84,8 +94,10 @@ def main():
                 continue
             for line, wanted, unwanted in CASES:
                 found += faults(shell, line, wanted, unwanted, pathlib.Path(home))
-        for line in FILES if shutil.which("fish") else []:
-            found += faults(fish, line, ["/usr/bin/"], [], pathlib.Path(home))
+        for line in FILES:
+            found += [f"bash: {line!r} offers {word}" for word in bash("scipctl", line, pathlib.Path(home)) if word]
+            if shutil.which("fish"):
+                found += faults(fish, line + "/usr/bi", ["/usr/bin/"], [], pathlib.Path(home))
     sys.exit("\n".join(found) or None)
 
 

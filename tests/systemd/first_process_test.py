@@ -27,21 +27,25 @@ def namespace():
     return command
 
 
-def ends_while_it_loads(scipd, scenes, number, folder):
+def ends_while_it_loads(inside, scipd, scenes, number, folder):
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as told:
         told.bind(f"{folder}/notify")
         told.settimeout(PATIENCE_S)
         environment = {**os.environ, "RUNTIME_DIRECTORY": folder, "NOTIFY_SOCKET": f"{folder}/notify"}
         arguments = ["--scene", scenes / "depot.sdf", "--tcp", "127.0.0.1:0", "--pty", "none"]
-        outside = subprocess.Popen([*namespace(), scipd, *arguments], env=environment, stdout=subprocess.DEVNULL)
-        while b"STATUS=loads" not in told.recv(65536):
-            pass
-        first = pathlib.Path(f"/proc/{outside.pid}/task/{outside.pid}/children").read_text().split()[0]
-        os.kill(int(first), number)
-        # 0: it was ready before the signal came.
-        assert outside.wait(PATIENCE_S) in (0, 128 + number), outside.returncode
+        outside = subprocess.Popen([*inside, scipd, *arguments], env=environment, stdout=subprocess.DEVNULL)
+        try:
+            while b"STATUS=loads" not in told.recv(65536):
+                pass
+            first = pathlib.Path(f"/proc/{outside.pid}/task/{outside.pid}/children").read_text().split()[0]
+            os.kill(int(first), number)
+            # 0: it was ready before the signal came.
+            assert outside.wait(PATIENCE_S) in (0, 128 + number), outside.returncode
+        finally:
+            outside.kill()  # and what is in its namespace
 
 
+command = namespace()
 for wanted in (signal.SIGTERM, signal.SIGINT):
     with tempfile.TemporaryDirectory(prefix="scipd-first-") as run_directory:
-        ends_while_it_loads(sys.argv[1], pathlib.Path(sys.argv[2]), wanted, run_directory)
+        ends_while_it_loads(command, sys.argv[1], pathlib.Path(sys.argv[2]), wanted, run_directory)

@@ -87,7 +87,7 @@ def logs_entries_with_fields(program, scenes, folder):
 def says_there_why_it_cannot_start(program, scenes, folder):
     with Journal() as journal, start(program, scenes, folder, tcp="192.0.2.1:10940") as scipd:
         assert journal.find("192.0.2.1:10940")["PRIORITY"] == "2"
-        assert scipd.process.wait(PATIENCE_S) == 2
+        assert scipd.process.wait(PATIENCE_S) == 1
     with tempfile.TemporaryDirectory(dir=folder) as life, Journal() as journal, \
             start(program, scenes, life, seed="no number") as scipd:
         assert journal.find("service.yaml:1: seed: ")["PRIORITY"] == "2"
@@ -121,6 +121,9 @@ def goes_on_without_a_journal(program, scenes, folder):
     with start(program, scenes, folder) as scipd:
         scipd.ready()
         assert scipd.reload().startswith("1 sensor ")
+    with tempfile.TemporaryDirectory(dir=folder) as life, start(program, scenes, life, tcp="192.0.2.1:1") as scipd:
+        assert scipd.process.wait(PATIENCE_S) == 1
+        assert scipd.log().startswith("cannot listen on 192.0.2.1:1: "), scipd.log()
 
 
 def enter_namespace():

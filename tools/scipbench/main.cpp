@@ -204,7 +204,6 @@ int main(int argc, char** argv) {
     using namespace scipd::tools;
     CLI::App program("Compares the ways to compute ranges, on this machine.", "scipbench");
     program.require_subcommand(1);
-    program.footer("scipbench COMMAND --help tells more.");
     Said said;
     CLI::App* table3 = add(program, "table3",
                            "measure what a scan costs at each resolution, by rays "
@@ -234,6 +233,8 @@ int main(int argc, char** argv) {
     add_plot(*compare, said);
     add_load(program, said);
     add_fleet(program);
+    // Last, since commands take it over.
+    program.footer("scipbench COMMAND --help tells more.");
     add_completion_command(program);
     return run(program, argc, argv);
 }

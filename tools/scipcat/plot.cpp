@@ -126,7 +126,8 @@ void add_plot_command(CLI::App& program) {
         ->add_option("--color", options->colour,
                      "what colours mean: distance, intensity, or, of a scipd's scanner, material "
                      "or error (sent - true)")
-        ->transform(CLI::CheckedTransformer(colour_names()).description("WHAT"));
+        ->transform(CLI::CheckedTransformer(colour_names())
+                        .description(CLI::detail::generate_map(colour_names(), true)));
     options->truth.add_to(*command);
     command->callback([options] {
         check(*options);
