@@ -83,7 +83,7 @@ Lines on_the_wire(const Message& message) {
     return lines;
 }
 
-/// What is wrong with a message, by the order in which its lines come.
+/// Whether a line of a message is wrong, in the order in which they come.
 bool damaged(const Lines& lines) {
     std::size_t size = 0;
     for (const std::string& line : lines) {
