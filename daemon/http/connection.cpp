@@ -72,6 +72,11 @@ std::optional<HttpResponse> unreadable(const error_code& error, Limits& limits,
     return {};
 }
 
+/// What has come with the request is lost to the WebSocket, which would take the rest for frames.
+HttpResponse early_frame() {
+    return problem(400, "a client must wait for the answer before its first frame (RFC 6455, 4.1)");
+}
+
 }  // namespace
 
 template <class Protocol>
@@ -226,6 +231,7 @@ void HttpConnection<Protocol>::upgrade() {
     if (auto* refusal = std::get_if<HttpResponse>(&answer)) {
         return write(std::move(*refusal), request.keep_alive());
     }
+    if (buffer_.size() != 0) return write(early_frame(), false);
     std::make_shared<WebSocketConnection<Protocol>>(std::move(stream_), service_, door_)
         ->open(request, std::get<Converse>(std::move(answer)));
 }

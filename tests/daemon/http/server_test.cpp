@@ -529,10 +529,7 @@ class RawWebSocketTest : public HttpServerTest {
   protected:
     Local::socket open() {
         auto socket = connect_local();
-        asio::write(socket, asio::buffer(std::string{
-                                "GET /talk HTTP/1.1\r\nHost: x\r\nConnection: Upgrade\r\n"
-                                "Upgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
-                                "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"}));
+        asio::write(socket, asio::buffer(request_));
         std::string head;
         asio::read_until(socket, asio::dynamic_buffer(head), "\r\n\r\n");
         EXPECT_THAT(head, StartsWith("HTTP/1.1 101 "));
@@ -556,8 +553,19 @@ class RawWebSocketTest : public HttpServerTest {
         return text;
     }
 
+    const std::string request_ =
+        "GET /talk HTTP/1.1\r\nHost: x\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
+        "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n";
     const std::string policy_ = "\x03\xf0";  ///< code 1008
 };
+
+// They would be lost, and what follows would be taken for frames.
+TEST_F(RawWebSocketTest, SaysThatFramesMustWaitForTheAnswer) {
+    start();
+    const std::string answer = ask(connect_local(), request_ + "\x81");
+    EXPECT_THAT(answer, StartsWith("HTTP/1.1 400 "));
+    EXPECT_THAT(answer, HasSubstr("must wait for the answer"));
+}
 
 TEST_F(RawWebSocketTest, EndsWithTheReasonWhenItSendsTooOften) {
     LimitValues values;
