@@ -21,6 +21,10 @@ namespace websocket = boost::beast::websocket;
 /// A client with so many messages before it is not listened to until it has read some.
 constexpr std::size_t most_unread = 64;
 
+/// Read at once. Without a bound the library makes room for all that a frame says will come, which
+/// may be 2^64 bytes.
+constexpr std::size_t gulp = 65'536;
+
 /// How long a client may take to read why it is refused.
 constexpr std::chrono::seconds last_words{5};
 
@@ -75,8 +79,7 @@ void WebSocketConnection<Protocol>::read() {
 
 template <class Protocol>
 void WebSocketConnection<Protocol>::read_more() {
-    constexpr std::size_t any_size = 0;
-    socket_.async_read_some(buffer_, any_size,
+    socket_.async_read_some(buffer_, gulp,
                             [self = this->shared_from_this()](const Error& error, std::size_t) {
                                 self->received(error);
                             });

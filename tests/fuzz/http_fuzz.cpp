@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Any bytes from a client to the HTTP server, through a gate that asks for a token; or, as the first
-// byte says, to a WebSocket that is open already. The byte also says how large the pieces are in
-// which they come. However they are cut, the server sends the same: whole responses, or whole
+// Any bytes from a client to the HTTP server, through a gate that asks for a token; or, as the
+// first byte says, to a WebSocket that is open already. The byte also says how large the pieces are
+// in which they come. However they are cut, the server sends the same: whole responses, or whole
 // frames. Nobody is heard who does not say the token, the Host and, with a body, its type. When the
 // client has ended, the server has, too.
 #include <algorithm>

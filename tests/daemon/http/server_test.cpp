@@ -536,13 +536,16 @@ class RawWebSocketTest : public HttpServerTest {
         return socket;
     }
 
-    /// A text message of at least 64 KiB.
-    static std::string message(std::size_t size) {
-        std::string frame = "\x81\xff";
+    /// What comes before a text of at least 64 KiB.
+    static std::string head_of(std::size_t size) {
+        std::string head = "\x81\xff";
         for (int shift = 56; shift >= 0; shift -= 8)
-            frame += static_cast<char>((size >> shift) & 0xFFU);
-        return frame + std::string(4, '\0') + std::string(size, 'x');
+            head += static_cast<char>((size >> shift) & 0xFFU);
+        return head + std::string(4, '\0');
     }
+
+    /// A text message of at least 64 KiB.
+    static std::string message(std::size_t size) { return head_of(size) + std::string(size, 'x'); }
 
     /// What comes up to these words.
     static std::string up_to(Local::socket& socket, const std::string& words) {
@@ -634,6 +637,14 @@ TEST_F(RawWebSocketTest, EndsAtAMessageThatIsTooLarge) {
                 AllOf(HasSubstr("\x03\xf1"), HasSubstr("100000 bytes")));  // code 1009
     socket.close();
     EXPECT_TRUE(eventually([&] { return limits_->refused(Limit::http_body_bytes) == 1; }));
+
+    // No room is made for what is only said to come.
+    for (const std::size_t said : {std::size_t{1} << 40U, std::size_t{1} << 62U, ~std::size_t{0}}) {
+        auto boaster = open();
+        asio::write(boaster, asio::buffer(head_of(said) + "x"));
+        EXPECT_THAT(ask(connect_local(), "GET / HTTP/1.1\r\n" + last + "\r\n"),
+                    StartsWith("HTTP/1.1 200 "));
+    }
 }
 
 TEST_F(HttpServerTest, AnswersOthersWhileAConversationTakesALongMessage) {
