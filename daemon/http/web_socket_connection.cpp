@@ -21,9 +21,9 @@ namespace websocket = boost::beast::websocket;
 /// A client with so many messages before it is not listened to until it has read some.
 constexpr std::size_t most_unread = 64;
 
-/// Read at once. Without a bound the library makes room for all that a frame says will come, which
-/// may be 2^64 bytes.
-constexpr std::size_t gulp = 65'536;
+/// What it reads at most. Without a bound the library makes room for all that a frame says will
+/// come, which may be 2^64 bytes.
+constexpr std::size_t most_at_once = 65'536;
 
 /// How long a client may take to read why it is refused.
 constexpr std::chrono::seconds last_words{5};
@@ -79,7 +79,7 @@ void WebSocketConnection<Protocol>::read() {
 
 template <class Protocol>
 void WebSocketConnection<Protocol>::read_more() {
-    socket_.async_read_some(buffer_, gulp,
+    socket_.async_read_some(buffer_, most_at_once,
                             [self = this->shared_from_this()](const Error& error, std::size_t) {
                                 self->received(error);
                             });
