@@ -67,6 +67,14 @@ void print_refusal(const std::string& text) {
         print(text, stderr);
 }
 
+/// The kernel lets the first process of a container ignore signals that it does not handle.
+void end_as_others_end() {
+    constexpr pid_t first_process = 1;
+    if (::getpid() != first_process) return;
+    for (const int signal : {SIGINT, SIGTERM})
+        std::signal(signal, [](int ended_by) { ::_exit(128 + ended_by); });
+}
+
 enum ExitCode {
     ended_as_asked = 0,
     failed = 1,  ///< and may do better when it is started again
@@ -124,6 +132,7 @@ int run(const scipd::daemon::Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    end_as_others_end();
     open_standard_descriptors();
     keep_little_memory();
     // A client that goes away is an error of one write, not the end of the program.

@@ -31,14 +31,6 @@ namespace {
 /// What systemd waits for beside the world: a broker, say, and the backends that are measured.
 constexpr std::chrono::minutes beside_the_world{5};
 
-/// The kernel lets the first process of a container ignore signals that it does not handle.
-void end_as_others_end() {
-    constexpr pid_t first_process = 1;
-    if (::getpid() != first_process) return;
-    for (const int signal : {SIGINT, SIGTERM})
-        std::signal(signal, [](int ended_by) { ::_exit(128 + ended_by); });
-}
-
 }  // namespace
 
 Server::Server(const Options& options)
@@ -72,7 +64,6 @@ Server::Server(const Options& options)
 // in the part of the heap that other threads have, so that this one does not wait while the memory
 // is given back.
 FleetPlan Server::load_first() {
-    end_as_others_end();
     service_notify::loading("loads " + options_.config.scene.string(),
                             options_.config.limits.load_time + beside_the_world);
     JoinWorld join;
@@ -101,11 +92,12 @@ void Server::share_world(const BrokerConfig& config) {
 void Server::listen_for_control() {
     const std::filesystem::path& named = options_.config.control;
     control_socket_ = first_control_socket();
+    remove_leftovers(run_directory());
     if (!named.empty()) {
         make_folder(named.parent_path());
         return listen_at_control();
     }
-    remove_leftovers(make_run_directory());
+    make_run_directory();
     const auto listen_beside = [this] {
         control_socket_.replace_filename("control-" + std::to_string(::getpid()) + ".sock");
         listen_at_control();

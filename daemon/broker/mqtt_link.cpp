@@ -3,7 +3,6 @@
 #include "daemon/broker/mqtt_link.h"
 
 #include <array>
-#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -31,38 +30,12 @@ constexpr auto care_time = 500ms;
 // So many messages are taken before the event loop turns to the scanners again.
 constexpr int messages_in_one_go = 16;
 
-const char* path_or_null(const std::filesystem::path& path) {
-    return path.empty() ? nullptr : path.c_str();
-}
-
-// The library's own words for TLS are that it has failed.
-std::string text_of_error(int code) {
-    if (code != MOSQ_ERR_TLS) return mosquitto_strerror(code);
-    return "TLS fails: `ca` must vouch for the broker's certificate, which must have its name";
-}
-
-void require(int code, const std::string& what) {
-    if (code != MOSQ_ERR_SUCCESS) throw std::runtime_error(what + ": " + text_of_error(code));
+/// Of "OpenSSL Error[0]: error:0A000086:SSL routines::certificate verify failed", the last words.
+std::string last_words(const std::string& log) {
+    return log.substr(log.rfind(':') + 1);
 }
 
 }  // namespace
-
-struct MqttLink::Library {
-    Library(const std::string& client, MqttLink* link) {
-        require(mosquitto_lib_init(), "cannot prepare the MQTT library");
-        constexpr bool begin_anew = true;
-        client_ = mosquitto_new(client.c_str(), begin_anew, link);
-        if (client_ == nullptr) throw std::runtime_error("cannot make an MQTT client");
-    }
-    ~Library() { mosquitto_destroy(client_); }
-    Library(const Library&) = delete;
-    Library& operator=(const Library&) = delete;
-
-    [[nodiscard]] mosquitto* get() const { return client_; }
-
-  private:
-    mosquitto* client_ = nullptr;
-};
 
 struct MqttLink::Loop {
     explicit Loop(const asio::any_io_executor& io) : executor(io), socket(io), timer(io) {}
@@ -80,25 +53,18 @@ MqttLink::MqttLink(const asio::any_io_executor& executor, const BrokerConfig& co
                    const std::string& client, const Will& will, Hooks hooks)
     : config_(config),
       hooks_(std::move(hooks)),
-      library_(std::make_unique<Library>(client, this)),
+      client_(make_mqtt_client(config, client, this)),
       loop_(std::make_unique<Loop>(executor)) {
-    mosquitto* const mqtt = library_->get();
+    mosquitto* const mqtt = client_.get();
     constexpr bool kept = true;
     if (!will.topic.empty())
-        require(mosquitto_will_set(mqtt, will.topic.c_str(), int(will.payload.size()),
-                                   will.payload.data(), 1, kept),
-                "cannot leave a will with the broker");
-    // Else a message waits until the broker's TCP confirms the one before it, up to 40 ms later.
-    mosquitto_int_option(mqtt, MOSQ_OPT_TCP_NODELAY, 1);
-    if (!config.user.name.empty())
-        mosquitto_username_pw_set(mqtt, config.user.name.c_str(), config.user.password.c_str());
-    if (config.broker.tls) {
-        const BrokerTls& tls = config.tls;
-        require(mosquitto_tls_set(mqtt, path_or_null(tls.ca),
-                                  tls.ca.empty() ? "/etc/ssl/certs" : nullptr,
-                                  path_or_null(tls.cert), path_or_null(tls.key), nullptr),
-                "cannot use the files of fleet.tls");
-    }
+        require_mqtt(mosquitto_will_set(mqtt, will.topic.c_str(), int(will.payload.size()),
+                                        will.payload.data(), 1, kept),
+                     "cannot leave a will with the broker");
+    mosquitto_log_callback_set(mqtt, [](mosquitto*, void* link, int level, const char* text) {
+        if (level == MOSQ_LOG_ERR && std::string_view(text).starts_with("OpenSSL"))
+            static_cast<MqttLink*>(link)->tls_says_ = last_words(text);
+    });
     mosquitto_connect_callback_set(mqtt, [](mosquitto*, void* link, int code) {
         static_cast<MqttLink*>(link)->take_connected(code);
     });
@@ -119,7 +85,7 @@ bool MqttLink::run_until(const std::function<bool()>& done, std::chrono::millise
         if (std::chrono::steady_clock::now() > end) return false;
         if (tried && step(100ms)) continue;
         if (tried) std::this_thread::sleep_for(100ms);
-        const int code = mosquitto_connect_async(library_->get(), config_.broker.host.c_str(),
+        const int code = mosquitto_connect_async(client_.get(), config_.broker.host.c_str(),
                                                  config_.broker.port, keep_alive_s);
         if (code != MOSQ_ERR_SUCCESS) lose(code);
         tried = true;
@@ -128,14 +94,15 @@ bool MqttLink::run_until(const std::function<bool()>& done, std::chrono::millise
 }
 
 bool MqttLink::step(std::chrono::milliseconds patience) {
-    const int code = mosquitto_loop(library_->get(), int(patience.count()), 1);
+    const int code = mosquitto_loop(client_.get(), int(patience.count()), 1);
     if (code == MOSQ_ERR_SUCCESS) return true;
     lose(code);
     return false;
 }
 
 void MqttLink::take_connected(int code) {
-    answered_ = true;
+    constexpr int unavailable = 3;  // for now (MQTT 3.1.1, 3.2.2.3)
+    refused_ = code != 0 && code != unavailable;
     if (code != 0) return void(trouble_ = mosquitto_connack_string(code));
     connected_ = true;
     hooks_.connected();
@@ -147,22 +114,22 @@ void MqttLink::take_message(const MqttMessage& message) {
 }
 
 bool MqttLink::congested() const {
-    return mosquitto_want_write(library_->get());
+    return mosquitto_want_write(client_.get());
 }
 
 void MqttLink::subscribe(const std::string& topic) {
-    mosquitto_subscribe(library_->get(), nullptr, topic.c_str(), 1);
+    mosquitto_subscribe(client_.get(), nullptr, topic.c_str(), 1);
     look_after();
 }
 
 void MqttLink::unsubscribe(const std::string& topic) {
-    mosquitto_unsubscribe(library_->get(), nullptr, topic.c_str());
+    mosquitto_unsubscribe(client_.get(), nullptr, topic.c_str());
     look_after();
 }
 
 void MqttLink::publish(const std::string& topic, std::string_view payload, MqttDelivery delivery) {
     if (!connected_) return;
-    mosquitto_publish(library_->get(), nullptr, topic.c_str(), int(payload.size()), payload.data(),
+    mosquitto_publish(client_.get(), nullptr, topic.c_str(), int(payload.size()), payload.data(),
                       delivery.surely ? 1 : 0, delivery.kept);
     look_after();
 }
@@ -187,8 +154,8 @@ void MqttLink::stop() {
 // reset, and the broker might not read the goodbye: then it would say the will. So what comes is
 // read from a duplicate until the broker has closed its side.
 void MqttLink::say_goodbye() {
-    const int socket = ::dup(mosquitto_socket(library_->get()));
-    mosquitto_disconnect(library_->get());
+    const int socket = ::dup(mosquitto_socket(client_.get()));
+    mosquitto_disconnect(client_.get());
     std::array<char, 4096> unread{};
     const auto end = std::chrono::steady_clock::now() + longest_goodbye;
     while (std::chrono::steady_clock::now() < end) {
@@ -202,9 +169,18 @@ void MqttLink::say_goodbye() {
 // Where the broker has refused the client, take_connected() knows better why. And that there is no
 // connection says less than why the last one ended.
 void MqttLink::lose(int code) {
-    if (code == MOSQ_ERR_TLS) answered_ = true;
+    if (code == MOSQ_ERR_TLS) refused_ = tls_says_.find("certificate") != tls_says_.npos;
     const bool still_lost = code == MOSQ_ERR_NO_CONN && !connected_;
     lose(code == MOSQ_ERR_CONN_REFUSED || still_lost ? trouble_ : text_of_error(code));
+}
+
+// The library's own words for TLS are that it has failed.
+std::string MqttLink::text_of_error(int code) const {
+    if (code == MOSQ_ERR_KEEPALIVE) return "it does not answer";
+    if (code != MOSQ_ERR_TLS) return mosquitto_strerror(code);
+    return "TLS fails: " + tls_says_ +
+           (refused_ ? "; `ca` must vouch for the broker's certificate, which must have its name"
+                     : "");
 }
 
 void MqttLink::lose(const std::string& why) {
@@ -218,7 +194,7 @@ void MqttLink::lose(const std::string& why) {
 // Behind the library's back: it may close its socket in any call, and the number may be another
 // file's by then.
 void MqttLink::watch() {
-    const int socket = mosquitto_socket(library_->get());
+    const int socket = mosquitto_socket(client_.get());
     if (socket < 0 || loop_->socket.is_open()) return;
     loop_->socket.assign(::dup(socket));
     wait_to_read();
@@ -236,7 +212,7 @@ void MqttLink::wait_to_read() {
 void MqttLink::read() {
     for (int i = 0; i < messages_in_one_go; ++i) {
         came_ = false;
-        const int code = mosquitto_loop_read(library_->get(), 1);
+        const int code = mosquitto_loop_read(client_.get(), 1);
         if (code != MOSQ_ERR_SUCCESS) return lose(code);
         if (!came_) break;
     }
@@ -257,7 +233,7 @@ void MqttLink::wait_to_write() {
                              [this, alive = std::weak_ptr(loop_->alive)](error_code error) {
                                  if (alive.expired() || error) return;
                                  loop_->writing = false;
-                                 const int code = mosquitto_loop_write(library_->get(), 1);
+                                 const int code = mosquitto_loop_write(client_.get(), 1);
                                  if (code != MOSQ_ERR_SUCCESS) return lose(code);
                                  look_after();
                              });
@@ -270,7 +246,7 @@ void MqttLink::tick() {
         tick();
         if (trying_) return;
         const bool open = loop_->socket.is_open();
-        const int code = open ? mosquitto_loop_misc(library_->get()) : MOSQ_ERR_NO_CONN;
+        const int code = open ? mosquitto_loop_misc(client_.get()) : MOSQ_ERR_NO_CONN;
         const bool silent =
             !connected_ && std::chrono::steady_clock::now() - since_ > longest_silence;
         if (code == MOSQ_ERR_SUCCESS && !silent) return look_after();
@@ -283,7 +259,7 @@ void MqttLink::try_again() {
     trying_ = true;
     since_ = std::chrono::steady_clock::now();
     asio::post(loop_->finder, [this, alive = std::weak_ptr(loop_->alive), io = loop_->executor,
-                               mqtt = library_->get()] {
+                               mqtt = client_.get()] {
         const int code = mosquitto_reconnect_async(mqtt);
         asio::post(io, [this, alive, code] {
             if (!alive.expired()) take_tried(code);

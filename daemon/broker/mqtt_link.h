@@ -14,6 +14,7 @@
 
 #include <boost/asio/any_io_executor.hpp>
 
+#include "daemon/broker/mqtt_client.h"
 #include "daemon/config/broker_config.h"
 
 namespace scipd::daemon {
@@ -62,8 +63,8 @@ class MqttLink {
     [[nodiscard]] bool connected() const { return connected_; }
     /// Whether the broker takes less than it is sent.
     [[nodiscard]] bool congested() const;
-    /// Whether the broker has ever answered, be it to refuse this client.
-    [[nodiscard]] bool answered() const { return answered_; }
+    /// Whether the broker has refused this client, or cannot be trusted: asking again is in vain.
+    [[nodiscard]] bool refused() const { return refused_; }
     /// Why there is no connection.
     [[nodiscard]] const std::string& trouble() const { return trouble_; }
 
@@ -73,12 +74,12 @@ class MqttLink {
     void publish(const std::string& topic, std::string_view payload, MqttDelivery delivery);
 
   private:
-    struct Library;
     struct Loop;
 
     void take_connected(int code);
     void take_message(const MqttMessage& message);
     [[nodiscard]] bool step(std::chrono::milliseconds patience);
+    [[nodiscard]] std::string text_of_error(int code) const;
     void lose(int code);
     void lose(const std::string& why);
     void say_goodbye();
@@ -93,12 +94,13 @@ class MqttLink {
 
     const BrokerConfig config_;
     Hooks hooks_;
-    std::unique_ptr<Library> library_;
+    MqttClient client_;
     std::unique_ptr<Loop> loop_;
     bool connected_ = false;
-    bool answered_ = false;
-    bool trying_ = false;  ///< the other thread has the library
-    bool came_ = false;    ///< a message, since this was set
+    bool refused_ = false;
+    bool trying_ = false;                           ///< the other thread has the library
+    bool came_ = false;                             ///< a message, since this was set
+    std::string tls_says_ = "the broker hangs up";  ///< of what failed last
     std::string trouble_ = "it has not answered yet";
     std::chrono::steady_clock::time_point since_{};  ///< when it was tried last
 };

@@ -82,8 +82,8 @@ void SharedWorld::require_answer(bool came) const {
         "cannot join the world {0} by the broker {1}: {2}; start the broker first, and "
         "see that its user may read and write scipd/{0}/#",
         config_.world, text_of(config_.broker), why);
-    if (!link_.answered()) throw NotThereYet(text);
-    throw std::runtime_error(text);
+    if (link_.connected() || link_.refused()) throw std::runtime_error(text);
+    throw NotThereYet(text);
 }
 
 JoinedWorld SharedWorld::join(const sim::Scene& base) {

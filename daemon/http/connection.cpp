@@ -97,6 +97,7 @@ HttpConnection<Protocol>::~HttpConnection() {
 template <class Protocol>
 void HttpConnection<Protocol>::read_header() {
     parser_.emplace();
+    with_body_ = true;
     const Limits& limits = *service_->limits;
     // Its own limit is not exact: it is of what the parser gets at once.
     parser_->header_limit(std::numeric_limits<std::uint32_t>::max());
@@ -159,14 +160,16 @@ void HttpConnection<Protocol>::come_in() {
     if (service_->closed) return;
     to_origin_form(parser_->get());
     const auto& request = parser_->get();
+    with_body_ = request.method() != http::verb::head;
+    // What follows a body in chunks would count, too.
+    wants_web_socket_ = boost::beast::websocket::is_upgrade(request);
     if (auto fault = framing_fault(request)) return write(std::move(*fault), false);
     if (!door_->gate) return allow_body();
     const bool has_body = !parser_->is_done();
     auto answer = door_->gate->answer(request, has_body, address_of(stream_.socket()));
     if (!answer) return allow_body();
     // A body that nobody reads cannot be told from the next request.
-    write(std::move(*answer), request.keep_alive() && !has_body,
-          request.method() != http::verb::head);
+    write(std::move(*answer), request.keep_alive() && !has_body);
 }
 
 /// A client that asks before it sends a large body waits for the answer.
@@ -193,12 +196,10 @@ template <class Protocol>
 void HttpConnection<Protocol>::answer() {
     if (service_->closed) return;
     const auto& request = parser_->get();
-    if (boost::beast::websocket::is_upgrade(request)) return upgrade();
+    if (wants_web_socket_) return upgrade();
     const bool keep_alive = request.keep_alive();
-    const bool with_body = request.method() != http::verb::head;
-    const auto respond = [self = this->shared_from_this(), keep_alive,
-                          with_body](HttpResponse response) {
-        if (!self->service_->closed) self->write(std::move(response), keep_alive, with_body);
+    const auto respond = [self = this->shared_from_this(), keep_alive](HttpResponse response) {
+        if (!self->service_->closed) self->write(std::move(response), keep_alive);
     };
     answered_ = false;
     hung_up_ = {};
@@ -244,11 +245,11 @@ void HttpConnection<Protocol>::refuse(const Error& error) {
 }
 
 template <class Protocol>
-void HttpConnection<Protocol>::write(HttpResponse plain, bool keep_alive, bool with_body) {
+void HttpConnection<Protocol>::write(HttpResponse plain, bool keep_alive) {
     answered_ = true;
     glance_.cancel();
     response_ = to_beast(std::move(plain), keep_alive);
-    if (!with_body) response_.body().clear();
+    if (!with_body_) response_.body().clear();
     serializer_.emplace(response_);
     write_more(keep_alive);
 }

@@ -51,7 +51,7 @@ class HttpConnection : public HttpClient,
     void watch();
     void upgrade();
     void refuse(const Error& error);
-    void write(HttpResponse plain, bool keep_alive, bool with_body = true);
+    void write(HttpResponse plain, bool keep_alive);
     void write_more(bool keep_alive);
     void close_gently();
     void drop_input();
@@ -63,7 +63,9 @@ class HttpConnection : public HttpClient,
     std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
     /// How long it may send or take nothing.
     std::chrono::milliseconds patience_{};
-    std::size_t room_ = 0;  ///< for what is left of the header, or for what frames a chunk
+    std::size_t room_ = 0;   ///< for what is left of the header, or for what frames a chunk
+    bool with_body_ = true;  ///< its answer, unless it is to HEAD
+    bool wants_web_socket_ = false;
     const std::shared_ptr<Rate> rate_ = std::make_shared<Rate>();
     bool answered_ = false;
     std::stop_source hung_up_;

@@ -85,13 +85,12 @@ bool says(const std::string& token, const Gate::Header& request) {
                same_letters(said.substr(0, scheme.size()), scheme) &&
                is_same(said.substr(scheme.size()), token);
     }
-    for (const std::string_view offered : subprotocols(request)) {
-        if (!offered.starts_with(offer)) continue;
-        const std::string_view as_it_is = offered.substr(offer.size());
-        return is_same(as_it_is, token) ||
-               is_same(percent_decoded(as_it_is).value_or(std::string{}), token);
-    }
-    return false;
+    auto offered = subprotocols(request);
+    std::erase_if(offered, [&](std::string_view text) { return !text.starts_with(offer); });
+    if (offered.size() != 1) return false;
+    const std::string_view as_it_is = offered.front().substr(offer.size());
+    return is_same(as_it_is, token) ||
+           is_same(percent_decoded(as_it_is).value_or(std::string{}), token);
 }
 
 HttpResponse unknown_client() {
@@ -103,11 +102,15 @@ HttpResponse unknown_client() {
     return response;
 }
 
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view white = " \t";
+    text.remove_prefix(std::min(text.find_first_not_of(white), text.size()));
+    return text.substr(0, text.find_last_not_of(white) + 1);
+}
+
 bool is_json(std::string_view content_type) {
-    std::string_view type = content_type.substr(0, content_type.find(';'));
-    while (type.ends_with(' ') || type.ends_with('\t'))
-        type.remove_suffix(1);
-    return same_letters(type, "application/json");
+    return same_letters(trimmed(content_type.substr(0, content_type.find(';'))),
+                        "application/json");
 }
 
 }  // namespace
@@ -128,15 +131,14 @@ std::vector<std::string> hosts_of(const Address& here) {
 
 std::vector<std::string_view> subprotocols(const Gate::Header& request) {
     std::vector<std::string_view> offers;
-    std::string_view rest = field(request, http::field::sec_websocket_protocol);
-    while (!rest.empty()) {
-        std::string_view offer = rest.substr(0, rest.find(','));
-        rest.remove_prefix(std::min(offer.size() + 1, rest.size()));
-        while (offer.starts_with(' '))
-            offer.remove_prefix(1);
-        while (offer.ends_with(' '))
-            offer.remove_suffix(1);
-        offers.push_back(offer);
+    auto [field, end] = request.equal_range(http::field::sec_websocket_protocol);
+    for (; field != end; ++field) {
+        std::string_view rest{field->value().data(), field->value().size()};
+        while (!rest.empty()) {
+            const std::string_view offer = rest.substr(0, rest.find(','));
+            rest.remove_prefix(std::min(offer.size() + 1, rest.size()));
+            offers.push_back(trimmed(offer));
+        }
     }
     return offers;
 }

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# What tests of a shared world use: a broker of their own on a free port, and daemons whose scanners can be asked.
+# What tests of a shared world use: a broker of their own on a free port, or one that is none, and daemons whose
+# scanners can be asked.
+import contextlib
 import json
 import pathlib
 import shutil
 import socket
 import subprocess
 import tempfile
+import threading
 import time
 
 from fault_lab import Client, Control, PATIENCE_S, Scan, wait_for
@@ -67,6 +70,42 @@ class Broker:
                                "-F", "%j"], capture_output=True, text=True, timeout=PATIENCE_S, check=False)
         messages = [json.loads(line) for line in told.stdout.splitlines()]
         return {message["topic"]: message["payload"] for message in messages}
+
+
+class FakeBroker:
+    """Answers whoever connects with these bytes, so many times or always, and hangs up; then nobody listens."""
+
+    def __init__(self, answer, times=None, hangs_up=True):
+        self.listener = socket.create_server(("127.0.0.1", 0))
+        self.url = f"mqtt://127.0.0.1:{self.listener.getsockname()[1]}"
+        self.answer, self.times, self.hangs_up = answer, times, hangs_up
+        self.clients = []
+        self.thread = threading.Thread(target=self.serve)
+
+    def serve(self):
+        while self.times is None or len(self.clients) < self.times:
+            try:
+                client = self.listener.accept()[0]
+            except OSError:
+                return
+            self.clients.append(client)
+            client.sendall(self.answer)
+            if self.hangs_up:
+                client.recv(1)
+                client.shutdown(socket.SHUT_WR)
+        self.listener.close()
+
+    def __enter__(self):
+        self.thread.start()
+        return self
+
+    def __exit__(self, *_):
+        with contextlib.suppress(OSError):
+            self.listener.shutdown(socket.SHUT_RDWR)
+        self.listener.close()
+        self.thread.join()
+        for client in self.clients:
+            client.close()
 
 
 class Daemon:

@@ -3,6 +3,7 @@
 #
 # Three daemons and a broker: one world. Ranges are those of the closed form: a wall 10 m ahead, and boxes whose faces
 # are a quarter of a metre nearer than they are. fleet_test.py SCIPD SCIPCTL
+import concurrent.futures
 import json
 import signal
 import socket
@@ -11,7 +12,7 @@ import sys
 import time
 
 from fault_lab import wait_for
-from fleet_lab import CRATE, FleetLab, hall
+from fleet_lab import CRATE, FakeBroker, FleetLab, hall
 
 CART = {"body": "cart", "pose": {"xyz": [2, 0, 0.3]}, "poses": "udp:127.0.0.1:0"}
 
@@ -212,12 +213,19 @@ def what_is_far_is_left_out(lab, west):
 
 
 def without_a_broker_it_may_do_better_later(scipd):
-    with FleetLab(scipd) as lab:
+    accepted = b"\x20\x02\x00\x00"
+    unavailable, forbidden = b"\x20\x02\x00\x03", b"\x20\x02\x00\x05"
+    with FleetLab(scipd) as lab, FakeBroker(accepted, times=1) as dies, FakeBroker(unavailable) as busy, \
+            FakeBroker(forbidden) as strict, FakeBroker(b"", hangs_up=False) as silent:
         lab.broker.kill()
-        early = lab.start("early")
-        assert early.ready is None and early.end() == 1
-        assert "cannot join the world hall by the broker mqtt://127.0.0.1" in early.log(), early.log()
-        assert "start the broker first" in early.log(), early.log()
+        cases = [(lab.broker.url, 1, "start the broker first"), (dies.url, 1, "cannot join"),
+                 (busy.url, 1, "unavailable"), (strict.url, 2, "not authorised"), (silent.url, 1, "not answer")]
+        with concurrent.futures.ThreadPoolExecutor(len(cases)) as pool:
+            started = list(pool.map(lambda i: lab.start(f"early{i}", url=cases[i][0]), range(len(cases))))
+        for daemon, (url, code, why) in zip(started, cases):
+            assert daemon.ready is None and daemon.end() == code, (code, daemon.log())
+            assert f"cannot join the world hall by the broker {url}" in daemon.log(), daemon.log()
+            assert why in daemon.log(), (why, daemon.log())
 
 
 def main(scipd, scipctl):

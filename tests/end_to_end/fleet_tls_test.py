@@ -6,7 +6,7 @@ import subprocess
 import sys
 
 from fault_lab import PATIENCE_S, wait_for
-from fleet_lab import BOX, CRATE, Broker, FleetLab, free_port
+from fleet_lab import BOX, CRATE, Broker, FakeBroker, FleetLab, free_port
 
 USER = "guest"
 PASSWORD = "correct horse"
@@ -94,6 +94,8 @@ def main(scipd, scipctl):
         lab.refused("untrusted", "`ca` must vouch", **lab.user, tls={"ca": str(lab.folder / "stranger.pem")})
         lab.refused("unknown", "user", **lab.trust, user_file=str(lab.folder / "wrong_user"))
         lab.refused("nobody", "user", **lab.trust)
+        with FakeBroker(b"") as closed:
+            lab.refused("early", "cannot join", exit_code=1, url=closed.url.replace("mqtt", "mqtts"), **lab.trust)
         # This broker hangs up without a word, as one may that is being started.
         lab.refused("anonymous", "cannot join", exit_code=1, url=lab.broker.strict_url, **lab.trust, **lab.user)
         for daemon in (one, two):

@@ -83,7 +83,10 @@ void plot(PlotOptions options) {
     if (options.scan.intensity && !options.colour) options.colour = ColourBy::intensity;
     if (options.colour == ColourBy::intensity) options.scan.intensity = true;
     Scanner scanner = options.connection.open();
-    if (options.need_truth()) announce_question(options.truth, options.connection.target);
+    if (options.need_truth()) {
+        options.truth.find_scipd();
+        announce_question(options.truth, options.connection.target);
+    }
     const ScanMessage scan = one_scan(scanner, options.scan);
     TopView view = make_top_view(scan, scanner.parameters());
     if (options.need_truth())

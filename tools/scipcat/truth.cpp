@@ -11,6 +11,7 @@
 #include "daemon/config/run_directory.h"
 #include "tools/control_client.h"
 #include "tools/target.h"
+#include "tools/which_scipd.h"
 
 namespace scipd::tools {
 namespace {
@@ -110,7 +111,12 @@ void TruthOptions::add_to(CLI::App& command) {
     command.add_option(
         "--truth", sensor,
         "the scanner's name in its scipd, as ROBOT/SENSOR (default: by its address)");
-    command.add_option("--control", control, "that scipd's control socket")->capture_default_str();
+    named_ = command.add_option("--control", control, "that scipd's control socket")
+                 ->capture_default_str();
+}
+
+void TruthOptions::find_scipd() {
+    if (named_->empty()) control = socket_of_the_scipd_meant(control);
 }
 
 void announce_question(const TruthOptions& options, const std::string& target) {

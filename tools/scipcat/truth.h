@@ -35,6 +35,12 @@ struct TruthOptions {
     std::string sensor;  ///< empty: the one that the target is
 
     void add_to(CLI::App& command);
+    /// Where the user has named none, it is the one that scipctl would speak to. To be called once
+    /// the options are read. Throws WrongInput where that leaves it open.
+    void find_scipd();
+
+  private:
+    const CLI::Option* named_ = nullptr;
 };
 
 /// To be called before the scan is taken: from then on the scipd keeps scans to be asked for.

@@ -37,6 +37,10 @@ const Folders* folders_to_read() {
     return held_to ? &*held_to : nullptr;
 }
 
+std::string or_in_no_folder() {
+    return held_to ? ", or it " + std::string(lies_in_no_folder) : "";
+}
+
 Expected<> check_allowed(const fs::path& file) {
     if (!held_to || lies_in_one_of(*held_to, file)) return {};
     return refuse(lies_in_no_folder);

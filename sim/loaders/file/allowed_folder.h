@@ -26,6 +26,9 @@ void read_only_from(Folders folders);
 /// What to say of other files.
 constexpr const char* lies_in_no_folder =
     "lies in no folder that `allow` in the configuration names";
+/// Ends a sentence that says of a file that it is not there: who must not read it learns nothing of
+/// it. Empty where all may be read.
+[[nodiscard]] std::string or_in_no_folder();
 /// Whether this process may read the file.
 [[nodiscard]] Expected<> check_allowed(const std::filesystem::path& file);
 

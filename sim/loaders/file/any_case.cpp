@@ -26,6 +26,12 @@ fs::path alike(const fs::path& folder, const fs::path& name) {
     return found.empty() ? fs::path{} : *std::ranges::min_element(found);
 }
 
+/// Where not all may be read, without `..`: whether there is what they lead back from is nobody's
+/// business.
+fs::path to_look_for(const fs::path& path) {
+    return folders_to_read() == nullptr ? path : fs::absolute(path).lexically_normal();
+}
+
 }  // namespace
 
 std::string lower(std::string_view text) {
@@ -38,13 +44,14 @@ std::string lower(std::string_view text) {
 
 fs::path exactly(const fs::path& folder, const fs::path& name) {
     std::error_code error;
-    fs::path whole = folder / name;
+    fs::path whole = to_look_for(folder / name);
     return !whole.empty() && fs::exists(whole, error) && check_allowed(whole) ? whole : fs::path{};
 }
 
 fs::path in_any_case(const fs::path& folder, const fs::path& name) {
-    fs::path at = name.is_absolute() ? name.root_path() : folder;
-    for (const auto& part : name.relative_path()) {
+    const fs::path wanted = folders_to_read() == nullptr ? name : to_look_for(folder / name);
+    fs::path at = wanted.is_absolute() ? wanted.root_path() : folder;
+    for (const auto& part : wanted.relative_path()) {
         if (part.empty()) continue;  // after a trailing slash
         std::error_code error;
         fs::path next = fs::exists(at / part, error) ? at / part : alike(at, part);

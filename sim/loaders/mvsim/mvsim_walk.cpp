@@ -12,6 +12,7 @@
 
 #include <tinyxml2.h>
 
+#include "sim/loaders/file/allowed_folder.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/text/quote.h"
 
@@ -113,7 +114,7 @@ class Walk {
         const auto text = visitor_.read(file);
         if (!text) {
             throw std::invalid_argument("names " + printable(file.string()) +
-                                        ", which is not there");
+                                        ", which is not there" + or_in_no_folder());
         }
         const XMLElement& root = open(*text, file);
         Variables within = variables_;

@@ -242,9 +242,7 @@ std::string Resources::not_found(const std::string& text, const fs::path& beside
             ", nor in GZ_SIM_RESOURCE_PATH, GAZEBO_MODEL_PATH, SDF_PATH, ROS_PACKAGE_PATH or "
             "AMENT_PREFIX_PATH";
     }
-    // The same where there is such a file: who must not read it learns nothing of it.
-    if (folders_to_read() != nullptr) sentence += ", or it " + std::string{lies_in_no_folder};
-    return sentence;
+    return sentence + or_in_no_folder();
 }
 
 std::string download_command(const std::string& text) {

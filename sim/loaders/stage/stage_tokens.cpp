@@ -7,6 +7,7 @@
 #include <cctype>
 #include <utility>
 
+#include "sim/loaders/file/allowed_folder.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/text/quote.h"
 
@@ -113,7 +114,8 @@ class Scanner {
         const auto included = find_(name, tokens_.files[at.file]);
         if (included) return scan(*included, at.depth + 1);
         tokens_.warnings.push_back(place(at) + ": there is no " + quote(name) +
-                                   " beside the world or this file; left out");
+                                   " beside the world or this file" + or_in_no_folder() +
+                                   "; left out");
     }
 
     static std::size_t length_of_number(std::string_view text) {

@@ -172,6 +172,17 @@ TEST(Gate, TakesTheTokenAsASubprotocol) {
     EXPECT_EQ(status("bearer.correct-horse-battery", "Bearer other"), 401) << "which of the two?";
 }
 
+TEST(Gate, TakesAllSubprotocolsThatAreOfferedForOneList) {
+    auto request = asked_of("localhost:8080");
+    request.insert(http::field::sec_websocket_protocol, "\tother ,scipd\t");
+    request.insert(http::field::sec_websocket_protocol, "bearer.correct");
+    EXPECT_EQ(subprotocols(request),
+              (std::vector<std::string_view>{"other", "scipd", "bearer.correct"}));
+    EXPECT_FALSE(Gate{"correct"}.answer(request, false, loopback));
+    request.insert(http::field::sec_websocket_protocol, "bearer.wrong");
+    EXPECT_EQ(Gate{"correct"}.answer(request, false, loopback)->status, 401) << "which of the two?";
+}
+
 // Of those that `openssl rand -base64` makes, say.
 TEST(Gate, TakesATokenAsBrowsersMustWriteIt) {
     const auto status = [&](const char* token, const char* offer) {

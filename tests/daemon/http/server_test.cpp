@@ -562,6 +562,16 @@ class RawWebSocketTest : public HttpServerTest {
     const std::string policy_ = "\x03\xf0";  ///< code 1008
 };
 
+// The gate has not seen it, and a proxy in front takes the connection for one of HTTP.
+TEST_F(RawWebSocketTest, BeginsByNoTrailer) {
+    start();
+    const std::string upgrade =
+        "Connection: Upgrade\r\n" + request_.substr(request_.find("Upgrade: "));
+    EXPECT_THAT(ask(connect_local(), "GET /talk HTTP/1.1\r\nTransfer-Encoding: chunked\r\n" + last +
+                                         "\r\n0\r\n" + upgrade),
+                HasSubstr("GET /talk []"));
+}
+
 // They would be lost, and what follows would be taken for frames.
 TEST_F(RawWebSocketTest, SaysThatFramesMustWaitForTheAnswer) {
     start();

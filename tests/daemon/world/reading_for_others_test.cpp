@@ -115,6 +115,8 @@ TEST_F(ReadingForOthers, TellsNothingOfWhatLiesElsewhere) {
         for (const char* name : {"part.stl", "PART.stl", "part.stl/x.stl"})
             EXPECT_EQ(refusal(folder, name), nothing) << folder << name;
     }
+    for (const char* way : {"../secret/..", "../SECRET/..", "../none/.."})
+        EXPECT_EQ(add_text(mesh_model(way + std::string("/allowed/part.stl"))), "done\n") << way;
 }
 
 TEST_F(ReadingForOthers, OpensNoFifosAndNoDevices) {
