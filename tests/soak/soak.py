@@ -19,7 +19,8 @@ import wire
 from deeds import DEEDS
 
 CALM_S = 3.0  # time after all deeds for their clients to leave
-DRAINED_S = 30.0  # most time for scipd to finish work and close idle connections
+DRAINED_S = 180.0  # most time for scipd to finish work and close idle connections
+LEAKED_S = 20.0  # what is still open when so long nothing was closed is not closed at all
 BOOTED_S = 20.0  # longer than any scanner takes to boot
 PATIENCE_S = 60.0
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -115,15 +116,25 @@ class Soak:
         self.faults += [f"a good client: {task.exception()!r}" for task in done if task is not over]
         asyncio.get_running_loop().remove_reader(told.fileno())
         await asyncio.sleep(CALM_S)
-        patience = time.monotonic() + DRAINED_S
-        while self.sizes[-1][1] > self.sizes[0][1] + report.LEFT_DESCRIPTORS and time.monotonic() < patience:
-            await asyncio.sleep(1.0)
+        await self.drain()
         await asyncio.sleep(CALM_S)
         self.end_s = time.monotonic()
         for client in clients:
             client.cancel()
         self.status.take_time()
         self.editor.take_time()
+
+    async def drain(self):
+        """Waits until scipd has closed the hostile clients' connections, as long as it goes on to close some."""
+        least, begin_s = self.sizes[-1][1], time.monotonic()
+        closed_s = begin_s
+        while least > self.sizes[0][1] + report.LEFT_DESCRIPTORS:
+            await asyncio.sleep(1.0)
+            now_s = time.monotonic()
+            if self.sizes[-1][1] < least:
+                least, closed_s = self.sizes[-1][1], now_s
+            if now_s - closed_s > LEAKED_S or now_s - begin_s > DRAINED_S:
+                return
 
     def ask_victims(self):
         """Checks the victims after all deeds. If scipd is gone, their ttys may already belong to another program."""

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
+//
+// The library calls the reader below for each value. It can stop at any of them, and no exception
+// is thrown: one costs as much as reading ten lines, and a sender may send nothing but bad ones.
 #include "sim/loaders/poses/small_json.h"
 
-#include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "sim/text/quote.h"
 
@@ -12,12 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int deepest_json = 8;
-
-/// Thrown through the library's parser, which cannot be stopped otherwise.
-struct TooLarge : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
+constexpr std::size_t deepest_json = 8;
 
 /// The library's own words, without its name and number in brackets.
 std::string words_of(const Json::exception& error) {
@@ -26,26 +25,84 @@ std::string words_of(const Json::exception& error) {
     return printable(bracket == text.npos ? text : text.substr(bracket + 2));
 }
 
+/// Builds the document. Each function returns whether to read on.
+class SmallJsonReader : public nlohmann::json_sax<Json> {
+  public:
+    explicit SmallJsonReader(int most_values) : most_values_(most_values) {}
+
+    bool null() override { return take(nullptr); }
+    bool boolean(bool value) override { return take(value); }
+    bool number_integer(number_integer_t value) override { return take(value); }
+    bool number_unsigned(number_unsigned_t value) override { return take(value); }
+    bool number_float(number_float_t value, const string_t&) override { return take(value); }
+    bool string(string_t& value) override { return take(std::move(value)); }
+    bool binary(binary_t& value) override { return take(std::move(value)); }
+
+    bool start_object(std::size_t) override { return open(Json::object()); }
+    bool start_array(std::size_t) override { return open(Json::array()); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+    bool key(string_t& name) override {
+        if (!fits()) return false;
+        member_ = &(*open_.back())[name];
+        return true;
+    }
+
+    bool parse_error(std::size_t, const std::string&, const Json::exception& error) override {
+        why_ = "not JSON: " + words_of(error);
+        return false;
+    }
+
+    [[nodiscard]] Json& document() { return document_; }
+    /// Once it has stopped early.
+    [[nodiscard]] const std::string& why() const { return why_; }
+
+  private:
+    bool fits() {
+        if (open_.size() > deepest_json)
+            why_ = "nests deeper than " + std::to_string(deepest_json) + " levels";
+        else if (++values_ > most_values_)
+            why_ = "has more than " + std::to_string(most_values_) + " keys and values";
+        return why_.empty();
+    }
+
+    bool take(Json&& value) {
+        if (!fits()) return false;
+        put(std::move(value));
+        return true;
+    }
+
+    bool open(Json&& list) {
+        if (!fits()) return false;
+        open_.push_back(&put(std::move(list)));
+        return true;
+    }
+
+    bool close() {
+        open_.pop_back();
+        return fits();
+    }
+
+    Json& put(Json&& value) {
+        if (open_.empty()) return document_ = std::move(value);
+        if (open_.back()->is_object()) return *member_ = std::move(value);
+        return open_.back()->emplace_back(std::move(value));
+    }
+
+    int most_values_;
+    int values_ = 0;
+    Json document_;
+    std::vector<Json*> open_;  ///< objects and arrays that have not ended, each within the last
+    Json* member_ = nullptr;   ///< of the object, which the next value is for
+    std::string why_;
+};
+
 }  // namespace
 
 Expected<Json> parse_small_json(std::string_view text, int most_values) {
-    int values = 0;
-    const auto count = [&values, most_values](int depth, Json::parse_event_t, const Json&) {
-        if (depth > deepest_json) {
-            throw TooLarge("nests deeper than " + std::to_string(deepest_json) + " levels");
-        }
-        if (++values > most_values) {
-            throw TooLarge("has more than " + std::to_string(most_values) + " keys and values");
-        }
-        return true;
-    };
-    try {
-        return Json::parse(text, count);
-    } catch (const TooLarge& error) {
-        return refuse(error.what());
-    } catch (const Json::exception& error) {
-        return refuse("not JSON: " + words_of(error));
-    }
+    SmallJsonReader reader(most_values);
+    if (!Json::sax_parse(text, &reader)) return refuse(reader.why());
+    return std::move(reader.document());
 }
 
 }  // namespace scipd::sim
