@@ -46,7 +46,7 @@ inline constexpr std::array<LimitRow, 11> limit_table{{
     {"control_connections", 256, 1, 10'000, "more than @ clients are connected"},
     {"http_header_bytes", 16'384, 256, 1'000'000,
      "the header, or what frames a chunk of the body, is larger than @ bytes"},
-    {"http_body_bytes", 8'388'608, 1, 1'000'000'000, "the body is larger than @ bytes"},
+    {"http_body_bytes", 8'388'608, 1, 1'000'000'000, "the body or message is larger than @ bytes"},
     {"websocket_messages_per_s", 100'000, 1, 1'000'000, "more than @ messages a second"},
     {"websocket_queue_bytes", 67'108'864, 1, 1'000'000'000, "more than @ bytes wait to be read"},
     {"added_models", 10'000, 1, 1'000'000, "more than @ models would have been added"},

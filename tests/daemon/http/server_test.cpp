@@ -276,7 +276,7 @@ TEST_F(HttpServerTest, RefusesWhatIsTooLarge) {
     EXPECT_THAT(ask(connect(), put(most)), HasSubstr("PUT / [] 8388608"));
     const auto body = ask(connect(), put(most + 1));
     EXPECT_THAT(body, StartsWith("HTTP/1.1 413 Payload Too Large\r\n"));
-    EXPECT_THAT(body, HasSubstr(R"("detail":"the body is larger than 8388608 bytes; )"
+    EXPECT_THAT(body, HasSubstr(R"("detail":"the body or message is larger than 8388608 bytes; )"
                                 "http_body_bytes under limits in the configuration allows more"));
     const auto header =
         ask(connect_local(), "GET / HTTP/1.1\r\nX: " + std::string(20'000, 'x') + "\r\n\r\n");

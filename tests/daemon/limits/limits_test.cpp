@@ -30,7 +30,8 @@ TEST(Limits, CountsEachLimitAndSaysWhatAllowsMore) {
     limits.set(values);
     EXPECT_EQ(limits[Limit::http_body_bytes], 10U);
     EXPECT_EQ(limits.refuse(Limit::http_body_bytes, "somebody"),
-              "the body is larger than 10 bytes; http_body_bytes under limits in the configuration "
+              "the body or message is larger than 10 bytes; http_body_bytes under limits in the "
+              "configuration "
               "allows more");
     limits.refuse(Limit::http_body_bytes, "somebody");
     EXPECT_EQ(limits.refused(Limit::http_body_bytes), 2U);
