@@ -41,6 +41,11 @@ void ShardThread::halt() {
     wake();
 }
 
+bool ShardThread::is_still_by(Time time) {
+    std::unique_lock lock(mutex_);
+    return still_changed_.wait_until(lock, time, [this] { return still_; });
+}
+
 void ShardThread::wait_until_still(const std::function<void()>& late) {
     std::unique_lock lock(mutex_);
     const auto stands = [this] { return still_; };

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -45,8 +46,12 @@ class ShardThread {
     /// goes on.
     void tell(Changes changes);
 
+    using Time = std::chrono::steady_clock::time_point;
+
     /// It stands still as soon as the handler that runs now has ended.
     void halt();
+    /// Returns whether it stands still, at once if it does, and at that time if it does not.
+    [[nodiscard]] bool is_still_by(Time time);
     /// Returns when it stands still, and all that it was told before halt() is done. Calls `late`
     /// where that takes longer than any sweep does.
     void wait_until_still(const std::function<void()>& late);

@@ -2,12 +2,27 @@
 // Copyright The scipd authors
 #include "daemon/shards/shards.h"
 
+#include <algorithm>
+#include <chrono>
 #include <memory>
 #include <utility>
 
 #include <boost/asio/post.hpp>
 
 namespace scipd::daemon {
+namespace {
+
+/// Longer than sweeps take, and shorter than any scanner's turn. A camera's picture takes longer.
+constexpr std::chrono::milliseconds most_held_up{10};
+
+/// Puts those that do not stand still in time behind the others, and returns the first of them.
+auto late_of(std::vector<ShardThread*>& halted) {
+    const auto time = std::chrono::steady_clock::now() + most_held_up;
+    return std::stable_partition(halted.begin(), halted.end(),
+                                 [&](ShardThread* thread) { return thread->is_still_by(time); });
+}
+
+}  // namespace
 
 Shards::Shards(const boost::asio::any_io_executor& home, World& world, Clock& clock,
                const WallClock& wall_clock, std::size_t count)
@@ -63,13 +78,25 @@ void Shards::flush() {
         thread->tell(changes);
 }
 
+// Where some are late, the others go on until these stand still: the scans of one shard do not wait
+// for the pictures of another. Who has been late stays as it is, so that this comes to an end.
 void Shards::halt() {
     if (halts_++ > 0 || joined_) return;
     flush();
+    std::vector<ShardThread*> going;
     for (const auto& thread : threads_)
-        thread->halt();
-    for (const auto& thread : threads_)
-        thread->wait_until_still([&] { late_(thread->shard().number); });
+        going.push_back(thread.get());
+    while (!going.empty()) {
+        for (ShardThread* thread : going)
+            thread->halt();
+        const auto late = late_of(going);
+        if (late == going.end()) return;
+        for (auto thread = going.begin(); thread != late; ++thread)
+            (*thread)->go_on();
+        for (auto thread = late; thread != going.end(); ++thread)
+            (*thread)->wait_until_still([&] { late_((*thread)->shard().number); });
+        going.erase(late, going.end());
+    }
 }
 
 void Shards::go_on() {

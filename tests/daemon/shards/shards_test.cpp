@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <memory>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -102,6 +103,45 @@ TEST_P(ShardsTest, StandStillWhileSomebodyLooks) {
         for (const auto& busy : busy_)
             EXPECT_GT(busy->count, 0U);
     });
+}
+
+struct Turns {
+    std::atomic<int> count = 0;
+    std::atomic<bool> ended = false;
+};
+
+void take_turns(const std::shared_ptr<Turns>& turns, const Shard& shard) {
+    boost::asio::post(shard.executor, [turns, &shard] {
+        ++turns->count;
+        if (!turns->ended) take_turns(turns, shard);
+    });
+}
+
+// A picture of a camera takes long, and scans on other shards must not wait for it.
+TEST_P(ShardsTest, LetOthersGoOnUntilTheLateOneStandsStill) {
+    if (GetParam() == 1) GTEST_SKIP();
+    const auto turns = std::make_shared<Turns>();
+    take_turns(turns, shards_.at(1));
+    std::atomic<bool> drawing = false;
+    int meanwhile = 0;
+    boost::asio::post(shards_.at(0).executor, [&] {
+        drawing = true;
+        std::this_thread::sleep_for(100ms);  // by then somebody waits for this shard
+        const int before = turns->count;
+        const auto patience = std::chrono::steady_clock::now() + 5s;
+        while (turns->count < before + 1000 && std::chrono::steady_clock::now() < patience)
+            std::this_thread::sleep_for(1ms);
+        meanwhile = turns->count - before;
+    });
+    while (!drawing)
+        std::this_thread::yield();
+    shards_.still([&] {
+        EXPECT_GE(meanwhile, 1000);
+        const int then = turns->count;
+        std::this_thread::sleep_for(20ms);
+        EXPECT_EQ(turns->count, then);
+    });
+    turns->ended = true;
 }
 
 // What is stuck can be named, although nothing else goes on.
