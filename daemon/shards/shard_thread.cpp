@@ -41,7 +41,7 @@ void ShardThread::halt() {
     wake();
 }
 
-bool ShardThread::is_still_by(Time time) {
+bool ShardThread::wait_until_still_by(Time time) {
     std::unique_lock lock(mutex_);
     return still_changed_.wait_until(lock, time, [this] { return still_; });
 }

@@ -50,8 +50,8 @@ class ShardThread {
 
     /// It stands still as soon as the handler that runs now has ended.
     void halt();
-    /// Returns whether it stands still, at once if it does, and at that time if it does not.
-    [[nodiscard]] bool is_still_by(Time time);
+    /// Waits until it stands still, at most until that time. Returns whether it does.
+    bool wait_until_still_by(Time time);
     /// Returns when it stands still, and all that it was told before halt() is done. Calls `late`
     /// where that takes longer than any sweep does.
     void wait_until_still(const std::function<void()>& late);

@@ -2,24 +2,39 @@
 // Copyright The scipd authors
 #include "daemon/shards/shards.h"
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include <boost/asio/post.hpp>
 
 namespace scipd::daemon {
 namespace {
 
-/// Longer than sweeps take, and shorter than any scanner's turn. A camera's picture takes longer.
-constexpr std::chrono::milliseconds most_held_up{10};
+using Threads = std::vector<std::unique_ptr<ShardThread>>;
 
-/// Puts those that do not stand still in time behind the others, and returns the first of them.
-auto late_of(std::vector<ShardThread*>& halted) {
-    const auto time = std::chrono::steady_clock::now() + most_held_up;
-    return std::stable_partition(halted.begin(), halted.end(),
-                                 [&](ShardThread* thread) { return thread->is_still_by(time); });
+/// Longer than sweeps take.
+constexpr std::chrono::milliseconds in_time{10};
+/// Longer than the picture of a camera should take.
+constexpr std::chrono::milliseconds patience{250};
+
+/// Where some threads do not stand still in time, the others go on until these do: scans do not wait
+/// for a picture on another thread. Once only, since the others may draw pictures as well.
+void go_on_beside_the_late(const Threads& halted) {
+    std::vector<ShardThread*> late;
+    std::vector<ShardThread*> others;
+    const auto soon = std::chrono::steady_clock::now() + in_time;
+    for (const auto& thread : halted)
+        (thread->wait_until_still_by(soon) ? others : late).push_back(thread.get());
+    if (late.empty()) return;
+    for (ShardThread* thread : others)
+        thread->go_on();
+    const auto then = std::chrono::steady_clock::now() + patience;
+    for (ShardThread* thread : late)
+        thread->wait_until_still_by(then);
+    for (ShardThread* thread : others)
+        thread->halt();
 }
 
 }  // namespace
@@ -46,7 +61,13 @@ void Shards::on_changed(const std::function<void(std::size_t)>& callback) {
 
 void Shards::still_on(std::size_t number, const std::function<void()>& act) {
     if (threads_.empty() || joined_) return act();
-    still([&] { threads_[number]->catch_up(act); });
+    ShardThread& thread = *threads_[number];
+    if (halts_ > 0) return thread.catch_up(act);
+    flush();
+    thread.halt();
+    wait_for(thread);
+    thread.catch_up(act);
+    thread.go_on();
 }
 
 void Shards::call_home(std::function<void()> call) {
@@ -78,25 +99,18 @@ void Shards::flush() {
         thread->tell(changes);
 }
 
-// Where some are late, the others go on until these stand still: the scans of one shard do not wait
-// for the pictures of another. Who has been late stays as it is, so that this comes to an end.
 void Shards::halt() {
     if (halts_++ > 0 || joined_) return;
     flush();
-    std::vector<ShardThread*> going;
     for (const auto& thread : threads_)
-        going.push_back(thread.get());
-    while (!going.empty()) {
-        for (ShardThread* thread : going)
-            thread->halt();
-        const auto late = late_of(going);
-        if (late == going.end()) return;
-        for (auto thread = going.begin(); thread != late; ++thread)
-            (*thread)->go_on();
-        for (auto thread = late; thread != going.end(); ++thread)
-            (*thread)->wait_until_still([&] { late_((*thread)->shard().number); });
-        going.erase(late, going.end());
-    }
+        thread->halt();
+    go_on_beside_the_late(threads_);
+    for (const auto& thread : threads_)
+        wait_for(*thread);
+}
+
+void Shards::wait_for(ShardThread& thread) {
+    thread.wait_until_still([&] { late_(thread.shard().number); });
 }
 
 void Shards::go_on() {

@@ -46,8 +46,8 @@ class Shards {
         return act();
     }
 
-    /// The same for one shard, and `act` is called on its thread. For what casts: a backend that
-    /// draws is bound to the thread where it is used.
+    /// Calls `act` on the thread of this shard, between two of its handlers, and waits for it; the
+    /// others go on. For what casts: a backend that draws is bound to the thread where it is used.
     void still_on(std::size_t number, const std::function<void()>& act);
 
     /// Calls it on the I/O thread; any thread may ask. From there it is called at once.
@@ -72,6 +72,7 @@ class Shards {
     /// Hands over what is kept to be told at once.
     void flush();
     void halt();
+    void wait_for(ShardThread& thread);
     void go_on();
 
     boost::asio::any_io_executor home_;

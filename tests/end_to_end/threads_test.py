@@ -46,8 +46,19 @@ def messages(client):
     return [text for text in client.got.split(b"\n\n")[:-1] if b"\n99b\n" in text]
 
 
-def by_stamp(client):
-    return {decoded(text.split(b"\n")[2][:4]): text for text in messages(client)}
+class Stamped:
+    """A client's scans by their stamps. What has come is looked at once, so that this keeps up with many clients."""
+
+    def __init__(self, client):
+        self.client = client
+        self.scans = {}
+
+    def read(self):
+        more = self.client.read()
+        scans = messages(self.client)
+        self.scans |= {decoded(text.split(b"\n")[2][:4]): text for text in scans}
+        self.client.got = self.client.got.split(b"\n\n")[-1]
+        return more
 
 
 def all_messages(client, scans=SCANS):
@@ -57,25 +68,24 @@ def all_messages(client, scans=SCANS):
 
 def in_common(clients):
     """The stamps of the scans that each of them has got."""
-    return set.intersection(*(set(by_stamp(client)) for client in clients))
+    return set.intersection(*(set(client.scans) for client in clients))
 
 
 def sends_the_same_bytes(program, scene):
     """A machine that is too slow loses other scans in every run: some are in common sooner or later."""
     with contextlib.ExitStack() as runs:
         labs = [runs.enter_context(lab(program, scene, threads)) for threads in THREADS]
-        scanners = [[Client(running.address(f"s{i}")) for running in labs] for i in range(SCANNERS)]
+        scanners = [[Stamped(Client(running.address(f"s{i}"))) for running in labs] for i in range(SCANNERS)]
         everyone = [client for clients in scanners for client in clients]
         for client in everyone:
-            stream(client, 0)
+            stream(client.client, 0)
         wait_for(lambda: all(client.read() for client in everyone)
                  and all(len(in_common(clients)) >= COMPARED for clients in scanners), "scans to compare")
         seen = set()
         for i, clients in enumerate(scanners):
-            in_runs = [by_stamp(client) for client in clients]
             for stamp in in_common(clients):
-                assert len({run[stamp] for run in in_runs}) == 1, f"s{i}: {stamp} differs"
-                seen.add(in_runs[0][stamp])
+                assert len({client.scans[stamp] for client in clients}) == 1, f"s{i}: {stamp} differs"
+                seen.add(clients[0].scans[stamp])
         assert len(seen) >= COMPARED * SCANNERS, "all scans are alike"
 
 

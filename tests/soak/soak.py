@@ -20,7 +20,7 @@ from deeds import DEEDS
 
 CALM_S = 3.0  # time after all deeds for their clients to leave
 DRAINED_S = 180.0  # most time for scipd to finish work and close idle connections
-LEAKED_S = 20.0  # what is still open when so long nothing was closed is not closed at all
+LEAKED_S = 70.0  # longer than scipd lets a connection idle; if so long none was closed, the rest never is
 BOOTED_S = 20.0  # longer than any scanner takes to boot
 PATIENCE_S = 60.0
 ROOT = pathlib.Path(__file__).resolve().parents[2]
