@@ -19,8 +19,8 @@ constexpr std::chrono::milliseconds in_time{10};
 /// Longer than the picture of a camera should take.
 constexpr std::chrono::milliseconds patience{250};
 
-/// Where some threads do not stand still in time, the others go on until these do: scans do not wait
-/// for a picture on another thread. Once only, since the others may draw pictures as well.
+/// Where some threads do not stand still in time, the others go on until these do: scans do not
+/// wait for a picture on another thread. Once only, since the others may draw pictures as well.
 void go_on_beside_the_late(const Threads& halted) {
     std::vector<ShardThread*> late;
     std::vector<ShardThread*> others;
