@@ -47,13 +47,10 @@ bool ShardThread::wait_until_still_by(Time time) {
 }
 
 void ShardThread::wait_until_still(const std::function<void()>& late) {
-    std::unique_lock lock(mutex_);
-    const auto stands = [this] { return still_; };
-    if (still_changed_.wait_for(lock, 2s, stands)) return;
-    lock.unlock();
+    if (wait_until_still_by(std::chrono::steady_clock::now() + 2s)) return;
     late();
-    lock.lock();
-    still_changed_.wait(lock, stands);
+    std::unique_lock lock(mutex_);
+    still_changed_.wait(lock, [this] { return still_; });
 }
 
 void ShardThread::catch_up(std::function<void()> errand) {

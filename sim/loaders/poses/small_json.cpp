@@ -93,7 +93,7 @@ class SmallJsonReader : public nlohmann::json_sax<Json> {
     int values_ = 0;
     Json document_;
     std::vector<Json*> open_;  ///< objects and arrays that have not ended, each within the last
-    Json* member_ = nullptr;   ///< of the object, which the next value is for
+    Json* member_ = nullptr;   ///< of the innermost object: the next value is for it
     std::string why_;
 };
 
