@@ -15,12 +15,12 @@
 #include "daemon/config/config_file.h"
 #include "daemon/load_materials.h"
 #include "daemon/load_scenario.h"
+#include "daemon/load_trajectories.h"
 #include "daemon/load_world.h"
 #include "daemon/mounting.h"
 #include "daemon/unseen_media.h"
 #include "daemon/world/backend_choice.h"
 #include "sim/backends/registry.h"
-#include "sim/loaders/poses/trajectory_file.h"
 
 namespace scipd::daemon {
 namespace {
@@ -33,21 +33,6 @@ void note_faults(Sentences& faults, const std::function<void()>& load) {
     } catch (const sim::LoadError& error) {
         faults.insert(faults.end(), error.faults().begin(), error.faults().end());
     }
-}
-
-void check_trajectory(const Config& config, const RobotConfig& robot, Sentences& faults,
-                      std::vector<std::string>& warnings) {
-    if (!robot.poses || robot.poses->kind != PoseSource::Kind::file) return;
-    note_faults(faults, [&] {
-        try {
-            auto loaded =
-                sim::load_trajectory(robot.poses->file, robot.poses->format, robot.poses->times);
-            if (config.strict && !loaded.warnings.empty()) throw sim::LoadError(loaded.warnings);
-            std::ranges::move(loaded.warnings, std::back_inserter(warnings));
-        } catch (const sim::LoadError& error) {
-            throw named_at(config.place_of("robots." + robot.name + ".poses"), error);
-        }
-    });
 }
 
 /// A backend that this machine has not what it takes for would keep scipd from starting.
@@ -97,16 +82,18 @@ std::string check(const std::filesystem::path& file, const Options& options) {
         notices = mount_by_name(config, *world.scene);
     });
     note_faults(faults, [&] { (void)load_scenario(config); });
+    LoadedTrajectories trajectories;
+    note_faults(faults, [&] { trajectories = load_trajectories(config); });
     std::size_t sensors = 0;
     for (const RobotConfig& robot : config.robots) {
-        check_trajectory(config, robot, faults, world.warnings);
         check_backends(robot, faults);
         sensors += robot.sensors.size();
     }
     std::ranges::move(media_notices(config), std::back_inserter(notices));
     if (!faults.empty()) throw sim::LoadError(std::move(faults));
     std::string text;
-    for (const auto* list : {&materials.warnings, &world.warnings, &world.notes, &notices}) {
+    for (const auto* list :
+         {&materials.warnings, &world.warnings, &trajectories.warnings, &world.notes, &notices}) {
         for (const std::string& line : *list)
             text += line + "\n";
     }

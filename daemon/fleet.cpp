@@ -29,20 +29,16 @@ bool can_serve(const std::string& robot, const PoseSource& source, const RobotCo
     return source == *other.poses && (changes_hands || robot == other.name);
 }
 
-/// Those that the configuration still has, in its order; null for the others.
+/// Those that the configuration still has.
 Stations take_unchanged(Stations& old, const Config& config) {
     Stations kept;
     for (const RobotConfig& robot : config.robots) {
-        for (const SensorConfig& sensor : robot.sensors)
-            kept.push_back(take_unchanged(old, robot.name, sensor, config.seed));
+        for (const SensorConfig& sensor : robot.sensors) {
+            auto station = take_unchanged(old, robot.name, sensor, config.seed);
+            if (station) kept.push_back(std::move(station));
+        }
     }
     return kept;
-}
-
-void end_faults(const Stations& stations) {
-    for (const auto& station : stations) {
-        if (station->faults) station->faults->stop_all();
-    }
 }
 
 std::vector<std::string> names_of_sensors(const Config& config) {
@@ -55,8 +51,10 @@ std::vector<std::string> names_of_sensors(const Config& config) {
 }
 
 void log_findings(const FleetPlan& plan) {
-    for (const std::string& warning : plan.loaded.warnings)
-        spdlog::warn("{}", warning);
+    for (const auto* warnings : {&plan.loaded.warnings, &plan.trajectories.warnings}) {
+        for (const std::string& warning : *warnings)
+            spdlog::warn("{}", warning);
+    }
     for (const auto* notes : {&plan.loaded.notes, &plan.notices}) {
         for (const std::string& note : *notes)
             spdlog::info("{}", note);
@@ -85,7 +83,7 @@ Fleet::~Fleet() {
 
 void Fleet::apply(const Config& config) {
     // Of a sensor of which nothing is known, none moves.
-    (void)apply(make_plan(config, {}, {}, homes_));
+    (void)apply(make_plan(config, {.homes = homes_, .played = running().played}));
 }
 
 bool Fleet::apply(FleetPlan&& plan) {
@@ -103,7 +101,7 @@ bool Fleet::apply(FleetPlan&& plan) {
             if (moved.empty()) throw;
             return false;
         }
-        Feeds feeds = open_feeds(plan.config);
+        Feeds feeds = open_feeds(plan);
         take_up(std::move(plan), std::move(ports), std::move(feeds));
         return true;
     });
@@ -111,8 +109,32 @@ bool Fleet::apply(FleetPlan&& plan) {
 
 // An exception on the way would leave ports behind that serve devices which are gone.
 void Fleet::take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept {
-    tell_log_of(names_of_sensors(plan.config));
+    const Config& config = plan.config;
+    tell_log_of(names_of_sensors(config));
     log_findings(plan);
+    retire(config, ports);
+    replace_world(plan);
+    homes_ = std::move(plan.homes);
+    const std::vector<Station*> fresh = start(config, ports);
+    (void)simulation_->remount();
+    ports_ = std::move(ports);
+    replace_feeds(std::move(feeds));
+    replace_scenario(std::move(plan.scenario), fresh);
+}
+
+// A fault that ends may have its scanner answer what clients have asked: it casts once more. The
+// ports may soon be those of other scanners, to which no fault of these must do anything.
+void Fleet::retire(const Config& config, const Ports& ports) noexcept {
+    Simulation& simulation = *simulation_;
+    Stations staying = take_unchanged(simulation.stations, config);
+    Stations leaving = std::exchange(simulation.stations, std::move(staying));
+    for (const auto& station : leaving)
+        simulation.shards.still_on(station->shard, [&] { station->retire(); });
+    keep_counts(leaving, simulation);
+    stop_unneeded(ports_, ports);
+}
+
+void Fleet::replace_world(FleetPlan& plan) noexcept {
     Simulation& simulation = *simulation_;
     const Config& config = plan.config;
     simulation.limits->set(config.client_limits);
@@ -128,12 +150,6 @@ void Fleet::take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept {
     for (const RobotConfig& robot : config.robots)
         robots[robot.name] = {robot.world_from_robot, robot.policy, robot.body};
     simulation.world.set_robots(robots);
-    homes_ = std::move(plan.homes);
-    const std::vector<Station*> fresh = replace_stations(config, ports);
-    (void)simulation.remount();
-    ports_ = std::move(ports);
-    replace_feeds(std::move(feeds));
-    replace_scenario(std::move(plan.scenario), fresh);
 }
 
 void Fleet::stop() {
@@ -141,7 +157,7 @@ void Fleet::stop() {
     simulation_->drawer.stop();
     simulation_->shards.still([&] {
         replace_feeds({});
-        (void)replace_stations({}, {});
+        retire({}, {});
         ports_ = {};
     });
     simulation_->shards.join();
@@ -164,59 +180,54 @@ Ports Fleet::prepare_ports(const Config& config, const Homes& homes) const {
     return ports;
 }
 
-Fleet::Feeds Fleet::open_feeds(const Config& config) {
+Fleet::Feeds Fleet::open_feeds(const FleetPlan& plan) {
     const FeedContext context{
         .executor = executor_,
         .intake = simulation_->intake,
         .clock = simulation_->clock,
         .lockstep = simulation_->lockstep.get(),
-        .strict = config.strict,
         .report = [](const std::string& message) { spdlog::warn("{}", message); }};
     Feeds feeds;
-    for (const RobotConfig& robot : config.robots) {
+    for (const RobotConfig& robot : plan.config.robots) {
         // Vehicles come by the broker of the world that is shared.
         if (!robot.poses || robot.poses->kind == PoseSource::Kind::vda5050) continue;
         const auto open = std::ranges::find_if(
             feeds_, [&](const Feed& feed) { return can_serve(feed.robot, feed.source, robot); });
+        if (open != feeds_.end()) {
+            feeds.push_back({robot.name, *robot.poses, open->feed});
+            continue;
+        }
+        const auto read = plan.trajectories.poses.find(robot.name);
+        const bool plays = read != plan.trajectories.poses.end();
         feeds.push_back({robot.name, *robot.poses,
-                         open != feeds_.end() ? open->feed : make_feed(context, *robot.poses)});
+                         make_feed(context, *robot.poses, plays ? read->second : nullptr)});
     }
     return feeds;
 }
 
-std::vector<Station*> Fleet::replace_stations(const Config& config, const Ports& ports) noexcept {
-    Stations& old = simulation_->stations;
-    Stations stations = take_unchanged(old, config);
-    // Their ports may soon be those of other scanners, to which no fault of theirs must do
-    // anything.
-    end_faults(old);
-    keep_counts(old, *simulation_);
+std::vector<Station*> Fleet::start(const Config& config, const Ports& ports) noexcept {
+    Simulation& simulation = *simulation_;
+    Stations staying = std::exchange(simulation.stations, {});
     std::vector<Station*> fresh;
-    Stations left;
-    auto place = stations.begin();
     for (const RobotConfig& robot : config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {
-            std::unique_ptr<Station>& station = *place++;
+            auto station = take_unchanged(staying, robot.name, sensor, config.seed);
             const std::size_t home = homes_.sensors.at(sensor_name(robot.name, sensor.name));
-            if (station && station->shard == home) continue;
-            const StationContext context{.shard = simulation_->shards.at(home),
-                                         .stream = simulation_->stream,
-                                         .view = simulation_->view,
-                                         .wire = simulation_->wire,
-                                         .lockstep = simulation_->lockstep != nullptr};
+            const StationContext context{.shard = simulation.shards.at(home),
+                                         .stream = simulation.stream,
+                                         .view = simulation.view,
+                                         .wire = simulation.wire,
+                                         .lockstep = simulation.lockstep != nullptr};
             SensorPorts served = ports_of(ports, robot.name, sensor);
-            if (station) {
-                left.push_back(std::exchange(station, moved(*station, context, served)));
-            } else {
+            if (!station) {
                 station = make_station(context, robot.name, sensor, config.seed, served);
                 fresh.push_back(station.get());
+            } else if (station->shard != home) {
+                station = moved(*station, context, served);
             }
+            simulation.stations.push_back(std::move(station));
         }
     }
-    stations.swap(old);
-    // A port that a new device has taken over serves that one already. The others go here, before
-    // the devices behind them.
-    stop_unneeded(ports_, ports);
     return fresh;
 }
 
@@ -225,7 +236,7 @@ void Fleet::replace_scenario(std::optional<Scenario> scenario,
     ScenarioRun& run = simulation_->scenario;
     if (scenario == scenario_) {
         for (const Station* const station : fresh) {
-            if (station->faults) run.join({station->name(), station->faults.get()});
+            if (station->faults) run.join(simulation_->target_of(*station));
         }
         return;
     }
@@ -235,6 +246,14 @@ void Fleet::replace_scenario(std::optional<Scenario> scenario,
         run.stop(simulation_->scanners());
     }
     scenario_ = std::move(scenario);
+}
+
+Running Fleet::running(Moves moves) const {
+    Running running{.sensors = simulation_->known_sensors(moves), .homes = homes_, .played = {}};
+    for (const Feed& feed : feeds_) {
+        if (feed.source.kind == PoseSource::Kind::file) running.played[feed.robot] = feed.source;
+    }
+    return running;
 }
 
 std::map<std::string, Address> Fleet::pose_addresses() const {

@@ -19,12 +19,14 @@
 #include "daemon/config/address.h"
 #include "daemon/faults/scenario.h"
 #include "daemon/homes.h"
+#include "daemon/known_sensors.h"
 #include "daemon/ports.h"
 
 namespace scipd::daemon {
 
 enum class ClockKind;
 struct FleetPlan;
+struct Running;
 struct Simulation;
 struct Station;
 
@@ -41,8 +43,8 @@ class Fleet {
 
     /// False: the plan moves a scanner to another shard that somebody has come to use, or there are
     /// no descriptors for that; all is as before, and it takes a plan that moves none. Throws
-    /// LoadError for a trajectory, std::runtime_error for a port or a source of poses: then all is
-    /// as before, too.
+    /// std::runtime_error for a port or a source of poses: then all is as before, too. The plan was
+    /// made for what is running().
     [[nodiscard]] bool apply(FleetPlan&& plan);
     /// The same of a configuration whose world is still to be loaded, and throws what make_plan()
     /// throws.
@@ -50,8 +52,8 @@ class Fleet {
     void stop();
 
     [[nodiscard]] Simulation& simulation() { return *simulation_; }
-    /// Where its sensors live.
-    [[nodiscard]] const Homes& homes() const { return homes_; }
+    /// What a plan need not find out again.
+    [[nodiscard]] Running running(Moves moves = Moves::allowed) const;
     /// Where poses by UDP are to be sent, by robot.
     [[nodiscard]] std::map<std::string, Address> pose_addresses() const;
 
@@ -61,11 +63,14 @@ class Fleet {
 
     /// With all that it takes to serve those scanners that will be new.
     [[nodiscard]] Ports prepare_ports(const Config& config, const Homes& homes) const;
-    [[nodiscard]] Feeds open_feeds(const Config& config);
+    [[nodiscard]] Feeds open_feeds(const FleetPlan& plan);
     /// The second half of apply(), in which nothing can fail.
     void take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept;
+    /// What this configuration has not goes: first, so that its world still stands.
+    void retire(const Config& config, const Ports& ports) noexcept;
+    void replace_world(FleetPlan& plan) noexcept;
     /// Returns those that are new.
-    std::vector<Station*> replace_stations(const Config& config, const Ports& ports) noexcept;
+    std::vector<Station*> start(const Config& config, const Ports& ports) noexcept;
     /// One that is the same goes on, also for new scanners.
     void replace_scenario(std::optional<Scenario> scenario,
                           const std::vector<Station*>& fresh) noexcept;

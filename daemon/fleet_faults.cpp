@@ -13,8 +13,9 @@
 
 namespace scipd::daemon {
 
-FaultInjector& FleetFaults::injector(const std::string& scanner) const {
-    return *find_station(simulation_.stations, scanner)->faults;
+void FleetFaults::at(const std::string& scanner, const std::function<void(Station&)>& act) const {
+    Station& station = *find_station(simulation_.stations, scanner);
+    simulation_.shards.still_on(station.shard, [&] { act(station); });
 }
 
 std::vector<std::string> FleetFaults::scanners() const {
@@ -24,13 +25,12 @@ std::vector<std::string> FleetFaults::scanners() const {
     return names;
 }
 
-std::vector<std::string> FleetFaults::notes_on(const std::string& scanner,
+std::vector<std::string> FleetFaults::notes_on(const Station& scanner,
                                                const FaultPlan& plan) const {
-    const auto& sensor = find_station(simulation_.stations, scanner)->sensor;
     const auto* const scan = std::get_if<AtScan>(&plan.start);
     const auto* const time = std::get_if<AtTime>(&plan.start);
-    if (scan != nullptr &&
-        scan->scan < std::get<std::unique_ptr<Device>>(sensor)->next_revolution())
+    const Device& device = *std::get<std::unique_ptr<Device>>(scanner.sensor);
+    if (scan != nullptr && scan->scan < device.next_revolution())
         return {"at.scan has passed, so the fault begins at once"};
     if (time != nullptr && time->told < simulation_.clock.origin() + simulation_.clock.now())
         return {"at.time_s has passed, so the fault begins at once"};
@@ -38,28 +38,34 @@ std::vector<std::string> FleetFaults::notes_on(const std::string& scanner,
 }
 
 FaultStarted FleetFaults::start(const std::string& scanner, FaultPlan plan) {
-    return simulation_.shards.still([&] {
-        FaultStarted started{.notes = notes_on(scanner, plan)};
-        const Station& station = *find_station(simulation_.stations, scanner);
+    FaultStarted started;
+    at(scanner, [&](Station& station) {
+        started.notes = notes_on(station, plan);
         started.id = station.faults->start(std::move(plan), station.seed);
-        return started;
     });
+    return started;
 }
 
 bool FleetFaults::stop(const std::string& scanner, std::uint64_t id) {
-    return simulation_.shards.still([&] { return injector(scanner).stop(id); });
+    bool stopped = false;
+    at(scanner, [&](Station& station) { stopped = station.faults->stop(id); });
+    return stopped;
 }
 
 void FleetFaults::stop_all(const std::string& scanner) {
-    simulation_.shards.still([&] { injector(scanner).stop_all(); });
+    at(scanner, [](Station& station) { station.faults->stop_all(); });
 }
 
 std::vector<FaultStatus> FleetFaults::list(const std::string& scanner) const {
-    return simulation_.shards.still([&] { return injector(scanner).list(); });
+    std::vector<FaultStatus> list;
+    at(scanner, [&](Station& station) { list = station.faults->list(); });
+    return list;
 }
 
 FaultLog::Entries FleetFaults::log(const std::string& scanner) const {
-    return simulation_.shards.still([&] { return injector(scanner).log().entries(); });
+    FaultLog::Entries entries;
+    at(scanner, [&](Station& station) { entries = station.faults->log().entries(); });
+    return entries;
 }
 
 void FleetFaults::run(Scenario scenario) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 namespace scipd::daemon {
 
 struct Simulation;
+struct Station;
 
 class FleetFaults : public FaultsApi {
   public:
@@ -31,8 +33,9 @@ class FleetFaults : public FaultsApi {
     [[nodiscard]] std::optional<ScenarioStatus> scenario() const override;
 
   private:
-    [[nodiscard]] FaultInjector& injector(const std::string& scanner) const;
-    [[nodiscard]] std::vector<std::string> notes_on(const std::string& scanner,
+    /// Calls `act` on the scanner's own thread: where a fault begins or ends, it may cast.
+    void at(const std::string& scanner, const std::function<void(Station&)>& act) const;
+    [[nodiscard]] std::vector<std::string> notes_on(const Station& scanner,
                                                     const FaultPlan& plan) const;
 
     Simulation& simulation_;

@@ -96,9 +96,10 @@ RequestedBackend requested_backend(const std::string& robot, const SensorConfig&
     return request;
 }
 
-FleetPlan make_plan(Config config, const KnownSensors& known, const std::stop_token& stop,
-                    const Homes& now, const JoinWorld& join) {
+FleetPlan make_plan(Config config, const Running& running, const std::stop_token& stop,
+                    const JoinWorld& join) {
     std::optional<Scenario> scenario = load_scenario(config);
+    LoadedTrajectories trajectories = load_trajectories(config, running.played, stop);
     LoadedMaterials materials = load_materials(config);
     sim::LoadedScene loaded = load_world(config, materials.library, stop);
     Shared shared;
@@ -106,7 +107,7 @@ FleetPlan make_plan(Config config, const KnownSensors& known, const std::stop_to
     std::ranges::move(materials.warnings, std::back_inserter(loaded.warnings));
     std::vector<std::string> notices = mount_by_name(config, *loaded.scene);
     // Of a sensor that is mounted by name nothing is known before it has its place.
-    Homes homes = find_homes(config, now, known);
+    Homes homes = find_homes(config, running.homes, running.sensors);
     std::ranges::move(media_notices(config), std::back_inserter(notices));
     std::vector<RequestedBackend> requests;
     for (const RobotConfig& robot : config.robots) {
@@ -114,7 +115,7 @@ FleetPlan make_plan(Config config, const KnownSensors& known, const std::stop_to
             RequestedBackend request = requested_backend(robot.name, sensor, robot.world_from_robot,
                                                          config.clock, materials.library);
             request.shard = homes.sensors.at(request.sensor);
-            const KnownSensor* const before = find_known(known, request.sensor, sensor);
+            const KnownSensor* const before = find_known(running.sensors, request.sensor, sensor);
             if (!request.settled && before != nullptr) request.settled = before->choice;
             requests.push_back(std::move(request));
         }
@@ -124,9 +125,16 @@ FleetPlan make_plan(Config config, const KnownSensors& known, const std::stop_to
         if (auto notice = blind_spot(request, *loaded.scene, backends))
             notices.push_back(*std::move(notice));
     }
-    return {std::move(config),   std::move(homes),        std::move(loaded),
-            std::move(backends), std::move(notices),      std::move(materials.library),
-            std::move(scenario), std::move(shared.added), shared.age};
+    return {.config = std::move(config),
+            .homes = std::move(homes),
+            .loaded = std::move(loaded),
+            .backends = std::move(backends),
+            .notices = std::move(notices),
+            .materials = std::move(materials.library),
+            .scenario = std::move(scenario),
+            .trajectories = std::move(trajectories),
+            .added = std::move(shared.added),
+            .scripts_age = shared.age};
 }
 
 }  // namespace scipd::daemon

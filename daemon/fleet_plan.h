@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A configuration on its way to a running fleet: its world is loaded and ready to be cast into.
-// Touches nothing that runs, so that any thread may do it.
+// A configuration on its way to a running fleet: its world is loaded and ready to be cast into, and
+// so is whatever else is read from files. Touches nothing that runs, so that any thread may do it.
 #pragma once
 
 #include <optional>
@@ -15,6 +15,7 @@
 #include "daemon/faults/scenario.h"
 #include "daemon/homes.h"
 #include "daemon/known_sensors.h"
+#include "daemon/load_trajectories.h"
 #include "daemon/world/edited_scene.h"
 #include "daemon/world/requested_backend.h"
 #include "daemon/world/sensor_backends.h"
@@ -22,6 +23,13 @@
 #include "sim/world/material_library.h"
 
 namespace scipd::daemon {
+
+/// What runs by now: it need not be found out or read again.
+struct Running {
+    KnownSensors sensors;
+    Homes homes;
+    PlayedSources played;
+};
 
 struct FleetPlan {
     Config config;
@@ -31,6 +39,7 @@ struct FleetPlan {
     std::vector<std::string> notices;  ///< no faults
     sim::SharedMaterials materials;
     std::optional<Scenario> scenario;
+    LoadedTrajectories trajectories;
     AddedTriangles added;     ///< by daemons that share the world
     sim::Time scripts_age{};  ///< how long ago the scripts of the world began
 };
@@ -38,8 +47,8 @@ struct FleetPlan {
 /// Where nothing is settled yet, `auto` takes the preferred backend for now. Throws LoadError, also
 /// soon after `stop`, and std::runtime_error where this machine lacks a backend that is wanted.
 /// `join` makes the world the one that is shared with others, and throws what it throws.
-FleetPlan make_plan(Config config, const KnownSensors& known = {}, const std::stop_token& stop = {},
-                    const Homes& now = {}, const JoinWorld& join = {});
+FleetPlan make_plan(Config config, const Running& running = {}, const std::stop_token& stop = {},
+                    const JoinWorld& join = {});
 
 /// What a sensor asks of the backends while its robot is at this pose. In lockstep two runs have to
 /// be the same, so there `auto` is settled from the first. `materials` are those of the world.

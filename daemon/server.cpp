@@ -71,8 +71,9 @@ FleetPlan Server::load_first() {
         share_world(*options_.config.fleet);
         join = [this](const sim::Scene& base) { return shared_->join(base); };
     }
+    const Running running = fleet_.running();
     return std::async(std::launch::async,
-                      [&] { return make_plan(options_.config, {}, {}, fleet_.homes(), join); })
+                      [&] { return make_plan(options_.config, running, {}, join); })
         .get();
 }
 
@@ -204,20 +205,18 @@ void Server::reload() {
 void Server::load_again(Moves moves) {
     Simulation& simulation = fleet_.simulation();
     simulation.worker.add([this, &simulation, moves] {
-        return [this, known = simulation.known_sensors(moves), homes = fleet_.homes(),
-                stop = simulation.worker.stopping(),
+        return [this, running = fleet_.running(moves), stop = simulation.worker.stopping(),
                 join = shared_ ? shared_->rejoining() : JoinWorld{}]() -> Worker::Finish {
             const auto task = std::make_shared<std::packaged_task<Next()>>(
-                [&] { return load_next(options_, known, stop, homes, join); });
+                [&] { return load_next(options_, running, stop, join); });
             (*task)();
             return [this, task] { take_up(task->get_future()); };
         };
     });
 }
 
-Server::Next Server::load_next(const Options& options, const KnownSensors& known,
-                               const std::stop_token& stop, const Homes& homes,
-                               const JoinWorld& join) {
+Server::Next Server::load_next(const Options& options, const Running& running,
+                               const std::stop_token& stop, const JoinWorld& join) {
     const Config& started = options.config;
     Config config = load_config(*options.config_file);
     const auto set_at_the_start = [](const Config& of) {
@@ -226,7 +225,7 @@ Server::Next Server::load_next(const Options& options, const KnownSensors& known
     const bool asks_for_a_start = set_at_the_start(config) != set_at_the_start(started);
     config.clock = started.clock;
     options.put_into(config);
-    return {make_plan(std::move(config), known, stop, homes, join), asks_for_a_start};
+    return {make_plan(std::move(config), running, stop, join), asks_for_a_start};
 }
 
 void Server::take_up(std::future<Next> loaded) {

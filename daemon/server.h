@@ -56,8 +56,8 @@ class Server {
     /// Loads the configuration again on the worker's thread, and takes it up.
     void load_again(Moves moves);
     /// On the worker's thread.
-    static Next load_next(const Options& options, const KnownSensors& known,
-                          const std::stop_token& stop, const Homes& homes, const JoinWorld& join);
+    static Next load_next(const Options& options, const Running& running,
+                          const std::stop_token& stop, const JoinWorld& join);
     void take_up(std::future<Next> loaded);
     void stop();
 

@@ -90,12 +90,17 @@ KnownSensors Simulation::known_sensors(Moves moves) {
     });
 }
 
-std::vector<ScenarioRun::Target> Simulation::scanners() const {
+std::vector<ScenarioRun::Target> Simulation::scanners() {
     std::vector<ScenarioRun::Target> scanners;
     for (const auto& station : stations) {
-        if (station->faults) scanners.push_back({station->name(), station->faults.get()});
+        if (station->faults) scanners.push_back(target_of(*station));
     }
     return scanners;
+}
+
+ScenarioRun::Target Simulation::target_of(const Station& scanner) {
+    return {scanner.name(), scanner.faults.get(),
+            [this, shard = scanner.shard](const auto& act) { shards.still_on(shard, act); }};
 }
 
 std::vector<std::string> Simulation::remount() {

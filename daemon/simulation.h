@@ -51,7 +51,8 @@ struct Simulation {
     /// each place that the scene does not have.
     [[nodiscard]] std::vector<std::string> remount();
     /// All scanners: what a scenario is for.
-    [[nodiscard]] std::vector<ScenarioRun::Target> scanners() const;
+    [[nodiscard]] std::vector<ScenarioRun::Target> scanners();
+    [[nodiscard]] ScenarioRun::Target target_of(const Station& scanner);
 
     const SharedLimits limits = std::make_shared<Limits>();
     WallClock wall_clock;

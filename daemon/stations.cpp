@@ -59,6 +59,13 @@ void Station::mount(const sim::Pose& robot_from_sensor) {
     std::visit([&](const auto& there) { there->mount(robot_from_sensor); }, sensor);
 }
 
+void Station::retire() {
+    if (faults) faults->stop_all();
+    for (const auto& port : {ports.tcp, ports.pty}) {
+        if (port) port->end_connection();
+    }
+}
+
 std::unique_ptr<Station> make_station(const StationContext& context, const std::string& robot,
                                       const SensorConfig& sensor, std::uint64_t seed,
                                       SensorPorts ports) {

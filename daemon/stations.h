@@ -51,6 +51,8 @@ struct Station {
     [[nodiscard]] std::string name() const { return sensor_name(robot, config.name); }
     /// From the next measurement on it sits there on its robot.
     void mount(const sim::Pose& robot_from_sensor);
+    /// Ends its faults, and then its clients, as long as its world stands. On its own thread.
+    void retire();
 };
 
 using Stations = std::vector<std::unique_ptr<Station>>;

@@ -29,20 +29,24 @@ void ScenarioRun::run(Scenario scenario, const std::vector<Target>& targets) {
 void ScenarioRun::stop(const std::vector<Target>& targets) {
     stopped_ = true;
     for (const Target& target : targets) {
-        for (const FaultStatus& fault : target.injector->list()) {
-            if (fault.scenario_step) target.injector->stop(fault.id);
-        }
+        target.there([&] {
+            for (const FaultStatus& fault : target.injector->list()) {
+                if (fault.scenario_step) target.injector->stop(fault.id);
+            }
+        });
     }
 }
 
 void ScenarioRun::join(const Target& target) const {
     if (!scenario_ || stopped_) return;
-    int number = 0;
-    for (const ScenarioStep& step : scenario_->steps) {
-        ++number;
-        if (!step.goes_wrong_at(target.sensor)) continue;
-        target.injector->start(step.fault, seed_of_step(*scenario_, number), number);
-    }
+    target.there([&] {
+        int number = 0;
+        for (const ScenarioStep& step : scenario_->steps) {
+            ++number;
+            if (!step.goes_wrong_at(target.sensor)) continue;
+            target.injector->start(step.fault, seed_of_step(*scenario_, number), number);
+        }
+    });
 }
 
 std::optional<ScenarioStatus> ScenarioRun::status(const std::vector<Target>& targets) const {

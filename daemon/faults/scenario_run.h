@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,8 @@ class ScenarioRun {
     struct Target {
         std::string sensor;
         FaultInjector* injector = nullptr;
+        /// Calls it on the scanner's own thread: where a fault begins or ends, it may cast.
+        std::function<void(const std::function<void()>&)> there = [](const auto& act) { act(); };
     };
 
     /// Asks for all faults of the scenario, in the place of those of the one before.

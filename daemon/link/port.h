@@ -42,6 +42,9 @@ class Port {
     virtual void serve(Endpoint& scanner, const LinkConfig& link) = 0;
     /// Cuts off who is connected, and is no place to connect to any more.
     virtual void stop() = 0;
+    /// Cuts off who is connected, so that the scanner may go: serve() or stop() follows in the same
+    /// turn.
+    void end_connection();
 
     /// What a client connects to: HOST:PORT with the port that was really taken, or the path of the
     /// tty's link.
@@ -70,8 +73,6 @@ class Port {
 
   protected:
     void begin(std::shared_ptr<Connection> connection);
-    /// Cuts off who is connected.
-    void end_connection();
     /// From what the other has counted, too.
     void count_on_from(const Port& other) { counts_before_ += other.counts(); }
     /// Null: there is none.

@@ -225,7 +225,8 @@ class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<S
 
 }  // namespace
 
-std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const PoseSource& source) {
+std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const PoseSource& source,
+                                    PlayedPoses poses) {
     switch (source.kind) {
         case PoseSource::Kind::udp:
             return std::make_shared<UdpFeed>(context, source.address);
@@ -237,7 +238,7 @@ std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const PoseSource
         case PoseSource::Kind::file:
             break;
     }
-    return make_trajectory_feed(context, source);
+    return make_trajectory_feed(context, source, std::move(poses));
 }
 
 }  // namespace scipd::daemon

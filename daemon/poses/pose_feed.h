@@ -18,6 +18,7 @@
 #include "daemon/config/config.h"
 #include "daemon/poses/lockstep.h"
 #include "daemon/poses/pose_intake.h"
+#include "daemon/poses/read_trajectory.h"
 
 namespace scipd::daemon {
 
@@ -50,16 +51,16 @@ struct FeedContext {
     PoseIntake& intake;
     Clock& clock;
     Lockstep* lockstep = nullptr;  ///< null: on the wall clock
-    bool strict = false;           ///< warnings of a trajectory are faults
     /// Tells a person that something was refused or is over.
     std::function<void(const std::string&)> report;
 };
 
-/// A trajectory. Throws LoadError where it cannot be read.
-std::shared_ptr<PoseFeed> make_trajectory_feed(const FeedContext& context,
-                                               const PoseSource& source);
+/// A trajectory, which read_trajectory() has read from the source.
+std::shared_ptr<PoseFeed> make_trajectory_feed(const FeedContext& context, const PoseSource& source,
+                                               PlayedPoses poses);
 
-/// Opens the source. Throws std::runtime_error, or LoadError for a trajectory that cannot be read.
-std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const PoseSource& source);
+/// Opens the source. `poses` are those of a trajectory. Throws std::runtime_error.
+std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const PoseSource& source,
+                                    PlayedPoses poses = nullptr);
 
 }  // namespace scipd::daemon

@@ -12,22 +12,19 @@
 
 #include "daemon/poses/pose_feed.h"
 #include "sim/fnv1a.h"
-#include "sim/loaders/file/load_error.h"
-#include "sim/loaders/poses/trajectory_file.h"
 
 namespace scipd::daemon {
 namespace {
 
 class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<TrajectoryFeed> {
   public:
-    TrajectoryFeed(const FeedContext& context, const PoseSource& source)
+    TrajectoryFeed(const FeedContext& context, const PoseSource& source, PlayedPoses poses)
         : context_(context),
-          poses_(load(context, source)),
+          shared_(std::move(poses)),
+          poses_(*shared_),
           speed_(source.speed),
           loop_(source.loop),
-          alarm_(context.clock.make_alarm()) {
-        check_length(source.file);
-    }
+          alarm_(context.clock.make_alarm()) {}
     ~TrajectoryFeed() override { stop(); }
 
     void stop() override {
@@ -37,14 +34,6 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
     }
 
   private:
-    static std::vector<sim::TimedPose> load(const FeedContext& context, const PoseSource& source) {
-        auto loaded = sim::load_trajectory(source.file, source.format, source.times);
-        if (context.strict && !loaded.warnings.empty()) throw sim::LoadError(loaded.warnings);
-        for (const std::string& warning : loaded.warnings)
-            context.report(warning);
-        return std::move(loaded.poses);
-    }
-
     // It goes on so often, and hands on what lies within three times that: so all is known of a
     // movement of which a pose has come, and whose poses are a second apart at most.
     static constexpr sim::Time ahead = std::chrono::milliseconds(500);
@@ -55,20 +44,6 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
 
     // Poses may lie close together or be played fast, so the sweeps get their turn in between.
     static constexpr int poses_in_one_go = 256;
-
-    // Laps that take no time would never reach the next moment, and a lap that does not fit into a
-    // Time would go backwards.
-    static constexpr double shortest_lap_s = 1e-3;
-    static constexpr double longest_lap_s = 4e9;
-
-    void check_length(const std::filesystem::path& file) const {
-        const double lap_s = std::chrono::duration<double>(lap_time(poses_)).count() / speed_;
-        const bool too_short = loop_ && poses_.size() > 1 && lap_s < shortest_lap_s;
-        if (!too_short && lap_s <= longest_lap_s) return;
-        throw sim::LoadError(
-            {file.string() + ": at this speed it takes " +
-             (too_short ? "less than a millisecond, which is no loop" : "more than 4e9 s")});
-    }
 
     void begin() override {
         lap_begin_ = context_.clock.now();
@@ -120,7 +95,8 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
     }
 
     FeedContext context_;
-    std::vector<sim::TimedPose> poses_;
+    PlayedPoses shared_;
+    const std::vector<sim::TimedPose>& poses_;  ///< *shared_
     double speed_;
     bool loop_;
     std::unique_ptr<Clock::Alarm> alarm_;
@@ -131,9 +107,9 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
 
 }  // namespace
 
-std::shared_ptr<PoseFeed> make_trajectory_feed(const FeedContext& context,
-                                               const PoseSource& source) {
-    return std::make_shared<TrajectoryFeed>(context, source);
+std::shared_ptr<PoseFeed> make_trajectory_feed(const FeedContext& context, const PoseSource& source,
+                                               PlayedPoses poses) {
+    return std::make_shared<TrajectoryFeed>(context, source, std::move(poses));
 }
 
 }  // namespace scipd::daemon

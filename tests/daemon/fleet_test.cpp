@@ -213,8 +213,7 @@ TEST_P(FleetTest, MeasuresBackendsBehindWhatIsAskedForMeanwhile) {
     // And not again without a reason: what is settled goes with the sensors.
     Config same = of(cameras);
     same.scene = SCIPD_SCENES "/corridor.sdf";
-    EXPECT_TRUE(
-        fleet_.apply(make_plan(same, fleet_.simulation().known_sensors(), {}, fleet_.homes())));
+    EXPECT_TRUE(fleet_.apply(make_plan(same, fleet_.running())));
     EXPECT_TRUE(measured());
 }
 
@@ -358,7 +357,7 @@ TEST_P(FleetTest, ChangesNothingWhereDescriptorsRunOutOnTheWay) {
     Config next = of({kept, changed, on_tty("new"), on_tcp("more")});
     next.robots[0].poses = PoseSource{.address = {"127.0.0.1", 0}, .file = {}};
     const auto try_with = [&](rlim_t more) {
-        FleetPlan plan = make_plan(next, fleet_.simulation().known_sensors(), {}, fleet_.homes());
+        FleetPlan plan = make_plan(next, fleet_.running());
         const FewDescriptors few(more);
         try {
             EXPECT_TRUE(fleet_.apply(std::move(plan)));
@@ -426,8 +425,7 @@ class FleetMovesTest : public FleetTest {
 
     /// For the first and the last alone.
     [[nodiscard]] FleetPlan plan(Moves moves = Moves::allowed) {
-        return make_plan(of({all_[0], all_[3]}), fleet_.simulation().known_sensors(moves), {},
-                         fleet_.homes());
+        return make_plan(of({all_[0], all_[3]}), fleet_.running(moves));
     }
     [[nodiscard]] bool left_alone(std::size_t index) {
         return run_until(io_, [&] { return sensor(index).clients == 0; });
@@ -564,8 +562,7 @@ TEST_P(FleetTest, LetsScannersExchangeThePortsThatClientsUse) {
     ScannerWire before = ScannerWire::tcp(a.tcp->port);
     EXPECT_TRUE(answers(before, "UST-10LX"));
     std::swap(a.tcp, b.tcp);
-    EXPECT_TRUE(
-        fleet.apply(make_plan(of({a, b}), fleet.simulation().known_sensors(), {}, fleet.homes())));
+    EXPECT_TRUE(fleet.apply(make_plan(of({a, b}), fleet.running())));
     ScannerWire to_a = ScannerWire::tcp(a.tcp->port);
     EXPECT_TRUE(answers(to_a, "UST-10LX"));
     ScannerWire to_b = ScannerWire::tcp(b.tcp->port);

@@ -16,7 +16,6 @@
 #include <unistd.h>
 
 #include "daemon/clock/stepped_clock.h"
-#include "sim/loaders/file/load_error.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/temp_dir.h"
 #include "tests/support/udp_sender.h"
@@ -36,7 +35,11 @@ class PoseFeedTest : public testing::Test {
                           .clock = clock_,
                           .lockstep = lockstep,
                           .report = [this](const std::string& text) { reports_.push_back(text); }},
-                         source);
+                         source, poses_of(source));
+    }
+
+    [[nodiscard]] static PlayedPoses poses_of(const PoseSource& source) {
+        return source.kind == PoseSource::Kind::file ? read_trajectory(source).poses : nullptr;
     }
 
     [[nodiscard]] PoseSource udp() const {
@@ -235,20 +238,6 @@ TEST_F(PoseFeedTest, SaysThatAPortIsInUse) {
     first->stop();
 }
 
-TEST_F(PoseFeedTest, RefusesATrajectoryWithAWarningWhereItIsStrict) {
-    const tests::TempDir directory;
-    const auto source = trajectory(
-        directory.write("drive.tum", "1 1 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n2 1 0 0 0 0 0 1\n"));
-    feed(source)->stop();
-    EXPECT_THAT(reports_, testing::ElementsAre(testing::HasSubstr("drive.tum:2: has the stamp")));
-    const FeedContext strict{.executor = io_.get_executor(),
-                             .intake = intake_,
-                             .clock = clock_,
-                             .strict = true,
-                             .report = [](const std::string&) {}};
-    EXPECT_THROW(make_feed(strict, source), sim::LoadError);
-}
-
 TEST_F(PoseFeedTest, PlaysATrajectoryFromTheMomentOfItsStart) {
     const tests::TempDir directory;
     const auto file = directory.write("drive.tum",
@@ -357,34 +346,6 @@ TEST_F(PoseFeedTest, HoldsTimeBackOnlyFromWhenItServes) {
     EXPECT_EQ(now_after(2s), 1s);
     live->stop();
     EXPECT_EQ(now_after(3s), 3s);
-}
-
-TEST_F(PoseFeedTest, RefusesATrajectoryThatIsNone) {
-    const tests::TempDir directory;
-    const auto file = directory.write("drive.tum", "1 2 3\n");
-    EXPECT_THROW(feed(trajectory(file)), sim::LoadError);
-}
-
-// The one would go round and round within one moment, the other would go backwards.
-TEST_F(PoseFeedTest, RefusesATrajectoryThatItCannotPlayAtThisSpeed) {
-    const tests::TempDir directory;
-    PoseSource source = trajectory(directory.write("dwarf.tum",
-                                                   "5 1 0 0 0 0 0 1\n"
-                                                   "5.0005 2 0 0 0 0 0 1\n"));
-    source.loop = true;
-    EXPECT_NO_THROW(feed(source));
-    source.speed = 1.1;
-    EXPECT_THROW(feed(source), sim::LoadError);
-    source.loop = false;
-    EXPECT_NO_THROW(feed(source));
-
-    source = trajectory(directory.write("giant.tum",
-                                        "0 1 0 0 0 0 0 1\n"
-                                        "10000000 2 0 0 0 0 0 1\n"));
-    source.speed = 0.006;
-    EXPECT_NO_THROW(feed(source));
-    source.speed = 0.004;
-    EXPECT_THROW(feed(source), sim::LoadError);
 }
 
 }  // namespace
