@@ -14,9 +14,10 @@ struct LineState {
     bool stalled = false;
     /// What is sent either way is lost; the connection stays.
     bool dead = false;
-    /// A TCP port refuses who connects. A tty hangs up, and there is none under its name.
+    /// Nobody gets in: a TCP port refuses who connects, and there is no tty under its name. Who is
+    /// connected stays.
     bool refuses = false;
-    /// A tty as above; nothing to a TCP port.
+    /// A tty hangs up, and there is none under its name; nothing to a TCP port.
     bool hung_up = false;
 
     bool operator==(const LineState&) const = default;

@@ -5,20 +5,21 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <exception>
 #include <system_error>
 #include <utility>
 
 #include <boost/asio/post.hpp>
 #include <fcntl.h>
+#include <spdlog/spdlog.h>
 #include <stdlib.h>
-#include <sys/inotify.h>
 #include <sys/ioctl.h>
+#include <sys/poll.h>
 #include <sys/stat.h>
 #include <termios.h>
 #include <unistd.h>
 
+#include "daemon/link/descriptors.h"
 #include "daemon/link/line_rate.h"
 
 namespace scipd::daemon {
@@ -31,25 +32,14 @@ namespace {
 // After a tty that could not come back: not at once again.
 constexpr std::chrono::milliseconds again_after{100};
 
-int checked(int result, const std::string& what) {
-    if (result < 0) throw std::system_error(errno, std::generic_category(), what);
-    return result;
-}
-
-/// Closed with `owner`, and at once where that cannot take it.
-void give(asio::posix::stream_descriptor& owner, int descriptor, const std::string& what) {
-    checked(descriptor, what);
-    error_code error;
-    owner.assign(descriptor, error);
-    if (!error) return;
-    ::close(descriptor);
-    throw std::system_error(error, what);
-}
-
 std::string slave_name(int master) {
     std::array<char, 64> name{};
     checked(-::ptsname_r(master, name.data(), name.size()), "cannot name the pseudo-terminal");
     return name.data();
+}
+
+int open_slave(const std::filesystem::path& path) {
+    return ::open(path.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
 }
 
 bool hung_up(int slave) {
@@ -79,7 +69,7 @@ PtyPort::PtyPort(const asio::any_io_executor& executor, std::filesystem::path li
       again_(executor),
       master_(executor),
       slave_(executor),
-      events_(executor),
+      opens_(executor),
       next_(executor) {
     prepare();
     link_.emplace(path_);
@@ -97,33 +87,20 @@ void PtyPort::make_terminal() {
     checked(::unlockpt(master_.native_handle()), no_tty);
     device_path_ = slave_name(master_.native_handle());
     const std::string what = "cannot use " + device_path_.string();
-    give(slave_, ::open(device_path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC), what);
+    give(slave_, open_slave(device_path_), what);
     checked(make_raw(slave_.native_handle()), what);
     let_group_in(slave_.native_handle());
     // Watched from here on, so this open of our own does not count.
-    give(events_, ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC), what);
-    watch_for_clients(what);
+    opens_.begin(device_path_);
     ++made_;
     watched_ = false;
 }
 
 void PtyPort::close_terminal() {
     error_code ignored;
-    for (auto* const descriptor : {&next_, &master_, &events_, &slave_})
+    for (auto* const descriptor : {&next_, &master_, &slave_})
         descriptor->close(ignored);
-    opens_ = 0;
-}
-
-// The kernel merges an event with an equal one right before it: of two drivers that open the tty
-// while this thread is busy one would be missed. So each of them is told twice, by the folder and
-// by the tty, and none is like the one before it. Writes are told by the tty alone: others write to
-// other terminals.
-void PtyPort::watch_for_clients(const std::string& what) {
-    const auto watch = [&](const std::filesystem::path& path, std::uint32_t events) {
-        return checked(::inotify_add_watch(events_.native_handle(), path.c_str(), events), what);
-    };
-    tty_watch_ = watch(device_path_, IN_OPEN | IN_CLOSE | IN_MODIFY);
-    watch(device_path_.parent_path(), IN_OPEN | IN_CLOSE);
+    opens_.end();
 }
 
 void PtyPort::prepare() {
@@ -149,14 +126,13 @@ void PtyPort::serve(Endpoint& scanner, const LinkConfig& link) {
 
 void PtyPort::connect() {
     try {
-        prepare();
+        if (!connection()) prepare();
         link_->lead_to(device_path_);
-    } catch (const std::exception&) {
-        again_.expires_after(again_after);
-        return again_.async_wait([self = shared_from_this()](error_code error) {
-            if (!error) self->connect_or_hang_up();
-        });
+    } catch (const std::exception& error) {
+        return connect_later(error.what());
     }
+    if (!std::exchange(missing_, {}).empty()) spdlog::info("the tty {} is back", path_.string());
+    if (connection()) return;
     begin(std::make_shared<Connection>(
         std::move(next_), *scanner_, line().link,
         Connection::Hooks{.somebody_there = [this] { return somebody_there(); },
@@ -165,6 +141,15 @@ void PtyPort::connect() {
     if (std::exchange(watched_, true)) return;
     watch();
     watch_for_hang_up();
+}
+
+void PtyPort::connect_later(const std::string& why) {
+    if (std::exchange(missing_, why) != why)
+        spdlog::warn("the tty {} is not there, and comes when it can: {}", path_.string(), why);
+    again_.expires_after(again_after);
+    again_.async_wait([self = shared_from_this()](error_code error) {
+        if (!error) self->connect_or_hang_up();
+    });
 }
 
 void PtyPort::stop() {
@@ -189,11 +174,16 @@ void PtyPort::follow_line() {
     asio::post(executor_, [self = shared_from_this()] { self->connect_or_hang_up(); });
 }
 
+// Who has the tty open stays where nobody else can find it.
 void PtyPort::connect_or_hang_up() {
     if (!scanner_) return;
-    const bool away = line().refuses || line().hung_up;
-    if (away && connection()) hang_up();
-    if (!away && !connection()) connect();
+    if (line().hung_up) {
+        if (connection()) hang_up();
+    } else if (line().refuses) {
+        link_->remove();
+    } else {
+        connect();
+    }
 }
 
 // Whoever has the tty open gets EIO, since the other side of it is closed.
@@ -204,40 +194,37 @@ void PtyPort::hang_up() {
 }
 
 void PtyPort::watch() {
-    events_.async_wait(asio::posix::stream_descriptor::wait_read,
-                       [self = shared_from_this(), made = made_](error_code error) {
-                           if (error || made != self->made_) return;
-                           self->somebody_there();
-                           self->watch();
-                       });
+    opens_.async_wait([self = shared_from_this(), made = made_](error_code error) {
+        if (error || made != self->made_) return;
+        self->somebody_there();
+        self->watch();
+    });
 }
 
 // Asked before each request is looked at: whatever the one before left behind is gone before the
 // new one is answered.
 bool PtyPort::somebody_there() {
-    alignas(inotify_event) std::array<char, 4096> buffer;
-    bool opened = false;
-    bool closed = false;
-    bool written = false;  // by whoever has it open
-    bool unread = false;   // by whoever has closed it
-    for (;;) {
-        const ssize_t count = ::read(events_.native_handle(), buffer.data(), buffer.size());
-        if (count <= 0) break;
-        for (ssize_t at = 0; at < count;) {
-            inotify_event event;
-            std::memcpy(&event, buffer.data() + at, sizeof(event));
-            at += static_cast<ssize_t>(sizeof(event) + event.len);
-            if (event.wd != tty_watch_) continue;
-            if ((event.mask & IN_MODIFY) != 0) written = true;
-            if ((event.mask & IN_OPEN) != 0 && ++opens_ == 1) opened = true;
-            if ((event.mask & IN_CLOSE) == 0 || opens_ == 0 || --opens_ > 0) continue;
-            closed = true;
-            unread = unread || std::exchange(written, false);
-        }
-    }
-    if (closed) last_one_closed(written && !unread);
-    if (opened && opens_ > 0) tell_connected();
-    return opens_ > 0;
+    const TtyOpens::News news = opens_.look([this] { return somebody_else(); });
+    if (news.closed) last_one_closed(news.next_was_heard);
+    if (news.opened) tell_connected();
+    return opens_.any();
+}
+
+// Once nobody has the tty open its other side hangs up, so we let go of it for a moment. A driver
+// may have taken it for itself (TIOCEXCL), which would keep us out.
+bool PtyPort::somebody_else() {
+    int exclusive = 0;
+    ::ioctl(slave_.native_handle(), TIOCGEXCL, &exclusive);
+    ::ioctl(slave_.native_handle(), TIOCNXCL);
+    error_code ignored;
+    slave_.close(ignored);
+    pollfd other_side{.fd = master_.native_handle(), .events = 0, .revents = 0};
+    const bool nobody = ::poll(&other_side, 1, 0) == 1 && (other_side.revents & POLLHUP) != 0;
+    // Without a descriptor for it the tty hangs up, and comes back when there is one.
+    if (!hold_open(open_slave(device_path_))) cut(Cut::rst);
+    if (nobody) make_raw(slave_.native_handle());
+    if (!nobody && exclusive != 0) ::ioctl(slave_.native_handle(), TIOCEXCL);
+    return !nobody;
 }
 
 // Where both the one before and the next one have written since the tty was looked at, nobody can
@@ -254,8 +241,12 @@ void PtyPort::last_one_closed(bool next_was_heard) {
 
 // A tty forgets its settings with its last close; this one is still open here, so that it is for us
 // to undo what a driver did.
+//
+// A hang-up (vhangup) cuts off whoever has the tty open, which we are as well, and takes the
+// settings back. Opened before it is closed: without anybody the tty would end. Where it cannot be
+// opened the next close tries again.
 void PtyPort::clean_tty() {
-    if (hung_up(slave_.native_handle())) reopen();
+    if (hung_up(slave_.native_handle())) (void)hold_open(open_slave(device_path_));
     const int slave = slave_.native_handle();
     ::tcflush(slave, TCIFLUSH);
     ::tcflow(slave, TCOON);
@@ -263,20 +254,17 @@ void PtyPort::clean_tty() {
     make_raw(slave);
 }
 
-// A hang-up (vhangup) cuts off whoever has the tty open, which we are as well, and takes the
-// settings back. Opened before it is closed: without anybody the tty would end. Where it cannot be
-// opened the next close tries again.
-void PtyPort::reopen() {
-    const int fresh = ::open(device_path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
-    if (fresh < 0) return;
+bool PtyPort::hold_open(int slave) {
+    if (slave < 0) return false;
     error_code error;
     slave_.close(error);
-    slave_.assign(fresh, error);
+    slave_.assign(slave, error);
     if (error) {
-        ::close(fresh);
-        return;
+        ::close(slave);
+        return false;
     }
     watch_for_hang_up();
+    return true;
 }
 
 // Those that were cut off may keep their descriptors for long.

@@ -20,6 +20,7 @@
 
 #include "daemon/link/port.h"
 #include "daemon/link/tty_link.h"
+#include "daemon/link/tty_opens.h"
 
 namespace scipd::daemon {
 
@@ -40,7 +41,7 @@ class PtyPort : public Port, public std::enable_shared_from_this<PtyPort> {
 
     [[nodiscard]] std::string address() const override { return path_; }
     /// Whether a driver has the tty open.
-    [[nodiscard]] bool connected() const override { return opens_ > 0; }
+    [[nodiscard]] bool connected() const override { return opens_.any(); }
     [[nodiscard]] protocol::LinkKind kind() const override { return protocol::LinkKind::tty; }
     void cut(Cut how) override;
 
@@ -51,16 +52,18 @@ class PtyPort : public Port, public std::enable_shared_from_this<PtyPort> {
     void connect_or_hang_up();
     /// Tries until there is a tty under its name, or is to be none any more.
     void connect();
+    void connect_later(const std::string& why);
     void hang_up();
     void watch();
     /// Reads what has happened to the tty since last time. Answers whether somebody has it open
     /// now.
     bool somebody_there();
+    [[nodiscard]] bool somebody_else();
     void last_one_closed(bool next_was_heard);
     void clean_tty();
-    void reopen();
+    /// In place of the open of the terminal that it has kept so far. False: that is none.
+    [[nodiscard]] bool hold_open(int slave);
     void watch_for_hang_up();
-    void watch_for_clients(const std::string& what);
 
     boost::asio::any_io_executor executor_;
     std::filesystem::path path_;
@@ -73,10 +76,9 @@ class PtyPort : public Port, public std::enable_shared_from_this<PtyPort> {
     boost::asio::posix::stream_descriptor master_;  ///< closed: there is no tty
     boost::asio::posix::stream_descriptor
         slave_;  ///< kept open, so that the terminal's settings outlive each driver
-    boost::asio::posix::stream_descriptor events_;
-    int tty_watch_ = -1;           ///< what its own events are marked with
+    TtyOpens opens_;
     Connection::Descriptor next_;  ///< of the connection to come; closed: not prepared
-    int opens_ = 0;
+    std::string missing_;          ///< why there is no tty under its name, as was told last
 };
 
 }  // namespace scipd::daemon

@@ -5,7 +5,9 @@
 // there is none. The name is held all the time. Lives on its shard.
 #pragma once
 
+#include <ctime>
 #include <filesystem>
+#include <optional>
 
 #include "daemon/link/path_hold.h"
 
@@ -21,15 +23,17 @@ class TtyLink {
     /// As remove().
     ~TtyLink() { remove(); }
 
-    /// Makes the link, in place of one that a scipd left behind that was killed, but of nothing
-    /// else. Throws as the constructor. Where it has been made already it stays as it is.
+    /// Makes the link, in place of one that a scipd left behind that was killed, or of an empty
+    /// file that was made since remove(), but of nothing else. Throws as the constructor. Where it
+    /// has been made already it stays as it is.
     void lead_to(const std::filesystem::path& terminal);
     void remove();
 
   private:
     std::filesystem::path path_;
     PathHold hold_;
-    std::filesystem::path terminal_;  ///< empty: it is away
+    std::filesystem::path terminal_;      ///< empty: it is away
+    std::optional<timespec> away_since_;  ///< after remove(), as files are stamped
 };
 
 }  // namespace scipd::daemon

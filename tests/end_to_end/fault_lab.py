@@ -80,6 +80,9 @@ class Lab:
         self.said = (self.folder / "stderr").read_text()  # its log, for who asks afterwards
         shutil.rmtree(self.folder)
 
+    def errors_so_far(self):
+        return (self.folder / "stderr").read_text()
+
     def address(self, sensor):
         told = next(s for s in self.ready["sensors"] if s["name"] == f"robot/{sensor}")
         host, port = told["tcp"].rsplit(":", 1)

@@ -5,6 +5,7 @@
 # are wide, since the machine may be busy. fault_lines_test.py SCIPD SCENE [CASE..]
 import errno
 import os
+import select
 import socket
 import sys
 import threading
@@ -184,6 +185,7 @@ def cut_silently(bench):
 
 def refuse(bench):
     client = bench.client()
+    client.ask("VV")
     fault = bench.start(kind="cut", how="refuse", **{"for": {"s": 1000}})
     assert refused(bench.lab.address("front"))
     assert client.ask("VV").startswith(b"VV\n00P\n"), "who is connected stays"
@@ -192,8 +194,26 @@ def refuse(bench):
     wait_for(lambda: not refused(bench.lab.address("front")), "it goes on refusing")
 
 
+def refuse_at_a_tty(bench):
+    tty = bench.lab.tty("serial")
+    descriptor = os.open(tty, os.O_RDWR | os.O_NOCTTY)
+    assert tty_ask(descriptor, b"VV").startswith(b"VV\n00P\n")
+    fault = bench.start("serial", kind="cut", how="refuse", **{"for": {"s": 1000}})
+    wait_for(lambda: not os.path.lexists(tty), "others find it")
+    assert tty_ask(descriptor, b"PP").startswith(b"PP\n00P\n"), "who is connected stays"
+    bench.stop(fault, "serial")
+    wait_for(lambda: os.path.exists(tty), "the link does not come back")
+    assert tty_ask(descriptor, b"VV").startswith(b"VV\n00P\n")
+    os.close(descriptor)
+
+
 def mute(bench):
+    before = bench.client()
+    before.ask("VV")
     fault = bench.start(kind="cut", how="mute", **{"for": {"s": 1000}})
+    before.say("VV")
+    assert before.silent(0.4), "who is connected already is not answered either"
+    before.close()
     client = bench.client()
     client.say("VV")
     assert client.silent(0.4)
@@ -253,10 +273,15 @@ def sleep(bench):
     client = bench.client()
     client.ask("BM")
     client.ask(ENDLESS)
+    asked = time.monotonic()
     fault = bench.start(kind="sleep", **{"for": {"s": 0.5}})
     wait_for(lambda: bench.state(fault) == "ended", "it does not wake")
     begin = len(client.got)
     assert b"LASR:OFF" in client.ask("II", b"STAT") and len(client.got) > begin
+    client.ask("BM")
+    client.ask(ENDLESS)
+    client.read_until(b"99b", len(client.got))
+    assert time.monotonic() - asked > 3.2, "the motor is up to its speed at once"
     client.close()
 
 
@@ -312,6 +337,38 @@ def late(bench):
     client.close()
 
 
+def tty_ask(descriptor, request):
+    os.write(descriptor, request + b"\n")
+    got = b""
+    while b"\n\n" not in got:
+        assert select.select([descriptor], [], [], PATIENCE_S)[0], f"nothing came after {got!r}"
+        got += os.read(descriptor, 4096)
+    return got
+
+
+def file_in_its_place(bench):
+    """A client that makes a file where it finds no tty."""
+    tty = bench.lab.tty("serial")
+
+    def unplugged():
+        fault = bench.start("serial", kind="hangup", **{"for": {"s": 1000}})
+        wait_for(lambda: not os.path.lexists(tty), "the link stays")
+        return fault
+
+    fault = unplugged()
+    os.close(os.open(tty, os.O_RDWR | os.O_CREAT))
+    bench.stop(fault, "serial")
+    wait_for(lambda: os.path.islink(tty), "the tty does not take its place again")
+    fault = unplugged()
+    with open(tty, "w") as file:
+        file.write("VV\n")
+    bench.stop(fault, "serial")
+    wait_for(lambda: f"{tty} is there and is no link; remove it" in bench.lab.errors_so_far(), "nobody says so")
+    assert os.path.isfile(tty)
+    os.remove(tty)
+    wait_for(lambda: os.path.islink(tty), "the tty does not come back")
+
+
 def hangup(bench):
     tty = bench.lab.tty("serial")
     descriptor = os.open(tty, os.O_RDWR | os.O_NOCTTY)
@@ -332,11 +389,7 @@ def hangup(bench):
     bench.wait_until_ended(fault, "serial")
     wait_for(lambda: os.path.exists(tty), "the link does not come back")
     descriptor = os.open(tty, os.O_RDWR | os.O_NOCTTY)
-    os.write(descriptor, b"VV\n")
-    got = b""
-    while b"\n\n" not in got:
-        got += os.read(descriptor, 4096)
-    assert got.startswith(b"VV\n00P\n"), got
+    assert tty_ask(descriptor, b"VV").startswith(b"VV\n00P\n")
     os.close(descriptor)
 
 
@@ -490,9 +543,10 @@ def repeatable(bench):
 
 
 CASES = {case.__name__: case for case in (
-    delay, coalesce, split, stall, cut_by_fin, cut_by_rst, cut_silently, refuse, mute, reboot, state, status, sleep,
-    slow_start, resend, text_sums, late, hangup, two_clocks, two_states, spins_up_too_long,
-    sleeps_already, next_client, stopped_while_it_holds, keeps_its_lateness, in_lockstep, repeatable)}
+    delay, coalesce, split, stall, cut_by_fin, cut_by_rst, cut_silently, refuse, refuse_at_a_tty, mute, reboot, state,
+    status, sleep, slow_start, resend, text_sums, late, hangup, file_in_its_place, two_clocks, two_states,
+    spins_up_too_long, sleeps_already, next_client, stopped_while_it_holds, keeps_its_lateness, in_lockstep,
+    repeatable)}
 
 
 def main(scipd, scene, *names):

@@ -6,8 +6,10 @@
 #include <cerrno>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
@@ -24,6 +26,7 @@
 #include "tests/daemon/wall_world.h"
 #include "tests/support/scanner_wire.h"
 #include "tests/support/temp_dir.h"
+#include "tests/support/warnings.h"
 
 namespace scipd::daemon {
 namespace {
@@ -198,6 +201,12 @@ class TtyCutTest : public testing::Test {
         io_.run_for(10ms);
     }
 
+    [[nodiscard]] bool has_name() const { return fs::exists(fs::symlink_status(link_)); }
+    void unplug() {
+        port_->set_line({.hung_up = true});
+        EXPECT_TRUE(run_until(io_, [&] { return !has_name(); }));
+    }
+
     bool is_answered(ScannerWire& wire) {
         wire.write("QT\n");
         std::string received;
@@ -221,6 +230,7 @@ class TtyCutTest : public testing::Test {
     World world_ = wall_world();
     Device device_{"robot", ideal_sensor(), 1, world_, clock_};
     tests::TempDir directory_;
+    tests::Warnings log_;
     fs::path link_ = directory_.path() / "tty";
     std::shared_ptr<PtyPort> port_ = std::make_shared<PtyPort>(io_.get_executor(), link_);
 };
@@ -241,20 +251,48 @@ TEST_F(TtyCutTest, HangsUpAndComesBackAtOnce) {
     EXPECT_EQ(device_.clients(), 1U);
 }
 
-TEST_F(TtyCutTest, IsAwayUnderItsNameWhileItRefuses) {
-    for (const LineState& away : {LineState{.refuses = true}, LineState{.hung_up = true}}) {
+TEST_F(TtyCutTest, IsAwayUnderItsNameWhileItIsUnplugged) {
+    ScannerWire first = ScannerWire::tty(link_);
+    EXPECT_TRUE(is_answered(first));
+    port_->set_line({.hung_up = true});
+    EXPECT_TRUE(is_hung_up(first));
+    EXPECT_FALSE(has_name());
+    EXPECT_EQ(port_->address(), link_);
+
+    port_->set_line({});
+    EXPECT_TRUE(run_until(io_, [&] { return fs::is_character_file(link_); }));
+    ScannerWire second = ScannerWire::tty(link_);
+    EXPECT_TRUE(is_answered(second));
+}
+
+TEST_F(TtyCutTest, RefusesWhoComesAndKeepsWhoHasItOpen) {
+    {
         ScannerWire first = ScannerWire::tty(link_);
         EXPECT_TRUE(is_answered(first));
-        port_->set_line(away);
-        EXPECT_TRUE(is_hung_up(first));
-        EXPECT_FALSE(fs::exists(fs::symlink_status(link_)));
-        EXPECT_EQ(port_->address(), link_);
-
+        port_->set_line({.refuses = true});
+        EXPECT_TRUE(run_until(io_, [&] { return !has_name(); }));
+        EXPECT_TRUE(is_answered(first));
+        EXPECT_TRUE(port_->connected());
         port_->set_line({});
         EXPECT_TRUE(run_until(io_, [&] { return fs::is_character_file(link_); }));
-        ScannerWire second = ScannerWire::tty(link_);
-        EXPECT_TRUE(is_answered(second));
+        EXPECT_TRUE(is_answered(first));
+
+        // Once it has gone, it is refused as well.
+        port_->set_line({.refuses = true});
+        first.write("BM\nMD0540054000000\n");
+        EXPECT_TRUE(run_until(io_, [&] { return device_.wanted(); }));
     }
+    EXPECT_TRUE(run_until(io_, [&] { return !port_->connected() && !device_.wanted(); }));
+    EXPECT_FALSE(has_name());
+    port_->set_line({});
+    EXPECT_TRUE(run_until(io_, [&] { return fs::is_character_file(link_); }));
+    ScannerWire second = ScannerWire::tty(link_);
+    EXPECT_TRUE(is_answered(second));
+
+    port_->set_line({.refuses = true});
+    port_->cut(Cut::rst);
+    EXPECT_TRUE(is_hung_up(second));
+    EXPECT_FALSE(has_name());
 }
 
 TEST_F(TtyCutTest, WaitsForANameThatSomebodyElseHasTaken) {
@@ -270,9 +308,48 @@ TEST_F(TtyCutTest, WaitsForANameThatSomebodyElseHasTaken) {
     EXPECT_TRUE(is_answered(wire));
 }
 
+// A program that opens a tty with O_CREAT makes one, if the tty is away.
+TEST_F(TtyCutTest, TakesItsNameBackFromAnEmptyFileThatWasMadeMeanwhile) {
+    unplug();
+    directory_.write("tty", "");
+    port_->set_line({});
+    EXPECT_TRUE(run_until(io_, [&] { return fs::is_symlink(link_); }));
+    EXPECT_EQ(log_.text(), "");
+    ScannerWire wire = ScannerWire::tty(link_);
+    EXPECT_TRUE(is_answered(wire));
+}
+
+TEST_F(TtyCutTest, LeavesAnyOtherFileAloneAndNamesItOnce) {
+    const auto old = [&] {
+        directory_.write("tty", "");
+        fs::last_write_time(link_, fs::file_time_type::clock::now() - 1h);
+    };
+    const auto full = [&] { directory_.write("tty", "VV\n"); };
+    const auto elsewhere_too = [&] {
+        directory_.write("tty", "");
+        fs::create_hard_link(link_, directory_.path() / "other");
+    };
+    const std::vector<std::function<void()>> files{old, full, elsewhere_too};
+    for (const auto& make : files) {
+        log_.clear();
+        unplug();
+        make();
+        port_->set_line({});
+        io_.restart();
+        io_.run_for(350ms);  // it has tried three times
+        EXPECT_TRUE(fs::is_regular_file(link_));
+        EXPECT_EQ(log_.text(),
+                  "the tty " + link_.string() +
+                      " is not there, and comes when it can: " + link_.string() +
+                      " is there and is no link; remove it, or choose another name for "
+                      "the tty\n");
+        fs::remove(link_);
+        EXPECT_TRUE(run_until(io_, [&] { return fs::is_symlink(link_); }));
+    }
+}
+
 TEST_F(TtyCutTest, ServesAgainAndStopsWhileItIsAway) {
-    port_->set_line({.hung_up = true});
-    EXPECT_TRUE(run_until(io_, [&] { return !fs::exists(fs::symlink_status(link_)); }));
+    unplug();
     port_->serve(device_);
     {
         ScannerWire wire = ScannerWire::tty(link_);

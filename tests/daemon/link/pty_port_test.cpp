@@ -5,6 +5,7 @@
 #include <array>
 #include <cerrno>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -138,7 +139,8 @@ TEST_F(PtyPortTest, ReplacesALinkThatIsOlderThanTheTerminalItLeadsTo) {
 
 TEST_F(PtyPortTest, ReplacesNothingElse) {
     const fs::path file = directory_.write("file", "precious");
-    EXPECT_THAT(refusal(file), HasSubstr("is there and is no link; choose another name"));
+    EXPECT_THAT(refusal(file),
+                HasSubstr("is there and is no link; remove it, or choose another name"));
     EXPECT_EQ(fs::file_size(file), 8U);
 
     const fs::path elsewhere = directory_.path() / "elsewhere";
@@ -222,6 +224,72 @@ TEST_F(PtyPortTest, HasNoModemLinesAndLosesWhatIsFlushed) {
     EXPECT_EQ(::tcflush(wire.descriptor(), TCIFLUSH), 0);
     wire.write("QT\n");
     EXPECT_TRUE(comes(wire, reply));  // one, not two
+    port->stop();
+    let_things_end();
+}
+
+/// How many events the kernel keeps for one who does not read them.
+int most_events() {
+    int most = 0;
+    std::ifstream("/proc/sys/fs/inotify/max_queued_events") >> most;
+    return most;
+}
+
+// While the thread is busy, others open terminals so often that the kernel drops some of it.
+TEST_F(PtyPortTest, FindsOutWhoHasItOpenWhereTheKernelHasDroppedWhatItWasToTell) {
+    if (most_events() > 1'000'000) GTEST_SKIP() << "too many events for a test";
+    const auto port = make(link_);
+    port->serve(device_);
+    const auto overflow = [&] {
+        // Each tells of an open and a close, by the tty and by its folder.
+        for (int i = 0; i < most_events() / 4 + 10; ++i)
+            ScannerWire::tty(link_).close();
+    };
+    const auto is_answered = [&](ScannerWire& wire) {
+        wire.write("QT\n");
+        return comes(wire, "QT\n00P\n\n");
+    };
+    overflow();
+    {
+        ScannerWire first = ScannerWire::tty(link_);
+        ASSERT_TRUE(run_until(io_, [&] { return port->connected(); }));
+        EXPECT_TRUE(is_answered(first));
+        overflow();
+        ScannerWire second = ScannerWire::tty(link_);
+        EXPECT_TRUE(is_answered(first));
+        first.close();
+        EXPECT_TRUE(is_answered(second));
+        EXPECT_TRUE(port->connected());
+        second.write("BM\nMD0540054000000\n");
+        EXPECT_TRUE(run_until(io_, [&] { return device_.wanted(); }));
+    }
+    EXPECT_TRUE(run_until(io_, [&] { return !port->connected() && !device_.wanted(); }));
+    // The count is right again, and so are the settings.
+    ScannerWire third = ScannerWire::tty(link_);
+    termios settings{};
+    EXPECT_EQ(::tcgetattr(third.descriptor(), &settings), 0);
+    EXPECT_EQ(settings.c_lflag & (ICANON | ECHO), 0U);
+    EXPECT_TRUE(is_answered(third));
+    third.close();
+    EXPECT_TRUE(run_until(io_, [&] { return !port->connected(); }));
+    port->stop();
+    let_things_end();
+}
+
+// Nobody else may open it then, and scipd has no more rights.
+TEST_F(PtyPortTest, LeavesATtyToADriverThatHasItForItselfWhereEventsWereDropped) {
+    if (most_events() > 1'000'000) GTEST_SKIP() << "too many events for a test";
+    const auto port = make(link_);
+    port->serve(device_);
+    ScannerWire wire = ScannerWire::tty(link_);
+    for (int i = 0; i < most_events() / 4 + 10; ++i)
+        ScannerWire::tty(link_).close();
+    ASSERT_EQ(::ioctl(wire.descriptor(), TIOCEXCL), 0);
+    wire.write("QT\n");
+    EXPECT_TRUE(comes(wire, "QT\n00P\n\n"));
+    int exclusive = 0;
+    EXPECT_EQ(::ioctl(wire.descriptor(), TIOCGEXCL, &exclusive), 0);
+    EXPECT_EQ(exclusive, 1);
     port->stop();
     let_things_end();
 }
