@@ -4,13 +4,14 @@
 # Reload after reload, each with another configuration: robots and sensors get other names, come and go, another
 # trajectory, world or scenario holds. Meanwhile faults act, clients ask on over lines with latency, and pages look on.
 # scipd lives, and the scanner that every configuration has keeps its client.
-# reload_storm_test.py SCIPD SCENE [ROUNDS [SEED]]
+# reload_storm_test.py SCIPD SCENE [ROUNDS [SEED]]: so many reloads with each number of threads
 import contextlib
 import json
 import os
 import pathlib
 import random
 import select
+import shutil
 import signal
 import socket
 import subprocess
@@ -22,7 +23,8 @@ import time
 from fault_lab import PATIENCE_S, Client, Control, wait_for
 from fault_storm_test import MEMBERS
 
-ROUNDS = 12
+ROUNDS = 8
+THREADS = [1, 3]
 NAMES = ["front", "rear", "left", "right"]
 LINES = [{"latency_ms": 20}, {"latency_ms": 5, "jitter_ms": 5}, {}]
 WORLDS = {
@@ -42,7 +44,7 @@ def free_ports(count):
 class Storm:
     """A scipd, and what its configurations are drawn from."""
 
-    def __init__(self, scipd, scene, seed):
+    def __init__(self, scipd, scene, threads, seed):
         self.random = random.Random(seed)
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="scipd-storm-"))
         self.worlds = [pathlib.Path(scene).resolve()]
@@ -58,8 +60,9 @@ class Storm:
         self.file = self.folder / "storm.yaml"
         self.write()
         self.errors = open(self.folder / "stderr", "w")
-        self.process = subprocess.Popen([scipd, "--config", str(self.file), "--threads", "3"], stdout=subprocess.PIPE,
-                                        stderr=self.errors, env={**os.environ, "XDG_RUNTIME_DIR": str(self.folder)})
+        self.process = subprocess.Popen([scipd, "--config", str(self.file), "--threads", str(threads)],
+                                        stdout=subprocess.PIPE, stderr=self.errors,
+                                        env={**os.environ, "XDG_RUNTIME_DIR": str(self.folder)})
         assert self.process.stdout.readline(), self.said()
         self.over = False
 
@@ -202,8 +205,7 @@ class Tty:
         return os.read(self.descriptor, most)
 
 
-def main(scipd, scene, rounds=ROUNDS, seed=1):
-    storm = Storm(scipd, scene, int(seed))
+def rage(storm, rounds):
     good = Client(("127.0.0.1", storm.ports[0]))
     good.ask("BM")
     good.ask("MD0000108000000")
@@ -215,11 +217,14 @@ def main(scipd, scene, rounds=ROUNDS, seed=1):
     for thread in threads:
         thread.start()
     try:
-        for _ in range(int(rounds)):
+        for _ in range(rounds):
             storm.faults(storm.reload())
             time.sleep(storm.random.random() / 3)
             good.got = b""
             good.read_until(b"\n99b\n")
+    except BaseException:
+        storm.process.kill()
+        raise
     finally:
         storm.over = True
         for thread in threads:
@@ -228,7 +233,13 @@ def main(scipd, scene, rounds=ROUNDS, seed=1):
     code = storm.process.wait(PATIENCE_S)
     assert code == 0, f"scipd ended with {code}:\n{storm.said()[-2000:]}"
     assert "error" not in storm.said(), storm.said()
-    print(f"{rounds} reloads, and scipd lives")
+    shutil.rmtree(storm.folder)
+
+
+def main(scipd, scene, rounds=ROUNDS, seed=1):
+    for count in THREADS:
+        rage(Storm(scipd, scene, count, int(seed)), int(rounds))
+        print(f"{rounds} reloads with {count} threads, and scipd lives", flush=True)
 
 
 if __name__ == "__main__":
