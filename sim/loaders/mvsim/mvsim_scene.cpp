@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <memory>
 #include <numbers>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -18,7 +17,7 @@
 #include "sim/loaders/mvsim/mvsim_walk.h"
 #include "sim/loaders/mvsim/mvsim_walls.h"
 #include "sim/loaders/sdf/scene_draft.h"
-#include "sim/text/name.h"
+#include "sim/text/free_names.h"
 #include "sim/text/quote.h"
 #include "sim/world/extrusion.h"
 #include "sim/world/reach.h"
@@ -211,10 +210,7 @@ class MvsimScene {
     ModelId add_model(const MvsimNode& node, const std::string& kind, const Pose& pose,
                       bool movable) {
         const std::string said = node.attribute("name");
-        std::string name = short_name(said.empty() ? kind : said);
-        for (int i = 2; !names_.insert(name).second; ++i)
-            name = short_name((said.empty() ? kind : said) + '_' + std::to_string(i));
-        return draft_.add(Model{name, movable, pose});
+        return draft_.add(Model{names_.take(said.empty() ? kind : said), movable, pose});
     }
 
     void add_object(ModelId model, const Pose& pose, Shape shape, const std::string& material) {
@@ -224,7 +220,7 @@ class MvsimScene {
 
     SceneDraft draft_;
     MapOptions options_;
-    std::set<std::string, std::less<>> names_;
+    FreeNames names_{'_', 2};
     std::size_t triangles_ = 0;
 };
 

@@ -29,9 +29,7 @@ void SceneDraft::add(Object object, const Material& material) {
 }
 
 void SceneDraft::warn(std::string text) {
-    if (std::ranges::find(warnings_, text) == warnings_.end()) {
-        warnings_.push_back(std::move(text));
-    }
+    if (told_.insert(text).second) warnings_.push_back(std::move(text));
 }
 
 void SceneDraft::leave_out(const std::string& why) {

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <string>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -50,6 +51,7 @@ class SceneDraft {
     Scene scene_;
     std::vector<std::string> faults_;
     std::vector<std::string> warnings_;
+    std::unordered_set<std::string> told_;  ///< all of the warnings
     bool anything_left_out_ = false;
 };
 

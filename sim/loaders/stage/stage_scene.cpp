@@ -18,7 +18,7 @@
 #include "sim/loaders/sdf/scene_draft.h"
 #include "sim/loaders/stage/stage_body.h"
 #include "sim/loaders/stage/stage_file.h"
-#include "sim/text/name.h"
+#include "sim/text/free_names.h"
 #include "sim/text/quote.h"
 #include "sim/world/reach.h"
 
@@ -85,7 +85,9 @@ class StageScene {
 
     void add_model(const StageEntity& entity) {
         if (is_sensor(entity.type)) return;
-        const std::string name = free_name(entity);
+        // As Stage numbers entities that have no name.
+        const std::string said = entity.text("name", entity.type.c_str());
+        const std::string name = names_.take(said.empty() ? entity.type : said);
         try {
             const ModelId model =
                 draft_.add(Model{name, entity.type == "position", pose_of(entity, "pose")});
@@ -93,15 +95,6 @@ class StageScene {
         } catch (const std::invalid_argument& wrong) {
             leave_out(entity, name, wrong.what());
         }
-    }
-
-    /// Numbers equal names, as Stage numbers entities that have no name.
-    std::string free_name(const StageEntity& entity) {
-        const std::string said = entity.text("name", entity.type.c_str());
-        std::string name = short_name(said.empty() ? entity.type : said);
-        for (int i = 1; !names_.insert(name).second; ++i)
-            name = short_name(said + ':' + std::to_string(i));
-        return name;
     }
 
     void add(const Stand& stand, const StageEntity& entity) {
@@ -232,7 +225,7 @@ class StageScene {
     fs::path file_;
     StageUnits units_;
     SceneDraft draft_;
-    std::set<std::string, std::less<>> names_;
+    FreeNames names_{':', 1};
     std::set<std::string> unknown_;  ///< types that a warning has named
     std::size_t triangles_ = 0;
     bool told_of_stage_2_ = false;

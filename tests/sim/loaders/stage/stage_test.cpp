@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 //
 // Worlds of Stage, whose ranges are known.
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -152,6 +153,20 @@ TEST_F(Stage, robotsMoveAndTheirSensorsAreNothing) {
     EXPECT_TRUE(fleet->models[0].movable);
     EXPECT_THAT(fleet->objects, SizeIs(2));
     expect_range(fleet, {0, 0, 0.1}, {1, 0, 0}, 1.75);
+}
+
+// Finding a free number for each by counting from 1 takes 17 s.
+TEST_F(Stage, manyModelsWithoutNamesAreNumberedSoon) {
+    std::string text;
+    for (int i = 0; i < 20'000; ++i)
+        text += "model ( pose [" + std::to_string(i % 100) + ' ' + std::to_string(i / 100) +
+                " 0 0] )\n";
+    const auto begun = std::chrono::steady_clock::now();
+    const auto world = scene(text);
+    EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(10));
+    ASSERT_THAT(world->models, SizeIs(20'000));
+    EXPECT_EQ(world->models[1].name, "model:1");
+    EXPECT_EQ(world->models.back().name, "model:19999");
 }
 
 TEST_F(Stage, whatRangersDoNotSeeIsNotThere) {
