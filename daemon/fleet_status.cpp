@@ -64,7 +64,6 @@ void describe(const StaringSensor& sensor, SensorStatus& status) {
 void add(const Port& port, std::optional<std::string>& address, SensorStatus& status) {
     address = port.address();
     status.clients += port.connected() ? 1 : 0;
-    status.lost += port.lost_scans();
 }
 
 SensorStatus status_of(const Station& station, const Simulation& simulation) {
@@ -74,7 +73,8 @@ SensorStatus status_of(const Station& station, const Simulation& simulation) {
         .backend = choice.backend,
         .backend_reason = choice.reason.empty() ? std::optional<std::string>() : choice.reason,
         .warning = simulation.place_watch.warning(station.name()),
-        .lost = station.loop->missed(),
+        .lost = station.loop->missed() + station.ports.counts().lost_scans -
+                station.served_before.lost_scans,
         .stream_lost = station.loop->missed_by_watchers() + station.tap->lost()};
     std::visit([&](const auto& sensor) { describe(*sensor, status); }, station.sensor);
     if (station.ports.tcp) add(*station.ports.tcp, status.tcp, status);

@@ -402,6 +402,21 @@ TEST_P(FleetTest, HandsAPortToAnotherScanner) {
     EXPECT_TRUE(answers(wire, "UTM-30LX"));
 }
 
+TEST_P(FleetTest, DoesNotChargeAScannerWithTheLossesOfTheOneBefore) {
+    SensorConfig front = on_tty("tty");
+    fleet_.apply(of({front}));
+    ScannerWire wire = ScannerWire::tty(*sensor().pty);
+    wire.write("MD0000108000000\n");  // and nobody reads it
+    ASSERT_TRUE(run_until(io_, [&] { return sensor().lost > 0; }));
+    front.name = "rear";
+    fleet_.apply(of({front}));
+    EXPECT_EQ(sensor().name, "rescue/rear");
+    EXPECT_EQ(sensor().lost, 0U);
+    Simulation& simulation = fleet_.simulation();
+    const auto lost_by_port = [&] { return simulation.stations[0]->ports.counts().lost_scans; };
+    EXPECT_GT(simulation.shards.still(lost_by_port), 0U);
+}
+
 /// Where scanners live, by name.
 std::map<std::string, std::size_t> shards_of(Fleet& fleet) {
     std::map<std::string, std::size_t> shards;
