@@ -66,6 +66,7 @@ enum class ClockKind {
 struct WorldLimits {
     std::size_t memory_bytes = std::size_t{4} << 30U;  ///< world_options.h
     std::size_t triangles = 20'000'000;
+    std::size_t overlap = 1000;  ///< triangles that a ray may be tested against in one place
     std::chrono::seconds load_time = std::chrono::minutes{10};
 
     bool operator==(const WorldLimits&) const = default;

@@ -13,8 +13,8 @@ namespace scipd::daemon {
 namespace {
 
 constexpr std::array<std::string_view, 3> map_keys{"z", "material", "unknown"};
-constexpr std::array<std::string_view, 3> world_keys{"world_memory_mb", "world_triangles",
-                                                     "world_load_s"};
+constexpr std::array<std::string_view, 4> world_keys{"world_memory_mb", "world_triangles",
+                                                     "world_overlap", "world_load_s"};
 
 sim::Expected<sim::UnknownCells> parse_unknown(std::string_view text) {
     if (text == "free") return sim::UnknownCells::free;
@@ -47,6 +47,15 @@ sim::Expected<std::size_t> parse_triangles(std::string_view text) {
     });
 }
 
+/// Fewer than a handful of things could not stand behind each other.
+sim::Expected<std::size_t> parse_overlap(std::string_view text) {
+    constexpr int least = 100;
+    constexpr int most = 1'000'000'000;
+    return parse_whole(text, least, most).map([](int triangles) {
+        return static_cast<std::size_t>(triangles);
+    });
+}
+
 sim::Expected<std::chrono::seconds> parse_load_time(std::string_view text) {
     constexpr int a_day_s = 86'400;
     return parse_whole(text, 1, a_day_s).map([](int time_s) {
@@ -70,6 +79,7 @@ void read_limits(const Field& field, Config& config, Faults& faults) {
     WorldLimits& world = config.limits;
     section.read("world_memory_mb", world.memory_bytes, parse_megabytes);
     section.read("world_triangles", world.triangles, parse_triangles);
+    section.read("world_overlap", world.overlap, parse_overlap);
     section.read("world_load_s", world.load_time, parse_load_time);
     for (std::size_t i = 0; i < limit_table.size(); ++i) {
         const LimitRow& row = limit_table[i];
@@ -82,6 +92,7 @@ void apply(const WorldLimits& limits, sim::SceneOptions& options) {
     sim::MeshLimits& mesh = options.sdf.mesh;
     options.sdf.most_memory_bytes = limits.memory_bytes;
     options.sdf.most_triangles = limits.triangles;
+    options.most_overlap = limits.overlap;
     options.limits.wall_time = limits.load_time;
     if (limits.triangles > WorldLimits{}.triangles) mesh.triangles = limits.triangles;
     mesh.triangles = std::min(mesh.triangles, limits.triangles);

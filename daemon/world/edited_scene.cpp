@@ -140,6 +140,7 @@ EditedOrNot with_model(const AddModel& edit, const PresentScene& present) {
         return too_much(Limit::added_triangles, present);
     scene = sim::with_models(*scene, *added);
     check_triangles(*scene, present.options.sdf.most_triangles);
+    sim::check_overlap(*scene, *added, edit.sdf.empty() ? file.string() : name, present.options);
     return EditedScene{present.file,        std::move(scene), added,
                        std::move(warnings), std::move(notes), std::move(all)};
 }

@@ -18,6 +18,7 @@
 #include "sim/loaders/sdf/xacro.h"
 #include "sim/loaders/stage/stage_scene.h"
 #include "sim/world/anchor.h"
+#include "sim/world/overlap.h"
 
 namespace scipd::sim {
 
@@ -83,8 +84,24 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& op
         LoadedScene loaded = load_here(file, options);
         warn_of_coarseness(loaded, file);
         check_materials(loaded, file.string(), options);
+        check_overlap(*loaded.scene, *loaded.scene, file.string(), options);
         return loaded;
     });
+}
+
+void check_overlap(const Scene& scene, const Scene& added, const std::string& source,
+                   const SceneOptions& options) {
+    const auto worst = worst_overlap(scene, added, double(options.most_overlap));
+    if (!worst) return;
+    const glm::dvec3& at_m = worst->middle_m;
+    std::array<char, 400> text{};
+    std::snprintf(text.data(), text.size(),
+                  ": near (%.4g %.4g %.4g) so many triangles lie in one place that a ray would be "
+                  "tested against %.0f of them, and scans would be lost; take away what is there "
+                  "more than once, or thin it out; world_overlap under limits in the "
+                  "configuration allows more than %zu",
+                  at_m.x, at_m.y, at_m.z, worst->triangles, options.most_overlap);
+    throw LoadError({source + ": " + worst->object + text.data()});
 }
 
 LoadedScene load_model_file(const std::filesystem::path& file, const Placement& placement,

@@ -22,6 +22,8 @@ struct SceneOptions {
     LoadLimits limits = {};
     /// What is known of materials. Names that it does not know are told; null: none are.
     SharedMaterials materials = nullptr;
+    /// Triangles that a ray may be tested against in one place (sim/world/overlap.h).
+    std::size_t most_overlap = 1000;
 };
 
 /// The extension tells the kind of file: .sdf and .world for SDF, .urdf and .xacro for URDF, .yaml
@@ -37,6 +39,11 @@ LoadedScene load_model_file(const std::filesystem::path& file, const Placement& 
 /// Adds a warning for each material that options.materials does not know; messages begin with
 /// `source`. In a strict load all warnings are then a LoadError.
 void check_materials(LoadedScene& loaded, const std::string& source, const SceneOptions& options);
+
+/// Throws LoadError, which begins with `source`, where `added` has made a place in the scene in
+/// which more triangles lie than a scanner can be let look at. `added` may be the scene itself.
+void check_overlap(const Scene& scene, const Scene& added, const std::string& source,
+                   const SceneOptions& options);
 
 /// The folder in which relative paths of things that are added to the world start: the folder of
 /// the world's file, or the world itself if it is a folder.

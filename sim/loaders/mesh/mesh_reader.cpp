@@ -74,6 +74,15 @@ void check_triangle_count(const aiScene& scene, const MeshLimits& limits) {
     }
 }
 
+/// The library compares each with each, and takes minutes for a hundred thousand.
+void check_material_count(const aiScene& scene) {
+    constexpr unsigned most_materials = 10'000;
+    if (scene.mNumMaterials > most_materials) {
+        throw std::runtime_error("has more than " + std::to_string(most_materials) +
+                                 " materials; let parts that look alike share one");
+    }
+}
+
 bool is_finite(const aiMesh* mesh) {
     return std::ranges::all_of(std::span{mesh->mVertices, mesh->mNumVertices},
                                [](const aiVector3D& v) { return std::isfinite(v.x + v.y + v.z); });
@@ -123,6 +132,7 @@ const aiScene& read(Assimp::Importer& importer, const Instructions& how) {
     scene = importer.ApplyPostProcessing(aiProcess_ValidateDataStructure);
     if (scene == nullptr) refuse_mesh(importer);
     check_triangle_count(*scene, how.limits);
+    check_material_count(*scene);
     scene = importer.ApplyPostProcessing(how.steps);
     if (scene == nullptr) refuse_mesh(importer);
     if (!std::ranges::all_of(meshes_of(*scene), is_finite)) {

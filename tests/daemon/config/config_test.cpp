@@ -226,22 +226,26 @@ TEST_F(ConfigTest, ReadsWhatAMapAndAnSdfLeaveOpen) {
 
 TEST_F(ConfigTest, ReadsWhatAWorldMayTake) {
     const std::string robots = "robots: {r: {sensors: {s: {pty: auto, model: UST-10LX}}}}\n";
-    const auto config = parse(
-        robots + "limits: {world_memory_mb: 20000, world_triangles: 50000000, world_load_s: 900}");
+    const auto config =
+        parse(robots +
+              "limits: {world_memory_mb: 20000, world_triangles: 50000000, world_overlap: 5000, "
+              "world_load_s: 900}");
     EXPECT_EQ(config.limits.memory_bytes, 20'000'000'000U);
     EXPECT_EQ(config.limits.triangles, 50'000'000U);
+    EXPECT_EQ(config.limits.overlap, 5'000U);
     EXPECT_EQ(config.limits.load_time, std::chrono::seconds(900));
     EXPECT_EQ(parse(robots).limits, WorldLimits{});
-    EXPECT_THAT(faults(robots + "limits: {world_memory_mb: 0, world_triangles: 8GiB, memory: 2}"),
-                ElementsAre("fleet.yaml:2: limits.memory: unknown key; known here are "
-                            "world_memory_mb, world_triangles, world_load_s, scip_line_bytes, "
-                            "scanner_connections, http_connections, control_connections, "
-                            "http_header_bytes, http_body_bytes, websocket_messages_per_s, "
-                            "websocket_queue_bytes, added_models, added_triangles, poses_per_s",
-                            "fleet.yaml:2: limits.world_memory_mb: must be a whole number from 1 "
-                            "to 1000000, not '0'",
-                            "fleet.yaml:2: limits.world_triangles: must be a whole number from 1 "
-                            "to 1000000000, not '8GiB'"));
+    EXPECT_THAT(
+        faults(robots + "limits: {world_memory_mb: 0, world_triangles: 8GiB, memory: 2}"),
+        ElementsAre("fleet.yaml:2: limits.memory: unknown key; known here are "
+                    "world_memory_mb, world_triangles, world_overlap, world_load_s, "
+                    "scip_line_bytes, scanner_connections, http_connections, control_connections, "
+                    "http_header_bytes, http_body_bytes, websocket_messages_per_s, "
+                    "websocket_queue_bytes, added_models, added_triangles, poses_per_s",
+                    "fleet.yaml:2: limits.world_memory_mb: must be a whole number from 1 "
+                    "to 1000000, not '0'",
+                    "fleet.yaml:2: limits.world_triangles: must be a whole number from 1 "
+                    "to 1000000000, not '8GiB'"));
 }
 
 TEST_F(ConfigTest, ReadsWhatClientsMay) {

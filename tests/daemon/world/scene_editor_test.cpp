@@ -271,9 +271,13 @@ class AddedFromFiles : public testing::Test {
         options.sdf.most_memory_bytes = 8 * 20'000'000;  // of which a model may take an eighth
         options.materials = materials_;
         editor_.set_file(folder_.path() / "worlds/world.sdf", options, {folder_.path() / "worlds"});
-        std::optional<EditOutcome> outcome;
         edit.placement.name = "added";
         edit.replace = true;
+        return edit_now(edit);
+    }
+
+    EditOutcome edit_now(const SceneEdit& edit) {
+        std::optional<EditOutcome> outcome;
         editor_.edit(edit, [&outcome](const EditOutcome& answer) { outcome = answer; });
         EXPECT_TRUE(run_until(io_, [&] { return outcome.has_value(); }));
         return outcome.value_or(EditOutcome{});
@@ -348,6 +352,55 @@ TEST_F(AddedFromFiles, TellOfMaterialsThatNobodyKnows) {
             testing::ElementsAre(testing::HasSubstr("no library knows the material 'cheese'")));
         EXPECT_EQ(add(edit, true).result, EditOutcome::Result::faulty);
     }
+}
+
+/// One triangle, so many times.
+std::string heap_of(int triangles) {
+    std::string text = "v 1 -1 0\nv 1 1 0\nv 1 0 1\n";
+    for (int i = 0; i < triangles; ++i)
+        text += "f 1 2 3\n";
+    return text;
+}
+
+TEST_F(AddedFromFiles, AreRefusedWhereTooManyTrianglesLieInOnePlace) {
+    using Result = EditOutcome::Result;
+    folder_.write("worlds/heap.obj", heap_of(10'000));
+    folder_.write("worlds/half.obj", heap_of(600));
+    const std::string half = "<geometry><mesh><uri>half.obj</uri></mesh></geometry></visual>";
+    AddModel mesh;
+    mesh.mesh = "heap.obj";
+    AddModel many_visuals;
+    many_visuals.sdf = "<model name='m'><link name='l'><visual name='v'>" + half +
+                       "<visual name='w'>" + half + "</link></model>";
+    for (const AddModel& edit : {mesh, many_visuals}) {
+        const EditOutcome outcome = add(edit, false);
+        EXPECT_EQ(outcome.result, Result::faulty);
+        EXPECT_THAT(outcome.messages,
+                    testing::ElementsAre(testing::AllOf(
+                        testing::HasSubstr("near (1 0 0.5) so many triangles lie in one place"),
+                        testing::HasSubstr("world_overlap under limits"))));
+    }
+    EXPECT_EQ(edit_now(LoadWorld{"heap.obj"}).result, Result::faulty);
+    EXPECT_NE(world_.model("model 1"), nullptr) << "the world stays";
+    // What stands there already counts, too.
+    mesh.mesh = "half.obj";
+    mesh.placement.movable = false;
+    EXPECT_EQ(add(mesh, false).result, Result::done);
+    mesh.placement.name = "second";
+    EXPECT_EQ(edit_now(mesh).result, Result::faulty);
+    mesh.placement.world_from_model = sim::Pose{{0, 9, 0}, {1, 0, 0, 0}};
+    EXPECT_EQ(edit_now(mesh).result, Result::done);
+}
+
+TEST_F(AddedFromFiles, MayLieInOnePlaceAsOftenAsTheConfigurationSays) {
+    folder_.write("worlds/heap.obj", heap_of(5'000));
+    AddModel mesh;
+    mesh.placement.name = "heap";
+    mesh.mesh = "heap.obj";
+    sim::SceneOptions options;
+    options.most_overlap = 5'000;
+    editor_.set_file(folder_.path() / "worlds/world.sdf", options, {folder_.path() / "worlds"});
+    EXPECT_EQ(edit_now(mesh).result, EditOutcome::Result::done);
 }
 
 TEST_F(AddedFromFiles, TellWhatTheyTakeWhereItIsMuch) {

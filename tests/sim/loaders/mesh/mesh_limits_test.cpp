@@ -137,6 +137,20 @@ TEST_F(MeshLimitsTest, aSubmeshIsReadBehindTheSameOnes) {
                 ElementsAre("a.obj: has a vertex that is not finite"));
 }
 
+// As an exporter writes a file that gives each face a material of its own.
+TEST_F(MeshLimitsTest, aMaterialForEachOfVeryManyFacesIsRefused) {
+    std::string faces = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    std::string materials;
+    for (int i = 0; i < 10'010; ++i) {
+        materials += "newmtl m" + std::to_string(i) + "\n";
+        faces += "usemtl m" + std::to_string(i) + "\nf 1 2 3\n";
+    }
+    folder_.write("a.mtl", materials);
+    EXPECT_THAT(faults("a.obj", faces),
+                ElementsAre("a.obj: has more than 10000 materials; let parts that look alike share "
+                            "one"));
+}
+
 TEST_F(MeshLimitsTest, memoryIsThatOfTheCaller) {
     std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\no part\n";
     for (int i = 0; i < 100'000; ++i)
