@@ -43,32 +43,41 @@ std::optional<std::string> named_backend(const SensorConfig& sensor) {
 /// What others have made of the world.
 struct Shared {
     AddedTriangles added;
+    std::map<std::string, std::string> failed;  ///< why not, by model
     sim::Time age{};
 };
 
-sim::LoadError unlike_the_others(const std::string& field, const std::vector<std::string>& why) {
-    std::vector<std::string> faults;
-    for (const std::string& line : why)
-        faults.push_back(field + "the broker keeps a change that cannot be made here: " + line);
-    return sim::LoadError(std::move(faults));
+/// Makes it. Empty where it is made, or takes away a model that is not there.
+std::string why_not_made(const SceneEdit& edit, PresentScene& present,
+                         std::vector<std::string>& warnings) {
+    try {
+        EditedOrNot now = edited(edit, present);
+        if (!now && now.error().result == EditOutcome::Result::unknown) return {};
+        if (!now) return in_one_line(now.error().messages);
+        present.scene = std::move(now->scene);
+        present.added = std::move(now->all_added);
+        std::ranges::move(now->warnings, std::back_inserter(warnings));
+        return {};
+    } catch (const sim::LoadError& error) {
+        if (present.options.limits.stop.stop_requested()) throw;
+        return in_one_line(error.faults());
+    }
 }
 
-/// Leaves out what takes away a model that is not there.
+/// What cannot be made here is left out: nobody shall keep a daemon from starting by a message.
 Shared share(const Config& config, const sim::SharedMaterials& materials,
              const std::stop_token& stop, const JoinedWorld& joined, sim::LoadedScene& loaded) {
     PresentScene present{config.scene, loaded.scene, scene_options(config, materials),
                          config.allow, {},           config.client_limits};
     present.options.limits.stop = stop;
+    Shared shared{.age = joined.age};
     for (const SceneEdit& edit : joined.edits) {
-        const EditedOrNot now = edited(edit, present);
-        if (!now && now.error().result == EditOutcome::Result::unknown) continue;
-        if (!now) throw unlike_the_others(config.place_of("fleet"), now.error().messages);
-        present.scene = now->scene;
-        present.added = now->all_added;
-        std::ranges::copy(now->warnings, std::back_inserter(loaded.warnings));
+        std::string why = why_not_made(edit, present, loaded.warnings);
+        if (!why.empty()) shared.failed[model_of(edit)] = std::move(why);
     }
     loaded.scene = present.scene;
-    return {std::move(present.added), joined.age};
+    shared.added = std::move(present.added);
+    return shared;
 }
 
 }  // namespace
@@ -134,6 +143,7 @@ FleetPlan make_plan(Config config, const Running& running, const std::stop_token
             .scenario = std::move(scenario),
             .trajectories = std::move(trajectories),
             .added = std::move(shared.added),
+            .unlike_the_others = std::move(shared.failed),
             .scripts_age = shared.age};
 }
 

@@ -5,6 +5,7 @@
 // so is whatever else is read from files. Touches nothing that runs, so that any thread may do it.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -40,7 +41,9 @@ struct FleetPlan {
     sim::SharedMaterials materials;
     std::optional<Scenario> scenario;
     LoadedTrajectories trajectories;
-    AddedTriangles added;     ///< by daemons that share the world
+    AddedTriangles added;  ///< by daemons that share the world
+    /// Why what they have changed could not be made here, by model.
+    std::map<std::string, std::string> unlike_the_others;
     sim::Time scripts_age{};  ///< how long ago the scripts of the world began
 };
 

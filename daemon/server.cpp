@@ -53,8 +53,9 @@ Server::Server(const Options& options)
     listen_for_control();
     if (options_.config.http) listen_for_http(*options_.config.http);
     const Config config = plan.config;
+    const auto unlike_the_others = plan.unlike_the_others;
     (void)fleet_.apply(std::move(plan));
-    if (shared_) shared_->serve(config);
+    if (shared_) shared_->serve(config, unlike_the_others);
     fleet_.simulation().choose_backends();
     wait_for_signal();
 }
@@ -232,11 +233,12 @@ void Server::take_up(std::future<Next> loaded) {
     try {
         Next next = loaded.get();
         const Config config = next.plan.config;
+        const auto unlike_the_others = next.plan.unlike_the_others;
         if (!fleet_.apply(std::move(next.plan))) {
             fleet_.simulation().worker.discard(std::make_shared<FleetPlan>(std::move(next.plan)));
             return load_again(Moves::forbidden);
         }
-        if (shared_) shared_->serve(config);
+        if (shared_) shared_->serve(config, unlike_the_others);
         if (next.asks_for_a_start) {
             spdlog::warn(
                 "SIGHUP: control, http with its token, clock and fleet stay as they are until "

@@ -17,7 +17,7 @@ struct SharedStatus {
     std::string name;  ///< of this daemon
     bool connected = false;
     std::uint64_t daemons = 0;           ///< others that serve
-    std::optional<std::string> trouble;  ///< why the world here is not that of the others
+    std::optional<std::string> trouble;  ///< with the others: what, why, and what to do
     std::uint64_t frames_dropped = 0;    ///< of poses, since somebody was too slow
 };
 

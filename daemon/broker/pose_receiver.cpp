@@ -81,10 +81,10 @@ bool PoseReceiver::address(sim::PoseLine& line) const {
     return !line.robot.empty() || world_.model(line.model) != nullptr;
 }
 
-void PoseReceiver::take_step(std::string_view lines, SenderClock& leader) {
+void PoseReceiver::take_step(std::string_view lines, sim::Time time) {
     for (sim::PoseLine& line : poses_in(lines)) {
         if (!address(line) || !hooks_.matters(line)) continue;
-        hand_on(line, [&] { return intake_.take(line, {}, leader, clock_.now()); });
+        hand_on(line, [&] { return intake_.take_at(time, line, {}); });
     }
 }
 

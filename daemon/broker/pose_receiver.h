@@ -44,7 +44,7 @@ class PoseReceiver {
     /// The poses of one message.
     void take_frame(std::string_view sender, std::string_view frame);
     /// The poses of one step, all at once. In lockstep.
-    void take_step(std::string_view lines, SenderClock& leader);
+    void take_step(std::string_view lines, sim::Time time);
     /// Where something stands, said before this daemon was there.
     void take_place(sim::PoseLine line);
 

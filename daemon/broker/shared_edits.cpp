@@ -2,12 +2,8 @@
 // Copyright The scipd authors
 #include "daemon/broker/shared_edits.h"
 
-#include <algorithm>
-#include <stdexcept>
 #include <utility>
 #include <variant>
-
-#include <spdlog/spdlog.h>
 
 #include "daemon/broker/model_message.h"
 
@@ -16,29 +12,13 @@ namespace {
 
 using Result = EditOutcome::Result;
 
-std::string model_of(const SceneEdit& edit) {
-    if (const auto* const add = std::get_if<AddModel>(&edit)) return add->placement.name;
-    if (const auto* const remove = std::get_if<RemoveModel>(&edit)) return remove->name;
-    return {};
-}
-
-std::string joined(const std::vector<std::string>& lines) {
-    std::string text;
-    for (const std::string& line : lines)
-        text += (text.empty() ? "" : "; ") + line;
-    return text;
-}
-
 }  // namespace
 
 std::vector<SceneEdit> SharedEdits::edits_for(const sim::Scene& base, const Texts& kept) {
     std::vector<SceneEdit> edits;
     for (const auto& [model, text] : kept) {
         auto edit = parse_model_message(model, text);
-        if (!edit) {
-            throw std::runtime_error("the broker keeps a model that cannot be added, " + model +
-                                     ": " + edit.error().why);
-        }
+        if (!edit) continue;
         const bool is_gone = std::holds_alternative<RemoveModel>(*edit);
         if (!is_gone || sim::find_model(base, model)) edits.push_back(*std::move(edit));
     }
@@ -48,7 +28,26 @@ std::vector<SceneEdit> SharedEdits::edits_for(const sim::Scene& base, const Text
 void SharedEdits::begin(const sim::Scene& base, const Texts& kept) {
     for (const sim::Model& model : base.models)
         base_.insert(model.name);
-    wanted_ = kept;
+    for (const auto& [model, text] : kept) {
+        const auto edit = parse_model_message(model, text);
+        if (edit) {
+            wanted_[model] = text;
+        } else {
+            settle(model, text, {Result::faulty, {edit.error().why}});
+        }
+    }
+}
+
+void SharedEdits::differ(const std::map<std::string, std::string>& why) {
+    for (const auto& [model, reason] : why) {
+        const auto wanted = wanted_.extract(model);
+        if (wanted) settle(model, wanted.mapped(), {Result::faulty, {reason}});
+    }
+}
+
+void SharedEdits::try_again() {
+    for (const auto& [model, text] : Texts(failed_))
+        want(model, text);
 }
 
 std::string SharedEdits::text_of_edit(const SceneEdit& edit) const {
@@ -74,49 +73,59 @@ void SharedEdits::edit(SceneEdit edit, EditDone done) {
     }
     const std::string model = model_of(edit);
     const std::string text = text_of_edit(edit);
-    const std::string before = wanted_[model];
-    wanted_[model] = text;
+    const std::string before = std::exchange(wanted_[model], text);
     hooks_.edit(std::move(edit),
                 [this, model, text, before, done = std::move(done)](const EditOutcome& outcome) {
                     if (outcome.result == Result::done) {
                         hooks_.changed(model);
                         publish(model, text);
-                    } else if (wanted_[model] == text) {
-                        wanted_[model] = before;
+                    } else {
+                        put_back(model, text, before);
                     }
                     done(outcome);
                 });
 }
 
+// An empty text would take a model of the base world away when that is loaded again.
+void SharedEdits::put_back(const std::string& model, const std::string& text,
+                           const std::string& before) {
+    if (wanted_[model] == text) wanted_[model] = before;
+    if (wanted_[model].empty()) wanted_.erase(model);
+}
+
 // What was told here comes back, and is known then.
 void SharedEdits::take(const std::string& model, const std::string& text) {
-    // Whoever comes later would not know that a model of the base world is gone.
-    if (text.empty() && base_.contains(model)) return publish(model, std::string(gone));
     const auto known = wanted_.find(model);
-    if ((known == wanted_.end() ? "" : known->second) == text) return;
+    const std::string have = known == wanted_.end() ? "" : known->second;
+    const bool never_took = have.empty() && failed_.contains(model);
+    // Whoever comes later would not know that a model of the base world is gone. Where what was
+    // said of it could not be made, it stands as it did before, and goes on to.
+    if (text.empty() && base_.contains(model) && !never_took)
+        return publish(model, std::string(gone));
+    if (have == text) return settle(model, text, {Result::done, {}});
     want(model, text);
 }
 
 void SharedEdits::want(const std::string& model, const std::string& text) {
     auto edit = parse_model_message(model, text);
-    if (!edit) return settle(model, {Result::faulty, {edit.error().why}});
-    wanted_[model] = text;
-    hooks_.edit(*std::move(edit), [this, model](const EditOutcome& outcome) {
+    if (!edit) return settle(model, text, {Result::faulty, {edit.error().why}});
+    const std::string before = std::exchange(wanted_[model], text);
+    hooks_.edit(*std::move(edit), [this, model, text, before](const EditOutcome& outcome) {
         if (outcome.result == Result::done) hooks_.changed(model);
-        settle(model, outcome);
+        settle(model, text, outcome);
+        if (failed_.contains(model)) put_back(model, text, before);
     });
 }
 
-void SharedEdits::settle(const std::string& model, const EditOutcome& outcome) {
+void SharedEdits::settle(const std::string& model, const std::string& text,
+                         const EditOutcome& outcome) {
     const bool as_wanted = outcome.result == Result::done || outcome.result == Result::unknown;
     if (as_wanted) {
         failed_.erase(model);
     } else {
-        failed_[model] = joined(outcome.messages);
-        spdlog::error("the world differs from that of the other daemons: model {}: {}", model,
-                      failed_[model]);
+        failed_[model] = text;
     }
-    hooks_.differs(failed_.empty() ? "" : failed_.begin()->first + ": " + failed_.begin()->second);
+    hooks_.differs(model, as_wanted ? "" : in_one_line(outcome.messages));
 }
 
 void SharedEdits::take_all(const Texts& kept) {

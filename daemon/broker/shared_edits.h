@@ -29,19 +29,23 @@ class SharedEdits {
         EditHere edit;
         /// A model is another one now, or gone.
         std::function<void(const std::string& model)> changed;
-        /// The world here is not that of the others; empty: it is again.
-        std::function<void(const std::string& why)> differs;
+        /// The model here is not that of the others; empty: it is again.
+        std::function<void(const std::string& model, const std::string& why)> differs;
     };
 
     SharedEdits(MqttLink& link, const Topics& topics, Hooks hooks)
         : link_(link), topics_(topics), hooks_(std::move(hooks)) {}
 
-    /// What brings the base world to where the broker keeps it. Throws std::runtime_error where a
-    /// text makes no sense. Any thread.
+    /// What brings the base world to where the broker keeps it. A text that makes no sense is left
+    /// out: begin() tells of it. Any thread.
     [[nodiscard]] static std::vector<SceneEdit> edits_for(const sim::Scene& base,
                                                           const Texts& kept);
-    /// The world is there.
+    /// The world is there, and these edits are made in it.
     void begin(const sim::Scene& base, const Texts& kept);
+    /// But for those that could not be made, by model.
+    void differ(const std::map<std::string, std::string>& why);
+    /// What could not be made is tried again: the configuration is another one.
+    void try_again();
 
     /// Asked for here. `done` is called as the scene editor calls it.
     void edit(SceneEdit edit, EditDone done);
@@ -57,8 +61,10 @@ class SharedEdits {
   private:
     [[nodiscard]] std::string text_of_edit(const SceneEdit& edit) const;
     void want(const std::string& model, const std::string& text);
+    /// What was asked for was not made.
+    void put_back(const std::string& model, const std::string& text, const std::string& before);
     void publish(const std::string& model, const std::string& text);
-    void settle(const std::string& model, const EditOutcome& outcome);
+    void settle(const std::string& model, const std::string& text, const EditOutcome& outcome);
 
     MqttLink& link_;
     const Topics& topics_;
@@ -66,7 +72,8 @@ class SharedEdits {
     std::set<std::string> base_;  ///< models of the base world
     /// What was asked of the editor last, by model: the world will be so when it has done all.
     Texts wanted_;
-    std::map<std::string, std::string> failed_;  ///< why, by model
+    /// What the others have and the world here has not, by model.
+    Texts failed_;
 };
 
 }  // namespace scipd::daemon

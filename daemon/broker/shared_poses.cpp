@@ -37,7 +37,7 @@ SharedPoses::SharedPoses(const boost::asio::any_io_executor& executor, MqttLink&
                      },
                  .moved = [this](const std::string& model) { sender_.forget(model); }}) {
     if (parts.near_m) nearness_.emplace(*parts.near_m);
-    if (parts.lockstep != nullptr) time_.emplace(link, topics, name, *parts.lockstep);
+    if (parts.lockstep != nullptr) time_.emplace(link, topics, name, *parts.lockstep, parts.intake);
 }
 
 SharedPoses::~SharedPoses() {

@@ -2,9 +2,12 @@
 // Copyright The scipd authors
 #include "daemon/broker/shared_time.h"
 
+#include <chrono>
+
 #include <spdlog/spdlog.h>
 
 #include "daemon/broker/step.h"
+#include "sim/text/quote.h"
 
 namespace scipd::daemon {
 
@@ -12,12 +15,12 @@ namespace scipd::daemon {
 void SharedTime::take(std::string_view text, PoseReceiver& receiver) {
     const auto step = parse_step(text);
     if (!step) return;
-    receiver.take_step(step->lines, clock_);
-    if (const auto time = lockstep_.world_time(step->time)) {
-        lockstep_.begin_with(step->time);
+    if (const auto time = intake_.take_step(step->time, clock_)) {
+        receiver.take_step(step->lines, *time);
         lockstep_.come_to(&clock_, *time, true);
-    } else {
-        spdlog::warn("step {} leaps too far for one run", step->number);
+    } else if (const auto others = refusals_told_.admit(std::chrono::steady_clock::now())) {
+        spdlog::warn("step {} from {} refused: {}{}", step->number, sim::printable(step->from),
+                     time.error().why, *others);
     }
     lockstep_.when_caught_up([this, alive = std::weak_ptr(alive_), said = acknowledgement(*step)] {
         if (!alive.expired()) link_.publish(ack_, said, {.surely = true});

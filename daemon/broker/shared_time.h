@@ -12,6 +12,7 @@
 #include "daemon/broker/mqtt_link.h"
 #include "daemon/broker/pose_receiver.h"
 #include "daemon/broker/topics.h"
+#include "daemon/limits/throttle.h"
 #include "daemon/poses/lockstep.h"
 #include "daemon/poses/pose_intake.h"
 
@@ -20,8 +21,12 @@ namespace scipd::daemon {
 class SharedTime {
   public:
     /// All must outlive it. `name` is that of this daemon.
-    SharedTime(MqttLink& link, const Topics& topics, const std::string& name, Lockstep& lockstep)
-        : link_(link), ack_(topics.of(Topic::Kind::ack, name)), lockstep_(lockstep) {}
+    SharedTime(MqttLink& link, const Topics& topics, const std::string& name, Lockstep& lockstep,
+               PoseIntake& intake)
+        : link_(link),
+          ack_(topics.of(Topic::Kind::ack, name)),
+          lockstep_(lockstep),
+          intake_(intake) {}
 
     /// From now on time waits for steps.
     void begin() { lockstep_.add(&clock_); }
@@ -32,7 +37,9 @@ class SharedTime {
     MqttLink& link_;
     const std::string ack_;
     Lockstep& lockstep_;
+    PoseIntake& intake_;
     SenderClock clock_;  ///< of whoever leads time
+    Throttle refusals_told_;
     std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
 };
 

@@ -5,16 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <cstdlib>
-#include <stdexcept>
 #include <utility>
 
-#include <boost/asio/post.hpp>
 #include <spdlog/spdlog.h>
 
 #include "daemon/broker/identity.h"
-#include "daemon/broker/world_hash.h"
 
 namespace scipd::daemon {
 
@@ -22,22 +18,13 @@ using Kind = Topic::Kind;
 
 namespace {
 
-// A broker that is being started with the daemon, or is busy, has so long to answer.
-constexpr auto patience = std::chrono::seconds(10);
-
 constexpr std::array kept_kinds{Kind::scene, Kind::daemon, Kind::model, Kind::places};
-
-double unix_s() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch())
-        .count();
-}
 
 }  // namespace
 
 SharedWorld::SharedWorld(const boost::asio::any_io_executor& executor, const BrokerConfig& config,
                          const Parts& parts)
-    : executor_(executor),
-      config_(config),
+    : config_(config),
       name_(config.name.empty() ? usual_name() : config.name),
       instance_(new_instance()),
       topics_(config.world),
@@ -45,6 +32,7 @@ SharedWorld::SharedWorld(const boost::asio::any_io_executor& executor, const Bro
            .instance = instance_,
            .in_steps = parts.lockstep != nullptr,
            .host = host_name()},
+      troubles_(config),
       link_(executor, config, "scipd-" + instance_,
             {topics_.of(Kind::daemon, name_), text_of(lost(who_))},
             {.connected = [this] { ask_for_all(); },
@@ -61,91 +49,21 @@ SharedWorld::SharedWorld(const boost::asio::any_io_executor& executor, const Bro
              {.edit = parts.edit,
               .changed = [this](const std::string& model) { poses_.forget(model); },
               .differs =
-                  [this](const std::string& why) {
-                      if (std::exchange(who_.trouble, why) != why) say_who();
+                  [this](const std::string& model, const std::string& why) {
+                      set_trouble(topics_.of(Kind::model, model), why);
                   }}) {}
 
 SharedWorld::~SharedWorld() {
     stop();
 }
 
-void SharedWorld::tell_of_loss(const std::string& why) const {
+void SharedWorld::tell_of_loss(const std::string& why) {
+    lost_ = true;
     spdlog::warn("the broker {} is lost: {}; what others move stays until it is back",
                  text_of(config_.broker), why);
 }
 
-void SharedWorld::require_answer(bool came) const {
-    if (came) return;
-    const std::string why =
-        link_.connected() ? "it does not let this daemon read its topics" : link_.trouble();
-    const std::string text = fmt::format(
-        "cannot join the world {0} by the broker {1}: {2}; start the broker first, and "
-        "see that its user may read and write scipd/{0}/#",
-        config_.world, text_of(config_.broker), why);
-    if (link_.connected() || link_.refused()) throw std::runtime_error(text);
-    throw NotThereYet(text);
-}
-
-JoinedWorld SharedWorld::join(const sim::Scene& base) {
-    scene_ = {.hash = content_hash(base), .by = name_, .begun_s = unix_s()};
-    const auto synced = [&] { return marks_ > 0 && marks_seen_ == marks_; };
-    require_answer(link_.run_until(synced, patience));
-    check_scene();
-    if (!kept_.scene || kept_.scene->hash != scene_.hash) {
-        found_world(kept_.scene.has_value());
-        require_answer(link_.run_until(synced, patience));
-        // Another daemon may have done the same at the same time; whoever was last is right.
-        if (kept_.scene && kept_.scene->hash != scene_.hash)
-            throw std::runtime_error(other_world(*kept_.scene, scene_, config_.world));
-    }
-    if (kept_.scene) scene_ = *kept_.scene;
-    edits_.begin(base, kept_.models);
-    return {SharedEdits::edits_for(base, kept_.models), age()};
-}
-
-/// Throws std::runtime_error where this daemon cannot be one of those who serve.
-void SharedWorld::check_scene() {
-    const auto same_name = kept_.daemons.find(name_);
-    if (same_name != kept_.daemons.end() && !same_name->second.lost) {
-        throw std::runtime_error("there is a daemon " + name_ + " on " + same_name->second.host +
-                                 "; take another fleet.name");
-    }
-    const bool differs = kept_.scene && kept_.scene->hash != scene_.hash;
-    if (differs && kept_.serving_other_than(instance_) != nullptr)
-        throw std::runtime_error(other_world(*kept_.scene, scene_, config_.world));
-}
-
-// The first of all says which world it is. What was said of another one counts no more.
-void SharedWorld::found_world(bool anew) {
-    constexpr MqttDelivery kept{.surely = true, .kept = true};
-    for (const auto& [daemon, note] : kept_.daemons)
-        link_.publish(topics_.of(Kind::daemon, daemon), "", kept);
-    if (anew) {
-        for (const auto& [model, text] : kept_.models)
-            link_.publish(topics_.of(Kind::model, model), "", kept);
-        for (const auto& [sender, text] : kept_.places)
-            link_.publish(topics_.of(Kind::places, sender), "", kept);
-    }
-    say_scene();
-    mark();
-}
-
-/// How long ago the scripts of the world began. With steps, all begin with the first.
-sim::Time SharedWorld::age() const {
-    if (who_.in_steps || scene_.begun_s <= 0.0) return {};
-    return sim::Time(std::llround(std::clamp(unix_s() - scene_.begun_s, 0.0, 1e9) * 1e9));
-}
-
-JoinWorld SharedWorld::rejoining() const {
-    return [scene = scene_, texts = edits_.texts(), world = config_.world,
-            age = age()](const sim::Scene& base) {
-        const SceneNote here{.hash = content_hash(base)};
-        if (here.hash != scene.hash) throw std::runtime_error(other_world(scene, here, world));
-        return JoinedWorld{SharedEdits::edits_for(base, texts), age};
-    };
-}
-
-void SharedWorld::serve(const Config& config) {
+void SharedWorld::serve(const Config& config, const std::map<std::string, std::string>& not_made) {
     who_.bodies.clear();
     who_.sensors = 0;
     for (const RobotConfig& robot : config.robots) {
@@ -153,6 +71,8 @@ void SharedWorld::serve(const Config& config) {
         who_.sensors += int(robot.sensors.size());
     }
     const bool begins = !std::exchange(serving_, true);
+    if (!begins) edits_.try_again();
+    edits_.differ(not_made);
     if (begins) poses_.begin();
     poses_.serve(config.robots);
     if (begins) {
@@ -175,7 +95,7 @@ SharedStatus SharedWorld::status() const {
                         .daemons = static_cast<std::uint64_t>(others),
                         .trouble = {},
                         .frames_dropped = poses_.dropped()};
-    if (!who_.trouble.empty()) status.trouble = who_.trouble;
+    if (!troubles_.text().empty()) status.trouble = troubles_.text();
     return status;
 }
 
@@ -232,42 +152,77 @@ void SharedWorld::take_news(const Topic& topic, std::string_view text) {
     kept_.take(topic, text);
     if (topic.kind == Kind::daemon)
         take_daemon(topic.name, before.name.empty() ? nullptr : &before);
-    if (topic.kind != Kind::scene) return;
-    if (!kept_.scene) return say_scene();
-    if (kept_.scene->hash != scene_.hash) fail(other_world(*kept_.scene, scene_, config_.world));
+    if (topic.kind == Kind::scene) take_scene();
+}
+
+bool SharedWorld::is_other_world() const {
+    return kept_.scene && kept_.scene->hash != scene_.hash;
+}
+
+// Whoever may write at the broker can say that it is another world. Who serves goes on with the
+// one it has, and takes up what it has missed once it is that again.
+void SharedWorld::take_scene() {
+    const bool changes = set_scene_trouble();
+    if (is_other_world()) return;
+    if (!kept_.scene) say_scene();
+    if (changes) ask_for_all();
+}
+
+bool SharedWorld::set_scene_trouble() {
+    return set_trouble(topics_.of(Kind::scene),
+                       is_other_world() ? other_world(*kept_.scene, scene_, config_.world) : "");
+}
+
+bool SharedWorld::set_trouble(const std::string& topic, const std::string& why) {
+    if (!troubles_.set(topic, why)) return false;
+    who_.trouble = troubles_.text();
+    if (serving_) say_who();
+    return true;
 }
 
 void SharedWorld::take_daemon(const std::string& name, const DaemonNote* before) {
     const auto found = kept_.daemons.find(name);
     const DaemonNote* const now = found == kept_.daemons.end() ? nullptr : &found->second;
-    if (name == name_) {
-        // The will of a connection that was replaced meanwhile, or somebody has tidied up.
-        if (now == nullptr || now->lost) return say_who();
-        if (now->instance != instance_)
-            spdlog::error("another daemon on {} is called {}, too; give one another name",
-                          now->host, name);
-        return;
-    }
+    if (name == name_) return take_own_note(now);
     const bool was_there = before != nullptr && !before->lost;
     const bool is_there = now != nullptr && !now->lost;
     if (is_there && !was_there) {
-        spdlog::info("daemon {} has joined", name);
+        tell("daemon " + name + " has joined");
         poses_.say_all();
     }
     if (is_there || !was_there) return;
-    now == nullptr ? spdlog::info("daemon {} has left", name)
-                   : spdlog::warn("daemon {} is lost", name);
+    now == nullptr ? tell("daemon " + name + " has left")
+                   : tell("daemon " + name + " is lost", spdlog::level::warn);
+}
+
+// Who runs does not argue with another one of its name: both would say who they are for ever.
+void SharedWorld::take_own_note(const DaemonNote* now) {
+    // The will of a connection that was replaced meanwhile, or somebody has tidied up.
+    if (now == nullptr || now->lost) return say_who();
+    const bool is_another = now->instance != instance_;
+    troubles_.set(topics_.of(Kind::daemon, name_),
+                  is_another ? "another daemon, on " + now->host +
+                                   ", is called so, too; give one another fleet.name"
+                             : "");
+    if (!is_another && std::exchange(who_.trouble, troubles_.text()) != troubles_.text()) say_who();
+}
+
+// A dozen daemons may well start at once, but not thousands.
+void SharedWorld::tell(const std::string& text, spdlog::level::level_enum level) {
+    constexpr std::size_t most_a_second = 20;
+    if (news_.admit(most_a_second)) return spdlog::log(level, "{}", text);
+    if (const auto others = left_out_.admit(std::chrono::steady_clock::now()))
+        spdlog::warn("more daemons come and go than are told{}", *others);
 }
 
 // After a time without the broker.
 void SharedWorld::come_back() {
-    if (kept_.scene && kept_.scene->hash != scene_.hash)
-        return fail(other_world(*kept_.scene, scene_, config_.world));
-    spdlog::info("the broker {} is back", text_of(config_.broker));
-    if (kept_.scene) {
+    if (std::exchange(lost_, false)) spdlog::info("the broker {} is back", text_of(config_.broker));
+    set_scene_trouble();
+    if (kept_.scene && !is_other_world()) {
         edits_.take_all(kept_.models);
         put_places(false);
-    } else {
+    } else if (!kept_.scene) {
         // It has forgotten all, and so has nobody else. The scene comes last: where it is, all is.
         edits_.say_all();
         say_scene();
@@ -287,11 +242,6 @@ void SharedWorld::say_who() {
 
 void SharedWorld::say_scene() {
     link_.publish(topics_.of(Kind::scene), text_of(scene_), {.surely = true, .kept = true});
-}
-
-// From within the library nothing may throw.
-void SharedWorld::fail(const std::string& why) {
-    boost::asio::post(executor_, [why] { throw std::runtime_error(why); });
 }
 
 }  // namespace scipd::daemon

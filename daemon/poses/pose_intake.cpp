@@ -129,6 +129,15 @@ sim::Expected<> PoseIntake::take_stamped(sim::Time stamp, const sim::PoseLine& l
 // one behind the leap.
 sim::Expected<> PoseIntake::take_leaping(sim::Time stamp, const sim::PoseLine& line,
                                          std::string_view robot, SenderClock& sender) {
+    const auto time = time_behind_leap(stamp, sender);
+    if (!time) return tl::unexpected(time.error());
+    if (const Placed placed = place(line, robot, *time); !placed) return told(placed);
+    leap(sender);
+    lockstep_->come_to(&sender, *time, world_.has_one_mover());
+    return {};
+}
+
+sim::Expected<sim::Time> PoseIntake::time_behind_leap(sim::Time stamp, SenderClock& sender) {
     const sim::Time before = lockstep_->clock().origin() + lockstep_->come_to(&sender);
     const std::string leaps = "t: leaps" + from_to(before, stamp);
     if (!lockstep_->leads(&sender))
@@ -138,15 +147,34 @@ sim::Expected<> PoseIntake::take_leaping(sim::Time stamp, const sim::PoseLine& l
     const sim::Time first = sender.leap().first();
     const auto time = lockstep_->time_anew(&sender, first, stamp);
     if (!time) return sim::refuse("t", leaps + ", too far for one run");
-    if (const Placed placed = place(line, robot, *time); !placed) return told(placed);
+    return *time;
+}
+
+void PoseIntake::leap(SenderClock& sender) {
+    const sim::Time before = lockstep_->clock().origin() + lockstep_->come_to(&sender);
+    const sim::Time first = sender.leap().first();
     if (const auto others = leaps_told_.admit(std::chrono::steady_clock::now())) {
         spdlog::warn("the stamps of poses have leapt{}: time goes on from there{}",
                      from_to(before, first), *others);
     }
     sender.leap().forget();
     lockstep_->begin_anew_with(&sender, first);
-    lockstep_->come_to(&sender, *time, world_.has_one_mover());
-    return {};
+}
+
+sim::Expected<sim::Time> PoseIntake::take_step(sim::Time stamp, SenderClock& leader) {
+    const auto time = lockstep_->world_time(stamp);
+    const sim::Time before = lockstep_->come_to(&leader);
+    const bool leaps = !time || *time - before > StampLeap::longest_ahead ||
+                       before - *time > StampLeap::longest_back;
+    if (leaps) {
+        const auto behind = time_behind_leap(stamp, leader);
+        if (behind) leap(leader);
+        if (!behind) (void)count(tl::unexpected(behind.error()));
+        return behind;
+    }
+    if (*time > before) leader.leap().forget();
+    lockstep_->begin_with(stamp);
+    return *time;
 }
 
 sim::Expected<> PoseIntake::take_at(sim::Time time, const sim::PoseLine& line,

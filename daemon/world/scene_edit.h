@@ -47,6 +47,13 @@ struct SetMaterial {
 
 using SceneEdit = std::variant<LoadWorld, AddModel, RemoveModel, SetMaterial>;
 
+/// That it adds or takes away; else empty.
+inline std::string model_of(const SceneEdit& edit) {
+    if (const auto* const add = std::get_if<AddModel>(&edit)) return add->placement.name;
+    if (const auto* const remove = std::get_if<RemoveModel>(&edit)) return remove->name;
+    return {};
+}
+
 struct EditOutcome {
     enum class Result {
         done,
@@ -64,6 +71,13 @@ struct EditOutcome {
     std::vector<std::string> notes = {};
     Limit limit = {};
 };
+
+inline std::string in_one_line(const std::vector<std::string>& messages) {
+    std::string text;
+    for (const std::string& message : messages)
+        text += (text.empty() ? "" : "; ") + message;
+    return text;
+}
 
 using EditDone = std::function<void(const EditOutcome&)>;
 

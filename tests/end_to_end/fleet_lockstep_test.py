@@ -91,6 +91,10 @@ def one_that_dies_holds_nobody_up(lab, scipctl):
         leader.stdin.write(lines(0, 50))
         leader.stdin.flush()
         wait_for(lambda: daemons["west"].ask("GET", "/status")[1]["time_s"] > 1.7e9 + 0.9, "time does not go on")
+        # Somebody else's step, a century ahead, carries time nowhere.
+        for t_ns in (10 ** 18, 4 * 10 ** 18):
+            lab.broker.say("scipd/hall/time", f"# step 7 t_ns {t_ns} from nobody\n", "-q", "1")
+        wait_for(lambda: "step 7 from nobody refused" in daemons["west"].log(), "the leap is not told")
         daemons["east"].kill()
         leader.stdin.write(lines(50))
         leader.stdin.close()

@@ -3,8 +3,10 @@
 #include "daemon/poses/pose_intake.h"
 
 #include <algorithm>
+#include <optional>
 #include <random>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/daemon/wall_world.h"
@@ -285,6 +287,39 @@ TEST(PoseIntake, CountsNoSecondsWhereTimeWaitsForPoses) {
     Rate sender;
     for (int i = 0; i < 10; ++i)
         EXPECT_TRUE(intake.admit(sender));
+}
+
+// Anybody who may write at a broker can say what is to be the time.
+TEST(PoseIntake, TakesNoStepThatLeapsBeforeOthersFollowIt) {
+    boost::asio::io_context io;
+    World world = wall_world();
+    Lockstep lockstep(io.get_executor());
+    PoseIntake intake(world, &lockstep);
+    SenderClock leader;
+    lockstep.add(&leader);
+    const auto step = [&](sim::Time stamp) -> std::optional<sim::Time> {
+        const auto time = intake.take_step(stamp, leader);
+        if (!time) return std::nullopt;
+        lockstep.come_to(&leader, *time, true);
+        io.restart();
+        io.poll();
+        return *time;
+    };
+    constexpr sim::Time begin = 1'700'000'000s;
+    EXPECT_EQ(step(begin), 0s);
+    EXPECT_EQ(step(begin + 20ms), 20ms);
+    for (const sim::Time forged : {sim::Time(1'000'000'000'000'000'000),
+                                   sim::Time(9'000'000'000'000'000'000), begin + 11min}) {
+        EXPECT_EQ(step(forged), std::nullopt);
+        EXPECT_EQ(lockstep.clock().now(), 20ms);
+    }
+    EXPECT_THAT(*intake.last_refusal(), testing::HasSubstr("leaps from 1700000000.020 s"));
+    EXPECT_EQ(step(begin + 40ms), 40ms);
+    // Whoever leads was started again.
+    EXPECT_EQ(step(5s), std::nullopt);
+    EXPECT_EQ(step(5500ms), std::nullopt);
+    EXPECT_EQ(step(6100ms), 1140ms);
+    EXPECT_EQ(step(6200ms), 1240ms);
 }
 
 TEST_F(PoseIntakeTest, TakesALineWithoutATimeInThePlaceOfWhatWasSaidForLater) {
