@@ -39,9 +39,9 @@ bool Troubles::set(const std::string& topic, const std::string& why) {
         if (const auto others = told_.admit(now))
             spdlog::error("the broker keeps {}{}", told(topic, why), *others);
     }
-    std::string text;
-    if (!why_.empty()) text = told(why_.begin()->first, why_.begin()->second);
-    if (why_.size() > 1) text += " (and " + std::to_string(why_.size() - 1) + " more like it)";
+    if (!why_.contains(first_)) first_ = why_.empty() ? "" : why_.begin()->first;
+    std::string text = why_.empty() ? "" : told(first_, why_[first_]);
+    if (why_.size() > 1) text += " (and others)";
     return std::exchange(text_, text) != text;
 }
 

@@ -22,7 +22,8 @@ class Troubles {
 
     /// Empty: all is well with this topic. Tells the log. Returns whether text() has changed.
     bool set(const std::string& topic, const std::string& why);
-    /// Of the first, with what to do about it, and how many others there are; empty: none.
+    /// Of one of them, with what to do about it, and whether there are others; empty: none. Others
+    /// that come and go do not change it: all daemons hear of each change.
     [[nodiscard]] const std::string& text() const { return text_; }
 
   private:
@@ -30,6 +31,7 @@ class Troubles {
 
     const BrokerConfig config_;
     std::map<std::string, std::string> why_;  ///< by topic
+    std::string first_;                       ///< the topic that is told
     std::string text_;
     Throttle told_;
     Throttle gone_;

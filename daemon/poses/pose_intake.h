@@ -87,12 +87,12 @@ class PoseIntake {
     /// The same for a line that has been understood already.
     [[nodiscard]] sim::Expected<> take(const sim::PoseLine& line, std::string_view robot,
                                        SenderClock& sender, sim::Time arrival);
-    /// World time of a step that a leader says, with whatever poses; in lockstep. A stamp that leaps
-    /// is refused until others follow it, as that of a pose is.
-    [[nodiscard]] sim::Expected<sim::Time> take_step(sim::Time stamp, SenderClock& leader);
     /// The same at a world time. A line that says no time itself holds from then on.
     [[nodiscard]] sim::Expected<> take_at(sim::Time time, const sim::PoseLine& line,
                                           std::string_view robot);
+    /// World time of a step that a leader says, with whatever poses; in lockstep. A stamp that
+    /// leaps is refused until others follow it, as that of a pose is.
+    [[nodiscard]] sim::Expected<sim::Time> take_step(sim::Time stamp, SenderClock& leader);
 
     /// Called after each pose that is taken, with its world time; a line without a name means
     /// `robot`.
