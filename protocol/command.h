@@ -88,6 +88,9 @@ struct Command {
         return parameters == Parameters::window;
     }
     [[nodiscard]] constexpr bool brings_scans() const { return parameters == Parameters::scans; }
+    [[nodiscard]] constexpr bool switches_laser_on() const {
+        return code == "BM" || brings_scans();
+    }
 };
 
 }  // namespace scipd::protocol

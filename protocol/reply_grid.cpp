@@ -7,8 +7,18 @@
 namespace scipd::protocol {
 namespace {
 
-// In time-adjust mode a scanner does not wait for its mirror (recorded UXM-30LX-E).
-constexpr Uptime adjust_tick = std::chrono::milliseconds(1);
+// In time-adjust mode a UXM-30LX-E answered TM1 after 1 ms and TM2 after 2 ms.
+constexpr Uptime prompt_tick = std::chrono::milliseconds(1);
+
+// Scanners were recorded while they measured, and each reply waited for the mirror. With the laser
+// off there are three replies of a UXM-30LX-E: TM1 and TM2 did not wait, the BM behind them did.
+// Before SCIP 2.0 a URG-04LX answered V after 40 ms and G after 100; SCIP2.0 was not recorded, and
+// a program that was written for one gives it 30 ms (HS2_LaserHokuyo).
+bool waits_for_mirror(const Command* command, const DeviceState& device) {
+    if (device.adjusting()) return false;
+    if (!device.laser_on()) return command != nullptr && command->switches_laser_on();
+    return !device.speaks_scip1() || command == nullptr || command->code != "SCIP2.0";
+}
 
 Grid replies_of(const DeviceState& device, const DeviceProfile& profile) {
     if (profile.turns_per_reply == 0) return {.tick = profile.reply_tick};
@@ -21,7 +31,9 @@ Grid grid_of(const Command* command, const DeviceState& device, const DeviceProf
     const bool asks_time = command != nullptr && command->code.ends_with("TM1");
     if (asks_time && profile.time_tick > Uptime::zero()) return {.tick = profile.time_tick};
     const Grid grid = replies_of(device, profile);
-    return device.adjusting() && grid.tick > adjust_tick ? Grid{.tick = adjust_tick} : grid;
+    const bool prompt =
+        profile.turns_per_reply > 0 ? !waits_for_mirror(command, device) : device.adjusting();
+    return prompt && grid.tick > prompt_tick ? Grid{.tick = prompt_tick} : grid;
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// When replies and scans leave: on old models when the mirror passes step 0, on others at ticks or
-// after a delay. All of it runs on the device's own clock.
+// When replies and scans leave: on old models that measure when the mirror passes step 0, on others
+// at ticks or after a delay. All of it runs on the device's own clock.
 #pragma once
 
 #include "protocol/command.h"

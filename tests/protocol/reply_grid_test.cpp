@@ -56,12 +56,42 @@ TEST(ReplyGrid, OnePerTurnFollowsTheMirror) {
     DeviceProfile profile = test_profile(Family::urg);
     profile.turns_per_reply = 2;
     DeviceState device;
+    device.switch_laser_on(0ms);
     EXPECT_EQ(reply_leaves(1ms, command("VV"), device, profile), 50ms);
     EXPECT_EQ(scan_leaves(18'750us, device, profile), 25ms);
     device.settings().motor_level = 10;  // 25 ms / 0.9
     device.set_mirror_origin(75ms);
     EXPECT_EQ(reply_leaves(60ms, command("VV"), device, profile), 75ms);
     EXPECT_EQ(reply_leaves(75ms, command("VV"), device, profile), 75ms + 2 * 27'777'777ns);
+}
+
+TEST(ReplyGrid, WithTheLaserOffOnlyWhatSwitchesItOnWaitsForTheMirror) {
+    DeviceProfile profile = test_profile(Family::urg);
+    profile.turns_per_reply = 1;
+    DeviceState device;
+    for (const auto code : {"VV", "PP", "II", "QT", "RS", "GD", "TM0", "SS", "CR", "SCIP2.0"})
+        EXPECT_EQ(reply_leaves(1ms, find_command(code, profile), device, profile), 2ms) << code;
+    EXPECT_EQ(reply_leaves(1ms, nullptr, device, profile), 2ms);
+    for (const auto code : {"BM", "MD", "MS"})
+        EXPECT_EQ(reply_leaves(1ms, find_command(code, profile), device, profile), 25ms) << code;
+    device.enter_adjust();  // where it is refused
+    EXPECT_EQ(reply_leaves(1ms, find_command("BM", profile), device, profile), 2ms);
+    // A tick that has nothing to do with the mirror is kept.
+    profile.turns_per_reply = 0;
+    profile.reply_tick = 5ms;
+    EXPECT_EQ(reply_leaves(1ms, find_command("VV", profile), DeviceState{}, profile), 5ms);
+}
+
+TEST(ReplyGrid, TheWayOutOfScip1DoesNotWaitForTheMirror) {
+    DeviceProfile profile = test_profile(Family::urg);
+    profile.turns_per_reply = 1;
+    DeviceState device;
+    device.power_up_in_scip1(0ms);
+    EXPECT_EQ(reply_leaves(1ms, nullptr, device, profile), 25ms);
+    EXPECT_EQ(reply_leaves(1ms, find_command("SCIP2.0", profile), device, profile), 2ms);
+    device.speak_scip2();
+    device.switch_laser_on(0ms);
+    EXPECT_EQ(reply_leaves(1ms, find_command("SCIP2.0", profile), device, profile), 25ms);
 }
 
 TEST(ReplyGrid, InAdjustModeTheMirrorIsNotWaitedFor) {

@@ -239,12 +239,12 @@ TEST(Session, ASlowerMotorSlowsScansAndRepliesFromTheNextTurnOn) {
                             Told{75ms + 2 * 27'777'777ns, "MD0002000301000"}));
     shell.receive("RS\n");
     shell.advance_to(1s);
-    shell.receive("VV\n");
+    shell.receive("BM\n");
     shell.advance_to(1100ms);
     // Once more at the slow pace, then 25 ms again from 75 ms + 4 * 27.777777 ms on.
     EXPECT_THAT(told(shell), ElementsAre(Told{75ms + 3 * 27'777'777ns, "MD0002000301000"},
                                          Told{76ms + 3 * 27'777'777ns, "RS"},
-                                         Told{75ms + 4 * 27'777'777ns + 33 * 25ms, "VV"}));
+                                         Told{75ms + 4 * 27'777'777ns + 33 * 25ms, "BM"}));
 }
 
 TEST(Session, ANewStreamReplacesTheOldOne) {
@@ -328,7 +328,7 @@ TEST(Session, AReplyFollowsAScanAfterAPause) {
     shell.advance_to(200ms);
     EXPECT_THAT(told(shell),
                 ElementsAre(Told{25ms, "MD0002000301000"}, Told{50ms, "MD0002000301000"},
-                            Told{75ms, "MD0002000301000"}, Told{76ms, "QT"}, Told{100ms, "VV"}));
+                            Told{75ms, "MD0002000301000"}, Told{76ms, "QT"}, Told{77ms, "VV"}));
     Shell counted(prompt());
     counted.receive("MD0002000301001\n");
     counted.advance_to(19ms);  // the only one left at 18.75 ms
