@@ -59,11 +59,9 @@ constexpr StatusWords of_all[] = {
     {"0G", "the string behind the semicolon is longer than 16 characters"},
     {"0H", "the string behind the semicolon has characters that are not allowed"},
     {"0I", "the scanner waits for new firmware"},
-    {"0L", "the scanner is out of order"},
+    {"0L", "the scanner is out of order; RB twice reboots it"},
     {"0M", "the scanner is unstable, and leaves this scan out"},
     {"10", "not in the present state"},
-    {"21", "the stream pauses to verify an error"},
-    {"50", "the scanner is out of order"},
     {"98", "the stream goes on"},
 };
 constexpr StatusWords of_scans[] = {
@@ -128,6 +126,14 @@ std::span<const StatusWords> own_words(const Command& command) {
 std::string_view find(std::span<const StatusWords> table, Status status) {
     const auto found = std::ranges::find(table, status.text(), &StatusWords::code);
     return found == table.end() ? std::string_view() : found->words;
+}
+
+/// SCIP 2.0 specification, page 11: the numbers of troubles.
+std::string_view trouble_words(Status status) {
+    const int number = parse_digits(status.text()).value_or(0);
+    if (number >= 21 && number <= 49) return "the stream pauses to verify an error";
+    if (number >= 50 && number <= 97) return "the laser or the motor is out of order";
+    return {};
 }
 
 const CommandWords* find(const Command& command) {
@@ -211,7 +217,8 @@ std::string_view status_words(const Command* command, Status status) {
         if (command->brings_one_scan() && status == status::denied) return of_one_scan[0].words;
         if (const auto words = find(own_words(*command), status); !words.empty()) return words;
     }
-    return find(of_all, status);
+    const auto words = find(of_all, status);
+    return words.empty() ? trouble_words(status) : words;
 }
 
 }  // namespace scipd::protocol

@@ -10,7 +10,7 @@
 
 namespace scipd::protocol::client {
 
-/// "status 04: the end step does not exist". What a number means depends on the command.
+/// "status 05: the last step lies before the first". What a number means depends on the command.
 [[nodiscard]] std::string describe_status(const Message& message);
 
 /// "line 3 does not match its checksum"

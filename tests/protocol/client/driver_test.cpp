@@ -206,8 +206,8 @@ TEST(Driver, ReadsSingleScansAndIntensities) {
     driver.connect();
     const ScanRequest request{.first_step = 5, .last_step = 7, .intensity = true};
     EXPECT_EQ(sentence_of([&] { (void)driver.single_scan(request); }),
-              "the scanner refused GE0005000701 with status 10: not in the scanner's present state "
-              "(is the laser off?)");
+              "the scanner refused GE0005000701 with status 10: not in the present state; BM "
+              "switches the laser on, which a single scan needs");
     driver.switch_laser_on();
     const ScanMessage scan = driver.single_scan(request);
     EXPECT_THAT(scan.distances_mm, ElementsAre(1005, 1006, 1007));
@@ -218,10 +218,8 @@ TEST(Driver, TellsWhatTheScannerRefuses) {
     ModelTransport transport("UST-10LX");
     Driver driver(transport);
     driver.connect();
-    EXPECT_EQ(
-        sentence_of([&] { driver.start({.last_step = 1081}); }),
-        "the scanner refused MD0000108101000 with status 04: the scanner does not have one of "
-        "the steps");
+    EXPECT_EQ(sentence_of([&] { driver.start({.last_step = 1081}); }),
+              "the scanner refused MD0000108101000 with status 04: the scanner has no such step");
     EXPECT_EQ(kind_of([&] { driver.start({.last_step = 10, .echoes = true}); }),
               Error::Kind::refused);
 }

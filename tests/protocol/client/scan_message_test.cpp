@@ -123,9 +123,9 @@ TEST(ScanMessage, JoinsLinesThatCutThroughValues) {
 TEST(ScanMessage, TellsDamageAndRefusals) {
     EXPECT_EQ(fault_in("GD0000000001\n00P\nm2@0e\n1DiM\n\n"), "line 3 does not match its checksum");
     EXPECT_EQ(fault_in("GD0000000001\n10Q\n\n"),
-              "status 10: not in the scanner's present state (is the laser off?)");
-    EXPECT_EQ(fault_in("GD0000990001\n04T\n\n"),
-              "status 04: the scanner does not have one of the steps");
+              "status 10: not in the present state; BM switches the laser on, which a single scan "
+              "needs");
+    EXPECT_EQ(fault_in("GD0000990001\n04T\n\n"), "status 04: the scanner has no such step");
     EXPECT_EQ(fault_in("MD0000000001000\n52W\n\n"),
               "status 52: the laser or the motor is out of order");
     EXPECT_EQ(fault_in("QT\n00P\n\n"), "\"QT\" is no scan");

@@ -100,8 +100,9 @@ TEST(ScipcatFaults, TellsWhatTheScannerRefusesAndWritesNoFile) {
     const TempDir directory;
     const auto file = directory.path() / "room.csv";
     expect_failure({"record", scanner.tcp_target(), "-o", file, "--end", "1081"}, 1,
-                   "refused MD0000108101000 with status 04: the scanner does not have one of the "
-                   "steps");
+                   "refused MD0000108101000 with status 04: the scanner has no such step");
+    expect_failure({"record", scanner.tcp_target(), "-o", file, "--start", "9", "--end", "1"}, 1,
+                   "refused MD0009000101000 with status 05: the last step lies before the first");
     expect_failure({"record", scanner.tcp_target(), "-o", file, "--echoes"}, 1,
                    "with status 0F: the scanner does not support the command");
     EXPECT_FALSE(std::filesystem::exists(file));
