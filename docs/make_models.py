@@ -39,6 +39,11 @@ You can change any field of a model, or define one of your own:
 | model | range, mm | | steps | | scans | |
 |---|---|---|---|---|---|---|
 """
+OUTSIDE = """
+A URG-04LX, URG-04LX-UG01 or UBG-04LX-F01 may also be asked for the steps 0 to 43 and 726 to 768, which it cannot
+measure: they read 19. Real units do so, too: two URG-04LX in all of 661 recorded scans. urg_node and urg_node2 ask for
+steps 0 to 725, and publish 44 beams of 19 mm; `angle_min: -2.08` and `angle_max: 2.09` leave them out.
+"""
 ERRORS = """
 ## Errors
 
@@ -63,6 +68,7 @@ def models_page(scipd):
     text = HEAD
     for name, range_mm, range_sure, steps, steps_sure, rate, rate_sure, *_ in models:
         text += f"| {name} | {range_mm} | {range_sure} | {steps} | {steps_sure} | {rate} | {rate_sure} |\n"
+    text += OUTSIDE
     text += "\n## Wire\n\n| model | links | | commands | | texts |\n|---|---|---|---|---|---|\n"
     for model in models:
         links, links_sure, commands, commands_sure, texts = model[7:12]

@@ -2,7 +2,8 @@
 // Copyright The scipd authors
 //
 // UXM-30LX-EW. No data of a real unit was seen. Its limits follow from 190 degrees in steps of 0.25
-// and from 50 ms a turn. The rest is the UTM-30LX-EW. The serial number is made up.
+// and from 50 ms a turn. The rest is the UTM-30LX-EW. The serial number is made up, and so is the
+// firmware: from 1.1 on urg_stamped expects %TM of all that is no UTM.
 #include "daemon/models/product_lines.h"
 #include "daemon/models/products.h"
 
@@ -11,6 +12,8 @@ namespace scipd::daemon {
 protocol::DeviceProfile uxm_ew_profile(const std::string& name, const std::string& serial) {
     using namespace std::chrono_literals;
     protocol::DeviceProfile profile = ew_profile(name, serial);
+    profile.release = "1.0.0";
+    profile.firmware = "1.0.0 (2011-09-30)";
     profile.dmin_mm = 100;
     profile.nearest_mm = 100;
     profile.dmax_mm = 100000;

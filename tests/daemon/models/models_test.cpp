@@ -3,7 +3,9 @@
 //
 // That all products are sound, and say nothing that a driver could not read.
 #include <chrono>
+#include <cstdio>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -45,6 +47,38 @@ TEST_P(EveryModel, SaysNoLineThatIsTooLongForUrgLibrary) {
     EXPECT_LE(longest_line(protocol::parameter_report("PP", profile)), limit);
     EXPECT_LE(longest_line(protocol::state_report("II", profile, device, {})), limit);
     EXPECT_LE(longest_line(protocol::scip1_version("V", profile, device)), limit);
+}
+
+/// The major and the minor number of a firmware such as 3.3.00(16/Apr./2008); {0, 0}: it has none.
+std::pair<int, int> version_of(const std::string& firmware) {
+    std::pair<int, int> version;
+    std::sscanf(firmware.c_str(), "%d.%d", &version.first, &version.second);
+    return version;
+}
+
+// A driver concludes from the version what the scanner can do. urg_stamped expects %TM of 1.1 and
+// of 4.1 and what is newer of the same line, but for UTM, and a tick of 5 ms of 4.0.0 to 4.0.2.
+TEST_P(EveryModel, PromisesUrgStampedWhatItHas) {
+    const auto& profile = GetParam().profile;
+    const auto [major, minor] = version_of(profile.firmware);
+    const bool utm = profile.product.starts_with("UTM");
+    EXPECT_EQ(profile.microseconds, !utm && (major == 1 || major == 4) && minor >= 1);
+    const bool ticks = profile.firmware.starts_with("4.0.") && profile.firmware[4] <= '2';
+    EXPECT_EQ(profile.time_tick, std::chrono::milliseconds(ticks ? 5 : 0));
+}
+
+// SCIP 2.0 specification, pages 18 and 19: HS came with 3.2.00, DB with 3.3.00.
+TEST_P(EveryModel, HasWhatCameWithItsFirmware) {
+    const auto& profile = GetParam().profile;
+    if (profile.family != protocol::Family::urg) return;
+    const auto version = version_of(profile.firmware);
+    EXPECT_EQ(profile.sensitivity == protocol::Support::yes, version >= std::pair(3, 2));
+    EXPECT_EQ(profile.rehearsals == protocol::Support::yes, version >= std::pair(3, 3));
+}
+
+TEST_P(EveryModel, IsNamedByTheFirmwareThatItTells) {
+    const auto& profile = GetParam().profile;
+    EXPECT_TRUE(profile.firmware.starts_with(profile.release)) << profile.firmware;
 }
 
 TEST_P(EveryModel, SaysHowSureEachFigureIs) {
