@@ -29,9 +29,9 @@ constexpr unsigned http_1_1 = 11;
 using Request = http::request<http::string_body>;
 using Response = http::response<http::string_body>;
 
-/// The detail of a problem document (RFC 9457) with its errors, or the next best text.
+/// The detail of a problem document (RFC 9457) with its errors, or the next best text. Its title
+/// only repeats the status.
 std::string sentence_of(const Response& response) {
-    const std::string reason(response.reason());
     const auto document = nlohmann::json::parse(response.body(), nullptr, false);
     if (!document.is_object()) return "scipd answers " + std::to_string(response.result_int());
     const auto text = [&](const char* key) {
@@ -39,11 +39,9 @@ std::string sentence_of(const Response& response) {
                    ? document[key].get<std::string>()
                    : std::string();
     };
-    std::string sentence = text("title").empty() ? reason : text("title");
-    if (!text("detail").empty()) {
-        const bool says_field = text("detail").find(text("field")) != std::string::npos;
-        sentence += ": " + (says_field ? "" : text("field") + ": ") + text("detail");
-    }
+    std::string sentence = text("detail").empty() ? text("title") : text("detail");
+    if (sentence.empty()) sentence = std::string(response.reason());
+    if (sentence.find(text("field")) == std::string::npos) sentence.insert(0, text("field") + ": ");
     for (const auto& error : document.value("errors", nlohmann::json::array()))
         sentence += "\n" + error.get<std::string>();
     return sentence;

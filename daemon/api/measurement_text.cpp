@@ -119,11 +119,15 @@ void add_echoes(ObjectText& text, const sim::PerBeam<sim::Echo>& echoes, const s
 }
 
 void add_sent_echoes(ObjectText& text, const std::vector<protocol::StepEchoes>& steps) {
-    text.add_list("sent_echoes_mm", steps, [](std::string& list, const auto& step) {
-        const std::span told(step.echo.data(), static_cast<std::size_t>(step.count));
-        append_list(list, told,
-                    [&](const protocol::Echo& echo) { list += std::to_string(echo.distance); });
-    });
+    const auto add = [&](std::string_view name, std::uint32_t protocol::Echo::*value) {
+        text.add_list(name, steps, [&](std::string& list, const auto& step) {
+            const std::span told(step.echo.data(), static_cast<std::size_t>(step.count));
+            append_list(list, told,
+                        [&](const protocol::Echo& echo) { list += std::to_string(echo.*value); });
+        });
+    };
+    add("sent_echoes_mm", &protocol::Echo::distance);
+    add("sent_echoes_intensity", &protocol::Echo::intensity);
 }
 
 /// Adds the stages between what the beams met and what was sent.

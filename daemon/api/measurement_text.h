@@ -30,7 +30,7 @@ std::string reading_text(const std::string& sensor, const StaringRecord& record)
 /// "cause"}: one pose for each fan that was cast; the other lists have an element for each step,
 /// null where nothing is hit or read. A scan with echoes adds {"echoes":[[{"range_m","power",
 /// "object","material"}]]}, object and material null for what is in the air; a scanner that tells
-/// several of them {"sent_echoes_mm":[[..]]}.
+/// several of them {"sent_echoes_mm":[[..]],"sent_echoes_intensity":[[..]]}.
 std::string truth_text(const std::string& sensor, const ScanRecord& record);
 
 /// The same of a camera or ranger, without what a wire has: {"sensor","scan","time_s","backend",

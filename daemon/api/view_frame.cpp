@@ -171,7 +171,8 @@ void add_identity(Json& header, const ScannerIdentity& scanner) {
     header["model"] = scanner.model;
     header["serial"] = scanner.serial;
     header["firmware"] = scanner.firmware;
-    header["dmin_mm"] = scanner.nearest_mm;
+    header["dmin_mm"] = scanner.dmin_mm;
+    header["nearest_mm"] = scanner.nearest_mm;
     header["dmax_mm"] = scanner.farthest_mm;
     header["max_range_m"] = scanner.farthest_mm / mm_per_m;
     header["rpm"] = scanner.rpm;

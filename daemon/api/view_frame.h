@@ -25,6 +25,7 @@ struct ScannerIdentity {
     std::string model;
     std::string serial;
     std::string firmware;
+    int dmin_mm = 0;      ///< DMIN of PP
     int nearest_mm = 0;   ///< what is less is a code
     int farthest_mm = 0;  ///< and what is more
     int rpm = 0;

@@ -30,6 +30,7 @@ std::string frame_of(const std::string& name, const ScanRecord& record, const De
     const ScannerIdentity identity{.model = profile.model,
                                    .serial = profile.serial,
                                    .firmware = profile.firmware,
+                                   .dmin_mm = profile.dmin_mm,
                                    .nearest_mm = profile.nearest_mm,
                                    .farthest_mm = profile.dmax_mm,
                                    .rpm = profile.scan_rpm};

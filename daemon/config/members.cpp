@@ -2,11 +2,24 @@
 // Copyright The scipd authors
 #include "daemon/config/members.h"
 
+#include <string>
+
 namespace scipd::daemon {
+namespace {
+
+/// For a list of numbers without its brackets: "400,500".
+std::string advice(const YAML::Node& value) {
+    const std::string text = value.IsScalar() ? value.Scalar() : "";
+    const bool numbers = text.find_first_not_of("0123456789+-.e, ") == std::string::npos;
+    if (!numbers || text.find(',') == std::string::npos || text.size() > longest_list) return {};
+    return ": write [" + text + "]";
+}
+
+}  // namespace
 
 sim::Expected<std::vector<Field>> items(const Field& list) {
     if (!list.value.IsSequence() || list.value.size() > longest_list)
-        return sim::refuse("must be a list of at most 64, in brackets");
+        return sim::refuse("must be a list of at most 64, in brackets" + advice(list.value));
     std::vector<Field> fields;
     for (const YAML::Node& item : list.value)
         fields.push_back({list.key, list.path, item.Mark().line + 1, item});

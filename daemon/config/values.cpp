@@ -217,9 +217,11 @@ Expected<PoseSource> parse_pose_source(std::string_view text, const fs::path& ba
     using Kind = PoseSource::Kind;
     if (text == "-") return PoseSource{.kind = Kind::standard_input, .address = {}, .file = {}};
     if (text.starts_with("udp:")) {
-        return parse_address(text.substr(4)).map([](const Address& address) {
-            return PoseSource{.kind = Kind::udp, .address = address, .file = {}};
-        });
+        const auto address = parse_address(text.substr(4));
+        if (!address)
+            return refuse("must be udp:ADDRESS:PORT such as udp:127.0.0.1:14550, not " +
+                          quote(text));
+        return PoseSource{.kind = Kind::udp, .address = *address, .file = {}};
     }
     if (text.starts_with("vda5050:")) {
         return parse_vehicle(text.substr(8)).map([](const std::string& vehicle) {

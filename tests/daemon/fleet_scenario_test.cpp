@@ -26,6 +26,7 @@
 namespace scipd::daemon {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -184,6 +185,19 @@ TEST_F(FleetScenarioTest, ChangesNothingWhereItIsWrong) {
                                 place + ":2: steps: must be a list of 1 to 1000 steps"));
     }
     EXPECT_THAT(steps(), ElementsAre("1 rescue/front state 1", "2 rescue/front reboot 2"));
+}
+
+TEST_F(FleetScenarioTest, ShowsHowAListIsWritten) {
+    try {
+        fleet_.apply(of({scanner("front")},
+                        "steps: [{sensor: rescue/front, kind: blind, steps: '400,500'}]"));
+        FAIL();
+    } catch (const sim::LoadError& error) {
+        EXPECT_THAT(error.faults(),
+                    Contains((directory_.path() / "bad_day.yaml").string() +
+                             ":1: steps.1.steps: must be a list of at most 64, in brackets: "
+                             "write [400,500]"));
+    }
 }
 
 TEST_F(FleetScenarioTest, IsForScannersAlone) {

@@ -48,11 +48,14 @@ test('scans are saved as CSV, JSON lines and UBH', async ({page, start}) => {
   expect(rows.length).toBeGreaterThan(1);
   expect(rows[0].slice(2, 2 + sent.length)).toEqual(sent);
   expect(rows[0].slice(2 + sent.length)).toEqual(intensity);
+  // As scipcat says, by what PP tells: a UST-10LX sends nothing below 21 mm, and its DMIN is 20.
+  expect(csv.find((line) => line.includes('is a code'))).toContain('not within 20 to 30000 is a code');
   expect(csv.find((line) => line.includes('host_time_s,'))).toMatch(/distance_mm_0,.*intensity_1080$/);
 
   const lines = (await save(page, 'JSON lines')).bytes.toString().trimEnd().split('\n').map(JSON.parse);
   expect(lines[0]).toMatchObject({
-    model: 'UST-10LX', first_step: 0, cluster: 1, distances_mm: sent, intensities: intensity});
+    model: 'UST-10LX', first_step: 0, cluster: 1, dmin_mm: 20, dmax_mm: 30000,
+    distances_mm: sent, intensities: intensity});
   expect(lines[0].first_angle_rad).toBeCloseTo(-0.75 * Math.PI, 9);
   expect(lines[0].serial).toBeTruthy();
 
@@ -61,6 +64,7 @@ test('scans are saved as CSV, JSON lines and UBH', async ({page, start}) => {
   const ubh = bytes.toString().trimEnd().split('\n');
   const value = (key) => ubh[ubh.indexOf(`[${key}]`) + 1];
   expect(value('model')).toBe('UST-10LX');
+  expect(value('minDistance')).toBe('20');
   expect(value('captureMode')).toBe('ME_Capture_mode');
   expect(['startStep', 'endStep', 'frontStep', 'totalSteps'].map(value)).toEqual(['0', '1080', '540', '1440']);
   expect(value('logtime')).toMatch(/^\d{4}-\d\d-\d\d \d\d:\d\d:\d\d\.\d{3}$/);

@@ -47,12 +47,12 @@ std::string echoes(const Json& of_step) {
     return text.empty() ? "-" : text;
 }
 
-/// The distances of all echoes, if the scanner tells several.
-std::string sent(const Json& truth, std::size_t i) {
-    if (!truth.contains("sent_echoes_mm")) return truth.at("sent_mm")[i].dump();
+/// The numbers of all echoes of a step, if the scanner tells several: "1501 4003".
+std::string sent(const Json& truth, std::size_t i, const char* of_one, const char* of_all) {
+    if (!truth.contains(of_all)) return truth.at(of_one)[i].dump();
     std::string text;
-    for (const Json& distance : truth["sent_echoes_mm"][i])
-        text.append(text.empty() ? "" : " ").append(distance.dump());
+    for (const Json& value : truth[of_all][i])
+        text.append(text.empty() ? "" : " ").append(value.dump());
     return text;
 }
 
@@ -62,7 +62,8 @@ Row row_of(const Json& truth, std::size_t i) {
             name(truth["object"][i])};
     if (truth.contains("echoes")) row.push_back(echoes(truth["echoes"][i]));
     row.insert(row.end(), {number(truth["read_m"][i], "%.4f"), name(truth["cause"][i]),
-                           sent(truth, i), truth["intensity"][i].dump()});
+                           sent(truth, i, "sent_mm", "sent_echoes_mm"),
+                           sent(truth, i, "intensity", "sent_echoes_intensity")});
     return row;
 }
 

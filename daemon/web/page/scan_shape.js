@@ -85,7 +85,7 @@ export function sentRange(scan, i) {
   const {sent_mm: sent, range_m: ranges} = scan.arrays;
   if (!sent) return ranges[Math.min(i, ranges.length - 1)];
   const mm = sent[i];
-  return mm < scan.dmin_mm || mm > scan.dmax_mm ? NaN : mm / 1000;
+  return mm < scan.nearest_mm || mm > scan.dmax_mm ? NaN : mm / 1000;
 }
 
 /** Of the material of a beam: a name or null. */

@@ -150,6 +150,7 @@ TEST_F(TruthTest, HasTheEchoesOfAScannerThatSeesLight) {
     EXPECT_GT(ahead[0]["power"], ahead[1]["power"]);
     EXPECT_EQ(said["sent_echoes_mm"][540].size(), 1U);
     EXPECT_EQ(said["sent_echoes_mm"][540][0], said["sent_mm"][540]);
+    EXPECT_EQ(said["sent_echoes_intensity"][540], json({said["intensity"][540]}));
     // Beside the pane the wall is all that there is.
     EXPECT_EQ(said["cause"][740], "too_dark");
     EXPECT_EQ(said["read_m"][740], nullptr);

@@ -159,6 +159,8 @@ TEST_F(ViewStreamTest, ShowsWhatTheScannerSaysAndWhatIsTrue) {
     EXPECT_EQ(frame.header["model"], "UST-10LX");
     EXPECT_EQ(frame.header["serial"], scanner.sensor.profile().serial);
     EXPECT_EQ(frame.header["rpm"], 2400);
+    EXPECT_EQ(frame.header["dmin_mm"], 20);     // PP of a recorded UST-10LX
+    EXPECT_EQ(frame.header["nearest_mm"], 21);  // its data sheet
     EXPECT_EQ(frame.array<std::uint32_t>("sent_mm").size(), 1081U);
     EXPECT_EQ(frame.array<std::uint32_t>("sent_mm"), record.sent.distance);
     const auto true_m = frame.array<float>("true_m");

@@ -288,6 +288,9 @@ TEST_F(ConfigProfileFaults, OfOneValue) {
                             "\"QT adjust 00\", not 'QT adjust'"));
     EXPECT_THAT(said("bit_rates: 9600"),
                 ElementsAre("bit_rates: must be a list of at most 64, in brackets"));
+    EXPECT_THAT(said("bit_rates: '19200, 38400'"),
+                ElementsAre("bit_rates: must be a list of at most 64, in brackets: write [19200, "
+                            "38400]"));
     EXPECT_THAT(said("bit_rates: [x]"),
                 ElementsAre("bit_rates: must be a whole number from 0 to 1000000, not 'x'"));
     EXPECT_THAT(said("serial: {a: b}"), ElementsAre("serial: must be a single value, not a map"));

@@ -129,8 +129,8 @@ TEST_F(ConfigTest, TellsEveryFaultAtOnceInTheOrderOfLines) {
                     "fleet.yaml:7: robots.rescue.pose.xyz: must be a list of three numbers, such "
                     "as [1, 2, 0]",
                     "fleet.yaml:7: robots.rescue.pose.rpy: must be a number, not 'north'",
-                    "fleet.yaml:9: robots.rescue.poses.from: must be ADDRESS:PORT such as "
-                    "127.0.0.1:10940, [::1]:10940 or localhost:0, not 'somewhere'",
+                    "fleet.yaml:9: robots.rescue.poses.from: must be udp:ADDRESS:PORT such "
+                    "as udp:127.0.0.1:14550, not 'udp:somewhere'",
                     "fleet.yaml:9: robots.rescue.poses.after: must be hold, extrapolate or none, "
                     "not 'rest'",
                     "fleet.yaml:9: robots.rescue.poses.wait_ms: must be 0 to 900 ms, not '2000'",

@@ -111,7 +111,8 @@ TEST_F(ScipctlFault, SaysWhatIsWrong) {
         EXPECT_THAT(refused(1, {"fault", command, "rescue/top"}),
                     HasSubstr("there are: rescue/front"));
     }
-    EXPECT_THAT(refused(1, {"fault", "start", front, "dance"}), StartsWith("scipctl: Bad Request"));
+    EXPECT_THAT(refused(1, {"fault", "start", front, "dance"}),
+                StartsWith("scipctl: there is no kind 'dance'; "));
     EXPECT_THAT(refused(1, {"fault", "stop", front, "9"}), HasSubstr("there is no fault \"9\""));
     EXPECT_EQ(refused(2, {"fault", "start", front}),
               "scipctl: say what is to go wrong: fault kinds lists it\n");

@@ -165,13 +165,14 @@ TEST_F(ScipctlScene, ShowsTheTruth) {
               "STEP  TRUE m  INCIDENCE rad  MATERIAL    OBJECT    ECHOES" +
                   blanks(6) + "  READ m  CAUSE     SENT mm    INTENSITY\n" +
                   "44    1.5000  0.0000         material 1  object 0  " + echoes +
-                  "  1.5010  measured  1501 4003  900\n" +
+                  "  1.5010  measured  1501 4003  900 40\n" +
                   "45    -       -              -           -         -" + blanks(1) +
                   "  -       nothing   1          0\n");
     const auto document =
         nlohmann::json::parse(scipctl({"truth", "rescue/front", "--scan", "7", "--json"}).out);
     EXPECT_EQ(document["true_m"], nlohmann::json({1.5, nullptr}));
     EXPECT_EQ(document["sent_echoes_mm"], nlohmann::json({{1501, 4003}, {1}}));
+    EXPECT_EQ(document["sent_echoes_intensity"], nlohmann::json({{900, 40}, {0}}));
 }
 
 TEST_F(ScipctlScene, ShowsTheTruthOfSomeSteps) {

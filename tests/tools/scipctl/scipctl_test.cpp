@@ -115,10 +115,10 @@ TEST(Scipctl, TellsWhatTheDaemonRefuses) {
     const ControlStandIn daemon({"rescue"});
     Outcome outcome = run_scipctl(daemon, {"pose", "get", "nobody"});
     EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_EQ(outcome.err, "scipctl: Not Found: there is no robot \"nobody\"\n");
+    EXPECT_EQ(outcome.err, "scipctl: there is no robot \"nobody\"\n");
     outcome = run_scipctl(daemon, {"pose", "set", "2000,0,0"});
     EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_EQ(outcome.err, "scipctl: Conflict: that is outside the world\n");
+    EXPECT_EQ(outcome.err, "scipctl: that is outside the world\n");
 }
 
 TEST(Scipctl, TellsThatNobodyListens) {
@@ -290,7 +290,7 @@ TEST(Scipctl, GoesOnAfterALineThatIsRefused) {
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_EQ(outcome.err,
               "line 1: xyz is missing\n"
-              "line 2: Conflict: that is outside the world\n"
+              "line 2: that is outside the world\n"
               "scipctl: 2 of 3 lines were refused\n");
     EXPECT_EQ(daemon.puts().size(), 1U);
 }
