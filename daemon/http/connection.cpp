@@ -35,9 +35,10 @@ constexpr std::chrono::milliseconds glance_period{100};
 /// Read at once.
 constexpr std::size_t gulp = 4096;
 
-/// Whether nothing more comes from this socket.
-bool has_ended(int socket) {
-    pollfd state{socket, POLLRDHUP, 0};
+/// Whether nobody is there to read an answer. Who has only ended its own side may still read. A
+/// client of TCP that has closed looks the same, until it is sent something.
+bool has_gone(int socket) {
+    pollfd state{socket, 0, 0};  // errors and both ends closed are told in any case
     return ::poll(&state, 1, 0) == 1;
 }
 
@@ -104,16 +105,18 @@ void HttpConnection<Protocol>::read_header() {
     parser_->body_limit(limits[Limit::http_body_bytes]);
     room_ = most_of_header();
     patience_ = service_->idle;
-    stream_.expires_after(patience_);
+    pace_.begin(patience_);
+    stream_.expires_at(pace_.end());
     parse();
 }
 
 template <class Protocol>
 void HttpConnection<Protocol>::read_more() {
-    if (parser_->is_header_done()) stream_.expires_after(patience_);
+    stream_.expires_at(pace_.end());
     stream_.async_read_some(buffer_.prepare(gulp), [self = this->shared_from_this()](
                                                        const Error& error, std::size_t bytes) {
         if (error) return self->refuse(error);
+        if (self->parser_->is_header_done()) self->pace_.pass(bytes);
         self->buffer_.commit(bytes);
         self->parse();
     });
@@ -189,6 +192,7 @@ void HttpConnection<Protocol>::allow_body() {
 template <class Protocol>
 void HttpConnection<Protocol>::read_body() {
     room_ = most_of_header();
+    pace_.begin(patience_);
     parse();
 }
 
@@ -220,7 +224,7 @@ void HttpConnection<Protocol>::watch() {
     glance_.async_wait([weak = this->weak_from_this()](const Error& error) {
         const auto self = weak.lock();
         if (error || !self || self->answered_ || self->service_->closed) return;
-        if (!has_ended(self->stream_.socket().native_handle())) return self->watch();
+        if (!has_gone(self->stream_.socket().native_handle())) return self->watch();
         self->hung_up_.request_stop();
     });
 }
@@ -251,17 +255,18 @@ void HttpConnection<Protocol>::write(HttpResponse plain, bool keep_alive) {
     response_ = to_beast(std::move(plain), keep_alive);
     if (!with_body_) response_.body().clear();
     serializer_.emplace(response_);
+    pace_.begin(patience_);
     write_more(keep_alive);
 }
 
-/// A large answer may take any time, as long as its client goes on reading.
 template <class Protocol>
 void HttpConnection<Protocol>::write_more(bool keep_alive) {
-    stream_.expires_after(patience_);
+    stream_.expires_at(pace_.end());
     http::async_write_some(
         stream_, *serializer_,
-        [self = this->shared_from_this(), keep_alive](const Error& error, std::size_t) {
+        [self = this->shared_from_this(), keep_alive](const Error& error, std::size_t bytes) {
             if (error || self->service_->closed) return;
+            self->pace_.pass(bytes);
             if (!self->serializer_->is_done()) return self->write_more(keep_alive);
             keep_alive ? self->read_header() : self->close_gently();
         });

@@ -53,8 +53,8 @@ class HttpServer {
     /// was really taken.
     Address listen(const Address& address, Gate gate = Gate{}, std::optional<int> handed = {});
 
-    /// A connection ends where no whole header has come for so long, or where a body or an answer
-    /// has not gone on.
+    /// A connection ends where no whole header has come for so long, or too little of a body or of
+    /// an answer has passed (pace.h).
     void set_idle(std::chrono::milliseconds idle) { service_->idle = idle; }
 
     /// Ends all connections and removes the sockets.

@@ -43,8 +43,8 @@ struct HttpService {
     HttpHandler handler;
     OpenWebSocket open_web_socket;
     SharedLimits limits;
-    /// A connection ends where no whole header has come for so long, or where a body or an answer
-    /// has not gone on.
+    /// A connection ends where no whole header has come for so long, or too little of a body or of
+    /// an answer has passed (pace.h).
     std::chrono::milliseconds idle{60'000};
     bool closed = false;
     std::set<HttpClient*> clients;  ///< each adds and removes itself

@@ -196,6 +196,7 @@ class HttpServerTest : public testing::Test {
 };
 
 const std::string last = "Connection: close\r\n";
+const std::string put_large = "PUT / HTTP/1.1\r\nContent-Length: 4000000\r\n" + last + "\r\n";
 
 TEST_F(HttpServerTest, AnswersOverTcpAndTheSocket) {
     start();
@@ -492,6 +493,8 @@ TEST_F(HttpServerTest, NoticesThatAClientWhoWaitsHasHungUp) {
     ASSERT_TRUE(asked(2));
     asio::write(goes_in_a_hurry, asio::buffer(request));
     ASSERT_TRUE(asked(3));
+    // An orderly end could be that of the sending side alone.
+    goes.set_option(asio::socket_base::linger{true, 0});
     goes.close();
     goes_in_a_hurry.close();
     EXPECT_TRUE(eventually([] {
@@ -501,6 +504,33 @@ TEST_F(HttpServerTest, NoticesThatAClientWhoWaitsHasHungUp) {
         EXPECT_FALSE(waiting[0].withdrawn.stop_requested());
         waiting.clear();
     });
+}
+
+// As `nc -N` does behind its input.
+TEST_F(HttpServerTest, AnswersLateToAClientThatHasEndedItsSendingSide) {
+    start();
+    const std::string request = to_tcp("GET /never HTTP/1.1\r\nHost: x\r\n\r\n");
+    const auto ask = [&](auto socket) {
+        asio::write(socket, asio::buffer(request + request));
+        socket.shutdown(asio::socket_base::shutdown_send);
+        return socket;
+    };
+    auto tcp_client = ask(connect());
+    auto local_client = ask(connect_local());
+    for (std::size_t round = 1; round <= 2; ++round) {
+        ASSERT_TRUE(eventually([&] { return waiting.size() == 2; }));
+        std::this_thread::sleep_for(std::chrono::milliseconds{300});  // three glances
+        on_server([&] {
+            for (const Waiting& client : std::exchange(waiting, {})) {
+                EXPECT_FALSE(client.withdrawn.stop_requested());
+                client.respond({.body = "late"});
+            }
+        });
+    }
+    for (const std::string& answers : {rest(tcp_client), rest(local_client)}) {
+        EXPECT_THAT(answers, testing::EndsWith("late"));
+        EXPECT_NE(answers.find("late"), answers.rfind("late")) << answers;
+    }
 }
 
 // It does not hear the answer to the first message; the others have come already.
@@ -691,19 +721,19 @@ TEST_F(HttpServerTest, DropsAClientThatNeverFinishes) {
 
 TEST_F(HttpServerTest, LetsAClientTakeItsTimeThatGoesOn) {
     start();
-    on_server([this] { server_->set_idle(std::chrono::milliseconds{200}); });
-    const auto pause = [] { std::this_thread::sleep_for(std::chrono::milliseconds{50}); };
+    on_server([this] { server_->set_idle(std::chrono::milliseconds{500}); });
+    const auto pause = [] { std::this_thread::sleep_for(std::chrono::milliseconds{100}); };
+    std::string piece(large / 8, 'x');
     auto slow = connect_local();
-    asio::write(slow, asio::buffer("PUT / HTTP/1.1\r\nContent-Length: 8\r\n" + last + "\r\n"));
+    asio::write(slow, asio::buffer(put_large));
     for (int i = 0; i < 8; ++i) {
         pause();
-        asio::write(slow, asio::buffer("x", 1));
+        asio::write(slow, asio::buffer(piece));
     }
-    EXPECT_THAT(rest(slow), HasSubstr("PUT / [] 8"));
+    EXPECT_THAT(rest(slow), HasSubstr("PUT / [] 4000000"));
 
     auto reader = connect_local();
     asio::write(reader, asio::buffer("GET /large HTTP/1.1\r\n" + last + "\r\n"));
-    std::string piece(large / 8, '\0');
     for (int i = 0; i < 8; ++i) {
         pause();
         asio::read(reader, asio::buffer(piece));
@@ -712,8 +742,29 @@ TEST_F(HttpServerTest, LetsAClientTakeItsTimeThatGoesOn) {
 
     auto gone = connect_local();
     asio::write(gone, asio::buffer("GET /large HTTP/1.1\r\n" + last + "\r\n"));
-    std::this_thread::sleep_for(std::chrono::milliseconds{600});
+    std::this_thread::sleep_for(std::chrono::milliseconds{1500});
     EXPECT_LT(rest(gone).size(), large) << "it has taken nothing for too long";
+}
+
+// Each time it has taken or sent something, and with a patience of 500 ms it would be at it for 4 s.
+TEST_F(HttpServerTest, EndsWithAClientThatGoesOnTooSlowly) {
+    start();
+    on_server([this] { server_->set_idle(std::chrono::milliseconds{500}); });
+    const auto slowly = [](auto transfer) {
+        boost::system::error_code error;
+        std::size_t passed = 0;
+        for (std::string piece(100'000, 'x'); !error && passed < large; passed += piece.size()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds{100});
+            transfer(asio::buffer(piece), error);
+        }
+        return error;
+    };
+    auto reader = connect_local();
+    asio::write(reader, asio::buffer("GET /large HTTP/1.1\r\n" + last + "\r\n"));
+    EXPECT_TRUE(slowly([&](auto piece, auto& error) { asio::read(reader, piece, error); }));
+    auto sender = connect_local();
+    asio::write(sender, asio::buffer(put_large));
+    EXPECT_TRUE(slowly([&](auto piece, auto& error) { asio::write(sender, piece, error); }));
 }
 
 TEST_F(HttpServerTest, TakesWhatServersMustTake) {
