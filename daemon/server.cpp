@@ -135,11 +135,14 @@ void Server::hold_control() {
 
 void Server::listen_for_http(const Address& address) {
     const Gate gate(options_.config.http_token, is_of_page);
-    http_ = text_of(control_.listen(address, gate, handed_.at(address)));
-    if (!page_files().empty()) spdlog::info("the page is at http://{}/", *http_);
+    const Address taken = control_.listen(address, gate, handed_.at(address));
+    http_ = text_of(taken);
+    if (!page_files().empty()) spdlog::info("the page is at http://{}/", text_of(from_here(taken)));
     if (!is_loopback(address)) {
-        spdlog::warn("the control API listens on {}: other machines can use it with the token",
-                     *http_);
+        spdlog::warn(
+            "the control API listens on {}: other machines can use it with the token, at an "
+            "address of this machine, not at a name",
+            *http_);
     }
 }
 

@@ -22,13 +22,11 @@ Simulation::Simulation(const boost::asio::any_io_executor& executor, ClockKind k
           world, worker, clock, [this] { return requested_backends(); }, limits),
       chooser(world, worker, [this] { return requested_backends(); }),
       stream(limits, ways()),
-      view(ways(), wall_clock),
+      view(ways(), wall_clock, limits),
       wire(ways()),
       worker(executor),
       drawer(executor, false) {
-    stream.on_fault([this](const std::string& sensor, const FaultLogEntry& entry) {
-        view.tell_fault(sensor, entry);
-    });
+    stream.on_fault([this](const std::string& event) { view.tell_fault(event); });
     shards.on_changed([this](std::size_t shard) {
         for (const auto& station : stations) {
             if (station->shard == shard) station->loop->poses_came();

@@ -5,6 +5,20 @@
 #include <utility>
 
 namespace scipd::daemon {
+namespace {
+
+/// All but where it was.
+Json head_document(const FaultLogEntry& entry) {
+    return {{"n", entry.number},
+            {"id", entry.id},
+            {"kind", entry.kind},
+            {"what", entry.what},
+            {"scan", entry.scan},
+            {"request", entry.request.empty() ? Json(nullptr) : Json(entry.request)},
+            {"time_s", seconds(entry.told)}};
+}
+
+}  // namespace
 
 Json fault_document(const FaultStatus& fault) {
     return {{"id", fault.id},
@@ -24,15 +38,10 @@ Json kind_document(const FaultKind& kind) {
 }
 
 Json entry_document(const FaultLogEntry& entry) {
-    return {{"n", entry.number},
-            {"id", entry.id},
-            {"kind", entry.kind},
-            {"what", entry.what},
-            {"scan", entry.scan},
-            {"request", entry.request.empty() ? Json(nullptr) : Json(entry.request)},
-            {"time_s", seconds(entry.told)},
-            {"bytes", entry.bytes},
-            {"steps", entry.steps}};
+    Json document = head_document(entry);
+    document["bytes"] = entry.bytes;
+    document["steps"] = entry.steps;
+    return document;
 }
 
 Json log_document(const FaultLog::Entries& entries, std::uint64_t since) {
@@ -46,10 +55,12 @@ Json log_document(const FaultLog::Entries& entries, std::uint64_t since) {
             {"last", empty ? 0 : entries.back().number}};
 }
 
-std::string fault_message(const std::string& sensor, const FaultLogEntry& entry) {
-    Json message{{"fault", {{"sensor", sensor}}}};
-    message["fault"].update(entry_document(entry));
-    return text_of(message);
+std::string fault_event(const std::string& sensor, const FaultLogEntry& entry) {
+    Json event{{"sensor", sensor}};
+    event.update(head_document(entry));
+    event["bytes_n"] = entry.bytes.size();
+    event["steps_n"] = entry.steps.size();
+    return text_of(event);
 }
 
 Json scenario_document(const ScenarioStatus& scenario) {

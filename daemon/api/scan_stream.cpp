@@ -18,18 +18,25 @@ namespace {
 /// It does not pay to give less than this back to the system.
 constexpr std::size_t much = std::size_t{8} << 20U;
 
+/// That wait for the I/O thread: as many as a backlog keeps, and of faults what many do at once.
+constexpr std::size_t most_scans = 16;
+constexpr std::size_t most_faults = 256;
+
 }  // namespace
 
 template <class Record, class Sensor>
 ScanStream::Tap::Watch ScanStream::Tap::watch_of(Sensor& sensor) {
     return [this, &sensor](bool wanted) {
         if (!wanted) return sensor.watch(nullptr);
-        sensor.watch([&stream = stream_, source = source_](const Record& record) {
-            stream.ways_.to_stream(
-                [&stream, source, message = reading_text(source->name, record)]() mutable {
-                    stream.send(source, std::move(message));
+        sensor.watch(
+            [&stream = stream_, source = source_, lane = lane_](const Record& record) mutable {
+                if (lane.loses_next()) return;
+                std::string text = reading_text(source->name, record);
+                const std::size_t bytes = text.size();
+                lane.post(bytes, [&stream, source, text = std::move(text)]() mutable {
+                    stream.send(source, std::move(text));
                 });
-        });
+            });
     };
 }
 
@@ -89,6 +96,7 @@ class ScanStream::Subscriber : public Conversation {
 ScanStream::Tap::Tap(ScanStream& stream, std::string name, Watch watch)
     : stream_(stream),
       source_(std::make_shared<Backlog::Source>(Backlog::Source{.name = std::move(name)})),
+      lane_(stream.ways_.to_stream, most_scans, stream.load_),
       faults_source_(std::make_shared<Backlog::Source>(Backlog::Source{.name = source_->name})),
       watch_(std::move(watch)) {
     stream_.taps_.push_back(this);
@@ -109,13 +117,14 @@ ScanStream::Tap::~Tap() {
 
 void ScanStream::Tap::follow(FaultLog& faults) {
     faults_ = &faults;
-    faults.watch([&stream = stream_, source = faults_source_](const FaultLogEntry& entry) {
-        stream.ways_.to_stream([&stream, source, entry] {
-            const std::string& sensor = source->name;
-            if (stream.wanted(sensor)) stream.send(source, fault_message(sensor, entry));
-            if (stream.on_fault_) stream.on_fault_(sensor, entry);
+    faults.watch(
+        [&stream = stream_, source = faults_source_,
+         lane = Lane(stream_.ways_.to_stream, most_faults)](const FaultLogEntry& entry) mutable {
+            if (lane.loses_next()) return;
+            lane.post(0, [&stream, source, event = fault_event(source->name, entry)] {
+                stream.tell_fault(source, event);
+            });
         });
-    });
 }
 
 ScanStream::ScanStream(SharedLimits limits) : ScanStream(std::move(limits), Ways{}) {}
@@ -152,6 +161,12 @@ void ScanStream::send(const std::shared_ptr<Backlog::Source>& source, std::strin
     for (Subscriber* client : subscribers_)
         client->go_on();
     forget_what_all_have();
+}
+
+void ScanStream::tell_fault(const std::shared_ptr<Backlog::Source>& source,
+                            const std::string& event) {
+    if (wanted(source->name)) send(source, R"({"fault":)" + event + '}');
+    if (on_fault_) on_fault_(event);
 }
 
 void ScanStream::count_lost(Backlog::Number number, const Backlog::Message& message) {

@@ -5,7 +5,8 @@
 // soon as it is measured, and tells of a fault on purpose as soon as it has acted. While somebody
 // subscribes scans are cast, whether a driver wants them or not. A message is made once for all
 // clients. A client that is too slow loses whole messages, of all sensors alike; scans that are
-// lost are counted. Lives on the I/O thread; what sensors tell on another thread is carried there.
+// lost are counted. Lives on the I/O thread; what sensors tell on another thread is carried there,
+// and some of it is lost where this thread is too slow.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "daemon/api/lane.h"
 #include "daemon/http/backlog.h"
 #include "daemon/http/web_socket.h"
 
@@ -22,7 +24,6 @@ namespace scipd::daemon {
 
 class Device;
 class FaultLog;
-struct FaultLogEntry;
 class StaringSensor;
 
 class ScanStream {
@@ -47,8 +48,8 @@ class ScanStream {
 
         /// Sends what comes into the log as well. The log must outlive the tap.
         void follow(FaultLog& faults);
-        /// Scans that a subscriber was too slow for.
-        [[nodiscard]] std::uint64_t lost() const { return source_->lost; }
+        /// Scans that a subscriber, or the stream, was too slow for.
+        [[nodiscard]] std::uint64_t lost() const { return source_->lost + lane_.lost(); }
         /// From what the other has counted, too.
         void count_on_from(const Tap& other) { source_->lost += other.lost(); }
 
@@ -63,6 +64,7 @@ class ScanStream {
 
         ScanStream& stream_;
         std::shared_ptr<Backlog::Source> source_;
+        Lane lane_;
         /// Of the same name: many faults at once cost no client a scan.
         std::shared_ptr<Backlog::Source> faults_source_;
         FaultLog* faults_ = nullptr;
@@ -74,8 +76,8 @@ class ScanStream {
     ScanStream(const ScanStream&) = delete;
     ScanStream& operator=(const ScanStream&) = delete;
 
-    /// Somebody else who is told of each entry of the logs that taps follow.
-    using OnFault = std::function<void(const std::string& sensor, const FaultLogEntry& entry)>;
+    /// Somebody else who is told of the entries of the logs that taps follow: fault_event().
+    using OnFault = std::function<void(const std::string& event)>;
     void on_fault(OnFault callback) { on_fault_ = std::move(callback); }
 
     /// Sends what one sensor measures; `sensor` empty: what all measure.
@@ -89,10 +91,12 @@ class ScanStream {
     void follow_all();
     [[nodiscard]] bool wanted(const std::string& sensor) const;
     void send(const std::shared_ptr<Backlog::Source>& source, std::string message);
+    void tell_fault(const std::shared_ptr<Backlog::Source>& source, const std::string& event);
     void count_lost(Backlog::Number number, const Backlog::Message& message);
     void forget_what_all_have();
 
     Ways ways_;
+    Lane::Load load_ = std::make_shared<Lane::Load::element_type>(0);
     Backlog backlog_;
     OnFault on_fault_;
     std::vector<Tap*> taps_;

@@ -8,12 +8,12 @@
 #include <optional>
 #include <utility>
 
-#include "daemon/api/fault_text.h"
 #include "daemon/api/view_request.h"
 #include "daemon/api/world_motion.h"
 #include "daemon/device/device.h"
 #include "daemon/device/staring_sensor.h"
 #include "daemon/http/problem.h"
+#include "sim/text/quote.h"
 
 namespace scipd::daemon {
 namespace {
@@ -23,6 +23,10 @@ using namespace std::chrono_literals;
 /// Screens show 60 pictures a second, and nobody sees more than 30 poses.
 constexpr auto least_between_frames = 16ms;
 constexpr sim::Time between_looks = 33ms;
+
+/// A page that has read nothing for so long is cut. Where its part is missing to others, sooner.
+constexpr sim::Time patience = 10s;
+constexpr sim::Time short_patience = 1s;
 
 std::string frame_of(const std::string& name, const ScanRecord& record, const Device& device,
                      ViewDepth depth) {
@@ -61,12 +65,12 @@ class ViewStream::Pacer {
 class ViewStream::Page : public Conversation {
   public:
     Page(ViewStream& stream, WebSocket& socket, const Look& look)
-        : stream_(stream), socket_(socket), look_(look) {
+        : stream_(stream), socket_(socket), look_(look), next_fault_(stream.faults_.end()) {
         stream_.pages_.push_back(this);
     }
     ~Page() override {
         std::erase(stream_.pages_, this);
-        stream_.follow_all();
+        if (!wanted_.empty()) stream_.follow_all();
     }
 
     // All of it: what it may be is small.
@@ -82,6 +86,12 @@ class ViewStream::Page : public Conversation {
         return rest.size();
     }
 
+    void left() override {
+        --unread_;
+        last_read_ = stream_.wall_.now();
+        tell_faults();
+    }
+
     /// None where it does not want to see the sensor.
     [[nodiscard]] ViewDepth wants(const std::string& sensor) const {
         const auto found = wanted_.find(sensor);
@@ -91,22 +101,42 @@ class ViewStream::Page : public Conversation {
     [[nodiscard]] ViewDepth can_take(const std::string& sensor) const {
         return on_their_way_.contains(sensor) ? ViewDepth::none : wants(sensor);
     }
-    void show(const std::string& sensor, std::uint32_t number,
-              const std::shared_ptr<const std::string>& frame) {
+    void show(const std::string& sensor, std::uint32_t number, const Unsent::Message& frame) {
         on_their_way_[sensor] = number;
+        count();
         socket_.send_bytes(frame);
     }
     void look_around() {
-        if (poses_on_their_way_) return;
+        tell_faults();
+        if (poses_on_their_way_ || !stream_.has_room(0)) return;
         const WorldView now = look_();
         if (const auto news = motion_.news(now)) say(*news);
         const auto moved = motion_.moved(now);
         poses_on_their_way_ = moved.has_value();
         if (moved) say(*moved);
     }
-    void say(const std::string& text) { socket_.send(std::make_shared<const std::string>(text)); }
+    /// Not while it has others to read.
+    void tell_faults() {
+        if (unread_ > 0) return;
+        const Backlog::Message* faults = stream_.faults_.from(next_fault_);
+        if (faults == nullptr) return;
+        ++next_fault_;
+        send(faults->text);
+    }
+    [[nodiscard]] bool has_read_nothing_for(sim::Time time) const {
+        return unread_ > 0 && stream_.wall_.now() - last_read_ > time;
+    }
+    void cut() { socket_.cut(); }
 
   private:
+    void say(std::string text) { send(stream_.unsent_.hold(std::move(text))); }
+    void send(const Unsent::Message& message) {
+        count();
+        socket_.send(message);
+    }
+    void count() {
+        if (unread_++ == 0) last_read_ = stream_.wall_.now();
+    }
     void drawn(std::uint32_t number) {
         const auto found = std::ranges::find_if(
             on_their_way_, [&](const auto& frame) { return frame.second == number; });
@@ -123,7 +153,9 @@ class ViewStream::Page : public Conversation {
             const std::string& sensor = wanted.first;
             const bool is_there = std::ranges::any_of(
                 stream_.taps_, [&](const Tap* tap) { return tap->name_ == sensor; });
-            if (!is_there) say(problem(404, "there is no sensor \"" + sensor + "\"", "scans").body);
+            if (!is_there)
+                say(problem(404, "there is no sensor \"" + sim::printable(sensor) + "\"", "scans")
+                        .body);
         }
     }
 
@@ -134,6 +166,9 @@ class ViewStream::Page : public Conversation {
     std::map<std::string, std::uint32_t> on_their_way_;  ///< the frames, by sensor
     bool poses_on_their_way_ = false;
     WorldMotion motion_;
+    std::size_t unread_ = 0;  ///< messages
+    sim::Time last_read_{};   ///< or when there was nothing to read
+    Backlog::Number next_fault_;
 };
 
 template <class Record, class Sensor>
@@ -175,8 +210,11 @@ ViewStream::Tap::~Tap() {
     watch_(false);
 }
 
-ViewStream::ViewStream(Ways ways, Clock& wall)
-    : ways_(std::move(ways)), wall_(wall), next_look_(wall.make_alarm()) {}
+ViewStream::ViewStream(Ways ways, Clock& wall, SharedLimits limits)
+    : ways_(std::move(ways)),
+      wall_(wall),
+      limits_(std::move(limits)),
+      next_look_(wall.make_alarm()) {}
 
 ViewStream::~ViewStream() = default;
 
@@ -187,9 +225,10 @@ std::unique_ptr<Conversation> ViewStream::open(WebSocket& page, const Look& look
     return conversation;
 }
 
-void ViewStream::tell_fault(const std::string& sensor, const FaultLogEntry& entry) {
+void ViewStream::tell_fault(const std::string& event) {
+    if (pages_.empty() || !faults_.add(event)) return;
     for (Page* page : pages_)
-        page->say(fault_message(sensor, entry));
+        page->tell_faults();
 }
 
 void ViewStream::follow_all() {
@@ -219,18 +258,37 @@ void ViewStream::order(const std::string& sensor) const {
 }
 
 void ViewStream::send(const std::string& sensor, std::string frame) {
+    if (!has_room(frame.size())) return;
     set_frame_number(frame, ++frames_);
-    const auto shared = std::make_shared<const std::string>(std::move(frame));
+    const Unsent::Message shared = unsent_.hold(std::move(frame));
     for (Page* page : pages_) {
         if (page->can_take(sensor) != ViewDepth::none) page->show(sensor, frames_, shared);
     }
     order(sensor);
 }
 
+bool ViewStream::has_room(std::size_t bytes) {
+    const std::size_t most = (*limits_)[Limit::websocket_queue_bytes];
+    if (unsent_.bytes() == 0 || unsent_.bytes() + bytes <= most) return true;
+    if (!std::exchange(lacks_room_, true)) limits_->refuse(Limit::websocket_queue_bytes, "/view");
+    return false;
+}
+
+void ViewStream::look() {
+    faults_.look();
+    const bool lacked_room = std::exchange(lacks_room_, false);
+    for (Page* page : pages_) {
+        page->look_around();
+        if (page->has_read_nothing_for(lacked_room ? short_patience : patience)) page->cut();
+    }
+    if (!lacked_room) return;
+    for (Tap* tap : taps_)
+        order(*tap);
+}
+
 void ViewStream::look_later() {
     next_look_->set(wall_.now() + between_looks, [this] {
-        for (Page* page : pages_)
-            page->look_around();
+        look();
         if (!pages_.empty()) look_later();
     });
 }

@@ -4,25 +4,29 @@
 // The WebSocket /view: what pages draw. A page says which sensors it wants to see, and gets one
 // frame of each, and the next when it has drawn that: what is measured meanwhile it never gets. So
 // a frame is made only when somebody can take it, where its sensor lives; nothing waits in a queue.
-// Beside that a page hears where things are, when something has moved. Lives on the I/O thread.
+// Beside that a page hears where things are, when something has moved, and of faults on purpose.
+// What is on its way to all pages has one bound; a page that does not read is cut. Lives on the I/O
+// thread.
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "daemon/api/fault_news.h"
 #include "daemon/api/scan_stream.h"
 #include "daemon/api/view_frame.h"
 #include "daemon/api/world_view.h"
 #include "daemon/clock/clock.h"
+#include "daemon/http/unsent.h"
 #include "daemon/http/web_socket.h"
+#include "daemon/limits/limits.h"
 
 namespace scipd::daemon {
-
-struct FaultLogEntry;
 
 class ViewStream {
   public:
@@ -53,7 +57,7 @@ class ViewStream {
     };
 
     /// `wall` tells when to look what has moved.
-    ViewStream(Ways ways, Clock& wall);
+    ViewStream(Ways ways, Clock& wall, SharedLimits limits = std::make_shared<Limits>());
     ViewStream(const ViewStream&) = delete;
     ViewStream& operator=(const ViewStream&) = delete;
     ~ViewStream();
@@ -61,8 +65,9 @@ class ViewStream {
     using Look = std::function<WorldView()>;
     /// `look` tells what is where.
     std::unique_ptr<Conversation> open(WebSocket& page, const Look& look);
-    /// Something goes wrong on purpose.
-    void tell_fault(const std::string& sensor, const FaultLogEntry& entry);
+    /// Something goes wrong on purpose: a fault_event(). Pages hear of it at once, of further ones
+    /// together and a little later.
+    void tell_fault(const std::string& event);
 
   private:
     class Page;
@@ -74,15 +79,22 @@ class ViewStream {
     void order(Tap& tap) const;
     void order(const std::string& sensor) const;
     void send(const std::string& sensor, std::string frame);
+    /// Whether so much more may be on its way to pages.
+    bool has_room(std::size_t bytes);
+    void look();
     /// And again, while pages are there.
     void look_later();
 
     Ways ways_;
     Clock& wall_;
+    SharedLimits limits_;
     std::unique_ptr<Clock::Alarm> next_look_;
     std::vector<Tap*> taps_;
     std::vector<Page*> pages_;
     std::uint32_t frames_ = 0;
+    Unsent unsent_;
+    bool lacks_room_ = false;  ///< something was not sent for that
+    FaultNews faults_;
 };
 
 }  // namespace scipd::daemon

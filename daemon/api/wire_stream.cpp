@@ -8,12 +8,15 @@
 #include <utility>
 
 #include "daemon/api/documents.h"
+#include "daemon/api/lane.h"
 
 namespace scipd::daemon {
 namespace {
 
 /// More than these a page does not read in time: at 40 Hz more than a second.
 constexpr std::size_t most_on_their_way = 64;
+/// A client may ask much at once.
+constexpr std::size_t most_waiting = 256;
 
 Json or_null(const std::string& text) {
     return text.empty() ? Json(nullptr) : Json(text);
@@ -52,6 +55,7 @@ class WireStream::Listener : public Conversation {
     void left() override { --on_their_way_; }
 
     [[nodiscard]] bool wants(const std::string& sensor) const { return sensor_ == sensor; }
+    void miss(std::uint64_t messages) { missed_ += messages; }
     void tell(Json document) {
         if (on_their_way_ == most_on_their_way) return void(++missed_);
         if (missed_ > 0) document["dropped"] = std::exchange(missed_, 0);
@@ -90,15 +94,20 @@ void WireStream::follow(Tap& tap) {
         listeners_, [&](const Listener* client) { return client->wants(tap.name_); });
     if (std::exchange(tap.listens_, wanted) == wanted) return;
     if (!wanted) return tap.wire_->listen(nullptr);
-    tap.wire_->listen([this, name = tap.name_](WireEntry entry) {
-        ways_.to_stream([this, name, entry = std::move(entry)] { tell(name, entry); });
+    tap.wire_->listen([this, name = tap.name_, lane = Lane(ways_.to_stream, most_waiting),
+                       lost = std::uint64_t{0}](WireEntry entry) mutable {
+        if (lane.loses_next()) return;
+        const std::uint64_t missed = lane.lost() - std::exchange(lost, lane.lost());
+        lane.post(0, [this, name, entry = std::move(entry), missed] { tell(name, entry, missed); });
     });
 }
 
-void WireStream::tell(const std::string& sensor, const WireEntry& entry) {
+void WireStream::tell(const std::string& sensor, const WireEntry& entry, std::uint64_t missed) {
     const Json document = entry_document(sensor, entry);
     for (Listener* client : listeners_) {
-        if (client->wants(sensor)) client->tell(document);
+        if (!client->wants(sensor)) continue;
+        client->miss(missed);
+        client->tell(document);
     }
 }
 

@@ -6,6 +6,7 @@
 // and the next one tells how many. Lives on the I/O thread.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -52,7 +53,8 @@ class WireStream {
 
     void follow(Tap& tap);
     void follow_all();
-    void tell(const std::string& sensor, const WireEntry& entry);
+    /// `missed`: how many before this one are lost.
+    void tell(const std::string& sensor, const WireEntry& entry, std::uint64_t missed);
 
     Ways ways_;
     std::vector<Tap*> taps_;

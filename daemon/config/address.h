@@ -30,6 +30,13 @@ inline bool is_loopback(const Address& address) {
     return address.host.starts_with("127.") || address.host == "::1";
 }
 
+/// Where a client on this machine finds what listens there: nobody can ask for all addresses.
+inline Address from_here(Address address) {
+    if (address.host == "0.0.0.0") address.host = "127.0.0.1";
+    if (address.host == "::") address.host = "::1";
+    return address;
+}
+
 /// What the configuration names is not there, and may be later without anybody's help: an address
 /// of this machine whose network is not up, or a broker.
 class NotThereYet : public std::runtime_error {

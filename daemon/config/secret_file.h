@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A file with a secret in its first line, which only its owner and its group may read. Any thread;
-// nothing shared.
+// A file with a secret in its only line, which only its owner may write, and only its group may
+// read as well. A file with more than that was made for something else, such as /etc/shadow. Any
+// thread; nothing shared.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +14,7 @@
 
 namespace scipd::daemon {
 
-/// Longer lines are cut behind their 1025th byte.
+/// Of a longer line only its first 4096 bytes.
 sim::Expected<std::string> secret_in(const std::filesystem::path& file);
 
 }  // namespace scipd::daemon

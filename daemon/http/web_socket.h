@@ -24,6 +24,8 @@ class WebSocket {
     virtual void send(std::shared_ptr<const std::string> message) = 0;
     /// The same of a message that is no text.
     virtual void send_bytes(std::shared_ptr<const std::string> message) = 0;
+    /// Ends the connection, in another turn of the event loop. For a client that does not read.
+    virtual void cut() = 0;
 };
 
 /// What the daemon says and hears over one connection. It is destroyed before the connection ends.

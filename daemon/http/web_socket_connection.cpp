@@ -163,6 +163,11 @@ void WebSocketConnection<Protocol>::refuse(Limit limit, boost::beast::websocket:
 }
 
 template <class Protocol>
+void WebSocketConnection<Protocol>::cut() {
+    asio::post(socket_.get_executor(), [self = this->shared_from_this()] { self->close(); });
+}
+
+template <class Protocol>
 void WebSocketConnection<Protocol>::close() {
     conversation_.reset();
     boost::beast::get_lowest_layer(socket_).close();

@@ -40,6 +40,7 @@ class WebSocketConnection : public HttpClient,
     void send_bytes(std::shared_ptr<const std::string> message) override {
         enqueue({std::move(message), true});
     }
+    void cut() override;
     void close() override;
 
   private:

@@ -26,7 +26,7 @@ export class FaultsPanel {
       this.refresh();
     });
     settings.watch('panel', () => this.refresh());
-    connection.addEventListener('text', (event) => this.log(event.detail.fault));
+    connection.addEventListener('text', (event) => event.detail.faults?.forEach((fault) => this.log(fault)));
     connection.addEventListener('open', () => this.loadKinds());
     setInterval(() => this.refresh(), BETWEEN_MS);
   }
@@ -132,7 +132,6 @@ export class FaultsPanel {
   }
 
   log(fault) {
-    if (!fault) return;
     const list = byId('fault-log');
     list.prepend(make('li', {},
       make('span', {class: 'dim'}, `${fault.time_s.toFixed(2)} s, scan ${fault.scan} `),

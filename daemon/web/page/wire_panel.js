@@ -23,7 +23,7 @@ export class WirePanel {
       this.listen();
     });
     status.addEventListener('changed', () => this.offer(status.sensors));
-    connection.addEventListener('text', (event) => this.takeFault(event.detail.fault));
+    connection.addEventListener('text', (event) => event.detail.faults?.forEach((fault) => this.takeFault(fault)));
     this.listen();
   }
 
@@ -81,7 +81,7 @@ export class WirePanel {
 
   /** What a fault takes away whole is on no wire, so the fault itself is told where it acts. */
   takeFault(fault) {
-    if (!this.connection || this.paused || fault?.sensor !== this.listened) return;
+    if (!this.connection || this.paused || fault.sensor !== this.listened) return;
     byId('wire-none').hidden = true;
     if (this.collapse.checked && this.fault?.id === fault.id && this.fault.entry.isConnected) {
       this.fault.count += 1;

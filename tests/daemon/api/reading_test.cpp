@@ -51,6 +51,7 @@ class Socket : public WebSocket {
   public:
     void send(std::shared_ptr<const std::string> message) override { sent.push_back(*message); }
     void send_bytes(std::shared_ptr<const std::string>) override {}
+    void cut() override {}
 
     std::vector<std::string> sent;
 };

@@ -38,6 +38,7 @@ class Client : public WebSocket {
         unread_.push_back(std::move(message));
     }
     void send_bytes(std::shared_ptr<const std::string>) override {}
+    void cut() override {}
 
     /// All that there is.
     std::vector<std::shared_ptr<const std::string>> take_all() {
@@ -138,6 +139,7 @@ TEST_F(ScanStreamTest, AnswersThoseWhoWantOneSensorWithThatOne) {
     add(3, 1);
     struct Reader : WebSocket {
         void send_bytes(std::shared_ptr<const std::string>) override {}
+        void cut() override {}
         void send(std::shared_ptr<const std::string> message) override {
             sensors.push_back(nlohmann::json::parse(*message).at("sensor"));
         }
@@ -169,13 +171,14 @@ TEST_F(ScanStreamTest, TellsOfFaultsBesideTheScans) {
                   .what = "begins",
                   .scan = 7,
                   .told = 250ms,
-                  .bytes = {},
+                  .bytes = {5, 6, 70},
                   .steps = {}});
     };
     inject();
     Client client(stream_);
     struct Reader : WebSocket {
         void send_bytes(std::shared_ptr<const std::string>) override {}
+        void cut() override {}
         void send(std::shared_ptr<const std::string>) override { ++messages; }
         int messages = 0;
     } of_other;
@@ -185,7 +188,7 @@ TEST_F(ScanStreamTest, TellsOfFaultsBesideTheScans) {
     ASSERT_EQ(messages.size(), 1U) << "what was before is in the log alone";
     EXPECT_EQ(nlohmann::json::parse(*messages[0]), nlohmann::json::parse(R"({"fault":{
         "sensor":"robot/c0","n":2,"id":4,"kind":"freeze","what":"begins","scan":7,
-        "request":null,"time_s":0.25,"bytes":[],"steps":[]}})"));
+        "request":null,"time_s":0.25,"bytes_n":3,"steps_n":0}})"));
     EXPECT_EQ(of_other.messages, 0);
     instants(1);
     EXPECT_EQ(client.read(),
@@ -205,6 +208,36 @@ TEST_F(ScanStreamTest, LosesNoScanForManyFaults) {
         scans += nlohmann::json::parse(*message).contains("sensor") ? 1 : 0;
     EXPECT_EQ(scans, 10U);
     EXPECT_EQ(cameras_[0]->tap.lost(), 0U);
+}
+
+// Its own thread waits for something else, while the sensors go on.
+TEST_F(ScanStreamTest, HasOnlySoMuchWaitForItsThread) {
+    std::vector<ScanStream::Ways::Call> waiting;
+    ScanStream busy(std::make_shared<Limits>(),
+                    {.to_stream = [&](auto call) { waiting.push_back(std::move(call)); }});
+    SensorConfig config = ideal_camera(1, 8.0);
+    config.name = "c0";
+    world_.replace_backends(one_backend(world_.scene(), {"robot/c0"}));
+    Camera camera(config, world_, clock_, busy);
+    camera.tap.follow(log_);
+    Client client(busy);
+    const auto go_on = [&] {
+        for (const auto& call : std::exchange(waiting, {}))
+            call();
+    };
+    instants(50);
+    EXPECT_EQ(waiting.size(), 16U);
+    EXPECT_EQ(camera.tap.lost(), 50U - 16U);
+    go_on();
+    EXPECT_EQ(client.read().at("robot/c0"), 16U);
+    instants(2);
+    go_on();
+    EXPECT_EQ(client.read().at("robot/c0"), 2U) << "there is room again";
+    for (int i = 0; i < 10'000; ++i)
+        log_.add({.kind = "corrupt", .what = "acts", .bytes = {1}, .steps = {}});
+    EXPECT_LE(waiting.size(), 1000U);
+    EXPECT_EQ(camera.tap.lost(), 50U - 16U) << "no scan";
+    go_on();
 }
 
 TEST_F(ScanStreamTest, LeavesALogAlone) {

@@ -21,6 +21,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "daemon/api/fault_text.h"
 #include "daemon/api/view_request.h"
 #include "daemon/api/world_motion.h"
 #include "daemon/clock/stepped_clock.h"
@@ -86,9 +87,19 @@ class PageOfTest : public WebSocket {
 
     void send(std::shared_ptr<const std::string> message) override {
         told.push_back(json::parse(*message));
+        unread_.push_back(std::move(message));
     }
     void send_bytes(std::shared_ptr<const std::string> message) override {
         frames.emplace_back(*message);
+        unread_.push_back(std::move(message));
+    }
+    void cut() override { is_cut = true; }
+    /// All that it was sent leaves the socket.
+    void read() {
+        while (!unread_.empty()) {
+            unread_.pop_front();
+            talk_->left();
+        }
     }
     void say(const json& message) { talk_->take(message.dump()); }
     /// Draws all frames that it has.
@@ -99,8 +110,10 @@ class PageOfTest : public WebSocket {
 
     std::vector<json> told;
     std::vector<SeenFrame> frames;
+    bool is_cut = false;
 
   private:
+    std::deque<std::shared_ptr<const std::string>> unread_;
     std::unique_ptr<Conversation> talk_;
 };
 
@@ -135,7 +148,8 @@ class ViewStreamTest : public testing::Test {
     SteppedClock clock_;
     World world_ = wall_world();
     WorldView now_{.version = "1", .scene = world_.scene(), .models = world_.poses_at({})};
-    ViewStream view_{ViewStream::Ways{}, clock_};
+    SharedLimits limits_ = std::make_shared<Limits>();
+    ViewStream view_{ViewStream::Ways{}, clock_, limits_};
     SensorConfig scanner_ = ideal_sensor();
 };
 
@@ -293,13 +307,105 @@ TEST_F(ViewStreamTest, TellsPosesWhenSomethingHasMovedAndThePageHasDrawn) {
     EXPECT_TRUE(page.told[2]["models"].contains("model 0"));
 }
 
+std::string fault(std::uint64_t number) {
+    return fault_event("robot/scanner", {.number = number,
+                                         .id = 7,
+                                         .kind = "corrupt",
+                                         .what = "acts",
+                                         .bytes = std::vector<std::size_t>(3000, 12'345)});
+}
+
+/// The numbers of the faults in a message.
+std::vector<std::uint64_t> numbers(const json& message) {
+    std::vector<std::uint64_t> numbers;
+    for (const json& event : message.at("faults"))
+        numbers.push_back(event.at("n"));
+    return numbers;
+}
+
 TEST_F(ViewStreamTest, TellsFaultsOnPurpose) {
     PageOfTest page = this->page();
+    page.read();
     page.told.clear();
-    view_.tell_fault("robot/scanner", {.number = 1, .id = 7, .kind = "stall", .what = "begins"});
-    ASSERT_THAT(page.told, SizeIs(1));
-    EXPECT_EQ(page.told[0]["fault"]["sensor"], "robot/scanner");
-    EXPECT_EQ(page.told[0]["fault"]["kind"], "stall");
+    view_.tell_fault(fault(1));
+    ASSERT_THAT(page.told, SizeIs(1)) << "at once";
+    const json& event = page.told[0]["faults"].at(0);
+    EXPECT_EQ(event["sensor"], "robot/scanner");
+    EXPECT_EQ(event["kind"], "corrupt");
+    EXPECT_EQ(event["bytes_n"], 3000);
+    EXPECT_LT(event.dump().size(), 300U) << "not each of the bytes";
+    page.read();
+    for (std::uint64_t number = 2; number < 1000; ++number)
+        view_.tell_fault(fault(number));
+    EXPECT_THAT(page.told, SizeIs(1));
+    clock_.advance_to(clock_.now() + 40ms);
+    ASSERT_THAT(page.told, SizeIs(2)) << "many are one message";
+    EXPECT_THAT(numbers(page.told[1]), SizeIs(64));
+    EXPECT_EQ(numbers(page.told[1]).back(), 999U);
+}
+
+TEST_F(ViewStreamTest, KeepsTheLatestFaultsForAPageThatDoesNotRead) {
+    PageOfTest deaf = page();
+    PageOfTest other = page();
+    for (PageOfTest* page : {&deaf, &other})
+        page->told.clear();
+    for (std::uint64_t number = 1; number <= 100; ++number) {
+        other.read();
+        view_.tell_fault(fault(number));
+        clock_.advance_to(clock_.now() + 40ms);
+    }
+    EXPECT_THAT(other.told, SizeIs(100));
+    EXPECT_THAT(deaf.told, IsEmpty()) << "nothing queues for it";
+    deaf.read();
+    ASSERT_THAT(deaf.told, SizeIs(16));
+    EXPECT_EQ(numbers(deaf.told.back()), std::vector<std::uint64_t>{100});
+    EXPECT_FALSE(deaf.is_cut);
+}
+
+TEST_F(ViewStreamTest, CutsAPageThatReadsNothingForLong) {
+    PageOfTest deaf = page();
+    PageOfTest other = page();
+    for (int i = 0; i < 9; ++i) {
+        other.read();
+        clock_.advance_to(clock_.now() + 1s);
+    }
+    EXPECT_FALSE(deaf.is_cut);
+    other.read();
+    clock_.advance_to(clock_.now() + 2s);
+    EXPECT_TRUE(deaf.is_cut);
+    other.read();
+    clock_.advance_to(clock_.now() + 20s);
+    EXPECT_FALSE(other.is_cut) << "it has nothing to read";
+}
+
+TEST_F(ViewStreamTest, HasOneBoundForAllPages) {
+    Seen<Device> scanner(scanner_, world_, clock_, view_);
+    const auto look = [&] {
+        auto page = std::make_unique<PageOfTest>(view_, [this] { return now_; });
+        page->read();
+        page->say({{"scans", {{"robot/scanner", {{"true", true}}}}}});
+        pass(50ms);
+        return page;
+    };
+    auto deaf = look();
+    ASSERT_THAT(deaf->frames, SizeIs(1));
+    LimitValues values;
+    values[Limit::websocket_queue_bytes] = 50'000;  // two frames
+    limits_->set(values);
+    auto also_deaf = look();
+    ASSERT_THAT(also_deaf->frames, SizeIs(1));
+    auto good = look();
+    EXPECT_THAT(good->frames, IsEmpty()) << "there is no room";
+    EXPECT_GT(limits_->refused(Limit::websocket_queue_bytes), 0U);
+    for (int i = 0; i < 25; ++i)
+        pass(50ms);
+    EXPECT_TRUE(deaf->is_cut && also_deaf->is_cut) << "others need what they hold";
+    EXPECT_FALSE(good->is_cut);
+    deaf.reset();
+    also_deaf.reset();
+    for (int i = 0; i < 3; ++i)
+        pass(50ms);
+    EXPECT_THAT(good->frames, SizeIs(1));
 }
 
 TEST(ViewFrame, KeepsUpWithARobotThatMoves) {

@@ -38,6 +38,7 @@ class Reader : public WebSocket {
         unread_.push_back(json::parse(*message));
     }
     void send_bytes(std::shared_ptr<const std::string>) override {}
+    void cut() override {}
 
     std::vector<json> read() {
         for (std::size_t i = 0; i < unread_.size(); ++i)
@@ -48,6 +49,24 @@ class Reader : public WebSocket {
   private:
     std::vector<json> unread_;
     std::unique_ptr<Conversation> talk_;
+};
+
+/// The stream's own thread, when it has something else to do.
+class BusyThread {
+  public:
+    WireStream::Ways ways() {
+        return {.to_stream = [this](auto call) {
+            is_busy ? waiting.push_back(std::move(call)) : call();
+        }};
+    }
+    void go_on() {
+        is_busy = false;
+        for (const auto& call : std::exchange(waiting, {}))
+            call();
+    }
+
+    bool is_busy = false;
+    std::vector<WireStream::Ways::Call> waiting;
 };
 
 class WireStreamTest : public testing::Test {
@@ -81,7 +100,8 @@ class WireStreamTest : public testing::Test {
     Device device_{"robot", ideal_sensor(), 1, world_, clock_};
     std::shared_ptr<TcpPort> port_ =
         std::make_shared<TcpPort>(io_.get_executor(), Address{"127.0.0.1", 0});
-    WireStream stream_{WireStream::Ways{}};
+    BusyThread thread_;
+    WireStream stream_{thread_.ways()};
     WireStream::Tap tap_{
         stream_, "robot/scanner",
         std::make_unique<WireTap>(device_, std::vector<std::shared_ptr<Port>>{port_})};
@@ -115,6 +135,18 @@ TEST_F(WireStreamTest, TellsHowManyMessagesASlowReaderHasMissed) {
     ASSERT_EQ(told.size(), 2U);
     EXPECT_EQ(told[0]["dropped"], 100 - had);
     EXPECT_FALSE(told[1].contains("dropped"));
+}
+
+TEST_F(WireStreamTest, TellsHowManyMessagesItHasMissedItself) {
+    Reader reader(stream_, "robot/scanner");
+    thread_.is_busy = true;
+    ask(300);
+    const std::size_t kept = thread_.waiting.size();
+    EXPECT_LT(kept, 600U) << "nothing waits without end";
+    thread_.go_on();
+    const std::size_t had = reader.read().size();
+    ask(1);
+    EXPECT_EQ(reader.read().at(0)["dropped"], 600 - had);
 }
 
 TEST_F(WireStreamTest, ListensOnlyWhileSomebodyReads) {

@@ -21,7 +21,7 @@ const std::string secret = "0123456789abcdef";
 
 class DoorsTest : public ConfigFixture {
   protected:
-    DoorsTest() { write_token(secret + "\nwhat stands in other lines is no part of it\n"); }
+    DoorsTest() { write_token(secret + "\n\n"); }
 
     void write_token(const std::string& text, fs::perms mode = fs::perms(0640)) const {
         fs::permissions(dir_.write("token", text), mode);
@@ -62,7 +62,13 @@ TEST_F(DoorsTest, ATokenIsLongAndForNobodyElse) {
     write_token(secret, fs::perms(0644));
     EXPECT_THAT(why(), ElementsAre(place + "others may read or write 'token'; `chmod o= FILE` "
                                            "forbids it"));
-    for (const std::string& text : {std::string(), secret.substr(1), secret + " x", "\n" + secret,
+    write_token(secret, fs::perms(0660));
+    EXPECT_THAT(why(), ElementsAre(place + "its group may write 'token'; `chmod g-w FILE` forbids "
+                                           "it"));
+    write_token("root:$y$j9T$0123456789abcdef:20000:0:99999:7:::\ndaemon:*:20000:0:99999:7:::\n");
+    EXPECT_THAT(why(), ElementsAre(place + "'token' has more than one line; a file with a secret "
+                                           "holds nothing else"));
+    for (const std::string& text : {std::string(), secret.substr(1), secret + " x",
                                     std::string(1025, 'x'), secret + "\x80"}) {
         write_token(text);
         EXPECT_THAT(why(), ElementsAre(StartsWith(place + "the first line of 'token' must be")));

@@ -87,10 +87,27 @@ class Nibbler : public Conversation {
     WebSocket& socket_;
 };
 
+/// Sends more than the kernel keeps, and cuts the client when it is told something.
+class Cutter : public Conversation {
+  public:
+    explicit Cutter(WebSocket& socket) : socket_(socket) {
+        for (int i = 0; i < 3; ++i)
+            socket.send(std::make_shared<const std::string>(large, 'x'));
+    }
+    std::size_t take(std::string_view rest) override {
+        socket_.cut();
+        return rest.size();
+    }
+
+  private:
+    WebSocket& socket_;
+};
+
 std::variant<HttpResponse, Converse> parrots(const HttpRequest& request) {
-    const bool nibbles = request.path == "/nibble";
-    return [nibbles](WebSocket& socket) -> std::unique_ptr<Conversation> {
-        if (nibbles) return std::make_unique<Nibbler>(socket);
+    const std::string path = request.path;
+    return [path](WebSocket& socket) -> std::unique_ptr<Conversation> {
+        if (path == "/nibble") return std::make_unique<Nibbler>(socket);
+        if (path == "/cut") return std::make_unique<Cutter>(socket);
         return std::make_unique<Parrot>(socket);
     };
 }
@@ -531,6 +548,18 @@ TEST_F(HttpServerTest, AnswersLateToAClientThatHasEndedItsSendingSide) {
         EXPECT_THAT(answers, testing::EndsWith("late"));
         EXPECT_NE(answers.find("late"), answers.rfind("late")) << answers;
     }
+}
+
+TEST_F(HttpServerTest, CutsAClientThatDoesNotRead) {
+    start();
+    auto socket = connect_local();
+    asio::write(socket,
+                asio::buffer(std::string{"GET /cut HTTP/1.1\r\nHost: x\r\nConnection: Upgrade\r\n"
+                                         "Upgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+                                         "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"}));
+    using namespace std::string_literals;
+    asio::write(socket, asio::buffer("\x81\x81\0\0\0\0x"s));
+    EXPECT_LT(rest(socket).size(), large) << "what the kernel had";
 }
 
 // It does not hear the answer to the first message; the others have come already.
