@@ -21,7 +21,7 @@ struct HttpRequest {
     std::string query;   ///< what followed the question mark, as the client sent it
     std::string body;
     std::string if_none_match = {};  ///< the ETags of what the client has already
-    /// Stop is requested, on the I/O thread, when nobody is there any more who could get the answer.
+    /// Stop is requested, on the I/O thread, when nobody is there any more who could get an answer.
     std::stop_token withdrawn = {};
     /// Of what comes by this connection, for a handler that bounds it.
     std::shared_ptr<Rate> rate = std::make_shared<Rate>();

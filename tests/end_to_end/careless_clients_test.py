@@ -2,20 +2,28 @@
 # Copyright The scipd authors
 #
 # Clients of the control API that do not read, or have said all they have to say: careless_clients_test.py SCIPD SCENE
+import base64
 import json
 import pathlib
 import signal
 import socket
+import struct
 import sys
 import threading
 import time
 
 from fault_lab import Client, Control, Lab, wait_for
 
-SCANNERS = {"front": {"model": "UST-10LX", "tcp": "127.0.0.1:0"}}
+SENSORS = {"front": {"model": "UST-10LX", "tcp": "127.0.0.1:0"},
+           "eye": {"camera": {"columns": 8, "rows": 6, "fov_deg": [60, 45], "rate_hz": 10, "range_m": [0.1, 5]}}}
 PAGES = 40
 UPGRADE = ("Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
            "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n")
+BOX = ("<model name='m'><link name='l'><collision name='c'><geometry><box><size>0.1 0.1 0.1</size></box></geometry>"
+       "</collision></link></model>")
+# A hundred thousand triangles, far away: a change that takes a while.
+MESH = base64.b64encode(bytes(80) + struct.pack("<I", 100_000) + b"".join(
+    struct.pack("<12fH", 0, 0, 1, 50, i, 0, 51, i, 0, 50, i + 1, 0, 0) for i in range(100_000))).decode()
 FAULTS = "/sensors/robot/front/faults"
 
 
@@ -115,19 +123,26 @@ def is_cut(page):
         return True
 
 
+def request(lab, method, path, body, connection="keep-alive"):
+    text = json.dumps(body) if body else ""
+    return (f"{method} {path} HTTP/1.1\r\nHost: {lab.ready['http']}\r\nConnection: {connection}\r\n"
+            f"Content-Type: application/json\r\nContent-Length: {len(text)}\r\n\r\n{text}").encode()
+
+
 def check_half_closed(lab):
     """As `nc -N` does: each kind of late answer, with changes that wait for others in front."""
-    slow = {"name": "mesh", "mesh": "x"}
-    del slow
-    asks = [("POST", "/scene/models", {"name": f"box{i}", "box": {"size": [1, 1, 1]}, "xyz": [20 + i, 0, 0]})
-            for i in range(6)]
-    asks += [("GET", "/sensors/robot/front/truth", None), ("GET", "/scene/objects", None), ("GET", "/status", None)]
+    first = connect(lab)
+    for i in range(3):
+        first.sendall(request(lab, "POST", "/scene/models", {"name": f"mesh{i}", "mesh_format": "stl", "mesh_data": MESH}))
+    asks = [("POST", "/scene/models", {"sdf": BOX})] * 6
+    asks += [("GET", path, None) for path in ("/sensors/robot/front/truth", "/sensors/robot/eye/reading",
+                                              "/scene/objects", "/status")]
     clients = []
     for method, path, body in asks:
         for client in (connect(lab), socket.create_connection(lab.ready["http"].rsplit(":", 1), 60)):
-            text = json.dumps(body | {"name": body["name"] + str(len(clients))}) if body else ""
-            client.sendall((f"{method} {path} HTTP/1.1\r\nHost: {lab.ready['http']}\r\nConnection: close\r\n"
-                            f"Content-Type: application/json\r\nContent-Length: {len(text)}\r\n\r\n{text}").encode())
+            if body:
+                body = body | {"name": f"box{len(clients)}"}
+            client.sendall(request(lab, method, path, body, "close"))
             client.shutdown(socket.SHUT_WR)
             clients.append((client, method, path))
     for client, method, path in clients:
@@ -139,13 +154,11 @@ def check_half_closed(lab):
 
 def main():
     scipd, scene = sys.argv[1:]
-    with Lab(scipd, scene, sensors=SCANNERS, lockstep=False, http="127.0.0.1:0") as lab:
+    with Lab(scipd, scene, sensors=SENSORS, lockstep=False, http="127.0.0.1:0") as lab:
         check_deaf_pages(lab)
         check_half_closed(lab)
-        begin = time.monotonic()
         lab.process.send_signal(signal.SIGTERM)
-        assert lab.process.wait(60) == 0
-        assert time.monotonic() - begin < 30, "it is asked to end within 5 s, on a machine that is free"
+        assert lab.process.wait(30) == 0  # in 5 s, where the machine has nothing else to do
 
 
 main()

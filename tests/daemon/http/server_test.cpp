@@ -775,7 +775,7 @@ TEST_F(HttpServerTest, LetsAClientTakeItsTimeThatGoesOn) {
     EXPECT_LT(rest(gone).size(), large) << "it has taken nothing for too long";
 }
 
-// Each time it has taken or sent something, and with a patience of 500 ms it would be at it for 4 s.
+// Each time it has taken or sent something within its 500 ms, but it would be at it for 4 s.
 TEST_F(HttpServerTest, EndsWithAClientThatGoesOnTooSlowly) {
     start();
     on_server([this] { server_->set_idle(std::chrono::milliseconds{500}); });
