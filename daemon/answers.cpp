@@ -2,17 +2,15 @@
 // Copyright The scipd authors
 #include "daemon/answers.h"
 
-#include "daemon/completions.h"
+#include "daemon/command_line/completions.h"
+#include "daemon/models/model_list.h"
 #include "daemon/models/registry.h"
 #include "sim/backends/registry.h"
 
 namespace scipd::daemon {
 
 Answer model_list() {
-    std::string text;
-    for (const Model& model : models())
-        text += describe(model) + "\n";
-    return {0, text};
+    return {0, list_of(models())};
 }
 
 Answer backend_list() {

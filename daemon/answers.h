@@ -19,7 +19,7 @@ struct Answer {
     std::string text;  ///< with its last line end
 };
 
-/// A line for each product and firmware, and for each way to cast.
+/// Tables with a row for each product and firmware, and a line for each way to cast.
 Answer model_list();
 Answer backend_list();
 /// What the shell has to read so that it completes the options of `app`.

@@ -12,12 +12,14 @@
 #include <utility>
 #include <vector>
 
+#include "daemon/check_file.h"
 #include "daemon/config/config_file.h"
 #include "daemon/load_materials.h"
 #include "daemon/load_scenario.h"
 #include "daemon/load_trajectories.h"
 #include "daemon/load_world.h"
 #include "daemon/mounting.h"
+#include "daemon/unlikely_places.h"
 #include "daemon/unseen_media.h"
 #include "daemon/world/backend_choice.h"
 #include "sim/backends/registry.h"
@@ -67,9 +69,7 @@ std::string summary_of_curves(const Config& config) {
     return std::to_string(curves) + " (" + std::to_string(std::lround(share)) + " % assumed)";
 }
 
-}  // namespace
-
-std::string check(const std::filesystem::path& file, const Options& options) {
+std::string check_configuration(const std::filesystem::path& file, const Options& options) {
     Config config = load_config(file);
     options.put_into(config);
     sim::LoadedScene world;
@@ -80,6 +80,7 @@ std::string check(const std::filesystem::path& file, const Options& options) {
     note_faults(faults, [&] {
         world = load_world(config, materials.library);
         notices = mount_by_name(config, *world.scene);
+        std::ranges::move(warnings_of(config, *world.scene), std::back_inserter(world.warnings));
     });
     note_faults(faults, [&] { (void)load_scenario(config); });
     LoadedTrajectories trajectories;
@@ -102,6 +103,17 @@ std::string check(const std::filesystem::path& file, const Options& options) {
            ", models: " + std::to_string(world.scene->models.size()) +
            ", materials: " + summary_of(*materials.library) +
            ", error curves: " + summary_of_curves(config) + "\n";
+}
+
+}  // namespace
+
+std::string check(const std::filesystem::path& file, const Options& options) {
+    const auto kind = kind_of(file);
+    if (!kind) throw sim::LoadError({file.string() + ": " + kind.error().why});
+    if (*kind == FileKind::configuration) return check_configuration(file, options);
+    if (!options.scenario.empty())
+        throw sim::LoadError({file.string() + ": --scenario goes with a configuration"});
+    return check_file(*kind, file, options.strict);
 }
 
 }  // namespace scipd::daemon

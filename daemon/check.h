@@ -2,7 +2,8 @@
 // Copyright The scipd authors
 //
 // `scipd --check`: a configuration, its world, its trajectories and whether this machine has what
-// it asks for, without running any of it. One thread.
+// it asks for, without running any of it; or one of the files that a configuration names. One
+// thread.
 #pragma once
 
 #include <filesystem>

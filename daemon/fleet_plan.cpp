@@ -11,6 +11,7 @@
 #include "daemon/load_scenario.h"
 #include "daemon/load_world.h"
 #include "daemon/mounting.h"
+#include "daemon/unlikely_places.h"
 #include "daemon/unseen_media.h"
 #include "daemon/world/backend_maker.h"
 #include "sim/loaders/file/load_error.h"
@@ -115,6 +116,7 @@ FleetPlan make_plan(Config config, const Running& running, const std::stop_token
     if (join) shared = share(config, materials.library, stop, join(*loaded.scene), loaded);
     std::ranges::move(materials.warnings, std::back_inserter(loaded.warnings));
     std::vector<std::string> notices = mount_by_name(config, *loaded.scene);
+    std::ranges::move(warnings_of(config, *loaded.scene), std::back_inserter(loaded.warnings));
     // Of a sensor that is mounted by name nothing is known before it has its place.
     Homes homes = find_homes(config, running.homes, running.sensors);
     std::ranges::move(media_notices(config), std::back_inserter(notices));

@@ -8,9 +8,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include "daemon/completions.h"
+#include "daemon/command_line/completions.h"
+#include "daemon/command_line/version.h"
 #include "daemon/config/doors.h"
 #include "daemon/config/mount.h"
+#include "daemon/config/numbers.h"
 #include "daemon/config/sensor.h"
 #include "daemon/config/values.h"
 #include "daemon/models/registry.h"
@@ -47,6 +49,11 @@ class Group {
 template <class Value, class Target>
 sim::Expected<> put(sim::Expected<Value> value, Target& target) {
     return value.map([&](const Value& good) { target = good; });
+}
+
+void warn_of_degrees(const char* option, const std::string& text, OptionValues& said) {
+    if (const auto warning = degrees_in_pose(text))
+        said.options.config.warnings.push_back(std::string(option) + ": " + *warning);
 }
 
 void add_world(CLI::App& app, OptionValues& said) {
@@ -87,6 +94,7 @@ void add_robot(CLI::App& app, OptionValues& said) {
         "where the robot starts, or X,Y,Z,ROLL,PITCH,YAW; default: 1,1,0 in the maze, else 0,0,0",
         [&](const auto& text) {
             said.start_given = true;
+            warn_of_degrees("--pose", text, said);
             return put(parse_pose(text), said.robot.world_from_robot);
         });
     group.add(
@@ -113,6 +121,7 @@ void add_scanner(CLI::App& app, OptionValues& said) {
               "default: 0.25 m up in the maze, else at the origin",
               [&](const auto& text) {
                   said.mount_given = true;
+                  warn_of_degrees("--mount", text, said);
                   return take_mount(text, sensor);
               });
     group
@@ -171,7 +180,9 @@ void add_alone(CLI::App& app, OptionValues& said) {
     Group group{app, alone_title};
     group.add("--config", "FILE.yaml", "run what the file says",
               [&](const auto& text) { return put<fs::path>(text, said.config); });
-    group.add("--check", "FILE.yaml", "tell every fault of the file and of its world, and end",
+    group.add("--check", "FILE",
+              "tell what a configuration, a world, a map, a mesh, a scenario, materials or a "
+              "trajectory holds and every fault in it, and end",
               [&](const auto& text) { return put<fs::path>(text, said.check); });
     group.add_flag("--list-models", said.list_models,
                    "list the scanners that scipd can be, and how sure each figure is");
@@ -186,10 +197,16 @@ void add_alone(CLI::App& app, OptionValues& said) {
         ->group(alone_title);
 }
 
-constexpr unsigned most_threads = 1024;
+sim::Expected<unsigned> parse_threads(std::string_view text) {
+    constexpr int most_threads = 1024;
+    return parse_whole(text, 1, most_threads).map([](int threads) {
+        return static_cast<unsigned>(threads);
+    });
+}
 
 /// Adds the options that go with all others.
 void add_general(CLI::App& app, OptionValues& said) {
+    Group group{app, general_title};
     app.add_option("--log-level", said.options.log_level, "how much scipd tells on standard error")
         ->check(CLI::IsMember(
             {"trace", "debug", "info", "warning", "warn", "error", "critical", "off"}))
@@ -203,27 +220,19 @@ void add_general(CLI::App& app, OptionValues& said) {
         ->group(general_title);
     app.add_flag(
            "--strict", said.options.strict,
-           "refuse a world or a trajectory of which scipd would leave out or change anything, "
-           "instead of warning")
+           "refuse a world or a trajectory of which scipd would leave out or change anything, and "
+           "numbers in a wrong unit, instead of warning")
         ->group(general_title);
-    app.add_option("--threads", said.options.threads,
-                   "how many threads scanners live on; 1 puts all on one, as does --clock poses; "
-                   "default: as many as there are processors")
-        ->type_name("N")
-        ->check(CLI::Range(1U, most_threads))
-        ->group(general_title);
-    const auto take_scenario = [&said](const CLI::results_t& texts) {
-        const auto taken =
-            put(parse_file(texts.front(), fs::current_path()), said.options.scenario);
-        if (!taken) throw CLI::ValidationError("--scenario", taken.error().why);
-        return true;
-    };
-    app.add_option(
-           "--scenario", take_scenario,
-           "what goes wrong at the scanners, and when; default: what the configuration says")
-        ->type_name("FILE")
-        ->group(general_title);
-    app.set_version_flag("--version", "scipd " SCIPD_VERSION, "tell the version")
+    group.add("--threads", "N",
+              "how many threads scanners live on; 1 puts all on one, as does --clock poses; "
+              "default: as many as there are processors",
+              [&said](const auto& text) { return put(parse_threads(text), said.options.threads); });
+    group.add("--scenario", "FILE",
+              "what goes wrong at the scanners, and when; default: what the configuration says",
+              [&said](const auto& text) {
+                  return put(parse_file(text, fs::current_path()), said.options.scenario);
+              });
+    app.set_version_flag("--version", version_of("scipd"), "print the version")
         ->group(general_title);
     app.set_help_flag();
     app.set_help_flag("-h,--help", "print this text")->group(general_title);

@@ -10,6 +10,8 @@
 #include <CLI/CLI.hpp>
 
 #include "daemon/check.h"
+#include "daemon/command_line/help_text.h"
+#include "daemon/command_line/unknown_word.h"
 #include "daemon/config/config_file.h"
 #include "daemon/config/demo_world.h"
 #include "daemon/config/sensor.h"
@@ -51,7 +53,7 @@ Answer refusal(const std::string& sentence) {
 }
 
 Answer wrong_options(const std::string& why) {
-    return refusal("scipd: " + why + "; see scipd --help");
+    return refusal("scipd: " + why + (why.ends_with('?') ? " See" : "; see") + " scipd --help");
 }
 
 /// A world is shared where both options say how.
@@ -114,6 +116,7 @@ std::variant<Options, Answer> parse_options(int argc, const char* const* argv) {
     app.footer(examples);
     OptionValues said;
     add_options(app, said);
+    use_our_help(app);
     try {
         app.parse(argc, argv);
         if (const auto alone = check_alone(app); !alone) return wrong_options(alone.error().why);
@@ -123,6 +126,8 @@ std::variant<Options, Answer> parse_options(int argc, const char* const* argv) {
         return Answer{0, app.help()};
     } catch (const CLI::CallForVersion& version) {
         return Answer{0, std::string{version.what()} + "\n"};
+    } catch (const CLI::ExtrasError& error) {
+        return wrong_options(unknown_word(app).value_or(error.what()));
     } catch (const ConfigError& error) {
         return refusal(error.what());
     } catch (const sim::LoadError& error) {

@@ -52,32 +52,41 @@ target the scanner still sees. A curve that no source is named for in `daemon/mo
 [errors.md](errors.md) says what each curve does.
 
 """
-LINE = re.compile(r"(\S+)  (\S+) mm \((\w+)\), steps (.+) \((\w+)\), (\S+ Hz) \((\w+)\); (.+) \((\w+)\); "
-                  r"(.+) \((\w+)\); texts (\w+), noise (\w+), "
-                  r"bias (\w+), light (\w+)")
+WORDS = {"doc": "documented", "ded": "deduced"}
+
+
+def tables(scipd):
+    """The three tables of --list-models: figures, commands and how each is known, each by model."""
+    said = subprocess.run([scipd, "--list-models"], capture_output=True, text=True, check=True).stdout
+    found = []
+    for block in said.split("\n\n"):
+        titles, *rows = [re.split(r"  +", line) for line in block.strip().splitlines()]
+        if titles[0] == "MODEL":
+            found.append({row[0]: dict(zip(titles[1:], row[1:], strict=True)) for row in rows})
+    figures, commands, sure = found
+    if not figures.keys() == commands.keys() == sure.keys():
+        sys.exit("docs/make_models.py does not understand what --list-models prints")
+    return figures, commands, {model: {title: WORDS.get(word, word) for title, word in row.items()}
+                               for model, row in sure.items()}
 
 
 def models_page(scipd):
-    said = subprocess.run([scipd, "--list-models"], capture_output=True, text=True, check=True).stdout
-    models = []
-    for line in said.splitlines():
-        match = LINE.fullmatch(line)
-        if not match:
-            sys.exit(f"docs/make_models.py does not understand: {line}")
-        models.append(match.groups())
+    figures, commands, sure = tables(scipd)
     text = HEAD
-    for name, range_mm, range_sure, steps, steps_sure, rate, rate_sure, *_ in models:
-        text += f"| {name} | {range_mm} | {range_sure} | {steps} | {steps_sure} | {rate} | {rate_sure} |\n"
+    for name, row in figures.items():
+        text += (f"| {name} | {row['RANGE mm']} | {sure[name]['RANGE']} | {row['STEPS']} | {sure[name]['STEPS']} "
+                 f"| {row['SCANS']} | {sure[name]['SCANS']} |\n")
     text += OUTSIDE
     text += "\n## Wire\n\n| model | links | | commands | | texts |\n|---|---|---|---|---|---|\n"
-    for model in models:
-        links, links_sure, commands, commands_sure, texts = model[7:12]
-        text += f"| {model[0]} | {links} | {links_sure} | {commands} | {commands_sure} | {texts} |\n"
+    for name, row in figures.items():
+        text += (f"| {name} | {row['LINKS']} | {sure[name]['LINKS']} | {commands[name]['COMMANDS']} "
+                 f"| {sure[name]['COMMANDS']} | {sure[name]['TEXTS']} |\n")
     text += ERRORS + "| model | noise | bias and drift | light |\n|---|---|---|---|\n"
-    for model in models:
-        text += "| " + " | ".join([model[0], *model[12:]]) + " |\n"
-    sure = [word for model in models for word in model[12:]]
-    text += f"\nOf these {len(sure)} entries {sure.count('deduced')} are deduced or assumed.\n"
+    curves = {name: [row[title] for title in ("NOISE", "BIAS", "LIGHT")] for name, row in sure.items()}
+    for name, words in curves.items():
+        text += "| " + " | ".join([name, *words]) + " |\n"
+    words = sum(curves.values(), [])
+    text += f"\nOf these {len(words)} entries {words.count('deduced')} are deduced or assumed.\n"
     return text + "\n[protocol.md](protocol.md) says what the commands do.\n"
 
 

@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "daemon/completions.h"
+#include "daemon/command_line/completions.h"
 
 namespace scipd::tools {
 

@@ -5,6 +5,7 @@
 // running. 2: wrong options or input.
 #pragma once
 
+#include <cstdint>
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
@@ -17,8 +18,14 @@ struct WrongInput : std::runtime_error {
 };
 
 /// A validator for every option that is a real number. It refuses what is not within these limits,
-/// and "nan", which CLI::Range lets pass.
+/// and "nan", which CLI::Range lets pass. --help has the limits of this and of the next, unless they
+/// are very far.
 [[nodiscard]] CLI::Validator number_within(double least, double most);
+
+/// The same for whole numbers, from least to most.
+[[nodiscard]] CLI::Validator whole_within(std::int64_t least, std::int64_t most);
+/// The same where there is no bound above, but what an int holds.
+[[nodiscard]] CLI::Validator whole_from(std::int64_t least);
 
 /// Reads the options, runs the command and reports faults on standard error. Returns the exit code.
 int run(CLI::App& program, int argc, char** argv);

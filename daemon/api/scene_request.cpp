@@ -14,6 +14,7 @@
 #include "daemon/world/base64.h"
 #include "sim/loaders/poses/pose_line.h"
 #include "sim/loaders/poses/small_json.h"
+#include "sim/text/likely_unit.h"
 #include "sim/text/name.h"
 #include "sim/text/quote.h"
 
@@ -101,8 +102,15 @@ Expected<> require(const RequestJson& object, const std::string& key) {
     return {};
 }
 
+/// The three angles that a good pose line may have.
+void warn_of_degrees(const RequestJson& pose, std::vector<std::string>& warnings) {
+    if (!pose.contains("rpy")) return;
+    if (const auto warning = sim::degrees_for_radians(pose["rpy"].get<std::array<double, 3>>()))
+        warnings.push_back("pose.rpy: " + *warning);
+}
+
 /// In the words of a pose line, without name, time and velocity.
-Expected<> read_pose(const RequestJson& object, std::optional<sim::Pose>& pose) {
+Expected<> read_pose(const RequestJson& object, AddModel& edit) {
     if (!object.contains("pose")) return {};
     const RequestJson& value = object["pose"];
     if (!value.is_object()) return refuse("pose", R"(pose must be {"xyz":[..],"rpy":[..]})");
@@ -111,7 +119,8 @@ Expected<> read_pose(const RequestJson& object, std::optional<sim::Pose>& pose) 
     }
     const auto line = sim::pose_line_in(value);
     if (!line) return refuse("pose", "pose: " + line.error().why);
-    pose = line->pose;
+    edit.placement.world_from_model = line->pose;
+    warn_of_degrees(value, edit.warnings);
     return {};
 }
 
@@ -185,7 +194,7 @@ Expected<AddModel> model_in(const RequestJson& object) {
     std::optional<bool> is_static;
     std::optional<bool> replace;
     return read_name(object, edit.placement.name)
-        .and_then([&] { return read_pose(object, edit.placement.world_from_model); })
+        .and_then([&] { return read_pose(object, edit); })
         .and_then([&] { return read_source(object, edit); })
         .and_then([&] { return read_switch(object, "static", is_static); })
         .and_then([&] { return read_switch(object, "replace", replace); })

@@ -91,6 +91,8 @@ struct Config {
     std::string http_token;                    ///< that its clients must know; empty: none
     std::vector<std::filesystem::path> allow;  ///< folders of files that its clients may name
     std::optional<BrokerConfig> fleet;         ///< nothing: the world is this daemon's alone
+    /// What looks wrong and is taken as it is, each with its place.
+    std::vector<std::string> warnings;
     /// Where a key stands, "FILE:LINE: KEY: ", for the keys whose faults show only when other files
     /// have been read.
     std::map<std::string, std::string> places;

@@ -81,7 +81,7 @@ RobotConfig Reader::read_robot(const Field& field, SensorContext& context) {
     RobotConfig robot;
     faults_.take(field, parse_name(field.key), robot.name);
     context.robot = robot.name;
-    note_places(section, {"body", "poses"});
+    note_places(section, {"body", "pose", "poses"});
     robot.world_from_robot = read_pose(section, "pose", faults_);
     robot.pose_given = section.find("pose") != nullptr;
     section.read("body", robot.body);
@@ -156,10 +156,15 @@ Config Reader::read(const YAML::Node& document) {
     if (needs_fleet_ && !config.fleet)
         faults_.add(*needs_fleet_, "needs fleet, by whose broker vehicles tell where they are");
     config.places = std::move(places_);
+    config.warnings = faults_.warnings();
     return config;
 }
 
 }  // namespace
+
+std::span<const std::string_view> configuration_keys() {
+    return root_keys;
+}
 
 Config parse_config(const std::string& text, const fs::path& file) {
     Faults faults{file.string()};

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "daemon/config/numbers.h"
+#include "daemon/config/poses.h"
 #include "daemon/config/values.h"
 
 namespace scipd::daemon {
@@ -26,12 +26,9 @@ void read_mount(const Section& section, SensorConfig& sensor, Faults& faults,
     const Field* field = section.find("mount");
     if (!field) return;
     const Section mount{*field, mount_keys, faults};
-    glm::dvec3 xyz_m{0.0};
-    glm::dvec3 rpy_rad{0.0};
-    mount.read_vector("xyz", xyz_m, parse_metres);
-    mount.read_vector("rpy", rpy_rad, parse_radians);
-    const sim::Pose pose = sim::pose_from_rpy(xyz_m, rpy_rad);
+    const sim::Pose pose = pose_in(mount, faults);
     sensor.robot_from_sensor = pose;
+    places[field->path] = faults.place(field->line, field->path);
     const bool on_sensor = mount.find("sensor") != nullptr;
     if (!on_sensor && !mount.find("link")) return;
     if (on_sensor && mount.find("link")) {
@@ -41,7 +38,6 @@ void read_mount(const Section& section, SensorConfig& sensor, Faults& faults,
                      .frame_from_sensor = pose};
     mount.read(on_sensor ? "sensor" : "link", named.name, parse_frame);
     sensor.mount = std::move(named);
-    places[field->path] = faults.place(field->line, field->path);
 }
 
 sim::Expected<> take_mount(std::string_view text, SensorConfig& sensor) {

@@ -8,6 +8,7 @@
 
 #include "daemon/config/numbers.h"
 #include "daemon/config/values.h"
+#include "sim/text/likely_unit.h"
 
 namespace scipd::daemon {
 namespace {
@@ -59,16 +60,22 @@ void read_of_trajectory(const Section& section, const std::filesystem::path& bas
 
 }  // namespace
 
-sim::Pose read_pose(const Section& parent, std::string_view key, Faults& faults) {
-    static constexpr std::array<std::string_view, 2> keys{"xyz", "rpy"};
-    const Field* field = parent.find(key);
-    if (!field) return {};
-    const Section section{*field, keys, faults};
+sim::Pose pose_in(const Section& section, Faults& faults) {
     glm::dvec3 xyz_m{0.0};
     glm::dvec3 rpy_rad{0.0};
     section.read_vector("xyz", xyz_m, parse_metres);
     section.read_vector("rpy", rpy_rad, parse_radians);
+    const std::array angles{rpy_rad.x, rpy_rad.y, rpy_rad.z};
+    if (const auto warning = sim::degrees_for_radians(angles))
+        faults.warn(*section.find("rpy"), *warning);
     return sim::pose_from_rpy(xyz_m, rpy_rad);
+}
+
+sim::Pose read_pose(const Section& parent, std::string_view key, Faults& faults) {
+    static constexpr std::array<std::string_view, 2> keys{"xyz", "rpy"};
+    const Field* field = parent.find(key);
+    if (!field) return {};
+    return pose_in(Section{*field, keys, faults}, faults);
 }
 
 void read_poses(const Field& field, RobotConfig& robot, const std::filesystem::path& base,

@@ -14,6 +14,10 @@
 
 namespace scipd::daemon {
 
+/// What xyz and rpy of this section say; each is zeros where it is left out. Angles that look like
+/// degrees are a warning.
+sim::Pose pose_in(const Section& section, Faults& faults);
+
 /// The pose under this key, {xyz: [..], rpy: [..]}. Each is zeros where it is left out, and so are
 /// both where the key is not there.
 sim::Pose read_pose(const Section& parent, std::string_view key, Faults& faults);

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 #include "daemon/config/config_error.h"
+#include "sim/text/near_word.h"
 #include "sim/text/quote.h"
 
 namespace scipd::daemon {
@@ -16,24 +16,9 @@ constexpr std::size_t most_faults = 100;
 constexpr std::size_t most_entries = 4096;
 constexpr std::size_t longest_sentence = 1000;
 
-/// Levenshtein: how many letters to insert, drop or change.
-std::size_t edits_between(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0]++;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
-        }
-    }
-    return row[b.size()];
-}
-
 /// What somebody who misspelt a key is told.
 std::string unknown_key(std::string_view key, std::span<const std::string_view> known) {
-    if (const auto near = meant(key, known))
+    if (const auto near = sim::meant(key, known))
         return "unknown key; did you mean " + std::string{*near} + "?";
     return "unknown key; known here are " + listed(known);
 }
@@ -110,16 +95,6 @@ std::optional<Field> entry_of(const Field& map, std::string_view key) {
                      entry.second};
     }
     return std::nullopt;
-}
-
-std::optional<std::string_view> meant(std::string_view word,
-                                      std::span<const std::string_view> known) {
-    if (word.size() >= 32 || known.empty()) return std::nullopt;
-    const auto edits = [word](std::string_view other) { return edits_between(word, other); };
-    const auto nearest = std::ranges::min_element(known, {}, edits);
-    // Two letters swapped are two edits.
-    const std::size_t most_edits = nearest->size() > 3 ? 2 : 1;
-    return edits(*nearest) <= most_edits ? std::optional(*nearest) : std::nullopt;
 }
 
 std::string listed(std::span<const std::string_view> words) {

@@ -54,6 +54,12 @@ class Faults {
         }
     }
 
+    /// What looks wrong and is taken as it is.
+    void warn(const Field& field, std::string_view sentence) {
+        warnings_.push_back(place(field.line, field.path) + std::string(sentence));
+    }
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
     /// "FILE:LINE: KEY.PATH: "
     [[nodiscard]] std::string place(int line, std::string_view path) const;
 
@@ -73,6 +79,7 @@ class Faults {
 
     std::string file_;
     std::vector<Found> found_;
+    std::vector<std::string> warnings_;
 };
 
 /// Reads the one YAML document that a configuration is; no text at all is an empty map. A second
@@ -85,10 +92,6 @@ std::vector<Field> entries(const Field& map, Faults& faults);
 
 /// One entry of a map, whatever the others are; nothing where it is not there.
 std::optional<Field> entry_of(const Field& map, std::string_view key);
-
-/// The word that somebody meant who misspelt it; nothing where none is near.
-std::optional<std::string_view> meant(std::string_view word,
-                                      std::span<const std::string_view> known);
 
 /// The words with commas between them.
 std::string listed(std::span<const std::string_view> words);

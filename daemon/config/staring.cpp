@@ -8,6 +8,7 @@
 #include <string>
 
 #include "daemon/config/numbers.h"
+#include "sim/text/likely_unit.h"
 #include "sim/text/quote.h"
 
 namespace scipd::daemon {
@@ -67,6 +68,9 @@ void read_rest(const Section& section, sim::StaringSpec& spec, Faults& faults) {
         faults.add(*section.find("range_m"),
                    "must be [NEAREST, FARTHEST] in metres, such as [0.1, 7.5]");
     }
+    constexpr double nearest_of_any_m = 10.0;
+    if (range_m[0] >= nearest_of_any_m && sim::could_be_millimetres(range_m))
+        faults.warn(*section.find("range_m"), sim::millimetres_for_metres(range_m));
     spec.min_range_m = range_m[0];
     spec.max_range_m = range_m[1];
     if (const Field* noise = section.find("noise")) read_noise(*noise, spec, faults);

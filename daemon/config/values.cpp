@@ -14,6 +14,7 @@
 #include "daemon/models/registry.h"
 #include "sim/backends/registry.h"
 #include "sim/loaders/file/plain_file.h"
+#include "sim/text/likely_unit.h"
 #include "sim/text/name.h"
 #include "sim/text/quote.h"
 
@@ -38,6 +39,11 @@ std::vector<std::string_view> split_at_commas(std::string_view text) {
         if (comma == text.npos) return parts;
         text.remove_prefix(comma + 1);
     }
+}
+
+/// Of X,Y,YAW and of X,Y,Z,ROLL,PITCH,YAW.
+bool is_angle(std::size_t index, std::size_t count) {
+    return index + 1 == count || index >= 3;
 }
 
 bool is_legal_in_names(char c) {
@@ -179,14 +185,23 @@ Expected<sim::Pose> parse_pose(std::string_view text) {
         return refuse("must be X,Y,YAW or X,Y,Z,ROLL,PITCH,YAW, not " + quote(text));
     std::array<double, 6> numbers{};  // X, Y, Z, ROLL, PITCH, YAW
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const bool is_yaw = i + 1 == parts.size();
-        const bool is_length = !is_yaw && i < 3;
-        const auto number = is_length ? parse_metres(parts[i]) : parse_radians(parts[i]);
+        const auto number =
+            is_angle(i, parts.size()) ? parse_radians(parts[i]) : parse_metres(parts[i]);
         if (!number) return tl::unexpected(number.error());
-        numbers[is_yaw ? 5 : i] = *number;
+        numbers[i + 1 == parts.size() ? 5 : i] = *number;
     }
     const auto& [x_m, y_m, z_m, roll_rad, pitch_rad, yaw_rad] = numbers;
     return sim::pose_from_rpy({x_m, y_m, z_m}, {roll_rad, pitch_rad, yaw_rad});
+}
+
+std::optional<std::string> degrees_in_pose(std::string_view text) {
+    const auto parts = split_at_commas(text);
+    std::vector<double> angles_rad;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (!is_angle(i, parts.size())) continue;
+        if (const auto angle_rad = parse_radians(parts[i])) angles_rad.push_back(*angle_rad);
+    }
+    return sim::degrees_for_radians(angles_rad);
 }
 
 Expected<Address> parse_address(std::string_view text) {

@@ -57,6 +57,9 @@ sim::Expected<ClockKind> parse_clock(std::string_view text);
 /// X,Y,YAW or X,Y,Z,ROLL,PITCH,YAW.
 sim::Expected<sim::Pose> parse_pose(std::string_view text);
 
+/// A warning where the angles of such a pose look like degrees.
+std::optional<std::string> degrees_in_pose(std::string_view text);
+
 /// ADDR:PORT, [IPv6]:PORT or localhost:PORT. The result's host is numeric.
 sim::Expected<Address> parse_address(std::string_view text);
 

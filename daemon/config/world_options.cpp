@@ -8,6 +8,7 @@
 
 #include "daemon/config/members.h"
 #include "daemon/config/numbers.h"
+#include "sim/text/likely_unit.h"
 
 namespace scipd::daemon {
 namespace {
@@ -30,6 +31,10 @@ void read_heights(const Field& field, sim::MapOptions& options, Faults& faults) 
     options.bottom_m = heights_m->front();
     options.top_m = heights_m->back();
     if (options.bottom_m >= options.top_m) faults.add(field, advice);
+    constexpr double higher_than_any_m = 500.0;
+    if (options.top_m - options.bottom_m >= higher_than_any_m &&
+        sim::could_be_millimetres(*heights_m))
+        faults.warn(field, sim::millimetres_for_metres(*heights_m));
 }
 
 sim::Expected<std::size_t> parse_megabytes(std::string_view text) {

@@ -19,6 +19,7 @@
 #include "daemon/config/values.h"
 #include "protocol/command_table.h"
 #include "sim/loaders/poses/small_json.h"
+#include "sim/text/near_word.h"
 #include "sim/text/quote.h"
 #include "sim/text/text_number.h"
 
@@ -151,7 +152,7 @@ void read_repetition(const Section& section, FaultRepetition& repetition, Faults
 }
 
 std::string unknown_kind(const std::string& name, std::span<const std::string_view> names) {
-    const auto near = meant(name, names);
+    const auto near = sim::meant(name, names);
     return "there is no kind " + sim::quote(name) + "; " +
            (near ? "did you mean " + std::string(*near) + "? There are " : "there are ") +
            listed(names);

@@ -24,11 +24,20 @@ constexpr std::size_t most_steps = 1000;
 constexpr std::array<std::string_view, 2> scenario_keys{"seed", "steps"};
 constexpr std::array<std::string_view, 1> sensor_key{"sensor"};
 
+bool is_sensor_name(std::string_view text) {
+    const auto slash = text.find('/');
+    return slash != text.npos && parse_name(text.substr(0, slash)) &&
+           parse_name(text.substr(slash + 1));
+}
+
 /// Reads one scenario.
 class ScenarioReader {
   public:
-    ScenarioReader(const std::vector<std::string>& sensors, const FaultKinds& kinds, Faults& faults)
-        : sensors_(sensors.begin(), sensors.end()), kinds_(kinds), faults_(faults) {}
+    ScenarioReader(const std::optional<std::vector<std::string>>& sensors, const FaultKinds& kinds,
+                   Faults& faults)
+        : kinds_(kinds), faults_(faults) {
+        if (sensors) sensors_.emplace(sensors->begin(), sensors->end());
+    }
 
     Scenario read(const YAML::Node& document);
 
@@ -38,7 +47,7 @@ class ScenarioReader {
     std::string read_sensor(const Field& map);
     [[nodiscard]] sim::Expected<std::string> parse_sensor(const std::string& text) const;
 
-    std::vector<std::string_view> sensors_;
+    std::optional<std::vector<std::string_view>> sensors_;
     const FaultKinds& kinds_;
     Faults& faults_;
 };
@@ -95,10 +104,16 @@ std::string ScenarioReader::read_sensor(const Field& map) {
 }
 
 sim::Expected<std::string> ScenarioReader::parse_sensor(const std::string& text) const {
-    if (text == "*" || std::ranges::find(sensors_, text) != sensors_.end()) return text;
+    if (text == "*") return text;
+    if (!sensors_) {
+        if (is_sensor_name(text)) return text;
+        return sim::refuse(R"(must be ROBOT/SENSOR, or "*" for every scanner, not )" +
+                           sim::quote(text));
+    }
+    if (std::ranges::find(*sensors_, text) != sensors_->end()) return text;
     const std::string refusal = "there is no scanner " + sim::quote(text);
-    if (sensors_.empty()) return sim::refuse(refusal + ", nor any other");
-    return sim::refuse(refusal + R"(; there are "*" for every one, )" + listed(sensors_));
+    if (sensors_->empty()) return sim::refuse(refusal + ", nor any other");
+    return sim::refuse(refusal + R"(; there are "*" for every one, )" + listed(*sensors_));
 }
 
 }  // namespace
@@ -111,7 +126,8 @@ bool Scenario::operator==(const Scenario& other) const {
 }
 
 Scenario parse_scenario(const std::string& text, const std::string& name,
-                        const std::vector<std::string>& sensors, const FaultKinds& kinds) {
+                        const std::optional<std::vector<std::string>>& sensors,
+                        const FaultKinds& kinds) {
     Faults faults{name};
     if (text.size() > largest_scenario) faults.add(1, {}, "larger than 1 MiB; split it");
     faults.throw_if_any();
@@ -121,7 +137,8 @@ Scenario parse_scenario(const std::string& text, const std::string& name,
     return scenario;
 }
 
-Scenario load_scenario(const std::filesystem::path& file, const std::vector<std::string>& sensors,
+Scenario load_scenario(const std::filesystem::path& file,
+                       const std::optional<std::vector<std::string>>& sensors,
                        const FaultKinds& kinds) {
     std::string text;
     try {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,12 +34,14 @@ struct Scenario {
 };
 
 /// `name` stands before each fault of the text: "FILE:LINE: KEY: sentence", where the third step is
-/// "steps.3". `sensors` are the scanners that there are. Throws ConfigError with all faults.
+/// "steps.3". `sensors` are the scanners that there are; nothing: any name will do. Throws
+/// ConfigError with all faults.
 Scenario parse_scenario(const std::string& text, const std::string& name,
-                        const std::vector<std::string>& sensors,
+                        const std::optional<std::vector<std::string>>& sensors,
                         const FaultKinds& kinds = fault_kinds());
 /// The same of a file, which may be missing or too long.
-Scenario load_scenario(const std::filesystem::path& file, const std::vector<std::string>& sensors,
+Scenario load_scenario(const std::filesystem::path& file,
+                       const std::optional<std::vector<std::string>>& sensors,
                        const FaultKinds& kinds = fault_kinds());
 
 }  // namespace scipd::daemon

@@ -47,8 +47,4 @@ struct Model {
 /// the optics stays.
 Model make_model(const protocol::DeviceProfile& profile, sim::SensorSpec optics, Sureness sureness);
 
-/// One line: the name, then range, steps, rate, links, commands, texts, noise, bias and light, with
-/// the evidence for each.
-[[nodiscard]] std::string describe(const Model& model);
-
 }  // namespace scipd::daemon

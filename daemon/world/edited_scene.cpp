@@ -3,15 +3,21 @@
 #include "daemon/world/edited_scene.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 #include <variant>
 
 #include "daemon/world/inline_mesh.h"
+#include "daemon/world/outside_world.h"
 #include "sim/loaders/file/allowed_folder.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/sdf/resources.h"
+#include "sim/text/likely_unit.h"
+#include "sim/world/extent.h"
 
 namespace scipd::daemon {
 namespace {
@@ -117,6 +123,16 @@ std::size_t triangles_of(const AddedTriangles& added) {
     return triangles;
 }
 
+/// Models that are not wanted yet may lie far outside on purpose, so that this is no warning.
+std::optional<std::string> note_of_place(const AddModel& edit, const sim::Scene& scene) {
+    const auto& pose = edit.placement.world_from_model;
+    if (!pose) return std::nullopt;
+    const glm::dvec3& at_m = pose->translation_m;
+    // Mostly that is enough to know, and it takes no look at the whole world.
+    if (!sim::could_be_millimetres(std::array{at_m.x, at_m.y, at_m.z})) return std::nullopt;
+    return millimetres_beside(sim::extent_of(scene), at_m);
+}
+
 EditedOrNot with_model(const AddModel& edit, const PresentScene& present) {
     sim::SharedScene scene = present.scene;
     const std::string& name = edit.placement.name;
@@ -134,7 +150,11 @@ EditedOrNot with_model(const AddModel& edit, const PresentScene& present) {
     std::size_t& triangles = all[name];
     if (!within(present.limits, Limit::added_models, all.size()))
         return too_much(Limit::added_models, present);
+    if (present.options.sdf.strict && !edit.warnings.empty()) throw sim::LoadError(edit.warnings);
     auto [added, warnings, notes] = load_model(edit, present);
+    std::ranges::copy(edit.warnings, std::back_inserter(warnings));
+    if (const auto note = note_of_place(edit, *present.scene))
+        notes.push_back("pose.xyz: " + *note);
     triangles = triangles_of(*added);
     if (!within(present.limits, Limit::added_triangles, triangles_of(all)))
         return too_much(Limit::added_triangles, present);

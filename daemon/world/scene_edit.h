@@ -32,6 +32,7 @@ struct AddModel {
     double scale = 1.0;       ///< of a mesh
     std::string material;     ///< of a whole mesh; empty: those of its file
     bool replace = false;     ///< it takes the place of a model of the same name
+    std::vector<std::string> warnings = {};  ///< about what was asked for
 };
 
 struct RemoveModel {

@@ -11,20 +11,13 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "sim/world/bounds.h"
+#include "sim/world/extent.h"
 
 namespace scipd::sim {
 namespace {
 
 /// Up to here floats are less than 0.1 mm apart.
 constexpr double near_m = 1000.0;
-
-Bounds bounds_in_world(const Scene& scene, const Object& object) {
-    Bounds bounds;
-    bounds.include(bounds_of(object.shape),
-                   scene.models[object.model].world_from_model * object.model_from_object);
-    return bounds;
-}
 
 double largest(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});

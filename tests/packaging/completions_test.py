@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 """
-What shells offer, asked of the shells themselves: completions_test.py COMPLETIONS. A shell that is not there is left
-out, but bash must be.
+What shells offer, asked of the shells themselves: completions_test.py COMPLETIONS BIN WORLD. A shell that is not there
+is left out, but bash must be. A scipd runs meanwhile, whose names they offer.
 """
+import contextlib
+import os
 import pathlib
 import re
 import shutil
@@ -12,7 +14,7 @@ import subprocess
 import sys
 import tempfile
 
-FOLDER = pathlib.Path(sys.argv[1]).resolve()
+FOLDER, BIN, WORLD = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 
 # What is typed up to the cursor, and words that must be offered, and words that must not.
 CASES = [
@@ -31,6 +33,18 @@ CASES = [
     ("scipctl scene medium ", ["fog", "rain"], ["list"]),
     ("scipctl completion ", ["bash", "zsh", "fish"], ["status"]),
     ("scipbench com", ["compare", "completion"], ["table3"]),
+    ("scipd --vers", ["--version"], ["--help"]),
+    ("scipctl --vers", ["--version"], ["--help"]),
+    ("scipctl pose get --", ["--json"], ["--version"]),
+    # What the scipd that runs meanwhile knows.
+    ("scipctl fault start ", ["tank/top", "stall", "reboot"], ["tank"]),
+    ("scipctl fault start tank/top st", ["stall", "status"], ["freeze"]),
+    ("scipctl fault stop ", ["tank/top"], ["stall"]),
+    ("scipctl truth ", ["tank/top"], ["tank"]),
+    ("scipctl pose set ", ["tank"], ["tank/top"]),
+    ("scipctl pose play --robot ", ["tank"], ["tank/top"]),
+    ("scipctl scene remove ", ["room"], ["tank"]),
+    ("scipcat plot x --truth ", ["tank/top"], ["tank"]),
 ]
 
 # Where a file is due. zsh offers files beside these completions, and bash where they offer nothing.
@@ -66,7 +80,8 @@ def zsh(program, line, home):
 
 
 def run(command, home):
-    environment = {"HOME": str(home), "PATH": "/usr/bin:/bin", "TERM": "dumb", "LC_ALL": "C.UTF-8"}
+    environment = {"HOME": str(home), "PATH": f"{BIN}:/usr/bin:/bin", "TERM": "dumb", "LC_ALL": "C.UTF-8",
+                   "XDG_RUNTIME_DIR": str(home)}
     done = subprocess.run(command, capture_output=True, text=True, timeout=60, env=environment, check=True)
     return [line.split("\t")[0].strip() for line in done.stdout.splitlines()]
 
@@ -84,9 +99,23 @@ def faults(shell, line, wanted, unwanted, home):
             yield f"{shell.__name__}: {line!r} offers {word}"
 
 
+@contextlib.contextmanager
+def running_scipd(home):
+    daemon = subprocess.Popen(
+        [BIN / "scipd", "--scene", WORLD, "--name", "tank/top", "--tcp", "none"], stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL, text=True,
+        env={key: value for key, value in os.environ.items() if key != "RUNTIME_DIRECTORY"} | {"XDG_RUNTIME_DIR": home})
+    try:
+        assert "ready" in daemon.stdout.readline()
+        yield
+    finally:
+        daemon.terminate()
+        daemon.wait(timeout=30)
+
+
 def main():
     found = []
-    with tempfile.TemporaryDirectory() as home:
+    with tempfile.TemporaryDirectory() as home, running_scipd(home):
         for shell in (bash, zsh, fish):
             if shutil.which(shell.__name__) is None:
                 print(f"{shell.__name__} is not here")

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 """
-Man pages tell all that --help and docs/configuration.md tell, and groff and mandoc find no fault in them.
+Man pages tell all that --help and docs/configuration.md tell, and groff and mandoc find no fault in them. --help fits a
+terminal, and has nothing in the words of the library that reads options.
 
   man_pages_test.py PAGES BIN SOURCES
 """
@@ -47,6 +48,15 @@ def words_of(help_text):
             yield line.strip().replace("`", "")
 
 
+def faults_of_help(help_text):
+    """Lines are wider only where a single word is, or an example."""
+    for line in help_text.splitlines():
+        if re.search(r"\b(INT|UINT|FLOAT|ENUM)\b|Excludes:|Needs:|REQUIRED|2147483647|PATH\(", line):
+            yield f"--help is not for people: {line}"
+        if line.startswith(" " * 30) and len(line) > 100:
+            yield f"--help has a line of {len(line)} columns: {line}"
+
+
 def keys_of(page):
     return re.findall(r"^\| `([a-z_0-9]+)` \|", page, re.MULTILINE)
 
@@ -74,7 +84,9 @@ def main():
         if page.name == "scipd.yaml.5":
             expected = keys_of((SOURCES / "docs/configuration.md").read_text())
         else:
-            expected = [words for help_ in helps(BIN / page.stem) for words in words_of(help_)]
+            texts = list(helps(BIN / page.stem))
+            expected = [words for help_ in texts for words in words_of(help_)]
+            faults += [fault for help_ in texts for fault in faults_of_help(help_)]
         assert len(expected) > 5, (page, expected)
         faults += faults_in(page, text, expected)
     sys.exit("\n".join(faults) or None)

@@ -78,7 +78,9 @@ std::vector<std::string> all_models() {
     list.wait();
     std::istringstream lines(list.standard_output());
     std::vector<std::string> models;
-    for (std::string line; std::getline(lines, line);)
+    std::string line;
+    std::getline(lines, line);  // the titles of the first table, which ends with an empty line
+    while (std::getline(lines, line) && !line.empty())
         models.push_back(line.substr(0, line.find(' ')));
     return models;
 }

@@ -69,10 +69,10 @@ void add_setup(CLI::App& fleet, FleetSetup& setup) {
     fleet
         .add_option("--moving", setup.moving,
                     "so many boxes go round among them, by 50 poses a second each")
-        ->check(CLI::Range(0, 10'000))
+        ->check(whole_within(0, 10'000))
         ->option_text("N [0]");
     fleet.add_option("--threads", setup.threads, "how many threads the scanners live on")
-        ->check(CLI::Range(1, 1024))
+        ->check(whole_within(1, 1024))
         ->option_text("N [scipd's own choice]");
     fleet.add_option("--scipd", setup.scipd, "program to measure")
         ->option_text("PROGRAM [the one beside scipbench]");
@@ -90,14 +90,14 @@ void add_fleet(CLI::App& program) {
         "scan, what they cost and what limits");
     add_setup(*fleet, question.setup);
     fleet->add_option("-s,--seconds", asked->seconds, "how long each run streams")
-        ->check(CLI::Range(1, 1'000'000))
+        ->check(whole_within(1, 1'000'000))
         ->capture_default_str();
     auto* const scanners =
         fleet->add_option("-n,--scanners", question.scanners, "run so many, and do not search")
-            ->check(CLI::Range(1, most_scanners))
+            ->check(whole_within(1, most_scanners))
             ->option_text("N");
     auto* const most = fleet->add_option("--most", question.most, "try no more than so many")
-                           ->check(CLI::Range(1, most_scanners))
+                           ->check(whole_within(1, most_scanners))
                            ->excludes(scanners)
                            ->option_text("N");
     auto* const csv = fleet->add_option("--csv", question.csv, "table to write, a run a line")

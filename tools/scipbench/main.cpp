@@ -156,7 +156,7 @@ void add_load(CLI::App& program, Said& said) {
         ->check(is_target)
         ->option_text("...");
     load->add_option("-s,--seconds", said.seconds, "how long")
-        ->check(CLI::Range(1, 1'000'000))
+        ->check(whole_within(1, 1'000'000))
         ->capture_default_str();
     load->add_flag("--json", said.json, "as a JSON document");
     load->callback([&said] { run_load(said); });
@@ -193,7 +193,7 @@ void add_table_options(CLI::App& command, Said& said) {
         ->check(can_be_written)
         ->option_text("FILE.csv");
     command.add_option("-n,--repetitions", said.repetitions, "how often each measurement is made")
-        ->check(CLI::Range(2, 100'000))
+        ->check(whole_within(2, 100'000))
         ->capture_default_str();
 }
 
@@ -222,7 +222,7 @@ int main(int argc, char** argv) {
         ->check(is_model)
         ->option_text("MODEL");
     compare->add_option("--poses", said.poses, "how many scans to make, each from another place")
-        ->check(CLI::Range(2, 100'000))
+        ->check(whole_within(2, 100'000))
         ->capture_default_str();
     compare->add_flag("--json", said.json, "as a JSON document");
     compare

@@ -119,9 +119,9 @@ void add_plot_command(CLI::App& program) {
         program.add_subcommand("plot", "draw one scan from above, in the terminal or as a picture");
     const auto options = std::make_shared<PlotOptions>();
     options->connection.add_to(*command);
-    command->add_option("-o,--output", options->file, "the picture (default: in the terminal)")
+    command->add_option("-o,--output", options->file, "the picture; default: in the terminal")
         ->check(ends_in(".png", ".svg"));
-    command->add_option("--title", options->title, "title (default: the model)");
+    command->add_option("--title", options->title, "title; default: the model");
     options->scan.add_to(*command);
     command->add_flag("--echoes", options->scan.echoes,
                       "draw the second and third echoes as well, as other marks");

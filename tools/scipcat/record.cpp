@@ -2,10 +2,10 @@
 // Copyright The scipd authors
 #include <cstdint>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <string>
 
+#include "tools/options.h"
 #include "tools/scipcat/commands.h"
 #include "tools/scipcat/scan_options.h"
 #include "tools/scipcat/scan_writer.h"
@@ -83,8 +83,8 @@ void add_record_command(CLI::App& program) {
     command->add_option("-o,--output", options->file, "the recording; an old file is replaced")
         ->required()
         ->check(ends_in(".csv", ".jsonl"));
-    command->add_option("-n,--scans", options->scans, "how many scans (default: until Ctrl-C)")
-        ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+    command->add_option("-n,--scans", options->scans, "how many scans; default: until Ctrl-C")
+        ->check(whole_from(1));
     options->scan.add_to(*command);
     command->add_flag("--echoes", options->scan.echoes,
                       "ask for every echo (UTM-30LX-EW, UXM-30LX)");

@@ -32,7 +32,7 @@ void ConnectionOptions::add_to(CLI::App& command) {
         ->required()
         ->check(CLI::Validator(why_no_target, "", "target"));
     command.add_option("--baud", baud, "rate of a tty; means nothing to a USB scanner")
-        ->check(CLI::Range(1200, 4'000'000))
+        ->check(whole_within(1200, 4'000'000))
         ->capture_default_str();
     command.add_option("--timeout", timeout_s, "seconds to wait for each answer")
         ->check(number_within(0.01, 3600.0))
@@ -49,14 +49,14 @@ Scanner ConnectionOptions::open() const {
 }
 
 void ScanOptions::add_to(CLI::App& command) {
-    const CLI::Range steps(0, max_step);
+    const CLI::Validator steps = whole_within(0, max_step);
     command
-        .add_option("--start", start, "first step (default: the first that the scanner measures)")
+        .add_option("--start", start, "first step; default: the first that the scanner measures")
         ->check(steps);
-    command.add_option("--end", end, "last step (default: the last that the scanner measures)")
+    command.add_option("--end", end, "last step; default: the last that the scanner measures")
         ->check(steps);
     command.add_option("--cluster", cluster, "how many neighbouring steps give one value")
-        ->check(CLI::Range(1, max_cluster))
+        ->check(whole_within(1, max_cluster))
         ->capture_default_str();
     command.add_flag("--intensity", intensity, "ask for intensities as well");
 }

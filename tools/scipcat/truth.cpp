@@ -108,9 +108,8 @@ const Truth::Echo* nearest(const std::vector<Truth::Echo>& echoes, double range_
 
 void TruthOptions::add_to(CLI::App& command) {
     control = daemon::usual_control_socket();
-    command.add_option(
-        "--truth", sensor,
-        "the scanner's name in its scipd, as ROBOT/SENSOR (default: by its address)");
+    command.add_option("--truth", sensor,
+                       "the scanner's name in its scipd, as ROBOT/SENSOR; default: by its address");
     named_ = command.add_option("--control", control, "that scipd's control socket")
                  ->capture_default_str();
 }

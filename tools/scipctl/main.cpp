@@ -2,6 +2,8 @@
 // Copyright The scipd authors
 //
 // scipctl: talks to a running scipd over its control socket.
+#include <string>
+
 #include <CLI/CLI.hpp>
 
 #include "daemon/config/run_directory.h"
@@ -9,6 +11,34 @@
 #include "tools/options.h"
 #include "tools/scipctl/commands.h"
 #include "tools/which_scipd.h"
+
+namespace {
+
+/// What only the running scipd knows, which the shell asks as somebody types.
+scipd::daemon::MoreWords names_from_scipd() {
+    const std::string sensors = "$(scipctl sensors --names 2>/dev/null) ";
+    const std::string robots = "$(scipctl sensors --robots 2>/dev/null) ";
+    const std::string models = "$(scipctl scene list --names 2>/dev/null) ";
+    const std::string kinds = "$(scipctl fault kinds --names 2>/dev/null) ";
+    return {
+        {"/fault/list", sensors},
+        {"/fault/log", sensors},
+        {"/fault/start", sensors + kinds},
+        {"/fault/stop", sensors},
+        {"/fleet/move", robots + models},
+        {"/fleet/remove", models},
+        {"/pose/get", robots},
+        {"/pose/play/--robot", robots},
+        {"/pose/set", robots},
+        {"/pose/stream/--robot", robots},
+        {"/reading", sensors},
+        {"/scene/move", models},
+        {"/scene/remove", models},
+        {"/truth", sensors},
+    };
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
     using namespace scipd::tools;
@@ -31,9 +61,7 @@ int main(int argc, char** argv) {
     add_scenario_command(program, control);
     add_reading_command(program, control);
     add_truth_command(program, control);
-    // A running scipd knows them.
-    add_completion_command(program,
-                           {{"/fault/start", "$(scipctl fault kinds --names 2>/dev/null) "}});
+    add_completion_command(program, names_from_scipd());
     program.footer(
         "Examples:\n"
         "  scipctl status\n"

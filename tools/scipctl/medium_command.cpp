@@ -34,16 +34,15 @@ struct NumberOption {
 };
 
 constexpr NumberOption number_options[] = {
-    {"--visibility", "visibility_m", 0.5, 1e5,
-     "of fog and dust: how far people see, in m, from 0.5 to 100000"},
+    {"--visibility", "visibility_m", 0.5, 1e5, "of fog and dust: how far people see, in m"},
     {"--rate", "mm_per_hour", 0.0, 500.0,
-     "of rain and snow: how much water comes down, in mm an hour, from 0 to 500"},
+     "of rain and snow: how much water comes down, in mm an hour"},
     {"--extinction", "extinction_per_m", 0.0, 100.0,
-     "of custom: light that goes R metres loses all but exp(-EXTINCTION R), from 0 to 100"},
+     "of custom: light that goes R metres loses all but exp(-EXTINCTION R)"},
     {"--returns", "returns_per_m", 0.0, 1000.0,
-     "of custom: how many drops a beam meets on a metre, from 0 to 1000"},
+     "of custom: how many drops a beam meets on a metre"},
     {"--brightness", "brightness", 0.0, 10.0,
-     "of custom: what a drop sends back, 1 for as much as a white wall, from 0 to 10"},
+     "of custom: what a drop sends back, 1 for as much as a white wall"},
 };
 
 /// The options that each kind has; it needs the first.
@@ -199,7 +198,8 @@ void add_medium_command(CLI::App& scene, const ControlOptions& control) {
     }
     command
         ->add_option("--box", options->box_m,
-                     "X,Y,Z,X,Y,Z: two corners of the box that it fills; without it, everywhere")
+                     "two corners of the box that it fills; without it, everywhere")
+        ->type_name("X,Y,Z,X,Y,Z")
         ->delimiter(',')
         ->expected(6)
         ->check(number_within(-1e7, 1e7));

@@ -31,6 +31,7 @@ void put_model_options(const ModelOptions& options, ControlClient::Json& body) {
 }
 
 sim::Pose pose_of(const std::string& text) {
+    warn_of_degrees(text);
     if (const auto pose = parse_pose_text(text)) return *pose;
     throw CLI::ValidationError("\"" + text + "\" is no pose: write X,Y,YAW or X,Y,Z,R,P,Y");
 }

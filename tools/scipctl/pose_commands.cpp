@@ -9,6 +9,7 @@
 #include "sim/loaders/poses/pose_line.h"
 #include "tools/control_client.h"
 #include "tools/scipctl/commands.h"
+#include "tools/scipctl/model_options.h"
 #include "tools/scipctl/pose_text.h"
 #include "tools/scipctl/robots.h"
 
@@ -39,9 +40,9 @@ void get_pose(const ControlOptions& control, const GetOptions& options) {
 }
 
 void set_pose(const ControlOptions& control, const SetOptions& options) {
+    const sim::Pose pose = pose_of(options.words.back());
     ControlClient client(control.socket);
     const std::string wanted = options.words.size() == 2 ? options.words.front() : std::string();
-    const auto pose = *parse_pose_text(options.words.back());
     client.put(pose_path(choose_robot(client, wanted)), pose_body({.pose = pose}));
 }
 
@@ -61,13 +62,7 @@ void add_set_command(CLI::App& pose, const ControlOptions& control) {
                      "POSE is X,Y,YAW or X,Y,Z,R,P,Y in metres and radians")
         ->required()
         ->expected(1, 2);
-    command->callback([&control, options] {
-        if (!parse_pose_text(options->words.back())) {
-            throw CLI::ValidationError("\"" + options->words.back() +
-                                       "\" is no pose: write X,Y,YAW or X,Y,Z,R,P,Y");
-        }
-        set_pose(control, *options);
-    });
+    command->callback([&control, options] { set_pose(control, *options); });
     command->footer(
         "Examples:\n"
         "  scipctl pose set 1.5,2,3.14159\n"

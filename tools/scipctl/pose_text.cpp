@@ -7,7 +7,11 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <iostream>
+#include <span>
 #include <vector>
+
+#include "sim/text/likely_unit.h"
 
 namespace scipd::tools {
 namespace {
@@ -24,27 +28,40 @@ nlohmann::ordered_json three(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
-}  // namespace
-
-std::optional<sim::Pose> parse_pose_text(std::string_view text) {
+/// Separated by commas; none where the text is anything else.
+std::vector<double> numbers_of(std::string_view text) {
     std::vector<double> numbers;
     const char* place = text.data();
     const char* const end = text.data() + text.size();
     for (;;) {
         double number = 0.0;
         const auto [stop, error] = std::from_chars(place, end, number);
-        if (error != std::errc{} || !std::isfinite(number)) return std::nullopt;
+        if (error != std::errc{} || !std::isfinite(number)) return {};
         numbers.push_back(number);
-        if (stop == end) break;
-        if (*stop != ',') return std::nullopt;
+        if (stop == end) return numbers;
+        if (*stop != ',') return {};
         place = stop + 1;
     }
+}
+
+}  // namespace
+
+std::optional<sim::Pose> parse_pose_text(std::string_view text) {
+    const std::vector<double> numbers = numbers_of(text);
     if (numbers.size() == 3) {
         return sim::pose_from_rpy({numbers[0], numbers[1], 0.0}, {0.0, 0.0, numbers[2]});
     }
     if (numbers.size() != 6) return std::nullopt;
     return sim::pose_from_rpy({numbers[0], numbers[1], numbers[2]},
                               {numbers[3], numbers[4], numbers[5]});
+}
+
+void warn_of_degrees(std::string_view text) {
+    const std::vector<double> numbers = numbers_of(text);
+    const std::size_t lengths = numbers.size() == 3 ? 2 : 3;
+    if (numbers.size() <= lengths) return;
+    if (const auto warning = sim::degrees_for_radians(std::span(numbers).subspan(lengths)))
+        std::cerr << "warning: " << *warning << '\n';
 }
 
 std::string pose_text(const sim::Pose& pose) {

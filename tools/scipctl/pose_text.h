@@ -18,6 +18,9 @@ namespace scipd::tools {
 /// Reads X,Y,YAW or X,Y,Z,R,P,Y in metres and radians; nothing if the text is neither.
 [[nodiscard]] std::optional<sim::Pose> parse_pose_text(std::string_view text);
 
+/// Tells on standard error where the angles of such a pose look like degrees.
+void warn_of_degrees(std::string_view text);
+
 /// Writes X,Y,Z,R,P,Y, which parse_pose_text() reads.
 [[nodiscard]] std::string pose_text(const sim::Pose& pose);
 

@@ -33,6 +33,7 @@ struct LoadOptions {
 
 struct ListOptions {
     bool sensors = false;
+    bool names = false;
     bool json = false;
 };
 
@@ -99,6 +100,11 @@ void list_sensors(const Json& scene) {
 void list(const ControlOptions& control, const ListOptions& options) {
     ControlClient client(control.socket);
     const Json scene = client.get("/scene");
+    if (options.names) {
+        for (const Json& model : scene.at("models"))
+            std::cout << model.at("name").get<std::string>() << '\n';
+        return;
+    }
     if (options.json) {
         std::cout << json_text(options.sensors ? scene.at("sensors") : scene, 2) << '\n';
         return;
@@ -180,6 +186,7 @@ void add_list_command(CLI::App& scene, const ControlOptions& control) {
     command->add_flag("--sensors", options->sensors,
                       "the lidars that the files of the world describe (see scipd --sensor-from), "
                       "and the model that comes closest to each");
+    command->add_flag("--names", options->names, "the names of the models alone, one a line");
     command->add_flag("--json", options->json, "as a JSON document");
     command->callback([&control, options] { list(control, *options); });
 }

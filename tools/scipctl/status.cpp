@@ -4,10 +4,12 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tools/control_client.h"
 #include "tools/scipctl/commands.h"
+#include "tools/scipctl/robots.h"
 #include "tools/scipctl/table.h"
 
 namespace scipd::tools {
@@ -62,18 +64,40 @@ void print_status(const Json& status) {
     print_sensors(status.value("sensors", Json::array()));
 }
 
+struct ShownOptions {
+    bool json = false;
+    bool names = false;
+    bool robots = false;
+};
+
+/// The names alone, one a line, as completions want them.
+void print_names(ControlClient& client, const ShownOptions& options) {
+    if (options.robots) {
+        for (const std::string& robot : robots(client))
+            std::cout << robot << '\n';
+    }
+    if (!options.names) return;
+    for (const Json& sensor : client.get("/sensors"))
+        std::cout << text(sensor, "name") << '\n';
+}
+
 /// Adds `scipctl NAME`, which shows the document at /NAME.
-void add_command(CLI::App& program, const ControlOptions& control, const std::string& name,
-                 const std::string& description, void (*print)(const Json&)) {
+std::pair<CLI::App*, std::shared_ptr<ShownOptions>> add_command(CLI::App& program,
+                                                                const ControlOptions& control,
+                                                                const std::string& name,
+                                                                const std::string& description,
+                                                                void (*print)(const Json&)) {
     auto* const command = program.add_subcommand(name, description);
-    const auto json = std::make_shared<bool>(false);
-    command->add_flag("--json", *json, "as a JSON document");
+    const auto options = std::make_shared<ShownOptions>();
+    command->add_flag("--json", options->json, "as a JSON document");
     command->callback([=, &control] {
         ControlClient client(control.socket);
+        if (options->names || options->robots) return print_names(client, *options);
         const Json document = client.get("/" + name);
-        if (!*json) return print(document);
+        if (!options->json) return print(document);
         std::cout << json_text(document, 2) << '\n';
     });
+    return {command, options};
 }
 
 }  // namespace
@@ -81,7 +105,10 @@ void add_command(CLI::App& program, const ControlOptions& control, const std::st
 void add_status_commands(CLI::App& program, const ControlOptions& control) {
     add_command(program, control, "status", "tell how scipd and its sensors are doing",
                 print_status);
-    add_command(program, control, "sensors", "list the sensors", print_sensors);
+    const auto [sensors, options] =
+        add_command(program, control, "sensors", "list the sensors", print_sensors);
+    sensors->add_flag("--names", options->names, "their names alone, one a line");
+    sensors->add_flag("--robots", options->robots, "the names of the robots alone, one a line");
 }
 
 }  // namespace scipd::tools

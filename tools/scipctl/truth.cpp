@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tools/control_client.h"
+#include "tools/options.h"
 #include "tools/scipctl/commands.h"
 #include "tools/scipctl/sensor_question.h"
 #include "tools/scipctl/table.h"
@@ -120,9 +121,8 @@ void add_truth_command(CLI::App& program, const ControlOptions& control) {
     command->add_option("--scan", options->scan,
                         "the number of a scan of the last second; default: the latest");
     command->add_option("--from", options->from, "the first step of the table")
-        ->check(CLI::NonNegativeNumber);
-    command->add_option("--to", options->to, "the last step of the table")
-        ->check(CLI::NonNegativeNumber);
+        ->check(whole_from(0));
+    command->add_option("--to", options->to, "the last step of the table")->check(whole_from(0));
     command->add_flag("--json", options->json, "as a JSON document, with all steps");
     command->callback([&control, options] { show(control, *options); });
 }

@@ -214,6 +214,10 @@ TrajectoryFormat guessed_format(std::string_view text) {
     return cells_of(first, ' ').size() == 12 ? TrajectoryFormat::kitti : TrajectoryFormat::tum;
 }
 
+TrajectoryFormat format_of(const fs::path& file) {
+    return guessed_format(read_text(file, largest_trajectory, "name a trajectory"));
+}
+
 Stamps parse_stamps(std::string_view text, const fs::path& file) {
     using Seconds = std::chrono::duration<double>;
     std::vector<Time> times;

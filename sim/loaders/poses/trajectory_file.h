@@ -40,5 +40,6 @@ Trajectory parse_trajectory(std::string_view text, const std::filesystem::path& 
 
 /// The format that the file's first lines look like.
 TrajectoryFormat guessed_format(std::string_view text);
+TrajectoryFormat format_of(const std::filesystem::path& file);
 
 }  // namespace scipd::sim

@@ -349,8 +349,19 @@ TEST_F(RoutesTest, AModelIsAskedFor) {
     EXPECT_EQ(
         ask({"POST", "/scene/models", "", R"({"name":"c","file":"shelf","static":true})"}).status,
         201);
-    ASSERT_EQ(api_.edits_.size(), 4U);
+    EXPECT_EQ(ask({"POST", "/scene/models", "",
+                   R"({"name":"a","sdf":"<model/>","pose":{"xyz":[1,2,3],"rpy":[0,0,90]}})"})
+                  .status,
+              201);
+    ASSERT_EQ(api_.edits_.size(), 5U);
+    const auto& turned = std::get<AddModel>(api_.edits_[4]);
+    EXPECT_EQ(turned.placement.world_from_model, sim::pose_from_rpy({1, 2, 3}, {0, 0, 90}));
+    EXPECT_THAT(
+        turned.warnings,
+        ElementsAre("pose.rpy: 0, 0, 90 looks like degrees, but angles are radians; did you "
+                    "mean 0, 0, 1.5708?"));
     const auto& text = std::get<AddModel>(api_.edits_[0]);
+    EXPECT_TRUE(text.warnings.empty());
     EXPECT_EQ(text.placement.name, "a");
     EXPECT_EQ(text.placement.world_from_model, sim::pose_from_rpy({1, 2, 3}, {0, 0, 1.5}));
     EXPECT_EQ(text.sdf, "<model/>");

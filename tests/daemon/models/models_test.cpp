@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "daemon/models/model_list.h"
 #include "daemon/models/profile_check.h"
 #include "daemon/models/registry.h"
 #include "protocol/device_state.h"
@@ -82,28 +83,45 @@ TEST_P(EveryModel, IsNamedByTheFirmwareThatItTells) {
 }
 
 TEST_P(EveryModel, SaysHowSureEachFigureIs) {
-    const std::string sure = " \\((seen|documented|deduced)\\)";
-    EXPECT_THAT(
-        describe(GetParam()),
-        testing::MatchesRegex("[^ ]+@[^ ]+  [0-9]+-[0-9]+ mm" + sure +
-                              ", steps [0-9]+-[0-9]+ of [0-9]+" + sure + ", [0-9.]+ Hz" + sure +
-                              "; (USB|USB, RS-232|Ethernet)" + sure + "; VV PP II [^;]+" + sure +
-                              "; texts (seen|documented|deduced), noise "
-                              "(seen|documented|deduced), bias (seen|documented|deduced), light "
-                              "(seen|documented|deduced)"));
+    const std::string sure = " +(seen|doc|ded)";
+    std::string row = "[^ ]+@[^ ]+";
+    for (int i = 0; i < 9; ++i)
+        row += sure;
+    EXPECT_THAT(list_of({&GetParam(), 1}),
+                testing::MatchesRegex(
+                    "MODEL +LINKS +RANGE mm +STEPS +SCANS\n"
+                    "[^ ]+@[^ ]+  (USB|USB, RS-232|Ethernet) +[0-9]+-[0-9]+ +[0-9]+-[0-9]+ "
+                    "of [0-9]+ +[0-9.]+ Hz\n\n"
+                    "MODEL +COMMANDS\n[^ ]+@[^ ]+  VV PP II [^\n]+\n\n[^\n]+\n[^\n]+\n\n"
+                    "MODEL +LINKS +RANGE +STEPS +SCANS +COMMANDS +TEXTS +NOISE +BIAS +LIGHT\n" +
+                    row + "\n"));
 }
 
-TEST(Describe, ListsTheCommandsThatAreCarriedOut) {
-    EXPECT_EQ(describe(find_model("URG-04LX@3.1.04")),
-              "URG-04LX@3.1.04  20-5600 mm (seen), steps 44-725 of 1024 (seen), 10 Hz (seen); "
-              "USB, RS-232 (documented); VV PP II BM QT RS GD GS MD MS TM0 TM1 TM2 SS CR SCIP2.0, "
-              "SCIP 1.1 (documented); texts seen, noise documented, bias deduced, "
-              "light deduced");
-    EXPECT_EQ(describe(find_model("UST-30LC@4.1.0b-A")),
-              "UST-30LC@4.1.0b-A  23-60000 mm (documented), steps 0-1080 of 1440 (documented), "
-              "40 Hz (documented); Ethernet (documented); VV PP II %ST BM QT %SL RS RT RB GD GE MD "
-              "ME TM0 TM1 TM2 %MD %ME %TM1 $IP (documented); texts documented, noise deduced, bias "
-              "deduced, light deduced");
+TEST(ListOfModels, ListsTheCommandsThatAreCarriedOut) {
+    const std::vector<Model> two{find_model("URG-04LX@3.1.04"), find_model("UST-30LC@4.1.0b-A")};
+    EXPECT_THAT(list_of(two),
+                testing::StartsWith(
+                    "MODEL              LINKS        RANGE mm  STEPS           SCANS\n"
+                    "URG-04LX@3.1.04    USB, RS-232  20-5600   44-725 of 1024  10 Hz\n"
+                    "UST-30LC@4.1.0b-A  Ethernet     23-60000  0-1080 of 1440  40 Hz\n"
+                    "\n"
+                    "MODEL              COMMANDS\n"
+                    "URG-04LX@3.1.04    VV PP II BM QT RS GD GS MD MS TM0 TM1 TM2 SS CR SCIP2.0, "
+                    "SCIP 1.1\n"
+                    "UST-30LC@4.1.0b-A  VV PP II %ST BM QT %SL RS RT RB GD GE MD ME TM0 TM1 TM2 "
+                    "%MD %ME %TM1 $IP\n"));
+    EXPECT_THAT(list_of(two),
+                testing::EndsWith(
+                    "MODEL              LINKS  RANGE  STEPS  SCANS  COMMANDS  TEXTS  NOISE  BIAS  "
+                    "LIGHT\n"
+                    "URG-04LX@3.1.04    doc    seen   seen   seen   doc       seen   doc    ded   "
+                    "ded\n"
+                    "UST-30LC@4.1.0b-A  doc    doc    doc    doc    doc       doc    ded    ded   "
+                    "ded\n"));
+}
+
+TEST(ListOfModels, FitsATerminal) {
+    EXPECT_LE(longest_line(list_of(models())), 100U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, EveryModel, testing::ValuesIn(models()), [](const auto& model) {

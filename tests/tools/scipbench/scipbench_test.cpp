@@ -49,6 +49,12 @@ bool cannot_draw(const Outcome& outcome) {
     return outcome.err.find("scipd --probe") != std::string::npos;
 }
 
+TEST(Scipbench, TellsItsVersion) {
+    const Outcome outcome = scipbench({"--version"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.out, "scipbench " SCIPD_VERSION "\n");
+}
+
 TEST(Scipbench, FillsThePapersTable3) {
     const TempDir directory;
     const auto csv = directory.path() / "table3.csv";

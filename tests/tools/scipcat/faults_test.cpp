@@ -46,13 +46,22 @@ TEST(ScipcatFaults, OptionsEndWithTwo) {
     expect_failure({"record", "tcp://127.0.0.1:1", "-o", "a.csv", "-n", "0"}, 2, "--scans");
     expect_failure({"record", "tcp://127.0.0.1:1", "-o", "a.csv", "--cluster", "100"}, 2,
                    "--cluster");
-    expect_failure({"info", "tcp://127.0.0.1:1", "--baud", "123"}, 2, "--baud");
+    expect_failure({"info", "tcp://127.0.0.1:1", "--baud", "123"}, 2,
+                   "--baud: must be a whole number from 1200 to 4000000, not \"123\"");
+    expect_failure({"plot", "tcp://127.0.0.1:1", "--colour", "error"}, 2,
+                   "there is no option --colour; did you mean --color?");
 }
 
 TEST(ScipcatFaults, HelpEndsWithZero) {
     const Outcome outcome = run_scipcat({"record", "--help"});
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_THAT(outcome.out, HasSubstr("Examples:"));
+}
+
+TEST(ScipcatFaults, TellsItsVersion) {
+    const Outcome outcome = run_scipcat({"--version"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.out, "scipcat " SCIPD_VERSION "\n");
 }
 
 TEST(ScipcatFaults, TellsAnUnknownHost) {

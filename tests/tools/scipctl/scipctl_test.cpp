@@ -52,6 +52,47 @@ TEST(Scipctl, HandsTheStatusOnAsItIs) {
     EXPECT_EQ(sensors, status["sensors"]);
 }
 
+TEST(Scipctl, ListsNamesAlone) {
+    const ControlStandIn daemon({"rescue", "scout"});
+    EXPECT_EQ(run_scipctl(daemon, {"sensors", "--names"}).out, "rescue/front\nscout/front\n");
+    EXPECT_EQ(run_scipctl(daemon, {"sensors", "--robots"}).out, "rescue\nscout\n");
+    EXPECT_EQ(run_scipctl(daemon, {"scene", "list", "--names"}).out, "model 0\nmodel 1\n");
+}
+
+TEST(Scipctl, WarnsOfDegrees) {
+    const ControlStandIn daemon({"rescue"});
+    const std::string warning =
+        "warning: 90 looks like degrees, but angles are radians; did you mean 1.5708?\n";
+    const Outcome set = run_scipctl(daemon, {"pose", "set", "1,2,90"});
+    EXPECT_EQ(set.exit_code, 0);
+    EXPECT_EQ(set.err, warning);
+    EXPECT_EQ(run_scipctl(daemon, {"scene", "move", "model 1", "1,2,90"}).err, warning);
+    EXPECT_EQ(run_scipctl(daemon, {"pose", "set", "1,2,0,0,0,1.57"}).err, "");
+}
+
+TEST(Scipctl, TellsItsVersion) {
+    const Outcome outcome = run({SCIPCTL, "--version"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.out, "scipctl " SCIPD_VERSION "\n");
+}
+
+TEST(Scipctl, NamesWhatSomebodyMeant) {
+    const auto refused = [](std::vector<std::string> words) {
+        words.insert(words.begin(), SCIPCTL);
+        const Outcome outcome = run(words);
+        EXPECT_EQ(outcome.exit_code, 2);
+        return outcome.err;
+    };
+    EXPECT_EQ(refused({"statsu"}).substr(0, 62),
+              "scipctl: there is no command \"statsu\"; did you mean status? Th");
+    EXPECT_EQ(refused({"pose", "play", "/dev/null", "--sped", "2"}),
+              "scipctl: there is no option --sped; did you mean --speed? (see scipctl --help)\n");
+    EXPECT_EQ(
+        refused({"status", "--cotnrol", "x"}),
+        "scipctl: there is no option --cotnrol; did you mean --control? (see scipctl --help)\n");
+    EXPECT_EQ(refused({"--radar"}), "scipctl: there is no option --radar (see scipctl --help)\n");
+}
+
 TEST(Scipctl, KeepsWhatWouldDoHarmFromTheTerminal) {
     const std::string name = "evil\x1b[2J\nname\xc2\x9b";
     const ControlStandIn daemon({name});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/completions.h"
+#include "daemon/command_line/completions.h"
 
 #include <algorithm>
 #include <cctype>
@@ -82,7 +82,7 @@ void collect(const CLI::App& app, const std::string& path, const std::vector<Opt
     Place place = place_of(app, path, more);
     std::vector<Option> passed_on = inherited;
     for (const Option& option : place.options)
-        if (option.name != "help") passed_on.push_back(option);
+        if (option.name != "help" && option.name != "version") passed_on.push_back(option);
     place.options.insert(place.options.end(), inherited.begin(), inherited.end());
     all.push_back(place);
     for (const CLI::App* command : place.commands) {

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// `scipd --check` of a file that is no configuration: what it holds, without running any of it. Any
+// thread; nothing shared.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "daemon/config/file_kind.h"
+
+namespace scipd::daemon {
+
+/// Warnings and what there is, for a person. Where it is `strict`, what a world or a trajectory
+/// would cause a warning for is a fault. Throws ConfigError or LoadError with every fault.
+std::string check_file(FileKind kind, const std::filesystem::path& file, bool strict);
+
+}  // namespace scipd::daemon

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/models/model_list.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "protocol/command_table.h"
+
+namespace scipd::daemon {
+namespace {
+
+using Row = std::vector<std::string>;
+
+std::string links_of(const protocol::DeviceProfile& profile) {
+    if (protocol::is_ethernet(profile.family)) return "Ethernet";
+    return profile.bit_rates.empty() ? "USB" : "USB, RS-232";
+}
+
+/// A command that the model only refuses does not count.
+bool carries_out(const protocol::DeviceProfile& profile, const protocol::Command& command) {
+    if (!command.gate(profile.family).known() || !profile.has(command.needs)) return false;
+    if (command.code == "SS") return !profile.bit_rates.empty();
+    if (command.code == "CR") return profile.motor_levels;
+    if (command.code == "HS") return profile.sensitivity == protocol::Support::yes;
+    if (command.code == "DB") return profile.rehearsals == protocol::Support::yes;
+    if (command.code == "SCIP2.0") return profile.speaks_scip1();
+    return !command.code.ends_with("TM");
+}
+
+std::string commands_of(const protocol::DeviceProfile& profile) {
+    std::string text;
+    for (const protocol::Command& command : protocol::command_table()) {
+        if (!carries_out(profile, command)) continue;
+        if (!text.empty()) text += ' ';
+        text += command.code;
+    }
+    return text + (profile.speaks_scip1() ? ", SCIP 1.1" : "");
+}
+
+// Prints 40 or 14.9.
+std::string rate_of(const protocol::DeviceProfile& profile) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g Hz",
+                  1.0 / std::chrono::duration<double>(profile.nominal_scan_period()).count());
+    return text;
+}
+
+std::string listed_name(const Model& model) {
+    return model.profile.name + "@" + model.profile.release;
+}
+
+Row figures_row(const Model& model) {
+    const protocol::DeviceProfile& profile = model.profile;
+    return {listed_name(model), links_of(profile),
+            std::to_string(profile.dmin_mm) + "-" + std::to_string(profile.dmax_mm),
+            std::to_string(profile.amin) + "-" + std::to_string(profile.amax) + " of " +
+                std::to_string(profile.ares),
+            rate_of(profile)};
+}
+
+Row commands_row(const Model& model) {
+    return {listed_name(model), commands_of(model.profile)};
+}
+
+/// In as few letters as tell the three apart.
+std::string short_name_of(Evidence evidence) {
+    return std::string(name_of(evidence).substr(0, evidence == Evidence::seen ? 4 : 3));
+}
+
+Row sureness_row(const Model& model) {
+    const Sureness& sure = model.sureness;
+    Row row{listed_name(model)};
+    for (const Evidence evidence : {sure.links, sure.range, sure.steps, sure.rate, sure.commands,
+                                    sure.texts, sure.noise, sure.bias, sure.light})
+        row.push_back(short_name_of(evidence));
+    return row;
+}
+
+/// Columns as wide as their widest cell, two blanks apart.
+std::string table(const std::vector<Row>& rows) {
+    std::vector<std::size_t> widths(rows.front().size());
+    for (const Row& row : rows) {
+        for (std::size_t i = 0; i < row.size(); ++i)
+            widths[i] = std::max(widths[i], row[i].size());
+    }
+    std::string text;
+    for (const Row& row : rows) {
+        for (std::size_t i = 0; i + 1 < row.size(); ++i)
+            text += row[i] + std::string(widths[i] - row[i].size() + 2, ' ');
+        text += row.back() + "\n";
+    }
+    return text;
+}
+
+std::string table_of(Row titles, std::span<const Model> models, Row (*row_of)(const Model&)) {
+    std::vector<Row> rows{std::move(titles)};
+    for (const Model& model : models)
+        rows.push_back(row_of(model));
+    return table(rows);
+}
+
+}  // namespace
+
+std::string list_of(std::span<const Model> models) {
+    return table_of({"MODEL", "LINKS", "RANGE mm", "STEPS", "SCANS"}, models, figures_row) + "\n" +
+           table_of({"MODEL", "COMMANDS"}, models, commands_row) +
+           "\nHow each figure is known: seen on the wire of a real unit; doc, by its maker or by a "
+           "driver\nwhose author had a unit; deduced from similar models.\n\n" +
+           table_of({"MODEL", "LINKS", "RANGE", "STEPS", "SCANS", "COMMANDS", "TEXTS", "NOISE",
+                     "BIAS", "LIGHT"},
+                    models, sureness_row);
+}
+
+}  // namespace scipd::daemon
