@@ -35,16 +35,17 @@ def printed(command):
 
 
 def entries(lines):
-    """A name that is too long for its column has what it does on the next line."""
+    """What an entry does begins in a column, on the next line where the name is too long, and goes on below."""
     found = []
-    for number, line in enumerate(lines):
-        following = lines[number + 1] if number + 1 < len(lines) else ""
+    for line in filter(str.strip, lines):
         if line.startswith(" " * INDENT):
             found[-1].what = f"{found[-1].what} {line.strip()}".strip()
-        elif following.startswith(" " * INDENT):
+            continue
+        both = re.fullmatch(r"  (\S.*?)  +(\S.*)|.*", line)
+        if both[2] and both.start(2) == INDENT:
+            found.append(Entry(both[1], both[2]))
+        else:
             found.append(Entry(line.strip(), ""))
-        elif line.strip():
-            found.append(Entry(line[:INDENT].strip(), line[INDENT:].strip()))
     return found
 
 

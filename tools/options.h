@@ -18,8 +18,8 @@ struct WrongInput : std::runtime_error {
 };
 
 /// A validator for every option that is a real number. It refuses what is not within these limits,
-/// and "nan", which CLI::Range lets pass. --help has the limits of this and of the next, unless they
-/// are very far.
+/// and "nan", which CLI::Range lets pass. --help has the limits of this and of the next, unless
+/// they are very far.
 [[nodiscard]] CLI::Validator number_within(double least, double most);
 
 /// The same for whole numbers, from least to most.

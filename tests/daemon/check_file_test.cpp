@@ -62,10 +62,12 @@ TEST_F(CheckFile, CountsAWorld) {
         said("room.sdf", world("<box><size>2 3 1</size></box>")),
         "room.sdf: no faults; a world; models: 1, objects: 1, triangles of meshes: 0, size: 2 "
         "x 3 x 1 m from (-1 -1.5 -0.5), materials: default\n");
-    const std::string bad = world("<box><size>2 0 1</size></box>");
+    const std::string bad = world(
+        "<box><size>2 0 1</size></box></geometry></visual><visual name='w'><geometry>"
+        "<box><size>2 3 1</size></box>");
     EXPECT_THAT(said("bad.sdf", bad),
                 AllOf(StartsWith("bad.sdf:1: m::l::v: every size must be above 0"),
-                      HasSubstr("\nbad.sdf: no faults; a world; models: ")));
+                      HasSubstr("\nbad.sdf: no faults; a world; models: 1, objects: 1, ")));
     EXPECT_THAT(said("bad.sdf", bad, true), StartsWith("refused: bad.sdf:1: m::l::v: every size"));
     EXPECT_THAT(said("torn.sdf", "<sdf"), StartsWith("refused: torn.sdf"));
 }
@@ -76,7 +78,7 @@ TEST_F(CheckFile, CountsAMesh) {
         StartsWith("ramp.obj: no faults; a mesh; models: 1, objects: 1, triangles of meshes: "
                    "1, size: 3 x 4 x 1 m from (0 0 0)"));
     EXPECT_THAT(said("big.obj", "v 0 0 0\nv 3000 0 0\nv 0 4000 1\nf 1 2 3\n"),
-                StartsWith("big.obj: is very large; if it is in millimetres"));
+                HasSubstr("big.obj: is very large; if it is in millimetres"));
     EXPECT_THAT(said("torn.stl", "solid"), StartsWith("refused: torn.stl"));
 }
 
@@ -119,11 +121,8 @@ TEST_F(CheckFile, CountsAScenario) {
                    "- {sensor: '*', kind: freeze, for: {scans: 5}}\n"),
               "bad_day.yaml: no faults; a scenario; steps: 2, seed: 7, kinds: freeze, reboot, "
               "scanners: *, r/front\n");
-    EXPECT_EQ(
-        said("torn.yaml", "steps:\n- {sensor: front, kind: reboot}\n- {sensor: a/b, kind: x}\n"),
-        said_of("torn.yaml"));
     EXPECT_THAT(
-        said_of("torn.yaml"),
+        said("torn.yaml", "steps:\n- {sensor: front, kind: reboot}\n- {sensor: a/b, kind: x}\n"),
         AllOf(HasSubstr("torn.yaml:2: steps.1.sensor: must be ROBOT/SENSOR, or \"*\" for every "
                         "scanner, not 'front'"),
               HasSubstr("torn.yaml:3: steps.2.kind: there is no kind 'x'")));

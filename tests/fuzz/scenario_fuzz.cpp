@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include "daemon/config/config_error.h"
 #include "daemon/faults/scenario.h"
@@ -50,7 +51,7 @@ void check(const ConfigError& error) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text{reinterpret_cast<const char*>(data), size};
     try {
-        check(parse_scenario(text, "bad_day.yaml", {"rescue/front"}));
+        check(parse_scenario(text, "bad_day.yaml", std::vector<std::string>{"rescue/front"}));
     } catch (const ConfigError& error) {
         check(error);
     }
