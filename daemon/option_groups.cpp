@@ -162,9 +162,6 @@ void add_daemon(CLI::App& app, OptionValues& said) {
               [&](const auto& text) {
                   return put(parse_socket(text, fs::current_path()), config.control);
               });
-    group.add("--http", "ADDR:PORT",
-              "where the control API listens on TCP too, on loopback, or none; default: none",
-              [&](const auto& text) { return put(parse_http(text), config.http); });
     group.add("--broker", "URL",
               "share the world with other daemons by this MQTT broker, mqtt://HOST:PORT; default: "
               "the world is this daemon's alone",
@@ -204,6 +201,20 @@ sim::Expected<unsigned> parse_threads(std::string_view text) {
     });
 }
 
+/// Adds the options that hold whatever the configuration says.
+void add_overrides(CLI::App& app, OptionValues& said) {
+    Group group{app, general_title};
+    group.add("--scenario", "FILE",
+              "what goes wrong at the scanners, and when; default: what the configuration says",
+              [&](const auto& text) {
+                  return put(parse_file(text, fs::current_path()), said.options.scenario);
+              });
+    group.add("--http", "ADDR:PORT",
+              "where the live page and the control API listen on TCP, on loopback, or none; "
+              "default: what the configuration says, else none",
+              [&](const auto& text) { return put(parse_http(text), said.options.http); });
+}
+
 /// Adds the options that go with all others.
 void add_general(CLI::App& app, OptionValues& said) {
     Group group{app, general_title};
@@ -227,11 +238,6 @@ void add_general(CLI::App& app, OptionValues& said) {
               "how many threads scanners live on; 1 puts all on one, as does --clock poses; "
               "default: as many as there are processors",
               [&said](const auto& text) { return put(parse_threads(text), said.options.threads); });
-    group.add("--scenario", "FILE",
-              "what goes wrong at the scanners, and when; default: what the configuration says",
-              [&said](const auto& text) {
-                  return put(parse_file(text, fs::current_path()), said.options.scenario);
-              });
     app.set_version_flag("--version", version_of("scipd"), "print the version")
         ->group(general_title);
     app.set_help_flag();
@@ -254,6 +260,7 @@ void add_options(CLI::App& app, OptionValues& said) {
     add_scanner(app, said);
     add_daemon(app, said);
     add_alone(app, said);
+    add_overrides(app, said);
     add_general(app, said);
 }
 

@@ -26,10 +26,13 @@ struct Options {
     unsigned threads = std::max(1U, std::thread::hardware_concurrency());
     /// In the place of what the configuration says; empty: that holds.
     std::filesystem::path scenario = {};
+    /// The same of `http`; nothing in it: no control API on TCP.
+    std::optional<std::optional<Address>> http = {};
 
     /// Puts what holds whatever the configuration says into it.
     void put_into(Config& read) const {
         read.strict |= strict;
+        if (http) read.http = *http;
         if (scenario.empty()) return;
         read.scenario = scenario;
         read.places.erase("scenario");

@@ -303,6 +303,23 @@ TEST_F(OptionsTest, RunsAScenarioWhateverTheConfigurationSays) {
               other.string() + ":1: steps: must be a list of 1 to 1000 steps\n");
 }
 
+TEST_F(OptionsTest, HasAPageWhateverTheConfigurationSays) {
+    const auto silent = dir_.write("silent.yaml",
+                                   "scene: room.sdf\n"
+                                   "robots: {r: {sensors: {s: {model: UST-20LX, pty: auto}}}}\n");
+    const auto open = dir_.write("open.yaml",
+                                 "scene: room.sdf\nhttp: 127.0.0.1:8080\n"
+                                 "robots: {r: {sensors: {s: {model: UST-20LX, pty: auto}}}}\n");
+    const auto http = [](const std::string& line) { return run(line).config.http; };
+    EXPECT_EQ(http("--config " + silent.string()), std::nullopt);
+    EXPECT_EQ(http("--config " + silent.string() + " --http 127.0.0.1:0"),
+              (Address{"127.0.0.1", 0}));
+    EXPECT_EQ(http("--config " + open.string()), (Address{"127.0.0.1", 8080}));
+    EXPECT_EQ(http("--config " + open.string() + " --http 127.0.0.1:0"), (Address{"127.0.0.1", 0}));
+    EXPECT_EQ(http("--config " + open.string() + " --http none"), std::nullopt);
+    EXPECT_EQ(answer("--http 127.0.0.1:0 --check " + silent.string()).exit_code, 0);
+}
+
 TEST_F(OptionsTest, CheckTellsWhereABodyIsMissing) {
     const auto file = dir_.write("fleet.yaml",
                                  "scene: room.sdf\n"
