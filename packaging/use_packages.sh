@@ -83,6 +83,12 @@ stop_scipd() {
     wait $scipd || fail "scipd ended with $?"
 }
 
+# The first answer of the page of scipd.yaml.
+page() {
+    bash -c 'exec 3<>/dev/tcp/127.0.0.1/10980
+             printf "GET / HTTP/1.1\r\nHost: 127.0.0.1:10980\r\nConnection: close\r\n\r\n" >&3; cat <&3'
+}
+
 use() {
     scipd --check /etc/scipd/scipd.yaml || fail "the configuration has faults"
     scipd --probe >/tmp/probe || fail "scipd cannot draw with what it recommends: $(cat /tmp/probe)"
@@ -90,6 +96,7 @@ use() {
     scipcat info tcp://127.0.0.1:10940 | grep -q UST-10LX || fail "scipcat info shows no scanner"
     scipcat info "$(readlink -f /run/scipd/rescue-front)" | grep -q UST-10LX || fail "there is no scanner on the tty"
     scipctl --control /run/scipd/control.sock status | grep -q rescue/front || fail "scipctl status shows no scanner"
+    page | grep -q '<title>scipd' || fail "there is no live page"
     stop_scipd
     scipbench compare --scene /usr/share/scipd/scenes/square_room.sdf --poses 3 --light | grep -q embree ||
         fail "scipbench compares nothing"
