@@ -8,12 +8,8 @@ import re
 
 import roff
 
-# Columns that only tests need, and how the others begin in an entry.
-LEFT_OUT = {"wrong", "message"}
+# How some columns begin in an entry.
 BEGINS = {"default": "Default: ", "example": "Example: "}
-
-# A paragraph below this is not for man pages.
-NOT_HERE = "<!-- not in the man page -->"
 
 
 def cells(row):
@@ -29,7 +25,7 @@ def table(rows):
         first, *others = cells(row)
         text = []
         for title, cell in zip(titles[1:], others):
-            if cell and title not in LEFT_OUT:
+            if cell:
                 sentence = BEGINS.get(title, "") + cell
                 text.append(sentence if sentence.endswith(".") else sentence + ".")
         lines += roff.item(roff.inline(first), "\n".join(text))
@@ -59,8 +55,6 @@ def block(lines):
         return table(lines)
     if first.startswith("- "):
         return listed(lines)
-    if first == NOT_HERE:
-        return []
     if first.startswith("<!--"):
         return block(lines[1:]) if lines[1:] else []
     return roff.paragraph(" ".join(lines))

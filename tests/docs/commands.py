@@ -10,11 +10,13 @@
 #   <!-- beside: scipd ... -->   this scipd runs meanwhile
 #   <!-- ends with 2 -->         the exit code of each command
 #   <!-- file: NAME -->          the block is no commands, but this file
+# A drive is played in the world of its name, in which it meets no wall.
 # Each page has a network namespace and an empty folder of its own, so that ports and names are free. What a command
 # calls /tmp is in that folder.
 import concurrent.futures
 import contextlib
 import dataclasses
+import json
 import os
 import pathlib
 import re
@@ -30,7 +32,8 @@ SKIPPED = 77
 COMMAND_S = 60
 READY_S = 60
 INSIDE = "SCIPD_DOCS_NAMESPACE"
-SERVES = re.compile(r"(^|\|\s*)scipd(?!.*--(check|list-models|list-backends|probe|help|version))\b")
+SERVES = re.compile(r"(^|\|\s*)(\w+=\S+ )*scipd(?!.*--(check|list-models|list-backends|probe|help|version))\b")
+DRIVE = re.compile(r"(?:pose play|--poses) (?:scenes/)?(\w+)\.tum")
 MARKER = re.compile(r"<!-- (not run|beside|ends with|file):? (.*?) -->")
 
 
@@ -130,6 +133,15 @@ class Reader:
         if expected is not None and output.splitlines() != expected:
             raise Failure(f"printed\n{output}")
 
+    def check_drive(self, command):
+        drive = DRIVE.search(command)
+        if drive is None:
+            return
+        asked = self.start("scipctl status --json", subprocess.STDOUT, subprocess.PIPE)
+        world = pathlib.Path(json.loads(asked.communicate(timeout=COMMAND_S)[0])["scene"]).stem
+        if world != drive[1]:
+            raise Failure(f"is a drive through another world than {world}")
+
     def follow(self, block):
         what, value = block.marker
         if what == "file":
@@ -143,6 +155,7 @@ class Reader:
         for line, command, expected in commands:
             try:
                 self.serve(command) if SERVES.search(command) else self.run(command, code, expected)
+                self.check_drive(command)
             except Failure as failure:
                 raise Failure(f"{line}: {command}\n{failure}") from None
         return len(commands)

@@ -3,8 +3,9 @@
 #
 # Holds docs/configuration.md against `scipd --check`: configuration.py SCIPD SOURCES
 #
-# Each section has a row for every key that scipd knows there. In each row the example has no fault, and the wrong value
-# gets the message. scipd itself says which keys it knows: that is what it answers to one that it does not.
+# Each section has a row for every key that scipd knows there, whose example has no fault. For each row
+# wrong_values.yaml has a wrong value with the message that it gets. scipd itself says which keys it knows: that is what
+# it answers to one that it does not.
 import concurrent.futures
 import pathlib
 import re
@@ -70,14 +71,14 @@ def code_of(cell):
 
 
 def rows_of(page):
-    """(section, line, key, example, wrong, message)"""
+    """(section, key, example)"""
     section, rows = None, []
-    for number, line in enumerate(page.read_text().splitlines(), 1):
+    for line in page.read_text().splitlines():
         if line.startswith("## "):
             section = line[3:].strip("`") if line.startswith("## `") else None
         elif section and line.startswith("| `"):
             cells = line.strip("| ").split(" | ")
-            rows.append((section, number, code_of(cells[0]), *(code_of(cell) for cell in cells[-3:])))
+            rows.append((section, code_of(cells[0]), code_of(cells[-1])))
     return rows
 
 
@@ -88,7 +89,7 @@ def keys_of(text):
 def packs_of(rows):
     """(section, examples that go together): a world takes longer to load than many keys to read."""
     packs = []
-    for section, _, _, example, _, _ in rows:
+    for section, _, example in rows:
         keys = keys_of(example)
         for pack in packs:
             alone = {"link", "sensor"} <= keys | pack[2] or (keys | pack[2]) & WHOLE
@@ -125,10 +126,10 @@ class Checker:
         return f"{section}: of the examples {text}: {said}" if code != 0 else None
 
     def wrong_value_fails(self, row):
-        section, line, key, _, wrong, message = row
-        code, said = self.check(f"wrong-{line}", section, wrong)
+        section, key, wrong, message = row
+        code, said = self.check(f"wrong-{section}-{key}", section, wrong)
         if code != 2 or not any(path_of(section) in fault and message in fault for fault in said.splitlines()):
-            return f"{line}: the wrong value of {key} gets: {said}"
+            return f"{section}: the wrong value of {key} gets: {said}"
         return None
 
     def section_fails(self, section, documented):
@@ -140,10 +141,19 @@ class Checker:
         return f"{section}: documented or known, but not both: {', '.join(sorted(differ))}" if differ else None
 
 
+def wrong_values(file):
+    """(section, key, wrong value, message)"""
+    return [(section, key, *row) for section, keys in yaml.safe_load(file.read_text()).items()
+            for key, row in keys.items()]
+
+
 def main():
     scipd, sources = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
     rows = rows_of(sources / "docs/configuration.md")
-    keys = {section: {row[2] for row in rows if row[0] == section} for section in SECTIONS}
+    wrong = wrong_values(pathlib.Path(__file__).with_name("wrong_values.yaml"))
+    differ = {row[:2] for row in rows} ^ {row[:2] for row in wrong}
+    unpaired = [f"{section}: documented or in wrong_values.yaml, but not both: {key}" for section, key in differ]
+    keys = {section: {row[1] for row in rows if row[0] == section} for section in SECTIONS}
     keys["models.NAME"] |= keys["profile"]
     with tempfile.TemporaryDirectory() as folder:
         checker = Checker(scipd, pathlib.Path(folder))
@@ -160,9 +170,9 @@ def main():
         (checker.folder / "authorities.pem").write_text("")
         with concurrent.futures.ThreadPoolExecutor(4) as pool:
             failures = list(pool.map(checker.examples_fail, packs_of(rows)))
-            failures += pool.map(checker.wrong_value_fails, rows)
+            failures += pool.map(checker.wrong_value_fails, wrong)
             failures += pool.map(checker.section_fails, SECTIONS, (keys[section] for section in SECTIONS))
-    failures = [failure for failure in failures if failure]
+    failures = unpaired + [failure for failure in failures if failure]
     print("\n".join(failures))
     print(f"{len(rows)} rows, {len(failures)} failures")
     sys.exit(bool(failures))

@@ -2,7 +2,8 @@
 # Copyright The scipd authors
 #
 # All pages hang together: links.py SOURCES. Each relative link of a page leads to a file, and to a heading of it where
-# the link names one. Each page of docs/ is in its table of contents. README.md stays short.
+# the link names one. Each page of docs/ is in its table of contents. A page that runs scipbench, which tools/run does
+# not build, says how it is built or leads there. README.md stays short.
 import pathlib
 import re
 import sys
@@ -50,6 +51,14 @@ def content_faults(sources):
             yield f"docs/README.md does not list {page.name}"
 
 
+def scipbench_faults(sources):
+    for page in pages_of(sources):
+        text = page.read_text()
+        if re.search(r"^(\$ )?scipbench ", text, re.MULTILINE):
+            if not re.search(r"tools\.md#scipbench|--target scipbench|-DSCIPD_TESTS=ON", text):
+                yield f"{page.relative_to(sources)}: does not say how scipbench is built"
+
+
 def readme_faults(sources):
     text = (sources / "README.md").read_text()
     if len(text.split()) > MOST_WORDS:
@@ -61,10 +70,11 @@ def readme_faults(sources):
 
 def main():
     sources = pathlib.Path(sys.argv[1]).resolve()
-    faults = [*link_faults(sources), *content_faults(sources), *readme_faults(sources)]
+    faults = [*link_faults(sources), *content_faults(sources), *scipbench_faults(sources), *readme_faults(sources)]
     print("\n".join(faults))
     print(f"{len(pages_of(sources))} pages, {len(faults)} faults")
     sys.exit(bool(faults))
 
 
-main()
+if __name__ == "__main__":
+    main()
