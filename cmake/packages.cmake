@@ -27,9 +27,6 @@ foreach(package scipd scipd-tools libscipd-dev)
 endforeach()
 install(FILES ${packaging}/scipd/scipd.yaml DESTINATION /etc/scipd COMPONENT scipd-debian EXCLUDE_FROM_ALL)
 
-# The documentation, with the links between its pages.
-install(FILES README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/scipd COMPONENT scipd)
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/scipd COMPONENT scipd PATTERN "*.py" EXCLUDE)
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libscipd-dev COMPONENT libscipd-dev)
 
 set(CPACK_GENERATOR DEB)
