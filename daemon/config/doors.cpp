@@ -51,7 +51,7 @@ sim::Expected<unsigned> parse_group(const std::string& name) {
     group* found = nullptr;
     ::getgrnam_r(name.c_str(), &entry, buffer.data(), buffer.size(), &found);
     if (found != nullptr) return found->gr_gid;
-    return sim::refuse("there is no group " + sim::quote(name) + "; `getent group` tells them");
+    return sim::refuse("there is no group " + sim::quote(name) + "; `getent group` lists them");
 }
 
 sim::Expected<fs::path> parse_folder(const std::string& text, const fs::path& base) {

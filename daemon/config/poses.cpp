@@ -38,7 +38,7 @@ sim::Expected<sim::TrajectoryFormat> parse_format(std::string_view text) {
     if (text == "kitti") return Format::kitti;
     if (text == "csv") return Format::csv;
     return sim::refuse("must be tum, euroc, kitti or csv, not '" + std::string(text) +
-                       "'; left out, the file tells");
+                       "'; leave it out to go by the content");
 }
 
 void refuse_of_live_poses(const Section& section, const RobotConfig& robot, Faults& faults) {

@@ -122,8 +122,7 @@ void read_scanner(const Field& field, const Section& section, SensorConfig& sens
                   SensorContext& context) {
     Faults& faults = context.faults;
     if (!section.find("model")) {
-        faults.add(field,
-                   "needs a model, a camera or a ranger; `scipd --list-models` tells the models");
+        faults.add(field, "needs a model, a camera or a ranger; `scipd --list-models` lists them");
     }
     const std::optional<Model> model = read_model(section, context);
     if (model) sensor.model = *model;

@@ -35,7 +35,7 @@ const Model* search(std::string_view name) {
 
 std::string no_model(std::string_view name) {
     return "there is no model \"" + std::string(name) + "\"; the models are " + choices() +
-           "; `scipd --list-models` tells their firmware";
+           "; `scipd --list-models` shows their firmware";
 }
 
 }  // namespace

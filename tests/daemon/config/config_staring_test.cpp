@@ -134,8 +134,8 @@ TEST_F(ConfigStaringTest, SaysWhatIsMissing) {
                 ElementsAre(at(".ranger: needs cone_deg"), at(".ranger: needs rate_hz"),
                             at(".ranger: needs range_m")));
     EXPECT_THAT(faults("pty: auto"),
-                ElementsAre(at(": needs a model, a camera or a ranger; `scipd --list-models` tells "
-                               "the models")));
+                ElementsAre(at(": needs a model, a camera or a ranger; `scipd --list-models` lists "
+                               "them")));
 }
 
 TEST_F(ConfigStaringTest, AreOneThingAndHaveNoWire) {

@@ -135,7 +135,7 @@ TEST_F(ConfigTest, TellsEveryFaultAtOnceInTheOrderOfLines) {
                     "not 'rest'",
                     "fleet.yaml:9: robots.rescue.poses.wait_ms: must be 0 to 900 ms, not '2000'",
                     "fleet.yaml:11: robots.rescue.sensors.front: needs a model, a camera "
-                    "or a ranger; `scipd --list-models` tells the models",
+                    "or a ranger; `scipd --list-models` lists them",
                     "fleet.yaml:12: robots.rescue.sensors.front.modle: unknown key; did you mean "
                     "model?",
                     "fleet.yaml:13: robots.rescue.sensors.front.tcp: must be ADDRESS:PORT such as "
@@ -161,7 +161,7 @@ TEST_F(ConfigTest, TellsEveryFaultAtOnceInTheOrderOfLines) {
                     "\"UST-99\"; the models are URG-04LX, URG-04LX-UG01, UBG-04LX-F01, "
                     "UHG-08LX, UTM-30LX, UTM-30LX-EW, UXM-30LX-E, UXM-30LX-EW, UXM-30LXH-EWA, "
                     "UST-05LX, UST-10LX, UST-10LX-H01, UST-10LX-H02, UST-20LX, UST-20LX-H01, "
-                    "UST-30LX, UST-30LC; `scipd --list-models` tells their firmware",
+                    "UST-30LX, UST-30LC; `scipd --list-models` shows their firmware",
                     "fleet.yaml:22: robots.rescue.sensors.rear/left.timing: must be real or "
                     "ideal, not 'fast'",
                     "fleet.yaml:23: robots.empty: needs at least one sensor, under sensors",
@@ -301,7 +301,7 @@ TEST_F(ConfigTest, SaysWhatPosesCannotBe) {
                             "come when they come"));
     EXPECT_THAT(faults_of("from: walk.tum, format: gpx"),
                 ElementsAre("fleet.yaml:1: robots.r.poses.format: must be tum, euroc, kitti or "
-                            "csv, not 'gpx'; left out, the file tells"));
+                            "csv, not 'gpx'; leave it out to go by the content"));
     EXPECT_THAT(faults_of("from: '-', before: now, stale_s: 0, jump_mps: -1"),
                 ElementsAre("fleet.yaml:1: robots.r.poses.before: must be hold or none, not 'now'",
                             "fleet.yaml:1: robots.r.poses.stale_s: must be more than 0 and up to "

@@ -84,7 +84,7 @@ TEST_F(DoorsTest, TellWhatIsMissingOrUnknown) {
                 ElementsAre("fleet.yaml:3: http.token_file: there is no file 'no'"));
     EXPECT_THAT(faults(rooted("control:\n  socket: c.sock\n  group: no-such-group")),
                 ElementsAre("fleet.yaml:5: control.group: there is no group 'no-such-group'; "
-                            "`getent group` tells them"));
+                            "`getent group` lists them"));
 }
 
 TEST_F(DoorsTest, TheControlSocketMayHaveAGroup) {
