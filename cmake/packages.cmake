@@ -4,8 +4,8 @@
 # Debian packages: `cpack` in the build folder of the release preset makes scipd, scipd-tools and libscipd-dev. Each is
 # the component of its name, and PACKAGE-debian. packaging/README.md tells what lies there.
 
-set(SCIPD_MAINTAINER "The scipd authors <scipd@users.noreply.github.com>" CACHE STRING "Who makes the packages")
-set(SCIPD_HOMEPAGE "https://github.com/scipd/scipd" CACHE STRING "Where people find the sources")
+set(SCIPD_MAINTAINER "" CACHE STRING "Who makes the packages: NAME <ADDRESS>")
+set(SCIPD_HOMEPAGE "" CACHE STRING "Where people find the sources")
 set(SCIPD_REVISION 1 CACHE STRING "Of the packages of one version of scipd")
 
 set(packaging ${CMAKE_SOURCE_DIR}/packaging)
@@ -49,6 +49,7 @@ set(CPACK_PRE_BUILD_SCRIPTS ${packaging}/finish.cmake)
 set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/packages)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_CONTACT ${SCIPD_MAINTAINER})
+set(CPACK_PROJECT_CONFIG_FILE ${packaging}/check_maintainer.cmake)
 
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE ${SCIPD_REVISION})
