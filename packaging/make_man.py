@@ -68,10 +68,11 @@ def running_lines():
     """What docs/running.md says that --help does not."""
     page = RUNNING.read_text()
     lines = []
-    for title, sections in [("SIGNALS", ["Reload", "End"]), ("FILES", ["Files"]), ("ENVIRONMENT", ["Environment"])]:
+    for title, sections in [("SIGNALS", ["Reload", "Stop"]), ("FILES", ["Files"]), ("ENVIRONMENT", ["Environment"])]:
         lines += [f".SH {title}"]
         for section in sections:
             text = page.partition(f"\n## {section}\n")[2].partition("\n## ")[0]
+            assert text, f"docs/running.md has no section {section}"
             lines += markdown_page.body("# \n\n" + text)
     return lines
 
