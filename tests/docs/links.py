@@ -3,7 +3,8 @@
 #
 # All pages hang together: links.py SOURCES. Each relative link of a page leads to a file, and to a heading of it where
 # the link names one. Each page of docs/ is in its table of contents. A page that runs scipbench, which tools/run does
-# not build, says how it is built or leads there. README.md stays short.
+# not build, says how it is built or leads there. README.md stays short, and so does what CHANGELOG.md says of a
+# release.
 import pathlib
 import re
 import sys
@@ -68,9 +69,21 @@ def readme_faults(sources):
             yield f"README.md:{number}: has {len(line)} columns, more than {MOST_COLUMNS}"
 
 
+def release_faults(sources):
+    """The version of the sources has its section."""
+    version = re.search(r"project\(scipd VERSION ([\d.]+)", (sources / "CMakeLists.txt").read_text())[1]
+    _, *releases = re.split(r"^## ", (sources / "CHANGELOG.md").read_text(), flags=re.MULTILINE)
+    if not any(release.startswith(f"{version}\n") for release in releases):
+        yield f"CHANGELOG.md has no section {version}"
+    for release in releases:
+        if len(release.split()) > MOST_WORDS:
+            yield f"CHANGELOG.md says more than {MOST_WORDS} words of {release.splitlines()[0]}: shorten it"
+
+
 def main():
     sources = pathlib.Path(sys.argv[1]).resolve()
-    faults = [*link_faults(sources), *content_faults(sources), *scipbench_faults(sources), *readme_faults(sources)]
+    faults = [*link_faults(sources), *content_faults(sources), *scipbench_faults(sources), *readme_faults(sources),
+              *release_faults(sources)]
     print("\n".join(faults))
     print(f"{len(pages_of(sources))} pages, {len(faults)} faults")
     sys.exit(bool(faults))
