@@ -62,7 +62,8 @@ std::string summary_of_curves(const Config& config) {
             const Sureness& sure = sensor.model.sureness;
             const std::array known{sure.noise, sure.bias, sure.light};
             curves += std::ssize(known);
-            assumed += std::ranges::count(known, Evidence::deduced);
+            assumed += std::ranges::count(known, Evidence::deduced) +
+                       std::ranges::count(known, Evidence::assumed);
         }
     }
     const double share = 100.0 * double(assumed) / double(std::max(1L, curves));

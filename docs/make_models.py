@@ -28,8 +28,10 @@ For each figure scipd says how sure it is:
 | word | meaning |
 |---|---|
 | seen | somebody saw it on the wire of a real unit |
+| measured | it follows from recordings of real units of this product |
 | documented | the maker documents it, or a driver whose author had a unit |
 | deduced | it follows from the figures of a similar model |
+| assumed | no source is known: it is as with the nearest relative, or of a usual size |
 
 You can change any field of a model, or define one of your own:
 [configuration.md](configuration.md#a-model-of-your-own).
@@ -47,9 +49,9 @@ steps 0 to 725, and publish 44 beams of 19 mm; `angle_min: -2.08` and `angle_max
 ERRORS = """
 ## Errors
 
-How well the curves are known that make a range wrong. *Light* is the spot of a beam, the wavelength, and how dark a
-target the scanner still sees. A curve that no source is named for in `daemon/models/product_lines.h` is assumed;
-[errors.md](errors.md) says what each curve does.
+How well the curves are known that make a range wrong. The accuracy of a data sheet bounds the bias of a unit, and is no
+noise. *Light* is the spot of a beam, the wavelength, and how dark a target the scanner still sees.
+`daemon/models/product_lines.h` names the recordings; [errors.md](errors.md) says what each curve does.
 
 """
 WORDS = {"doc": "documented", "ded": "deduced"}
@@ -86,7 +88,7 @@ def models_page(scipd):
     for name, words in curves.items():
         text += "| " + " | ".join([name, *words]) + " |\n"
     words = sum(curves.values(), [])
-    text += f"\nOf these {len(words)} entries {words.count('deduced')} are deduced or assumed.\n"
+    text += f"\nOf these {len(words)} entries {words.count('deduced') + words.count('assumed')} are deduced or assumed.\n"
     return text + "\n[protocol.md](protocol.md) says what the commands do.\n"
 
 

@@ -98,9 +98,10 @@ double Chance::standard_normal(std::uint32_t beam) const {
     return std::copysign(normal_tails(1.0 - std::abs(either_way)), either_way);
 }
 
-void Chance::standard_normals(std::uint32_t first_beam, std::span<double> numbers) const {
+void Chance::standard_normals(std::uint32_t first_beam, std::span<float> numbers) const {
     for (std::size_t i = 0; i < numbers.size(); ++i)
-        numbers[i] = standard_normal(first_beam + static_cast<std::uint32_t>(i));
+        numbers[i] =
+            static_cast<float>(standard_normal(first_beam + static_cast<std::uint32_t>(i)));
 }
 
 double Chance::even(std::uint32_t beam) const {

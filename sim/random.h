@@ -22,6 +22,8 @@ enum class Purpose : std::uint32_t {
     fault_begin,
     fault,
     mirror_phase,
+    intensity_noise,
+    unit,
 };
 
 struct ChanceKey {
@@ -40,7 +42,7 @@ class Chance {
     /// Of the normal distribution with mean 0 and standard deviation 1.
     [[nodiscard]] double standard_normal(std::uint32_t beam) const;
     /// Those of as many beams in a row, in less time.
-    void standard_normals(std::uint32_t first_beam, std::span<double> numbers) const;
+    void standard_normals(std::uint32_t first_beam, std::span<float> numbers) const;
     /// Even between -1 and 1, never either.
     [[nodiscard]] double even(std::uint32_t beam) const;
 

@@ -13,10 +13,13 @@ namespace {
 
 using sim::BiasPoint;
 using sim::Footprint;
+using sim::IntensityNoisePoint;
 using sim::IntensityPoint;
+using sim::NoiseLaw;
 using sim::NoiseStep;
 using sim::Receiver;
 using sim::SensorSpec;
+using sim::Smoothing;
 using sim::WarmUp;
 
 sim::Expected<int> parse_wavelength(std::string_view text) {
@@ -69,6 +72,7 @@ constexpr Member<IntensityPoint> intensity_members[] = {
 
 void read_noise(const Field& field, SensorSpec& optics, Faults& faults) {
     optics.noise = read_points<NoiseStep, noise_members>(field, faults);
+    if (optics.noise.empty()) optics.noise_law = {};
     for (std::size_t i = 0; i < optics.noise.size(); ++i) {
         const double from_m = optics.noise[i].from_range_m;
         const bool in_order = i == 0 ? from_m == 0.0 : from_m > optics.noise[i - 1].from_range_m;
@@ -93,6 +97,31 @@ void read_intensity(const Field& field, Receiver& receiver, Faults& faults) {
     require_growing(field, receiver.intensity, faults);
 }
 
+constexpr Member<NoiseLaw> noise_law_members[] = {
+    {"floor_m", read_as<&NoiseLaw::floor_m, parse_length>},
+    {"weak", read_as<&NoiseLaw::weak, parse_length>},
+};
+
+constexpr Member<Smoothing> smoothing_members[] = {
+    {"next", read_as<&Smoothing::next, parse_share>},
+    {"after_next", read_as<&Smoothing::after_next, parse_share>},
+    {"median_of_five", read_as<&Smoothing::median_of_five, parse_switch>},
+};
+
+constexpr Member<IntensityNoisePoint> intensity_noise_members[] = {
+    {"intensity", read_as<&IntensityNoisePoint::intensity, parse_length>},
+    {"share", read_as<&IntensityNoisePoint::share, parse_share>},
+};
+
+void read_intensity_noise(const Field& field, Receiver& receiver, Faults& faults) {
+    receiver.intensity_noise =
+        read_points<IntensityNoisePoint, intensity_noise_members>(field, faults);
+    for (std::size_t i = 1; i < receiver.intensity_noise.size(); ++i) {
+        if (receiver.intensity_noise[i].intensity <= receiver.intensity_noise[i - 1].intensity)
+            faults.add(field, "intensity must grow");
+    }
+}
+
 constexpr Member<WarmUp> warm_up_members[] = {
     {"drift_m", read_as<&WarmUp::drift_m, parse_metres>},
     {"time_constant_s", read_as<&WarmUp::time_constant, parse_stale>},
@@ -114,11 +143,14 @@ constexpr Member<Receiver> light_members[] = {
     {"edge_share", read_as<&Receiver::edge_share, parse_share>},
     {"crosstalk", read_as<&Receiver::crosstalk, parse_share>},
     {"intensity", read_intensity},
+    {"intensity_noise", read_intensity_noise},
     {"most_intensity", read_as<&Receiver::most_intensity, parse_length>},
 };
 
 constexpr Member<SensorSpec> optics_members[] = {
     {"noise", read_noise},
+    {"noise_law", read_map<&SensorSpec::noise_law, noise_law_members>},
+    {"smoothing", read_map<&SensorSpec::smoothing, smoothing_members>},
     {"bias", read_bias},
     {"warm_up", read_map<&SensorSpec::warm_up, warm_up_members>},
     {"lost_share", read_as<&SensorSpec::lost_share, parse_share>},
@@ -128,6 +160,18 @@ constexpr Member<SensorSpec> optics_members[] = {
 };
 
 }  // namespace
+
+bool read_bias_choice(const Field& field, SensorSpec& optics, Faults& faults) {
+    optics.bias.clear();
+    if (field.value.IsSequence()) {
+        read_bias(field, optics, faults);
+        return true;
+    }
+    const std::string word = field.value.IsScalar() ? field.value.Scalar() : "";
+    if (word != "none" && word != "unit")
+        faults.add(field, "must be none, unit, or a list of {range_m, bias_m}");
+    return word != "unit";
+}
 
 std::vector<std::string_view> optics_keys() {
     return keys_of(optics_members);

@@ -15,6 +15,9 @@ namespace scipd::daemon {
 
 std::vector<std::string_view> optics_keys();
 
+/// Reads `none`, `unit` or a curve: what a scanner reads too far. True: a curve, or none.
+bool read_bias_choice(const Field& field, sim::SensorSpec& optics, Faults& faults);
+
 /// Replaces what the section gives.
 void override_optics(const Section& section, sim::SensorSpec& optics, Faults& faults);
 

@@ -212,7 +212,11 @@ void override_model(const Section& section, const Field& map, std::optional<Mode
     override_optics(section, optics, faults);
     if (!model) return;
     check(section, map, profile, faults);
+    const bool own_serial = model->own_serial || section.find("serial") != nullptr;
+    const bool own_bias = model->own_bias || section.find("bias") != nullptr;
     model = make_model(profile, std::move(optics), model->sureness);
+    model->own_serial = own_serial;
+    model->own_bias = own_bias;
 }
 
 }  // namespace scipd::daemon

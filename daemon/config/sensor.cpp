@@ -17,10 +17,10 @@
 namespace scipd::daemon {
 namespace {
 
-constexpr std::array<std::string_view, 18> sensor_keys{
-    "model",   "camera",   "ranger",   "mount", "tcp",          "pty",
-    "backend", "depth",    "accuracy", "echo",  "interference", "motion",
-    "timing",  "power_up", "clock",    "link",  "profile",      "sees_body"};
+constexpr std::array<std::string_view, 19> sensor_keys{
+    "model", "camera",   "ranger",  "mount",        "tcp",    "pty",    "backend",
+    "depth", "accuracy", "echo",    "interference", "motion", "timing", "power_up",
+    "clock", "link",     "profile", "sees_body",    "bias"};
 constexpr std::array<std::string_view, 3> depth_keys{"between_pixels", "oversample",
                                                      "widest_pass_deg"};
 constexpr std::array<std::string_view, 3> clock_keys{"ppm", "start_ms", "phase_ms"};
@@ -47,6 +47,8 @@ std::optional<Model> read_model(const Section& section, const SensorContext& con
         override_model(profile_section(*profile, {}, context.faults), *profile, model,
                        context.faults);
     }
+    if (const Field* bias = section.find("bias"); bias && model)
+        model->own_bias = read_bias_choice(*bias, model->optics, context.faults);
     return model;
 }
 

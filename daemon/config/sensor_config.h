@@ -46,7 +46,8 @@ enum class PowerUp {
 
 /// The device's own clock.
 struct DeviceClockConfig {
-    double ppm = 0.0;            ///< how much too fast it runs
+    /// How much too fast it runs. Not said: not at all, or what a unit that others disturb has.
+    std::optional<double> ppm{};
     std::uint32_t start_ms = 0;  ///< what it shows at the start
     /// How long after power-up the mirror first passes step 0. Not said: a chance of each scanner.
     std::optional<std::chrono::nanoseconds> phase{};

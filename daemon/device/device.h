@@ -24,6 +24,7 @@
 #include "daemon/device/sensor_log.h"
 #include "daemon/device/sensor_record.h"
 #include "daemon/device/sweep.h"
+#include "daemon/device/unit.h"
 #include "daemon/device/watchers.h"
 #include "daemon/link/endpoint.h"
 #include "daemon/world/world.h"
@@ -105,8 +106,7 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     /// Answers this client's requests for the latest scan where that scan has been made by now.
     /// Where a scan is still to come it sees to it that the scan is made.
     void serve_latest(ServedClient& client);
-    /// Something has happened to the device that its clients may be waiting for. One of them may
-    /// know already.
+    /// Clients may be waiting for what has just happened. One of them may know already.
     void tell_clients(const ServedClient* knows = nullptr);
 
     void notice_boot();
@@ -122,8 +122,9 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     [[nodiscard]] Measurement cast(std::int64_t revolution);
 
     // Constant after construction.
-    protocol::DeviceProfile profile_;
     sim::ChanceKey chance_;
+    Unit unit_;
+    protocol::DeviceProfile profile_;
     sim::Time patience_;
     Clock& clock_;
     World& world_;

@@ -6,10 +6,11 @@
 #pragma once
 
 #include "daemon/config/sensor_config.h"
+#include "daemon/device/unit.h"
 #include "protocol/device_profile.h"
 
 namespace scipd::daemon {
 
-[[nodiscard]] protocol::DeviceProfile powered_profile(const SensorConfig& config);
+[[nodiscard]] protocol::DeviceProfile powered_profile(const SensorConfig& config, const Unit& unit);
 
 }  // namespace scipd::daemon

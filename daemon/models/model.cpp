@@ -10,10 +10,14 @@ std::string_view name_of(Evidence evidence) {
     switch (evidence) {
         case Evidence::seen:
             return "seen";
+        case Evidence::measured:
+            return "measured";
         case Evidence::documented:
             return "documented";
         case Evidence::deduced:
             return "deduced";
+        case Evidence::assumed:
+            return "assumed";
     }
     return "";
 }

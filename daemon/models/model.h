@@ -15,9 +15,11 @@ namespace scipd::daemon {
 
 /// How a figure is known.
 enum class Evidence {
-    seen,        ///< recorded from a real unit
+    seen,        ///< on the wire of a real unit
+    measured,    ///< from recordings of this product
     documented,  ///< by its maker, or by a driver whose author had a unit
     deduced,     ///< from similar models, or made up if nothing is known
+    assumed,     ///< to be as with the nearest relative, or of a usual size
 };
 [[nodiscard]] std::string_view name_of(Evidence evidence);
 
@@ -28,8 +30,8 @@ struct Sureness {
     Evidence rate = Evidence::deduced;
     Evidence links = Evidence::deduced;
     Evidence commands = Evidence::deduced;
-    Evidence noise = Evidence::deduced;
-    Evidence bias = Evidence::deduced;   ///< and drift
+    Evidence noise = Evidence::assumed;
+    Evidence bias = Evidence::assumed;   ///< and drift
     Evidence light = Evidence::deduced;  ///< spot, wavelength, how dark a target it sees
 
     bool operator==(const Sureness&) const = default;
@@ -39,6 +41,9 @@ struct Model {
     protocol::DeviceProfile profile;
     sim::SensorSpec optics;
     Sureness sureness;
+    /// A configuration gives its serial number, or its bias. Otherwise each unit has its own.
+    bool own_serial = false;
+    bool own_bias = false;
 
     bool operator==(const Model&) const = default;
 };

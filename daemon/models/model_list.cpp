@@ -67,9 +67,10 @@ Row commands_row(const Model& model) {
     return {listed_name(model), commands_of(model.profile)};
 }
 
-/// In as few letters as tell the three apart.
+/// So that all columns fit a terminal.
 std::string short_name_of(Evidence evidence) {
-    return std::string(name_of(evidence).substr(0, evidence == Evidence::seen ? 4 : 3));
+    const bool frequent = evidence == Evidence::documented || evidence == Evidence::deduced;
+    return std::string(name_of(evidence).substr(0, frequent ? 3 : std::string::npos));
 }
 
 Row sureness_row(const Model& model) {
@@ -109,8 +110,9 @@ std::string table_of(Row titles, std::span<const Model> models, Row (*row_of)(co
 std::string list_of(std::span<const Model> models) {
     return table_of({"MODEL", "LINKS", "RANGE mm", "STEPS", "SCANS"}, models, figures_row) + "\n" +
            table_of({"MODEL", "COMMANDS"}, models, commands_row) +
-           "\nHow each figure is known: seen on the wire of a real unit; doc, by its maker or by a "
-           "driver\nwhose author had a unit; deduced from similar models.\n\n" +
+           "\nHow each figure is known: seen on the wire of a real unit; measured from recordings of "
+           "this\nproduct; doc, by its maker or by a driver whose author had a unit; deduced from "
+           "similar models;\nassumed to be as with the nearest relative, or of a usual size.\n\n" +
            table_of({"MODEL", "LINKS", "RANGE", "STEPS", "SCANS", "COMMANDS", "TEXTS", "NOISE",
                      "BIAS", "LIGHT"},
                     models, sureness_row);

@@ -3,6 +3,8 @@
 #include "daemon/models/product_lines.h"
 
 #include <chrono>
+#include <utility>
+#include <vector>
 
 namespace scipd::daemon {
 
@@ -16,19 +18,42 @@ sim::Footprint spot(double half_width_rad, double half_height_rad) {
 /// Medians of a recorded scan of a UTM-30LX, whose values went from 137 to 16219: it shows near and
 /// far faces almost alike. That the faces of that room were white and matt is assumed, as are the
 /// points behind 6.5 m.
-std::vector<sim::IntensityPoint> recorded_intensity() {
+std::vector<sim::IntensityPoint> utm_intensity() {
     return {{0.25, 1366}, {0.75, 2892}, {1.5, 2561},  {2.5, 2704},
             {4.0, 2316},  {6.5, 1853},  {12.0, 1350}, {30.0, 850}};
 }
 
-sim::Receiver pulse_receiver(double dark_range_m) {
+/// The brightest matt walls of a recorded UST (SkoltechRobotics/Eurobot2018); that they are white
+/// is assumed, as are the points behind 6.5 m.
+std::vector<sim::IntensityPoint> ust_intensity() {
+    return {{0.3, 600}, {0.75, 1400}, {1.5, 1100}, {2.5, 1080},
+            {3.5, 950}, {6.5, 800},   {12.0, 500}, {30.0, 300}};
+}
+
+/// Those that show none tell their light by its noise: a URG-04LX before a white wall has 4.7 mm at
+/// 45 degrees and 11 mm at 75 (srLarsons/FaultModeling-for-2D-Laser-scanner), which is that of
+/// light that falls with the square of the range. How large the numbers are is assumed.
+std::vector<sim::IntensityPoint> square_law_intensity() {
+    return {{0.5, 10240}, {0.75, 4551}, {1.0, 2560}, {1.5, 1138}, {2.0, 640}, {2.5, 410},
+            {3.0, 284},   {4.0, 160},   {5.0, 102},  {6.0, 71},   {8.0, 40}};
+}
+
+/// A recorded UST (as above): 3.5 % below 350, 0.8 % at 850, 3 % and more at retro-reflectors.
+std::vector<sim::IntensityNoisePoint> intensity_noise() {
+    return {{275, 0.035}, {425, 0.018}, {600, 0.014}, {850, 0.009}, {1250, 0.012}, {3000, 0.03}};
+}
+
+sim::Receiver pulse_receiver(double dark_range_m, std::vector<sim::IntensityPoint> intensity) {
     return {.wavelength_nm = 905,
             .dark_range_m = dark_range_m,
             .half_pulse_m = 0.75,
             .walk_m = 0.01,
-            .intensity = recorded_intensity(),
-            .most_intensity = 16383};
+            .intensity = std::move(intensity),
+            .most_intensity = 16383,
+            .intensity_noise = intensity_noise()};
 }
+
+constexpr sim::Smoothing median_of_five{.median_of_five = true};
 
 sim::WarmUp warm_up(double drift_m, std::chrono::minutes time_constant) {
     return {.drift_m = drift_m, .time_constant = time_constant};
@@ -61,55 +86,57 @@ protocol::DistanceCodes utm_codes() {
 
 sim::SensorSpec urg_optics() {
     using namespace std::chrono_literals;
-    return {
-        .noise = {{.from_range_m = 0.0, .sigma_m = 0.010, .sigma_share = 0.0},
-                  {.from_range_m = 1.0, .sigma_m = 0.0, .sigma_share = 0.01}},
-        .bias =
-            {{0.06, 0.003}, {0.5, 0.0}, {1.0, -0.003}, {2.0, -0.005}, {3.0, 0.005}, {4.0, 0.010}},
-        .warm_up = warm_up(0.010, 20min),
-        .footprint = spot(0.005, 0.005),
-        .receiver = {.wavelength_nm = 785,
-                     .dark_range_m = 1.6,
-                     .half_pulse_m = 1.5,
-                     .walk_m = 0.01,
-                     .blinding_signal = 200.0,
-                     .edge_share = 0.3,
-                     .intensity = recorded_intensity(),
-                     .most_intensity = 16383}};
+    return {.noise_law = {.floor_m = 0.00278, .weak = 60.0},
+            .smoothing = median_of_five,
+            .accuracy = {{.from_range_m = 0.0, .bound_m = 0.010, .bound_share = 0.0},
+                         {.from_range_m = 1.0, .bound_m = 0.0, .bound_share = 0.01}},
+            .warm_up = warm_up(0.004, 20min),
+            .footprint = spot(0.005, 0.005),
+            .receiver = {.wavelength_nm = 785,
+                         .dark_range_m = 3.2,
+                         .half_pulse_m = 1.5,
+                         .walk_m = 0.01,
+                         .blinding_signal = 200.0,
+                         .edge_share = 0.3,
+                         .intensity = square_law_intensity(),
+                         .most_intensity = 16383,
+                         .intensity_noise = intensity_noise()}};
+}
+
+sim::SensorSpec uhg_optics() {
+    sim::SensorSpec optics = urg_optics();
+    optics.noise_law = {.floor_m = 0.0037, .weak = 45.0};
+    optics.accuracy = {{.from_range_m = 0.0, .bound_m = 0.030, .bound_share = 0.0},
+                       {.from_range_m = 1.0, .bound_m = 0.0, .bound_share = 0.03}};
+    return optics;
 }
 
 sim::SensorSpec utm_optics() {
     using namespace std::chrono_literals;
-    return {.noise = {{.from_range_m = 0.0, .sigma_m = 0.010, .sigma_share = 0.0},
-                      {.from_range_m = 10.0, .sigma_m = 0.030, .sigma_share = 0.0}},
-            .bias = {{2.0, 0.0114},
-                     {3.0, 0.0165},
-                     {4.5, 0.00405},
-                     {6.0, 0.0072},
-                     {9.0, 0.0225},
-                     {10.5, 0.00735},
-                     {12.0, 0.0048},
-                     {15.0, 0.0075},
-                     {21.0, 0.0021},
-                     {23.0, 0.0161},
-                     {25.0, 0.0075},
-                     {29.0, 0.0174},
-                     {30.0, 0.0009}},
-            .warm_up = warm_up(0.005, 20min),
+    return {.noise_law = {.floor_m = 0.0036, .weak = 900.0},
+            .smoothing = median_of_five,
+            .accuracy = {{.from_range_m = 0.0, .bound_m = 0.030, .bound_share = 0.0},
+                         {.from_range_m = 10.0, .bound_m = 0.050, .bound_share = 0.0}},
+            .warm_up = warm_up(0.003, 20min),
             .footprint = spot(0.0066, 0.0066),
-            .receiver = pulse_receiver(12.0)};
+            .receiver = pulse_receiver(12.0, utm_intensity())};
 }
 
 sim::SensorSpec ust_optics(double dark_range_m) {
     using namespace std::chrono_literals;
-    return {.noise = {{.from_range_m = 0.0, .sigma_m = 0.030, .sigma_share = 0.0}},
-            .warm_up = warm_up(0.005, 15min),
+    return {.noise_law = {.floor_m = 0.0046, .weak = 870.0},
+            .smoothing = {.next = 0.2, .after_next = 0.05},
+            .accuracy = {{.from_range_m = 0.0, .bound_m = 0.040, .bound_share = 0.0}},
+            .warm_up = warm_up(0.003, 15min),
+            .lattice_m = 0.0015,
             .footprint = spot(0.0066, 0.0066),
-            .receiver = pulse_receiver(dark_range_m)};
+            .receiver = pulse_receiver(dark_range_m, ust_intensity())};
 }
 
 sim::SensorSpec uxm_optics() {
-    return ust_optics(12.0);
+    sim::SensorSpec optics = utm_optics();
+    optics.noise_law.floor_m = 0.0045;
+    return optics;
 }
 
 void double_resolution(protocol::DeviceProfile& profile) {

@@ -32,7 +32,6 @@ Model ubg_04lx_f01() {
                           .steps = Evidence::documented,
                           .rate = Evidence::documented,
                           .links = Evidence::documented,
-                          .noise = Evidence::documented,
                       });
 }
 

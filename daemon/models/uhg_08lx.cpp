@@ -31,12 +31,13 @@ Model uhg_08lx() {
     profile.sensitivity = protocol::Support::yes;
     profile.rehearsals = protocol::Support::yes;
     profile.scan_period = 66'667us;
-    return make_model(profile, urg_optics(),
+    return make_model(profile, uhg_optics(),
                       {
                           .range = Evidence::documented,
                           .steps = Evidence::documented,
                           .rate = Evidence::documented,
                           .links = Evidence::documented,
+                          .noise = Evidence::measured,
                       });
 }
 

@@ -89,7 +89,7 @@ Model urg_04lx_3_1_04() {
                           .rate = Evidence::seen,
                           .links = Evidence::documented,
                           .commands = Evidence::documented,
-                          .noise = Evidence::documented,
+                          .noise = Evidence::measured,
                       });
 }
 
@@ -111,7 +111,7 @@ Model urg_04lx_3_3_00() {
                           .rate = Evidence::seen,
                           .links = Evidence::documented,
                           .commands = Evidence::documented,
-                          .noise = Evidence::documented,
+                          .noise = Evidence::measured,
                       });
 }
 

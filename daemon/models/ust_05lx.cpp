@@ -19,7 +19,6 @@ Model ust_05lx() {
                       {
                           .range = Evidence::documented,
                           .links = Evidence::documented,
-                          .noise = Evidence::documented,
                           .light = Evidence::documented,
                       });
 }

@@ -75,7 +75,7 @@ Model ust_10lx() {
                           .rate = Evidence::seen,
                           .links = Evidence::seen,
                           .commands = Evidence::documented,
-                          .noise = Evidence::documented,
+                          .noise = Evidence::measured,
                           .light = Evidence::documented,
                       });
 }

@@ -17,7 +17,6 @@ Model ust_10lx_h01() {
                           .steps = Evidence::documented,
                           .rate = Evidence::documented,
                           .links = Evidence::documented,
-                          .noise = Evidence::documented,
                           .light = Evidence::documented,
                       });
 }

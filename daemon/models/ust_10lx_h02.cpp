@@ -24,7 +24,6 @@ Model ust_10lx_h02() {
                           .steps = Evidence::documented,
                           .rate = Evidence::documented,
                           .links = Evidence::documented,
-                          .noise = Evidence::documented,
                           .light = Evidence::documented,
                       });
 }

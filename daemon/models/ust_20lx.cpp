@@ -18,7 +18,6 @@ Model ust_20lx() {
                           .rate = Evidence::seen,
                           .links = Evidence::documented,
                           .commands = Evidence::documented,
-                          .noise = Evidence::documented,
                       });
 }
 

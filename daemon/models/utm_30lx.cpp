@@ -61,8 +61,7 @@ Model utm_30lx() {
                           .rate = Evidence::seen,
                           .links = Evidence::seen,
                           .commands = Evidence::documented,
-                          .noise = Evidence::documented,
-                          .bias = Evidence::documented,
+                          .noise = Evidence::measured,
                       });
 }
 

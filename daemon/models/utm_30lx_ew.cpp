@@ -72,7 +72,6 @@ Model utm_30lx_ew() {
                           .rate = Evidence::documented,
                           .links = Evidence::documented,
                           .commands = Evidence::documented,
-                          .noise = Evidence::documented,
                       });
 }
 

@@ -62,6 +62,7 @@ Model uxm_30lx_e() {
                           .rate = Evidence::seen,
                           .links = Evidence::seen,
                           .commands = Evidence::documented,
+                          .noise = Evidence::measured,
                       });
 }
 

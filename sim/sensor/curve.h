@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "sim/sensor/noise_step.h"
+#include "sim/sensor/noise_law.h"
 
 namespace scipd::sim {
 
@@ -22,9 +22,10 @@ class Curve {
     };
 
   public:
-    /// `points` have a range_m that grows, and this value. None: the curve is 0.
+    /// `points` have an argument that grows (`at`, mostly range_m) and a value. None: it is 0.
     template <class Point>
-    Curve(const std::vector<Point>& points, double Point::*value) {
+    Curve(const std::vector<Point>& points, double Point::*value,
+          double Point::*at = &Point::range_m) {
         constexpr double far_m = std::numeric_limits<double>::infinity();
         pieces_.reserve(points.size() + 2);
         pieces_.push_back({-far_m, points.empty() ? 0.0 : points.front().*value, 0.0, 0.0});
@@ -32,8 +33,8 @@ class Curve {
             const bool last = i + 1 == points.size();
             const double rise = last ? 0.0
                                      : (points[i + 1].*value - points[i].*value) /
-                                           (points[i + 1].range_m - points[i].range_m);
-            pieces_.push_back({points[i].range_m, points[i].*value, points[i].range_m, rise});
+                                           (points[i + 1].*at - points[i].*at);
+            pieces_.push_back({points[i].*at, points[i].*value, points[i].*at, rise});
         }
         pieces_.push_back({far_m, 0.0, 0.0, 0.0});
     }

@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
 
 #include "sim/recycled.h"
 #include "sim/sensor/curve.h"
+#include "sim/sensor/deviation.h"
+#include "sim/sensor/noise_row.h"
 
 namespace scipd::sim {
 namespace {
@@ -38,13 +39,18 @@ class Reader {
     Reader(const SensorSpec& spec, const ErrorModel& model, Time on_for, std::int64_t revolution)
         : spec_(spec),
           bias_(spec.bias, &BiasPoint::bias_m),
-          sigma_(spec.noise),
+          deviation_(spec, model.noise_factor),
           intensity_(spec.receiver.intensity, &IntensityPoint::intensity),
+          intensity_noise_(spec.receiver.intensity_noise, &IntensityNoisePoint::share,
+                           &IntensityNoisePoint::intensity),
+          noise_factor_(model.noise_factor),
           drift_m_(drift_m(spec.warm_up, on_for)),
+          per_lattice_(spec.lattice_m > 0.0 ? 1.0 / spec.lattice_m : 0.0),
           weakest_(weakest_signal(spec.receiver)),
           noise_(with_purpose(model.key(revolution), Purpose::range_noise)),
           noticing_(with_purpose(model.key(revolution), Purpose::detection)),
-          losing_(with_purpose(model.key(revolution), Purpose::lost_beams)) {}
+          losing_(with_purpose(model.key(revolution), Purpose::lost_beams)),
+          flicker_(with_purpose(model.key(revolution), Purpose::intensity_noise)) {}
 
     /// The reading of a hit without errors. It fills a new reading in place, member by member: a
     /// Reading that is returned is copied in pieces that the processor has to wait for, which took
@@ -57,33 +63,65 @@ class Reader {
     }
     [[nodiscard]] Curve::Cursor white() const { return Curve::Cursor(intensity_); }
     [[nodiscard]] Curve::Cursor bias() const { return Curve::Cursor(bias_); }
-    [[nodiscard]] Curve::Cursor sigma() const { return Curve::Cursor(sigma_); }
+    [[nodiscard]] const Deviation& deviation() const { return deviation_; }
 
-    /// Adds the errors that follow from the range alone. `normal`: the chance of this beam.
-    void add_errors(Reading& reading, std::uint32_t beam, double normal, Curve::Cursor& bias,
-                    Curve::Cursor& sigma) const {
-        if (reading.cause != Cause::measured) return;
+    /// Adds the errors that follow from the range alone to a reading without.
+    void add_errors(Reading& reading, std::uint32_t beam, double noise_m,
+                    Curve::Cursor& bias) const {
         if (loses(beam)) {
             reading = {.cause = Cause::lost};
         } else {
-            const double noise_m = sigma.at(reading.range_m) * normal;
             reading.range_m = told_m(reading.range_m + bias.at(reading.range_m) + noise_m);
         }
     }
     [[nodiscard]] const Chance& noise() const { return noise_; }
 
+    /// The noise of what a scan's beams meet.
+    [[nodiscard]] NoiseRow noise_of_hits(const Scan& scan) const {
+        NoiseRow row(scan.beams(), 0);
+        Curve::Cursor white_wall = deviation_.white_wall();
+        for (std::size_t beam = 0; beam < scan.beams(); ++beam) {
+            const Hit& hit = scan.middle(beam);
+            if (!hit.met()) continue;
+            const double sigma_m = deviation_.white_wall_m(hit.range_m, white_wall);
+            row.set(beam, hit.range_m, static_cast<float>(sigma_m), hit.object);
+        }
+        row.draw(spec_.smoothing, spec_.beam_rad(), noise_);
+        return row;
+    }
+
+    /// The noise of the echoes of all beams, those of one rank in one row.
+    [[nodiscard]] std::vector<NoiseRow> noise_of(const PerBeam<Echo>& echoes) const {
+        std::vector<NoiseRow> rows;
+        for (std::size_t beam = 0; beam < echoes.beams(); ++beam) {
+            const std::size_t count = std::min(echoes[beam].size(), most_echoes_read);
+            while (rows.size() < count)
+                rows.emplace_back(echoes.beams(), static_cast<std::uint32_t>(rows.size()));
+            for (std::size_t i = 0; i < count; ++i) {
+                const Echo& echo = echoes[beam][i];
+                rows[i].set(beam, echo.range_m, static_cast<float>(deviation_.of_m(echo)),
+                            echo.object);
+            }
+        }
+        for (NoiseRow& row : rows)
+            row.draw(spec_.smoothing, spec_.beam_rad(), noise_);
+        return rows;
+    }
+
     /// All errors of all echoes of a beam that the sensor notices; or one reading that tells why
     /// there are none. Good until the next call.
     [[nodiscard]] std::span<const Reading> read_all(std::span<const Echo> echoes,
+                                                    std::span<const NoiseRow> noise,
                                                     std::uint32_t beam) {
         if (loses(beam)) return only(Cause::lost);
         if (echoes.empty()) return only(Cause::nothing);
         if (contradict(echoes)) return only(Cause::edge);
         std::size_t count = 0;
-        for (std::uint32_t i = 0; i < echoes.size() && count < read_.size(); ++i) {
+        for (std::uint32_t i = 0; i < echoes.size() && i < noise.size(); ++i) {
             const std::uint32_t chance = beam + i * beams_apart;
             const float signal = signal_of(spec_.receiver, echoes[i].range_m, echoes[i].power);
-            if (notices(signal, chance)) read_[count++] = read_lit(echoes[i], signal, chance);
+            if (!notices(signal, chance)) continue;
+            read_[count++] = read_lit(echoes[i], signal, noise[i].noise_m(beam), chance);
         }
         if (count == 0) return only(Cause::too_dark);
         return std::span(read_).first(count);
@@ -120,21 +158,25 @@ class Reader {
                0.0;
     }
 
-    [[nodiscard]] Reading read_lit(const Echo& echo, float signal, std::uint32_t chance) const {
+    [[nodiscard]] Reading read_lit(const Echo& echo, float signal, double noise_m,
+                                   std::uint32_t chance) const {
         const Receiver& receiver = spec_.receiver;
+        const float intensity = intensity_read(echo, chance);
         if (receiver.blinding_signal > 0.0 && double{signal} > receiver.blinding_signal)
-            return {.signal = signal,
-                    .intensity = intensity_of(intensity_.at(echo.range_m), echo.power),
-                    .cause = Cause::too_bright};
-        const double sigma_m = sigma_.at(echo.range_m);
-        const double weakness = double{weakest_} / signal;
-        const double all_m =
-            std::sqrt(sigma_m * sigma_m * (1.0 + weakness) + square(spread_share * echo.spread_m));
+            return {.signal = signal, .intensity = intensity, .cause = Cause::too_bright};
         const double walk_m =
             receiver.walk_m == 0.0 ? 0.0 : -receiver.walk_m * std::log10(double{echo.power});
-        const double noise_m = all_m * noise_.standard_normal(chance);
-        return {told_m(echo.range_m + bias_.at(echo.range_m) + walk_m + noise_m), signal,
-                intensity_of(intensity_.at(echo.range_m), echo.power), Cause::measured};
+        return {told_m(echo.range_m + bias_.at(echo.range_m) + walk_m + noise_m), signal, intensity,
+                Cause::measured};
+    }
+
+    [[nodiscard]] float intensity_read(const Echo& echo, std::uint32_t chance) const {
+        const double white = intensity_.at(echo.range_m);
+        const double flicker = spec_.receiver.intensity_noise.empty()
+                                   ? 0.0
+                                   : noise_factor_ * intensity_noise_.at(white * echo.power) *
+                                         flicker_.standard_normal(chance);
+        return intensity_of(white * std::max(0.0, 1.0 + flicker), echo.power);
     }
 
     [[nodiscard]] float intensity_of(double white, float power) const {
@@ -143,22 +185,26 @@ class Reader {
 
     /// The last errors, which all ranges have.
     [[nodiscard]] float told_m(double range_m) const {
-        double read_m = range_m + drift_m_;
-        if (spec_.lattice_m > 0.0) read_m = std::round(read_m / spec_.lattice_m) * spec_.lattice_m;
-        return static_cast<float>(std::max(0.0, read_m));
+        const double read_m = std::max(0.0, range_m + drift_m_);
+        if (spec_.lattice_m <= 0.0) return static_cast<float>(read_m);
+        // A conversion is several times faster than std::round().
+        const auto places = static_cast<std::int64_t>(read_m * per_lattice_ + 0.5);
+        return static_cast<float>(static_cast<double>(places) * spec_.lattice_m);
     }
-
-    static double square(double x) { return x * x; }
 
     const SensorSpec& spec_;
     Curve bias_;
-    Curve sigma_;
+    Deviation deviation_;
     Curve intensity_;
+    Curve intensity_noise_;
+    double noise_factor_;
     double drift_m_;
+    double per_lattice_;
     float weakest_;
     Chance noise_;
     Chance noticing_;
     Chance losing_;
+    Chance flicker_;
     std::array<Reading, most_echoes_read> read_{};
 };
 
@@ -169,7 +215,6 @@ const Reading& chosen(std::span<const Reading> readings, EchoChoice choice) {
     return *std::ranges::max_element(readings, {}, &Reading::signal);
 }
 
-// One loop that makes readings and one that adds errors take less time than one for both.
 void read_hits(const Reader& reader, const ErrorModel& model, Scan& scan) {
     scan.readings = Recycled<Reading>::take(scan.beams());
     std::ranges::fill(scan.readings, Reading{});
@@ -177,23 +222,22 @@ void read_hits(const Reader& reader, const ErrorModel& model, Scan& scan) {
     for (std::size_t beam = 0; beam < scan.readings.size(); ++beam)
         reader.read_ideal(scan.middle(beam), white, scan.readings[beam]);
     if (model.accuracy == Accuracy::ideal) return;
+    const NoiseRow noise = reader.noise_of_hits(scan);
     Curve::Cursor bias = reader.bias();
-    Curve::Cursor sigma = reader.sigma();
-    std::array<double, 64> normals;
     for (std::size_t beam = 0; beam < scan.readings.size(); ++beam) {
-        const std::size_t i = beam % normals.size();
-        if (i == 0) reader.noise().standard_normals(static_cast<std::uint32_t>(beam), normals);
-        reader.add_errors(scan.readings[beam], static_cast<std::uint32_t>(beam), normals[i], bias,
-                          sigma);
+        Reading& reading = scan.readings[beam];
+        if (reading.cause == Cause::measured)
+            reader.add_errors(reading, static_cast<std::uint32_t>(beam), noise.noise_m(beam), bias);
     }
 }
 
 void read_echoes(Reader& reader, const ErrorModel& model, Scan& scan) {
     scan.readings.clear();
     scan.readings.reserve(scan.beams());
+    const std::vector<NoiseRow> noise = reader.noise_of(scan.echoes);
     for (std::size_t beam = 0; beam < scan.beams(); ++beam) {
         const std::span<const Reading> readings =
-            reader.read_all(scan.echoes[beam], static_cast<std::uint32_t>(beam));
+            reader.read_all(scan.echoes[beam], noise, static_cast<std::uint32_t>(beam));
         scan.readings.push_back(chosen(readings, model.choice));
         if (!model.tells_every_echo) continue;
         const std::size_t told = std::min(readings.size(), ErrorModel::most_echoes_told);
@@ -211,9 +255,8 @@ float signal_of(const Receiver& receiver, float range_m, float power) {
 }
 
 float weakest_signal(const Receiver& receiver) {
-    constexpr float dark = 0.1F;
     if (receiver.dark_range_m <= 0.0) return 0.0F;
-    return signal_of(receiver, static_cast<float>(receiver.dark_range_m), dark);
+    return signal_of(receiver, static_cast<float>(receiver.dark_range_m), dark_target);
 }
 
 void ErrorModel::read(const SensorSpec& spec, Time on_for, Scan& scan) const {
@@ -231,11 +274,12 @@ Reading ErrorModel::read(const SensorSpec& spec, Time on_for, std::int64_t revol
     const Reader reader(spec, *this, on_for, revolution);
     Curve::Cursor white = reader.white();
     Curve::Cursor bias = reader.bias();
-    Curve::Cursor sigma = reader.sigma();
     Reading reading;
     reader.read_ideal(hit, white, reading);
-    if (accuracy != Accuracy::ideal)
-        reader.add_errors(reading, beam, reader.noise().standard_normal(beam), bias, sigma);
+    if (accuracy == Accuracy::ideal || !hit.met()) return reading;
+    Curve::Cursor white_wall = reader.deviation().white_wall();
+    const double sigma_m = reader.deviation().white_wall_m(hit.range_m, white_wall);
+    reader.add_errors(reading, beam, sigma_m * reader.noise().standard_normal(beam), bias);
     return reading;
 }
 

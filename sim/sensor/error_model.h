@@ -36,6 +36,8 @@ struct ErrorModel {
     /// It tells up to most_echoes_told of them.
     bool tells_every_echo = false;
     static constexpr std::size_t most_echoes_told = 3;
+    /// All noise is so many times the model's.
+    double noise_factor = 1.0;
 
     /// Fills the readings of a scan from its echoes, or from its hits where it has no echoes.
     /// `on_for`: since when the sensor is switched on.
@@ -60,8 +62,5 @@ struct ErrorModel {
 /// Below and above weakest_signal() the share of echoes that are noticed goes from none to all as
 /// the normal distribution of the signal's logarithm with this deviation. Assumed.
 inline constexpr double noticing_spread = 0.05;
-
-/// How much of the spread of ranges within a footprint shows as noise. Assumed.
-inline constexpr double spread_share = 0.5;
 
 }  // namespace scipd::sim

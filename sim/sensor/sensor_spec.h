@@ -7,8 +7,9 @@
 
 #include <vector>
 
+#include "sim/sensor/curve.h"
 #include "sim/sensor/footprint.h"
-#include "sim/sensor/noise_step.h"
+#include "sim/sensor/noise_law.h"
 #include "sim/time.h"
 
 namespace scipd::sim {
@@ -19,6 +20,16 @@ struct BiasPoint {
     double bias_m;
 
     bool operator==(const BiasPoint&) const = default;
+};
+
+/// How far off the data sheet lets a unit be, on average, from this range on:
+/// bound_m + bound_share * range.
+struct AccuracyStep {
+    double from_range_m;
+    double bound_m;
+    double bound_share;
+
+    bool operator==(const AccuracyStep&) const = default;
 };
 
 /// A cold sensor reads too far by drift_m * exp(-t / time_constant) when it has been on for t.
@@ -36,6 +47,9 @@ struct IntensityPoint {
 
     bool operator==(const IntensityPoint&) const = default;
 };
+
+/// The reflectance of the target that data sheets call dark.
+inline constexpr float dark_target = 0.1F;
 
 /// How a sensor sees the light that comes back, at Accuracy::material.
 struct Receiver {
@@ -59,6 +73,8 @@ struct Receiver {
     /// By growing range_m; linear between, and constant before and behind. Empty: no intensity.
     std::vector<IntensityPoint> intensity = {};
     double most_intensity = 0.0;  ///< brighter light is told as this
+    /// By growing intensity; linear between, and constant before and behind. Empty: none.
+    std::vector<IntensityNoisePoint> intensity_noise = {};
 
     bool operator==(const Receiver&) const = default;
 };
@@ -67,10 +83,16 @@ struct SensorSpec {
     int steps_per_turn = 0;  ///< ARES
     int first_step = 0;      ///< first and last step that are measured, both inclusive
     int last_step = 0;
-    int front_step = 0;            ///< points along +x of S
-    Time scan_period{};            ///< one turn
-    double max_range_m{};          ///< no beam sees farther
-    std::vector<NoiseStep> noise;  ///< by growing from_range_m, the first at 0; empty: none
+    int front_step = 0;    ///< points along +x of S
+    Time scan_period{};    ///< one turn
+    double max_range_m{};  ///< no beam sees farther
+    /// Of ranges, where it follows from the light.
+    NoiseLaw noise_law = {};
+    /// The deviation for a white wall head-on, in place of that law; by growing from_range_m, the
+    /// first at 0. Empty: the law decides.
+    std::vector<NoiseStep> noise = {};
+    Smoothing smoothing = {};
+    std::vector<AccuracyStep> accuracy = {};  ///< of the data sheet, by growing range
     /// By growing range_m; linear between, and constant before and behind. Empty: none.
     std::vector<BiasPoint> bias = {};
     WarmUp warm_up = {};
@@ -84,11 +106,17 @@ struct SensorSpec {
     [[nodiscard]] int beams() const { return last_step - first_step + 1; }
     /// Counter-clockwise positive seen from above, 0 at the front.
     [[nodiscard]] double angle_rad(double step) const;
-    /// Of the noise at this range; 0 where there is none.
+    /// From one step to the next.
+    [[nodiscard]] double beam_rad() const;
+    /// The deviation that it reads a white wall with, head-on at this range.
     [[nodiscard]] double sigma_m(double range_m) const;
     [[nodiscard]] double bias_m(double range_m) const;
     /// Of light of this power (Echo) from this range.
     [[nodiscard]] double intensity(double range_m, double power) const;
 };
+
+/// The noise by range of a white wall head-on: what `noise` says, else what the law makes of the
+/// intensities of such a wall.
+[[nodiscard]] Curve white_wall_noise(const SensorSpec& spec);
 
 }  // namespace scipd::sim

@@ -56,10 +56,10 @@ class OptionsTest : public testing::Test {
   protected:
     OptionsTest() { dir_.write("room.sdf", room("<box><size>1 1 1</size></box>")); }
 
-    /// What is told of the materials of scipd.
-    /// Of one UST-20LX: its noise has a source, its bias and its light have none.
+    /// What is told of the materials of scipd. Of one UST-20LX: its noise is that of a UST-10LX,
+    /// its bias and its light have no source either.
     static std::string stock() {
-        return summary_of(*load_materials(Config{}).library) + ", error curves: 3 (67 % assumed)";
+        return summary_of(*load_materials(Config{}).library) + ", error curves: 3 (100 % assumed)";
     }
 
     /// A world of one line and one model.

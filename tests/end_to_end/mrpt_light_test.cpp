@@ -54,7 +54,9 @@ TEST(MrptDriverOnLight, ReadsTheIntensityOfEveryModelThatHasIt) {
         const auto front = scan.getScanSize() / 2;
         EXPECT_NEAR(scan.getScanRange(front), 3.0, 0.05);
         const daemon::Model& model = daemon::find_model(models[i]);
-        EXPECT_NEAR(scan.getScanIntensity(front), 0.9 * model.optics.intensity(3.0, 1.0), 5.0);
+        // It varies by a few per cent.
+        const double white = model.optics.intensity(3.0, 1.0);
+        EXPECT_NEAR(scan.getScanIntensity(front), 0.9 * white, 0.1 * white);
     }
 }
 

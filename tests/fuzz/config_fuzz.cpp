@@ -27,10 +27,13 @@ void check(const scipd::sim::StaringSpec& spec) {
 
 void check(const SensorConfig& sensor) {
     if (sensor.staring) return check(*sensor.staring);
-    const auto& [profile, optics, sureness] = sensor.model;
+    const auto& [profile, optics, sureness, own_serial, own_bias] = sensor.model;
     require(!sensor.name.empty() && !profile.name.empty());
     require(faults_of(profile).empty());
-    require(sensor.model == make_model(profile, optics, sureness));
+    Model same = make_model(profile, optics, sureness);
+    same.own_serial = own_serial;
+    same.own_bias = own_bias;
+    require(sensor.model == same);
     require(sensor.power_up != PowerUp::scip1 || profile.speaks_scip1());
     require(sensor.link.jitter <= sensor.link.latency);
     require(!sensor.link.baud || sensor.pty);

@@ -167,6 +167,7 @@ TEST_F(ConfigProfileTest, ChangesEachFieldAndNoOther) {
         Model expected = find_model(model);
         change(expected.profile);
         expected = make_model(expected.profile, expected.optics, expected.sureness);
+        expected.own_serial = key == std::string_view("serial");
         EXPECT_NE(expected, find_model(model)) << key << " changes nothing";
         const std::string line = std::string{"profile: {"} + key + ": " + text + "}";
         EXPECT_THAT(sensor_faults(line, model), IsEmpty()) << key;
@@ -195,21 +196,27 @@ TEST_F(ConfigProfileTest, OpticsFollow) {
                       {.from_range_m = 5, .sigma_m = 0.02, .sigma_share = 0.001}};
     EXPECT_EQ(model.optics, expected);
     EXPECT_EQ(model.profile.name, "UST-10LX");
-    EXPECT_THAT(sensor("profile: {noise: []}").model.optics.noise, IsEmpty());
+    const auto quiet = sensor("profile: {noise: []}").model.optics;
+    EXPECT_THAT(quiet.noise, IsEmpty());
+    EXPECT_EQ(quiet.sigma_m(3.0), 0.0);
 }
 
 TEST_F(ConfigProfileTest, ErrorsAndLightCanBeChanged) {
     const sim::SensorSpec optics =
         sensor(
             "profile: {bias: [{range_m: 1, bias_m: -0.002}, {range_m: 4, bias_m: 0.01}],"
+            " noise_law: {floor_m: 0.003, weak: 400},"
+            " smoothing: {next: 0.3, after_next: 0.1, median_of_five: true},"
             " warm_up: {drift_m: -0.02, time_constant_s: 600}, lost_share: 0.01,"
             " lattice_m: 0.005, spot: {half_width_mrad: 4, half_height_mrad: 2, rays: 13},"
             " light: {wavelength_nm: 830, dark_range_m: 3, half_pulse_m: 0.6,"
             " level_below_m: 0.3, walk_m: 0.02, blinding_signal: 90, edge_share: 0.2,"
             " crosstalk: 0.05, intensity: [{range_m: 1, intensity: 900}],"
-            " most_intensity: 1000}}")
+            " most_intensity: 1000, intensity_noise: [{intensity: 500, share: 0.01}]}}")
             .model.optics;
     sim::SensorSpec expected = find_model("UST-10LX").optics;
+    expected.noise_law = {.floor_m = 0.003, .weak = 400};
+    expected.smoothing = {.next = 0.3, .after_next = 0.1, .median_of_five = true};
     expected.bias = {{1.0, -0.002}, {4.0, 0.01}};
     expected.warm_up = {.drift_m = -0.02, .time_constant = 600s};
     expected.lost_share = 0.01;
@@ -224,7 +231,8 @@ TEST_F(ConfigProfileTest, ErrorsAndLightCanBeChanged) {
                          .edge_share = 0.2,
                          .crosstalk = 0.05,
                          .intensity = {{1.0, 900}},
-                         .most_intensity = 1000};
+                         .most_intensity = 1000,
+                         .intensity_noise = {{500, 0.01}}};
     EXPECT_EQ(optics, expected);
 }
 
@@ -260,8 +268,8 @@ TEST_F(ConfigProfileFaults, OfOneValue) {
     EXPECT_THAT(said("name: x"),
                 ElementsAre(testing::AllOf(
                     testing::StartsWith("name: unknown key; known here are family, vendor"),
-                    testing::EndsWith("wake_time_ms, noise, bias, warm_up, lost_share, "
-                                      "lattice_m, spot, light"))));
+                    testing::EndsWith("wake_time_ms, noise, noise_law, smoothing, bias, "
+                                      "warm_up, lost_share, lattice_m, spot, light"))));
     EXPECT_THAT(said("codes: {none: 1}"),
                 ElementsAre("codes.none: unknown key; known here are nothing, too_near, too_far, "
                             "not_measured, too_dark, too_bright, edge, interference, lost"));
@@ -382,7 +390,8 @@ TEST_F(ConfigModelsTest, StandWhereverTheFilePutsThem) {
     expected.profile.serial = "X1";
     expected.profile.dmax_mm = 9000;
     expected.optics.max_range_m = 9.0;
-    expected.optics.noise.clear();
+    expected.optics.noise_law = {};
+    expected.own_serial = true;
     EXPECT_EQ(config.robots[0].sensors[0].model, expected);
     expected.profile.serial = "X2";
     EXPECT_EQ(config.robots[0].sensors[1].model, expected);

@@ -408,7 +408,7 @@ TEST_F(ConfigTest, AFaultIsALineThatCanBeShown) {
         ElementsAre(
             "fleet.yaml:3: robots.r.sensors.s.a??: unknown key; known here are "
             "model, camera, ranger, mount, tcp, pty, backend, depth, accuracy, "
-            "echo, interference, motion, timing, power_up, clock, link, profile, sees_body"));
+            "echo, interference, motion, timing, power_up, clock, link, profile, sees_body, bias"));
     const auto told = faults(
         "scene: room.sdf\nrobots: {r: {sensors: {s: "
         "{pty: auto, model: \"UST\\n10\"}}}}");

@@ -23,8 +23,9 @@ double read_after_m(PowerUp power_up, sim::Time on_for) {
     SensorConfig config = ideal_sensor("URG-04LX");
     config.accuracy = sim::Accuracy::sensor;
     config.power_up = power_up;
-    config.model.optics.noise.clear();
-    config.model.optics.bias.clear();
+    config.model.optics.noise_law = {};
+    config.model.optics.smoothing = {};
+    config.model.own_bias = true;
     Device device("robot", config, 1, world, clock);
     std::optional<double> read_m;
     device.watch([&](const ScanRecord& record) { read_m = record.cast->readings[340].range_m; });
@@ -33,12 +34,13 @@ double read_after_m(PowerUp power_up, sim::Time on_for) {
     return read_m.value();
 }
 
-// 10 mm that fall to a third in 20 minutes (product_lines.h): Kneip et al. 2009 and Okubo et al.
-// 2009 saw a URG-04LX drift after it was switched on; their figures are not in the model.
+// 4 mm that fall to a third in 20 minutes: recordings of seconds to minutes drift by 0.6 to 4 mm.
+// Kneip et al. 2009 and Okubo et al. 2009 saw a URG-04LX drift after it was switched on; their
+// figures were not at hand.
 TEST(WarmUp, EndsAsTheCurveSays) {
     for (const auto minutes : {1, 20, 60}) {
         EXPECT_NEAR(read_after_m(PowerUp::boot, minutes * 1min),
-                    4.0 + 0.010 * std::exp(-minutes / 20.0), 2e-5)
+                    4.0 + 0.004 * std::exp(-minutes / 20.0), 2e-5)
             << minutes;
     }
 }

@@ -83,7 +83,7 @@ TEST_P(EveryModel, IsNamedByTheFirmwareThatItTells) {
 }
 
 TEST_P(EveryModel, SaysHowSureEachFigureIs) {
-    const std::string sure = " +(seen|doc|ded)";
+    const std::string sure = " +(seen|measured|doc|ded|assumed)";
     std::string row = "[^ ]+@[^ ]+";
     for (int i = 0; i < 9; ++i)
         row += sure;
@@ -92,7 +92,7 @@ TEST_P(EveryModel, SaysHowSureEachFigureIs) {
                     "MODEL +LINKS +RANGE mm +STEPS +SCANS\n"
                     "[^ ]+@[^ ]+  (USB|USB, RS-232|Ethernet) +[0-9]+-[0-9]+ +[0-9]+-[0-9]+ "
                     "of [0-9]+ +[0-9.]+ Hz\n\n"
-                    "MODEL +COMMANDS\n[^ ]+@[^ ]+  VV PP II [^\n]+\n\n[^\n]+\n[^\n]+\n\n"
+                    "MODEL +COMMANDS\n[^ ]+@[^ ]+  VV PP II [^\n]+\n\n[^\n]+\n[^\n]+\n[^\n]+\n\n"
                     "MODEL +LINKS +RANGE +STEPS +SCANS +COMMANDS +TEXTS +NOISE +BIAS +LIGHT\n" +
                     row + "\n"));
 }
@@ -112,12 +112,12 @@ TEST(ListOfModels, ListsTheCommandsThatAreCarriedOut) {
                     "%MD %ME %TM1 $IP\n"));
     EXPECT_THAT(list_of(two),
                 testing::EndsWith(
-                    "MODEL              LINKS  RANGE  STEPS  SCANS  COMMANDS  TEXTS  NOISE  BIAS  "
-                    "LIGHT\n"
-                    "URG-04LX@3.1.04    doc    seen   seen   seen   doc       seen   doc    ded   "
-                    "ded\n"
-                    "UST-30LC@4.1.0b-A  doc    doc    doc    doc    doc       doc    ded    ded   "
-                    "ded\n"));
+                    "MODEL              LINKS  RANGE  STEPS  SCANS  COMMANDS  TEXTS  NOISE     BIAS  "
+                    "   LIGHT\n"
+                    "URG-04LX@3.1.04    doc    seen   seen   seen   doc       seen   measured  assumed"
+                    "  ded\n"
+                    "UST-30LC@4.1.0b-A  doc    doc    doc    doc    doc       doc    assumed   assumed"
+                    "  ded\n"));
 }
 
 TEST(ListOfModels, FitsATerminal) {

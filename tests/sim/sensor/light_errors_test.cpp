@@ -27,9 +27,12 @@ SensorSpec scanner() {
             .last_step = beams - 1,
             .front_step = 540,
             .max_range_m = 60.0,
-            .noise = {{0.0, 0.010, 0.0}, {10.0, 0.0, 0.002}},
+            .noise_law = {.floor_m = 0.010, .weak = 900.0},
             .bias = {{1.0, -0.004}, {5.0, 0.012}, {20.0, 0.002}},
-            .receiver = {.dark_range_m = 12.0, .walk_m = 0.01}};
+            .receiver = {.dark_range_m = 12.0,
+                         .walk_m = 0.01,
+                         .intensity = {{0.5, 3000.0}, {5.0, 2000.0}, {20.0, 600.0}},
+                         .most_intensity = 1e9}};
 }
 
 /// All rays of all beams meet this material at this range and incidence.
@@ -87,7 +90,7 @@ const std::vector<Surface> ten_materials = {
     {.diffuse = 0.3F, .transmission = 0.5F},
 };
 
-// The curve: sigma² = sigma_s² (1 + weakest / signal), bias = b(r) - walk log10(power), with the
+// The curve: sigma = floor sqrt(1 + (weak / intensity)²), bias = b(r) - walk log10(power), with the
 // power of the closed form and 1/r² beyond half a metre.
 TEST(LightErrors, FollowTheirCurvesAtTenRangesFiveIncidencesAndTenMaterials) {
     const SensorSpec spec = scanner();
@@ -100,8 +103,8 @@ TEST(LightErrors, FollowTheirCurvesAtTenRangesFiveIncidencesAndTenMaterials) {
                 const double power = returned_share(surface, cosine);
                 const double signal = power / std::pow(std::max(0.5, double{range_m}), 2);
                 if (signal < 1.5 * weakest) continue;  // some would not be noticed
-                const double sigma_s = range_m < 10.0F ? 0.010 : 0.002 * range_m;
-                const double sigma = sigma_s * std::sqrt(1.0 + weakest / signal);
+                const double sigma =
+                    0.010 * std::hypot(1.0, 900.0 / spec.intensity(range_m, power));
                 const double bias = spec.bias_m(range_m) - 0.01 * std::log10(power);
                 const Errors errors =
                     errors_of(spec, {range_m, static_cast<float>(cosine), surface}, 2);
@@ -126,7 +129,7 @@ TEST(LightErrors, AreNormallyDistributed) {
     const Wall wall{3.0F, 1.0F, {.diffuse = 0.9F}};
     const double power = 0.9;
     const double bias = spec.bias_m(3.0) - 0.01 * std::log10(power);
-    const double sigma = 0.010 * std::sqrt(1.0 + 0.1 / 144.0 / (power / 9.0));
+    const double sigma = 0.010 * std::hypot(1.0, 900.0 / spec.intensity(3.0, power));
     std::array<int, 20> bins{};
     for (int revolution = 0; revolution < 20; ++revolution) {
         for (const Reading& reading : seen(spec, wall, revolution).readings) {
@@ -222,7 +225,7 @@ TEST(LightErrors, AreMultiplesOfTheLattice) {
 
 TEST(LightErrors, DriftAwayWhileTheSensorWarmsUp) {
     SensorSpec spec = scanner();
-    spec.noise.clear();
+    spec.noise_law = {};
     spec.bias.clear();
     spec.warm_up = {.drift_m = 0.010, .time_constant = std::chrono::minutes(20)};
     const ErrorModel errors{.accuracy = Accuracy::sensor};
@@ -246,7 +249,7 @@ Scan two_echoes(float near_power, float far_power, const SensorSpec& spec, Error
 
 TEST(LightErrors, TellTheEchoThatTheSensorChooses) {
     SensorSpec spec = scanner();
-    spec.noise.clear();
+    spec.noise_law = {};
     spec.bias.clear();
     spec.receiver.walk_m = 0.0;
     // 6 m away the light has fallen to a ninth of that at 2 m.

@@ -124,10 +124,10 @@ TEST(Chance, GivesNormalNumbersThatAreExact) {
 
 TEST(Chance, GivesTheNumbersOfManyBeamsAtOnce) {
     const Chance chance({.seed = 5});
-    std::vector<double> numbers(100);
+    std::vector<float> numbers(100);
     chance.standard_normals(1000, numbers);
     for (std::uint32_t i = 0; i < 100; ++i)
-        EXPECT_EQ(numbers[i], chance.standard_normal(1000 + i));
+        EXPECT_EQ(numbers[i], static_cast<float>(chance.standard_normal(1000 + i)));
 }
 
 INSTANTIATE_TEST_SUITE_P(Chance, EveryPart,

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/sensor/deviation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scipd::sim {
+namespace {
+
+double square(double x) {
+    return x * x;
+}
+
+}  // namespace
+
+Deviation::Deviation(const SensorSpec& spec, double factor)
+    : factor_(factor),
+      weak_(spec.noise_law.weak),
+      white_wall_(white_wall_noise(spec)),
+      intensity_(spec.receiver.intensity, &IntensityPoint::intensity) {
+    darkest_intensity_ = dark_target * intensity_.at(spec.receiver.dark_range_m);
+}
+
+double Deviation::of_m(const Echo& echo) const {
+    double variance_m2 = square(white_wall_.at(echo.range_m));
+    if (const double white = intensity_.at(echo.range_m); white > 0.0) {
+        const double intensity = std::max(white * echo.power, darkest_intensity_);
+        variance_m2 *= (1.0 + square(weak_ / intensity)) / (1.0 + square(weak_ / white));
+    }
+    return factor_ * std::sqrt(variance_m2 + square(spread_share * echo.spread_m));
+}
+
+}  // namespace scipd::sim

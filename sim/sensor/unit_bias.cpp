@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/sensor/unit_bias.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "sim/random.h"
+
+namespace scipd::sim {
+namespace {
+
+constexpr double typical_m = 0.010;
+constexpr double nearest_m = 0.05;
+constexpr int points_per_octave = 4;
+/// Waves over the logarithm of the range, so that a curve bends more near by than far away.
+constexpr std::array<double, 3> wave_octaves{8.0, 4.0, 2.5};
+constexpr std::uint32_t walk_chance = 2 * wave_octaves.size();
+
+Chance chance_of(std::uint64_t unit) {
+    return Chance({.seed = unit, .purpose = Purpose::unit});
+}
+
+/// Endless where the data sheet says nothing.
+double bound_m(const std::vector<AccuracyStep>& accuracy, double range_m) {
+    double bound_m = std::numeric_limits<double>::infinity();
+    for (const AccuracyStep& step : accuracy) {
+        if (range_m >= step.from_range_m) bound_m = step.bound_m + step.bound_share * range_m;
+    }
+    return bound_m;
+}
+
+/// As before for small values, and never beyond the bound.
+double held_within(double bound_m, double value_m) {
+    return std::isinf(bound_m) ? value_m : bound_m * std::tanh(value_m / bound_m);
+}
+
+/// A sum of waves of this deviation.
+double wave_m(const Chance& chance, double octaves) {
+    double sum = 0.0;
+    for (std::uint32_t i = 0; i < wave_octaves.size(); ++i) {
+        const double turned = std::numbers::pi * chance.even(2 * i + 1);
+        sum += chance.standard_normal(2 * i) *
+               std::cos(2.0 * std::numbers::pi * octaves / wave_octaves[i] + turned);
+    }
+    return typical_m * sum * std::sqrt(2.0 / wave_octaves.size());
+}
+
+}  // namespace
+
+std::vector<BiasPoint> unit_bias(const SensorSpec& spec, std::uint64_t unit) {
+    const Chance chance = chance_of(unit);
+    const double most_octaves = std::log2(std::max(spec.max_range_m, 1.0) / nearest_m);
+    std::vector<BiasPoint> curve;
+    for (int i = 0; i <= std::ceil(most_octaves * points_per_octave); ++i) {
+        const double octaves = static_cast<double>(i) / points_per_octave;
+        const double range_m = nearest_m * std::exp2(octaves);
+        curve.push_back(
+            {range_m, held_within(bound_m(spec.accuracy, range_m), wave_m(chance, octaves))});
+    }
+    return curve;
+}
+
+double unit_walk_m(const SensorSpec& spec, std::uint64_t unit) {
+    return spec.receiver.walk_m * (1.0 + chance_of(unit).even(walk_chance));
+}
+
+}  // namespace scipd::sim
