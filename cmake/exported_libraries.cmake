@@ -39,6 +39,7 @@ scipd_exports(
           protocol/gate.h
           protocol/io_words.h
           protocol/line_reader.h
+          protocol/rare_code.h
           protocol/refusal.h
           protocol/reply.h
           protocol/request.h

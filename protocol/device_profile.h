@@ -12,6 +12,7 @@
 
 #include "protocol/family.h"
 #include "protocol/gate.h"
+#include "protocol/rare_code.h"
 #include "protocol/status.h"
 #include "protocol/uptime.h"
 
@@ -100,6 +101,7 @@ struct DeviceProfile {
     int last_step = 0;
     int nearest_mm = 0;  ///< the smallest distance that is reported as such
     DistanceCodes codes;
+    std::vector<RareCode> rare_codes;  ///< in place of nothing, too_dark and edge
 
     // What it can that others of its family cannot
     bool multi_echo = false;

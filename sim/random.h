@@ -24,6 +24,7 @@ enum class Purpose : std::uint32_t {
     mirror_phase,
     intensity_noise,
     unit,
+    code,
 };
 
 struct ChanceKey {

@@ -69,6 +69,19 @@ void read_members(const Section& section, const Table& table, Struct& target, Fa
     }
 }
 
+/// A list of maps.
+template <class Item, const auto& table>
+std::vector<Item> maps_of(const Field& list, Faults& faults) {
+    std::vector<Item> read;
+    std::vector<Field> maps;
+    faults.take(list, items(list), maps);
+    for (const Field& item : maps) {
+        const Section section{item, keys_of(table), faults};
+        read_members(section, table, read.emplace_back(Item{}), faults);
+    }
+    return read;
+}
+
 /// A map within the map.
 template <auto member, const auto& table, class Struct>
 void read_map(const Field& field, Struct& target, Faults& faults) {

@@ -41,19 +41,6 @@ sim::Expected<double> parse_milliradians(std::string_view text) {
     });
 }
 
-/// Points of a curve or steps: a list of maps.
-template <class Point, const auto& table>
-std::vector<Point> read_points(const Field& field, Faults& faults) {
-    std::vector<Point> points;
-    std::vector<Field> maps;
-    faults.take(field, items(field), maps);
-    for (const Field& item : maps) {
-        const Section section{item, keys_of(table), faults};
-        read_members(section, table, points.emplace_back(Point{}), faults);
-    }
-    return points;
-}
-
 constexpr Member<NoiseStep> noise_members[] = {
     {"from_m", read_as<&NoiseStep::from_range_m, parse_length>},
     {"sigma_m", read_as<&NoiseStep::sigma_m, parse_length>},
@@ -71,7 +58,7 @@ constexpr Member<IntensityPoint> intensity_members[] = {
 };
 
 void read_noise(const Field& field, SensorSpec& optics, Faults& faults) {
-    optics.noise = read_points<NoiseStep, noise_members>(field, faults);
+    optics.noise = maps_of<NoiseStep, noise_members>(field, faults);
     if (optics.noise.empty()) optics.noise_law = {};
     for (std::size_t i = 0; i < optics.noise.size(); ++i) {
         const double from_m = optics.noise[i].from_range_m;
@@ -88,12 +75,12 @@ void require_growing(const Field& field, const std::vector<Point>& curve, Faults
 }
 
 void read_bias(const Field& field, SensorSpec& optics, Faults& faults) {
-    optics.bias = read_points<BiasPoint, bias_members>(field, faults);
+    optics.bias = maps_of<BiasPoint, bias_members>(field, faults);
     require_growing(field, optics.bias, faults);
 }
 
 void read_intensity(const Field& field, Receiver& receiver, Faults& faults) {
-    receiver.intensity = read_points<IntensityPoint, intensity_members>(field, faults);
+    receiver.intensity = maps_of<IntensityPoint, intensity_members>(field, faults);
     require_growing(field, receiver.intensity, faults);
 }
 
@@ -114,8 +101,7 @@ constexpr Member<IntensityNoisePoint> intensity_noise_members[] = {
 };
 
 void read_intensity_noise(const Field& field, Receiver& receiver, Faults& faults) {
-    receiver.intensity_noise =
-        read_points<IntensityNoisePoint, intensity_noise_members>(field, faults);
+    receiver.intensity_noise = maps_of<IntensityNoisePoint, intensity_noise_members>(field, faults);
     for (std::size_t i = 1; i < receiver.intensity_noise.size(); ++i) {
         if (receiver.intensity_noise[i].intensity <= receiver.intensity_noise[i - 1].intensity)
             faults.add(field, "intensity must grow");

@@ -19,6 +19,7 @@ namespace {
 
 using protocol::DeviceProfile;
 using protocol::DistanceCodes;
+using protocol::RareCode;
 using protocol::Scip1Texts;
 using sim::Expected;
 using sim::refuse;
@@ -111,6 +112,18 @@ constexpr Member<DistanceCodes> code_members[] = {
     {"lost", read_number<&DistanceCodes::lost>},
 };
 
+constexpr Member<RareCode> rare_code_members[] = {
+    {"code", read_number<&RareCode::code>},
+    {"inside", read_as<&RareCode::inside, parse_share>},
+    {"beside", read_as<&RareCode::beside, parse_share>},
+    {"edge", read_as<&RareCode::edge, parse_share>},
+    {"alone", read_flag<&RareCode::alone>},
+};
+
+void read_rare_codes(const Field& field, DeviceProfile& profile, Faults& faults) {
+    profile.rare_codes = maps_of<RareCode, rare_code_members>(field, faults);
+}
+
 constexpr Member<Scip1Texts> scip1_members[] = {
     {"firmware", read_text<&Scip1Texts::firmware>},
     {"protocol", read_text<&Scip1Texts::protocol>},
@@ -150,6 +163,7 @@ constexpr Member<DeviceProfile> profile_members[] = {
     {"last_step", read_number<&DeviceProfile::last_step>},
     {"nearest_mm", read_number<&DeviceProfile::nearest_mm>},
     {"codes", read_map<&DeviceProfile::codes, code_members>},
+    {"rare_codes", read_rare_codes},
     {"multi_echo", read_flag<&DeviceProfile::multi_echo>},
     {"microseconds", read_flag<&DeviceProfile::microseconds>},
     {"io_lines", read_flag<&DeviceProfile::io_lines>},
@@ -208,6 +222,8 @@ void override_model(const Section& section, const Field& map, std::optional<Mode
                     Faults& faults) {
     DeviceProfile profile = model ? model->profile : DeviceProfile{};
     sim::SensorSpec optics = model ? model->optics : sim::SensorSpec{};
+    // Whoever says which code stands for a cause gets that one alone.
+    if (section.find("codes") != nullptr) profile.rare_codes.clear();
     read_members(section, profile_members, profile, faults);
     override_optics(section, optics, faults);
     if (!model) return;

@@ -8,6 +8,8 @@
 #include <optional>
 #include <span>
 
+#include "daemon/device/rare_codes.h"
+
 namespace scipd::daemon {
 namespace {
 
@@ -78,6 +80,7 @@ WireScan to_wire(const sim::Scan& scan, const protocol::Turn& turn, const sim::S
     wire.intensity.resize(scan.readings.size());
     std::ranges::transform(scan.readings, wire.distance.begin(),
                            [&](const sim::Reading& reading) { return on_wire(reading, profile); });
+    if (!profile.rare_codes.empty()) put_rare_codes(scan.readings, profile, wire.distance);
     std::ranges::transform(scan.readings, wire.intensity.begin(), intensity_on_wire);
     wire.echoes.reserve(scan.every_echo.beams());
     for (std::size_t beam = 0; beam < scan.every_echo.beams(); ++beam) {

@@ -66,11 +66,20 @@ protocol::DistanceCodes urg_codes() {
             .too_near = 10,
             .too_far = 0,
             .not_measured = 19,
-            .too_dark = 1,
             .too_bright = 18,
-            .edge = 8,
+            .edge = 7,
             .interference = 9,
             .lost = 9};
+}
+
+std::vector<protocol::RareCode> urg_rare_codes() {
+    return {{.code = 7, .inside = 0.0178, .beside = 0.137, .alone = true},
+            {.code = 6, .inside = 0.0150, .beside = 0.0126, .edge = 0.046},
+            {.code = 1, .inside = 0.0047, .beside = 0.0042},
+            {.code = 10, .inside = 0.0008, .beside = 0.0101, .edge = 0.064},
+            {.code = 2, .inside = 0.0014, .beside = 0.0018},
+            {.code = 8, .inside = 0.0007, .beside = 0.0044, .edge = 0.022},
+            {.code = 15, .inside = 0.0004, .beside = 0.0036, .edge = 0.017}};
 }
 
 protocol::DistanceCodes utm_codes() {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "protocol/device_profile.h"
 #include "sim/sensor/sensor_spec.h"
@@ -21,11 +22,16 @@ protocol::DeviceProfile uxm_ew_profile(const std::string& name, const std::strin
 /// The UST-10LX with firmware 2.23, under another name.
 protocol::DeviceProfile ust_profile(const std::string& name, const std::string& serial);
 
-/// SCIP 2.0 specification, table 3: 1 and 2 are weak returns, 7 and 8 contradict their neighbours
-/// or the other wave, 9 failed before, 18 is a strong reflector, 19 no step that is measured. All
-/// but 2 and 18 were recorded. That 9 stands for another scanner's light and for what fails at
-/// random is deduced.
+/// SCIP 2.0 specification, table 3: 7 contradicts its neighbours, 9 failed before, 18 is a strong
+/// reflector, 19 no step that is measured. Too little light is 0: 1630 of 1706 steps at bright
+/// aluminium that is met at more than 30 degrees (srLarsons/FaultModeling-for-2D-Laser-scanner).
+/// That 9 stands for another scanner's light and for what fails at random is deduced; neither 9 nor
+/// 18 was recorded in 1397 scans of two drives (simondlevy/BreezySLAM).
 protocol::DistanceCodes urg_codes();
+/// Shares of the first of these drives: 756 scans with 284 922 steps without a distance. 16 566 of
+/// them are beside one distance and 907 between two. Of the latter those with a code other than 0
+/// count as edges.
+std::vector<protocol::RareCode> urg_rare_codes();
 /// SCIP 2.0 specification, table 4: 1 is nothing in range, 2 too near, 3 interference, 5 other.
 /// hokuyo_node reads 1 as +inf and 2 as -inf.
 protocol::DistanceCodes utm_codes();

@@ -46,6 +46,7 @@ class Check {
         steps();
         speed();
         codes();
+        rare_codes();
         abilities();
         bit_rates();
         return std::move(faults_);
@@ -72,6 +73,8 @@ class Check {
     void steps();
     void speed();
     void codes();
+    void code(std::string_view member, std::string_view name, std::uint32_t code);
+    void rare_codes();
     void abilities();
     void bit_rates();
 
@@ -120,15 +123,34 @@ void Check::codes() {
         {"too_dark", codes.too_dark}, {"too_bright", codes.too_bright},
         {"edge", codes.edge},         {"interference", codes.interference},
         {"lost", codes.lost}};
-    for (const auto& [name, code] : all) {
-        if (!code) continue;
-        if (*code > largest_value) {
-            add("codes", std::string(name) + " must be at most " + std::to_string(largest_value) +
-                             ", the largest that SCIP can say");
-        } else if (profile_.is_distance(*code)) {
-            add("codes", std::string(name) + " " + std::to_string(*code) +
-                             " is a distance: use one below nearest_mm or above dmax_mm");
-        }
+    for (const auto& [name, value] : all)
+        if (value) code("codes", name, *value);
+}
+
+void Check::code(std::string_view member, std::string_view name, std::uint32_t code) {
+    if (code > largest_value) {
+        add(member, std::string(name) + " must be at most " + std::to_string(largest_value) +
+                        ", the largest that SCIP can say");
+    } else if (profile_.is_distance(code)) {
+        add(member, std::string(name) + " " + std::to_string(code) +
+                        " is a distance: use one below nearest_mm or above dmax_mm");
+    }
+}
+
+void Check::rare_codes() {
+    using protocol::RareCode;
+    for (const RareCode& rare : profile_.rare_codes)
+        code("rare_codes", "code", rare.code);
+    constexpr std::pair<const char*, double RareCode::*> places[] = {
+        {"inside", &RareCode::inside}, {"beside", &RareCode::beside}, {"edge", &RareCode::edge}};
+    for (const auto& [name, share] : places) {
+        double together = 0.0;
+        for (const RareCode& rare : profile_.rare_codes)
+            together += rare.*share * (rare.alone ? 4.0 : 1.0);
+        if (together >= 1.0)
+            add("rare_codes", std::string(name) +
+                                  " must be less than 1 in all, where a code that "
+                                  "stands alone counts four times: it has one step in four");
     }
 }
 

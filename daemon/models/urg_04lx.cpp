@@ -62,6 +62,7 @@ protocol::DeviceProfile urg_profile() {
         .last_step = 768,
         .nearest_mm = 20,
         .codes = urg_codes(),
+        .rare_codes = urg_rare_codes(),
 
         .intensity_codes = true,  // undocumented; qrk's c_urg
         // SS and CR: SCIP 2.0 specification. HS came with 3.2.00 and DB with 3.3.00. Recorded: CR00

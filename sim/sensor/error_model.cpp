@@ -9,6 +9,7 @@
 #include <cstddef>
 
 #include "sim/recycled.h"
+#include "sim/sensor/code_chance.h"
 #include "sim/sensor/curve.h"
 #include "sim/sensor/deviation.h"
 #include "sim/sensor/noise_row.h"
@@ -265,6 +266,7 @@ void ErrorModel::read(const SensorSpec& spec, Time on_for, Scan& scan) const {
         read_hits(reader, *this, scan);
     else
         read_echoes(reader, *this, scan);
+    if (accuracy != Accuracy::ideal) draw_code_chances(key(scan.revolution), scan.readings);
     for (const std::uint32_t beam : scan.dazzled)
         scan.readings[beam] = {.cause = Cause::interference};
 }

@@ -4,6 +4,7 @@
 // What a sensor makes of one echo: a range, or why it tells none. A value; any thread.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -20,6 +21,9 @@ enum class Cause : std::uint8_t {
     lost,          ///< the sensor failed to measure, as it does now and then
 };
 
+/// So many neighbouring beams fail alike.
+inline constexpr std::size_t code_group = 4;
+
 struct Reading {
     float range_m = std::numeric_limits<float>::infinity();  ///< finite where it was measured
     /// The light that arrives, relative to that of a white matt face head-on at one metre; 0 where
@@ -27,6 +31,9 @@ struct Reading {
     float signal = 0.0F;
     float intensity = 0.0F;  ///< what the sensor calls it, in no unit
     Cause cause = Cause::nothing;
+    /// Decides among the codes that the model has for a cause; 0: the usual one. A group of
+    /// code_group beams shares it.
+    std::uint16_t chance = 0;
 
     bool operator==(const Reading&) const = default;
 };

@@ -116,6 +116,13 @@ std::vector<Case> abilities() {
                         .interference = 7,
                         .lost = 8};
          }},
+        {"rare_codes", "[{code: 7, inside: 0.02, beside: 0.1, edge: 0.03, alone: true}, {code: 6}]",
+         "URG-04LX",
+         [](Profile p) {
+             p.rare_codes = {
+                 {.code = 7, .inside = 0.02, .beside = 0.1, .edge = 0.03, .alone = true},
+                 {.code = 6}};
+         }},
         {"multi_echo", "true", "UTM-30LX", [](Profile p) { p.multi_echo = true; }},
         {"microseconds", "true", "UST-10LX", [](Profile p) { p.microseconds = true; }},
         {"io_lines", "true", "UST-10LX", [](Profile p) { p.io_lines = true; }},
@@ -248,6 +255,28 @@ class ConfigProfileFaults : public ConfigFixture {
         return all;
     }
 };
+
+TEST_F(ConfigProfileTest, CodesThatAreGivenStandAlone) {
+    EXPECT_FALSE(sensor("profile: {vendor: Us}", "URG-04LX").model.profile.rare_codes.empty());
+    EXPECT_THAT(sensor("profile: {codes: {too_dark: 1}}", "URG-04LX").model.profile.rare_codes,
+                IsEmpty());
+    EXPECT_THAT(
+        sensor("profile: {codes: {edge: 8}, rare_codes: [{code: 6, edge: 0.1}]}", "URG-04LX")
+            .model.profile.rare_codes,
+        ElementsAre(protocol::RareCode{.code = 6, .edge = 0.1}));
+}
+
+TEST_F(ConfigProfileFaults, OfRareCodes) {
+    EXPECT_THAT(said("rare_codes: [{code: 500}]"),
+                ElementsAre("rare_codes: code 500 is a distance: use one below nearest_mm or above "
+                            "dmax_mm"));
+    EXPECT_THAT(said("rare_codes: [{code: 1, inside: 2}]"),
+                ElementsAre("rare_codes.inside: must be 0 to 1, not '2'"));
+    EXPECT_THAT(
+        said("rare_codes: [{code: 1, beside: 0.4}, {code: 2, beside: 0.2, alone: true}]"),
+        ElementsAre("rare_codes: beside must be less than 1 in all, where a code that stands alone "
+                    "counts four times: it has one step in four"));
+}
 
 TEST_F(ConfigProfileFaults, OfErrorsAndLight) {
     EXPECT_THAT(said("bias: [{range_m: 2}, {range_m: 1}]"), ElementsAre("bias: range_m must grow"));

@@ -62,7 +62,7 @@ TEST(Bridge, TurnsAScanIntoTheWordsOfTheWire) {
     const WireScan wire = to_wire(scan, {.start = 300ms}, model.optics, model.profile);
     EXPECT_EQ(wire.turn.start, 300ms);
     EXPECT_EQ(wire.first_step, 44);
-    EXPECT_EQ(wire.distance, (std::vector<std::uint32_t>{2001, 999, 100, 0, 1, 18, 8, 9}));
+    EXPECT_EQ(wire.distance, (std::vector<std::uint32_t>{2001, 999, 100, 0, 0, 18, 7, 9}));
     EXPECT_EQ(wire.intensity, (std::vector<std::uint32_t>{2500, 5000, 262143, 0, 0, 70, 0, 0}));
     EXPECT_TRUE(wire.echoes.empty());
 
