@@ -126,6 +126,8 @@ constexpr Member<Receiver> light_members[] = {
     {"level_below_m", read_as<&Receiver::level_below_m, parse_length>},
     {"walk_m", read_as<&Receiver::walk_m, parse_metres>},
     {"blinding_signal", read_as<&Receiver::blinding_signal, parse_length>},
+    {"saturating_signal", read_as<&Receiver::saturating_signal, parse_length>},
+    {"saturation_m", read_as<&Receiver::saturation_m, parse_metres>},
     {"edge_share", read_as<&Receiver::edge_share, parse_share>},
     {"crosstalk", read_as<&Receiver::crosstalk, parse_share>},
     {"intensity", read_intensity},

@@ -165,10 +165,12 @@ class Reader {
         const float intensity = intensity_read(echo, chance);
         if (receiver.blinding_signal > 0.0 && double{signal} > receiver.blinding_signal)
             return {.signal = signal, .intensity = intensity, .cause = Cause::too_bright};
-        const double walk_m =
+        double light_m =
             receiver.walk_m == 0.0 ? 0.0 : -receiver.walk_m * std::log10(double{echo.power});
-        return {told_m(echo.range_m + bias_.at(echo.range_m) + walk_m + noise_m), signal, intensity,
-                Cause::measured};
+        if (receiver.saturating_signal > 0.0 && double{signal} > receiver.saturating_signal)
+            light_m += receiver.saturation_m * std::log10(signal / receiver.saturating_signal);
+        return {told_m(echo.range_m + bias_.at(echo.range_m) + light_m + noise_m), signal,
+                intensity, Cause::measured};
     }
 
     [[nodiscard]] float intensity_read(const Echo& echo, std::uint32_t chance) const {

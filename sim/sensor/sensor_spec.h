@@ -65,6 +65,10 @@ struct Receiver {
     /// A signal from which on the receiver is blinded, in those of a white face at one metre; 0:
     /// never.
     double blinding_signal = 0.0;
+    /// A signal that drives the receiver out of its linear range, in the same measure; 0: none
+    /// does. One that is ten times stronger reads saturation_m farther.
+    double saturating_signal = 0.0;
+    double saturation_m = 0.0;
     /// Where a beam has two echoes and the weaker one has more than this share of the stronger, the
     /// sensor reads no range: those that compare phases. 0: such sensors read one of the two.
     double edge_share = 0.0;

@@ -218,6 +218,7 @@ TEST_F(ConfigProfileTest, ErrorsAndLightCanBeChanged) {
             " lattice_m: 0.005, spot: {half_width_mrad: 4, half_height_mrad: 2, rays: 13},"
             " light: {wavelength_nm: 830, dark_range_m: 3, half_pulse_m: 0.6,"
             " level_below_m: 0.3, walk_m: 0.02, blinding_signal: 90, edge_share: 0.2,"
+            " saturating_signal: 80, saturation_m: 0.03,"
             " crosstalk: 0.05, intensity: [{range_m: 1, intensity: 900}],"
             " most_intensity: 1000, intensity_noise: [{intensity: 500, share: 0.01}]}}")
             .model.optics;
@@ -235,6 +236,8 @@ TEST_F(ConfigProfileTest, ErrorsAndLightCanBeChanged) {
                          .level_below_m = 0.3,
                          .walk_m = 0.02,
                          .blinding_signal = 90,
+                         .saturating_signal = 80,
+                         .saturation_m = 0.03,
                          .edge_share = 0.2,
                          .crosstalk = 0.05,
                          .intensity = {{1.0, 900}},
