@@ -32,7 +32,7 @@ void Acquisition::lose() {
 }
 
 bool Acquisition::turn_complete(const Turn& turn) {
-    const bool taken = streaming() && subscription_->takes(turn, device_.laser_on_since());
+    const bool taken = streaming() && subscription_->takes(turn, settled_at());
     if (taken) taken_turns_.push_back(turn.start);
     return taken || awaits(turn);
 }
@@ -67,12 +67,15 @@ bool Acquisition::awaits_scan_in_vain() const {
 }
 
 bool Acquisition::awaits(const Turn& turn) const {
-    if (!awaits_scan() || !device_.laser_on() || turn.start < device_.laser_on_since())
-        return false;
+    if (!awaits_scan() || !device_.laser_on() || turn.start < settled_at()) return false;
     if (!profile_.single_scan_is_next) return true;
     const Uptime period = mirror_of(device_, profile_).tick;
     const Uptime complete = turn.start + period * profile_.amax / profile_.ares;
     return scan_leaves(complete, device_, profile_) > single_scan_->begun;
+}
+
+Uptime Acquisition::settled_at() const {
+    return device_.laser_on_since() + profile_.settle_time;
 }
 
 std::string Acquisition::single_scan_reply(const ScanView& scan) {

@@ -75,6 +75,9 @@ class Acquisition {
     void forget_scan() { single_scan_.reset(); }
 
   private:
+    /// Turns that begin earlier have no scan. Meaningless while the laser is off.
+    [[nodiscard]] Uptime settled_at() const;
+
     const DeviceProfile& profile_;
     DeviceState& device_;
     bool holds_device_ = false;

@@ -126,6 +126,8 @@ struct DeviceProfile {
     Uptime reply_tick{};      ///< replies leave on a grid of this spacing
     Uptime time_tick{};       ///< the reply to TM1 has a grid of its own; 0: as other replies
     Uptime scan_tick{};       ///< scans leave on a grid of this spacing
+    Uptime scan_delay{};      ///< a scan leaves at least so long after its last step
+    Uptime settle_time{};     ///< from when the laser is switched on until a turn has a scan
     Uptime reply_delay{};     ///< a reply leaves at least so long after its request
     Uptime state_report_delay{};                             ///< the same for the reply to II
     Uptime pause_after_scan = std::chrono::milliseconds(1);  ///< before a reply; deduced

@@ -9,9 +9,9 @@ namespace scipd::protocol {
 DeviceProfile answering_at_once(DeviceProfile profile) {
     profile.turns_per_reply = 0;
     profile.single_scan_is_next = false;
-    for (Uptime* wait :
-         {&profile.reply_tick, &profile.time_tick, &profile.scan_tick, &profile.reply_delay,
-          &profile.state_report_delay, &profile.pause_after_scan})
+    for (Uptime* wait : {&profile.reply_tick, &profile.time_tick, &profile.scan_tick,
+                         &profile.scan_delay, &profile.settle_time, &profile.reply_delay,
+                         &profile.state_report_delay, &profile.pause_after_scan})
         *wait = Uptime::zero();
     return profile;
 }

@@ -63,7 +63,7 @@ Uptime reply_leaves(Uptime ready, const Command* command, const DeviceState& dev
 Uptime scan_leaves(Uptime complete, const DeviceState& device, const DeviceProfile& profile) {
     const Grid grid =
         profile.turns_per_reply > 0 ? mirror_of(device, profile) : Grid{.tick = profile.scan_tick};
-    return grid.at_or_after(complete);
+    return grid.at_or_after(complete + profile.scan_delay);
 }
 
 }  // namespace scipd::protocol

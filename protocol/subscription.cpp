@@ -41,8 +41,8 @@ std::variant<Subscription, Status> Subscription::from(const Request& request, Up
     return subscription;
 }
 
-bool Subscription::takes(const Turn& turn, Uptime laser_on_since) {
-    if (turn.start <= after_ || turn.start < laser_on_since) return false;
+bool Subscription::takes(const Turn& turn, Uptime settled_at) {
+    if (turn.start <= after_ || turn.start < settled_at) return false;
     if (turns_to_skip_ > 0) {
         --turns_to_skip_;
         return false;

@@ -33,9 +33,9 @@ class Subscription {
     /// its last step after the acknowledgement. With interval n the stream passes over n turns
     /// before each one that it takes. The first of them is the turn under way when the request came
     /// in: a recorded UTM-30LX answers at the end of that turn, and with interval 1 it sends the
-    /// very next one, 27 ms after its answer. A turn that began before the laser was on has no
-    /// scan.
-    [[nodiscard]] bool takes(const Turn& turn, Uptime laser_on_since);
+    /// very next one, 27 ms after its answer. A turn that began before the laser had settled has
+    /// no scan.
+    [[nodiscard]] bool takes(const Turn& turn, Uptime settled_at);
 
     /// The message with this scan, which counts as one of the scans that were asked for.
     [[nodiscard]] std::string message(const ScanView& scan, const DeviceState& device,

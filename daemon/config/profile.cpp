@@ -179,6 +179,8 @@ constexpr Member<DeviceProfile> profile_members[] = {
     {"reply_tick_ms", read_period<&DeviceProfile::reply_tick>},
     {"time_tick_ms", read_period<&DeviceProfile::time_tick>},
     {"scan_tick_ms", read_period<&DeviceProfile::scan_tick>},
+    {"scan_delay_ms", read_period<&DeviceProfile::scan_delay>},
+    {"settle_time_ms", read_period<&DeviceProfile::settle_time>},
     {"reply_delay_ms", read_period<&DeviceProfile::reply_delay>},
     {"state_report_delay_ms", read_period<&DeviceProfile::state_report_delay>},
     {"pause_after_scan_ms", read_period<&DeviceProfile::pause_after_scan>},

@@ -23,6 +23,7 @@ Model ust_30lc(const std::string& firmware) {
         profile.reply_tick = 1ms;
         profile.reply_delay = 0ms;
         profile.time_tick = profile.scan_tick = 5ms;
+        profile.scan_delay = 0ms;
     }
     // urg_stamped uses %TM and %ME from 4.1 of this line on.
     profile.microseconds = firmware.starts_with("4.1");

@@ -128,6 +128,15 @@ TEST(ReplyGrid, ScansAloneMayWaitForATick) {
     EXPECT_EQ(scan_leaves(18'750us, device, profile), 19ms);
 }
 
+TEST(ReplyGrid, AScanMayTakeItsTime) {
+    DeviceProfile profile = test_profile();
+    profile.scan_delay = 4'700us;
+    const DeviceState device;
+    EXPECT_EQ(scan_leaves(18'750us, device, profile), 24ms);
+    profile.scan_tick = 0ms;
+    EXPECT_EQ(scan_leaves(18'750us, device, profile), 23'450us);
+}
+
 TEST(ReplyGrid, AReplyMayTakeItsTime) {
     DeviceProfile profile = test_profile();
     const DeviceState device;
@@ -153,7 +162,8 @@ TEST(ReplyGrid, AnIdealDeviceKeepsNobodyWaiting) {
     profile.scan_period = 25'050us;
     profile.turns_per_reply = 1;
     profile.time_tick = profile.scan_tick = 5ms;
-    profile.reply_delay = profile.state_report_delay = 2ms;
+    profile.reply_delay = profile.state_report_delay = profile.scan_delay = 2ms;
+    profile.settle_time = 50ms;
     profile = ideal(profile);
     const DeviceState device;
     for (const auto code : {"VV", "II", "TM1"})
@@ -161,6 +171,7 @@ TEST(ReplyGrid, AnIdealDeviceKeepsNobodyWaiting) {
     EXPECT_EQ(scan_leaves(18'750us, device, profile), 18'750us);
     EXPECT_EQ(profile.scan_period, 25ms);  // 2400 rpm
     EXPECT_EQ(profile.boot_time, 0ms);
+    EXPECT_EQ(profile.settle_time, 0ms);
 }
 
 }  // namespace

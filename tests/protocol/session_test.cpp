@@ -379,6 +379,21 @@ TEST(Session, ASingleShotRightAfterBmWaitsForAWholeTurnWithLaser) {
     EXPECT_FALSE(shell.session().measuring());
 }
 
+// Turns of 25 ms begin at 50 ms, 5 ms before the laser has settled, and at 75 ms.
+TEST(Session, ATurnThatBeginsBeforeTheLaserHasSettledHasNoScan) {
+    DeviceProfile profile = prompt();
+    profile.settle_time = 50ms;
+    for (const std::string request : {"MD0002000301000", "BM\nGD0002000301"}) {
+        Shell shell(profile);
+        shell.advance_to(5ms);
+        ask(shell, request);
+        shell.advance_to(90ms);
+        EXPECT_THAT(told(shell), IsEmpty()) << request;
+        shell.advance_to(95ms);
+        EXPECT_THAT(told(shell), ElementsAre(Pair(93'750us, testing::_))) << request;
+    }
+}
+
 TEST(Session, OldModelsAnswerASingleShotWithinAStream) {
     Shell shell(prompt(Family::utm_usb));
     ask(shell, "BM");

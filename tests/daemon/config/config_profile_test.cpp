@@ -151,6 +151,8 @@ std::vector<Case> times() {
         {"reply_tick_ms", "5", "UST-10LX", [](Profile p) { p.reply_tick = 5ms; }},
         {"time_tick_ms", "6", "UST-10LX", [](Profile p) { p.time_tick = 6ms; }},
         {"scan_tick_ms", "7.5", "UST-10LX", [](Profile p) { p.scan_tick = 7500us; }},
+        {"scan_delay_ms", "2", "UST-10LX", [](Profile p) { p.scan_delay = 2ms; }},
+        {"settle_time_ms", "0", "UST-10LX", [](Profile p) { p.settle_time = 0ms; }},
         {"reply_delay_ms", "0.5", "UST-10LX", [](Profile p) { p.reply_delay = 500us; }},
         {"state_report_delay_ms", "3", "UST-10LX", [](Profile p) { p.state_report_delay = 3ms; }},
         {"pause_after_scan_ms", "2", "UST-10LX", [](Profile p) { p.pause_after_scan = 2ms; }},

@@ -79,7 +79,7 @@ class ScanLag : public testing::TestWithParam<Model> {
 TEST_P(ScanLag, IsTheSameThroughoutAStream) {
     const protocol::DeviceProfile& profile = driver_.profile();
     const Ages ages = ages_in_a_stream();
-    const sim::Time measuring = period() * profile.amax / profile.ares;
+    const sim::Time measuring = period() * profile.amax / profile.ares + profile.scan_delay;
     EXPECT_GE(ages.youngest, measuring);
     EXPECT_LE(ages.oldest, std::max(measuring + profile.scan_tick, period()));
     // The ticks of the clock are all that it varies by.
