@@ -56,7 +56,7 @@ protocol::DeviceProfile ust_profile(const std::string& name, const std::string& 
         .scan_tick = 1ms,
         // urg_node's calibration of two UST-10LX (docs/protocol.md): a scan leaves 24 ms after its
         // stamp, and from one scan by QT, TM and MD to the next it takes four turns.
-        .scan_delay = 4'700us,
+        .scan_delay = 4'500us,
         .settle_time = 50ms,
         .reply_delay = 400us,
         .state_report_delay = 2ms,

@@ -159,7 +159,7 @@ TEST_F(DeviceTest, LetsScansLeaveOnTheTickAfterTheLastStep) {
     real.timing = Timing::real;
     clock_.advance_to(3s);
     Device device("robot", real, 1, world_, clock_);
-    // Step 1080 of 1440 is fired 18.79 ms after step 0, and the firmware takes 4.7 ms.
+    // Step 1080 of 1440 is fired 18.79 ms after step 0, and the firmware takes 4.5 ms.
     EXPECT_EQ(device.leaves(0), 3s + 24ms);
     EXPECT_EQ(device.leaves(1'000'000) - device.leaves(0), 25'050s);
     // Without the firmware's tick.
