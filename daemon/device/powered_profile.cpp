@@ -23,8 +23,8 @@ void power_up_at(int bit_rate, protocol::DeviceProfile& profile) {
 protocol::DeviceProfile powered_profile(const SensorConfig& config, const Unit& unit) {
     protocol::DeviceProfile profile = config.model.profile;
     profile.serial = unit.serial;
-    profile.scan_period = unit.turn(profile.scan_period);
     if (config.timing == Timing::ideal) profile = protocol::ideal(profile);
+    profile.scan_period = unit.turn(profile.scan_period);
     if (config.link.baud) power_up_at(*config.link.baud, profile);
     return profile;
 }

@@ -11,8 +11,10 @@
 namespace scipd::daemon {
 namespace {
 
-constexpr double typical_clock_ppm = 15.0;
-constexpr double typical_turn_ppm = 150.0;
+// Assumed: crystals are within some 10 ppm, and turns of real ones (25.05 ms where 25 is nominal)
+// are farther off than that.
+constexpr double typical_clock_ppm = 20.0;
+constexpr double typical_turn_ppm = 300.0;
 
 /// Of the chances of a unit. What it reads too far takes those before (unit_bias.cpp).
 enum : std::uint32_t { first_digit = 64, clock_chance = 128, turn_chance };

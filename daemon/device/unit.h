@@ -22,9 +22,9 @@ struct Unit {
 
     std::string serial;
     std::uint64_t number;  ///< what stands for the serial number where chance needs one
-    /// How much too fast its clock runs, and how much too long its turns are: some 10 and 100 ppm,
-    /// which is assumed. 0 where no other scanner disturbs it or where its clock is given: then
-    /// both are the model's.
+    /// How much too fast its clock runs, and how much too long its turns are, where other scanners
+    /// may disturb it: so that the mirrors of two drift apart. 0 where none may or its clock is
+    /// given: then both are the model's.
     double clock_ppm = 0.0;
     double turn_ppm = 0.0;
 
