@@ -41,8 +41,8 @@ struct Grid {
 [[nodiscard]] Uptime reply_leaves(Uptime ready, const Command* command, const DeviceState& device,
                                   const DeviceProfile& profile);
 
-/// When a scan leaves whose last step was fired at `complete`. On models that wait for the mirror it
-/// leaves with the next pass of step 0, so that all scans of a stream are of the same age.
+/// When a scan leaves whose last step was fired at `complete`. On models that wait for the mirror
+/// it leaves with the next pass of step 0, so that all scans of a stream are of the same age.
 [[nodiscard]] Uptime scan_leaves(Uptime complete, const DeviceState& device,
                                  const DeviceProfile& profile);
 

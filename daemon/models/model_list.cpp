@@ -110,7 +110,8 @@ std::string table_of(Row titles, std::span<const Model> models, Row (*row_of)(co
 std::string list_of(std::span<const Model> models) {
     return table_of({"MODEL", "LINKS", "RANGE mm", "STEPS", "SCANS"}, models, figures_row) + "\n" +
            table_of({"MODEL", "COMMANDS"}, models, commands_row) +
-           "\nHow each figure is known: seen on the wire of a real unit; measured from recordings of "
+           "\nHow each figure is known: seen on the wire of a real unit; measured from recordings "
+           "of "
            "this\nproduct; doc, by its maker or by a driver whose author had a unit; deduced from "
            "similar models;\nassumed to be as with the nearest relative, or of a usual size.\n\n" +
            table_of({"MODEL", "LINKS", "RANGE", "STEPS", "SCANS", "COMMANDS", "TEXTS", "NOISE",

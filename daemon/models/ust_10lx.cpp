@@ -54,8 +54,7 @@ protocol::DeviceProfile ust_profile(const std::string& name, const std::string& 
         // urg_stamped), which takes 0.1 to 0.5 ms. II never takes less than 2 ms (on the UST-05LX
         // of urg_stamped's author).
         .scan_tick = 1ms,
-        // urg_node's calibration of two UST-10LX (docs/protocol.md): a scan leaves 24 ms after its
-        // stamp, and from one scan by QT, TM and MD to the next it takes four turns.
+        // Deduced from how urg_node calibrated two real ones (docs/protocol.md).
         .scan_delay = 4'500us,
         .settle_time = 50ms,
         .reply_delay = 400us,

@@ -112,12 +112,12 @@ TEST(ListOfModels, ListsTheCommandsThatAreCarriedOut) {
                     "%MD %ME %TM1 $IP\n"));
     EXPECT_THAT(list_of(two),
                 testing::EndsWith(
-                    "MODEL              LINKS  RANGE  STEPS  SCANS  COMMANDS  TEXTS  NOISE     BIAS  "
-                    "   LIGHT\n"
-                    "URG-04LX@3.1.04    doc    seen   seen   seen   doc       seen   measured  assumed"
-                    "  ded\n"
-                    "UST-30LC@4.1.0b-A  doc    doc    doc    doc    doc       doc    assumed   assumed"
-                    "  ded\n"));
+                    "MODEL              LINKS  RANGE  STEPS  SCANS  COMMANDS  TEXTS  NOISE     "
+                    "BIAS     LIGHT\n"
+                    "URG-04LX@3.1.04    doc    seen   seen   seen   doc       seen   measured  "
+                    "assumed  ded\n"
+                    "UST-30LC@4.1.0b-A  doc    doc    doc    doc    doc       doc    assumed   "
+                    "assumed  ded\n"));
 }
 
 TEST(ListOfModels, FitsATerminal) {
