@@ -69,7 +69,8 @@ Device::Device(const std::string& robot, const SensorConfig& config, std::uint64
                                                  .seed = chance_.seed,
                                                  .sensor = chance_.sensor,
                                                  .choice = config.echo,
-                                                 .tells_every_echo = profile_.multi_echo})),
+                                                 .tells_every_echo = profile_.multi_echo,
+                                                 .codes_vary = !profile_.rare_codes.empty()})),
       timing_(sweep_.optics(), config.clock.phase.value_or(sim::Time::zero())),
       cold_start_(config.power_up == PowerUp::boot),
       bit_rate_told_(protocol::bit_rate_of(state_.settings(), profile_)) {

@@ -268,7 +268,8 @@ void ErrorModel::read(const SensorSpec& spec, Time on_for, Scan& scan) const {
         read_hits(reader, *this, scan);
     else
         read_echoes(reader, *this, scan);
-    if (accuracy != Accuracy::ideal) draw_code_chances(key(scan.revolution), scan.readings);
+    if (codes_vary && accuracy != Accuracy::ideal)
+        draw_code_chances(key(scan.revolution), scan.readings);
     for (const std::uint32_t beam : scan.dazzled)
         scan.readings[beam] = {.cause = Cause::interference};
 }

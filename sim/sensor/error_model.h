@@ -35,6 +35,8 @@ struct ErrorModel {
     EchoChoice choice = EchoChoice::strongest;
     /// It tells up to most_echoes_told of them.
     bool tells_every_echo = false;
+    /// Its codes vary: the readings without a range need chances for them.
+    bool codes_vary = false;
     static constexpr std::size_t most_echoes_told = 3;
     /// All noise is so many times the model's.
     double noise_factor = 1.0;

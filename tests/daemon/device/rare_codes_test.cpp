@@ -189,8 +189,9 @@ std::vector<Wire> office_drive(const Model& model, int scans) {
     surfaces.back() = {.diffuse = 0.024F};
     const sim::LitWorld lit(surfaces, {});
     const auto backend = sim::make_backend("embree", scene);
-    const sim::Scanner scanner(model.optics,
-                               {.accuracy = sim::Accuracy::material, .seed = 5, .sensor = 8});
+    const sim::Scanner scanner(
+        model.optics,
+        {.accuracy = sim::Accuracy::material, .seed = 5, .sensor = 8, .codes_vary = true});
     std::vector<Wire> drive;
     for (int i = 0; i < scans; ++i) {
         const double way = double(i) / scans;
