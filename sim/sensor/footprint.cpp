@@ -13,18 +13,19 @@ namespace scipd::sim {
 namespace {
 
 /// The light at radius r, in halves of the footprint, is exp(-2 r²): with s = 2 r² the weight of
-/// Laguerre's polynomials, exp(-s).
+/// Laguerre's polynomials, exp(-s), whose first moments are 1 and 2.
 struct Ring {
     double s;
     double weight;  ///< of all six
 };
 
 constexpr int rays_per_ring = 6;
+/// Each ring is turned by this, so that no two of its rays stand above or beside each other: a wire
+/// then meets one of them at twice as many places.
+constexpr double turned_rad = std::numbers::pi / 12;
 
-/// Every other ring is turned by half the angle between two rays.
 std::vector<FootprintRay> rays_of(double middle_weight, std::span<const Ring> rings) {
     std::vector<FootprintRay> rays{{0.0, 0.0, static_cast<float>(middle_weight)}};
-    double turned_rad = 0.0;
     for (const Ring& ring : rings) {
         const double radius = std::sqrt(0.5 * ring.s);
         for (int i = 0; i < rays_per_ring; ++i) {
@@ -32,18 +33,19 @@ std::vector<FootprintRay> rays_of(double middle_weight, std::span<const Ring> ri
             rays.push_back({radius * std::cos(angle_rad), radius * std::sin(angle_rad),
                             static_cast<float>(ring.weight / rays_per_ring)});
         }
-        turned_rad += std::numbers::pi / rays_per_ring;
     }
     return rays;
 }
 
+/// The radii leave the least gaps between the rays, seen from above and from the side; the weights
+/// then follow from both moments.
 std::vector<FootprintRay> thirteen_rays() {
-    // The radii are the zeros of Laguerre's L2^(1); weights from the moments 1 and s.
-    const double near = 3.0 - std::sqrt(3.0);
-    const double far = 3.0 + std::sqrt(3.0);
-    const double near_weight = (1.0 - far * 2.0 / 3.0) / (near - far);
-    return rays_of(1.0 / 3.0,
-                   std::array<Ring, 2>{{{near, near_weight}, {far, 2.0 / 3.0 - near_weight}}});
+    constexpr double near = 0.85;
+    constexpr double far = 2.6;
+    constexpr double near_weight = (far - 2.0) / (near * (far - near));
+    constexpr double far_weight = (2.0 - near) / (far * (far - near));
+    return rays_of(1.0 - near_weight - far_weight,
+                   std::array<Ring, 2>{{{near, near_weight}, {far, far_weight}}});
 }
 
 }  // namespace

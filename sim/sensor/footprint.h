@@ -29,9 +29,9 @@ struct FootprintRay {
 };
 
 /// The rays of a footprint, the middle one first; their weights add up to 1. They are the nodes of
-/// cubature formulas for a Gaussian weight, with rings of six around the middle: 7 rays integrate
-/// polynomials of degree 5 exactly (Stroud, Approximate calculation of multiple integrals, 1971,
-/// E2r2 5-1), 13 take Gauss, Radau and Laguerre's radii. `rays` is 1, 7 or 13.
+/// cubature formulas for a Gaussian weight, with rings of six around the middle: 7 and 13 rays
+/// integrate polynomials of degree 5 exactly (7: Stroud, Approximate calculation of multiple
+/// integrals, 1971, E2r2 5-1). `rays` is 1, 7 or 13.
 [[nodiscard]] std::span<const FootprintRay> footprint_rays(int rays);
 
 }  // namespace scipd::sim

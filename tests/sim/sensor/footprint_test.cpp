@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -40,6 +41,20 @@ TEST(Footprint, HasTheMomentsOfAGaussianBeam) {
     EXPECT_EQ(footprint_rays(13).size(), 13U);
 }
 
+// So that something thin, upright or level, meets a ray at as many places as there are rays.
+TEST(Footprint, HasNoTwoRaysAboveOrBesideEachOther) {
+    for (const int rays : {7, 13}) {
+        for (const auto along : {&FootprintRay::across, &FootprintRay::up}) {
+            std::vector<double> places;
+            for (const FootprintRay& ray : footprint_rays(rays))
+                places.push_back(ray.*along);
+            std::ranges::sort(places);
+            for (std::size_t i = 1; i < places.size(); ++i)
+                EXPECT_GT(places[i] - places[i - 1], 0.1) << rays;
+        }
+    }
+}
+
 TEST(Footprint, IsTheModelsOwnEllipse) {
     const SensorSpec spec{
         .steps_per_turn = 4,
@@ -60,9 +75,11 @@ TEST(Footprint, IsTheModelsOwnEllipse) {
         const glm::vec3 left = pattern.directions()[7 + i];
         EXPECT_NEAR(glm::length(left - glm::vec3(-ahead.y, ahead.x, ahead.z)), 0.0F, 1e-6);
     }
-    EXPECT_NEAR(widest, 0.01, 1e-6);
-    EXPECT_NEAR(highest, 0.002 * std::sin(glm::radians(60.0)), 1e-6);
-    EXPECT_NEAR(spec.footprint.reach_rad(), 0.01, 1e-9);
+    const double turned = std::cos(glm::radians(15.0));
+    EXPECT_NEAR(widest, 0.01 * turned, 1e-6);
+    EXPECT_NEAR(highest, 0.002 * turned, 1e-6);
+    const double low = std::sin(glm::radians(15.0));
+    EXPECT_NEAR(spec.footprint.reach_rad(), std::hypot(0.01 * turned, 0.002 * low), 1e-9);
     EXPECT_EQ(pattern.directions()[0], glm::vec3(1, 0, 0));
 }
 
