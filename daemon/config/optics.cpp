@@ -129,9 +129,11 @@ constexpr Member<Receiver> light_members[] = {
     {"saturating_signal", read_as<&Receiver::saturating_signal, parse_length>},
     {"saturation_m", read_as<&Receiver::saturation_m, parse_metres>},
     {"edge_share", read_as<&Receiver::edge_share, parse_share>},
+    {"aperture_m", read_as<&Receiver::aperture_m, parse_length>},
     {"crosstalk", read_as<&Receiver::crosstalk, parse_share>},
     {"intensity", read_intensity},
     {"intensity_noise", read_intensity_noise},
+    {"log_gain", read_as<&Receiver::log_gain, parse_length>},
     {"most_intensity", read_as<&Receiver::most_intensity, parse_length>},
 };
 

@@ -17,15 +17,14 @@ double square(double x) {
 Deviation::Deviation(const SensorSpec& spec, double factor)
     : factor_(factor),
       weak_(spec.noise_law.weak),
+      faintest_intensity_(spec.faintest_intensity()),
       white_wall_(white_wall_noise(spec)),
-      intensity_(spec.receiver.intensity, &IntensityPoint::intensity) {
-    darkest_intensity_ = dark_target * intensity_.at(spec.receiver.dark_range_m);
-}
+      intensity_(spec.receiver.intensity, &IntensityPoint::intensity) {}
 
 double Deviation::of_m(const Echo& echo) const {
     double variance_m2 = square(white_wall_.at(echo.range_m));
     if (const double white = intensity_.at(echo.range_m); white > 0.0) {
-        const double intensity = std::max(white * echo.power, darkest_intensity_);
+        const double intensity = std::max(white * echo.power, faintest_intensity_);
         variance_m2 *= (1.0 + square(weak_ / intensity)) / (1.0 + square(weak_ / white));
     }
     return factor_ * std::sqrt(variance_m2 + square(spread_share * echo.spread_m));

@@ -33,7 +33,7 @@ class Deviation {
   private:
     double factor_;
     double weak_;
-    double darkest_intensity_;
+    double faintest_intensity_;
     Curve white_wall_;
     Curve intensity_;
 };

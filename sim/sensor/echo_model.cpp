@@ -82,6 +82,8 @@ class EchoFinder {
                ChanceKey key)
         : scan_(scan),
           half_pulse_m_(static_cast<float>(spec.receiver.half_pulse_m)),
+          beam_blur_rad2_(spec.footprint.half_width_rad * spec.footprint.half_height_rad),
+          aperture_m_(spec.receiver.aperture_m),
           crosstalk_(static_cast<float>(spec.receiver.crosstalk)),
           pattern_(pattern),
           lit_(lit),
@@ -92,6 +94,7 @@ class EchoFinder {
         scan_.echoes.reserve(scan_.beams());
         for (std::size_t beam = 0; beam < scan_.beams(); ++beam) {
             returns_.clear();
+            axis_.clear();
             add_hits(beam);
             add_farther_hits(beam);
             if (!lit_.media().empty()) pass_air(beam);
@@ -122,6 +125,7 @@ class EchoFinder {
             float power = rays[i].weight * material.returned(hit.cos_incidence);
             if (material.surface().texture > 0.0F)
                 power *= texture_at(material, place_of(beam, first + i, hit));
+            if (material.smooth()) power += rays[i].weight * highlight(material, hit, i == 0);
             add(hit, power);
         }
     }
@@ -134,8 +138,23 @@ class EchoFinder {
             const Reflection& material = lit_.of(hit.material);
             float power = of.weight * share * material.returned(hit.cos_incidence);
             if (material.surface().texture > 0.0F) power *= texture_at(material, at_m);
+            const bool on_axis = ray % pattern_.rays_per_beam() == 0;
+            if (material.smooth()) power += of.weight * share * highlight(material, hit, on_axis);
             add(hit, power);
         }
+    }
+
+    /// What comes back from a smooth face is the light that left along its normal. So the beam as a
+    /// whole decides how much that is, and not where its few rays point: its width blurs what its
+    /// axis meets. So does the lens, to which the light goes as far again as it went to the face.
+    float highlight(const Reflection& material, const Hit& hit, bool on_axis) {
+        if (on_axis) axis_.push_back(hit);
+        const auto same = std::ranges::find_if(axis_, [&](const Hit& met) {
+            return met.object == hit.object && met.material == hit.material;
+        });
+        const float cos_incidence = same == axis_.end() ? hit.cos_incidence : same->cos_incidence;
+        const double lens_rad = 0.5 * aperture_m_ / std::max(1e-3, double{hit.range_m});
+        return material.highlight(cos_incidence, beam_blur_rad2_ + lens_rad * lens_rad);
     }
 
     void add(const Hit& hit, float power) {
@@ -197,6 +216,8 @@ class EchoFinder {
 
     Scan& scan_;
     float half_pulse_m_;
+    double beam_blur_rad2_;
+    double aperture_m_;
     float crosstalk_;
     const BeamPattern& pattern_;
     const LitWorld& lit_;
@@ -204,6 +225,7 @@ class EchoFinder {
     Chance texture_chance_;
     std::size_t farther_ = 0;  ///< the next to be added
     std::vector<Return> returns_;
+    std::vector<Hit> axis_;  ///< what the axis of this beam meets that is smooth, on its whole way
 };
 
 }  // namespace

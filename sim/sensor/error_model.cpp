@@ -59,7 +59,7 @@ class Reader {
     void read_ideal(const Hit& hit, Curve::Cursor& white, Reading& reading) const {
         if (!hit.met()) return;
         reading.range_m = hit.range_m;
-        reading.intensity = intensity_of(white.at(hit.range_m), hit.cos_incidence);
+        reading.intensity = intensity_of(white.at(hit.range_m) * hit.cos_incidence);
         reading.cause = Cause::measured;
     }
     [[nodiscard]] Curve::Cursor white() const { return Curve::Cursor(intensity_); }
@@ -174,16 +174,16 @@ class Reader {
     }
 
     [[nodiscard]] float intensity_read(const Echo& echo, std::uint32_t chance) const {
-        const double white = intensity_.at(echo.range_m);
-        const double flicker = spec_.receiver.intensity_noise.empty()
-                                   ? 0.0
-                                   : noise_factor_ * intensity_noise_.at(white * echo.power) *
-                                         flicker_.standard_normal(chance);
-        return intensity_of(white * std::max(0.0, 1.0 + flicker), echo.power);
+        const double told = intensity_.at(echo.range_m) * spec_.receiver.brightness(echo.power);
+        const double flicker =
+            spec_.receiver.intensity_noise.empty()
+                ? 0.0
+                : noise_factor_ * intensity_noise_.at(told) * flicker_.standard_normal(chance);
+        return intensity_of(told * std::max(0.0, 1.0 + flicker));
     }
 
-    [[nodiscard]] float intensity_of(double white, float power) const {
-        return static_cast<float>(std::min(white * power, spec_.receiver.most_intensity));
+    [[nodiscard]] float intensity_of(double told) const {
+        return static_cast<float>(std::min(told, spec_.receiver.most_intensity));
     }
 
     /// The last errors, which all ranges have.

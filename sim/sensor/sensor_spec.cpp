@@ -53,7 +53,15 @@ double SensorSpec::bias_m(double range_m) const {
 
 double SensorSpec::intensity(double range_m, double power) const {
     const double white = Curve(receiver.intensity, &IntensityPoint::intensity).at(range_m);
-    return std::min(white * power, receiver.most_intensity);
+    return std::min(white * receiver.brightness(power), receiver.most_intensity);
+}
+
+double SensorSpec::faintest_intensity() const {
+    return intensity(receiver.dark_range_m, dark_target);
+}
+
+double Receiver::brightness(double power) const {
+    return power <= 1.0 || log_gain == 0.0 ? power : 1.0 + log_gain * std::log(power);
 }
 
 Curve white_wall_noise(const SensorSpec& spec) {

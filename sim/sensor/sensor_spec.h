@@ -72,15 +72,23 @@ struct Receiver {
     /// Where a beam has two echoes and the weaker one has more than this share of the stronger, the
     /// sensor reads no range: those that compare phases. 0: such sensors read one of the two.
     double edge_share = 0.0;
+    /// Half the width of the lens: what a mirror throws back is seen where it falls into that.
+    double aperture_m = 0.0;
     /// The share of its neighbours' light that a beam gets.
     double crosstalk = 0.0;
     /// By growing range_m; linear between, and constant before and behind. Empty: no intensity.
     std::vector<IntensityPoint> intensity = {};
+    /// How many intensities of a white face are added where there is e times as much light, above
+    /// that of a white face; 0: as many as there is light.
+    double log_gain = 0.0;
     double most_intensity = 0.0;  ///< brighter light is told as this
     /// By growing intensity; linear between, and constant before and behind. Empty: none.
     std::vector<IntensityNoisePoint> intensity_noise = {};
 
     bool operator==(const Receiver&) const = default;
+
+    /// Of light of this power (Echo), in intensities of a white face at the same range.
+    [[nodiscard]] double brightness(double power) const;
 };
 
 struct SensorSpec {
@@ -117,6 +125,8 @@ struct SensorSpec {
     [[nodiscard]] double bias_m(double range_m) const;
     /// Of light of this power (Echo) from this range.
     [[nodiscard]] double intensity(double range_m, double power) const;
+    /// Of a dark target at dark_range_m.
+    [[nodiscard]] double faintest_intensity() const;
 };
 
 /// The noise by range of a white wall head-on: what `noise` says, else what the law makes of the

@@ -57,7 +57,7 @@ Surface as_metal(Surface surface, double metalness, double roughness) {
 /// Some of the face is clear, as if it were of glass: 4 % of what falls on that are mirrored.
 Surface as_clear(Surface surface, double transparency) {
     constexpr float mirrored = 0.04F;
-    constexpr float pane = 2000.0F;
+    constexpr float pane = 1e6F;
     const auto clear = static_cast<float>(transparency);
     if (surface.specular == 0.0F) surface.gloss = pane;
     surface.diffuse *= 1.0F - clear;

@@ -20,11 +20,10 @@ double diffuse_share(const Surface& surface, double cosine, double sine) {
     return surface.diffuse * (cosine * flat + rough * sine * sine);
 }
 
-double specular_share(const Surface& surface, double cosine) {
+double specular_share(const Surface& surface, double gloss, double cosine) {
     const double cos_twice = 2.0 * cosine * cosine - 1.0;
     if (surface.specular <= 0.0F || cos_twice <= 0.0) return 0.0;
-    const double n = surface.gloss;
-    return surface.specular * 0.5 * (n + 2.0) * std::pow(cos_twice, n) * cosine;
+    return surface.specular * 0.5 * (gloss + 2.0) * std::pow(cos_twice, gloss) * cosine;
 }
 
 }  // namespace
@@ -36,14 +35,17 @@ double retro_gain() {
 double returned_share(const Surface& surface, double cos_incidence) {
     const double cosine = std::clamp(cos_incidence, 0.0, 1.0);
     const double sine = std::sqrt(1.0 - cosine * cosine);
-    return diffuse_share(surface, cosine, sine) + specular_share(surface, cosine) +
+    return diffuse_share(surface, cosine, sine) + specular_share(surface, surface.gloss, cosine) +
            surface.retro * retro_gain() * cosine;
 }
 
-Reflection::Reflection(const Surface& surface) : surface_(surface), table_{} {
+Reflection::Reflection(const Surface& surface)
+    : surface_(surface), smooth_(mirrored_share(surface) > 0.0F), table_{} {
+    Surface scattering = surface;
+    if (smooth_) scattering.specular = 0.0F;
     for (std::size_t i = 0; i <= intervals; ++i) {
         const double x = double(i) / double(intervals);
-        table_[i] = static_cast<float>(returned_share(surface, 1.0 - x * x));
+        table_[i] = static_cast<float>(returned_share(scattering, 1.0 - x * x));
     }
     table_[intervals + 1] = table_[intervals];
 }
@@ -53,6 +55,13 @@ float Reflection::returned(float cos_incidence) const {
     const auto before = static_cast<std::size_t>(std::min(x, float(intervals)));
     const float share = x - float(before);
     return table_[before] + share * (table_[before + 1] - table_[before]);
+}
+
+float Reflection::highlight(float cos_incidence, double blur_rad2) const {
+    if (!smooth_) return 0.0F;
+    const double gloss = highlight_gloss(surface_.gloss, blur_rad2);
+    return static_cast<float>(
+        specular_share(surface_, gloss, std::min(1.0, double{cos_incidence})));
 }
 
 float mirrored_share(const Surface& surface) {

@@ -23,19 +23,32 @@ class Reflection {
     explicit Reflection(const Surface& surface);
 
     /// Relative to a white Lambertian face that is met head-on: the cosine of the incidence for a
-    /// white matt face, hundreds for a reflector. Between the table's entries it is linear.
+    /// white matt face, hundreds for a reflector. Between the table's entries it is linear. Without
+    /// the highlight of a smooth face.
     [[nodiscard]] float returned(float cos_incidence) const;
+    /// What a smooth face throws back as a mirror does, if the light and the lens that it comes back
+    /// to blur it by this much: see highlight_gloss().
+    [[nodiscard]] float highlight(float cos_incidence, double blur_rad2) const;
     [[nodiscard]] const Surface& surface() const { return surface_; }
     [[nodiscard]] float mirrored() const { return mirrored_share(surface_); }
+    /// Whether its lobe is narrower than a beam, so that rays cannot stand for it.
+    [[nodiscard]] bool smooth() const { return smooth_; }
 
   private:
     static constexpr std::size_t intervals = 1024;
 
     Surface surface_;
+    bool smooth_;
     std::array<float, intervals + 2> table_;  ///< over sqrt(1 - cos), and the last one twice
 };
 
-/// The closed form of Reflection::returned():
+/// The exponent of the lobe that a scanner sees of a smooth face. All that blurs it adds up as
+/// variances, that of Phong's lobe being 1 / gloss in the direction of the mirrored light.
+[[nodiscard]] constexpr double highlight_gloss(double gloss, double blur_rad2) {
+    return 1.0 / (1.0 / gloss + blur_rad2);
+}
+
+/// The closed form of Reflection::returned(), and of highlight() without blur:
 ///
 /// - diffuse: Oren and Nayar 1994 for light and eye at one place, cos t (A + B sin t tan t) with
 ///   A = 1 - s²/2 / (s² + 0.33) and B = 0.45 s² / (s² + 0.09), s the roughness; Lambert's cosine

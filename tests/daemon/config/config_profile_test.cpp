@@ -221,8 +221,9 @@ TEST_F(ConfigProfileTest, ErrorsAndLightCanBeChanged) {
             " light: {wavelength_nm: 830, dark_range_m: 3, half_pulse_m: 0.6,"
             " level_below_m: 0.3, walk_m: 0.02, blinding_signal: 90, edge_share: 0.2,"
             " saturating_signal: 80, saturation_m: 0.03,"
-            " crosstalk: 0.05, intensity: [{range_m: 1, intensity: 900}],"
-            " most_intensity: 1000, intensity_noise: [{intensity: 500, share: 0.01}]}}")
+            " aperture_m: 0.01, crosstalk: 0.05, intensity: [{range_m: 1, intensity: 900}],"
+            " log_gain: 0.5, most_intensity: 1000, intensity_noise: [{intensity: 500, share: "
+            "0.01}]}}")
             .model.optics;
     sim::SensorSpec expected = find_model("UST-10LX").optics;
     expected.noise_law = {.floor_m = 0.003, .weak = 400};
@@ -241,8 +242,10 @@ TEST_F(ConfigProfileTest, ErrorsAndLightCanBeChanged) {
                          .saturating_signal = 80,
                          .saturation_m = 0.03,
                          .edge_share = 0.2,
+                         .aperture_m = 0.01,
                          .crosstalk = 0.05,
                          .intensity = {{1.0, 900}},
+                         .log_gain = 0.5,
                          .most_intensity = 1000,
                          .intensity_noise = {{500, 0.01}}};
     EXPECT_EQ(optics, expected);

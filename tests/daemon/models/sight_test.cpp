@@ -110,6 +110,15 @@ TEST_P(Sights, ErrInEachUnitAsTheDataSheetAllows) {
     }
 }
 
+// Beacons with film of 220 times a white face's light, before a recorded UST that stood between
+// them (SkoltechRobotics/Eurobot2018): the brightest step of each.
+TEST(UstSight, CallsReflectorsWhatARecordingCallsThem) {
+    const sim::SensorSpec& optics = find_model("UST-10LX").optics;
+    EXPECT_NEAR(optics.intensity(0.61, 220.0), 10004, 1700);
+    EXPECT_NEAR(optics.intensity(1.43, 220.0), 7859, 1700);
+    EXPECT_NEAR(optics.intensity(2.77, 220.0), 5816, 1000);
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, Sights, testing::ValuesIn(models()), [](const auto& model) {
     std::string name = model.param.profile.name + "_" + model.param.profile.release;
     std::ranges::replace_if(

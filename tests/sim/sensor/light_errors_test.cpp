@@ -90,7 +90,8 @@ const std::vector<Surface> ten_materials = {
     {.diffuse = 0.3F, .transmission = 0.5F},
 };
 
-// The curve: sigma = floor sqrt(1 + (weak / intensity)²), bias = b(r) - walk log10(power), with the
+// The curve: sigma = floor sqrt(1 + (weak / intensity)²), but no more than that of a dark face at
+// the range where it is last seen; bias = b(r) - walk log10(power), with the
 // power of the closed form and 1/r² beyond half a metre.
 TEST(LightErrors, FollowTheirCurvesAtTenRangesFiveIncidencesAndTenMaterials) {
     const SensorSpec spec = scanner();
@@ -103,8 +104,9 @@ TEST(LightErrors, FollowTheirCurvesAtTenRangesFiveIncidencesAndTenMaterials) {
                 const double power = returned_share(surface, cosine);
                 const double signal = power / std::pow(std::max(0.5, double{range_m}), 2);
                 if (signal < 1.5 * weakest) continue;  // some would not be noticed
-                const double sigma =
-                    0.010 * std::hypot(1.0, 900.0 / spec.intensity(range_m, power));
+                const double told =
+                    std::max(spec.intensity(range_m, power), spec.intensity(12.0, 0.1));
+                const double sigma = 0.010 * std::hypot(1.0, 900.0 / told);
                 const double bias = spec.bias_m(range_m) - 0.01 * std::log10(power);
                 const Errors errors =
                     errors_of(spec, {range_m, static_cast<float>(cosine), surface}, 2);

@@ -36,7 +36,8 @@ TEST(Reflection, TabulatesItsClosedForm) {
         for (int i = 0; i <= 2000; ++i) {
             const double angle_rad = 0.5 * pi * i / 2000;
             const double truth = returned_share(surface, std::cos(angle_rad));
-            ASSERT_NEAR(material.returned(static_cast<float>(std::cos(angle_rad))), truth,
+            const auto cosine = static_cast<float>(std::cos(angle_rad));
+            ASSERT_NEAR(material.returned(cosine) + material.highlight(cosine, 0.0), truth,
                         2e-3 * returned_share(surface, 1.0))
                 << angle_rad << " rad, gloss " << surface.gloss;
         }
@@ -95,6 +96,19 @@ TEST(Reflection, SendsTheLobeAwayFromTheScanner) {
     EXPECT_NEAR(returned_share(glossy, cos_10_deg),
                 0.9 * 51.0 * std::pow(std::cos(pi / 9), 100.0) * cos_10_deg, 1e-4);
     EXPECT_EQ(returned_share(glossy, std::cos(pi / 3)), 0.0);
+}
+
+// Light that spreads by 10 mrad makes of a perfect mirror's lobe that of a gloss of 10000.
+TEST(Reflection, BlursHighlights) {
+    const Reflection mirror({.diffuse = 0.0F, .specular = 0.5F, .gloss = 1e8F});
+    const Surface blurred{.diffuse = 0.0F, .specular = 0.5F, .gloss = 1e4F};
+    for (const double angle_rad : {0.0, 0.005, 0.02}) {
+        const double truth = returned_share(blurred, std::cos(angle_rad));
+        EXPECT_NEAR(mirror.highlight(static_cast<float>(std::cos(angle_rad)), 1e-4), truth,
+                    1e-2 * truth + 1e-3)
+            << angle_rad;
+    }
+    EXPECT_EQ(Reflection({.specular = 0.5F, .gloss = 50.0F}).highlight(1.0F, 1e-4), 0.0F);
 }
 
 TEST(Reflection, MirrorsOnlyWhereItIsSmooth) {
