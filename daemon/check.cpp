@@ -92,6 +92,8 @@ std::string check_configuration(const std::filesystem::path& file, const Options
         sensors += robot.sensors.size();
     }
     std::ranges::move(media_notices(config), std::back_inserter(notices));
+    if (world.scene)
+        std::ranges::move(material_notices(config, *world.scene), std::back_inserter(notices));
     if (!faults.empty()) throw sim::LoadError(std::move(faults));
     std::string text;
     for (const auto* list :

@@ -222,8 +222,9 @@ std::vector<Station*> Fleet::start(const Config& config, const Ports& ports) noe
             if (!station) {
                 station = make_station(context, robot.name, sensor, config.seed, served);
                 fresh.push_back(station.get());
-            } else if (station->shard != home) {
-                station = moved(*station, context, served);
+            } else {
+                station->read_as(errors_of(sensor));
+                if (station->shard != home) station = moved(*station, context, served);
             }
             simulation.stations.push_back(std::move(station));
         }

@@ -65,6 +65,29 @@ std::optional<SensorLog> FleetApi::log(const std::string& sensor) const {
     });
 }
 
+std::optional<ReadingErrors> FleetApi::errors(const std::string& sensor) const {
+    const Station* const station = find_station(simulation_.stations, sensor);
+    if (station == nullptr || station->config.staring) return std::nullopt;
+    return errors_of(station->config);
+}
+
+sim::Expected<> FleetApi::set_errors(const std::string& sensor, const ReadingErrors& errors) {
+    Station& station = *find_station(simulation_.stations, sensor);
+    const auto lives_elsewhere = [&](const auto& other) {
+        return !other->config.staring && other->shard != station.shard;
+    };
+    if (errors.interference && !station.config.interference &&
+        std::ranges::any_of(simulation_.stations, lives_elsewhere)) {
+        return sim::refuse(
+            "interference",
+            "needs scanners that live on one thread, and these live on several: give "
+            "interference in the configuration and start scipd again, or start it "
+            "with --threads 1");
+    }
+    simulation_.shards.still([&] { station.read_as(errors); });
+    return {};
+}
+
 void FleetApi::ask_log(const std::string& sensor) {
     simulation_.shards.still([&] {
         std::visit([](const auto& made) { made->ask_log(); },

@@ -37,6 +37,8 @@ class FleetApi : public Api {
     [[nodiscard]] FleetMetrics metrics() const override;
     [[nodiscard]] std::optional<SensorRecord> latest(const std::string& sensor) override;
     [[nodiscard]] std::optional<SensorLog> log(const std::string& sensor) const override;
+    [[nodiscard]] std::optional<ReadingErrors> errors(const std::string& sensor) const override;
+    sim::Expected<> set_errors(const std::string& sensor, const ReadingErrors& errors) override;
     void ask_log(const std::string& sensor) override;
     std::unique_ptr<Conversation> subscribe(const std::string& sensor, WebSocket& socket) override;
     std::unique_ptr<Conversation> open_view(WebSocket& page) override;

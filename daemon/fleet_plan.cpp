@@ -120,6 +120,7 @@ FleetPlan make_plan(Config config, const Running& running, const std::stop_token
     // Of a sensor that is mounted by name nothing is known before it has its place.
     Homes homes = find_homes(config, running.homes, running.sensors);
     std::ranges::move(media_notices(config), std::back_inserter(notices));
+    std::ranges::move(material_notices(config, *loaded.scene), std::back_inserter(notices));
     std::vector<RequestedBackend> requests;
     for (const RobotConfig& robot : config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {

@@ -77,6 +77,7 @@ SensorStatus status_of(const Station& station, const Simulation& simulation) {
                 station.served_before.lost_scans,
         .stream_lost = station.loop->missed_by_watchers() + station.tap->lost()};
     std::visit([&](const auto& sensor) { describe(*sensor, status); }, station.sensor);
+    if (!station.config.staring) status.errors = errors_of(station.config);
     if (station.ports.tcp) add(*station.ports.tcp, status.tcp, status);
     if (station.ports.pty) add(*station.ports.pty, status.pty, status);
     return status;

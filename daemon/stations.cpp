@@ -19,11 +19,12 @@ namespace scipd::daemon {
 namespace {
 
 /// Another world may have a named mount elsewhere; a sensor that has moved with it is the same.
+/// But for what can change while its clients go on.
 bool is_same(const SensorConfig& a, const SensorConfig& b) {
-    if (!a.mount || a.robot_from_sensor == b.robot_from_sensor) return a == b;
-    SensorConfig moved = a;
-    moved.robot_from_sensor = b.robot_from_sensor;
-    return moved == b;
+    SensorConfig other = a;
+    if (!a.staring) set_errors(other, errors_of(b));
+    if (a.mount) other.robot_from_sensor = b.robot_from_sensor;
+    return other == b;
 }
 
 /// Real scanners are switched on at any moment. If all mirrors passed step 0 at once, all scans
@@ -57,6 +58,13 @@ Station::~Station() = default;
 
 void Station::mount(const sim::Pose& robot_from_sensor) {
     std::visit([&](const auto& there) { there->mount(robot_from_sensor); }, sensor);
+}
+
+void Station::read_as(const ReadingErrors& errors) {
+    const auto* const device = std::get_if<std::unique_ptr<Device>>(&sensor);
+    if (device == nullptr || errors_of(config) == errors) return;
+    set_errors(config, errors);
+    (*device)->read_as(config);
 }
 
 void Station::retire() {

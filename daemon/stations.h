@@ -15,6 +15,7 @@
 #include "daemon/api/scan_stream.h"
 #include "daemon/api/view_stream.h"
 #include "daemon/api/wire_stream.h"
+#include "daemon/config/reading_errors.h"
 #include "daemon/config/sensor_config.h"
 #include "daemon/device/scan_loop.h"
 #include "daemon/link/link_counts.h"
@@ -51,6 +52,8 @@ struct Station {
     [[nodiscard]] std::string name() const { return sensor_name(robot, config.name); }
     /// From the next measurement on it sits there on its robot.
     void mount(const sim::Pose& robot_from_sensor);
+    /// And reads with these errors. Nothing for cameras and rangers.
+    void read_as(const ReadingErrors& errors);
     /// Ends its faults, and then its clients, as long as its world stands. On its own thread.
     void retire();
 };

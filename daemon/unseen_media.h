@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What a user should know who fills the air of a world that no sensor sees the light of. Any
-// thread; nothing shared.
+// What a user should know who fills the air of a world, or says how its faces reflect, where no
+// sensor sees light. Any thread; nothing shared.
 #pragma once
 
 #include <string>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "daemon/config/config.h"
+#include "sim/world/scene.h"
 
 namespace scipd::daemon {
 
@@ -18,5 +19,8 @@ inline constexpr std::string_view unseen_media =
 
 /// That sentence, if the configuration has media and it is true.
 std::vector<std::string> media_notices(const Config& config);
+
+/// The same of materials, if the configuration or the world has any that no scanner sees.
+std::vector<std::string> material_notices(const Config& config, const sim::Scene& scene);
 
 }  // namespace scipd::daemon

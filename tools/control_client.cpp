@@ -113,6 +113,10 @@ ControlClient::Json ControlClient::post(const std::string& path, const Json& bod
     return Json::parse(exchange({http::verb::post, path, body.dump(), true}), nullptr, false);
 }
 
+ControlClient::Json ControlClient::patch(const std::string& path, const Json& body) {
+    return Json::parse(exchange({http::verb::patch, path, body.dump(), true}), nullptr, false);
+}
+
 void ControlClient::remove(const std::string& path) {
     (void)exchange({http::verb::delete_, path, {}, true});
 }

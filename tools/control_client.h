@@ -44,6 +44,7 @@ class ControlClient {
     // They return its answer, or null if it has no body.
     Json load(const std::string& path, const Json& body);
     Json post(const std::string& path, const Json& body);
+    Json patch(const std::string& path, const Json& body);
     void remove(const std::string& path);
 
   private:

@@ -54,6 +54,12 @@ class Api {
     /// for scans; a camera or ranger measures now. Nothing: there is no such sensor.
     [[nodiscard]] virtual std::optional<SensorRecord> latest(const std::string& sensor) = 0;
 
+    /// How well it reads now; nothing: there is no such scanner.
+    [[nodiscard]] virtual std::optional<ReadingErrors> errors(const std::string& sensor) const = 0;
+    /// From its next scan on it reads like this. Of a scanner that is there.
+    [[nodiscard]] virtual sim::Expected<> set_errors(const std::string& sensor,
+                                                     const ReadingErrors& errors) = 0;
+
     /// The measurements of the sensor that are kept: the latest, and those of a second where
     /// somebody has asked for its truth. Nothing: there is no such sensor.
     [[nodiscard]] virtual std::optional<SensorLog> log(const std::string& sensor) const = 0;

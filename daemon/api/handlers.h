@@ -31,6 +31,7 @@ void get_page_file(Call&& call);
 void get_status(Call&& call);
 void get_sensors(Call&& call);
 void get_sensor(Call&& call);
+void patch_sensor(Call&& call);
 void get_reading(Call&& call);
 void get_truth(Call&& call);
 

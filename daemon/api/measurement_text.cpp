@@ -78,18 +78,6 @@ void add_all_hits(ObjectText& text, const sim::Scan& cast, const sim::Scene& sce
     });
 }
 
-std::string_view word(sim::Accuracy accuracy) {
-    switch (accuracy) {
-        case sim::Accuracy::ideal:
-            return "ideal";
-        case sim::Accuracy::sensor:
-            return "sensor";
-        case sim::Accuracy::material:
-            break;
-    }
-    return "material";
-}
-
 /// Appends a list within a list.
 template <class Append>
 void append_list(std::string& text, auto&& things, Append append) {
@@ -130,13 +118,24 @@ void add_sent_echoes(ObjectText& text, const std::vector<protocol::StepEchoes>& 
     add("sent_echoes_intensity", &protocol::Echo::intensity);
 }
 
+/// Adds what the unit reads too far, where it has read something.
+void add_bias(ObjectText& text, const ScanRecord& record) {
+    text.add_list(
+        "bias_m", record.cast->readings, [&](std::string& list, const sim::Reading& reading) {
+            const bool read = reading.cause == sim::Cause::measured;
+            const double none = std::numeric_limits<double>::infinity();
+            append_rounded(list, read ? sim::steady_error_m(*record.optics, reading) : none);
+        });
+}
+
 /// Adds the stages between what the beams met and what was sent.
 void add_stages(ObjectText& text, const ScanRecord& record) {
     const sim::Scan& cast = *record.cast;
-    text.add("accuracy", word(record.accuracy));
+    text.add("accuracy", name_of(record.accuracy));
     text.add_list("read_m", cast.readings, [](std::string& list, const sim::Reading& reading) {
         append_rounded(list, reading.range_m);
     });
+    if (record.accuracy != sim::Accuracy::ideal) add_bias(text, record);
     text.add_list("cause", cast.readings, [](std::string& list, const sim::Reading& reading) {
         list.append(1, '"').append(cause_word(reading.cause)).append(1, '"');
     });

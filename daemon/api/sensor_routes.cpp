@@ -10,8 +10,10 @@
 #include <variant>
 
 #include "daemon/api/documents.h"
+#include "daemon/api/errors_request.h"
 #include "daemon/api/handlers.h"
 #include "daemon/api/measurement_text.h"
+#include "daemon/api/pose_routes.h"
 #include "daemon/config/sensor_config.h"
 #include "daemon/http/problem.h"
 #include "daemon/http/url.h"
@@ -48,6 +50,7 @@ Json to_json(const SensorStatus& sensor) {
     told["model"] = sensor.model;
     told["backend"] = sensor.backend;
     told["backend_reason"] = or_null(sensor.backend_reason);
+    told["errors"] = sensor.errors ? errors_document(*sensor.errors) : Json();
     told["state"] = sensor.state;
     told["warning"] = or_null(sensor.warning);
     told["tcp"] = or_null(sensor.tcp);
@@ -154,6 +157,21 @@ void get_sensor(Call&& call) {
         if (candidate.name == sensor_of(call)) return call.respond(ok(to_json(candidate)));
     }
     call.respond(no_sensor(call));
+}
+
+void patch_sensor(Call&& call) {
+    const std::string sensor = sensor_of(call);
+    if (!call.api.log(sensor)) return call.respond(no_sensor(call));
+    const auto now = call.api.errors(sensor);
+    if (!now)
+        return call.respond(problem(
+            409,
+            "\"" + sensor + "\" is a camera or a ranger, which does not change while scipd runs"));
+    const auto wanted = parse_errors(call.request.body, *now);
+    if (!wanted) return call.respond(bad_request(wanted.error()));
+    if (const auto set = call.api.set_errors(sensor, *wanted); !set)
+        return call.respond(problem(409, set.error().why, set.error().field));
+    call.respond(ok(errors_document(*wanted)));
 }
 
 void get_reading(Call&& call) {

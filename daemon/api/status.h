@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "daemon/api/shared_status.h"
+#include "daemon/config/reading_errors.h"
 #include "sim/time.h"
 
 namespace scipd::daemon {
@@ -36,9 +37,10 @@ struct SensorStatus {
     std::optional<std::string> backend_reason;  ///< what "auto" was settled by
     std::string state;                          ///< "standby", "measuring", ..
     std::optional<std::string> warning;         ///< about the place where it is
-    std::optional<std::string> tcp;  ///< "127.0.0.1:10940", the port that was really taken
-    std::optional<std::string> pty;  ///< the link
-    std::uint64_t clients = 0;       ///< connected now
+    std::optional<std::string> tcp;       ///< "127.0.0.1:10940", the port that was really taken
+    std::optional<std::string> pty;       ///< the link
+    std::optional<ReadingErrors> errors;  ///< nothing: a camera or ranger
+    std::uint64_t clients = 0;            ///< connected now
     std::uint64_t scans = 0;
     std::map<std::string, std::uint64_t> casts;  ///< by backend
     std::uint64_t lost = 0;                      ///< scans that drivers did not get

@@ -182,4 +182,8 @@ Expected<double> parse_share(std::string_view text) {
     return parse_within(text, 0.0, 1.0, "be 0 to 1");
 }
 
+Expected<double> parse_noise_factor(std::string_view text) {
+    return parse_within(text, 0.0, most_noise_factor, "be 0 to 100");
+}
+
 }  // namespace scipd::daemon

@@ -76,5 +76,8 @@ sim::Expected<double> parse_radians(std::string_view text);
 sim::Expected<double> parse_length(std::string_view text);
 /// A part of a whole, 0 to 1.
 sim::Expected<double> parse_share(std::string_view text);
+/// How many times a model's noise, 0 to most_noise_factor.
+sim::Expected<double> parse_noise_factor(std::string_view text);
+inline constexpr double most_noise_factor = 100.0;
 
 }  // namespace scipd::daemon

@@ -17,10 +17,10 @@
 namespace scipd::daemon {
 namespace {
 
-constexpr std::array<std::string_view, 19> sensor_keys{
+constexpr std::array<std::string_view, 20> sensor_keys{
     "model", "camera",   "ranger",  "mount",        "tcp",    "pty",    "backend",
     "depth", "accuracy", "echo",    "interference", "motion", "timing", "power_up",
-    "clock", "link",     "profile", "sees_body",    "bias"};
+    "clock", "link",     "profile", "sees_body",    "noise",  "bias"};
 constexpr std::array<std::string_view, 3> depth_keys{"between_pixels", "oversample",
                                                      "widest_pass_deg"};
 constexpr std::array<std::string_view, 3> clock_keys{"ppm", "start_ms", "phase_ms"};
@@ -133,6 +133,7 @@ void read_scanner(const Field& field, const Section& section, SensorConfig& sens
                  [&](const std::string& text) { return parse_pty(text, context.base); });
     section.read("echo", sensor.echo, parse_echo_choice);
     section.read("interference", sensor.interference, parse_switch);
+    section.read("noise", sensor.noise, parse_noise_factor);
     section.read("timing", sensor.timing, parse_timing);
     section.read("power_up", sensor.power_up, parse_power_up);
     if (const Field* power_up = section.find("power_up"); power_up && model)

@@ -78,6 +78,7 @@ struct SensorConfig {
     std::string backend{auto_backend};
     sim::DepthOptions depth;  ///< where the backend is a depth buffer, or auto takes one
     sim::Accuracy accuracy = sim::Accuracy::sensor;
+    double noise = 1.0;  ///< of a scanner: so many times the model's
     /// Which echo a scanner tells that tells one, where the accuracy is material.
     sim::EchoChoice echo = sim::EchoChoice::strongest;
     /// Other scanners of the world disturb it where they look at each other.

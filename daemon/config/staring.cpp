@@ -22,8 +22,9 @@ constexpr std::array<std::string_view, 6> camera_keys{"columns", "rows",    "fov
 constexpr std::array<std::string_view, 6> ranger_keys{"cone_deg", "beams",   "aggregate",
                                                       "rate_hz",  "range_m", "noise"};
 constexpr std::array<std::string_view, 2> noise_keys{"sigma_m", "share"};
-constexpr std::array<std::string_view, 10> wire_keys{
-    "tcp", "pty", "timing", "power_up", "clock", "link", "profile", "echo", "interference", "bias"};
+constexpr std::array<std::string_view, 11> wire_keys{"tcp",          "pty",   "timing",  "power_up",
+                                                     "clock",        "link",  "profile", "echo",
+                                                     "interference", "noise", "bias"};
 /// The thread that serves all sensors writes the numbers of a picture. So many take a tenth of a
 /// second.
 constexpr int most_pixels = 640 * 480;

@@ -119,6 +119,18 @@ Expected<sim::Accuracy> parse_accuracy(std::string_view text) {
     return refuse("must be ideal, sensor or material, not " + quote(text));
 }
 
+std::string_view name_of(sim::Accuracy accuracy) {
+    switch (accuracy) {
+        case sim::Accuracy::ideal:
+            return "ideal";
+        case sim::Accuracy::sensor:
+            return "sensor";
+        case sim::Accuracy::material:
+            break;
+    }
+    return "material";
+}
+
 Expected<sim::EchoChoice> parse_echo_choice(std::string_view text) {
     if (text == "first") return sim::EchoChoice::first;
     if (text == "strongest") return sim::EchoChoice::strongest;

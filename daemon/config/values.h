@@ -31,6 +31,8 @@ sim::Expected<std::string> parse_backend(std::string_view text);
 sim::Expected<sim::BetweenPixels> parse_between_pixels(std::string_view text);
 
 sim::Expected<sim::Accuracy> parse_accuracy(std::string_view text);
+/// As it is written.
+[[nodiscard]] std::string_view name_of(sim::Accuracy accuracy);
 sim::Expected<sim::EchoChoice> parse_echo_choice(std::string_view text);
 sim::Expected<Timing> parse_timing(std::string_view text);
 

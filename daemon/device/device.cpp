@@ -64,13 +64,7 @@ Device::Device(const std::string& robot, const SensorConfig& config, std::uint64
       clock_(clock),
       world_(world),
       device_clock_(clock.now(), config.clock.ppm.value_or(unit_.clock_ppm)),
-      sweep_(world, robot, config,
-             sim::Scanner(unit_.optics(config), {.accuracy = config.accuracy,
-                                                 .seed = chance_.seed,
-                                                 .sensor = chance_.sensor,
-                                                 .choice = config.echo,
-                                                 .tells_every_echo = profile_.multi_echo,
-                                                 .codes_vary = !profile_.rare_codes.empty()})),
+      sweep_(world, robot, config, unit_.scanner(config, profile_, chance_)),
       timing_(sweep_.optics(), config.clock.phase.value_or(sim::Time::zero())),
       cold_start_(config.power_up == PowerUp::boot),
       bit_rate_told_(protocol::bit_rate_of(state_.settings(), profile_)) {
@@ -86,6 +80,10 @@ Device::Device(const std::string& robot, const SensorConfig& config, std::uint64
 
 Device::~Device() {
     world_.light().lamps().remove(*this);
+}
+
+void Device::read_as(const SensorConfig& config) {
+    sweep_.read_as(unit_.scanner(config, profile_, chance_), config.interference);
 }
 
 void Device::go_on_as(const Device& other) {

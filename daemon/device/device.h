@@ -51,7 +51,6 @@ class Device : public ScanSource, public Endpoint, private Lamp {
                                                   protocol::LinkKind link) override;
     [[nodiscard]] Clock& clock() override { return clock_; }
     [[nodiscard]] sim::ChanceKey chance(sim::Purpose purpose) const override;
-
     [[nodiscard]] const protocol::DeviceProfile& profile() const { return profile_; }
     [[nodiscard]] const protocol::DeviceState& state() const { return state_; }
     /// On its own clock.
@@ -76,7 +75,8 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     [[nodiscard]] const std::string& name() const override { return sweep_.name(); }
     /// From the next scan on it sits there on its robot.
     void mount(const sim::Pose& robot_from_sensor) { sweep_.mount(robot_from_sensor); }
-
+    /// And reads with the errors of this configuration. Its clock and its turns stay as they are.
+    void read_as(const SensorConfig& config);
     [[nodiscard]] bool driven() const override;
     [[nodiscard]] bool watched() const override { return watchers_.any(); }
     void on_wanted(std::function<void()> callback) override { on_wanted_ = std::move(callback); }

@@ -39,7 +39,14 @@ Sweep::Sweep(World& world, std::string robot, const SensorConfig& config, sim::S
       sees_body_(config.sees_body),
       looks_around_(!config.staring && 2 * scanner.spec().beams() >= scanner.spec().steps_per_turn),
       disturbed_(config.interference),
-      scanner_(std::move(scanner)) {}
+      scanner_(std::move(scanner)),
+      read_with_(std::make_shared<const sim::SensorSpec>(scanner_.spec())) {}
+
+void Sweep::read_as(sim::Scanner scanner, bool disturbed) {
+    scanner_ = std::move(scanner);
+    read_with_ = std::make_shared<const sim::SensorSpec>(scanner_.spec());
+    disturbed_ = disturbed;
+}
 
 std::size_t Sweep::beams() const {
     return static_cast<std::size_t>(optics().beams());
@@ -68,6 +75,7 @@ Measurement Sweep::measure(std::int64_t revolution, sim::Time start, const Fired
     return {.cast = sim::share(std::move(scan)),
             .scene = world_.names(),
             .backend = world_.choice_of(name_),
+            .optics = read_with_,
             .origin = origin};
 }
 

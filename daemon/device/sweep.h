@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,8 @@ class Sweep {
     /// From now on it sits there.
     void mount(const sim::Pose& robot_from_sensor) { robot_from_sensor_ = robot_from_sensor; }
     [[nodiscard]] bool poses_known(sim::Time until) const { return world_.poses_known(until); }
+    /// From now on it reads like this. Its steps and its turn stay.
+    void read_as(sim::Scanner scanner, bool disturbed);
     /// From now on it is cast from poses that differ so.
     void shift_poses(const PoseShift& shift) { shift_ = shift; }
     /// Where its robot is at this time.
@@ -83,6 +86,7 @@ class Sweep {
     PoseShift shift_;
     const Lamp* own_ = nullptr;
     sim::Scanner scanner_;
+    std::shared_ptr<const sim::SensorSpec> read_with_;  ///< its optics
 };
 
 }  // namespace scipd::daemon

@@ -59,4 +59,16 @@ sim::SensorSpec Unit::optics(const SensorConfig& config) const {
     return optics;
 }
 
+sim::Scanner Unit::scanner(const SensorConfig& config, const protocol::DeviceProfile& profile,
+                           const sim::ChanceKey& chance) const {
+    return {optics(config),
+            {.accuracy = config.accuracy,
+             .seed = chance.seed,
+             .sensor = chance.sensor,
+             .choice = config.echo,
+             .tells_every_echo = profile.multi_echo,
+             .codes_vary = !profile.rare_codes.empty(),
+             .noise_factor = config.noise}};
+}
+
 }  // namespace scipd::daemon

@@ -11,7 +11,9 @@
 #include <string>
 
 #include "daemon/config/sensor_config.h"
+#include "protocol/device_profile.h"
 #include "sim/random.h"
+#include "sim/sensor/scanner.h"
 #include "sim/sensor/sensor_spec.h"
 
 namespace scipd::daemon {
@@ -32,6 +34,10 @@ struct Unit {
 
     /// Those of the model, with what this unit reads too far.
     [[nodiscard]] sim::SensorSpec optics(const SensorConfig& config) const;
+    /// What reads with these optics. `chance`: of the sensor.
+    [[nodiscard]] sim::Scanner scanner(const SensorConfig& config,
+                                       const protocol::DeviceProfile& profile,
+                                       const sim::ChanceKey& chance) const;
 };
 
 }  // namespace scipd::daemon

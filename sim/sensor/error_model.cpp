@@ -165,10 +165,7 @@ class Reader {
         const float intensity = intensity_read(echo, chance);
         if (receiver.blinding_signal > 0.0 && double{signal} > receiver.blinding_signal)
             return {.signal = signal, .intensity = intensity, .cause = Cause::too_bright};
-        double light_m =
-            receiver.walk_m == 0.0 ? 0.0 : -receiver.walk_m * std::log10(double{echo.power});
-        if (receiver.saturating_signal > 0.0 && double{signal} > receiver.saturating_signal)
-            light_m += receiver.saturation_m * std::log10(signal / receiver.saturating_signal);
+        const double light_m = light_error_m(receiver, echo.power, signal);
         return {told_m(echo.range_m + bias_.at(echo.range_m) + light_m + noise_m), signal,
                 intensity, Cause::measured};
     }
@@ -255,6 +252,19 @@ void read_echoes(Reader& reader, const ErrorModel& model, Scan& scan) {
 float signal_of(const Receiver& receiver, float range_m, float power) {
     const float level_m = std::max(range_m, static_cast<float>(receiver.level_below_m));
     return power / (level_m * level_m);
+}
+
+double light_error_m(const Receiver& receiver, double power, double signal) {
+    const double walk_m = receiver.walk_m == 0.0 ? 0.0 : -receiver.walk_m * std::log10(power);
+    if (receiver.saturating_signal <= 0.0 || signal <= receiver.saturating_signal) return walk_m;
+    return walk_m + receiver.saturation_m * std::log10(signal / receiver.saturating_signal);
+}
+
+double steady_error_m(const SensorSpec& spec, const Reading& reading) {
+    const double bias_m = spec.bias_m(reading.range_m);
+    if (reading.signal <= 0.0F) return bias_m;
+    const double power = reading.signal / signal_of(spec.receiver, reading.range_m, 1.0F);
+    return bias_m + light_error_m(spec.receiver, power, reading.signal);
 }
 
 float weakest_signal(const Receiver& receiver) {

@@ -48,6 +48,12 @@ class EmptyApi : public daemon::Api {
     [[nodiscard]] std::optional<daemon::SensorLog> log(const std::string&) const override {
         return {};
     }
+    [[nodiscard]] std::optional<daemon::ReadingErrors> errors(const std::string&) const override {
+        return {};
+    }
+    sim::Expected<> set_errors(const std::string&, const daemon::ReadingErrors&) override {
+        return {};
+    }
     void ask_log(const std::string&) override {}
     std::unique_ptr<daemon::Conversation> subscribe(const std::string& sensor,
                                                     daemon::WebSocket& socket) override {

@@ -35,6 +35,9 @@ void add_fleet_commands(CLI::App& program, const ControlOptions& control);
 /// `scipctl reading ROBOT/SENSOR`
 void add_reading_command(CLI::App& program, const ControlOptions& control);
 
+/// `scipctl sensor set ROBOT/SENSOR KEY=VALUE...`
+void add_sensor_command(CLI::App& program, const ControlOptions& control);
+
 /// `scipctl truth ROBOT/SENSOR`
 void add_truth_command(CLI::App& program, const ControlOptions& control);
 

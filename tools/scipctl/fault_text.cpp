@@ -27,7 +27,7 @@ Json scalar_of(const YAML::Node& node) {
 }
 
 Json json_of(const YAML::Node& node, int depth = 0) {
-    if (depth > deepest) throw WrongInput("a value nests deeper than any of a fault");
+    if (depth > deepest) throw WrongInput("a value nests too deep");
     if (node.IsScalar()) return scalar_of(node);
     if (node.IsSequence()) {
         Json list = Json::array();
@@ -57,23 +57,6 @@ Pair pair_of(const std::string& text, const std::string& examples) {
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-/// bytes.rate=0.01 becomes {"bytes":{"rate":0.01}}.
-void add_member(Json& fault, const std::string& text) {
-    const auto [key, value] = pair_of(text, "ms=50 or bytes.rate=0.01");
-    Json* target = &fault;
-    std::size_t begin = 0;
-    for (auto dot = key.find('.'); dot != std::string::npos; dot = key.find('.', begin)) {
-        target = &(*target)[key.substr(begin, dot - begin)];
-        if (!target->is_null() && !target->is_object())
-            throw WrongInput("\"" + text + "\" goes into what is no map");
-        begin = dot + 1;
-    }
-    Json& member = (*target)[key.substr(begin)];
-    if (!member.is_null())
-        throw WrongInput("\"" + text + "\" says a second time what " + key + " is");
-    member = value_of(value);
-}
-
 /// An option such as --at scan=12.
 void add_option(Json& fault, const std::string& key, const std::string& text,
                 const std::string& examples) {
@@ -92,10 +75,27 @@ void add_option(Json& fault, const std::string& key, const std::string& text,
 
 }  // namespace
 
+/// bytes.rate=0.01 becomes {"bytes":{"rate":0.01}}.
+void add_member(Json& map, const std::string& text, const std::string& examples) {
+    const auto [key, value] = pair_of(text, examples);
+    Json* target = &map;
+    std::size_t begin = 0;
+    for (auto dot = key.find('.'); dot != std::string::npos; dot = key.find('.', begin)) {
+        target = &(*target)[key.substr(begin, dot - begin)];
+        if (!target->is_null() && !target->is_object())
+            throw WrongInput("\"" + text + "\" goes into what is no map");
+        begin = dot + 1;
+    }
+    Json& member = (*target)[key.substr(begin)];
+    if (!member.is_null())
+        throw WrongInput("\"" + text + "\" says a second time what " + key + " is");
+    member = value_of(value);
+}
+
 Json fault_of(const FaultWords& words) {
     Json fault{{"kind", words.kind}};
     for (const std::string& member : words.members)
-        add_member(fault, member);
+        add_member(fault, member, "ms=50 or bytes.rate=0.01");
     add_option(fault, "at", words.at, "scan=120, time_s=12.5, scans=40, s=1 or request=MD:2");
     add_option(fault, "for", words.how_long, "scans=40 or s=1");
     if (!words.until.empty()) fault["until"] = words.until;

@@ -60,6 +60,7 @@ int main(int argc, char** argv) {
     add_fault_commands(program, control);
     add_scenario_command(program, control);
     add_reading_command(program, control);
+    add_sensor_command(program, control);
     add_truth_command(program, control);
     add_completion_command(program, names_from_scipd());
     program.footer(

@@ -62,6 +62,7 @@ Row row_of(const Json& truth, std::size_t i) {
             number(truth["incidence_rad"][i], "%.4f"), name(truth["material"][i]),
             name(truth["object"][i])};
     if (truth.contains("echoes")) row.push_back(echoes(truth["echoes"][i]));
+    if (truth.contains("bias_m")) row.push_back(number(truth["bias_m"][i], "%+.4f"));
     row.insert(row.end(), {number(truth["read_m"][i], "%.4f"), name(truth["cause"][i]),
                            sent(truth, i, "sent_mm", "sent_echoes_mm"),
                            sent(truth, i, "intensity", "sent_echoes_intensity")});
@@ -74,6 +75,7 @@ void print(const Json& truth, const TruthOptions& options) {
               << " pose(s), accuracy " << name(truth.at("accuracy")) << "\n\n";
     Row head{"STEP", "TRUE m", "INCIDENCE rad", "MATERIAL", "OBJECT"};
     if (truth.contains("echoes")) head.emplace_back("ECHOES");
+    if (truth.contains("bias_m")) head.emplace_back("BIAS m");
     head.insert(head.end(), {"READ m", "CAUSE", "SENT mm", "INTENSITY"});
     std::vector<Row> rows{head};
     for (std::size_t i = 0; i < truth.at("steps").size(); ++i) {

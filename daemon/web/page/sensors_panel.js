@@ -3,6 +3,7 @@
 //
 // What is drawn of scans, and a card for each sensor: whether one sees its scans, and how it is doing.
 import {boundCheckbox, boundSelect, byId, make, tell} from './elements.js';
+import {ErrorsForm} from './errors_form.js';
 import {CHOICES} from './settings.js';
 import {histogram} from './histogram.js';
 import {PAINTS} from './paints.js';
@@ -11,8 +12,8 @@ import {pictureOf} from './picture.js';
 const STATE_KINDS = {streaming: 'good', measuring: 'good', error: 'bad', booting: 'busy'};
 
 export class SensorsPanel {
-  constructor({settings, status, scans}) {
-    Object.assign(this, {settings, status, scans});
+  constructor({server, settings, status, scans, notices}) {
+    Object.assign(this, {server, settings, status, scans, notices});
     this.cards = new Map();
     byId('drawing').append(...this.choices());
     status.addEventListener('changed', () => this.update());
@@ -48,8 +49,10 @@ export class SensorsPanel {
 }
 
 class SensorCard {
-  constructor(name, {settings, scans, status}) {
+  constructor(name, panel) {
+    const {settings, scans, status} = panel;
     Object.assign(this, {name, settings, scans, status});
+    this.errors = new ErrorsForm(name, panel);
     this.box = make('input', {type: 'checkbox', 'aria-label': `Show the scans of ${name}`});
     this.box.addEventListener('change', () => scans.show(name, this.box.checked));
     this.title = make('button', {class: 'name', title: 'Choose it for the other panels',
@@ -63,7 +66,7 @@ class SensorCard {
     this.picture = make('canvas', {class: 'picture', hidden: true});
     this.element = make('section', {class: 'card sensor'},
       make('div', {class: 'row'}, this.box, this.title, this.state),
-      this.model, this.warning, this.facts, this.picture, this.late);
+      this.model, this.warning, this.facts, this.errors.element, this.picture, this.late);
   }
 
   update(sensor) {
@@ -76,6 +79,7 @@ class SensorCard {
     this.warning.hidden = !sensor.warning;
     tell(this.warning, sensor.warning || '');
     for (const [label, value, title] of this.factsOf(sensor)) this.fact(label, value, title);
+    this.errors.update(sensor.errors);
     this.updateLateness(sensor);
     this.updatePicture();
   }

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// How well a scanner reads, in its card: whoever changes something here changes it at once, and the scanner's clients
+// go on. What the daemon says holds.
+import {make} from './elements.js';
+import {at} from './server.js';
+
+const ACCURACIES = ['ideal', 'sensor', 'material'];
+
+export class ErrorsForm {
+  constructor(sensor, {server, notices}) {
+    Object.assign(this, {sensor, server, notices});
+    this.accuracy = this.list('accuracy', ACCURACIES);
+    this.bias = this.list('bias', ['unit', 'none']);
+    this.noise = make('input', {type: 'number', min: 0, max: 100, step: 'any',
+      on: {change: () => this.send({noise: Number(this.noise.value)})}});
+    this.interference = make('input', {type: 'checkbox',
+      on: {change: () => this.send({interference: this.interference.checked})}});
+    this.element = make('details', {class: 'errors', hidden: true},
+      make('summary', {}, 'How well it reads'),
+      this.field('Accuracy', this.accuracy, 'ideal, by the range alone, or by the light that comes back'),
+      this.field('Noise ×', this.noise, 'so many times the noise of the model'),
+      this.field('Bias', this.bias, 'what it reads too far: as this unit does, or nothing'),
+      make('label', {class: 'check', title: 'Other scanners disturb it where the two look at each other'},
+        this.interference, make('span', {}, 'Interference')));
+  }
+
+  list(key, words) {
+    const list = make('select', {}, ...words.map((word) => make('option', {value: word}, word)));
+    list.addEventListener('change', () => this.send({[key]: list.value}));
+    return list;
+  }
+
+  field(label, input, title) {
+    return make('label', {class: 'field', title}, make('span', {}, label), input);
+  }
+
+  async send(change) {
+    try {
+      this.show(await this.server.request('PATCH', at('/sensors/', this.sensor), change)
+        .then((answer) => answer.json()));
+    } catch (error) {
+      this.notices.trouble(`${this.sensor}: ${error.message}`);
+      this.show(this.known);
+    }
+  }
+
+  /** Null of a camera or a ranger. What somebody writes just now is left alone. */
+  update(errors) {
+    this.element.hidden = !errors;
+    if (errors && !this.element.contains(document.activeElement)) this.show(errors);
+  }
+
+  show(errors) {
+    this.known = errors;
+    this.accuracy.value = errors.accuracy;
+    this.noise.value = errors.noise;
+    this.bias.value = typeof errors.bias === 'string' ? errors.bias : '';
+    this.interference.checked = errors.interference;
+  }
+}
