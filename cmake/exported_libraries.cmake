@@ -110,10 +110,11 @@ scipd_exports(
           sim/sensor/aggregation.h
           sim/sensor/beam_cone.h
           sim/sensor/beam_pattern.h
+          sim/sensor/curve.h
           sim/sensor/echo.h
           sim/sensor/error_model.h
           sim/sensor/footprint.h
-          sim/sensor/noise_step.h
+          sim/sensor/noise_law.h
           sim/sensor/per_beam.h
           sim/sensor/pinhole_grid.h
           sim/sensor/reading.h

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <set>
 #include <utility>
 #include <variant>
 #include <vector>
-
-#include <glm/geometric.hpp>
 
 #include "daemon/faults/scenario.h"
 #include "daemon/load_materials.h"
@@ -23,6 +22,10 @@
 
 namespace scipd::daemon {
 namespace {
+
+double length_m(const glm::dvec3& way_m) {
+    return std::hypot(way_m.x, way_m.y, way_m.z);
+}
 
 using Lines = std::vector<std::string>;
 
@@ -110,7 +113,7 @@ std::string check_scene(FileKind kind, const std::filesystem::path& file, bool s
     std::ranges::copy(loaded.notes, std::back_inserter(lines));
     constexpr double larger_than_most_m = 100.0;
     if (kind == FileKind::mesh && !extent.empty() &&
-        glm::length(extent.high_m - extent.low_m) > larger_than_most_m) {
+        length_m(extent.high_m - extent.low_m) > larger_than_most_m) {
         lines.push_back(file.string() +
                         ": is very large; if it is in millimetres, `scipctl scene add --scale "
                         "0.001` or a <scale> of 0.001 in an SDF shrinks it");
@@ -145,7 +148,7 @@ Drive drive_of(const std::vector<sim::TimedPose>& poses) {
     Drive drive;
     for (std::size_t i = 1; i < poses.size(); ++i) {
         const double step_m =
-            glm::distance(poses[i - 1].pose.translation_m, poses[i].pose.translation_m);
+            length_m(poses[i].pose.translation_m - poses[i - 1].pose.translation_m);
         const double speed_mps = step_m / seconds(poses[i].time - poses[i - 1].time);
         if (speed_mps > sim::PosePolicy{}.fastest_mps) ++drive.jumps;
         drive.path_m += step_m;

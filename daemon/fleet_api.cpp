@@ -79,10 +79,8 @@ sim::Expected<> FleetApi::set_errors(const std::string& sensor, const ReadingErr
     if (errors.interference && !station.config.interference &&
         std::ranges::any_of(simulation_.stations, lives_elsewhere)) {
         return sim::refuse(
-            "interference",
-            "needs scanners that live on one thread, and these live on several: give "
-            "interference in the configuration and start scipd again, or start it "
-            "with --threads 1");
+            "interference needs scanners that live on one thread, and these live on several: put "
+            "it into the configuration and start scipd again, or start it with --threads 1");
     }
     simulation_.shards.still([&] { station.read_as(errors); });
     return {};

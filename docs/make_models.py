@@ -88,7 +88,8 @@ def models_page(scipd):
     for name, words in curves.items():
         text += "| " + " | ".join([name, *words]) + " |\n"
     words = sum(curves.values(), [])
-    text += f"\nOf these {len(words)} entries {words.count('deduced') + words.count('assumed')} are deduced or assumed.\n"
+    unsure = words.count("deduced") + words.count("assumed")
+    text += f"\nOf these {len(words)} entries {unsure} are deduced or assumed.\n"
     return text + "\n[protocol.md](protocol.md) says what the commands do.\n"
 
 

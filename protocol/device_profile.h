@@ -121,8 +121,7 @@ struct DeviceProfile {
 
     // Pace. A tick of 0: at once.
     Uptime scan_period{};     ///< one turn of the mirror, as measured; nominally what scan_rpm says
-    int turns_per_reply = 0;  ///< replies leave once in so many turns, scans once a turn; 0: both
-                              ///< leave on ticks
+    int turns_per_reply = 0;  ///< between replies, with a scan each turn; 0: both leave on ticks
     Uptime reply_tick{};      ///< replies leave on a grid of this spacing
     Uptime time_tick{};       ///< the reply to TM1 has a grid of its own; 0: as other replies
     Uptime scan_tick{};       ///< scans leave on a grid of this spacing

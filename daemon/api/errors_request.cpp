@@ -20,7 +20,7 @@ using Curve = std::vector<sim::BiasPoint>;
 
 constexpr std::size_t most_points = 64;
 constexpr const char* wanted_bias =
-    R"(must be "none", "unit" or a list of at most 64 {"range_m":..,"bias_m":..}, whose ranges grow)";
+    R"(must be "none", "unit" or at most 64 {"range_m":..,"bias_m":..}, whose ranges grow)";
 
 Expected<> read_accuracy(const json& value, ReadingErrors& errors) {
     if (!value.is_string())

@@ -26,8 +26,8 @@ Json entry_document(const FaultLogEntry& entry);
 /// {"entries":[..],"first","last"}
 Json log_document(const FaultLog::Entries& entries, std::uint64_t since);
 
-/// An entry as those who follow are told of it, with how many bytes and steps in the place of which:
-/// {"sensor","n","id","kind","what","scan","request","time_s","bytes_n","steps_n"}
+/// An entry as those who follow are told of it, with how many bytes and steps in the place of
+/// which: {"sensor","n","id","kind","what","scan","request","time_s","bytes_n","steps_n"}
 std::string fault_event(const std::string& sensor, const FaultLogEntry& entry);
 
 /// {"name","state","steps":[{"step","sensor","id","kind","state","hits"}]}

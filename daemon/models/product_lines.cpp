@@ -43,10 +43,10 @@ std::vector<sim::IntensityNoisePoint> intensity_noise() {
     return {{275, 0.035}, {425, 0.018}, {600, 0.014}, {850, 0.009}, {1250, 0.012}, {3000, 0.03}};
 }
 
-/// Retro-reflective beacons of a recorded UST (as above) have 10000, 7860 and 5820 at 0.61, 1.43 and
-/// 2.77 m, where white faces have some 1000: the film is 220 times as bright, and 1.25 more for each
-/// e-fold fits them within a sixth.
-constexpr double ust_log_gain = 1.25;
+/// Retro-reflective beacons of a recorded UST (as above) have 10000, 7860 and 5820 at 0.61, 1.43
+/// and 2.77 m, where white faces have some 1000: the film is 220 times as bright, and 1.1 more for
+/// each e-fold fits them within a quarter.
+constexpr double ust_log_gain = 1.1;
 /// The brightest step of the UTM-30LX's scan, 16219 at 0.82 m, is taken for a highlight.
 constexpr double utm_log_gain = 0.7;
 /// Assumed. From a wider lens a UTM-30LX would show a pane at 0.7 m wider than the 5 steps within

@@ -235,9 +235,8 @@ void read_echoes(Reader& reader, const ErrorModel& model, Scan& scan) {
     scan.readings.clear();
     scan.readings.reserve(scan.beams());
     const std::vector<NoiseRow> noise = reader.noise_of(scan.echoes);
-    for (std::size_t beam = 0; beam < scan.beams(); ++beam) {
-        const std::span<const Reading> readings =
-            reader.read_all(scan.echoes[beam], noise, static_cast<std::uint32_t>(beam));
+    for (std::uint32_t beam = 0; beam < scan.beams(); ++beam) {
+        const auto readings = reader.read_all(scan.echoes[beam], noise, beam);
         scan.readings.push_back(chosen(readings, model.choice));
         if (!model.tells_every_echo) continue;
         const std::size_t told = std::min(readings.size(), ErrorModel::most_echoes_told);

@@ -26,8 +26,8 @@ class Reflection {
     /// white matt face, hundreds for a reflector. Between the table's entries it is linear. Without
     /// the highlight of a smooth face.
     [[nodiscard]] float returned(float cos_incidence) const;
-    /// What a smooth face throws back as a mirror does, if the light and the lens that it comes back
-    /// to blur it by this much: see highlight_gloss().
+    /// What a smooth face throws back as a mirror does, if the light and the lens that it comes
+    /// back to blur it by this much: see highlight_gloss().
     [[nodiscard]] float highlight(float cos_incidence, double blur_rad2) const;
     [[nodiscard]] const Surface& surface() const { return surface_; }
     [[nodiscard]] float mirrored() const { return mirrored_share(surface_); }

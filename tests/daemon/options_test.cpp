@@ -63,10 +63,10 @@ class OptionsTest : public testing::Test {
     }
 
     /// A world of one line and one model.
-    static std::string room(const std::string& geometry) {
+    static std::string room(const std::string& geometry, const std::string& more = {}) {
         return "<sdf version='1.9'><world name='w'><model name='m'><link name='l'>"
                "<visual name='v'><geometry>" +
-               geometry + "</geometry></visual></link></model></world></sdf>";
+               geometry + "</geometry>" + more + "</visual></link></model></world></sdf>";
     }
 
     std::string scene() const { return "--scene " + (dir_.path() / "room.sdf").string() + " "; }
@@ -238,6 +238,24 @@ TEST_F(OptionsTest, CheckReadsTheWorldToo) {
     EXPECT_EQ(answer("--check " + file.string() + " --strict").exit_code, 2);
     EXPECT_TRUE(run("--strict " + scene()).config.strict);
     EXPECT_FALSE(run(scene()).config.strict);
+}
+
+TEST_F(OptionsTest, CheckSaysWhereLaserRetroCountsForNothing) {
+    const auto world = dir_.write(
+        "bright.sdf", room("<box><size>1 1 1</size></box>", "<laser_retro>2000</laser_retro>"));
+    const auto check = [&](const std::string& accuracy) {
+        return answer("--check " +
+                      dir_.write("fleet.yaml",
+                                 "scene: bright.sdf\nrobots: {r: {sensors: {s: {model: "
+                                 "UST-20LX, pty: auto, accuracy: " +
+                                     accuracy + "}}}}\n")
+                          .string())
+            .text;
+    };
+    const std::string line = "laser_retro of " + world.string() +
+                             " counts at accuracy: material only, and no scanner has that\n";
+    EXPECT_THAT(check("sensor"), testing::HasSubstr(line));
+    EXPECT_THAT(check("material"), testing::Not(testing::HasSubstr("laser_retro")));
 }
 
 TEST_F(OptionsTest, CheckTellsFaultsOfTheWorldAndOfTrajectories) {

@@ -13,7 +13,7 @@ import links
 def main():
     scipd, sources = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
     listed = subprocess.run([scipd, "--list-models"], capture_output=True, text=True, check=True, timeout=60).stdout
-    models = [line.split()[0] for line in listed.splitlines()]
+    models = set(re.findall(r"^\S+@\S+", listed, flags=re.MULTILINE))
     true = {"products": len({model.split("@")[0] for model in models}), "firmwares": len(models)}
     found = [(page.relative_to(sources), int(number), what) for page in links.pages_of(sources)
              for number, what in re.findall(r"(\d+) (products|firmwares)", page.read_text())]

@@ -133,7 +133,8 @@ def check_half_closed(lab):
     """As `nc -N` does: each kind of late answer, with changes that wait for others in front."""
     first = connect(lab)
     for i in range(3):
-        first.sendall(request(lab, "POST", "/scene/models", {"name": f"mesh{i}", "mesh_format": "stl", "mesh_data": MESH}))
+        mesh = {"name": f"mesh{i}", "mesh_format": "stl", "mesh_data": MESH}
+        first.sendall(request(lab, "POST", "/scene/models", mesh))
     asks = [("POST", "/scene/models", {"sdf": BOX})] * 6
     asks += [("GET", path, None) for path in ("/sensors/robot/front/truth", "/sensors/robot/eye/reading",
                                               "/scene/objects", "/status")]

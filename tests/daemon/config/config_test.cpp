@@ -403,12 +403,11 @@ TEST_F(ConfigTest, SaysWhereTheTextIsNotYaml) {
 }
 
 TEST_F(ConfigTest, AFaultIsALineThatCanBeShown) {
-    EXPECT_THAT(
-        sensor_faults("\"a\\n\\x1b\": 1"),
-        ElementsAre(
-            "fleet.yaml:3: robots.r.sensors.s.a??: unknown key; known here are "
-            "model, camera, ranger, mount, tcp, pty, backend, depth, accuracy, "
-            "echo, interference, motion, timing, power_up, clock, link, profile, sees_body, bias"));
+    EXPECT_THAT(sensor_faults("\"a\\n\\x1b\": 1"),
+                ElementsAre("fleet.yaml:3: robots.r.sensors.s.a??: unknown key; known here are "
+                            "model, camera, ranger, mount, tcp, pty, backend, depth, accuracy, "
+                            "echo, interference, motion, timing, power_up, clock, link, profile, "
+                            "sees_body, noise, bias"));
     const auto told = faults(
         "scene: room.sdf\nrobots: {r: {sensors: {s: "
         "{pty: auto, model: \"UST\\n10\"}}}}");

@@ -189,7 +189,8 @@ TEST(Scenario, MayShareWhatStepsHaveInCommon) {
 
 TEST(Scenario, KnowsOnlyScannersThatThereAre) {
     try {
-        parse_scenario("steps: [{sensor: a/b, kind: nothing}]", "s.yaml", std::vector<std::string>{}, made_up_kinds());
+        parse_scenario("steps: [{sensor: a/b, kind: nothing}]", "s.yaml",
+                       std::vector<std::string>{}, made_up_kinds());
         FAIL();
     } catch (const ConfigError& error) {
         EXPECT_THAT(error.faults(), ElementsAre("s.yaml:1: steps.1.sensor: there is no scanner "

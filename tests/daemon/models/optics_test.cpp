@@ -90,8 +90,8 @@ TEST(Pane, IsFoundByAPublishedDetectorAndAWhiteWallIsNot) {
     }
 }
 
-/// The share of the beams ahead that have an echo within 0.1 m of upright wires of 3 mm, which stand
-/// 50 mm apart and 2 m away.
+/// The share of the beams ahead that have an echo within 0.1 m of upright wires of 3 mm, which
+/// stand 50 mm apart and 2 m away.
 double share_at_wires(const char* model, int rays, sim::EchoChoice choice) {
     constexpr double away_m = 2.0;
     sim::SceneBuilder builder;

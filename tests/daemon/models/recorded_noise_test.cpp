@@ -199,7 +199,11 @@ TEST(UstNoise, FollowsTheIntensity) {
     const sim::SensorSpec& optics = find_model("UST-10LX").optics;
     constexpr double range_m = 1.5;
     for (const auto& [intensity, least_mm, most_mm, flicker] : by_light) {
-        const auto reflectance = static_cast<float>(intensity / optics.intensity(range_m, 1.0));
+        // Above white the intensity grows with the logarithm.
+        const double whites = intensity / optics.intensity(range_m, 1.0);
+        const double log_gain = optics.receiver.log_gain;
+        const auto reflectance =
+            static_cast<float>(whites <= 1.0 ? whites : std::exp((whites - 1.0) / log_gain));
         const How lit{sim::Accuracy::material, {.diffuse = reflectance}, 2};
         Sample light;
         Sample ranges_m;

@@ -54,7 +54,7 @@ double light_in_lens(double range_m, double beam_rad) {
 
 class Highlight : public testing::TestWithParam<const char*> {};
 
-// A Gaussian stands for the round lens, which makes a seventh where the beam is as wide as the lens.
+// A Gaussian stands for the round lens, which makes a seventh where beam and lens are as wide.
 TEST_P(Highlight, HasTheHeightAndTheWidthOfTheBeamAndTheLens) {
     const std::vector<Surface> surfaces{white,
                                         {.diffuse = 0.0F, .specular = reflectance, .gloss = 1e6F}};

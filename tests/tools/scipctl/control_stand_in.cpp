@@ -50,6 +50,8 @@ ControlStandIn::ControlStandIn(std::vector<std::string> robots, std::string cloc
     record.sent.echoes = {{.echo = {{{1501, 900}, {4003, 40}}}, .count = 2},
                           {.echo = {{{1, 0}}}, .count = 1}};
     record.accuracy = sim::Accuracy::material;
+    record.optics = std::make_shared<const sim::SensorSpec>(
+        sim::SensorSpec{.bias = {{1.0, 0.001}, {2.0, 0.001}}});
     record.stamp_ms = 2000;
     record.scene = scene_;
     record.backend = std::make_shared<const daemon::BackendChoice>(

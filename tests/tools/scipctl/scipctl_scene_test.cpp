@@ -163,11 +163,11 @@ TEST_F(ScipctlScene, ShowsTheTruth) {
     EXPECT_EQ(outcome.out,
               "scan 7, step 0 at 2.000000 s, stamp 2000 ms, 1 pose(s), accuracy material\n\n"
               "STEP  TRUE m  INCIDENCE rad  MATERIAL    OBJECT    ECHOES" +
-                  blanks(6) + "  READ m  CAUSE     SENT mm    INTENSITY\n" +
+                  blanks(6) + "  BIAS m   READ m  CAUSE     SENT mm    INTENSITY\n" +
                   "44    1.5000  0.0000         material 1  object 0  " + echoes +
-                  "  1.5010  measured  1501 4003  900 40\n" +
+                  "  +0.0010  1.5010  measured  1501 4003  900 40\n" +
                   "45    -       -              -           -         -" + blanks(1) +
-                  "  -       nothing   1          0\n");
+                  "  -        -       nothing   1          0\n");
     const auto document =
         nlohmann::json::parse(scipctl({"truth", "rescue/front", "--scan", "7", "--json"}).out);
     EXPECT_EQ(document["true_m"], nlohmann::json({1.5, nullptr}));
@@ -193,7 +193,7 @@ TEST_F(ScipctlScene, CompletesInBash) {
                         "); COMP_CWORD=" + cursor + "; _scipctl; echo \"${COMPREPLY[@]}\""})
             .out;
     };
-    EXPECT_EQ(complete("scipctl s", "1"), "status sensors scene scenario\n");
+    EXPECT_EQ(complete("scipctl s", "1"), "status sensors scene scenario sensor\n");
     EXPECT_EQ(complete("scipctl --control x pose st", "4"), "stream\n");
     EXPECT_EQ(complete("scipctl scene ''", "2"),
               "list load add move remove medium --help --control\n");
