@@ -122,6 +122,7 @@ scipd_exports(
           sim/sensor/scan_timing.h
           sim/sensor/scanner.h
           sim/sensor/sensor_spec.h
+          sim/sensor/spec_curves.h
           sim/sensor/staring.h)
 
 set(scipd_optional_modules "")

@@ -14,14 +14,14 @@ double square(double x) {
 
 }  // namespace
 
-Deviation::Deviation(const SensorSpec& spec, double factor)
+Deviation::Deviation(const NoiseLaw& law, const SpecCurves& curves, double factor)
     : factor_(factor),
-      weak_(spec.noise_law.weak),
-      faintest_intensity_(spec.faintest_intensity()),
-      white_wall_(white_wall_noise(spec)),
-      intensity_(spec.receiver.intensity, &IntensityPoint::intensity) {}
+      weak_(law.weak),
+      faintest_intensity_(curves.faintest_intensity),
+      white_wall_(curves.white_wall),
+      intensity_(curves.intensity) {}
 
-double Deviation::of_m(const Echo& echo) const {
+double Deviation::of_m(const Echo& echo) {
     double variance_m2 = square(white_wall_.at(echo.range_m));
     if (const double white = intensity_.at(echo.range_m); white > 0.0) {
         const double intensity = std::max(white * echo.power, faintest_intensity_);

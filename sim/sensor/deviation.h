@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The standard deviation of a range, by the light that comes back (noise_law.h). Made for one scan;
-// any thread.
+// The standard deviation of a range, by the light that comes back (noise_law.h). Made for one scan.
 #pragma once
 
 #include "sim/sensor/curve.h"
 #include "sim/sensor/echo.h"
-#include "sim/sensor/sensor_spec.h"
+#include "sim/sensor/noise_law.h"
+#include "sim/sensor/spec_curves.h"
 
 namespace scipd::sim {
 
@@ -17,25 +17,24 @@ inline constexpr double spread_share = 0.02;
 
 class Deviation {
   public:
-    /// So many times what `spec` says.
-    Deviation(const SensorSpec& spec, double factor);
+    /// So many times what `curves` say, which must outlive it.
+    Deviation(const NoiseLaw& law, const SpecCurves& curves, double factor);
 
-    /// By range, of a white wall that is met head-on.
-    [[nodiscard]] Curve::Cursor white_wall() const { return Curve::Cursor(white_wall_); }
-    [[nodiscard]] double white_wall_m(double range_m, Curve::Cursor& cursor) const {
-        return factor_ * cursor.at(range_m);
+    /// Of a white wall that is met head-on.
+    [[nodiscard]] double of_white_wall_m(double range_m) {
+        return factor_ * white_wall_.at(range_m);
     }
 
     /// Light of less power than a white wall's leaves more noise: at most as much as that of the
     /// darkest target that is still seen.
-    [[nodiscard]] double of_m(const Echo& echo) const;
+    [[nodiscard]] double of_m(const Echo& echo);
 
   private:
     double factor_;
     double weak_;
     double faintest_intensity_;
-    Curve white_wall_;
-    Curve intensity_;
+    Curve::Cursor white_wall_;
+    Curve::Cursor intensity_;
 };
 
 }  // namespace scipd::sim

@@ -13,6 +13,7 @@
 #include "sim/sensor/curve.h"
 #include "sim/sensor/deviation.h"
 #include "sim/sensor/noise_row.h"
+#include "sim/sensor/spec_curves.h"
 
 namespace scipd::sim {
 namespace {
@@ -37,13 +38,13 @@ ChanceKey with_purpose(ChanceKey key, Purpose purpose) {
 /// Reads the echoes of one scan.
 class Reader {
   public:
-    Reader(const SensorSpec& spec, const ErrorModel& model, Time on_for, std::int64_t revolution)
+    Reader(const SensorSpec& spec, const SpecCurves& curves, const ErrorModel& model, Time on_for,
+           std::int64_t revolution)
         : spec_(spec),
-          bias_(spec.bias, &BiasPoint::bias_m),
-          deviation_(spec, model.noise_factor),
-          intensity_(spec.receiver.intensity, &IntensityPoint::intensity),
-          intensity_noise_(spec.receiver.intensity_noise, &IntensityNoisePoint::share,
-                           &IntensityNoisePoint::intensity),
+          bias_(curves.bias),
+          deviation_(spec.noise_law, curves, model.noise_factor),
+          intensity_(curves.intensity),
+          intensity_noise_(curves.intensity_noise),
           noise_factor_(model.noise_factor),
           drift_m_(drift_m(spec.warm_up, on_for)),
           per_lattice_(spec.lattice_m > 0.0 ? 1.0 / spec.lattice_m : 0.0),
@@ -56,35 +57,31 @@ class Reader {
     /// The reading of a hit without errors. It fills a new reading in place, member by member: a
     /// Reading that is returned is copied in pieces that the processor has to wait for, which took
     /// a tenth of a whole revolution.
-    void read_ideal(const Hit& hit, Curve::Cursor& white, Reading& reading) const {
+    void read_ideal(const Hit& hit, Reading& reading) {
         if (!hit.met()) return;
         reading.range_m = hit.range_m;
-        reading.intensity = intensity_of(white.at(hit.range_m) * hit.cos_incidence);
+        reading.intensity = intensity_of(intensity_.at(hit.range_m) * hit.cos_incidence);
         reading.cause = Cause::measured;
     }
-    [[nodiscard]] Curve::Cursor white() const { return Curve::Cursor(intensity_); }
-    [[nodiscard]] Curve::Cursor bias() const { return Curve::Cursor(bias_); }
-    [[nodiscard]] const Deviation& deviation() const { return deviation_; }
+    [[nodiscard]] Deviation& deviation() { return deviation_; }
 
     /// Adds the errors that follow from the range alone to a reading without.
-    void add_errors(Reading& reading, std::uint32_t beam, double noise_m,
-                    Curve::Cursor& bias) const {
+    void add_errors(Reading& reading, std::uint32_t beam, double noise_m) {
         if (loses(beam)) {
             reading = {.cause = Cause::lost};
         } else {
-            reading.range_m = told_m(reading.range_m + bias.at(reading.range_m) + noise_m);
+            reading.range_m = told_m(reading.range_m + bias_.at(reading.range_m) + noise_m);
         }
     }
     [[nodiscard]] const Chance& noise() const { return noise_; }
 
     /// The noise of what a scan's beams meet.
-    [[nodiscard]] NoiseRow noise_of_hits(const Scan& scan) const {
+    [[nodiscard]] NoiseRow noise_of_hits(const Scan& scan) {
         NoiseRow row(scan.beams(), 0);
-        Curve::Cursor white_wall = deviation_.white_wall();
         for (std::size_t beam = 0; beam < scan.beams(); ++beam) {
             const Hit& hit = scan.middle(beam);
             if (!hit.met()) continue;
-            const double sigma_m = deviation_.white_wall_m(hit.range_m, white_wall);
+            const double sigma_m = deviation_.of_white_wall_m(hit.range_m);
             row.set(beam, hit.range_m, static_cast<float>(sigma_m), hit.object);
         }
         row.draw(spec_.smoothing, spec_.beam_rad(), noise_);
@@ -92,7 +89,7 @@ class Reader {
     }
 
     /// The noise of the echoes of all beams, those of one rank in one row.
-    [[nodiscard]] std::vector<NoiseRow> noise_of(const PerBeam<Echo>& echoes) const {
+    [[nodiscard]] std::vector<NoiseRow> noise_of(const PerBeam<Echo>& echoes) {
         std::vector<NoiseRow> rows;
         for (std::size_t beam = 0; beam < echoes.beams(); ++beam) {
             const std::size_t count = std::min(echoes[beam].size(), most_echoes_read);
@@ -160,7 +157,7 @@ class Reader {
     }
 
     [[nodiscard]] Reading read_lit(const Echo& echo, float signal, double noise_m,
-                                   std::uint32_t chance) const {
+                                   std::uint32_t chance) {
         const Receiver& receiver = spec_.receiver;
         const float intensity = intensity_read(echo, chance);
         if (receiver.blinding_signal > 0.0 && double{signal} > receiver.blinding_signal)
@@ -170,7 +167,7 @@ class Reader {
                 intensity, Cause::measured};
     }
 
-    [[nodiscard]] float intensity_read(const Echo& echo, std::uint32_t chance) const {
+    [[nodiscard]] float intensity_read(const Echo& echo, std::uint32_t chance) {
         const double told = intensity_.at(echo.range_m) * spec_.receiver.brightness(echo.power);
         const double flicker =
             spec_.receiver.intensity_noise.empty()
@@ -193,10 +190,10 @@ class Reader {
     }
 
     const SensorSpec& spec_;
-    Curve bias_;
+    Curve::Cursor bias_;
     Deviation deviation_;
-    Curve intensity_;
-    Curve intensity_noise_;
+    Curve::Cursor intensity_;
+    Curve::Cursor intensity_noise_;
     double noise_factor_;
     double drift_m_;
     double per_lattice_;
@@ -215,19 +212,16 @@ const Reading& chosen(std::span<const Reading> readings, EchoChoice choice) {
     return *std::ranges::max_element(readings, {}, &Reading::signal);
 }
 
-void read_hits(const Reader& reader, const ErrorModel& model, Scan& scan) {
+void read_hits(Reader& reader, const ErrorModel& model, Scan& scan) {
     scan.readings = Recycled<Reading>::take(scan.beams());
     std::ranges::fill(scan.readings, Reading{});
-    Curve::Cursor white = reader.white();
     for (std::size_t beam = 0; beam < scan.readings.size(); ++beam)
-        reader.read_ideal(scan.middle(beam), white, scan.readings[beam]);
+        reader.read_ideal(scan.middle(beam), scan.readings[beam]);
     if (model.accuracy == Accuracy::ideal) return;
     const NoiseRow noise = reader.noise_of_hits(scan);
-    Curve::Cursor bias = reader.bias();
-    for (std::size_t beam = 0; beam < scan.readings.size(); ++beam) {
+    for (std::uint32_t beam = 0; beam < scan.readings.size(); ++beam) {
         Reading& reading = scan.readings[beam];
-        if (reading.cause == Cause::measured)
-            reader.add_errors(reading, static_cast<std::uint32_t>(beam), noise.noise_m(beam), bias);
+        if (reading.cause == Cause::measured) reader.add_errors(reading, beam, noise.noise_m(beam));
     }
 }
 
@@ -271,8 +265,9 @@ float weakest_signal(const Receiver& receiver) {
     return signal_of(receiver, static_cast<float>(receiver.dark_range_m), dark_target);
 }
 
-void ErrorModel::read(const SensorSpec& spec, Time on_for, Scan& scan) const {
-    Reader reader(spec, *this, on_for, scan.revolution);
+void ErrorModel::read(const SensorSpec& spec, const SpecCurves& curves, Time on_for,
+                      Scan& scan) const {
+    Reader reader(spec, curves, *this, on_for, scan.revolution);
     if (scan.echoes.empty())
         read_hits(reader, *this, scan);
     else
@@ -285,15 +280,13 @@ void ErrorModel::read(const SensorSpec& spec, Time on_for, Scan& scan) const {
 
 Reading ErrorModel::read(const SensorSpec& spec, Time on_for, std::int64_t revolution,
                          const Hit& hit, std::uint32_t beam) const {
-    const Reader reader(spec, *this, on_for, revolution);
-    Curve::Cursor white = reader.white();
-    Curve::Cursor bias = reader.bias();
+    const SpecCurves curves(spec);
+    Reader reader(spec, curves, *this, on_for, revolution);
     Reading reading;
-    reader.read_ideal(hit, white, reading);
+    reader.read_ideal(hit, reading);
     if (accuracy == Accuracy::ideal || !hit.met()) return reading;
-    Curve::Cursor white_wall = reader.deviation().white_wall();
-    const double sigma_m = reader.deviation().white_wall_m(hit.range_m, white_wall);
-    reader.add_errors(reading, beam, sigma_m * reader.noise().standard_normal(beam), bias);
+    const double sigma_m = reader.deviation().of_white_wall_m(hit.range_m);
+    reader.add_errors(reading, beam, sigma_m * reader.noise().standard_normal(beam));
     return reading;
 }
 

@@ -14,6 +14,7 @@
 #include "sim/sensor/reading.h"
 #include "sim/sensor/scan.h"
 #include "sim/sensor/sensor_spec.h"
+#include "sim/sensor/spec_curves.h"
 #include "sim/time.h"
 
 namespace scipd::sim {
@@ -43,7 +44,11 @@ struct ErrorModel {
 
     /// Fills the readings of a scan from its echoes, or from its hits where it has no echoes.
     /// `on_for`: since when the sensor is switched on.
-    void read(const SensorSpec& spec, Time on_for, Scan& scan) const;
+    void read(const SensorSpec& spec, Time on_for, Scan& scan) const {
+        read(spec, SpecCurves(spec), on_for, scan);
+    }
+    /// The same in less time: `curves` are those of `spec`.
+    void read(const SensorSpec& spec, const SpecCurves& curves, Time on_for, Scan& scan) const;
 
     /// What a sensor reads of one hit; `beam` tells one chance from another.
     [[nodiscard]] Reading read(const SensorSpec& spec, Time on_for, std::int64_t revolution,

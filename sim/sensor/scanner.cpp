@@ -23,10 +23,13 @@ SensorSpec as_seen(SensorSpec spec, Accuracy accuracy) {
 }  // namespace
 
 Scanner::Scanner(SensorSpec spec, const ErrorModel& errors)
-    : spec_(as_seen(std::move(spec), errors.accuracy)), pattern_(spec_), errors_(errors) {}
+    : spec_(as_seen(std::move(spec), errors.accuracy)),
+      curves_(spec_),
+      pattern_(spec_),
+      errors_(errors) {}
 
 Scanner::Scanner(SensorSpec spec, BeamPattern pattern, const ErrorModel& errors)
-    : spec_(std::move(spec)), pattern_(std::move(pattern)), errors_(errors) {
+    : spec_(std::move(spec)), curves_(spec_), pattern_(std::move(pattern)), errors_(errors) {
     assert(pattern_.directions().size() == static_cast<std::size_t>(spec_.beams()));
 }
 
@@ -95,7 +98,7 @@ std::span<Hit> Scanner::hits_of(Scan& scan, Beams beams) const {
 void Scanner::read(Scan& scan, const Conditions& conditions) const {
     if (sees_light() && conditions.lit != nullptr)
         find_echoes(scan, spec_, pattern_, *conditions.lit, errors_.key());
-    errors_.read(spec_, conditions.on_for, scan);
+    errors_.read(spec_, curves_, conditions.on_for, scan);
 }
 
 }  // namespace scipd::sim

@@ -19,6 +19,7 @@
 #include "sim/sensor/scan.h"
 #include "sim/sensor/scan_timing.h"
 #include "sim/sensor/sensor_spec.h"
+#include "sim/sensor/spec_curves.h"
 #include "sim/world/lit_world.h"
 
 namespace scipd::sim {
@@ -79,6 +80,7 @@ class Scanner {
     [[nodiscard]] std::span<Hit> hits_of(Scan& scan, Beams beams) const;
 
     SensorSpec spec_;
+    SpecCurves curves_;
     BeamPattern pattern_;
     ErrorModel errors_;
 };
