@@ -37,6 +37,7 @@ export class ErrorsForm {
   }
 
   async send(change) {
+    this.sent = change;
     try {
       this.show(await this.server.request('PATCH', at('/sensors/', this.sensor), change)
         .then((answer) => answer.json()));
@@ -46,17 +47,22 @@ export class ErrorsForm {
     }
   }
 
-  /** Null of a camera or a ranger. What somebody writes just now is left alone. */
+  /** Null of a camera or a ranger. */
   update(errors) {
     this.element.hidden = !errors;
-    if (errors && !this.element.contains(document.activeElement)) this.show(errors);
+    if (errors) this.show(errors);
   }
 
   show(errors) {
     this.known = errors;
-    this.accuracy.value = errors.accuracy;
-    this.noise.value = errors.noise;
-    this.bias.value = typeof errors.bias === 'string' ? errors.bias : '';
+    if (!this.isWritten(this.accuracy, 'accuracy')) this.accuracy.value = errors.accuracy;
+    if (!this.isWritten(this.noise, 'noise')) this.noise.value = errors.noise;
+    if (!this.isWritten(this.bias, 'bias')) this.bias.value = typeof errors.bias === 'string' ? errors.bias : '';
     this.interference.checked = errors.interference;
+  }
+
+  /** Whether somebody writes in this input just now, and has not sent it: then no answer of the daemon may undo it. */
+  isWritten(input, key) {
+    return input === document.activeElement && String(this.sent?.[key]) !== input.value;
   }
 }
