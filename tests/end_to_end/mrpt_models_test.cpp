@@ -116,7 +116,9 @@ void expect_room_seen_by_all(const std::vector<Carried>& scanners, const std::st
     const auto file = directory.write("fleet.yaml", configuration(scanners, keys));
     const DaemonProcess daemon(directory, {"--config", file});
     ASSERT_NE(daemon.ready_line(), "") << daemon.standard_error();
-    constexpr std::size_t at_once = 16;
+    // A driver reads a stream that runs already without a pause. On a slow machine, more than a few
+    // of them keep each other from an answer within the 100 ms that MRPT waits for it.
+    const std::size_t at_once = before ? 4 : 16;
     for (std::size_t first = 0; first < scanners.size(); first += at_once) {
         std::vector<std::future<void>> drivers;
         for (std::size_t i = first; i < std::min(first + at_once, scanners.size()); ++i) {
