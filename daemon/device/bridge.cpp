@@ -78,10 +78,11 @@ WireScan to_wire(const sim::Scan& scan, const protocol::Turn& turn, const sim::S
     WireScan wire{.turn = turn, .first_step = optics.first_step};
     wire.distance.resize(scan.readings.size());
     wire.intensity.resize(scan.readings.size());
-    std::ranges::transform(scan.readings, wire.distance.begin(),
-                           [&](const sim::Reading& reading) { return on_wire(reading, profile); });
+    for (std::size_t beam = 0; beam < scan.readings.size(); ++beam) {
+        wire.distance[beam] = on_wire(scan.readings[beam], profile);
+        wire.intensity[beam] = intensity_on_wire(scan.readings[beam]);
+    }
     if (!profile.rare_codes.empty()) put_rare_codes(scan.readings, profile, wire.distance);
-    std::ranges::transform(scan.readings, wire.intensity.begin(), intensity_on_wire);
     wire.echoes.reserve(scan.every_echo.beams());
     for (std::size_t beam = 0; beam < scan.every_echo.beams(); ++beam) {
         // Of a beam that another scanner disturbs there are no echoes to tell.

@@ -23,7 +23,7 @@ namespace {
 /// One pose as the packets need it: float, relative to the anchor.
 struct View {
     View(const Pose& pose, const glm::dvec3& anchor_m)
-        : anchored_from_sensor(glm::mat3_cast(pose.rotation)),
+        : anchored_from_sensor(glm::mat3_cast(glm::quat(pose.rotation))),
           origin_m(pose.translation_m - anchor_m) {}
 
     glm::mat3 anchored_from_sensor;

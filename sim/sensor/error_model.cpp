@@ -54,16 +54,17 @@ class Reader {
           losing_(with_purpose(model.key(revolution), Purpose::lost_beams)),
           flicker_(with_purpose(model.key(revolution), Purpose::intensity_noise)) {}
 
-    /// The reading of a hit without errors. It fills a new reading in place, member by member: a
+    /// The reading of a hit without errors. It fills a reading in place, member by member: a
     /// Reading that is returned is copied in pieces that the processor has to wait for, which took
     /// a tenth of a whole revolution.
     void read_ideal(const Hit& hit, Reading& reading) {
+        reading = {};
         if (!hit.met()) return;
         reading.range_m = hit.range_m;
         reading.intensity = intensity_of(intensity_.at(hit.range_m) * hit.cos_incidence);
         reading.cause = Cause::measured;
     }
-    [[nodiscard]] Deviation& deviation() { return deviation_; }
+    [[nodiscard]] double sigma_m(const Hit& hit) { return deviation_.of_white_wall_m(hit.range_m); }
 
     /// Adds the errors that follow from the range alone to a reading without.
     void add_errors(Reading& reading, std::uint32_t beam, double noise_m) {
@@ -74,19 +75,6 @@ class Reader {
         }
     }
     [[nodiscard]] const Chance& noise() const { return noise_; }
-
-    /// The noise of what a scan's beams meet.
-    [[nodiscard]] NoiseRow noise_of_hits(const Scan& scan) {
-        NoiseRow row(scan.beams(), 0);
-        for (std::size_t beam = 0; beam < scan.beams(); ++beam) {
-            const Hit& hit = scan.middle(beam);
-            if (!hit.met()) continue;
-            const double sigma_m = deviation_.of_white_wall_m(hit.range_m);
-            row.set(beam, hit.range_m, static_cast<float>(sigma_m), hit.object);
-        }
-        row.draw(spec_.smoothing, spec_.beam_rad(), noise_);
-        return row;
-    }
 
     /// The noise of the echoes of all beams, those of one rank in one row.
     [[nodiscard]] std::vector<NoiseRow> noise_of(const PerBeam<Echo>& echoes) {
@@ -102,9 +90,10 @@ class Reader {
             }
         }
         for (NoiseRow& row : rows)
-            row.draw(spec_.smoothing, spec_.beam_rad(), noise_);
+            draw(row);
         return rows;
     }
+    void draw(NoiseRow& row) const { row.draw(spec_.smoothing, spec_.beam_rad(), noise_); }
 
     /// All errors of all echoes of a beam that the sensor notices; or one reading that tells why
     /// there are none. Good until the next call.
@@ -212,13 +201,20 @@ const Reading& chosen(std::span<const Reading> readings, EchoChoice choice) {
     return *std::ranges::max_element(readings, {}, &Reading::signal);
 }
 
-void read_hits(Reader& reader, const ErrorModel& model, Scan& scan) {
-    scan.readings = Recycled<Reading>::take(scan.beams());
-    std::ranges::fill(scan.readings, Reading{});
+void read_ideal_hits(Reader& reader, Scan& scan) {
     for (std::size_t beam = 0; beam < scan.readings.size(); ++beam)
         reader.read_ideal(scan.middle(beam), scan.readings[beam]);
-    if (model.accuracy == Accuracy::ideal) return;
-    const NoiseRow noise = reader.noise_of_hits(scan);
+}
+
+void read_hits(Reader& reader, Scan& scan) {
+    NoiseRow noise(scan.beams(), 0);
+    for (std::size_t beam = 0; beam < scan.readings.size(); ++beam) {
+        const Hit& hit = scan.middle(beam);
+        reader.read_ideal(hit, scan.readings[beam]);
+        if (hit.met())
+            noise.set(beam, hit.range_m, static_cast<float>(reader.sigma_m(hit)), hit.object);
+    }
+    reader.draw(noise);
     for (std::uint32_t beam = 0; beam < scan.readings.size(); ++beam) {
         Reading& reading = scan.readings[beam];
         if (reading.cause == Cause::measured) reader.add_errors(reading, beam, noise.noise_m(beam));
@@ -268,10 +264,12 @@ float weakest_signal(const Receiver& receiver) {
 void ErrorModel::read(const SensorSpec& spec, const SpecCurves& curves, Time on_for,
                       Scan& scan) const {
     Reader reader(spec, curves, *this, on_for, scan.revolution);
-    if (scan.echoes.empty())
-        read_hits(reader, *this, scan);
-    else
+    if (!scan.echoes.empty()) {
         read_echoes(reader, *this, scan);
+    } else {
+        scan.readings = Recycled<Reading>::take(scan.beams());
+        accuracy == Accuracy::ideal ? read_ideal_hits(reader, scan) : read_hits(reader, scan);
+    }
     if (codes_vary && accuracy != Accuracy::ideal)
         draw_code_chances(key(scan.revolution), scan.readings);
     for (const std::uint32_t beam : scan.dazzled)
@@ -285,8 +283,7 @@ Reading ErrorModel::read(const SensorSpec& spec, Time on_for, std::int64_t revol
     Reading reading;
     reader.read_ideal(hit, reading);
     if (accuracy == Accuracy::ideal || !hit.met()) return reading;
-    const double sigma_m = reader.deviation().of_white_wall_m(hit.range_m);
-    reader.add_errors(reading, beam, sigma_m * reader.noise().standard_normal(beam));
+    reader.add_errors(reading, beam, reader.sigma_m(hit) * reader.noise().standard_normal(beam));
     return reading;
 }
 

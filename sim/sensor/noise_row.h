@@ -56,6 +56,8 @@ class NoiseRow {
     using Window = std::array<float, 2 * beyond + 1>;
 
     void find_ends(float beam_rad);
+    /// The first beam from `beam` on before which a face may end.
+    [[nodiscard]] std::size_t next_end(std::size_t beam) const;
     [[nodiscard]] Face face_from(std::size_t begin) const;
     template <class Smooth>
     void smooth(const Chance& chance, const Smooth& smooth);
