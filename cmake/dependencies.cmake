@@ -12,8 +12,6 @@ find_package(tl-expected REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(PkgConfig REQUIRED)
-pkg_check_modules(sdformat REQUIRED IMPORTED_TARGET sdformat12)
-pkg_check_modules(console_bridge REQUIRED IMPORTED_TARGET console_bridge)
 pkg_check_modules(tinyxml2 REQUIRED IMPORTED_TARGET tinyxml2)
 pkg_check_modules(turbojpeg REQUIRED IMPORTED_TARGET libturbojpeg)
 pkg_check_modules(assimp REQUIRED IMPORTED_TARGET assimp)
@@ -29,6 +27,9 @@ if(NOT embree_FOUND)
   find_package(embree 3.13 REQUIRED)
 endif()
 message(STATUS "Embree ${embree_VERSION}")
+
+# Tests hold the reader of SDF to libsdformat where the system has it, as Debian 12 does and 13 does not.
+pkg_check_modules(sdformat IMPORTED_TARGET sdformat12)
 
 # GDAL is large, so it is optional. Without it scipd leaves elevation models out of worlds, and says so.
 pkg_check_modules(gdal IMPORTED_TARGET gdal)

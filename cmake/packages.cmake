@@ -90,8 +90,8 @@ Static libraries and headers. scipd::protocol speaks SCIP as a scanner or as
 a host, without sockets and clocks. scipd::sim loads worlds and casts scans
 in them.")
 # What scipdConfig.cmake looks for.
-set(needed libassimp-dev libconsole-bridge-dev libembree-dev libexpected-dev libglm-dev libsdformat-dev
-           libtinyxml2-dev libturbojpeg0-dev libyaml-cpp-dev nlohmann-json3-dev "pkgconf | pkg-config")
+set(needed libassimp-dev libembree-dev libexpected-dev libglm-dev libtinyxml2-dev
+           libturbojpeg0-dev libyaml-cpp-dev nlohmann-json3-dev "pkgconf | pkg-config")
 if(depth_FOUND)
   list(APPEND needed libepoxy-dev)
 endif()

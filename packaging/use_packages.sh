@@ -8,7 +8,7 @@ set -eu
 
 first=/packages/first
 next=/packages/next
-# libsdformat writes a log in the home of whoever runs it. What lies in homes is not the packages' own.
+# What lies in homes is not the packages' own.
 export HOME=/tmp
 
 fail() {

@@ -21,8 +21,8 @@ sim::MapOptions read_map(const Field& field, Faults& faults);
 void read_limits(const Field& field, Config& config, Faults& faults);
 
 /// Sets the limits for all that is loaded with these options. One mesh of a world may be as large
-/// as all of it. The memory is what libsdformat may take, by estimate, and what the readers of its
-/// meshes may take at a time.
+/// as all of it. The memory is what a world may take, and what the readers of its meshes may take
+/// at a time.
 void apply(const WorldLimits& limits, sim::SceneOptions& options);
 
 }  // namespace scipd::daemon

@@ -79,6 +79,7 @@ void put_material(const Material& material, std::FILE* out) {
     put_all(material.name, out);
     put(material.laser_retro, out);
     put(material.appearance, out);
+    put(material.from_script, out);
 }
 
 Material take_material(std::FILE* in) {
@@ -86,6 +87,7 @@ Material take_material(std::FILE* in) {
     material.name = take_all<std::string>(in);
     material.laser_retro = take<std::optional<double>>(in);
     material.appearance = take<Appearance>(in);
+    material.from_script = take<bool>(in);
     return material;
 }
 

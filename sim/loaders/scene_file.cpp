@@ -72,11 +72,13 @@ void warn_of_coarseness(LoadedScene& loaded, const std::filesystem::path& file) 
 }  // namespace
 
 void check_materials(LoadedScene& loaded, const std::string& source, const SceneOptions& options) {
+    bool is_fault = !loaded.warnings.empty();
     if (options.materials) {
+        is_fault = is_fault || names_unknown(*loaded.scene, *options.materials);
         std::ranges::move(unknown_materials(*loaded.scene, *options.materials, source),
                           std::back_inserter(loaded.warnings));
     }
-    if (options.sdf.strict && !loaded.warnings.empty()) throw LoadError(loaded.warnings);
+    if (options.sdf.strict && is_fault) throw LoadError(loaded.warnings);
 }
 
 LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& options) {

@@ -34,6 +34,8 @@ struct Material {
     /// A return strength in no unit that SDF defines: greater is brighter. Many worlds say nothing.
     std::optional<double> laser_retro = std::nullopt;
     Appearance appearance = {};
+    /// Its name is that of a material script, which Gazebo knows and scipd need not.
+    bool from_script = false;
 
     bool operator==(const Material&) const = default;
 };

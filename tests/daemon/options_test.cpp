@@ -233,7 +233,7 @@ TEST_F(OptionsTest, CheckReadsTheWorldToo) {
                "</world></sdf>");
     EXPECT_EQ(answer("--check " + file.string()).exit_code, 0);
     EXPECT_EQ(answer("--check " + file.string()).text,
-              bad.string() + ":1: <population> is not supported and left out\n" + file.string() +
+              bad.string() + ":1: a: has no <model>; left out\n" + file.string() +
                   ": no faults; robots: 1, sensors: 1, models: 1, materials: " + stock() + "\n");
     EXPECT_EQ(answer("--check " + file.string() + " --strict").exit_code, 2);
     EXPECT_TRUE(run("--strict " + scene()).config.strict);

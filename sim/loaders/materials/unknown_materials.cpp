@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "sim/loaders/materials/unknown_materials.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -18,6 +19,20 @@ void note_hints(const Material& material, std::set<std::string>& hints) {
     if (material.appearance.metalness) hints.insert("metalness");
 }
 
+/// The materials that a scene uses and the library does not know.
+std::vector<const Material*> unknown_to(const MaterialLibrary& library, const Scene& scene) {
+    std::set<MaterialId> used;
+    for (const Object& object : scene.objects)
+        used.insert(object.material);
+    std::vector<const Material*> unknown;
+    for (const MaterialId id : used) {
+        const Material& material = scene.materials[id];
+        const bool is_named = material.name != scene.materials.front().name;
+        if (is_named && library.find(material.name) == nullptr) unknown.push_back(&material);
+    }
+    return unknown;
+}
+
 std::string taken_as(const std::set<std::string>& hints) {
     std::string text;
     for (const std::string& hint : hints)
@@ -29,16 +44,9 @@ std::string taken_as(const std::set<std::string>& hints) {
 
 std::vector<std::string> unknown_materials(const Scene& scene, const MaterialLibrary& library,
                                            const std::string& source) {
-    std::set<MaterialId> used;
-    for (const Object& object : scene.objects)
-        used.insert(object.material);
     std::map<std::string, std::set<std::string>> hints_of;
-    for (const MaterialId id : used) {
-        const Material& material = scene.materials[id];
-        const bool is_named = material.name != scene.materials.front().name;
-        if (!is_named || library.find(material.name) != nullptr) continue;
-        note_hints(material, hints_of[material.name]);
-    }
+    for (const Material* material : unknown_to(library, scene))
+        note_hints(*material, hints_of[material->name]);
     std::vector<std::string> warnings;
     for (const auto& [name, hints] : hints_of) {
         if (warnings.size() == most_unknown_told) {
@@ -51,6 +59,11 @@ std::vector<std::string> unknown_materials(const Scene& scene, const MaterialLib
                            "; describe it in a file that the configuration names under materials");
     }
     return warnings;
+}
+
+bool names_unknown(const Scene& scene, const MaterialLibrary& library) {
+    const auto unknown = unknown_to(library, scene);
+    return !std::ranges::all_of(unknown, &Material::from_script);
 }
 
 }  // namespace scipd::sim

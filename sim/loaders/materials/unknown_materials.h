@@ -15,4 +15,7 @@ namespace scipd::sim {
 std::vector<std::string> unknown_materials(const Scene& scene, const MaterialLibrary& library,
                                            const std::string& source);
 
+/// Whether any of those names is not that of a material script of Gazebo's.
+bool names_unknown(const Scene& scene, const MaterialLibrary& library);
+
 }  // namespace scipd::sim

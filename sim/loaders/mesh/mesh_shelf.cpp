@@ -111,13 +111,13 @@ const std::vector<MeshPart>& MeshShelf::in_file(const MeshSource& source) {
 }
 
 const std::vector<SharedPart>& MeshShelf::parts_of(const std::filesystem::path& file,
-                                                   const sdf::Mesh& mesh) {
-    const MeshSource source{file, mesh.Submesh()};
-    const glm::dvec3 scale{mesh.Scale().X(), mesh.Scale().Y(), mesh.Scale().Z()};
-    const Key key{source, scale.x, scale.y, scale.z, mesh.CenterSubmesh()};
+                                                   const MeshView& view) {
+    const MeshSource source{file, view.submesh};
+    const glm::dvec3& scale = view.scale;
+    const Key key{source, scale.x, scale.y, scale.z, view.is_centred};
     if (const auto known = parts_.find(key); known != parts_.end()) return known->second;
     auto placed = in_file(source);
-    place(placed, !source.submesh.empty() && mesh.CenterSubmesh(), scale, file);
+    place(placed, !source.submesh.empty() && view.is_centred, scale, file);
     std::vector<SharedPart> parts;
     for (auto& part : placed) {
         parts.push_back(

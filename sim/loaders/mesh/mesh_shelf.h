@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-#include <sdf/Mesh.hh>
+#include <glm/vec3.hpp>
 
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/mesh/confined_mesh.h"
@@ -30,6 +30,13 @@ struct SharedPart {
     Appearance appearance = {};
 };
 
+/// How a world shows a mesh.
+struct MeshView {
+    glm::dvec3 scale{1.0};
+    std::string submesh = {};  ///< empty: the whole file
+    bool is_centred = false;   ///< the submesh, around its own middle
+};
+
 class MeshShelf {
   public:
     /// `limits` hold for each file, but their memory is for all files that are read at one time.
@@ -41,10 +48,9 @@ class MeshShelf {
     /// while this process is small, since a child begins as a copy of it.
     void read_ahead(const std::vector<MeshSource>& sources);
 
-    /// The parts of this file, at the scale and of the submesh that `mesh` asks for. Throws
-    /// LoadError.
+    /// The parts of this file that `view` shows. Throws LoadError.
     const std::vector<SharedPart>& parts_of(const std::filesystem::path& file,
-                                            const sdf::Mesh& mesh);
+                                            const MeshView& view);
     /// Adds the triangles of this shape. Throws LoadError if the world then has too many.
     void count(const Shape& shape);
 

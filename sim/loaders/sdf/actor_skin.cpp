@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "sim/loaders/file/load_error.h"
-#include "sim/loaders/sdf/sdf_actor.h"
 
 namespace scipd::sim {
 namespace {
@@ -48,15 +47,16 @@ double lift_m(const Bounds& skin, double actor_z_m) {
     return -feet_m - (stands_there ? 0.0 : hips_m);
 }
 
-ActorSkin skin_of(const sdf::Mesh& mesh, const fs::path& folder, const Resources& resources,
-                  MeshShelf& shelf, double actor_z_m) {
+ActorSkin skin_of(const NamedMesh& mesh, const Resources& resources, MeshShelf& shelf,
+                  double actor_z_m) {
     ActorSkin skin;
+    const auto& [uri, folder] = mesh.file;
     try {
-        if (mesh.Uri() == no_skin) throw LoadError({"has no <skin>"});
-        const fs::path found = find_skin(mesh.Uri(), folder, resources);
-        if (found.empty()) throw LoadError({resources.not_found(mesh.Uri(), folder)});
-        skin.parts = shelf.parts_of(found, mesh);
-        skin.warning = case_warning(mesh.Uri(), found);
+        if (uri.empty()) throw LoadError({"has no <skin>"});
+        const fs::path found = find_skin(uri, folder, resources);
+        if (found.empty()) throw LoadError({resources.not_found(uri, folder)});
+        skin.parts = shelf.parts_of(found, mesh.view);
+        skin.warning = case_warning(uri, found);
     } catch (const LoadError& error) {
         skin.warning = std::string{error.what()} +
                        "; a capsule of a person's size, 1.75 m high and 0.5 m wide, stands in";

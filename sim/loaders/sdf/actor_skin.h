@@ -9,9 +9,8 @@
 #include <string>
 #include <vector>
 
-#include <sdf/Mesh.hh>
-
 #include "sim/loaders/mesh/mesh_shelf.h"
+#include "sim/loaders/sdf/part.h"
 #include "sim/loaders/sdf/resources.h"
 #include "sim/world/bounds.h"
 
@@ -23,10 +22,10 @@ struct ActorSkin {
     std::string warning;  ///< for example, why a capsule replaces it; empty: none
 };
 
-/// The skin of an actor whose origin is at `actor_z_m`. `folder` holds the file that names the
-/// skin. Throws LoadError if the world already has too many triangles for any skin.
-ActorSkin skin_of(const sdf::Mesh& mesh, const std::filesystem::path& folder,
-                  const Resources& resources, MeshShelf& shelf, double actor_z_m);
+/// The skin of an actor whose origin is at `actor_z_m`. Throws LoadError if the world already has
+/// too many triangles for any skin.
+ActorSkin skin_of(const NamedMesh& mesh, const Resources& resources, MeshShelf& shelf,
+                  double actor_z_m);
 
 /// How far to lift a skin so that either its feet or its hips are at the actor's height, whichever
 /// brings the feet closer to z = 0.

@@ -24,7 +24,7 @@ constexpr std::uintmax_t largest_config = 1U << 20U;
 
 /// Compares like versions: 1.10 comes after 1.9.
 using Version = std::tuple<int, int>;
-constexpr Version newest{1, 9};
+constexpr Version newest{1, 12};
 
 Version version_of(const tinyxml2::XMLElement& sdf) {
     int major = 0;

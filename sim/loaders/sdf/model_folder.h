@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The folder of a Gazebo model, whose model.config names one SDF file for each version of SDF.
-// scipd reads it itself, since libsdformat 12 crashes if it can read none of the files. Any thread.
+// The folder of a Gazebo model, whose model.config names one SDF file for each version of SDF. Any
+// thread.
 #pragma once
 
 #include <filesystem>

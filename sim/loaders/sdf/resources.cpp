@@ -242,6 +242,7 @@ std::string Resources::not_found(const std::string& text, const fs::path& beside
             ", nor in GZ_SIM_RESOURCE_PATH, GAZEBO_MODEL_PATH, SDF_PATH, ROS_PACKAGE_PATH or "
             "AMENT_PREFIX_PATH";
     }
+    if (uri.scheme == "file") sentence += ", nor in GAZEBO_RESOURCE_PATH or GZ_SIM_RESOURCE_PATH";
     return sentence + or_in_no_folder();
 }
 

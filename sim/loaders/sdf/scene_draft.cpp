@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "sim/loaders/file/load_error.h"
-#include "sim/loaders/sdf/sdf_document.h"
 #include "sim/world/anchor.h"
 
 namespace scipd::sim {
@@ -21,6 +20,12 @@ SceneDraft::SceneDraft(std::filesystem::path file, bool strict, std::vector<std:
 ModelId SceneDraft::add(Model model) {
     scene_.models.push_back(std::move(model));
     return static_cast<ModelId>(scene_.models.size() - 1);
+}
+
+void SceneDraft::drop_if_bare(ModelId last) {
+    const bool has_object = !scene_.objects.empty() && scene_.objects.back().model >= last;
+    const bool has_frame = !scene_.frames.empty() && scene_.frames.back().model >= last;
+    if (!has_object && !has_frame) scene_.models.resize(last);
 }
 
 void SceneDraft::add(Object object, const Material& material) {
@@ -46,17 +51,6 @@ void SceneDraft::pass_over(std::string why) {
     warn(std::move(why));
 }
 
-void SceneDraft::show_names() {
-    for (Model& model : scene_.models)
-        model.name = as_in_file(model.name);
-    for (Object& object : scene_.objects)
-        object.name = as_in_file(object.name);
-    for (Frame& frame : scene_.frames)
-        frame.name = as_in_file(frame.name);
-    std::ranges::transform(warnings_, warnings_.begin(), as_in_file);
-    std::ranges::transform(faults_, faults_.begin(), as_in_file);
-}
-
 LoadedScene SceneDraft::finish(const std::string& what_is_seen) && {
     if (scene_.objects.empty() && faults_.empty()) {
         warn(file_.string() + ": holds nothing that a scanner could see; give a model a " +
@@ -66,7 +60,6 @@ LoadedScene SceneDraft::finish(const std::string& what_is_seen) && {
     } else if (scene_.objects.empty() && anything_left_out_) {
         faults_.insert(faults_.begin(), warnings_.begin(), warnings_.end());
     }
-    show_names();
     if (!faults_.empty()) throw LoadError(std::move(faults_));
     // Every scene gets an anchor, not only those far out: floats are finest around zero.
     scene_.anchor_m = anchor_of(scene_);

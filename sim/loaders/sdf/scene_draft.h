@@ -20,10 +20,12 @@ namespace scipd::sim {
 class SceneDraft {
   public:
     /// Messages begin with the file. If `strict`, everything left out is a fault.
-    SceneDraft(std::filesystem::path file, bool strict, std::vector<std::string> warnings);
+    SceneDraft(std::filesystem::path file, bool strict, std::vector<std::string> warnings = {});
 
     void set_name(const std::string& name) { scene_.name = name; }
     ModelId add(Model model);
+    /// Takes back the last model if nothing of it could be read.
+    void drop_if_bare(ModelId last);
     /// A material without a name is "default".
     void add(Object object, const Material& material);
     void add(Frame frame) { scene_.frames.push_back(std::move(frame)); }
@@ -44,8 +46,6 @@ class SceneDraft {
     LoadedScene finish(const std::string& what_is_seen) &&;
 
   private:
-    void show_names();
-
     std::filesystem::path file_;
     bool strict_;
     Scene scene_;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Loads SDF worlds, SDF models and URDF robots as scenes, through libsdformat, which resolves every
-// pose. Any thread; nothing shared.
+// Loads SDF worlds, SDF models and URDF robots as scenes. Any thread; nothing shared.
 //
 // A model of the world moves as one body, with everything in it and with all joints at zero. A
 // model inside a static one is part of it, unless it says <static>false</static> itself: a door in

@@ -57,24 +57,21 @@ bool is_true(const XMLElement* element, bool otherwise) {
     return text.find("true") != text.npos || text.find('1') != text.npos;
 }
 
-/// Reads one <actor>, and takes out of it what would make libsdformat refuse the world.
 class ActorReader {
   public:
-    ActorReader(XMLElement& actor, const std::filesystem::path& file,
-                std::vector<std::string>& warnings)
-        : actor_(actor), file_(file), warnings_(warnings) {}
+    ActorReader(const XMLElement& actor, const SdfSheet& sheet, std::vector<std::string>& warnings)
+        : actor_(actor), sheet_(sheet), warnings_(warnings) {}
 
-    SdfActor read() {
-        SdfActor read;
-        check_scale();
-        auto* element = actor_.FirstChildElement("pose");
+    Actor read() {
+        Actor read;
+        const auto* element = actor_.FirstChildElement("pose");
         if (const auto pose = pose_in(element)) {
             read.pose = *pose;
         } else {
             warn(*element,
                  "has a <pose> that is not six finite numbers within 1e7 m; it is left out");
-            actor_.DeleteChild(element);
         }
+        read.skin = skin();
         read.script = read_script(read.pose);
         if (read.script != nullptr) return read;
         if (const auto* plugin = actor_.FirstChildElement("plugin")) {
@@ -84,12 +81,22 @@ class ActorReader {
     }
 
   private:
-    void check_scale() {
-        auto* skin = actor_.FirstChildElement("skin");
-        auto* scale = skin == nullptr ? nullptr : skin->FirstChildElement("scale");
-        if (scale == nullptr || number_in(scale).value_or(0.0) > 0.0) return;
-        warn(*scale, "has a <scale> of " + quote(text_of(scale)) + "; 1 is taken");
-        skin->DeleteChild(scale);
+    /// Nothing if its links show it.
+    std::optional<NamedMesh> skin() {
+        const auto* skin = actor_.FirstChildElement("skin");
+        const bool has_body = actor_.FirstChildElement("link") != nullptr ||
+                              actor_.FirstChildElement("include") != nullptr;
+        if (skin == nullptr && has_body) return std::nullopt;
+        NamedMesh mesh{{"", sheet_.folder}, {}};
+        if (skin == nullptr) return mesh;
+        mesh.file.uri = SdfValues(*skin, sheet_.dialect).text("filename").value_or("");
+        const auto* scale = skin->FirstChildElement("scale");
+        if (scale == nullptr) return mesh;
+        const double times = number_in(scale).value_or(0.0);
+        if (times > 0.0) mesh.view.scale = glm::dvec3{times};
+        if (!(times > 0.0))
+            warn(*scale, "has a <scale> of " + quote(text_of(scale)) + "; 1 is taken");
+        return mesh;
     }
 
     SharedScript read_script(const Pose& pose) {
@@ -196,61 +203,30 @@ class ActorReader {
         if (std::ranges::find(told_, what) != told_.end()) return;
         told_.push_back(what);
         const char* name = actor_.Attribute("name");
-        warnings_.push_back(file_.string() + ':' + std::to_string(at.GetLineNum()) + ": actor " +
+        warnings_.push_back(text_of(sheet_.place(at)) + ": actor " +
                             quote(name == nullptr ? "" : name) + ' ' + what);
     }
 
-    XMLElement& actor_;
-    const std::filesystem::path& file_;
+    const XMLElement& actor_;
+    const SdfSheet& sheet_;
     std::vector<std::string>& warnings_;
     std::vector<std::string> told_;
     std::size_t waypoints_ = 0;
 };
 
-/// Adds the skin as the visual of a link.
-void add_skin(XMLElement& model, const std::string& uri, const std::string& scale) {
-    auto* link = model.InsertNewChildElement("link");
-    link->SetAttribute("name", std::string{skin_name}.c_str());
-    auto* visual = link->InsertNewChildElement("visual");
-    visual->SetAttribute("name", std::string{skin_name}.c_str());
-    auto* mesh = visual->InsertNewChildElement("geometry")->InsertNewChildElement("mesh");
-    mesh->InsertNewChildElement("uri")->SetText(uri.empty() ? no_skin : uri.c_str());
-    if (scale.empty()) return;
-    mesh->InsertNewChildElement("scale")->SetText((scale + ' ' + scale + ' ' + scale).c_str());
-}
-
-void make_model(XMLElement& actor, std::size_t index) {
-    const auto* skin = actor.FirstChildElement("skin");
-    const bool has_body = skin != nullptr || actor.FirstChildElement("link") != nullptr ||
-                          actor.FirstChildElement("include") != nullptr;
-    const std::string uri = skin == nullptr ? "" : text_of(skin->FirstChildElement("filename"));
-    const std::string scale = skin == nullptr ? "" : text_of(skin->FirstChildElement("scale"));
-    for (const char* part : {"skin", "animation", "script"}) {
-        while (auto* child = actor.FirstChildElement(part))
-            actor.DeleteChild(child);
-    }
-    actor.SetName("model");
-    actor.InsertNewChildElement(actor_mark)->SetText(std::to_string(index).c_str());
-    if (skin != nullptr || !has_body) add_skin(actor, uri, scale);
-}
-
 }  // namespace
 
-std::vector<std::string> take_actors(XMLElement& root, const std::filesystem::path& file,
-                                     std::vector<SdfActor>& actors) {
-    std::vector<std::string> warnings;
-    const auto take = [&](XMLElement& parent) {
-        while (auto* actor = parent.FirstChildElement("actor")) {
-            root.SetAttribute("xmlns:scipd", "urn:scipd:sdf");
-            actors.push_back(ActorReader(*actor, file, warnings).read());
-            make_model(*actor, actors.size() - 1);
-        }
-    };
-    take(root);
-    for (auto* world = root.FirstChildElement("world"); world != nullptr;
-         world = world->NextSiblingElement("world"))
-        take(*world);
-    return warnings;
+Actor actor_of(const XMLElement& element, const SdfSheet& sheet,
+               std::vector<std::string>& warnings) {
+    return ActorReader(element, sheet, warnings).read();
+}
+
+SdfPart skin_link_of(const Actor& actor, const FilePlace& place) {
+    SdfSurface skin{std::string{skin_name}, place};
+    skin.geometry = *actor.skin;
+    SdfPart link{SdfPart::Kind::link, std::string{skin_name}, place};
+    link.surfaces.push_back(std::move(skin));
+    return link;
 }
 
 }  // namespace scipd::sim

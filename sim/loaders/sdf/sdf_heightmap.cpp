@@ -11,7 +11,6 @@
 #include <utility>
 
 #include <glm/common.hpp>
-#include <sdf/Element.hh>
 
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/sdf/height_file.h"
@@ -19,10 +18,6 @@
 
 namespace scipd::sim {
 namespace {
-
-glm::dvec3 vec(const ignition::math::Vector3d& v) {
-    return {v.X(), v.Y(), v.Z()};
-}
 
 bool is_power_of_two_and_one(std::size_t side) {
     return side > 1 && ((side - 1) & (side - 2)) == 0;
@@ -128,9 +123,8 @@ std::size_t sampling_for(const HeightGrid& grid, std::size_t wanted, std::size_t
     return 1;
 }
 
-glm::dvec3 size_of(const sdf::Heightmap& heightmap, const HeightGrid& grid) {
-    const bool is_given = heightmap.Element() && heightmap.Element()->HasElement("size");
-    const glm::dvec3 size_m = is_given ? vec(heightmap.Size()) : grid.size_m;
+glm::dvec3 size_of(const NamedHeights& heights, const HeightGrid& grid) {
+    const glm::dvec3 size_m = heights.size_m.value_or(grid.size_m);
     const bool is_plausible = size_m.x > 0.0 && size_m.y > 0.0 && plausible_position(size_m);
     if (!is_plausible) {
         throw LoadError(
@@ -140,28 +134,27 @@ glm::dvec3 size_of(const sdf::Heightmap& heightmap, const HeightGrid& grid) {
     return size_m;
 }
 
-Terrain terrain(const sdf::Heightmap& heightmap, const HeightGrid& grid,
-                std::size_t most_triangles) {
+Terrain terrain(const NamedHeights& heights, const HeightGrid& grid, std::size_t most_triangles) {
     std::vector<std::string> remarks = grid.remarks;
-    const glm::dvec3 size_m = size_of(heightmap, grid);
-    const auto sampling = sampling_for(grid, heightmap.Sampling(), most_triangles, remarks);
+    const glm::dvec3 size_m = size_of(heights, grid);
+    const auto sampling = sampling_for(grid, heights.sampling, most_triangles, remarks);
     if (grid.width != grid.height || !is_power_of_two_and_one(grid.width)) {
         remarks.push_back("has " + extent_of(grid) +
                           "; Gazebo shows squares of 2^n + 1 only, scipd stretches it over its "
                           "<size>");
     }
     const Surface surface{grid, size_m, sampling};
-    const glm::dvec3 at_m = vec(heightmap.Position()) + glm::dvec3{0.0, 0.0, surface.base_m()};
+    const glm::dvec3 at_m = heights.position_m + glm::dvec3{0.0, 0.0, surface.base_m()};
     return {{std::make_shared<const Mesh>(surface.mesh()), {at_m}}, std::move(remarks)};
 }
 
 }  // namespace
 
-Terrain terrain_of(const sdf::Heightmap& heightmap, const std::filesystem::path& file,
+Terrain terrain_of(const NamedHeights& heights, const std::filesystem::path& file,
                    std::size_t most_triangles) {
     const HeightGrid grid = read_heights(file);
     try {
-        Terrain made = terrain(heightmap, grid, most_triangles);
+        Terrain made = terrain(heights, grid, most_triangles);
         for (auto& remark : made.remarks)
             remark.insert(0, file.string() + ": ");
         return made;

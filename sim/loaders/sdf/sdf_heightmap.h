@@ -9,9 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <sdf/Heightmap.hh>
-
-#include "sim/loaders/sdf/sdf_shape.h"
+#include "sim/loaders/sdf/part.h"
 
 namespace scipd::sim {
 
@@ -23,7 +21,7 @@ struct Terrain {
 /// The surface that Gazebo makes of this file. The corner pixels of the picture are the corners of
 /// <size>, centred on <pos>; the top row has the largest y. Between two pixels are <sampling>
 /// bilinear steps, and every square is two triangles. Throws LoadError, which names the file.
-Terrain terrain_of(const sdf::Heightmap& heightmap, const std::filesystem::path& file,
+Terrain terrain_of(const NamedHeights& heights, const std::filesystem::path& file,
                    std::size_t most_triangles);
 
 }  // namespace scipd::sim

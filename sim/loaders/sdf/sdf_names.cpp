@@ -2,143 +2,113 @@
 // Copyright The scipd authors
 #include "sim/loaders/sdf/sdf_names.h"
 
-#include <algorithm>
-#include <array>
+#include <functional>
+#include <map>
 #include <set>
-#include <span>
-#include <string_view>
-
-#include <tinyxml2.h>
-
-#include "sim/loaders/file/xml_tree.h"
 
 namespace scipd::sim {
 namespace {
 
-using tinyxml2::XMLElement;
-using Names = std::set<std::string, std::less<>>;
-
-constexpr std::array frames{"link", "joint", "frame", "model", "include"};
-
-bool is_kind(const XMLElement& element, std::string_view kind) {
-    return element.Name() == kind;
-}
-
-bool is_merged(const XMLElement& element) {
-    return is_kind(element, "include") && element.BoolAttribute("merge");
-}
-
-void set_name(XMLElement& element, const std::string& name) {
-    if (!is_kind(element, "include")) return element.SetAttribute("name", name.c_str());
-    auto* child = element.FirstChildElement("name");
-    if (child == nullptr) child = element.InsertNewChildElement("name");
-    child->SetText(name.c_str());
-}
-
-/// Names with a meaning of their own in the library.
-bool is_reserved(std::string_view name) {
-    return name == "world" || (name.size() >= 4 && name.starts_with("__") && name.ends_with("__"));
-}
-
-std::string free_name(const std::string& name, const Names& taken) {
-    for (std::size_t i = 0;; ++i) {
-        std::string candidate = name + '_' + std::to_string(i);
-        if (!taken.contains(candidate)) return candidate;
-    }
-}
-
-class NameMender {
+/// Mends one group of names, in their order.
+class Names {
   public:
-    NameMender(const std::filesystem::path& file, const NameOfInclude& name_of)
-        : file_(file), name_of_(name_of) {}
+    Names(const std::vector<std::string>& outer, SceneDraft& draft)
+        : outer_(outer), draft_(draft) {}
 
-    std::vector<std::string> run(XMLElement& root) && {
-        for (auto* child = root.FirstChildElement(); child != nullptr;
-             child = child->NextSiblingElement()) {
-            // Nothing shows the name of a world, so no warning.
-            if (is_kind(*child, "world") && own_name(*child).empty()) set_name(*child, "default");
-        }
-        mend_within(root);
-        return std::move(warnings_);
+    void take(const std::string& name) { taken_.insert(name); }
+
+    /// A name for what is called `name`.
+    std::string mended(const std::string& name, const std::string& kind, const FilePlace& place) {
+        const bool is_first = seen_.insert(name).second;
+        if (!name.empty() && is_first) return name;
+        std::string better = free_name(name.empty() ? kind : name);
+        const std::string path = path_of(outer_);
+        draft_.warn(text_of(place) + ": " +
+                    (name.empty() ? "a " + kind + " has no name"
+                                  : "there is another " + kind + ' ' +
+                                        (path.empty() ? "" : path + "::") + name) +
+                    "; this one is called " + better);
+        taken_.insert(better);
+        seen_.insert(better);
+        return better;
+    }
+
+    /// Roads may have no name, or all the same one.
+    std::string of_road(const std::string& name) {
+        const std::string wanted = name.empty() || name.starts_with("__") ? "road" : name;
+        std::string free = wanted;
+        for (int count = 2; !taken_.insert(free).second; ++count)
+            free = wanted + '_' + std::to_string(count);
+        return free;
     }
 
   private:
-    void mend_within(XMLElement& outer) {
-        mend_group(outer, frames);
-        mend_group(outer, std::array{"visual"});
-        mend_group(outer, std::array{"collision"});
-        for (auto* child = outer.FirstChildElement(); child != nullptr;
-             child = child->NextSiblingElement())
-            mend_within(*child);
-    }
-
-    /// Mends the children of these kinds, which must not have the same names.
-    void mend_group(XMLElement& outer, std::span<const char* const> kinds) {
-        std::vector<XMLElement*> group;
-        Names taken;
-        for (auto* child = outer.FirstChildElement(); child != nullptr;
-             child = child->NextSiblingElement()) {
-            const bool is_in =
-                std::ranges::any_of(kinds, [&](const char* kind) { return is_kind(*child, kind); });
-            if (!is_in || is_merged(*child)) continue;
-            group.push_back(child);
-            taken.insert(name_in(*child));
+    [[nodiscard]] std::string free_name(const std::string& name) {
+        // Where many have one name, each begins to count where the last one stopped.
+        for (std::size_t& i = next_[name];; ++i) {
+            std::string candidate = name + '_' + std::to_string(i);
+            if (!taken_.contains(candidate)) return candidate;
         }
-        Names seen;
-        for (XMLElement* element : group)
-            mend(*element, taken, seen);
     }
 
-    void mend(XMLElement& element, Names& taken, Names& seen) {
-        const std::string name = name_in(element);
-        if (own_name(element) != name) set_name(element, name);
-        const bool is_include = is_kind(element, "include");
-        // The included model has no name either, and a warning has said so.
-        if (name.empty() && is_include) return;
-        const bool is_second = !seen.insert(name).second;
-        if (!name.empty() && !is_second && !is_reserved(name)) return;
-        const std::string better = free_name(name.empty() ? element.Name() : name, taken);
-        taken.insert(better);
-        seen.insert(better);
-        const std::string what = is_include ? "model" : element.Name();
-        warnings_.push_back(file_.string() + ':' + std::to_string(element.GetLineNum()) + ": " +
-                            (name.empty() ? "a " + what + " has no name"
-                             : is_second  ? "there is another " + what + ' ' + path_of(element)
-                                          : "no " + what + " may be called " + name) +
-                            "; this one is called " + better);
-        set_name(element, better);
-    }
-
-    [[nodiscard]] std::string name_in(const XMLElement& element) const {
-        std::string name = own_name(element);
-        return name.empty() && is_kind(element, "include") ? name_of_(element) : name;
-    }
-
-    const std::filesystem::path& file_;
-    const NameOfInclude& name_of_;
-    std::vector<std::string> warnings_;
+    const std::vector<std::string>& outer_;
+    SceneDraft& draft_;
+    std::set<std::string, std::less<>> taken_;
+    std::set<std::string, std::less<>> seen_;
+    std::map<std::string, std::size_t> next_;
 };
+
+std::string kind_of(const SdfPart& part) {
+    switch (part.kind) {
+        case SdfPart::Kind::world:
+            return "world";
+        case SdfPart::Kind::model:
+            return "model";
+        case SdfPart::Kind::link:
+            return "link";
+        case SdfPart::Kind::frame:
+            return "frame";
+        case SdfPart::Kind::joint:
+            break;
+    }
+    return "joint";
+}
 
 }  // namespace
 
-std::vector<std::string> mend_names(XMLElement& root, const std::filesystem::path& file,
-                                    const NameOfInclude& name_of) {
-    return NameMender{file, name_of}.run(root);
-}
-
-std::string own_name(const XMLElement& element) {
-    return is_kind(element, "include") ? text_of(element.FirstChildElement("name"))
-                                       : attribute(element, "name");
-}
-
-std::string path_of(const XMLElement& element) {
+std::string path_of(const std::vector<std::string>& names) {
     std::string path;
-    for (const auto* part = &element; part != nullptr && !is_kind(*part, "world");
-         part = part->Parent()->ToElement()) {
-        const std::string name = own_name(*part);
-        if (!name.empty()) path.insert(0, path.empty() ? name : name + "::");
-    }
+    for (const std::string& name : names)
+        path += (path.empty() ? "" : "::") + name;
     return path;
+}
+
+void mend_names(std::vector<SdfPart>& parts, const std::vector<std::string>& outer,
+                SceneDraft& draft) {
+    Names names(outer, draft);
+    for (const SdfPart& part : parts) {
+        if (!part.is_road) names.take(part.name);
+    }
+    for (SdfPart& part : parts) {
+        if (part.is_road) {
+            part.name = names.of_road(part.name);
+            continue;
+        }
+        // Nobody asks for the names of joints, and a sensor has that of its link in it.
+        const bool is_quiet = part.kind == SdfPart::Kind::joint && part.name.empty();
+        if (!is_quiet && !part.sensor) {
+            part.name = names.mended(part.name, kind_of(part), part.place);
+        }
+    }
+}
+
+void mend_names(std::vector<SdfSurface>& surfaces, const std::vector<std::string>& outer,
+                const std::string& kind, SceneDraft& draft) {
+    Names names(outer, draft);
+    for (const SdfSurface& surface : surfaces)
+        names.take(surface.name);
+    for (SdfSurface& surface : surfaces)
+        surface.name = names.mended(surface.name, kind, surface.place);
 }
 
 }  // namespace scipd::sim

@@ -1,34 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Mends the names in an SDF document for libsdformat. It wants every part to have a name, none of
-// its reserved names, and each name only once in its scope. Any thread; nothing shared.
+// Names of parts: each must have one that no other part of its model has. Any thread.
 #pragma once
 
-#include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
-namespace tinyxml2 {
-class XMLElement;
-}  // namespace tinyxml2
+#include "sim/loaders/sdf/part.h"
+#include "sim/loaders/sdf/scene_draft.h"
 
 namespace scipd::sim {
 
-/// The name of the model that an <include> brings, if the include itself gives none; empty if the
-/// model has none.
-using NameOfInclude = std::function<std::string(const tinyxml2::XMLElement& include)>;
+/// OUTER::INNER
+std::string path_of(const std::vector<std::string>& names);
 
-/// Renames what the library would refuse, as Gazebo Classic does: NAME_0. Returns warnings, each of
-/// which begins with its place in `file`.
-std::vector<std::string> mend_names(tinyxml2::XMLElement& root, const std::filesystem::path& file,
-                                    const NameOfInclude& name_of);
-
-/// The name of an element, or of an include in its <name>; empty if none.
-std::string own_name(const tinyxml2::XMLElement& element);
-
-/// MODEL::LINK::VISUAL, from the outermost model to this element.
-std::string path_of(const tinyxml2::XMLElement& element);
+/// Gives a name to parts that have none, and another one to those whose name is taken. The draft is
+/// told. `outer` are the names around them.
+void mend_names(std::vector<SdfPart>& parts, const std::vector<std::string>& outer,
+                SceneDraft& draft);
+/// The same of the surfaces of a link; `kind` is their element.
+void mend_names(std::vector<SdfSurface>& surfaces, const std::vector<std::string>& outer,
+                const std::string& kind, SceneDraft& draft);
 
 }  // namespace scipd::sim

@@ -14,17 +14,21 @@ namespace scipd::sim {
 
 enum class SdfGeometry { visual, collision };
 
+/// The element of what scanners see.
+constexpr const char* seen_element(SdfGeometry geometry) {
+    return geometry == SdfGeometry::visual ? "visual" : "collision";
+}
+
 struct SdfOptions {
     SdfGeometry geometry = SdfGeometry::visual;
     /// Folders to search for models that are nowhere else (resources.h).
     std::vector<std::filesystem::path> model_folders = {};
-    /// libsdformat takes about 170 kB for a visual and 2 MB for a model, so a small file can be a
-    /// large world. scipd refuses a world that would take more than this, before it reads it.
+    /// Includes can make a large world of a small file. scipd refuses a world that takes more than
+    /// this.
     std::size_t most_memory_bytes = std::size_t{4} << 30U;
     std::size_t most_triangles = 20'000'000;
     MeshLimits mesh = {};  ///< for each mesh file
-    /// Every warning is a fault, and so is every complaint of libsdformat, even about parts that do
-    /// not matter to a scanner.
+    /// Every warning is a fault.
     bool strict = false;
 };
 

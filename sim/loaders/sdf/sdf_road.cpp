@@ -5,18 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <set>
-#include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <tinyxml2.h>
 
 #include "sim/loaders/file/load_error.h"
-#include "sim/loaders/sdf/sdf_numbers.h"
+#include "sim/loaders/file/xml_tree.h"
+#include "sim/loaders/sdf/sdf_surface.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {
@@ -24,58 +20,12 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// The names of everything in a world except its roads.
-std::set<std::string> names_in(XMLElement& world) {
-    std::set<std::string> names;
-    for (auto* child = world.FirstChildElement(); child; child = child->NextSiblingElement()) {
-        const char* name = child->Attribute("name");
-        const bool is_road = std::string_view{child->Name()} == "road";
-        if (name != nullptr && !is_road) names.insert(name);
-    }
-    return names;
-}
-
-/// Roads may have no name, or the same one, in Gazebo. The library wants a different name for each
-/// model, and reserves those like `__default__`.
-std::string name_for(const XMLElement& road, std::set<std::string>& taken) {
-    const char* given = road.Attribute("name");
-    const std::string wanted =
-        given == nullptr || std::string_view{given}.starts_with("__") ? "road" : given;
-    std::string name = wanted;
-    for (int count = 2; !taken.insert(name).second; ++count)
-        name = wanted + "_" + std::to_string(count);
-    return name;
-}
-
-void move_children(XMLElement& from, const char* name, XMLElement& to) {
-    while (auto* child = from.FirstChildElement(name))
-        to.InsertEndChild(child);
-}
-
-void put_as_model(XMLElement& road, const std::string& name) {
-    auto& document = *road.GetDocument();
-    auto* geometry = document.NewElement("geometry");
-    auto* strip = geometry->InsertNewChildElement("scipd:road");
-    move_children(road, "width", *strip);
-    move_children(road, "point", *strip);
-    auto* material = road.FirstChildElement("material");
-    // Turns the element itself into the model, so that it keeps its line.
-    road.SetName("model");
-    road.SetAttribute("name", name.c_str());
-    road.InsertNewChildElement("static")->SetText("true");
-    auto* link = road.InsertNewChildElement("link");
-    link->SetAttribute("name", "link");
-    auto* visual = link->InsertNewChildElement("visual");
-    visual->SetAttribute("name", "visual");
-    if (material != nullptr) visual->InsertEndChild(material);
-    visual->InsertEndChild(geometry);
-}
-
 /// Skips repeated points: a road has no direction between two equal points.
-std::vector<glm::dvec3> points_of(sdf::Element& road) {
+std::vector<glm::dvec3> points_of(const XMLElement& road) {
     std::vector<glm::dvec3> points_m;
-    for (auto point = road.FindElement("point"); point; point = point->GetNextElement("point")) {
-        const glm::dvec3 at_m = vector_of(*point);
+    for (const auto* point = road.FirstChildElement("point"); point != nullptr;
+         point = point->NextSiblingElement("point")) {
+        const glm::dvec3 at_m = point_in(*point);
         if (!plausible_position(at_m)) {
             throw LoadError({"every <point> of a <road> must be finite and at most 1e7 m away"});
         }
@@ -115,16 +65,8 @@ Mesh strip_along(const std::vector<glm::dvec3>& points_m, double width_m) {
     return mesh;
 }
 
-}  // namespace
-
-void put_roads_as_models(XMLElement& world) {
-    auto taken = names_in(world);
-    while (auto* road = world.FirstChildElement("road"))
-        put_as_model(*road, name_for(*road, taken));
-}
-
-PlacedShape placed_road(sdf::Element& road) {
-    const double width_m = number_of_child(road, "width", 1.0);
+PlacedShape strip_of(const XMLElement& road, const Dialect& dialect) {
+    const double width_m = SdfValues(road, dialect).number("width").value_or(1.0);
     if (!(width_m > 0.0 && width_m <= position_limit_m)) {
         throw LoadError({"the <width> of a <road> must be above 0 and at most 1e7 m"});
     }
@@ -136,6 +78,32 @@ PlacedShape placed_road(sdf::Element& road) {
     for (glm::dvec3& point_m : points_m)
         point_m -= first_m;
     return {std::make_shared<const Mesh>(strip_along(points_m, width_m)), {first_m}};
+}
+
+Geometry geometry_of_road(const XMLElement& road, const Dialect& dialect) {
+    try {
+        return strip_of(road, dialect);
+    } catch (const UnreadableValue& value) {
+        return Unread{value.what()};
+    } catch (const LoadError& error) {
+        return Unread{error.what()};
+    }
+}
+
+}  // namespace
+
+SdfPart road_of(const XMLElement& road, const SdfSheet& sheet) {
+    // A road looks like a visual without a geometry.
+    SdfSurface visual = surface_of(road, sheet, [](const std::string&) {});
+    visual.name = "visual";
+    visual.geometry = geometry_of_road(road, sheet.dialect);
+    SdfPart link{SdfPart::Kind::link, "link", sheet.place(road)};
+    link.surfaces.push_back(std::move(visual));
+    SdfPart model{SdfPart::Kind::model, attribute(road, "name"), sheet.place(road)};
+    model.is_static = true;
+    model.is_road = true;
+    model.parts.push_back(std::move(link));
+    return model;
 }
 
 }  // namespace scipd::sim

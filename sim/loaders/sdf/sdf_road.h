@@ -1,25 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Reads the roads of an SDF world: flat strips that Gazebo Classic draws along points. libsdformat
-// 12 drops them. Any thread; nothing shared.
+// A <road> of a world: a strip along points. Any thread; nothing shared.
 #pragma once
 
-#include <sdf/Element.hh>
+#include <tinyxml2.h>
 
-#include "sim/loaders/sdf/placed_shape.h"
-
-namespace tinyxml2 {
-class XMLElement;
-}  // namespace tinyxml2
+#include "sim/loaders/sdf/part.h"
+#include "sim/loaders/sdf/sdf_geometry.h"
 
 namespace scipd::sim {
 
-/// Turns each <road> into a static model of the same name. Its one visual has a <scipd:road> as
-/// geometry, with the unchanged width and points.
-void put_roads_as_models(tinyxml2::XMLElement& world);
-
-/// The strip of a <scipd:road>. Throws LoadError.
-PlacedShape placed_road(sdf::Element& road);
+/// The road as a static model of one visual.
+SdfPart road_of(const tinyxml2::XMLElement& road, const SdfSheet& sheet);
 
 }  // namespace scipd::sim

@@ -5,34 +5,32 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <utility>
 
-#include <sdf/Element.hh>
-#include <sdf/Link.hh>
-#include <sdf/Model.hh>
-#include <sdf/World.hh>
+#include <glm/geometric.hpp>
 
-#include "sim/loaders/sdf/actor_model.h"
-#include "sim/loaders/sdf/actor_skin.h"
-#include "sim/loaders/sdf/scene_draft.h"
+#include "sim/loaders/sdf/frames.h"
 #include "sim/loaders/sdf/scene_shapes.h"
-#include "sim/loaders/sdf/sdf_document.h"
-#include "sim/loaders/sdf/sdf_frames.h"
-#include "sim/loaders/sdf/sdf_place.h"
-#include "sim/loaders/sdf/sdf_shape.h"
-#include "sim/loaders/sdf/sdf_surface.h"
+#include "sim/loaders/sdf/sdf_actor.h"
+#include "sim/loaders/sdf/sdf_sensors.h"
 #include "sim/text/name.h"
+#include "sim/text/quote.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {
 namespace {
 
-namespace fs = std::filesystem;
+/// Where a link or a nested model lies, and the body that it belongs to.
+struct Place {
+    ModelId body = 0;
+    Pose body_from_here;
+    Pose world_from_here;  ///< at load
+};
 
-std::string xyz_text(const glm::dvec3& xyz_m) {
-    std::array<char, 100> text{};
-    std::snprintf(text.data(), text.size(), "%g %g %g", xyz_m.x, xyz_m.y, xyz_m.z);
-    return text.data();
+Place operator*(const Place& outer, const Pose& outer_from_here) {
+    return {outer.body, outer.body_from_here * outer_from_here,
+            outer.world_from_here * outer_from_here};
 }
 
 /// The place that a saved world gives it.
@@ -41,199 +39,240 @@ Place moved_to(const Place& outer, const SdfState::Entry& saved) {
     return {outer.body, outer.body_from_here * outer_from_here, saved.world_from_here};
 }
 
-bool says_not_static(const sdf::Model& model) {
-    return !model.Static() && model.Element()->HasElement("static");
+std::string xyz_text(const glm::dvec3& xyz_m) {
+    std::array<char, 100> text{};
+    std::snprintf(text.data(), text.size(), "%g %g %g", xyz_m.x, xyz_m.y, xyz_m.z);
+    return text.data();
 }
 
-bool has_shape(const SdfSurface& surface) {
-    return surface.geometry != nullptr && kind_of(*surface.geometry) != "empty";
+bool are_one_place(const Pose& a, const Pose& b) {
+    return glm::distance(a.translation_m, b.translation_m) < 1e-3 &&
+           angle_between_rad(a.rotation, b.rotation) < 1e-3;
 }
 
-bool says_empty(const SdfSurface& surface) {
-    const auto element = surface.geometry == nullptr ? nullptr : surface.geometry->Element();
-    return element && element->HasElement("empty");
+/// `still` with the script of the actor, at the first pose of that script. Waypoints are poses in
+/// the world, as in Gazebo Classic (gazebo/physics/Actor.cc sets them as world poses). If an
+/// include puts the actor elsewhere, they are relative to that place, as in Gazebo Sim
+/// (src/rendering/RenderUtil.cc).
+Model walking(Model still, const Actor& actor, const Pose& put) {
+    still.movable = true;
+    if (actor.script == nullptr) return still;
+    still.script = are_one_place(put, actor.pose) ? actor.script : moved(put, *actor.script);
+    still.world_from_model = still.script->steps.front().pose;
+    return still;
 }
 
-/// Walks through the document, from the root to the surfaces.
+/// Walks through the tree, from the root to the surfaces.
 class SceneWalk {
   public:
-    SceneWalk(SdfFile read, fs::path file, const Resources& resources, SdfOptions options,
-              MeshShelf& shelf)
-        : read_(std::move(read)),
-          file_(std::move(file)),
-          options_(std::move(options)),
-          draft_(file_, options_.strict, std::move(read_.warnings)),
-          shapes_(read_, file_, resources, options_, draft_, shelf) {}
+    SceneWalk(SdfTree& tree, const SdfOptions& options, const Resources& resources,
+              SceneDraft& draft, MeshShelf& shelf)
+        : tree_(tree),
+          options_(options),
+          draft_(draft),
+          shapes_(resources, options, draft, shelf) {}
 
-    LoadedScene run() &&;
+    void run(const std::filesystem::path& file) {
+        draft_.set_name(tree_.root.name);
+        Frames frames(tree_.root);
+        for (const SdfPart& model : tree_.root.parts) {
+            if (model.kind == SdfPart::Kind::model) add_model(model, frames);
+        }
+        if (auto warning = tree_.state.unused(file); !warning.empty()) {
+            draft_.warn(std::move(warning));
+        }
+    }
 
   private:
-    void add_root();
-    void add_model(const sdf::Model& model);
+    void add_model(const SdfPart& model, Frames& world);
     /// The model's name, cut to the longest that is allowed.
-    std::string name_of(const sdf::Model& model);
-    void add_parts(const sdf::Model& model, const Place& place, const std::string& name);
-    void add_nested(const sdf::Model& model, const Place& outer, const std::string& outer_name);
-    void add_link(const sdf::Link& link, const Place& place, const std::string& name);
-    void add_surface(const SdfSurface& surface, const Place& link, const std::string& link_name);
-    void warn_of_unseen(const sdf::Link& link, const std::string& name);
-    std::optional<Place> place_of(const Place& outer, const sdf::SemanticPose& pose,
-                                  const sdf::ElementPtr& element, const std::string& name);
+    std::string name_of(const SdfPart& model);
+    void add_parts(const SdfPart& model, const Place& place, const std::string& name,
+                   const std::string& name_in_file);
+    void add_nested(const SdfPart& model, Frames& frames, const Place& outer,
+                    const std::string& outer_name, const std::string& name_in_file);
+    void add_link(const SdfPart& link, Frames& frames, const Place& place, const std::string& name);
+    void add_surface(const SdfSurface& surface, const SdfPart& link, Frames& frames,
+                     const Place& place, const std::string& link_name);
+    void add_frame(const SdfPart& frame, Frames& frames, const Place& model,
+                   const std::string& model_name);
+    void warn_of_unseen(const SdfPart& link, const std::string& name);
+    /// The place at this pose in `outer`; nothing, with a warning, if it cannot be resolved or is
+    /// too far.
+    std::optional<Place> place_of(const Place& outer, const Expected<Pose>& pose,
+                                  const FilePlace& in_file, const std::string& name,
+                                  const SdfState::Entry* saved = nullptr);
 
-    SdfFile read_;
-    fs::path file_;
-    SdfOptions options_;
-    SceneDraft draft_;
+    SdfTree& tree_;
+    const SdfOptions& options_;
+    SceneDraft& draft_;
     SceneShapes shapes_;
-    const SdfActor* actor_ = nullptr;  ///< of the current model; null: none
-    glm::dvec3 scale_{1.0};            ///< of the model whose links are being read
+    const Actor* actor_ = nullptr;  ///< of the current model; null: none
+    glm::dvec3 scale_{1.0};         ///< of the model whose links are being read
+    std::map<const SdfPart*, Place> links_;
 };
 
-LoadedScene SceneWalk::run() && {
-    add_root();
-    const bool visual = options_.geometry == SdfGeometry::visual;
-    return std::move(draft_).finish(visual ? "<visual>" : "<collision>");
-}
-
-void SceneWalk::add_root() {
-    if (const auto* model = read_.root.Model()) {
-        draft_.set_name(model->Name());
-        return add_model(*model);
-    }
-    const auto* world = read_.root.WorldByIndex(0);
-    if (world == nullptr) {
-        draft_.refuse(file_.string() + ": holds no <world>, and no <model> with a <link>");
-        return;
-    }
-    draft_.set_name(world->Name());
-    if (read_.root.WorldCount() > 1) {
-        draft_.warn(file_.string() + ": holds several worlds; only the first, '" + world->Name() +
-                    "', is used");
-    }
-    for (std::uint64_t i = 0; i < world->ModelCount(); ++i)
-        add_model(*world->ModelByIndex(i));
-    if (auto warning = read_.state.unused(file_); !warning.empty()) {
-        draft_.warn(std::move(warning));
-    }
-}
-
-void SceneWalk::add_model(const sdf::Model& model) {
+void SceneWalk::add_model(const SdfPart& model, Frames& world) {
+    if (tree_.state.deleted.contains(model.name)) return;
     const std::string name = name_of(model);
-    if (read_.state.deleted.contains(as_in_file(name))) return;
-    const auto place = place_of({}, model.SemanticPose(), model.Element(), name);
+    const auto place =
+        place_of({}, world.pose_of(model), model.place, name, tree_.state.use(model.name));
     if (!place) return;
-    actor_ = actor_of(model, read_.actors);
-    const Model still{name, !model.Static(), place->world_from_here};
-    const ModelId id = draft_.add(actor_ == nullptr ? still : walking(still, *actor_, model));
-    add_parts(model, {id, {}, place->world_from_here}, name);
+    actor_ = model.actor.get();
+    const Model still{name, !model.is_static.value_or(false), place->world_from_here};
+    const ModelId id =
+        draft_.add(actor_ == nullptr ? still : walking(still, *actor_, model.pose.pose));
+    add_parts(model, {id, {}, place->world_from_here}, name, model.name);
     actor_ = nullptr;
+    draft_.drop_if_bare(id);
 }
 
-std::string SceneWalk::name_of(const sdf::Model& model) {
-    std::string name = short_name(model.Name());
-    if (name != model.Name()) {
-        draft_.warn(read_.place_of(model.Element(), file_) + ": the name has more than " +
+std::string SceneWalk::name_of(const SdfPart& model) {
+    std::string name = short_name(model.name);
+    if (name != model.name) {
+        draft_.warn(text_of(model.place) + ": the name has more than " +
                     std::to_string(longest_name) + " bytes; the model is called " + name);
     }
     return name;
 }
 
-void SceneWalk::add_parts(const sdf::Model& model, const Place& place, const std::string& name) {
-    const auto* saved = read_.state.use(as_in_file(name));
+void SceneWalk::add_parts(const SdfPart& model, const Place& place, const std::string& name,
+                          const std::string& name_in_file) {
+    const auto* saved = tree_.state.use(name_in_file);
     scale_ = saved == nullptr ? glm::dvec3{1.0} : saved->scale;
-    ModelPlaces places{place, {}};
-    for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
-        const auto& link = *model.LinkByIndex(i);
-        const auto link_name = name + "::" + link.Name();
-        const auto here = place_of(place, link.SemanticPose(), link.Element(), link_name);
+    Frames frames(model);
+    for (const SdfPart& link : model.parts) {
+        if (link.kind != SdfPart::Kind::link) continue;
+        const auto link_name = name + "::" + link.name;
+        const auto* moved = tree_.state.use(name_in_file + "::" + link.name);
+        const auto here = place_of(place, frames.pose_of(link), link.place, link_name, moved);
         if (!here) continue;
-        add_link(link, *here, link_name);
-        places.links[link.Name()] = *here;
+        add_link(link, frames, *here, link_name);
+        links_[&link] = *here;
     }
-    for (Frame& frame : frames_of(model, places, name, read_.sensors))
-        draft_.add(std::move(frame));
-    for (std::uint64_t i = 0; i < model.ModelCount(); ++i)
-        add_nested(*model.ModelByIndex(i), place, name);
+    for (const SdfPart& frame : model.parts) {
+        if (frame.kind == SdfPart::Kind::frame) add_frame(frame, frames, place, name);
+    }
+    for (const SdfPart& nested : model.parts) {
+        if (nested.kind == SdfPart::Kind::model)
+            add_nested(nested, frames, place, name, name_in_file);
+    }
 }
 
-void SceneWalk::add_nested(const sdf::Model& model, const Place& outer,
-                           const std::string& outer_name) {
+void SceneWalk::add_nested(const SdfPart& model, Frames& frames, const Place& outer,
+                           const std::string& outer_name, const std::string& outer_in_file) {
     const auto name = outer_name + "::" + name_of(model);
-    auto place = place_of(outer, model.SemanticPose(), model.Element(), name);
+    const auto in_file = outer_in_file + "::" + model.name;
+    auto place =
+        place_of(outer, frames.pose_of(model), model.place, name, tree_.state.use(in_file));
     if (!place) return;
-    if (!draft_.model(outer.body).movable && says_not_static(model)) {
+    const bool says_not_static = model.is_static && !*model.is_static;
+    if (!draft_.model(outer.body).movable && says_not_static) {
         const ModelId id = draft_.add(Model{name, true, place->world_from_here});
         place = {id, {}, place->world_from_here};
     }
     draft_.add(Frame{name, place->body, place->body_from_here, {}, {}});
-    add_parts(model, *place, name);
+    add_parts(model, *place, name, in_file);
 }
 
-void SceneWalk::add_link(const sdf::Link& link, const Place& place, const std::string& name) {
+void SceneWalk::add_link(const SdfPart& link, Frames& frames, const Place& place,
+                         const std::string& name) {
     draft_.add(Frame{name, place.body, place.body_from_here, {}, {}});
-    for (const SdfSurface& surface : surfaces_of(link, options_.geometry))
-        add_surface(surface, place, name);
+    for (const SdfSurface& surface : link.surfaces)
+        add_surface(surface, link, frames, place, name);
     warn_of_unseen(link, name);
 }
 
-void SceneWalk::warn_of_unseen(const sdf::Link& link, const std::string& name) {
+void SceneWalk::warn_of_unseen(const SdfPart& link, const std::string& name) {
     const bool visual = options_.geometry == SdfGeometry::visual;
-    const auto seen = visual ? link.VisualCount() : link.CollisionCount();
-    const auto unseen = visual ? link.CollisionCount() : link.VisualCount();
-    if (seen > 0 || unseen == 0) return;
-    draft_.warn(read_.place_of(link.Element(), file_) + ": " + name +
+    if (!link.surfaces.empty() || !link.has_unseen) return;
+    draft_.warn(text_of(link.place) + ": " + name +
                 (visual ? " has collisions but no visual; scanners see visuals only"
                         : " has visuals but no collision; scanners see collisions only"));
 }
 
-void SceneWalk::add_surface(const SdfSurface& surface, const Place& link,
-                            const std::string& link_name) {
+void SceneWalk::add_surface(const SdfSurface& surface, const SdfPart& link, Frames& frames,
+                            const Place& place, const std::string& link_name) {
     Object object;
     object.name = link_name + "::" + surface.name;
-    object.model = link.body;
-    const auto place = read_.place_of(surface.element, file_) + ": " + object.name + ": ";
-    if (!has_shape(surface)) {
+    object.model = place.body;
+    const auto where = text_of(surface.place) + ": " + object.name + ": ";
+    if (const auto* none = std::get_if<NoShape>(&surface.geometry)) {
         // Gazebo shows nothing here either. Only <empty> is meant to be empty; all else gets a
         // warning.
-        if (!says_empty(surface)) draft_.leave_out(place + "has no <geometry> with a shape");
+        if (!none->is_meant) draft_.leave_out(where + "has no <geometry> with a shape");
         return;
     }
-    const auto here = place_of(link, surface.pose, surface.element, object.name);
+    const auto here =
+        place_of(place, frames.in_link(link, surface.pose), surface.place, object.name);
     if (!here) return;
     object.model_from_object = here->body_from_here;
-    if (surface.laser_retro && !std::isfinite(*surface.laser_retro)) {
-        return draft_.leave_out(place + "laser_retro must be finite");
-    }
     if (actor_ != nullptr && surface.name == skin_name) {
-        return shapes_.add_skin(surface, std::move(object), scale_, place);
+        return shapes_.add_skin(surface, std::move(object), scale_, where);
     }
-    shapes_.add(surface, std::move(object), scale_, place);
+    shapes_.add(surface, std::move(object), scale_, where);
 }
 
-/// The place at this pose in `outer`; nothing, with a warning, if it cannot be resolved or is too
-/// far.
-std::optional<Place> SceneWalk::place_of(const Place& outer, const sdf::SemanticPose& pose,
-                                         const sdf::ElementPtr& element, const std::string& name) {
-    const auto where = read_.place_of(element, file_) + ": " + name + ": ";
-    ignition::math::Pose3d resolved;
-    if (const auto errors = pose.Resolve(resolved); !errors.empty()) {
-        draft_.leave_out(where + errors.front().Message());
+/// In a saved world it goes with the link that it is fixed to.
+void SceneWalk::add_frame(const SdfPart& frame, Frames& frames, const Place& model,
+                          const std::string& model_name) {
+    const auto pose = frames.pose_of(frame);
+    const std::string name = model_name + "::" + frame.name;
+    if (!pose) {
+        const bool is_lidar = frame.sensor && frame.sensor->lidar;
+        if (frame.sensor && !is_lidar) return;
+        return draft_.warn(text_of(frame.place) + ": " + name + ": " + pose.error().why +
+                           (is_lidar ? no_scanner_there : "; left out"));
+    }
+    const SdfPart* link = frames.link_under(frame);
+    const auto there = links_.find(link);
+    const Place here = there == links_.end()
+                           ? model * *pose
+                           : there->second * (inverse(*frames.pose_of(*link)) * *pose);
+    if (!plausible_position(here.world_from_here.translation_m)) return;
+    Frame made{name, here.body, here.body_from_here, {}, {}};
+    if (frame.sensor) {
+        made.sensor = frame.sensor->type;
+        made.lidar = frame.sensor->lidar;
+    }
+    draft_.add(std::move(made));
+}
+
+std::optional<Place> SceneWalk::place_of(const Place& outer, const Expected<Pose>& pose,
+                                         const FilePlace& in_file, const std::string& name,
+                                         const SdfState::Entry* saved) {
+    const auto where = text_of(in_file) + ": " + name + ": ";
+    if (!pose) {
+        draft_.leave_out(where + pose.error().why);
         return {};
     }
-    Place here = outer * to_pose(resolved);
-    if (const auto* saved = read_.state.use(as_in_file(name))) here = moved_to(outer, *saved);
-    const auto& [at_m, rotation] = here.world_from_here;
-    if (plausible_position(at_m) && std::isfinite(glm::length(rotation))) return here;
-    draft_.leave_out(where + "lies at " + xyz_text(at_m) +
+    const Place here = saved == nullptr ? outer * *pose : moved_to(outer, *saved);
+    if (plausible_position(here.world_from_here.translation_m)) return here;
+    draft_.leave_out(where + "lies at " + xyz_text(here.world_from_here.translation_m) +
                      "; everything must lie within 1e7 m of the origin");
     return {};
 }
 
+void find_meshes(const SdfPart& part, const Resources& resources, std::vector<MeshSource>& found) {
+    for (const SdfSurface& surface : part.surfaces) {
+        const auto* mesh = std::get_if<NamedMesh>(&surface.geometry);
+        if (mesh == nullptr) continue;
+        const auto file = resources.find(mesh->file.uri, mesh->file.folder);
+        if (!file.empty()) found.push_back({file, mesh->view.submesh});
+    }
+    for (const SdfPart& inner : part.parts)
+        find_meshes(inner, resources, found);
+}
+
 }  // namespace
 
-LoadedScene scene_of(SdfFile read, const fs::path& source, const Resources& resources,
-                     const SdfOptions& options, MeshShelf& shelf) {
-    return SceneWalk{std::move(read), source, resources, options, shelf}.run();
+void add_to_scene(SdfTree tree, const std::filesystem::path& file, const Resources& resources,
+                  const SdfOptions& options, SceneDraft& draft) {
+    MeshShelf shelf{options.most_triangles, options.mesh};
+    std::vector<MeshSource> meshes;
+    find_meshes(tree.root, resources, meshes);
+    shelf.read_ahead(meshes);
+    SceneWalk(tree, options, resources, draft, shelf).run(file);
 }
 
 }  // namespace scipd::sim

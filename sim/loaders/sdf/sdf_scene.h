@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Builds a scene from what libsdformat has read. Any thread; nothing shared.
+// Builds a scene from the tree of a world. Any thread; nothing shared.
 #pragma once
 
-#include "sim/loaders/file/loaded_scene.h"
-#include "sim/loaders/mesh/mesh_shelf.h"
+#include <filesystem>
+
 #include "sim/loaders/sdf/resources.h"
-#include "sim/loaders/sdf/sdf_file.h"
+#include "sim/loaders/sdf/scene_draft.h"
 #include "sim/loaders/sdf/sdf_options.h"
+#include "sim/loaders/sdf/sdf_reader.h"
 
 namespace scipd::sim {
 
-/// `read` must have no faults. `source` is its file, for messages; `shelf` holds the meshes. Throws
-/// LoadError.
-LoadedScene scene_of(SdfFile read, const std::filesystem::path& source, const Resources& resources,
-                     const SdfOptions& options, MeshShelf& shelf);
+/// `file` is what the user asked for, for messages.
+void add_to_scene(SdfTree tree, const std::filesystem::path& file, const Resources& resources,
+                  const SdfOptions& options, SceneDraft& draft);
 
 }  // namespace scipd::sim

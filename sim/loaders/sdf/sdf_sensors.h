@@ -1,40 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The sensors of an SDF document. A scanner does not see them, and libsdformat refuses worlds for
-// faults in them. But each is a place to mount a scanner, so it becomes a frame of its model, and
-// the library resolves the pose of that frame. Any thread; nothing shared.
+// Reads the <sensor> of a link. A scanner does not see it, but it is a place to mount one. Any
+// thread; nothing shared.
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
+#include <tinyxml2.h>
 
-#include "sim/world/lidar.h"
-
-namespace tinyxml2 {
-class XMLElement;
-}  // namespace tinyxml2
+#include "sim/expected.h"
+#include "sim/loaders/sdf/part.h"
+#include "sim/loaders/sdf/sdf_geometry.h"
 
 namespace scipd::sim {
 
-struct FoundSensor {
-    std::string type;
-    std::optional<Lidar> lidar;  ///< if it is a lidar
-};
+/// The end of a warning about a lidar.
+inline constexpr const char* no_scanner_there =
+    "; no scanner can be mounted there, but no range depends on it";
 
-/// The element that marks a frame as a sensor. Its text is the index of the sensor in `found`.
-inline constexpr const char* sensor_mark = "scipd:sensor";
-/// The attribute of a sensor that was moved from another place in its file: the line that it had
-/// there.
-inline constexpr const char* line_mark = "scipd:line";
+[[nodiscard]] bool is_lidar(const tinyxml2::XMLElement& sensor);
 
-/// Adds a frame LINK::SENSOR to the model of each sensor, and the sensor to `found`. The sensors
-/// stay in the document. Returns a warning for each lidar where no scanner can be mounted, which
-/// begins with its place in `file`.
-std::vector<std::string> offer_sensors(tinyxml2::XMLElement& root,
-                                       const std::filesystem::path& file,
-                                       std::vector<FoundSensor>& found);
+/// The frame LINK::SENSOR that the sensor stands for, or why nothing can be mounted there.
+Expected<SdfPart> frame_of_sensor(const tinyxml2::XMLElement& sensor, const std::string& link,
+                                  const SdfSheet& sheet);
 
 }  // namespace scipd::sim

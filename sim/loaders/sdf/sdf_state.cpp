@@ -81,13 +81,6 @@ class StateReader {
     SdfState state_;
 };
 
-void insert_models(XMLElement& world, const XMLElement& state) {
-    const auto* list = state.FirstChildElement("insertions");
-    const auto* model = list == nullptr ? nullptr : list->FirstChildElement("model");
-    for (; model != nullptr; model = model->NextSiblingElement("model"))
-        world.InsertEndChild(model->DeepClone(world.GetDocument()));
-}
-
 }  // namespace
 
 const SdfState::Entry* SdfState::use(const std::string& name) {
@@ -112,15 +105,10 @@ std::string SdfState::unused(const std::filesystem::path& file) const {
            ", and the world has nothing of that name; ignored";
 }
 
-SdfState take_state(XMLElement& world, const std::filesystem::path& file,
-                    std::vector<std::string>& warnings) {
-    auto* element = world.FirstChildElement("state");
-    if (element == nullptr) return {};
-    SdfState state = StateReader{file, warnings}.read(*element);
-    insert_models(world, *element);
-    for (; element != nullptr; element = world.FirstChildElement("state"))
-        world.DeleteChild(element);
-    return state;
+SdfState state_of(const XMLElement& world, const std::filesystem::path& file,
+                  std::vector<std::string>& warnings) {
+    const auto* state = world.FirstChildElement("state");
+    return state == nullptr ? SdfState{} : StateReader{file, warnings}.read(*state);
 }
 
 }  // namespace scipd::sim

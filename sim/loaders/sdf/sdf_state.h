@@ -12,12 +12,9 @@
 #include <vector>
 
 #include <glm/vec3.hpp>
+#include <tinyxml2.h>
 
 #include "sim/world/pose.h"
-
-namespace tinyxml2 {
-class XMLElement;
-}  // namespace tinyxml2
 
 namespace scipd::sim {
 
@@ -38,9 +35,9 @@ struct SdfState {
     [[nodiscard]] std::string unused(const std::filesystem::path& file) const;
 };
 
-/// Takes every <state> out of a world and reads the first one, as Gazebo Classic does. The models
-/// that it inserts are added to the world. Each warning begins with its place in `file`.
-SdfState take_state(tinyxml2::XMLElement& world, const std::filesystem::path& file,
-                    std::vector<std::string>& warnings);
+/// Reads the first <state> of a world, as Gazebo Classic does. Each warning begins with its place
+/// in `file`.
+SdfState state_of(const tinyxml2::XMLElement& world, const std::filesystem::path& file,
+                  std::vector<std::string>& warnings);
 
 }  // namespace scipd::sim

@@ -1,37 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What a scanner needs of a visual or a collision: its pose, its shape and its material. Any
-// thread.
+// Reads what a scanner needs of a <visual> or a <collision>. Any thread; nothing shared.
 #pragma once
 
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include <sdf/Element.hh>
-#include <sdf/Geometry.hh>
-#include <sdf/Link.hh>
+#include <tinyxml2.h>
 
-#include "sim/loaders/sdf/sdf_options.h"
-#include "sim/world/material.h"
+#include "sim/loaders/sdf/part.h"
+#include "sim/loaders/sdf/sdf_geometry.h"
 
 namespace scipd::sim {
 
-/// Points into a link, which must outlive it.
-struct SdfSurface {
-    std::string name;
-    sdf::SemanticPose pose;
-    const sdf::Geometry* geometry = nullptr;
-    sdf::ElementPtr element;
-    std::string material;  ///< empty: none given
-    std::optional<double> laser_retro;
-    Appearance appearance = {};  ///< of a visual
-};
+/// Called with a sentence about something that cannot be read and does not count.
+using Ignored = std::function<void(const std::string& what)>;
 
-/// The surfaces of the wanted kind. A visual without a laser_retro gets that of its link's
-/// collisions, if all that have one agree: Gazebo Classic reads it in the collision, Gazebo Sim in
-/// the visual.
-std::vector<SdfSurface> surfaces_of(const sdf::Link& link, SdfGeometry wanted);
+/// Without a name. Throws UnreadableValue if its pose cannot be read.
+SdfSurface surface_of(const tinyxml2::XMLElement& element, const SdfSheet& sheet,
+                      const Ignored& ignored);
+
+/// Gives visuals without a laser_retro that of their link's collisions, if all that have one agree:
+/// Gazebo Classic reads it in the collision, Gazebo Sim in the visual.
+void share_retro(const std::vector<SdfSurface>& collisions, std::vector<SdfSurface>& visuals);
 
 }  // namespace scipd::sim

@@ -3,204 +3,240 @@
 #include "sim/loaders/sdf/urdf.h"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
-#include <vector>
+#include <set>
 
-#include <sdf/parser.hh>
-#include <tinyxml2.h>
-
+#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/xml_tree.h"
-#include "sim/loaders/sdf/urdf_document.h"
+#include "sim/loaders/sdf/sdf_surface.h"
+#include "sim/loaders/sdf/urdf_tree.h"
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
 
 namespace scipd::sim {
 namespace {
 
-using tinyxml2::XMLDocument;
 using tinyxml2::XMLElement;
 
-/// The material names of each link's visuals.
-using MaterialNames = std::map<std::string, std::vector<std::string>>;
+constexpr std::size_t longest_urdf_text = 200;
 
-template <typename Visit>
-void for_children(XMLElement& parent, const char* name, const Visit& visit) {
-    for (auto* child = parent.FirstChildElement(name); child != nullptr;) {
-        auto* next = child->NextSiblingElement(name);  // the visitor may delete the child
-        visit(*child);
-        child = next;
+/// The numbers of an attribute. Throws UnreadableValue.
+std::vector<double> numbers_in(const XMLElement& element, const char* name, std::size_t count) {
+    const char* text = element.Attribute(name);
+    const std::string what = std::string{"its <"} + element.Name();
+    if (text == nullptr) throw UnreadableValue(what + "> has no " + name);
+    if (auto numbers = parse_numbers(text, count)) return *numbers;
+    throw UnreadableValue(what + ' ' + name + "='" + printable(text, longest_urdf_text) +
+                          "'> cannot be read");
+}
+
+Geometry shape_of(const XMLElement& shape, const SdfSheet& sheet) {
+    const std::string_view kind = shape.Name();
+    if (kind == "box") {
+        const auto n = numbers_in(shape, "size", 3);
+        check_sizes({n[0], n[1], n[2]});
+        return PlacedShape{Box{{n[0], n[1], n[2]}}, {}};
+    }
+    if (kind == "sphere") {
+        const double radius_m = numbers_in(shape, "radius", 1)[0];
+        check_sizes({radius_m});
+        return PlacedShape{Sphere{radius_m}, {}};
+    }
+    if (kind == "cylinder") {
+        const double radius_m = numbers_in(shape, "radius", 1)[0];
+        const double length_m = numbers_in(shape, "length", 1)[0];
+        check_sizes({radius_m, length_m});
+        return PlacedShape{Cylinder{radius_m, length_m}, {}};
+    }
+    if (kind != "mesh") {
+        throw UnreadableValue("URDF has no <" + printable(shape.Name(), longest_urdf_text) + '>');
+    }
+    NamedMesh mesh{{attribute(shape, "filename"), sheet.folder}, {}};
+    if (mesh.file.uri.empty()) throw UnreadableValue("its <mesh> has no filename");
+    if (shape.Attribute("scale") != nullptr) {
+        const auto n = numbers_in(shape, "scale", 3);
+        mesh.view.scale = {n[0], n[1], n[2]};
+    }
+    return mesh;
+}
+
+Geometry geometry_in(const XMLElement& part, const SdfSheet& sheet) {
+    const auto* geometry = part.FirstChildElement("geometry");
+    try {
+        if (geometry == nullptr) throw UnreadableValue("it has no <geometry>");
+        const auto* shape = geometry->FirstChildElement();
+        if (shape == nullptr) throw UnreadableValue("its <geometry> is empty");
+        return shape_of(*shape, sheet);
+    } catch (const UnreadableValue& value) {
+        return Unread{value.what()};
+    } catch (const LoadError& error) {
+        return Unread{error.what()};
     }
 }
 
-/// Any inertia will do: the library drops links without one.
-void give_inertia(XMLElement& link) {
-    for_children(link, "inertial", [&](XMLElement& inertial) { link.DeleteChild(&inertial); });
-    XMLElement& inertial = *link.InsertNewChildElement("inertial");
-    inertial.InsertNewChildElement("mass")->SetAttribute("value", 1);
-    XMLElement& inertia = *inertial.InsertNewChildElement("inertia");
-    for (const char* diagonal : {"ixx", "iyy", "izz"})
-        inertia.SetAttribute(diagonal, 1);
-    for (const char* other : {"ixy", "ixz", "iyz"})
-        inertia.SetAttribute(other, 0);
+/// What Gazebo's extensions say of a link.
+struct Extension {
+    std::string material;
+    std::optional<double> retro_of_visuals;
+    std::optional<double> retro_of_collisions;
+};
+
+std::optional<double> retro_in(const XMLElement& element) {
+    for (const char* name : {"laserRetro", "laser_retro"}) {
+        const auto n = parse_numbers(text_of(element.FirstChildElement(name)), 1);
+        if (n) return n->front();
+    }
+    return std::nullopt;
 }
 
-/// Returns the materials of a link's visuals and takes them out: urdfdom complains of names without
-/// a colour.
-std::vector<std::string> take_materials(XMLElement& link) {
-    std::vector<std::string> names;
-    for_children(link, "visual", [&](XMLElement& visual) {
-        XMLElement* material = visual.FirstChildElement("material");
-        names.push_back(material == nullptr ? "" : attribute(*material, "name"));
-        if (material != nullptr) visual.DeleteChild(material);
-    });
-    return names;
+std::map<std::string, Extension> extensions_of(const XMLElement& robot) {
+    std::map<std::string, Extension> extensions;
+    for (const auto* element = robot.FirstChildElement("gazebo"); element != nullptr;
+         element = element->NextSiblingElement("gazebo")) {
+        Extension& extension = extensions[attribute(*element, "reference")];
+        const auto* within = element->FirstChildElement("visual");
+        if (within != nullptr) extension.retro_of_visuals = retro_in(*within);
+        for (const char* name : {"material", "script", "name"})
+            within = within == nullptr ? nullptr : within->FirstChildElement(name);
+        const std::string material = text_of(element->FirstChildElement("material"));
+        if (!material.empty()) extension.material = trimmed(material);
+        if (extension.material.empty()) extension.material = trimmed(text_of(within));
+        const auto* collision = element->FirstChildElement("collision");
+        if (const auto retro = retro_in(collision == nullptr ? *element : *collision)) {
+            extension.retro_of_collisions = retro;
+        }
+    }
+    return extensions;
 }
 
-void keep_joint(XMLElement& robot, const std::string& joint) {
-    XMLElement& extension = *robot.InsertNewChildElement("gazebo");
-    extension.SetAttribute("reference", joint.c_str());
-    for (const char* setting : {"disableFixedJointLumping", "preserveFixedJoint"})
-        extension.InsertNewChildElement(setting)->SetText("true");
-}
-
-/// The sensors in <gazebo reference="LINK">. The library would copy them, and refuse the robot for
-/// a faulty one.
-class Sensors {
+class RobotReader {
   public:
-    /// Takes the sensors out of the robot.
-    explicit Sensors(XMLElement& robot) {
-        for_children(robot, "gazebo", [&](XMLElement& extension) {
-            const std::string link = attribute(extension, "reference");
-            if (link.empty()) return;
-            for_children(extension, "sensor", [&](XMLElement& sensor) {
-                sensor.SetAttribute(line_mark, sensor.GetLineNum());
-                all_.emplace_back(link, kept_.InsertEndChild(sensor.DeepClone(&kept_)));
-                extension.DeleteChild(&sensor);
-            });
-        });
-    }
+    RobotReader(const XMLElement& robot, const SdfSheet& sheet, SdfGeometry geometry,
+                SceneDraft& draft)
+        : robot_(robot),
+          sheet_(sheet),
+          geometry_(geometry),
+          draft_(draft),
+          extensions_(extensions_of(robot)) {}
 
-    void put_into(XMLElement& model) {
-        for_children(model, "link", [&](XMLElement& link) {
-            for (const auto& [name, sensor] : all_) {
-                if (name == attribute(link, "name"))
-                    link.InsertEndChild(sensor->DeepClone(model.GetDocument()));
-            }
+    SdfPart read() {
+        SdfPart model{SdfPart::Kind::model, attribute(robot_, "name"), sheet_.place(robot_)};
+        for (const auto* element = robot_.FirstChildElement("link"); element != nullptr;
+             element = element->NextSiblingElement("link")) {
+            if (auto link = read_link(*element)) model.parts.push_back(std::move(*link));
+        }
+        hang(model.parts);
+        // It is the world that a robot of Gazebo hangs on, and no part of the robot.
+        std::erase_if(model.parts, [](const SdfPart& link) {
+            return link.name == "world" && link.surfaces.empty() && !link.has_unseen;
         });
+        return model;
     }
 
   private:
-    XMLDocument kept_;
-    std::vector<std::pair<std::string, tinyxml2::XMLNode*>> all_;  ///< by link
-};
-
-void delete_sensors(XMLElement& model) {
-    for_children(model, "link", [&](XMLElement& link) {
-        for_children(link, "sensor", [&](XMLElement& sensor) { link.DeleteChild(&sensor); });
-    });
-}
-
-MaterialNames prepare(XMLElement& robot) {
-    MaterialNames materials;
-    for_children(robot, "material", [&](XMLElement& material) { robot.DeleteChild(&material); });
-    for_children(robot, "link", [&](XMLElement& link) {
-        const std::string name = attribute(link, "name");
-        if (name == "world") return;  // the library's name for what does not move
-        give_inertia(link);
-        materials[name] = take_materials(link);
-    });
-    for_children(robot, "joint", [&](XMLElement& joint) {
-        if (attribute(joint, "type") == "fixed") keep_joint(robot, attribute(joint, "name"));
-    });
-    return materials;
-}
-
-/// Gives the visuals their materials again: the library keeps the visuals of a link in order.
-void name_materials(XMLElement& model, const MaterialNames& materials) {
-    for_children(model, "link", [&](XMLElement& link) {
-        const auto known = materials.find(attribute(link, "name"));
-        if (known == materials.end()) return;
-        auto name = known->second.begin();
-        for_children(link, "visual", [&](XMLElement& visual) {
-            if (name == known->second.end()) return;
-            if (!name->empty()) {
-                visual.InsertNewChildElement("scipd:material")->SetText(name->c_str());
-            }
-            ++name;
-        });
-    });
-}
-
-std::string text_of(const XMLDocument& document) {
-    tinyxml2::XMLPrinter printer;
-    document.Print(&printer);
-    return printer.CStr();
-}
-
-XMLElement* root_of(XMLDocument& document, std::string_view text, const char* name) {
-    if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) return nullptr;
-    return document.FirstChildElement(name);
-}
-
-}  // namespace
-
-bool is_urdf(std::string_view text) {
-    XMLDocument document;
-    return root_of(document, text, "robot") != nullptr;
-}
-
-std::string sdf_from_urdf(std::string_view text, const std::filesystem::path& file,
-                          const SdfOptions& options, std::vector<FoundSensor>& sensors,
-                          std::vector<std::string>& warnings) {
-    XMLDocument urdf;
-    XMLElement* robot = root_of(urdf, text, "robot");
-    if (robot == nullptr) return {};
-    Sensors extensions{*robot};
-    if (!options.strict) {
-        std::ranges::move(relieve_robot(*robot, file, options.geometry),
-                          std::back_inserter(warnings));
+    static std::string text_of_part(const std::string& kind, const std::string& name,
+                                    const FilePlace& place) {
+        return text_of(place) + ": " + kind +
+               (name.empty() ? "" : ' ' + printable(name, longest_urdf_text)) + ": ";
     }
-    const MaterialNames materials = prepare(*robot);
 
-    const sdf::SDFPtr converted{new sdf::SDF};
-    sdf::init(converted);
-    sdf::Errors ignored;  // the library prints what matters
-    if (!sdf::readString(text_of(urdf), converted, ignored)) return {};
-    XMLDocument result;
-    XMLElement* root = root_of(result, converted->ToString(), "sdf");
-    XMLElement* model = root == nullptr ? nullptr : root->FirstChildElement("model");
-    if (model == nullptr) return {};
-    root->SetAttribute("xmlns:scipd", "urn:scipd:sdf");
-    name_materials(*model, materials);
-    extensions.put_into(*model);
-    std::ranges::move(offer_sensors(*root, file, sensors), std::back_inserter(warnings));
-    if (!options.strict) delete_sensors(*model);
-    return text_of(result);
-}
+    std::optional<SdfPart> read_link(const XMLElement& element) {
+        SdfPart link{SdfPart::Kind::link, attribute(element, "name"), sheet_.place(element)};
+        const bool is_new = names_.insert(link.name).second;
+        if (link.name.empty() || !is_new) {
+            draft_.leave_out(text_of_part("link", link.name, link.place) +
+                             (is_new ? "has no name" : "there is another of this name"));
+            return std::nullopt;
+        }
+        auto visuals = read_surfaces(element, "visual", link.name);
+        auto collisions = read_surfaces(element, "collision", link.name);
+        share_retro(collisions, visuals);
+        if (geometry_ == SdfGeometry::collision) std::swap(visuals, collisions);
+        link.surfaces = std::move(visuals);
+        link.has_unseen = !collisions.empty();
+        return link;
+    }
 
-std::map<std::string, int> lines_of_links(std::string_view text) {
-    XMLDocument document;
-    XMLElement* robot = root_of(document, text, "robot");
-    std::map<std::string, int> lines;
-    if (robot == nullptr) return lines;
-    for_children(*robot, "link", [&](XMLElement& link) {
-        lines.insert({attribute(link, "name"), link.GetLineNum()});
-    });
-    return lines;
-}
+    std::vector<SdfSurface> read_surfaces(const XMLElement& link, const std::string& kind,
+                                          const std::string& link_name) {
+        std::vector<SdfSurface> surfaces;
+        const Extension& extension = extensions_[link_name];
+        int count = 0;
+        for (const auto* part = link.FirstChildElement(kind.c_str()); part != nullptr;
+             part = part->NextSiblingElement(kind.c_str()), ++count) {
+            SdfSurface surface = read_surface(*part, kind, link_name, count);
+            const bool is_visual = kind == "visual";
+            if (is_visual && surface.material.empty()) surface.material = extension.material;
+            surface.laser_retro =
+                is_visual ? extension.retro_of_visuals : extension.retro_of_collisions;
+            surfaces.push_back(std::move(surface));
+        }
+        return surfaces;
+    }
 
-int line_in_urdf(std::string_view text, const std::string& message) {
-    XMLDocument document;
-    XMLElement* robot = root_of(document, text, "robot");
-    if (robot == nullptr) return 0;
-    for (const char* kind : {"joint", "link"}) {
-        for (auto* part = robot->FirstChildElement(kind); part != nullptr;
-             part = part->NextSiblingElement(kind)) {
-            if (message.find('[' + attribute(*part, "name") + ']') != message.npos) {
-                return part->GetLineNum();
+    /// It is called as libsdformat calls it.
+    SdfSurface read_surface(const XMLElement& part, const std::string& kind,
+                            const std::string& link, int count) {
+        const std::string own = attribute(part, "name");
+        SdfSurface surface{link + (own.empty() ? "" : "_fixed_joint_lump__" + own) + '_' + kind +
+                               (count == 0 ? "" : '_' + std::to_string(count)),
+                           sheet_.place(part)};
+        std::vector<std::string> faults;
+        surface.pose.pose = pose_of_origin(part.FirstChildElement("origin"), faults);
+        surface.geometry = faults.empty() ? geometry_in(part, sheet_) : Unread{faults.front()};
+        if (const auto* material = part.FirstChildElement("material")) {
+            surface.material = attribute(*material, "name");
+        }
+        return surface;
+    }
+
+    /// Puts each link where its joint has it.
+    void hang(std::vector<SdfPart>& links) {
+        const UrdfTree tree(
+            robot_, names_, [this](const XMLElement& joint, const std::string& what) {
+                const std::string name = attribute(joint, "name");
+                draft_.warn(text_of_part("joint", name, sheet_.place(joint)) + what);
+            });
+        const auto is_root = [&](const SdfPart& link) { return tree.above(link.name) == nullptr; };
+        const bool has_world = std::ranges::any_of(
+            links, [&](const SdfPart& link) { return is_root(link) && link.name == "world"; });
+        bool has_root = false;
+        for (SdfPart& link : links) {
+            if (const auto* hung = tree.above(link.name)) {
+                link.pose = {hung->parent_from_here, hung->parent == "world" ? "" : hung->parent};
+            } else if (has_world ? link.name != "world" : std::exchange(has_root, true)) {
+                draft_.warn(text_of_part("link", link.name, link.place) +
+                            "hangs on no joint; it stands at the origin of the robot");
             }
         }
     }
-    return 0;
+
+    const XMLElement& robot_;
+    const SdfSheet& sheet_;
+    SdfGeometry geometry_;
+    SceneDraft& draft_;
+    std::map<std::string, Extension> extensions_;
+    std::set<std::string> names_;
+};
+
+}  // namespace
+
+SdfPart robot_of(const XMLElement& robot, const SdfSheet& sheet, SdfGeometry geometry,
+                 SceneDraft& draft) {
+    return RobotReader(robot, sheet, geometry, draft).read();
+}
+
+std::vector<std::pair<std::string, const XMLElement*>> sensors_of_robot(const XMLElement& robot) {
+    std::vector<std::pair<std::string, const XMLElement*>> sensors;
+    for (const auto* extension = robot.FirstChildElement("gazebo"); extension != nullptr;
+         extension = extension->NextSiblingElement("gazebo")) {
+        const std::string link = attribute(*extension, "reference");
+        if (link.empty()) continue;
+        for (const auto* sensor = extension->FirstChildElement("sensor"); sensor != nullptr;
+             sensor = sensor->NextSiblingElement("sensor"))
+            sensors.emplace_back(link, sensor);
+    }
+    return sensors;
 }
 
 }  // namespace scipd::sim

@@ -1,23 +1,45 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Mends the tree of a URDF robot: the library refuses the whole robot for one joint without a valid
-// parent or child. Any thread; nothing shared.
+// The tree that the joints of a URDF robot make of its links. Any thread; nothing shared.
 #pragma once
 
-#include <filesystem>
+#include <functional>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
-namespace tinyxml2 {
-class XMLElement;
-}  // namespace tinyxml2
+#include <tinyxml2.h>
+
+#include "sim/world/pose.h"
 
 namespace scipd::sim {
 
-/// Makes one tree of all links that have a name. It leaves out joints, or parts of them, that
-/// cannot be read or do not fit into a tree. Links without a joint then stand at the origin of the
-/// robot. Returns warnings, each of which begins with its place in `file`.
-std::vector<std::string> mend_tree(tinyxml2::XMLElement& robot, const std::filesystem::path& file);
+/// Called with an element and what is wrong with it.
+using Wrong = std::function<void(const tinyxml2::XMLElement& element, const std::string& what)>;
+
+/// Reads xyz and rpy of an <origin>. What cannot be read is 0 0 0, and told to `faults`.
+Pose pose_of_origin(const tinyxml2::XMLElement* origin, std::vector<std::string>& faults);
+
+class UrdfTree {
+  public:
+    /// Leaves out joints that cannot be read or make no tree. `links` are the names of all.
+    UrdfTree(const tinyxml2::XMLElement& robot, const std::set<std::string>& links,
+             const Wrong& wrong);
+
+    struct Hung {
+        std::string parent;
+        Pose parent_from_here;
+    };
+    /// What a link hangs on; null if on nothing.
+    [[nodiscard]] const Hung* above(const std::string& link) const;
+
+  private:
+    [[nodiscard]] std::string fault_of(const tinyxml2::XMLElement& joint,
+                                       const std::set<std::string>& links) const;
+
+    std::map<std::string, Hung> above_;
+};
 
 }  // namespace scipd::sim

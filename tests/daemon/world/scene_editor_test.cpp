@@ -403,19 +403,5 @@ TEST_F(AddedFromFiles, MayLieInOnePlaceAsOftenAsTheConfigurationSays) {
     EXPECT_EQ(edit_now(mesh).result, EditOutcome::Result::done);
 }
 
-TEST_F(AddedFromFiles, TellWhatTheyTakeWhereItIsMuch) {
-    std::string visuals;
-    for (int i = 0; i < 60; ++i) {
-        visuals += "<visual name='v" + std::to_string(i) +
-                   "'><geometry><box><size>1 1 1</size></box></geometry></visual>";
-    }
-    folder_.write("worlds/a.sdf", "<sdf version='1.9'><model name='m'><link name='l'>" + visuals +
-                                      "</link></model></sdf>");
-    const EditOutcome large = add("a.sdf", false);
-    EXPECT_EQ(large.result, EditOutcome::Result::done);
-    EXPECT_THAT(large.messages, testing::IsEmpty());
-    EXPECT_THAT(large.notes, testing::ElementsAre(testing::HasSubstr(" to read, of 20 MB")));
-}
-
 }  // namespace
 }  // namespace scipd::daemon

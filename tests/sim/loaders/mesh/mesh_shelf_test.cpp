@@ -66,9 +66,8 @@ TEST(MeshShelf, ReadsAsManyAtATimeAsTheMemoryIsFor) {
     MeshShelf narrow{10 * faces, {.memory_bytes = std::size_t{2} << 30U}};
     EXPECT_EQ(most_children_reading(narrow, sources), 1);
     for (const MeshSource& source : sources) {
-        sdf::Mesh mesh;
-        ASSERT_EQ(narrow.parts_of(source.file, mesh).size(), 1U);
-        EXPECT_EQ(narrow.parts_of(source.file, mesh)[0].mesh->triangles.size(), faces);
+        ASSERT_EQ(narrow.parts_of(source.file, {}).size(), 1U);
+        EXPECT_EQ(narrow.parts_of(source.file, {})[0].mesh->triangles.size(), faces);
     }
 }
 
@@ -79,8 +78,8 @@ TEST(MeshShelf, ReadsAloneWhatCannotBeReadWithOthers) {
     ASSERT_EQ(batches_of(sources).size(), 1U);
     MeshShelf shelf{10, {}};
     shelf.read_ahead(sources);
-    EXPECT_EQ(shelf.parts_of(good, sdf::Mesh{}).size(), 1U);
-    EXPECT_THROW(shelf.parts_of(sources[1].file, sdf::Mesh{}), LoadError);
+    EXPECT_EQ(shelf.parts_of(good, {}).size(), 1U);
+    EXPECT_THROW(shelf.parts_of(sources[1].file, {}), LoadError);
 }
 
 }  // namespace

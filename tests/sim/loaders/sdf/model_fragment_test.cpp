@@ -212,21 +212,24 @@ TEST_F(ModelFragment, SaysWhereItLooked) {
                          folder_.path().string() + "; left out"));
 }
 
-// A part of what a world may take; figures of sdf_survey.cpp.
+// A part of what a world may take.
 TEST_F(ModelFragment, TakesNoMoreThanAModelsShare) {
     const SdfOptions share = within_a_models_share({.geometry = SdfGeometry::collision});
     EXPECT_EQ(share.geometry, SdfGeometry::collision);
     const auto refused = [&](const std::string& text) {
         return faults_of([&] { load_model_text(text, {"a"}, folder_.path(), share); }, folder_);
     };
-    std::string many = "<model name='m'>";
-    for (int i = 0; i < 700; ++i)
-        many += "<link name='" + std::to_string(i) + "'/>";
-    EXPECT_THAT(
-        refused(many + "</model>"),
-        ElementsAre("a: would take about 597 MB to read with all its includes, at most 537 "
-                    "MB is allowed; put parts that never move into one link or one mesh, or "
-                    "allow more by world_memory_mb under limits in the configuration"));
+    std::string links;
+    for (int i = 0; i < 3000; ++i)
+        links += "<link name='" + std::to_string(i) + "'/>";
+    folder_.write("links.sdf", sdf("<model name='l'>" + links + "</model>"));
+    std::string many;
+    for (int i = 0; i < 200; ++i)
+        many += "<include><uri>links.sdf</uri><name>" + std::to_string(i) + "</name></include>";
+    EXPECT_THAT(refused("<model name='m'>" + many + "</model>"),
+                ElementsAre("a: takes more than the 537 MB that are allowed, with all its "
+                            "includes; put parts that never move into one link or one mesh, or "
+                            "allow more by world_memory_mb under limits in the configuration"));
 
     const auto large = folder_.write("large.sdf", "");
     std::filesystem::resize_file(large, (8U << 20U) + 1);  // sparse: it takes no room

@@ -314,9 +314,9 @@ TEST_F(SdfActors, DoNotCostTheirWorldWithAFaultyPoseOrScale) {
         actor("<pose>here</pose><skin><filename>skin.obj</filename><scale>big</scale></skin>" +
               script(along_x()))));
     EXPECT_THAT(warnings(),
-                ElementsAre(":5: actor 'walker' has a <scale> of 'big'; 1 is taken",
-                            ":5: actor 'walker' has a <pose> that is not six finite numbers within "
-                            "1e7 m; it is left out"));
+                ElementsAre(":5: actor 'walker' has a <pose> that is not six finite numbers within "
+                            "1e7 m; it is left out",
+                            ":5: actor 'walker' has a <scale> of 'big'; 1 is taken"));
     EXPECT_NEAR(ahead_m({-2, 0, 0.5}), 1.75, 1e-6);
 }
 

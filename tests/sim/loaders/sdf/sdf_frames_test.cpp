@@ -181,13 +181,11 @@ TEST_F(SdfFrames, aFaultyLidarIsLeftOutWithOneWarning) {
         load(text);
         EXPECT_THAT(names(), ElementsAre("m::l"));
         EXPECT_EQ(scene_->objects.size(), 1U);
-        EXPECT_THAT(warnings_,
-                    ElementsAre(AllOf(HasSubstr("a.sdf:5: sensor 's' of link 'l' of model 'm': "),
-                                      HasSubstr(why), HasSubstr("no scanner"))));
-        // In these words or, where it reads the sensor as well, in those of the library.
+        EXPECT_THAT(warnings_, ElementsAre(AllOf(HasSubstr("a.sdf:5: "), HasSubstr(why),
+                                                 HasSubstr("no scanner"))));
         EXPECT_THAT(faults(text), Not(IsEmpty()));
     };
-    expect_warned("", "has neither <lidar> nor <ray>");
+    expect_warned("", "sensor 's' of link 'l' of model 'm': has neither <lidar> nor <ray>");
     expect_warned("<ray/>", "has no <scan> in its <ray>");
     expect_warned(replaced("6.280000", "nan"), "<max_angle> must be one number");
     expect_warned(replaced("6.280000", "x"), "<max_angle> has 'x'");
@@ -196,7 +194,8 @@ TEST_F(SdfFrames, aFaultyLidarIsLeftOutWithOneWarning) {
     expect_warned(replaced("3.5", "0.1"), "<min> in its <range> must be 0 or more");
     expect_warned(replaced("360", "0"), "<samples>");
     expect_warned("<update_rate>-1</update_rate>" + std::string{burgers_ray}, "<update_rate>");
-    expect_warned("<pose>1 2 3</pose>" + std::string{burgers_ray}, "<pose> must be 6 numbers");
+    expect_warned("<pose>1 2 3</pose>" + std::string{burgers_ray},
+                  "its <pose> '1 2 3' cannot be read");
     expect_warned("<pose relative_to='gone'>0 0 0 0 0 0</pose>" + std::string{burgers_ray},
                   "relative to 'gone'");
 }
@@ -236,7 +235,7 @@ TEST_F(SdfFrames, lieWhereTheStateHasThem) {
     expect_at("m::arm::s", pose_from_rpy({0, 2.5, 0}, {0, 0, left}));
 }
 
-TEST_F(SdfFrames, aCrowdOfSensorsIsOfferedInPart) {
+TEST_F(SdfFrames, aCrowdOfSensorsIsOffered) {
     std::string models;
     for (int model = 0; model < 41; ++model) {
         models +=
@@ -247,8 +246,8 @@ TEST_F(SdfFrames, aCrowdOfSensorsIsOfferedInPart) {
     }
     load(world(models));
     EXPECT_EQ(std::ranges::count_if(scene_->frames, [](const Frame& f) { return !!f.lidar; }),
-              4000);
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("is one of more than 4000 sensors")));
+              4100);
+    EXPECT_THAT(warnings_, IsEmpty());
 }
 
 TEST_F(SdfFrames, aStrictWorldOffersTheSame) {

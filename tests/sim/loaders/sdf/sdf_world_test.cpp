@@ -332,7 +332,7 @@ TEST_F(SdfWorld, WhatIsNothingToAScannerIsIgnoredInSilence) {
 TEST_F(SdfWorld, WhatAScannerWouldSeeAndCannotBeHadIsNamedWithItsPlace) {
     load(world(model_of(visual("v", unit_box)) +
                "<population name='p'><model name='n'/></population>"));
-    EXPECT_THAT(warnings_, ElementsAre(place() + ":7: <population> is not supported and left out"));
+    EXPECT_THAT(warnings_, ElementsAre(place() + ":7: p: has no <distribution>; left out"));
 }
 
 TEST_F(SdfWorld, ScaledMeshesAreScaledAboutTheirOrigin) {

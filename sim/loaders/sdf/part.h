@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A world, a model or a robot as its files say it: a plain tree of parts, with the place of each in
+// the files. Its readers are sdf_reader.h and urdf.h; frames.h tells where the parts lie. Values.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "sim/loaders/mesh/mesh_shelf.h"
+#include "sim/loaders/sdf/placed_shape.h"
+#include "sim/world/lidar.h"
+#include "sim/world/material.h"
+#include "sim/world/script.h"
+
+namespace scipd::sim {
+
+struct FilePlace {
+    std::shared_ptr<const std::filesystem::path> file;
+    int line = 0;
+};
+
+/// FILE:LINE
+inline std::string text_of(const FilePlace& place) {
+    return place.file->string() + ':' + std::to_string(place.line);
+}
+
+/// A pose as a file gives it.
+struct GivenPose {
+    Pose pose = {};
+    std::string relative_to = {};  ///< empty: to what its kind of part lies in by default
+};
+
+/// A file that a geometry names.
+struct NamedFile {
+    std::string uri;
+    std::filesystem::path folder;  ///< where a relative URI starts
+};
+
+struct NamedMesh {
+    NamedFile file;
+    MeshView view;
+};
+
+struct NamedHeights {
+    NamedFile file;
+    std::optional<glm::dvec3> size_m;
+    glm::dvec3 position_m{0.0};
+    std::size_t sampling = 1;
+};
+
+struct NoShape {
+    bool is_meant = false;  ///< it is <empty>
+};
+
+/// A kind of geometry that scipd does not know.
+struct UnknownShape {
+    std::string kind;
+};
+
+/// A geometry that cannot be read.
+struct Unread {
+    std::string why;
+};
+
+using Geometry = std::variant<NoShape, PlacedShape, NamedMesh, NamedHeights, UnknownShape, Unread>;
+
+/// A visual or a collision. Its pose is relative to its link by default.
+struct SdfSurface {
+    std::string name;
+    FilePlace place;
+    GivenPose pose = {};
+    Geometry geometry = NoShape{};
+    std::string material = {};  ///< empty: none is named
+    bool from_script = false;   ///< Material::from_script
+    std::optional<double> laser_retro = std::nullopt;
+    Appearance appearance = {};
+};
+
+struct FoundSensor {
+    std::string type;
+    std::optional<Lidar> lidar;  ///< if it is a lidar
+};
+
+/// What makes a model an actor.
+struct Actor {
+    Pose pose = {};                                ///< from its own element
+    SharedScript script = nullptr;                 ///< null: it stands still
+    std::optional<NamedMesh> skin = std::nullopt;  ///< none: its links are what is seen
+};
+
+struct SdfPart {
+    enum class Kind { world, model, link, frame, joint };
+
+    Kind kind = Kind::model;
+    std::string name = {};
+    FilePlace place = {};
+    GivenPose pose = {};
+    /// Of a frame: what it is fixed to; empty: the model. Of a joint: its child.
+    std::string attached_to = {};
+    std::vector<SdfPart> parts = {};  ///< of a world or a model
+
+    // Of a model.
+    std::optional<bool> is_static = std::nullopt;
+    std::string placement_frame = {};
+    std::string canonical_link = {};
+    std::shared_ptr<const Actor> actor = nullptr;
+    bool is_road = false;  ///< nobody cares what it is called
+
+    // Of a link.
+    std::vector<SdfSurface> surfaces = {};
+    bool has_unseen = false;  ///< surfaces of the other kind
+
+    // Of a frame.
+    std::optional<FoundSensor> sensor = std::nullopt;
+};
+
+}  // namespace scipd::sim

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/loaders/sdf/sdf_documents.h"
+
+#include <cstdio>
+#include <tuple>
+#include <utility>
+
+#include "sim/loaders/file/doing.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
+#include "sim/loaders/sdf/model_folder.h"
+#include "sim/loaders/sdf/sdf_kind.h"
+#include "sim/text/quote.h"
+
+namespace scipd::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The largest file, as a share of the memory limit: 64 MiB for a world's limit. Once parsed, a
+/// file takes up to 40 times its size.
+constexpr std::size_t parts_of_memory = 64;
+
+/// Blanks out an XML declaration that is not the first thing in a text, which tinyxml2 refuses.
+std::string without_late_declaration(std::string text) {
+    const auto at = text.find("<?xml");
+    const auto end = at == text.npos ? at : text.find("?>", at);
+    const bool is_late =
+        end != text.npos && text.find_first_not_of(" \t\r\n") != at && text.find("<!--") < at;
+    if (!is_late) return text;
+    for (auto i = at; i < end + 2; ++i) {
+        if (text[i] != '\n') text[i] = ' ';
+    }
+    return text;
+}
+
+std::string warning_of_version(const tinyxml2::XMLElement& root) {
+    const char* text = root.Attribute("version");
+    int major = 0;
+    int minor = 0;
+    if (text == nullptr) return "has no version; it is read as SDF 1.12";
+    if (std::sscanf(text, "%d.%d", &major, &minor) != 2) {
+        return "has a version that is not a number; it is read as SDF 1.12";
+    }
+    if (std::tuple{major, minor} <= std::tuple{1, 12}) return {};
+    return "is of version " + std::to_string(major) + '.' + std::to_string(minor) +
+           ", which is newer than any known here; it is read as SDF 1.12";
+}
+
+}  // namespace
+
+std::uintmax_t SdfDocuments::largest_file_bytes() const {
+    return options_.most_memory_bytes / parts_of_memory;
+}
+
+const SdfDocument& SdfDocuments::add(const fs::path& file, const fs::path& folder,
+                                     const std::string& text) {
+    auto document = std::make_unique<SdfDocument>();
+    const std::string whole = without_late_declaration(text);
+    document->xml.Parse(whole.c_str(), whole.size());
+    if (const auto why = why_no_sdf(text, document->xml); !why.empty()) {
+        throw LoadError({file.string() + why});
+    }
+    const bool is_robot = document->is_robot();
+    document->sheet = {std::make_shared<const fs::path>(file), folder,
+                       is_robot ? Dialect{} : dialect_of(document->root())};
+    const auto warning = is_robot ? "" : warning_of_version(document->root());
+    if (!warning.empty()) {
+        draft_.warn(text_of(document->sheet.place(document->root())) + ": " + warning);
+    }
+    return *documents_.emplace_back(std::move(document));
+}
+
+const SdfDocument& SdfDocuments::open(const SdfSource& source) {
+    if (source.text) return add(source.file, resources_.folder(), *source.text);
+    now_doing("reading " + source.file.string());
+    return add(source.file, source.file.parent_path(),
+               read_text(source.file, largest_file_bytes(), "an SDF or URDF file is wanted here"));
+}
+
+const SdfDocument* SdfDocuments::included(const std::string& uri, const SdfSheet& sheet,
+                                          const std::string& place) {
+    const auto key = std::pair{uri, sheet.folder};
+    if (const auto named = named_.find(key); named != named_.end()) return named->second;
+    const auto* document = found(uri, sheet, place);
+    // What is not there is told of at each place.
+    if (document != nullptr) named_[key] = document;
+    return document;
+}
+
+const SdfDocument* SdfDocuments::found(const std::string& uri, const SdfSheet& sheet,
+                                       const std::string& place) {
+    const fs::path found = resources_.find(uri, sheet.folder).lexically_normal();
+    if (found.empty()) {
+        leave_out_missing(uri, sheet.folder, place);
+        return nullptr;
+    }
+    try {
+        std::vector<std::string> notes{case_warning(uri, found)};
+        const fs::path model = model_file_of(found, notes);
+        const auto readable = check_model(found, model);
+        for (const auto& note : notes) {
+            if (!note.empty()) draft_.warn(place + note);
+        }
+        if (readable) return read(model, place);
+        draft_.leave_out(place + quote(uri, whole_path) + ' ' + readable.error().why);
+    } catch (const LoadError& error) {
+        draft_.leave_out(place + error.what());
+    }
+    return nullptr;
+}
+
+const SdfDocument* SdfDocuments::read(const fs::path& file, const std::string& place) {
+    if (const auto known = known_.find(file); known != known_.end()) return known->second;
+    std::error_code error;
+    if (fs::file_size(file, error) > largest_file_bytes() && !error) {
+        draft_.leave_out(place + file.string() + ": is larger than " +
+                         std::to_string(largest_file_bytes() >> 20U) + " MiB");
+        return known_[file] = nullptr;
+    }
+    try {
+        return known_[file] = &open({file});
+    } catch (const LoadError& fault) {
+        draft_.leave_out(fault.what());
+        return known_[file] = nullptr;
+    }
+}
+
+void SdfDocuments::leave_out_missing(const std::string& uri, const fs::path& folder,
+                                     const std::string& place) {
+    // A missing download is reported only once.
+    const auto command = download_command(uri);
+    if (!command.empty() && !told_.insert(command).second) return;
+    draft_.leave_out(place + resources_.not_found(uri, folder));
+}
+
+SdfDocument& SdfDocuments::copy_of(const SdfDocument& document) {
+    auto copy = std::make_unique<SdfDocument>();
+    copy->sheet = document.sheet;
+    document.xml.DeepCopy(&copy->xml);
+    return *documents_.emplace_back(std::move(copy));
+}
+
+}  // namespace scipd::sim

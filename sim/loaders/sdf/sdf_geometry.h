@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Reads the visuals and collisions of a link, and their geometry. Meshes and heights stay names of
+// files: scene_shapes.h reads those. Any thread; nothing shared.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include <tinyxml2.h>
+
+#include "sim/loaders/sdf/part.h"
+#include "sim/loaders/sdf/sdf_options.h"
+#include "sim/loaders/sdf/sdf_values.h"
+
+namespace scipd::sim {
+
+/// The document that an element is from.
+struct SdfSheet {
+    std::shared_ptr<const std::filesystem::path> file;
+    std::filesystem::path folder;  ///< where its relative URIs start
+    Dialect dialect = {};
+
+    [[nodiscard]] FilePlace place(const tinyxml2::XMLElement& element) const {
+        return {file, element.GetLineNum()};
+    }
+};
+
+Geometry geometry_of(const tinyxml2::XMLElement& geometry, const SdfSheet& sheet);
+
+/// Throws LoadError if a size is not above 0 or beyond 1e7 m.
+void check_sizes(std::initializer_list<double> sizes_m);
+
+/// Scales a shape as Gazebo Classic does: round shapes stay round. Nothing for shapes that it does
+/// not scale. Throws LoadError if the result has a size of 0 or beyond 1e7 m.
+std::optional<Shape> scaled(const Shape& shape, const glm::dvec3& scale);
+
+}  // namespace scipd::sim

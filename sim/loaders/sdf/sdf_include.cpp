@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// How the reader follows an <include>.
+#include <algorithm>
+#include <utility>
+
+#include "sim/loaders/file/xml_tree.h"
+#include "sim/loaders/sdf/sdf_merge.h"
+#include "sim/loaders/sdf/sdf_params.h"
+#include "sim/loaders/sdf/sdf_reader.h"
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
+
+namespace scipd::sim {
+namespace {
+
+constexpr std::size_t deepest_include = 32;
+
+}  // namespace
+
+using tinyxml2::XMLElement;
+
+const SdfDocument* SdfReader::document_of(const XMLElement& include, const SdfSheet& sheet) {
+    const std::string place = text_of(sheet.place(include)) + ": ";
+    const auto uri = SdfValues(include, sheet.dialect).text("uri");
+    const std::string trim{trimmed(uri.value_or(""))};
+    if (trim.empty()) {
+        draft_.leave_out(place + "an <include> has no <uri>");
+        return nullptr;
+    }
+    const auto* document = documents_.included(trim, sheet, place);
+    if (document == nullptr || !enter(*document, place)) return nullptr;
+    const auto* params = include.FirstChildElement("experimental:params");
+    if (params == nullptr) return document;
+    parts_ += document->sheet.file->string().size();
+    SdfDocument& changed = documents_.copy_of(*document);
+    auto* model = changed.root().FirstChildElement("model");
+    if (model == nullptr) return &changed;
+    apply_params(*params, *model, [&](const XMLElement& param, const std::string& why) {
+        draft_.warn(text_of(sheet.place(param)) + ": <" + param.Name() +
+                    "> of experimental:params: " + why + "; skipped");
+    });
+    return &changed;
+}
+
+bool SdfReader::enter(const SdfDocument& document, const std::string& place) {
+    const auto same = [&](const SdfDocument* open) {
+        return *open->sheet.file == *document.sheet.file;
+    };
+    if (std::ranges::any_of(open_, same)) {
+        draft_.leave_out(place + "includes itself" +
+                         (same(open_.back()) ? "" : ", through others"));
+        return false;
+    }
+    if (open_.size() < deepest_include) return true;
+    draft_.leave_out(place + "includes are nested more than " + std::to_string(deepest_include) +
+                     " deep");
+    return false;
+}
+
+void SdfReader::read_include(const XMLElement& include, const SdfSheet& sheet, SdfPart& outer) {
+    const SdfDocument* document = document_of(include, sheet);
+    if (document == nullptr) return;
+    const bool merges = include.BoolAttribute("merge");
+    const bool in_world = outer.kind == SdfPart::Kind::world;
+    open_.push_back(document);
+    const auto* world = document->root().FirstChildElement("world");
+    if (merges && in_world && world != nullptr) {
+        read_parts(*world, document->sheet, outer);
+        open_.pop_back();
+        return;
+    }
+    auto model = model_in(*document, text_of(include.FirstChildElement("name")));
+    open_.pop_back();
+    // A lamp, for example, is nothing to a scanner.
+    if (!model && world != nullptr) {
+        draft_.leave_out(text_of(sheet.place(include)) + ": " + document->sheet.file->string() +
+                         " holds a world, and a model is wanted here");
+    }
+    if (!model) return;
+    place_include(include, sheet, *model);
+    // A world has no links: a model that has some stays one.
+    const bool has_links =
+        std::ranges::find(model->parts, SdfPart::Kind::link, &SdfPart::kind) != model->parts.end();
+    if (!merges || (in_world && has_links)) return outer.parts.push_back(std::move(*model));
+    std::string why;
+    const std::string place = place_of(include, sheet, names_, model->name);
+    merge(std::move(*model), outer, why);
+    if (!why.empty()) draft_.leave_out(place + why);
+}
+
+void SdfReader::place_include(const XMLElement& include, const SdfSheet& sheet, SdfPart& model) {
+    const SdfValues values(include, sheet.dialect);
+    const auto place = [&] { return place_of(include, sheet, names_, model.name); };
+    // Its name and its pose are told here.
+    model.place = sheet.place(include);
+    try {
+        if (values.has_pose()) model.pose = values.pose();
+    } catch (const UnreadableValue& value) {
+        draft_.leave_out(place() + value.what());
+        model.parts.clear();
+    }
+    try {
+        if (const auto is_static = values.truth("static")) model.is_static = is_static;
+    } catch (const UnreadableValue& value) {
+        draft_.warn(place() + value.what() + "; ignored");
+    }
+    if (const auto frame = values.text("placement_frame")) model.placement_frame = *frame;
+}
+
+}  // namespace scipd::sim
