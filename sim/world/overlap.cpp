@@ -95,10 +95,11 @@ class Search {
         const int axis = widest(size_m);
         if (size_m[axis] <= skin_m) return;
         const float cut_m = middles.low_m[axis] + 0.5F * size_m[axis];
-        const auto rest = std::ranges::partition(
-            items, [&](const Item& item) { return item.box.twice_the_middle_m()[axis] <= cut_m; });
-        look({items.begin(), rest.begin()});
-        look(rest);
+        const auto rest = std::partition(items.begin(), items.end(), [&](const Item& item) {
+            return item.box.twice_the_middle_m()[axis] <= cut_m;
+        });
+        look({items.begin(), rest});
+        look({rest, items.end()});
     }
 
     /// Relative to the frame of the items.
