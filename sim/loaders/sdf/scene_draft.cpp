@@ -7,14 +7,21 @@
 #include <utility>
 
 #include "sim/loaders/file/load_error.h"
+#include "sim/text/quote.h"
 #include "sim/world/anchor.h"
 
 namespace scipd::sim {
+namespace {
+
+/// A file of nothing but faults would take more memory for their sentences than for itself.
+constexpr std::size_t most_told = 1000;
+
+}  // namespace
 
 SceneDraft::SceneDraft(std::filesystem::path file, bool strict, std::vector<std::string> warnings)
     : file_(std::move(file)), strict_(strict), anything_left_out_(!warnings.empty()) {
     for (auto& warning : warnings)
-        warn(std::move(warning));
+        warn(warning);
 }
 
 ModelId SceneDraft::add(Model model) {
@@ -33,25 +40,37 @@ void SceneDraft::add(Object object, const Material& material) {
     scene_.objects.push_back(std::move(object));
 }
 
-void SceneDraft::warn(std::string text) {
-    if (told_.insert(text).second) warnings_.push_back(std::move(text));
+void SceneDraft::warn(const std::string& text) {
+    if (warnings_.size() >= most_told) {
+        ++more_;
+    } else if (std::string told = shown(text); told_.insert(told).second) {
+        warnings_.push_back(std::move(told));
+    }
 }
 
 void SceneDraft::leave_out(const std::string& why) {
     anything_left_out_ = true;
     if (strict_) {
-        faults_.push_back(why);
+        refuse(why);
     } else {
         warn(why + (why.ends_with('?') ? " It is left out" : "; left out"));
     }
 }
 
-void SceneDraft::pass_over(std::string why) {
+void SceneDraft::pass_over(const std::string& why) {
     anything_left_out_ = true;
-    warn(std::move(why));
+    warn(why);
+}
+
+void SceneDraft::refuse(const std::string& why) {
+    if (faults_.size() < most_told) faults_.push_back(shown(why));
 }
 
 LoadedScene SceneDraft::finish(const std::string& what_is_seen) && {
+    if (more_ > 0) {
+        warnings_.push_back(file_.string() + ": has " + std::to_string(more_) +
+                            " more warnings, which are not told");
+    }
     if (scene_.objects.empty() && faults_.empty()) {
         warn(file_.string() + ": holds nothing that a scanner could see; give a model a " +
              what_is_seen + " with a box, cylinder, sphere, plane or mesh");

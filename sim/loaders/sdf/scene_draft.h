@@ -31,15 +31,15 @@ class SceneDraft {
     void add(Frame frame) { scene_.frames.push_back(std::move(frame)); }
     [[nodiscard]] const Model& model(ModelId id) const { return scene_.models[id]; }
 
-    /// Adds a warning, unless the same text is there already.
-    void warn(std::string text);
+    /// Adds a warning, unless the same text is there already. Of more than 1000 it tells the number.
+    void warn(const std::string& text);
     /// Reports something left out that a scanner could have seen.
     void leave_out(const std::string& why);
     /// Like leave_out(), for what the user can do nothing about. Here it is a warning even in a
     /// strict load; load_sdf() then turns all warnings of a strict load into faults.
-    void pass_over(std::string why);
+    void pass_over(const std::string& why);
     /// Reports a fault that refuses the whole scene.
-    void refuse(std::string why) { faults_.push_back(std::move(why)); }
+    void refuse(const std::string& why);
 
     /// Throws LoadError if anything is refused, or if the scene is empty because everything was
     /// left out. `what_is_seen` names the element that holds the geometry.
@@ -52,6 +52,7 @@ class SceneDraft {
     std::vector<std::string> faults_;
     std::vector<std::string> warnings_;
     std::unordered_set<std::string> told_;  ///< all of the warnings
+    std::size_t more_ = 0;                  ///< warnings that are not told
     bool anything_left_out_ = false;
 };
 

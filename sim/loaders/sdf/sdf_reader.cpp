@@ -67,7 +67,7 @@ SdfTree SdfReader::read_world(const XMLElement& root, const SdfSheet& sheet) {
     std::vector<std::string> warnings;
     tree.state = state_of(world, *sheet.file, warnings);
     for (auto& warning : warnings)
-        draft_.warn(std::move(warning));
+        draft_.warn(warning);
     read_parts(world, sheet, tree.root);
     const auto* state = world.FirstChildElement("state");
     const auto* inserted = state == nullptr ? nullptr : state->FirstChildElement("insertions");
@@ -149,7 +149,7 @@ void SdfReader::read_actor(const XMLElement& element, const SdfSheet& sheet, Sdf
     std::vector<std::string> warnings;
     const auto actor = std::make_shared<const Actor>(actor_of(element, sheet, warnings));
     for (auto& warning : warnings)
-        draft_.warn(std::move(warning));
+        draft_.warn(warning);
     model.pose.pose = actor->pose;
     if (actor->skin) model.parts.push_back(as_seen(skin_link_of(*actor, model.place)));
     model.actor = actor;

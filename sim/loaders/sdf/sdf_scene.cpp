@@ -79,7 +79,7 @@ class SceneWalk {
             if (model.kind == SdfPart::Kind::model) add_model(model, frames);
         }
         if (auto warning = tree_.state.unused(file); !warning.empty()) {
-            draft_.warn(std::move(warning));
+            draft_.warn(warning);
         }
     }
 
