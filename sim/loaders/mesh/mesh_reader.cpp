@@ -18,6 +18,9 @@
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 
 #include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/mesh/mesh_folder.h"
@@ -35,9 +38,7 @@ constexpr int unwanted_components = aiComponent_NORMALS | aiComponent_TANGENTS_A
                                     aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
                                     aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS;
 
-constexpr unsigned int plain = aiProcess_Triangulate | aiProcess_RemoveComponent;
-/// Removes the nodes, and with them their names.
-constexpr unsigned int flat = aiProcess_PreTransformVertices | aiProcess_SortByPType;
+constexpr unsigned int steps = aiProcess_Triangulate | aiProcess_RemoveComponent;
 
 constexpr std::size_t most_names_told = 10;
 constexpr std::uintmax_t largest_mesh_read = 1ULL << 30;
@@ -100,7 +101,6 @@ bool is_finite(const aiMesh* mesh) {
 struct Instructions {
     const std::filesystem::path& file;
     MeshAxes axes;
-    unsigned int steps;
     const MeshLimits& limits;
     MeshContents contents;
 };
@@ -115,7 +115,7 @@ MeshFolder* folder_of(const Instructions& how) {
     return folder.release();
 }
 
-/// Reads a file, checks it, and applies `how.steps` to it.
+/// Reads a file and checks it.
 const aiScene& read(Assimp::Importer& importer, const Instructions& how) {
     importer.SetIOHandler(folder_of(how));
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, unwanted_components);
@@ -133,7 +133,7 @@ const aiScene& read(Assimp::Importer& importer, const Instructions& how) {
     if (scene == nullptr) refuse_mesh(importer);
     check_triangle_count(*scene, how.limits);
     check_material_count(*scene);
-    scene = importer.ApplyPostProcessing(how.steps);
+    scene = importer.ApplyPostProcessing(steps | aiProcess_SortByPType);
     if (scene == nullptr) refuse_mesh(importer);
     if (!std::ranges::all_of(meshes_of(*scene), is_finite)) {
         throw std::runtime_error("has a vertex that is not finite");
@@ -152,15 +152,25 @@ bool is_y_up(const std::filesystem::path& file, MeshAxes axes) {
            (extension == ".dae" || extension == ".gltf" || extension == ".glb");
 }
 
-template <typename Move>
-void append(const aiMesh& from, Move move, Mesh& to) {
+glm::dmat4 matrix_of(const aiMatrix4x4& m) {
+    return {m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2,
+            m.a3, m.b3, m.c3, m.d3, m.a4, m.b4, m.c4, m.d4};
+}
+
+/// Assimp's own step for this takes a transform near the identity for the identity: a scale of
+/// 1.009, a turn of half a degree and a move of 9 mm are lost.
+void append(const aiMesh& from, const glm::dmat4& here_from_node, Mesh& to) {
     const auto first = static_cast<glm::uint>(to.vertices_m.size());
-    for (const aiVector3D& vertex : std::span{from.mVertices, from.mNumVertices})
-        to.vertices_m.push_back(move(vertex));
+    for (const aiVector3D& v : std::span{from.mVertices, from.mNumVertices})
+        to.vertices_m.emplace_back(here_from_node * glm::dvec4{v.x, v.y, v.z, 1.0});
+    // A mirror turns the faces round.
+    const bool is_mirrored = glm::determinant(glm::dmat3{here_from_node}) < 0.0;
     for (const aiFace& face : std::span{from.mFaces, from.mNumFaces}) {
         if (face.mNumIndices != 3) continue;
         const std::span corner{face.mIndices, 3};
-        to.triangles.emplace_back(first + corner[0], first + corner[1], first + corner[2]);
+        const unsigned second = corner[is_mirrored ? 2 : 1];
+        const unsigned third = corner[is_mirrored ? 1 : 2];
+        to.triangles.emplace_back(first + corner[0], first + second, first + third);
     }
 }
 
@@ -182,24 +192,26 @@ void drop_empty(std::vector<MeshPart>& parts) {
     std::erase_if(parts, [](const MeshPart& part) { return part.mesh.triangles.empty(); });
 }
 
-/// What the name of a submesh may mean. The meaning in Gazebo comes first.
+/// What the name of a submesh may mean. The meaning in Gazebo comes first. Without a name:
+/// everything.
 enum class Named {
     /// A node without those of its inner nodes that have names of their own. gz-common 5 and Gazebo
     /// Classic name submeshes so (ColladaLoader.cc, AssimpLoader.cc).
     node,
     mesh,
     node_with_all,
+    everything,
 };
 
 /// Walks the nodes of a file and collects the meshes that a name means.
 class Picker {
   public:
-    Picker(const aiScene& scene, const std::string& name) : scene_(scene), name_(name) {}
+    Picker(const aiScene& scene, std::string name) : scene_(scene), name_(std::move(name)) {}
 
-    std::vector<MeshPart> pick(Named named) {
+    std::vector<MeshPart> pick(Named named, const glm::dmat4& here_from_file = glm::dmat4{1.0}) {
         parts_.clear();
         named_ = named;
-        walk(*scene_.mRootNode, aiMatrix4x4{}, false);
+        walk(*scene_.mRootNode, here_from_file, named == Named::everything);
         drop_empty(parts_);
         return std::move(parts_);
     }
@@ -215,8 +227,8 @@ class Picker {
     }
 
   private:
-    void walk(const aiNode& node, const aiMatrix4x4& file_from_parent, bool inside) {
-        const aiMatrix4x4 file_from_node = file_from_parent * node.mTransformation;
+    void walk(const aiNode& node, const glm::dmat4& here_from_parent, bool inside) {
+        const glm::dmat4 here_from_node = here_from_parent * matrix_of(node.mTransformation);
         if (is_wanted(node.mName)) {
             inside = true;
         } else if (named_ == Named::node && !is_made_up(node.mName)) {
@@ -225,10 +237,10 @@ class Picker {
         for (const unsigned index : std::span{node.mMeshes, node.mNumMeshes}) {
             const aiMesh& mesh = *scene_.mMeshes[index];
             const bool is_named = is_wanted(mesh.mName);
-            if (named_ == Named::mesh ? is_named : inside) add(mesh, file_from_node);
+            if (named_ == Named::mesh ? is_named : inside) add(mesh, here_from_node);
         }
         for (const aiNode* child : std::span{node.mChildren, node.mNumChildren})
-            walk(*child, file_from_node, inside);
+            walk(*child, here_from_node, inside);
     }
 
     /// Whether Assimp made up the name.
@@ -241,16 +253,12 @@ class Picker {
         return name_ == name.C_Str();
     }
 
-    void add(const aiMesh& mesh, const aiMatrix4x4& file_from_node) {
-        const auto move = [&](const aiVector3D& vertex) {
-            const aiVector3D at = file_from_node * vertex;
-            return glm::vec3{at.x, at.y, at.z};
-        };
-        append(mesh, move, part_of(scene_, mesh, parts_).mesh);
+    void add(const aiMesh& mesh, const glm::dmat4& here_from_node) {
+        append(mesh, here_from_node, part_of(scene_, mesh, parts_).mesh);
     }
 
     const aiScene& scene_;
-    const std::string& name_;
+    std::string name_;
     Named named_ = Named::node;
     std::set<std::string> names_;
     std::vector<MeshPart> parts_;
@@ -261,14 +269,10 @@ class Picker {
 std::vector<MeshPart> read_mesh(const std::filesystem::path& file, MeshAxes axes,
                                 const MeshLimits& limits, MeshContents contents) {
     Assimp::Importer importer;
-    const aiScene& scene = read(importer, {file, axes, plain | flat, limits, contents});
-    const auto move = [y_up = is_y_up(file, axes)](const aiVector3D& v) {
-        return y_up ? glm::vec3{v.x, -v.z, v.y} : glm::vec3{v.x, v.y, v.z};
-    };
-    std::vector<MeshPart> parts;
-    for (const aiMesh* mesh : meshes_of(scene))
-        append(*mesh, move, part_of(scene, *mesh, parts).mesh);
-    drop_empty(parts);
+    const aiScene& scene = read(importer, {file, axes, limits, contents});
+    constexpr glm::dmat4 z_up_from_y_up{1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1};
+    const auto axes_of_file = is_y_up(file, axes) ? z_up_from_y_up : glm::dmat4{1.0};
+    auto parts = Picker{scene, {}}.pick(Named::everything, axes_of_file);
     if (parts.empty()) throw std::runtime_error("holds no triangles");
     return parts;
 }
@@ -280,8 +284,7 @@ std::vector<MeshPart> read_submesh(const std::filesystem::path& file, const std:
     for (const bool by_name : {true, false}) {
         Assimp::Importer importer;
         importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, by_name);
-        const aiScene& scene =
-            read(importer, {file, MeshAxes::as_in_file, plain, limits, contents});
+        const aiScene& scene = read(importer, {file, MeshAxes::as_in_file, limits, contents});
         Picker picker{scene, name};
         for (const Named named : {Named::node, Named::mesh, Named::node_with_all}) {
             if (auto parts = picker.pick(named); !parts.empty()) return parts;

@@ -31,7 +31,7 @@ class SceneDraft {
     void add(Frame frame) { scene_.frames.push_back(std::move(frame)); }
     [[nodiscard]] const Model& model(ModelId id) const { return scene_.models[id]; }
 
-    /// Adds a warning, unless the same text is there already. Of more than 1000 it tells the number.
+    /// Adds a warning, unless the same text is there already. Beyond 1000 it counts them.
     void warn(const std::string& text);
     /// Reports something left out that a scanner could have seen.
     void leave_out(const std::string& why);

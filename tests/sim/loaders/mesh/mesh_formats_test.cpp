@@ -6,8 +6,13 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -185,6 +190,88 @@ TEST(MeshFormat, colladaThatHasXUpIsTurned) {
     cast_at(solid, probe, [&](const Hit& hit, double expected_m, const glm::dvec3&) {
         ASSERT_NEAR(hit.range_m, expected_m, 2e-6 * 8);
     });
+}
+
+/// Transforms that a careless reader takes for none, and one that no reader does.
+std::vector<glm::dmat4> small_transforms() {
+    const glm::dmat4 none{1.0};
+    const glm::dmat4 turn = glm::rotate(none, glm::radians(0.5), {0.0, 0.0, 1.0});
+    const glm::dmat4 move = glm::translate(none, {0.009, 0.0, -0.004});
+    const glm::dmat4 grow = glm::scale(none, glm::dvec3{1.009});
+    return {turn, move, grow, turn * move * grow, glm::scale(none, {-1.0, 1.0, 1.0}) * turn};
+}
+
+/// Row after row as in COLLADA, or column after column as in glTF.
+std::string numbers_of(const glm::dmat4& matrix, bool by_rows, char between) {
+    std::ostringstream text;
+    text.precision(9);
+    for (int i = 0; i < 16; ++i) {
+        const double number = by_rows ? matrix[i % 4][i / 4] : matrix[i / 4][i % 4];
+        if (i > 0) text << between;
+        text << number;
+    }
+    return text.str();
+}
+
+std::vector<glm::vec3> vertices_of(const std::vector<MeshPart>& parts) {
+    std::vector<glm::vec3> vertices;
+    for (const MeshPart& part : parts)
+        vertices.insert(vertices.end(), part.mesh.vertices_m.begin(), part.mesh.vertices_m.end());
+    return vertices;
+}
+
+/// That `moved` has each vertex of `plain` where the transform puts it, and the volume's sign.
+void expect_moved(const std::vector<MeshPart>& plain, const std::vector<MeshPart>& moved,
+                  const glm::dmat4& transform) {
+    const auto found = vertices_of(moved);
+    for (const glm::vec3& vertex : vertices_of(plain)) {
+        const glm::vec3 wanted = transform * glm::dvec4{glm::dvec3{vertex}, 1.0};
+        EXPECT_TRUE(std::ranges::any_of(
+            found, [&](const glm::vec3& v) { return glm::distance(v, wanted) < 1e-5F; }));
+    }
+    const auto volume = [](const std::vector<MeshPart>& parts) {
+        double sum = 0.0;
+        for (const MeshPart& part : parts) {
+            for (const glm::uvec3& t : part.mesh.triangles) {
+                const auto& v = part.mesh.vertices_m;
+                sum += glm::dot(glm::dvec3{v[t.x]},
+                                glm::cross(glm::dvec3{v[t.y]}, glm::dvec3{v[t.z]}));
+            }
+        }
+        return sum;
+    };
+    EXPECT_NEAR(volume(moved) / volume(plain), std::abs(glm::determinant(glm::dmat3{transform})),
+                1e-4);
+}
+
+TEST(MeshFormat, noTransformOfANodeIsTooSmall) {
+    const TempDir folder;
+    const auto loaded = [](const std::filesystem::path& file) {
+        return load_mesh_parts(file, glm::dvec3{1.0}, MeshAxes::z_up);
+    };
+    const auto replaced = [](std::string text, const std::string& what, const std::string& by) {
+        const auto at = text.find(what);
+        EXPECT_NE(at, text.npos) << what;
+        return text.replace(at, what.size(), by);
+    };
+    const std::string dae = dae_text(corners_of({}, as_it_is), "<up_axis>Z_UP</up_axis>");
+    const std::string gltf = gltf_text(corners_of({}, y_up_from_z_up));
+    const auto plain_dae = loaded(folder.write("a.dae", dae));
+    const auto plain_gltf = loaded(folder.write("a.gltf", gltf));
+    const glm::dmat4 y_up{glm::dmat3{y_up_from_z_up}};
+    for (const glm::dmat4& transform : small_transforms()) {
+        const std::string node = "<node><matrix>" + numbers_of(transform, true, ' ') + "</matrix>";
+        // The outer node has another one, and both count.
+        const std::string nested =
+            replaced(replaced(dae, "<node>", node + node), "</node>", "</node></node>");
+        SCOPED_TRACE(node);
+        expect_moved(plain_dae, loaded(folder.write("b.dae", nested)), transform * transform);
+        const std::string moved =
+            replaced(gltf, "\"nodes\":[{\"mesh\":0}]",
+                     "\"nodes\":[{\"mesh\":0,\"matrix\":[" +
+                         numbers_of(y_up * transform * glm::inverse(y_up), false, ',') + "]}]");
+        expect_moved(plain_gltf, loaded(folder.write("b.gltf", moved)), transform);
+    }
 }
 
 TEST(MeshFormat, aFileThatNamesNoMaterialHasNone) {
