@@ -15,7 +15,7 @@ using tinyxml2::XMLElement;
 
 constexpr double most_models = 10'000;
 
-const XMLElement& child_of(const XMLElement& element, const char* name) {
+const XMLElement& needed_child(const XMLElement& element, const char* name) {
     const auto* child = element.FirstChildElement(name);
     if (child == nullptr) throw UnreadableValue("has no <" + std::string{name} + ">");
     return *child;
@@ -111,7 +111,7 @@ std::vector<glm::dvec3> in_region(const XMLElement& population, const Dialect& d
 }  // namespace
 
 std::vector<glm::dvec3> places_of_population(const XMLElement& population, const Dialect& dialect) {
-    const XMLElement& distribution = child_of(population, "distribution");
+    const XMLElement& distribution = needed_child(population, "distribution");
     const std::string type = text_of(distribution.FirstChildElement("type"));
     const bool is_known = type == "random" || type == "uniform" || type == "linear-x" ||
                           type == "linear-y" || type == "linear-z";
