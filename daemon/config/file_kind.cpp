@@ -29,13 +29,14 @@ namespace fs = std::filesystem;
 using std::string_view_literals::operator""sv;
 
 constexpr std::size_t largest_yaml = 1 << 20;
-constexpr std::array world_extensions{".sdf"sv, ".world"sv, ".urdf"sv, ".xacro"sv, ".xml"sv};
+constexpr std::array world_extensions{".sdf"sv,  ".world"sv, ".model"sv,
+                                      ".urdf"sv, ".xacro"sv, ".xml"sv};
 
 std::string refusal() {
     return "is nothing that scipd reads; name a configuration, a scenario, materials or a ROS map "
-           "(.yaml), a world (.sdf, .world, .urdf, .xacro, .xml, or the folder of a model), a mesh "
-           "(.obj, .stl, .ply, .dae, .gltf, .glb), or a trajectory (TUM, EuRoC, KITTI, or CSV with "
-           "a header)";
+           "(.yaml), a world (.sdf, .world, .model, .urdf, .xacro, .xml, or the folder of a "
+           "model), a mesh (.obj, .stl, .ply, .dae, .gltf, .glb), or a trajectory (TUM, EuRoC, "
+           "KITTI, or CSV with a header)";
 }
 
 /// The keys of a document, as far as it is a map.
@@ -74,6 +75,8 @@ std::optional<FileKind> kind_of_yaml(const YAML::Node& document) {
     if (keys.have("steps")) return FileKind::scenario;
     if (keys.have_map("materials")) return FileKind::materials;
     if (keys.have("image") || keys.have("occupied_thresh")) return FileKind::map;
+    // Worlds of others. Who reads maps says what they are.
+    if (keys.have("layers") || keys.have("levels")) return FileKind::map;
     if (keys.have_near(configuration_keys())) return FileKind::configuration;
     constexpr std::array scenario{"steps"sv};
     constexpr std::array materials{"materials"sv};

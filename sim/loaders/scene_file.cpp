@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <iterator>
 #include <string>
+#include <string_view>
 
 #include "sim/loaders/file/doing.h"
 #include "sim/loaders/file/load_error.h"
@@ -34,7 +35,9 @@ LoadedScene load_here(const std::filesystem::path& file, const SceneOptions& opt
     if (is_folder(file)) return load_sdf(file, options.sdf);
     const std::string extension = extension_of(file);
     if (extension == ".world" && is_stage(beginning_of(file))) return load_stage(file);
-    if (extension == ".sdf" || extension == ".world" || extension == ".urdf") {
+    // Gazebo once kept its models in files called .model.
+    constexpr std::array<std::string_view, 4> of_gazebo{".sdf", ".world", ".urdf", ".model"};
+    if (std::ranges::find(of_gazebo, extension) != of_gazebo.end()) {
         return load_sdf(file, options.sdf);
     }
     if (extension == ".xacro") return load_xacro(file, options.sdf);
@@ -43,7 +46,7 @@ LoadedScene load_here(const std::filesystem::path& file, const SceneOptions& opt
     if (is_mesh_file(file)) return load_mesh_scene(file, options.sdf.mesh);
     throw LoadError(
         {file.string() +
-         ": is no kind of world that is known; name an SDF (.sdf, .world), a URDF (.urdf, "
+         ": is no kind of world that is known; name an SDF (.sdf, .world, .model), a URDF (.urdf, "
          ".xacro), a world of Stage (.world) or MVSim (.xml), a ROS map (.yaml, .yml) or a mesh "
          "(.obj, .stl, .ply, .dae, .gltf, .glb), or the folder of a model"});
 }

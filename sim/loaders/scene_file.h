@@ -26,9 +26,10 @@ struct SceneOptions {
     std::size_t most_overlap = 1000;
 };
 
-/// The extension tells the kind of file: .sdf and .world for SDF, .urdf and .xacro for URDF, .yaml
-/// and .yml for ROS maps, .xml for MVSim, and those of meshes (mesh_file.h). A .world that is no
-/// XML is a world of Stage. A folder is the folder of a model (model_folder.h). Throws LoadError.
+/// The extension tells the kind of file: .sdf, .world and .model for SDF, .urdf and .xacro for
+/// URDF, .yaml and .yml for ROS maps, .xml for MVSim, and those of meshes (mesh_file.h). A .world
+/// that is no XML is a world of Stage. A folder is the folder of a model (model_folder.h). Throws
+/// LoadError.
 LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& options = {});
 
 /// Reads the same files as load_scene(), as one model. It starts no child process: call it within

@@ -94,6 +94,18 @@ TEST_F(CheckFile, CountsAMap) {
                 AllOf(StartsWith("refused: torn.yaml:"), HasSubstr("resolution")));
 }
 
+TEST_F(CheckFile, TakesAModelOfGazebo) {
+    EXPECT_THAT(said("box.model", world("<box><size>2 3 1</size></box>")),
+                StartsWith("box.model: no faults; a world; models: 1, objects: 1, "));
+}
+
+TEST_F(CheckFile, SaysWhatAnotherWorldInYamlIs) {
+    EXPECT_THAT(said("cafe.yaml", "properties: {}\nlayers:\n- {name: map, map: cafe.yaml}\n"),
+                HasSubstr("looks like a world of Flatland"));
+    EXPECT_THAT(said("clinic.building.yaml", "levels: {L1: {}}\nname: clinic\n"),
+                HasSubstr("looks like a building of Open-RMF"));
+}
+
 TEST_F(CheckFile, CountsATrajectory) {
     const std::string lap = "0 0 0 0 0 0 0 1\n1 3 4 0 0 0 0 1\n2 3 5 0 0 0 0 1\n";
     const std::string figures =

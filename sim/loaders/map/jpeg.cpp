@@ -42,6 +42,10 @@ MapImage read_jpeg(std::string_view bytes) {
                             &colours) != 0) {
         refuse_broken(decoder);
     }
+    if (colours == TJCS_CMYK || colours == TJCS_YCCK) {
+        throw std::invalid_argument(
+            "is a JPEG in CMYK, the colours of a printer; save it in grey or RGB");
+    }
     check_map_size(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height));
     const bool is_grey = colours == TJCS_GRAY;
     MapImage image{static_cast<std::size_t>(width),

@@ -87,6 +87,28 @@ Expected<MapMode> mode_of(const YAML::Node& node) {
     return refuse("must be trinary, scale or raw");
 }
 
+/// Other files of YAML that people keep near their maps, by a key that tells each.
+constexpr std::array<std::pair<const char*, const char*>, 3> other_yamls{
+    {{"layers", "a world of Flatland, which is not read; name the map of one of its layers"},
+     {"levels",
+      "a building of Open-RMF, which is not read; name the world that building_map_generator makes "
+      "of it"},
+     {"robots", "a configuration of scipd; name it with --config"}}};
+
+/// Empty if the document has anything that a map has.
+std::string why_no_map(const YAML::Node& document) {
+    const std::string no_map = "is no map of map_server, which has keys such as `image: hall.pgm`";
+    if (!document.IsMap()) return no_map;
+    const auto has = [&](const char* key) { return document[key].IsDefined(); };
+    if (has("image") || has("resolution") || has("origin")) return {};
+    for (const auto& [key, what] : other_yamls) {
+        if (has(key)) return std::string{"is no map; it looks like "} + what;
+    }
+    if (document.size() == 0) return no_map;
+    const YAML::Node first = document.begin()->first;
+    return no_map + (first.IsScalar() ? "; it begins with " + quote(first.Scalar()) : "");
+}
+
 /// Reads key by key. After a fault it goes on with the next key, so as to report all of them.
 class MapFileReader {
   public:
@@ -146,8 +168,8 @@ void MapFileReader::read_thresholds() {
 }
 
 MapFile MapFileReader::read() && {
-    if (!document_.IsMap()) {
-        add_fault(1, "is no map of map_server, which has keys such as `image: hall.pgm`");
+    if (const std::string why = why_no_map(document_); !why.empty()) {
+        add_fault(1, why);
         throw LoadError(std::move(faults_));
     }
     const auto image = [&](const YAML::Node& node) {

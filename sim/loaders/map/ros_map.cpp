@@ -111,10 +111,10 @@ LoadedScene load_ros_map(const fs::path& given, const MapOptions& options) {
         throw LoadError({map.image.string() + ": " + wrong.what()});
     }
     if (scene.empty()) {
-        throw LoadError({map.image.string() +
-                         ": holds no wall: no cell is above the "
-                         "occupied_thresh of " +
-                         file.string()});
+        map.warnings.push_back(map.image.string() +
+                               ": holds no wall that a scanner could see: no cell is above the "
+                               "occupied_thresh of " +
+                               file.string());
     }
     return {std::move(scene).finish(), map.warnings};
 }

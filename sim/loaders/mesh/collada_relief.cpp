@@ -5,9 +5,11 @@
 #include <functional>
 #include <map>
 #include <stdexcept>
+#include <string>
 
 #include <tinyxml2.h>
 
+#include "sim/loaders/file/xml_text.h"
 #include "sim/loaders/file/xml_tree.h"
 #include "sim/loaders/mesh/collada_primitive.h"
 #include "sim/loaders/mesh/mesh_relief.h"
@@ -61,8 +63,10 @@ void uncover(XMLElement& instance, const std::map<std::string, std::string>& sou
 }  // namespace
 
 std::string relieved_collada(std::string_view text) {
+    std::string bare{text};
+    blank_comments(bare);
     tinyxml2::XMLDocument document;
-    if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS ||
+    if (document.Parse(bare.data(), bare.size()) != tinyxml2::XML_SUCCESS ||
         document.RootElement() == nullptr) {
         throw std::runtime_error("is no XML that can be read");
     }

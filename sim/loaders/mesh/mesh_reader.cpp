@@ -20,6 +20,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "sim/loaders/file/plain_file.h"
+#include "sim/loaders/file/xml_text.h"
 #include "sim/loaders/mesh/mesh_folder.h"
 #include "sim/loaders/mesh/mesh_material.h"
 #include "sim/loaders/mesh/mesh_nodes.h"
@@ -82,6 +83,19 @@ void check_material_count(const aiScene& scene) {
     }
 }
 
+/// The validation would say only that a mesh has no faces.
+void check_faces(const aiScene& scene) {
+    bool has_lines = false;
+    for (const aiMesh* mesh : meshes_of(scene)) {
+        if (triangle_count(*mesh) > 0) return;
+        has_lines |= (mesh->mPrimitiveTypes & aiPrimitiveType_LINE) != 0;
+    }
+    if (scene.mNumMeshes == 0) return;
+    throw std::runtime_error(std::string{"holds "} + (has_lines ? "lines" : "a cloud of points") +
+                             " and no faces, and scanners see faces only; make a mesh of it, as "
+                             "MeshLab and CloudCompare can");
+}
+
 bool is_finite(const aiMesh* mesh) {
     return std::ranges::all_of(std::span{mesh->mVertices, mesh->mNumVertices},
                                [](const aiVector3D& v) { return std::isfinite(v.x + v.y + v.z); });
@@ -106,9 +120,14 @@ struct Instructions {
 /// The importer takes ownership of the result.
 MeshFolder* folder_of(const Instructions& how) {
     auto folder = std::make_unique<MeshFolder>(how.file);
-    if (how.contents == MeshContents::relieved) {
-        folder->relieve(
-            relieved(how.file, read_file(how.file, largest_mesh_read, "a mesh is wanted here")));
+    const bool is_relieved = how.contents == MeshContents::relieved;
+    if (is_relieved || extension_of(how.file) == ".dae") {
+        std::string bytes = read_file(how.file, largest_mesh_read, "a mesh is wanted here");
+        if (is_relieved) {
+            folder->relieve(relieved(how.file, bytes));
+        } else if (blank_comments(bytes)) {
+            folder->relieve(std::move(bytes));
+        }
     }
     return folder.release();
 }
@@ -123,6 +142,7 @@ const aiScene& read(Assimp::Importer& importer, const Instructions& how) {
                              how.axes == MeshAxes::as_in_file);
     const aiScene* scene = importer.ReadFile(how.file.string(), 0);
     if (scene == nullptr) refuse_mesh(importer);
+    check_faces(*scene);
     // Done before the validation, which would refuse the file for what does not matter here, such
     // as two cameras of one name, or a texture.
     keep_what_matters(*scene, how.file);

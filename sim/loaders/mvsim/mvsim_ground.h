@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Turns pictures of MVSim into meshes: occupancy grids and elevation maps. Pure. Throws
+// Turns occupancy grids and elevation maps of MVSim into meshes. Pure. Throws
 // std::invalid_argument, saying what cannot be read.
 #pragma once
 
@@ -18,12 +18,15 @@ struct PlacedMesh {
 };
 
 /// `<element class="occupancy_grid">` of a picture: pixels below half of full brightness become
-/// walls between these heights.
+/// walls between these heights. Without triangles if there is none.
 PlacedMesh grid_mesh(const MvsimNode& grid, std::string_view picture, double bottom_m,
                      double top_m);
 
 /// `<element class="elevation_map">`: x grows with the rows of the picture, y with its columns, and
 /// its darkest and brightest pixels are the lowest and the highest.
 PlacedMesh elevation_mesh(const MvsimNode& map, std::string_view picture);
+
+/// The same of an `<elevation_data_matrix>`, which has the heights themselves in metres.
+PlacedMesh matrix_mesh(const MvsimNode& map, std::string_view matrix);
 
 }  // namespace scipd::sim

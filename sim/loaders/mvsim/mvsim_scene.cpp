@@ -76,10 +76,7 @@ class MvsimScene {
         if (kind == "horizontal_plane") return add_plane(node);
         if (kind == "vertical_plane") return add_boxes(node, kind, node.pose(), plane_boxes(node));
         if (kind == "occupancy_grid") return add_grid(node);
-        if (kind == "elevation_map") {
-            const fs::path file = node.beside(node.text("elevation_image").value_or(""));
-            return add_mesh(node, kind, elevation_mesh(node, picture(file)));
-        }
+        if (kind == "elevation_map") return add_elevation(node);
         if (is_one_of(kind, {"ground_grid", "skybox", "property_region"})) return;
         throw std::invalid_argument("class " + quote(kind) + " is not known here");
     }
@@ -110,8 +107,28 @@ class MvsimScene {
         add_boxes(node, "walls", Pose{}, wall_boxes(node));
     }
 
+    /// As in MVSim, a picture goes before a matrix.
+    void add_elevation(const MvsimNode& node) {
+        if (node.has("apply_kernel")) {
+            draft_.warn(node.place() +
+                        ": <apply_kernel> is not read; the heights are not smoothed");
+        }
+        const std::string image = node.text("elevation_image").value_or("");
+        if (!image.empty()) {
+            return add_mesh(node, "elevation_map",
+                            elevation_mesh(node, picture(node.beside(image))));
+        }
+        const auto matrix = node.text("elevation_data_matrix");
+        if (matrix) return add_mesh(node, "elevation_map", matrix_mesh(node, *matrix));
+        throw std::invalid_argument(
+            "wants an <elevation_image> or an <elevation_data_matrix>" +
+            std::string{node.has("dem_xyzrgb_file") ? "; a <dem_xyzrgb_file> is not read" : ""});
+    }
+
     void add_grid(const MvsimNode& node) {
-        const fs::path file = node.beside(node.text("file").value_or(""));
+        const std::string name = node.text("file").value_or("");
+        if (name.empty()) throw std::invalid_argument("wants a <file>: a picture or a ROS map");
+        const fs::path file = node.beside(name);
         const fs::path extension = file.extension();
         if (extension == ".yaml" || extension == ".yml") return add_ros_map(node, file);
         if (extension == ".gridmap" || extension == ".gz")
@@ -120,8 +137,11 @@ class MvsimScene {
             draft_.warn(node.place() +
                         ": has no centerpixel_x and _y; the middle of its picture is the origin");
         }
-        add_mesh(node, "occupancy_grid",
-                 grid_mesh(node, picture(file), options_.bottom_m, options_.top_m));
+        PlacedMesh walls = grid_mesh(node, picture(file), options_.bottom_m, options_.top_m);
+        if (!walls.mesh.triangles.empty())
+            return add_mesh(node, "occupancy_grid", std::move(walls));
+        draft_.warn(node.place() + ": " + printable(file.string(), whole_path) +
+                    " has no dark pixel, and so no wall");
     }
 
     void add_ros_map(const MvsimNode& node, const fs::path& file) {

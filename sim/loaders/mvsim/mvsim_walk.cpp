@@ -14,6 +14,7 @@
 
 #include "sim/loaders/file/allowed_folder.h"
 #include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/xml_text.h"
 #include "sim/text/quote.h"
 
 namespace scipd::sim {
@@ -32,7 +33,8 @@ class Walk {
     explicit Walk(const MvsimVisitor& visitor) : visitor_(visitor) {}
 
     /// Throws std::invalid_argument.
-    const XMLElement& open(const std::string& text, const fs::path& file) {
+    const XMLElement& open(std::string text, const fs::path& file) {
+        blank_comments(text);
         XMLDocument& document = *documents_.emplace_back(std::make_unique<XMLDocument>());
         const bool parsed = document.Parse(text.data(), text.size()) == tinyxml2::XML_SUCCESS;
         if (parsed && document.RootElement() != nullptr) return *document.RootElement();

@@ -116,7 +116,7 @@ Mesh bitmap_mesh(std::string_view picture, const glm::dvec3& size_m, std::size_t
     const WallSize unit{
         .cell_m = 1.0, .bottom_m = 0.0, .top_m = 1.0, .most_triangles = most_triangles};
     std::vector<Mesh> meshes{wall_mesh(grid, Cell::occupied, unit)};
-    if (meshes.front().triangles.empty()) throw std::invalid_argument("has no dark pixel");
+    if (meshes.front().triangles.empty()) return {};
     fit(meshes, size_m);
     return std::move(meshes.front());
 }

@@ -30,8 +30,8 @@ glm::dvec3 stage_size_m(const StageEntity& entity, const StageUnits& units);
 std::vector<Mesh> block_meshes(const StageEntity& entity, const glm::dvec3& size_m,
                                const StageUnits& units);
 
-/// The picture's dark pixels, scaled so that the outermost ones reach the edges of the size. Throws
-/// std::invalid_argument, also if no pixel is dark.
+/// The picture's dark pixels, scaled so that the outermost ones reach the edges of the size. Has
+/// no triangles if no pixel is dark. Throws std::invalid_argument.
 Mesh bitmap_mesh(std::string_view picture, const glm::dvec3& size_m, std::size_t most_triangles);
 
 }  // namespace scipd::sim

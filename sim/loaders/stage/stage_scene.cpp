@@ -162,7 +162,10 @@ class StageScene {
         try {
             const std::string bytes =
                 read_file(picture, largest_stage_picture, "a bitmap is wanted here");
-            add_mesh(body, bitmap_mesh(bytes, size_m, most_triangles - triangles_));
+            Mesh dark = bitmap_mesh(bytes, size_m, most_triangles - triangles_);
+            if (!dark.triangles.empty()) return add_mesh(body, std::move(dark));
+            draft_.warn(entity.place + ": " + picture.string() +
+                        " has no dark pixel, and so no wall");
         } catch (const LoadError& wrong) {
             draft_.leave_out(entity.place + ": " + wrong.what());
         } catch (const std::invalid_argument& wrong) {

@@ -303,6 +303,7 @@ INSTANTIATE_TEST_SUITE_P(
         Alike{"map_pgm.yaml", "map_png.yaml", "map_bmp.yaml", "map_jpg.yaml", "map_mode.yaml",
               "mvsim_grid.xml"},
         Alike{"stage_missing_bitmap.world", "stage_missing_include.world", "stage_unknown.world"},
+        Alike{"mvsim_comments.xml", "mvsim_dem.xml", "mvsim_empty_grid.xml"},
         Alike{"mvsim_gui.xml", "mvsim_vehicle.xml", "mvsim_shown_block.xml"}),
     [](const auto& test) { return test_name_of(test.param.front()); });
 

@@ -16,6 +16,24 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
+/// The header of a JPEG of four colours, of 1 x 1 pixel. Adobe's mark tells whether they are CMYK
+/// (0) or YCCK (2), which is as good.
+std::string jpeg_of_four_colours(char transform) {
+    std::string frame{"\xFF\xC0\0\x14\x08\0\1\0\1\4", 10};
+    std::string scan{"\xFF\xDA\0\x0E\4", 5};
+    for (const char colour : {'\1', '\2', '\3', '\4'}) {
+        frame += {colour, '\x11', '\0'};
+        scan += {colour, '\0'};
+    }
+    const std::string adobe =
+        std::string{
+            "\xFF\xEE\0\x0E"
+            "Adobe\0\x64\0\0\0\0",
+            15} +
+        transform;
+    return "\xFF\xD8" + adobe + frame + scan + std::string{"\0\x3F\0\xFF\xD9", 5};
+}
+
 class RosMapFaults : public ::testing::Test {
   protected:
     std::vector<std::string> faults(const std::string& text) {
@@ -69,10 +87,36 @@ TEST_F(RosMapFaults, whatIsNoMap) {
                 ElementsAre("none.pgm: no such file; the map's picture is wanted here"));
 }
 
-TEST_F(RosMapFaults, aMapWithoutWalls) {
-    EXPECT_THAT(
-        picture_faults(pgm(2, {254, 254, 205, 254})),
-        ElementsAre("a.pgm: holds no wall: no cell is above the occupied_thresh of a.yaml"));
+// Such a world is as good as an empty one, to which things are added.
+TEST_F(RosMapFaults, aMapWithoutWallsIsAWarning) {
+    folder_.write("a.pgm", pgm(2, {254, 254, 205, 254}));
+    const auto loaded = load_ros_map(folder_.write("a.yaml", yaml("a.pgm")));
+    EXPECT_THAT(loaded.scene->objects, IsEmpty());
+    EXPECT_THAT(without_folder(loaded.warnings, folder_),
+                ElementsAre("a.pgm: holds no wall that a scanner could see: no cell is above the "
+                            "occupied_thresh of a.yaml"));
+}
+
+TEST_F(RosMapFaults, anotherYamlIsCalledByItsName) {
+    EXPECT_THAT(faults("properties:\n  velocity_iterations: 10\nlayers:\n- name: 2d\n"
+                       "  map: hall.yaml\n"),
+                ElementsAre("a.yaml:1: is no map; it looks like a world of Flatland, which is not "
+                            "read; name the map of one of its layers"));
+    EXPECT_THAT(faults("name: clinic\nlevels:\n  L1:\n    doors: []\n"),
+                ElementsAre("a.yaml:1: is no map; it looks like a building of Open-RMF, which is "
+                            "not read; name the world that building_map_generator makes of it"));
+    EXPECT_THAT(faults("scene: hall.sdf\nrobots: {}\n"),
+                ElementsAre("a.yaml:1: is no map; it looks like a configuration of scipd; name it "
+                            "with --config"));
+    EXPECT_THAT(faults("/**:\n  ros__parameters: {}\n"),
+                ElementsAre("a.yaml:1: is no map of map_server, which has keys such as `image: "
+                            "hall.pgm`; it begins with '/**'"));
+    EXPECT_THAT(faults("{}"), ElementsAre("a.yaml:1: is no map of map_server, which has keys such "
+                                          "as `image: hall.pgm`"));
+    // A map all the same, as far as it goes.
+    EXPECT_THAT(faults("resolution: 1\norigin: [0, 0, 0]\nlayers: []\n"),
+                ElementsAre("a.yaml:1: image: is missing; every map has one",
+                            "a.yaml:1: negate: is missing; every map has one"));
 }
 
 TEST_F(RosMapFaults, aMapThatIsTooLarge) {
@@ -122,6 +166,14 @@ TEST_F(RosMapFaults, picturesThatEndEarly) {
                 ElementsAre(HasSubstr("a.pgm: is a broken JPEG: ")));
     EXPECT_THAT(picture_faults(photo.substr(0, photo.size() / 2)),
                 ElementsAre(HasSubstr("a.pgm: is a broken JPEG: ")));
+}
+
+TEST_F(RosMapFaults, aJpegInTheColoursOfAPrinter) {
+    for (const char transform : {'\0', '\2'}) {
+        EXPECT_THAT(picture_faults(jpeg_of_four_colours(transform)),
+                    ElementsAre("a.pgm: is a JPEG in CMYK, the colours of a printer; save it in "
+                                "grey or RGB"));
+    }
 }
 
 TEST_F(RosMapFaults, aBmpOfRunLengths) {

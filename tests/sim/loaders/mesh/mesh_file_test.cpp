@@ -143,6 +143,30 @@ TEST(MeshFile, refusesWhatIsNoMesh) {
     EXPECT_EQ(faults("short.stl", binary_stl(1.F).substr(0, 100)).size(), 1U);
 }
 
+TEST(MeshFile, saysWhatHasNoFaces) {
+    const TempDir folder;
+    const auto faults = [&](const std::string& name, std::string_view text) {
+        return faults_of([&] { load_mesh(folder.write(name, text)); }, folder);
+    };
+    const std::string points =
+        "holds a cloud of points and no faces, and scanners see faces only; make a mesh of it, as "
+        "MeshLab and CloudCompare can";
+    const std::string header =
+        "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+        "property float z\n";
+    const std::string rows = "end_header\n0 0 0\n1 0 0\n";
+    EXPECT_THAT(faults("scan.ply", header + rows), ElementsAre("scan.ply: " + points));
+    EXPECT_THAT(faults("scan.ply", header +
+                                       "element face 0\nproperty list uchar int "
+                                       "vertex_indices\n" +
+                                       rows),
+                ElementsAre("scan.ply: " + points));
+    EXPECT_THAT(faults("scan.obj", "v 0 0 0\nv 1 1 1\n"), ElementsAre("scan.obj: " + points));
+    EXPECT_THAT(faults("wire.obj", "v 0 0 0\nv 1 1 1\nl 1 2\n"),
+                ElementsAre("wire.obj: holds lines and no faces, and scanners see faces only; make "
+                            "a mesh of it, as MeshLab and CloudCompare can"));
+}
+
 TEST(MeshFile, refusesVerticesThatAreNotFinite) {
     const TempDir folder;
     for (const float bad :

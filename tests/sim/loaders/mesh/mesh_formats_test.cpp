@@ -22,6 +22,7 @@
 #include "tests/sim/loaders/faults_of.h"
 #include "tests/sim/loaders/map/map_folder.h"
 #include "tests/sim/loaders/mesh/mesh_text.h"
+#include "tests/sim/loaders/mesh/whole_mesh.h"
 #include "tests/sim/loaders/sdf/sdf_text.h"
 
 namespace scipd::sim {
@@ -274,6 +275,62 @@ TEST(MeshFormat, noTransformOfANodeIsTooSmall) {
     }
 }
 
+/// The text with a comment in front of each `where`.
+std::string commented(std::string text, const std::string& where) {
+    const std::string comment = " <!-- 7 7 7 <p> -->";
+    for (auto at = text.find(where); at != text.npos; at = text.find(where, at)) {
+        text.insert(at, comment);
+        at += comment.size() + where.size();
+    }
+    return text;
+}
+
+// Assimp refuses a comment in <vertices>, and reads the numbers up to a comment only.
+TEST(MeshFormat, commentsMayStandAnywhereInCollada) {
+    const TempDir folder;
+    const std::string dae = dae_text(corners_of({}, as_it_is), "<up_axis>Z_UP</up_axis>");
+    const auto plain = load_mesh_parts(folder.write("a.dae", dae));
+    std::vector<std::string> texts{"<!-- made by hand -->\n" + dae,
+                                   "\n<?note for a program?>" + dae};
+    for (const char* where :
+         {"<input", "<p>", "</p>", "<float_array", "1 -2 0.5", " 2 1", "<param", "<accessor",
+          "<node>", "<instance_geometry", "<up_axis>", "</mesh>"}) {
+        const std::string text = commented(dae, where);
+        ASSERT_NE(text, dae) << where;
+        texts.push_back(text);
+    }
+    for (const std::string& text : texts) {
+        SCOPED_TRACE(text);
+        const auto parts = load_mesh_parts(folder.write("b.dae", text));
+        ASSERT_EQ(parts.size(), plain.size());
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            EXPECT_EQ(parts[i].mesh.vertices_m, plain[i].mesh.vertices_m);
+            EXPECT_EQ(parts[i].mesh.triangles, plain[i].mesh.triangles);
+        }
+    }
+}
+
+// Two nodes show one mesh, the second as in a mirror and a little turned: each by its name.
+TEST(MeshFormat, aSubmeshHasTheTransformsOfItsNode) {
+    const TempDir folder;
+    const std::string dae = dae_text(corners_of({}, as_it_is), "<up_axis>Z_UP</up_axis>");
+    const auto begin = dae.find("<node>");
+    const auto end = dae.find("</node>");
+    ASSERT_NE(begin, dae.npos);
+    const std::string inside = dae.substr(begin + 6, end - begin - 6);
+    const glm::dmat4 transform = small_transforms().back();
+    const auto file = folder.write("a.dae", dae.substr(0, begin) + "<node name='left'>" + inside +
+                                                "</node><node name='right'><matrix>" +
+                                                numbers_of(transform, true, ' ') + "</matrix>" +
+                                                inside + dae.substr(end));
+    const auto left = load_submesh(file, "left");
+    expect_moved(left, load_submesh(file, "right"), transform);
+    const auto both = load_mesh_parts(file);
+    expect_moved(left, left, glm::dmat4{1.0});
+    EXPECT_EQ(vertices_of(both).size(), 2 * vertices_of(left).size());
+    EXPECT_EQ(both.size(), left.size());
+}
+
 TEST(MeshFormat, aFileThatNamesNoMaterialHasNone) {
     const TempDir folder;
     const auto material = [&](const char* name, const std::string& text) {
@@ -320,8 +377,8 @@ TEST(MeshFormat, worldsOfOtherKindsAreRefusedByName) {
     const TempDir folder;
     EXPECT_THAT(
         faults_of([&] { load_scene(folder.path() / "a.blend"); }, folder),
-        ElementsAre("a.blend: is no kind of world that is known; name an SDF (.sdf, .world), "
-                    "a URDF (.urdf, .xacro), a world of Stage (.world) or MVSim (.xml), a "
+        ElementsAre("a.blend: is no kind of world that is known; name an SDF (.sdf, .world, "
+                    ".model), a URDF (.urdf, .xacro), a world of Stage (.world) or MVSim (.xml), a "
                     "ROS map (.yaml, .yml) or a mesh (.obj, .stl, .ply, .dae, .gltf, "
                     ".glb), or the folder of a model"));
     EXPECT_THAT(faults_of([&] { load_scene(folder.path() / "a.stl"); }, folder),

@@ -166,6 +166,98 @@ TEST_F(Mvsim, anElevationMap) {
     expect_range(hill, {3.5, 1.2, 9}, {0, 0, -1}, none);
 }
 
+// Each number is a height: the picture's scale does not count. x grows from row to row.
+TEST_F(Mvsim, anElevationMapOfNumbers) {
+    const auto map = [&](const std::string& inside) {
+        return scene("<element class='elevation_map'>" + inside + "</element>");
+    };
+    const auto slope =
+        map("<resolution>4.0</resolution><elevation_image_max_z>50</elevation_image_max_z>"
+            "<elevation_data_matrix>\n [0 0; 1 1;\n  2, 2]\n</elevation_data_matrix>"
+            "<corner_min_x>0</corner_min_x><corner_min_y>-1</corner_min_y>");
+    expect_range(slope, {1, 0.3, 9}, {0, 0, -1}, 8.75);
+    expect_range(slope, {7, 2.3, 9}, {0, 0, -1}, 7.25);
+    expect_range(slope, {8.1, 0, 9}, {0, 0, -1}, none);
+    expect_range(slope, {7, 3.1, 9}, {0, 0, -1}, none);
+    // Along x at a height of 1.5 m.
+    expect_range(slope, {-1, 0.3, 1.5}, {1, 0, 0}, 7.0);
+    // A cell is cut from its corner of the least x and y, and the map lies around the origin.
+    const auto fold = map("<elevation_data_matrix>[0 0 ; +0 -1]</elevation_data_matrix>");
+    expect_range(fold, {0.25, -0.25, 2}, {0, 0, -1}, 2.25);
+    expect_range(fold, {-0.25, 0.25, 2}, {0, 0, -1}, 2.25);
+    expect_range(fold, {0.4, 0.4, 2}, {0, 0, -1}, 2.9);
+    // A comment divides nothing, and a picture goes first.
+    folder_.write("flat.pgm", pgm(2, {0, 0, 0, 0}));
+    expect_range(map("<elevation_data_matrix>[1 <!-- m --> 1; 1 1]</elevation_data_matrix>"),
+                 {0.2, 0.1, 2}, {0, 0, -1}, 1.0);
+    expect_range(map("<elevation_image>flat.pgm</elevation_image>"
+                     "<elevation_data_matrix>[1 1; 1 1]</elevation_data_matrix>"),
+                 {0.2, 0.1, 2}, {0, 0, -1}, 2.0);
+}
+
+TEST_F(Mvsim, whatIsNoElevationMap) {
+    const auto why = [&](const std::string& inside) {
+        const std::string block = "<block/>";  // without it the world would be empty
+        const auto told =
+            warnings(block + "<element class='elevation_map'>" + inside + "</element>");
+        return told.size() == 1 ? told[0] : "";
+    };
+    const auto of_matrix = [&](const std::string& text) {
+        return why("<elevation_data_matrix>" + text + "</elevation_data_matrix>");
+    };
+    const std::string begins = "a.world.xml:2: <element> ";
+    EXPECT_EQ(of_matrix("[1 2; 3]"),
+              begins + "<elevation_data_matrix> has rows of 2 and of 1 numbers; left out");
+    EXPECT_EQ(of_matrix("[1 x; 3 4]"),
+              begins + "<elevation_data_matrix> wants numbers, not 'x'; left out");
+    EXPECT_EQ(of_matrix("1 2; 3 4"), begins +
+                                         "<elevation_data_matrix> must be in brackets, its rows "
+                                         "divided by semicolons: [0 0; 1 1]; left out");
+    EXPECT_EQ(of_matrix("[1 2 3 4]"),
+              begins + "wants heights of 2 x 2 to 10 million places; left out");
+    EXPECT_EQ(of_matrix("[]"), begins + "wants heights of 2 x 2 to 10 million places; left out");
+    EXPECT_EQ(of_matrix("[1 1e9; 1 1]"), begins + "must lie within 1e7 m of the origin; left out");
+    EXPECT_EQ(why(""),
+              begins + "wants an <elevation_image> or an <elevation_data_matrix>; left out");
+    EXPECT_EQ(why("<dem_xyzrgb_file>hill.txt</dem_xyzrgb_file>"),
+              begins +
+                  "wants an <elevation_image> or an <elevation_data_matrix>; a <dem_xyzrgb_file> "
+                  "is not read; left out");
+    EXPECT_EQ(why("<apply_kernel>1</apply_kernel><elevation_data_matrix>[1 1; 1 1]"
+                  "</elevation_data_matrix>"),
+              "a.world.xml:2: <apply_kernel> is not read; the heights are not smoothed");
+}
+
+TEST_F(Mvsim, aGridWithoutWallsIsAWarning) {
+    folder_.write("white.pgm", pgm(2, {255, 255}));
+    folder_.write("map.yaml", yaml("white.pgm"));
+    const auto empty = load(
+        "<element class='occupancy_grid'><file>white.pgm</file><centerpixel_x>0</centerpixel_x>"
+        "<centerpixel_y>0</centerpixel_y></element>\n"
+        "<element class='occupancy_grid'><file>map.yaml</file></element>");
+    EXPECT_THAT(empty.scene->objects, IsEmpty());
+    EXPECT_THAT(without_folder(empty.warnings, folder_),
+                ElementsAre("a.world.xml:2: white.pgm has no dark pixel, and so no wall",
+                            HasSubstr("white.pgm: holds no wall that a scanner could see"),
+                            HasSubstr("a.world.xml: holds nothing that a scanner could see")));
+    EXPECT_THAT(warnings("<block/><element class='occupancy_grid'/>"),
+                ElementsAre("a.world.xml:2: <element> wants a <file>: a picture or a ROS map; left "
+                            "out"));
+}
+
+TEST_F(Mvsim, commentsMayStandAnywhere) {
+    const auto file = folder_.write(
+        "a.world.xml",
+        "<!-- made by hand -->\n<?xml version='1.0'?>\n<mvsim_world version='1.0'>\n<!-- <walls> "
+        "-->"
+        "<walls><shape><!-- a --><pt>3 <!-- b -->-3</pt><pt>3 3</pt></shape></walls>\n"
+        "<vehicle/></mvsim_world>");
+    const auto loaded = load_scene(file);
+    expect_range(loaded.scene, {0, 0, 1}, {1, 0, 0}, 2.95);
+    EXPECT_THAT(without_folder(loaded.warnings, folder_),
+                ElementsAre(HasSubstr("a.world.xml:5: <vehicle>")));
+}
+
 TEST_F(Mvsim, whatIsLeftOutIsTold) {
     EXPECT_THAT(
         warnings("<vehicle name='r1' class='jackal'><init_pose>0 0 0</init_pose></vehicle>\n"

@@ -209,7 +209,7 @@ TEST_F(Stage, whatIsMissingOrFaultyIsLeftOutAndTold) {
                     "a.world:7: line: a block has from 3 to 1000 points; left out"));
     folder_.write("white.pgm", pgm(2, {255, 255}));
     EXPECT_THAT(warnings("model ( bitmap \"white.pgm\" ) model ( )"),
-                ElementsAre("a.world:1: white.pgm has no dark pixel; left out"));
+                ElementsAre("a.world:1: white.pgm has no dark pixel, and so no wall"));
 }
 
 // A definition that lies in a file nobody has.
