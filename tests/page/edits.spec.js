@@ -147,6 +147,22 @@ test('nothing is undone in another world', async ({page, start}) => {
   expect(await models()).toEqual(there);
 });
 
+test('what was begun in another world and ends in this one is not undone', async ({page, start}) => {
+  const daemon = await start(room());
+  await open(page, daemon);
+  await page.route('**/scene/models', async (route) => {
+    const answer = await route.fetch();
+    await daemon.put('/scene', {file: scene('corridor.sdf')});
+    await expect(page.locator('#world-name')).toHaveText('corridor.sdf');
+    await route.fulfill({response: answer});
+  });
+  const answered = page.waitForResponse('**/scene/models');
+  await page.locator('#canvas').press('o');
+  await answered;
+  await page.locator('#canvas').press('Control+z');
+  await expect(page.locator('#notices')).toContainText('nothing to undo');
+});
+
 test('nothing is undone in the same world once it was loaded again', async ({page, start}) => {
   const daemon = await start(room());
   await open(page, daemon);

@@ -79,9 +79,10 @@ export class Edits {
   }
 
   async add(request) {
+    const {era} = this.undo;
     try {
       await this.bring(request);
-      this.undo.did(`added ${request.name}`, () => this.takeAway(request.name));
+      this.undo.did(`added ${request.name}`, () => this.takeAway(request.name), era);
       this.selection.select({kind: 'models', name: request.name, movable: true});
     } catch (error) {
       this.notices.trouble(`${request.name} cannot be added: ${error.message}`);
@@ -89,8 +90,9 @@ export class Edits {
   }
 
   async bring(request) {
+    const {era} = this.undo;
     const answer = await this.server.post('/scene/models', request);
-    this.added.set(request.name, request);
+    if (era === this.undo.era) this.added.set(request.name, request);
     for (const warning of answer.warnings || []) this.notices.tell(warning);
     // The page is told of the new scene, but whoever selects the model next wants it now.
     await this.world.load();
@@ -126,6 +128,7 @@ export class Edits {
   }
 
   async removeModel({name}) {
+    const {era} = this.undo;
     const recipe = this.recipe(name);
     const materials = this.materialsOf(name);
     const comesBack = sizeOf(recipe) <= this.world.limits.http_body_bytes;
@@ -137,7 +140,7 @@ export class Edits {
       return;
     }
     this.selection.select(null);
-    if (comesBack) this.undo.did(`deleted ${name}`, () => this.bringBack(recipe, materials));
+    if (comesBack) this.undo.did(`deleted ${name}`, () => this.bringBack(recipe, materials), era);
     this.notices.tell(`${name} is gone.${comesBack ? ' Ctrl+Z brings it back.' : ''}`);
   }
 
@@ -167,10 +170,11 @@ export class Edits {
   }
 
   async makeOf(name, material) {
+    const {era} = this.undo;
     const materials = this.materialsOf(name);
     try {
       await this.putMaterials(name, {material});
-      this.undo.did(`made ${name} of ${material}`, () => this.putMaterials(name, {materials}));
+      this.undo.did(`made ${name} of ${material}`, () => this.putMaterials(name, {materials}), era);
     } catch (error) {
       this.notices.trouble(`${name} cannot be made of ${material}: ${error.message}`);
     }

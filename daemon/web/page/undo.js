@@ -7,11 +7,11 @@
 const MOST = 100;
 
 export class Undo extends EventTarget {
-  constructor(notices, mover) {
+  constructor({world, notices, mover}) {
     super();
-    this.notices = notices;
-    this.mover = mover;
+    Object.assign(this, {world, notices, mover});
     this.deeds = [];
+    this.era = 0;
     this.last = Promise.resolve();
   }
 
@@ -21,8 +21,12 @@ export class Undo extends EventTarget {
     return this.last;
   }
 
-  /** back is a function that returns a promise. */
-  did(what, back) {
+  /**
+   * back is a function that returns a promise. A deed that took its time gives the era that it was begun in: another
+   * world may be there by now.
+   */
+  did(what, back, era = this.era) {
+    if (era !== this.era) return;
     this.deeds.push({what, back});
     if (this.deeds.length > MOST) this.deeds.shift();
     this.dispatchEvent(new Event('changed'));
@@ -30,6 +34,7 @@ export class Undo extends EventTarget {
 
   /** In another world other things have the same names. */
   forget() {
+    ++this.era;
     this.deeds = [];
     this.dispatchEvent(new Event('changed'));
   }
@@ -47,6 +52,9 @@ export class Undo extends EventTarget {
   }
 
   async undoLast() {
+    // Whoever is told of another world by the header may be faster than its objects.
+    await this.world.load().catch(() => {});
+    const {era} = this;
     const deed = this.deeds.pop();
     this.dispatchEvent(new Event('changed'));
     if (!deed) {
@@ -58,7 +66,7 @@ export class Undo extends EventTarget {
       this.notices.tell(`Undone: ${deed.what}`);
     } catch (error) {
       // The daemon may be away for a moment; what it refuses it will refuse again.
-      if (!error.status) this.deeds.push(deed);
+      if (!error.status && era === this.era) this.deeds.push(deed);
       this.dispatchEvent(new Event('changed'));
       this.notices.trouble(`This cannot be undone (${deed.what}): ${error.message}`);
     }
