@@ -97,7 +97,7 @@ std::string check_configuration(const std::filesystem::path& file, const Options
     if (!faults.empty()) throw sim::LoadError(std::move(faults));
     std::string text;
     for (const auto* list :
-         {&materials.warnings, &world.warnings, &trajectories.warnings, &world.notes, &notices}) {
+         {&materials.warnings, &world.warnings, &trajectories.warnings, &notices}) {
         for (const std::string& line : *list)
             text += line + "\n";
     }

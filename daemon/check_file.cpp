@@ -110,7 +110,6 @@ std::string check_scene(FileKind kind, const std::filesystem::path& file, bool s
     sim::LoadedScene loaded = load_world(config, materials.library);
     const sim::Bounds extent = sim::extent_of(*loaded.scene);
     Lines lines = std::move(loaded.warnings);
-    std::ranges::copy(loaded.notes, std::back_inserter(lines));
     constexpr double larger_than_most_m = 100.0;
     if (kind == FileKind::mesh && !extent.empty() &&
         length_m(extent.high_m - extent.low_m) > larger_than_most_m) {

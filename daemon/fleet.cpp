@@ -55,10 +55,8 @@ void log_findings(const FleetPlan& plan) {
         for (const std::string& warning : *warnings)
             spdlog::warn("{}", warning);
     }
-    for (const auto* notes : {&plan.loaded.notes, &plan.notices}) {
-        for (const std::string& note : *notes)
-            spdlog::info("{}", note);
-    }
+    for (const std::string& notice : plan.notices)
+        spdlog::info("{}", notice);
 }
 
 }  // namespace

@@ -49,8 +49,8 @@ tl::unexpected<EditOutcome> forbid(const std::filesystem::path& file,
 EditedOrNot edited(const LoadWorld& edit, const PresentScene& present) {
     const auto file = (sim::folder_of_scene(present.file) / edit.file).lexically_normal();
     if (!sim::lies_in_one_of(present.allow, file)) return forbid(file, present.allow);
-    auto [scene, warnings, notes] = sim::load_scene(file, present.options);
-    return EditedScene{file, scene, scene, std::move(warnings), std::move(notes), {}};
+    auto [scene, warnings] = sim::load_scene(file, present.options);
+    return EditedScene{file, scene, scene, std::move(warnings), {}, {}};
 }
 
 /// Loads a file that has its own materials and scale.
@@ -151,8 +151,9 @@ EditedOrNot with_model(const AddModel& edit, const PresentScene& present) {
     if (!within(present.limits, Limit::added_models, all.size()))
         return too_much(Limit::added_models, present);
     if (present.options.sdf.strict && !edit.warnings.empty()) throw sim::LoadError(edit.warnings);
-    auto [added, warnings, notes] = load_model(edit, present);
+    auto [added, warnings] = load_model(edit, present);
     std::ranges::copy(edit.warnings, std::back_inserter(warnings));
+    std::vector<std::string> notes;
     if (const auto note = note_of_place(edit, *present.scene))
         notes.push_back("pose.xyz: " + *note);
     triangles = triangles_of(*added);
@@ -215,7 +216,7 @@ std::vector<std::string> warnings_about(const std::vector<sim::Object*>& objects
     alone->materials = scene.materials;
     for (const sim::Object* object : objects)
         alone->objects.push_back(*object);
-    sim::LoadedScene told{alone, {}, {}};
+    sim::LoadedScene told{alone, {}};
     sim::check_materials(told, model, options);
     return told.warnings;
 }

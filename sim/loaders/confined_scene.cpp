@@ -197,7 +197,6 @@ void work(std::FILE* out, const LoadLimits& limits, const std::function<LoadedSc
         const LoadedScene loaded = load();
         put(true, out);
         put_texts(loaded.warnings, out);
-        put_texts(loaded.notes, out);
         Sender{out}.send(*loaded.scene);
     } catch (const LoadError& error) {
         put(false, out);
@@ -225,9 +224,7 @@ LoadedScene load_confined(const std::string& name, const LoadLimits& limits,
         const bool is_loaded = take<bool>(answer.get());
         Texts texts = take_texts(answer.get());
         if (!is_loaded) throw LoadError(std::move(texts));
-        Texts notes = take_texts(answer.get());
-        return {std::make_shared<const Scene>(Receiver{answer.get()}.receive()), std::move(texts),
-                std::move(notes)};
+        return {std::make_shared<const Scene>(Receiver{answer.get()}.receive()), std::move(texts)};
     } catch (const LoadError&) {
         throw;
     } catch (const std::runtime_error& wrong) {

@@ -13,7 +13,6 @@ struct LoadedScene {
     SharedScene scene;
     /// Each says what the loader found and what it did about it.
     std::vector<std::string> warnings;
-    std::vector<std::string> notes = {};  ///< worth knowing, although nothing is wrong
 };
 
 }  // namespace scipd::sim

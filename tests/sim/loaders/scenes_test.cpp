@@ -130,9 +130,8 @@ TEST(RescueMaze, leavesTheStartFree) {
 }
 
 TEST(Crossing, hasTheRangesThatItsCommentLists) {
-    const auto [scene, warnings, notes] = load_sdf(scene_file("crossing.sdf"));
+    const auto [scene, warnings] = load_sdf(scene_file("crossing.sdf"));
     EXPECT_THAT(warnings, IsEmpty());
-    EXPECT_THAT(notes, IsEmpty());
     const ModelId person = find_model(*scene, "person").value();
     const Script& walk = *scene->models[person].script;
     EXPECT_EQ(walk.lap, std::chrono::seconds(6));

@@ -74,7 +74,7 @@ void expect_near(const glm::dvec3& a, const glm::dvec3& b) {
 
 TEST_F(Urdf, IsOneBodyWithAllJointsAtZero) {
     ::testing::internal::CaptureStderr();
-    const auto [scene, warnings, notes] = load(three_links);
+    const auto [scene, warnings] = load(three_links);
     EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
     EXPECT_THAT(warnings, IsEmpty());
     ASSERT_EQ(scene->models.size(), 1U);
