@@ -240,7 +240,7 @@ class WrongStatus : public FaultEffect {
         if (!members.status) faults.add(fault, "needs status: what is answered, such as 0L");
     }
     /// Without a command it is that of the request that the fault begins with.
-    static MakeEffect read(const Field& fault, const Section& section, Faults& faults) {
+    static MakeEffect maker(const Field& fault, const Section& section, Faults& faults) {
         Members read;
         read_members(section, members, read, faults);
         check(read, fault, faults);
@@ -279,7 +279,7 @@ std::span<const FaultKind> message_kinds() {
         kind_of<Resent>("resend", "protocol",
                         "a request is answered twice, or with the reply to the one before"),
         {"status", "protocol", "requests are refused with a status", false,
-         [] { return keys_of(WrongStatus::members); }, WrongStatus::read},
+         [] { return keys_of(WrongStatus::members); }, WrongStatus::maker},
     };
     return kinds;
 }
