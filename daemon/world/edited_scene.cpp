@@ -15,7 +15,7 @@
 #include "daemon/world/outside_world.h"
 #include "sim/loaders/file/allowed_folder.h"
 #include "sim/loaders/file/load_error.h"
-#include "sim/loaders/sdf/resources.h"
+#include "sim/loaders/resources/resources.h"
 #include "sim/text/likely_unit.h"
 #include "sim/world/extent.h"
 

@@ -13,10 +13,10 @@
 
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/plain_file.h"
+#include "sim/loaders/file/scene_draft.h"
 #include "sim/loaders/mvsim/mvsim_ground.h"
 #include "sim/loaders/mvsim/mvsim_walk.h"
 #include "sim/loaders/mvsim/mvsim_walls.h"
-#include "sim/loaders/sdf/scene_draft.h"
 #include "sim/text/free_names.h"
 #include "sim/text/quote.h"
 #include "sim/world/extrusion.h"

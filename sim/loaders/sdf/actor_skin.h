@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "sim/loaders/mesh/mesh_shelf.h"
+#include "sim/loaders/resources/resources.h"
 #include "sim/loaders/sdf/part.h"
-#include "sim/loaders/sdf/resources.h"
 #include "sim/world/bounds.h"
 
 namespace scipd::sim {

@@ -11,10 +11,10 @@
 
 #include <glm/vec3.hpp>
 
+#include "sim/loaders/file/scene_draft.h"
 #include "sim/loaders/mesh/mesh_shelf.h"
+#include "sim/loaders/resources/resources.h"
 #include "sim/loaders/sdf/part.h"
-#include "sim/loaders/sdf/resources.h"
-#include "sim/loaders/sdf/scene_draft.h"
 #include "sim/loaders/sdf/sdf_options.h"
 
 namespace scipd::sim {

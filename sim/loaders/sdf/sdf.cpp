@@ -7,9 +7,9 @@
 #include "sim/loaders/file/doing.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/plain_file.h"
-#include "sim/loaders/sdf/model_folder.h"
-#include "sim/loaders/sdf/resources.h"
-#include "sim/loaders/sdf/scene_draft.h"
+#include "sim/loaders/file/scene_draft.h"
+#include "sim/loaders/resources/model_folder.h"
+#include "sim/loaders/resources/resources.h"
 #include "sim/loaders/sdf/sdf_reader.h"
 #include "sim/loaders/sdf/sdf_scene.h"
 

@@ -9,7 +9,7 @@
 #include "sim/loaders/file/doing.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/plain_file.h"
-#include "sim/loaders/sdf/model_folder.h"
+#include "sim/loaders/resources/model_folder.h"
 #include "sim/loaders/sdf/sdf_kind.h"
 #include "sim/text/quote.h"
 

@@ -13,7 +13,7 @@
 #include <glm/common.hpp>
 
 #include "sim/loaders/file/load_error.h"
-#include "sim/loaders/sdf/height_file.h"
+#include "sim/loaders/terrain/height_file.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/loaders/file/scene_draft.h"
 #include "sim/loaders/sdf/part.h"
-#include "sim/loaders/sdf/scene_draft.h"
 
 namespace scipd::sim {
 

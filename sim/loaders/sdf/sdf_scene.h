@@ -6,8 +6,8 @@
 
 #include <filesystem>
 
-#include "sim/loaders/sdf/resources.h"
-#include "sim/loaders/sdf/scene_draft.h"
+#include "sim/loaders/file/scene_draft.h"
+#include "sim/loaders/resources/resources.h"
 #include "sim/loaders/sdf/sdf_options.h"
 #include "sim/loaders/sdf/sdf_reader.h"
 

@@ -15,7 +15,7 @@
 #include "sim/loaders/file/any_case.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/plain_file.h"
-#include "sim/loaders/sdf/scene_draft.h"
+#include "sim/loaders/file/scene_draft.h"
 #include "sim/loaders/stage/stage_body.h"
 #include "sim/loaders/stage/stage_file.h"
 #include "sim/text/free_names.h"

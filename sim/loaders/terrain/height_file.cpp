@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/sdf/height_file.h"
+#include "sim/loaders/terrain/height_file.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/sdf/scene_draft.h"
+#include "sim/loaders/file/scene_draft.h"
 
 #include <algorithm>
 #include <memory>

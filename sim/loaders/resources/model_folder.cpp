@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/sdf/model_folder.h"
+#include "sim/loaders/resources/model_folder.h"
 
 #include <cstdio>
 #include <string>

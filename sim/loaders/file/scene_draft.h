@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The scene that the loader builds while it walks through an SDF document. It also collects
-// everything that is wrong, so that one run reports all faults. Knows nothing of SDF's elements.
-// Any thread; one owner.
+// The scene that a loader builds while it walks through a document. It also collects everything
+// that is wrong, so that one run reports all faults. Knows nothing of the document's elements. Any
+// thread; one owner.
 #pragma once
 
 #include <filesystem>

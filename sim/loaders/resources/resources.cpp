@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/sdf/resources.h"
+#include "sim/loaders/resources/resources.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 
 #include "sim/loaders/file/allowed_folder.h"
 #include "sim/loaders/file/any_case.h"
-#include "sim/loaders/sdf/model_folder.h"
+#include "sim/loaders/resources/model_folder.h"
 #include "sim/text/quote.h"
 
 namespace scipd::sim {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/sdf/resources.h"
+#include "sim/loaders/resources/resources.h"
 
 #include <cstdlib>
 

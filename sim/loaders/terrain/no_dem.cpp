@@ -4,7 +4,7 @@
 // Stands in for dem.cpp in a build without GDAL.
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/plain_file.h"
-#include "sim/loaders/sdf/height_file.h"
+#include "sim/loaders/terrain/height_file.h"
 
 namespace scipd::sim {
 

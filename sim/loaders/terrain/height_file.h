@@ -8,7 +8,7 @@
 
 #include <filesystem>
 
-#include "sim/loaders/sdf/height_grid.h"
+#include "sim/loaders/terrain/height_grid.h"
 
 namespace scipd::sim {
 

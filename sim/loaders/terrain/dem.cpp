@@ -25,7 +25,7 @@
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/map/map_image.h"
-#include "sim/loaders/sdf/height_file.h"
+#include "sim/loaders/terrain/height_file.h"
 #include "sim/text/quote.h"
 
 namespace scipd::sim {
