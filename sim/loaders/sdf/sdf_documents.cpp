@@ -9,6 +9,7 @@
 #include "sim/loaders/file/doing.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/plain_file.h"
+#include "sim/loaders/file/xml_text.h"
 #include "sim/loaders/resources/model_folder.h"
 #include "sim/loaders/sdf/sdf_kind.h"
 #include "sim/text/quote.h"
@@ -21,19 +22,6 @@ namespace fs = std::filesystem;
 /// The largest file, as a share of the memory limit: 64 MiB for a world's limit. Once parsed, a
 /// file takes up to 40 times its size.
 constexpr std::size_t parts_of_memory = 64;
-
-/// Blanks out an XML declaration that is not the first thing in a text, which tinyxml2 refuses.
-std::string without_late_declaration(std::string text) {
-    const auto at = text.find("<?xml");
-    const auto end = at == text.npos ? at : text.find("?>", at);
-    const bool is_late =
-        end != text.npos && text.find_first_not_of(" \t\r\n") != at && text.find("<!--") < at;
-    if (!is_late) return text;
-    for (auto i = at; i < end + 2; ++i) {
-        if (text[i] != '\n') text[i] = ' ';
-    }
-    return text;
-}
 
 std::string warning_of_version(const tinyxml2::XMLElement& root) {
     const char* text = root.Attribute("version");
@@ -57,8 +45,9 @@ std::uintmax_t SdfDocuments::largest_file_bytes() const {
 const SdfDocument& SdfDocuments::add(const fs::path& file, const fs::path& folder,
                                      const std::string& text) {
     auto document = std::make_unique<SdfDocument>();
-    const std::string whole = without_late_declaration(text);
-    document->xml.Parse(whole.c_str(), whole.size());
+    std::string bare = text;
+    blank_comments(bare);
+    document->xml.Parse(bare.c_str(), bare.size());
     if (const auto why = why_no_sdf(text, document->xml); !why.empty()) {
         throw LoadError({file.string() + why});
     }
