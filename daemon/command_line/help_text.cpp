@@ -97,8 +97,16 @@ std::string wrapped(const std::string& text, std::size_t width) {
 class HelpFormatter : public CLI::Formatter {
   public:
     std::string make_option(const CLI::Option* option, bool is_positional) const override {
-        const std::string opts = is_positional ? "" : make_option_opts(option);
-        return entry(make_option_name(option, is_positional) + opts, make_option_desc(option));
+        const std::string name =
+            is_positional ? shown(*option)
+                          : make_option_name(option, is_positional) + make_option_opts(option);
+        return entry(name, make_option_desc(option));
+    }
+
+    std::string make_option_usage(const CLI::Option* option) const override {
+        const bool may_repeat = option->get_expected_max() > 1 && option->get_option_text().empty();
+        const std::string text = shown(*option) + (may_repeat ? "..." : "");
+        return option->get_required() ? text : "[" + text + "]";
     }
 
     std::string make_option_opts(const CLI::Option* option) const override {
@@ -124,6 +132,12 @@ class HelpFormatter : public CLI::Formatter {
     }
 
   private:
+    /// CLI11 2.4 takes no blank and no `=` in the name of an argument, so a text says what it is.
+    [[nodiscard]] static std::string shown(const CLI::Option& argument) {
+        const std::string& said = argument.get_option_text();
+        return said.empty() ? argument.get_single_name() : said;
+    }
+
     [[nodiscard]] std::string entry(const std::string& name, const std::string& what) const {
         std::ostringstream out;
         CLI::detail::format_help(out, name, wrapped(what, widest_line - get_column_width()),

@@ -153,8 +153,7 @@ void add_load(CLI::App& program, Said& said) {
     load->add_option("TARGET", said.targets,
                      "scanners, real or emulated: tcp://HOST:PORT or a tty, each")
         ->required()
-        ->check(is_target)
-        ->option_text("...");
+        ->check(is_target);
     load->add_option("-s,--seconds", said.seconds, "how long")
         ->check(whole_within(1, 1'000'000))
         ->capture_default_str();

@@ -57,9 +57,8 @@ void add_get_command(CLI::App& pose, const ControlOptions& control) {
 void add_set_command(CLI::App& pose, const ControlOptions& control) {
     auto* const command = pose.add_subcommand("set", "put a robot somewhere");
     const auto options = std::make_shared<SetOptions>();
-    command
-        ->add_option("[ROBOT] POSE", options->words,
-                     "POSE is X,Y,YAW or X,Y,Z,R,P,Y in metres and radians")
+    command->add_option("POSE", options->words, "X,Y,YAW or X,Y,Z,R,P,Y in metres and radians")
+        ->option_text("[ROBOT] POSE")
         ->required()
         ->expected(1, 2);
     command->callback([&control, options] { set_pose(control, *options); });
