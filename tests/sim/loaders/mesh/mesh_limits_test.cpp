@@ -81,6 +81,7 @@ TEST_F(MeshLimitsTest, aCircleOfNodesEndsNothingButItself) {
 
 TEST_F(MeshLimitsTest, aHeaderThatPromisesTooMuch) {
     if (tests::sanitized) GTEST_SKIP() << tests::sanitizers_want_memory;
+    // Assimp 5.2 reads it for ever; 5.4 refuses it.
     EXPECT_THAT(faults("a.ply",
                        "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\n"
                        "property float x\nproperty float y\nproperty float z\n"
@@ -94,12 +95,14 @@ TEST_F(MeshLimitsTest, aHeaderThatPromisesTooMuch) {
 // In whose header Assimp goes round and round, and takes more memory every time.
 TEST_F(MeshLimitsTest, aSmallFileGetsLittle) {
     if (tests::sanitized) GTEST_SKIP() << tests::sanitizers_want_memory;
+    // Assimp 5.2 reads it for ever; 5.4 refuses it.
     EXPECT_THAT(faults("a.ply",
                        "ply\nformat binary_little_endian 1.0\nelement float 4\n"
                        "property float x\n"),
                 ElementsAre(AnyOf("a.ply: takes more than 1073 MB of memory",
                                   "a.ply: takes more than 5 s of processor time, or all memory",
-                                  StartsWith("a.ply: crashes the library"))));
+                                  StartsWith("a.ply: crashes the library"),
+                                  StartsWith("a.ply: cannot be read as a mesh: "))));
 }
 
 TEST_F(MeshLimitsTest, aFileThatIsTooLargeIsNotEvenOpened) {
