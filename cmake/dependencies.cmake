@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# All third-party libraries. All come from Debian 12 (tools/install lists the packages).
+# All third-party libraries. All come from Debian 12 or 13 (tools/install lists the packages).
 
 find_package(Threads REQUIRED)
-find_package(Boost 1.74 REQUIRED)
+find_package(Boost 1.74 CONFIG REQUIRED) # its own file: CMake 3.30 warns of its FindBoost
 find_package(glm REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(nlohmann_json REQUIRED)
@@ -29,7 +29,10 @@ endif()
 message(STATUS "Embree ${embree_VERSION}")
 
 # Tests hold the reader of SDF to libsdformat where the system has it, as Debian 12 does and 13 does not.
-pkg_check_modules(sdformat IMPORTED_TARGET sdformat12)
+pkg_check_modules(sdformat QUIET IMPORTED_TARGET sdformat12)
+if(SCIPD_TESTS AND NOT sdformat_FOUND)
+  message(STATUS "No libsdformat 12: nothing holds the reader of SDF to it")
+endif()
 
 # GDAL is large, so it is optional. Without it scipd leaves elevation models out of worlds, and says so.
 pkg_check_modules(gdal IMPORTED_TARGET gdal)

@@ -16,6 +16,7 @@ set(made ${CMAKE_BINARY_DIR}/packaging)
 string(TIMESTAMP package_date "%Y-%m-%dT%H:%M:%S" UTC)
 execute_process(COMMAND date --utc --rfc-email --date ${package_date} OUTPUT_VARIABLE package_date
                 OUTPUT_STRIP_TRAILING_WHITESPACE)
+cmake_host_system_information(RESULT DISTRIB QUERY DISTRIB_INFO)
 configure_file(${packaging}/changelog.Debian.in ${made}/changelog.Debian @ONLY)
 foreach(package scipd scipd-tools libscipd-dev)
   install(FILES ${packaging}/copyright ${made}/changelog.Debian DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
