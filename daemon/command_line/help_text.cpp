@@ -97,9 +97,9 @@ std::string wrapped(const std::string& text, std::size_t width) {
 class HelpFormatter : public CLI::Formatter {
   public:
     std::string make_option(const CLI::Option* option, bool is_positional) const override {
-        const std::string name =
-            is_positional ? shown(*option)
-                          : make_option_name(option, is_positional) + make_option_opts(option);
+        const std::string name = is_positional
+                                     ? shown(*option)
+                                     : make_option_name(option, false) + make_option_opts(option);
         return entry(name, make_option_desc(option));
     }
 
@@ -132,7 +132,7 @@ class HelpFormatter : public CLI::Formatter {
     }
 
   private:
-    /// CLI11 2.4 takes no blank and no `=` in the name of an argument, so a text says what it is.
+    /// CLI11 2.4 takes no blank in the name of an argument, so a text says how it is shown.
     [[nodiscard]] static std::string shown(const CLI::Option& argument) {
         const std::string& said = argument.get_option_text();
         return said.empty() ? argument.get_single_name() : said;

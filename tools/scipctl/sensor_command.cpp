@@ -44,7 +44,6 @@ void add_sensor_command(CLI::App& program, const ControlOptions& control) {
         ->add_option("SETTING", options->members,
                      "accuracy=ideal|sensor|material, noise=0 to 100 times the model's, "
                      "bias=none|unit or a list of points, interference=true|false")
-        ->option_text("KEY=VALUE...")
         ->required();
     command->callback([&control, options] { set(control, *options); });
     command->footer(
