@@ -86,18 +86,17 @@ scipd_exports(
           sim/world/shape.h
           sim/world/surface.h
           # files into worlds: begin with loaders/scene_file.h
-          sim/loaders/confined_scene.h
           sim/loaders/file/allowed_folder.h
           sim/loaders/file/load_error.h
+          sim/loaders/file/load_limits.h
           sim/loaders/file/loaded_scene.h
-          sim/loaders/map/ros_map.h
+          sim/loaders/file/new_model.h
+          sim/loaders/map/map_options.h
           sim/loaders/materials/materials_file.h
           sim/loaders/mesh/mesh_file.h
           sim/loaders/poses/trajectory.h
           sim/loaders/poses/trajectory_file.h
           sim/loaders/scene_file.h
-          sim/loaders/sdf/model_fragment.h
-          sim/loaders/sdf/sdf.h
           sim/loaders/sdf/sdf_options.h
           # how rays meet the world: begin with backends/registry.h
           sim/backends/backend_row.h
@@ -128,9 +127,6 @@ scipd_exports(
 set(scipd_optional_modules "")
 if(depth_FOUND)
   string(APPEND scipd_optional_modules " epoxy")
-endif()
-if(gdal_FOUND)
-  string(APPEND scipd_optional_modules " gdal")
 endif()
 include(CMakePackageConfigHelpers)
 configure_package_config_file(${CMAKE_SOURCE_DIR}/cmake/scipdConfig.cmake.in ${CMAKE_BINARY_DIR}/scipdConfig.cmake

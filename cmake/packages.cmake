@@ -81,8 +81,8 @@ set(CPACK_DEBIAN_SCIPD-TOOLS_DESCRIPTION "tools for SCIP laser scanners and for 
 scipcat records and draws the scans of any SCIP scanner, real or emulated.
 scipctl moves the robots and the world of a running scipd and shows what it
 does. scipbench compares how fast the ways to compute ranges are.")
-set(CPACK_DEBIAN_SCIPD-TOOLS_PACKAGE_RECOMMENDS "libegl1, libgl1-mesa-dri, libopengl0")
-set(CPACK_DEBIAN_SCIPD-TOOLS_PACKAGE_SUGGESTS scipd)
+# scipbench has scipd-read, which is in scipd, read worlds.
+set(CPACK_DEBIAN_SCIPD-TOOLS_PACKAGE_RECOMMENDS "libegl1, libgl1-mesa-dri, libopengl0, scipd")
 
 set(CPACK_DEBIAN_LIBSCIPD-DEV_PACKAGE_NAME libscipd-dev)
 set(CPACK_DEBIAN_LIBSCIPD-DEV_PACKAGE_SECTION libdevel)
@@ -91,14 +91,13 @@ Static libraries and headers. scipd::protocol speaks SCIP as a scanner or as
 a host, without sockets and clocks. scipd::sim loads worlds and casts scans
 in them.")
 # What scipdConfig.cmake looks for.
-set(needed libassimp-dev libembree-dev libexpected-dev libglm-dev libtinyxml2-dev
-           libturbojpeg0-dev libyaml-cpp-dev nlohmann-json3-dev "pkgconf | pkg-config")
+set(needed libembree-dev libexpected-dev libglm-dev libtinyxml2-dev libyaml-cpp-dev nlohmann-json3-dev
+           "pkgconf | pkg-config")
 if(depth_FOUND)
   list(APPEND needed libepoxy-dev)
 endif()
-if(gdal_FOUND)
-  list(APPEND needed libgdal-dev)
-endif()
 list(JOIN needed ", " CPACK_DEBIAN_LIBSCIPD-DEV_PACKAGE_DEPENDS)
+# scipd-read reads worlds for programs, too.
+set(CPACK_DEBIAN_LIBSCIPD-DEV_PACKAGE_RECOMMENDS scipd)
 
 include(CPack)

@@ -37,7 +37,7 @@ prepare() {
     apt-get update -qq
     for package in scipd scipd-tools; do
         apt_get satisfy "$(dpkg-deb -f $first/${package}_*.deb Depends Recommends |
-            sed -n 's/^[A-Za-z]*: //p' | paste -sd, | sed 's/, scipd-tools//')"
+            sed -n 's/^[A-Za-z]*: //p' | paste -sd, | sed 's/, scipd\(-tools\)\?//')"
     done
     apt_get satisfy --no-install-recommends "$(dpkg-deb -f $first/libscipd-dev_*.deb Depends)"
     # What this test uses beside them.

@@ -19,9 +19,9 @@
 #include "daemon/config/broker_config.h"
 #include "daemon/config/sensor_config.h"
 #include "daemon/limits/limit.h"
-#include "sim/loaders/map/ros_map.h"
+#include "sim/loaders/map/map_options.h"
 #include "sim/loaders/poses/trajectory.h"
-#include "sim/loaders/sdf/sdf.h"
+#include "sim/loaders/sdf/sdf_options.h"
 #include "sim/world/medium.h"
 #include "sim/world/pose_track.h"
 

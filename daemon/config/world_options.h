@@ -9,7 +9,7 @@
 
 #include "daemon/config/config.h"
 #include "daemon/config/section.h"
-#include "sim/loaders/map/ros_map.h"
+#include "sim/loaders/map/map_options.h"
 #include "sim/loaders/scene_file.h"
 
 namespace scipd::daemon {

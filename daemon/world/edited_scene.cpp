@@ -14,6 +14,7 @@
 #include "daemon/world/inline_mesh.h"
 #include "daemon/world/outside_world.h"
 #include "sim/loaders/file/allowed_folder.h"
+#include "sim/loaders/file/crowding.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/resources/resources.h"
 #include "sim/text/likely_unit.h"
@@ -53,37 +54,20 @@ EditedOrNot edited(const LoadWorld& edit, const PresentScene& present) {
     return EditedScene{file, scene, scene, std::move(warnings), {}, {}};
 }
 
-/// Loads a file that has its own materials and scale.
-sim::LoadedScene load_whole(const std::filesystem::path& file, const AddModel& edit,
-                            const sim::SceneOptions& options) {
-    if (edit.scale != 1.0 || !edit.material.empty()) {
-        throw sim::LoadError(
-            {file.string() + ": is no mesh, which scale and material go with; it has its own"});
-    }
-    return sim::load_model_file(file, edit.placement, options);
-}
-
 /// The file that it names, if it names one.
 std::filesystem::path file_of(const AddModel& edit, const PresentScene& present) {
     return sim::folder_of_scene(present.file) / (edit.file.empty() ? edit.mesh : edit.file);
 }
 
 sim::LoadedScene load_model(const AddModel& edit, const PresentScene& present) {
-    const std::filesystem::path folder = sim::folder_of_scene(present.file);
-    sim::SceneOptions options = present.options;
-    options.sdf = sim::within_a_models_share(options.sdf);
-    return sim::load_confined(edit.placement.name, options.limits, [&] {
-        const auto file = file_of(edit, present);
-        const bool is_text = !edit.sdf.empty();
-        if (!is_text && !edit.file.empty() && !sim::is_mesh_file(file))
-            return load_whole(file, edit, options);
-        sim::LoadedScene loaded =
-            is_text ? sim::load_model_text(edit.sdf, edit.placement, folder, options.sdf)
-                    : sim::load_mesh_model(file, edit.placement, edit.scale, edit.material,
-                                           options.sdf.mesh);
-        sim::check_materials(loaded, is_text ? edit.placement.name : file.string(), options);
-        return loaded;
-    });
+    return sim::load_model({.placement = edit.placement,
+                            .text = edit.sdf,
+                            .folder = sim::folder_of_scene(present.file),
+                            .file = edit.file.empty() ? edit.file : file_of(edit, present),
+                            .mesh = edit.mesh.empty() ? edit.mesh : file_of(edit, present),
+                            .scale = edit.scale,
+                            .material = edit.material},
+                           present.options);
 }
 
 std::size_t triangles_of(const sim::Scene& scene) {
@@ -161,7 +145,8 @@ EditedOrNot with_model(const AddModel& edit, const PresentScene& present) {
         return too_much(Limit::added_triangles, present);
     scene = sim::with_models(*scene, *added);
     check_triangles(*scene, present.options.sdf.most_triangles);
-    sim::check_overlap(*scene, *added, edit.sdf.empty() ? file.string() : name, present.options);
+    sim::check_overlap(*scene, *added, edit.sdf.empty() ? file.string() : name,
+                       present.options.most_overlap);
     return EditedScene{present.file,        std::move(scene), added,
                        std::move(warnings), std::move(notes), std::move(all)};
 }

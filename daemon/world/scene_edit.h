@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "daemon/limits/limit.h"
-#include "sim/loaders/sdf/model_fragment.h"
+#include "sim/loaders/file/new_model.h"
 
 namespace scipd::daemon {
 

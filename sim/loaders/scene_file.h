@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Loads a world from a file of any supported kind, in a child process. Any thread; nothing shared.
+// Loads a world from a file of any supported kind, or a model. The program scipd-read reads it
+// (reader/reader_program.h). Any thread; nothing shared; the caller waits.
 #pragma once
 
 #include <filesystem>
 #include <string>
 
-#include "sim/loaders/confined_scene.h"
-#include "sim/loaders/map/ros_map.h"
-#include "sim/loaders/sdf/model_fragment.h"
-#include "sim/loaders/sdf/sdf.h"
+#include "sim/loaders/file/load_limits.h"
+#include "sim/loaders/file/loaded_scene.h"
+#include "sim/loaders/file/new_model.h"
+#include "sim/loaders/map/map_options.h"
+#include "sim/loaders/sdf/sdf_options.h"
 #include "sim/world/material_library.h"
 
 namespace scipd::sim {
@@ -32,19 +34,15 @@ struct SceneOptions {
 /// LoadError.
 LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& options = {});
 
-/// Reads the same files as load_scene(), as one model. It starts no child process: call it within
-/// load_confined(). Throws LoadError, also if the file does not hold exactly one model.
-LoadedScene load_model_file(const std::filesystem::path& file, const Placement& placement,
-                            const SceneOptions& options = {});
+/// The model as a scene of its own, for with_models(). It can be moved unless its file says that it
+/// is static. Its limits are a part of those of a world, since models arrive while scanners run,
+/// and anybody who can reach the daemon may send one. Throws LoadError, also if the file does not
+/// hold exactly one model.
+LoadedScene load_model(const NewModel& model, const SceneOptions& options = {});
 
 /// Adds a warning for each material that options.materials does not know; messages begin with
 /// `source`. In a strict load all warnings are then a LoadError.
 void check_materials(LoadedScene& loaded, const std::string& source, const SceneOptions& options);
-
-/// Throws LoadError, which begins with `source`, where `added` has made a place in the scene in
-/// which more triangles lie than a scanner can be let look at. `added` may be the scene itself.
-void check_overlap(const Scene& scene, const Scene& added, const std::string& source,
-                   const SceneOptions& options);
 
 /// The folder in which relative paths of things that are added to the world start: the folder of
 /// the world's file, or the world itself if it is a folder.

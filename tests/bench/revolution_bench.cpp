@@ -21,7 +21,7 @@
 #include "daemon/models/registry.h"
 #include "daemon/world/world.h"
 #include "sim/backends/registry.h"
-#include "sim/loaders/sdf/sdf.h"
+#include "sim/loaders/scene_file.h"
 #include "tests/support/one_backend.h"
 
 namespace {
@@ -59,7 +59,7 @@ sim::Pose circling_at(int box, sim::Time time) {
 }
 
 sim::SharedScene maze_with(int boxes) {
-    const sim::SharedScene maze = sim::load_sdf(SCIPD_SCENES "/rescue_maze.sdf").scene;
+    const sim::SharedScene maze = sim::load_scene(SCIPD_SCENES "/rescue_maze.sdf").scene;
     sim::Scene added;
     for (int box = 0; box < boxes; ++box) {
         added.models.push_back({box_name(box), true, circling_at(box, 0s)});
@@ -173,7 +173,7 @@ BENCHMARK_CAPTURE(run, still_sensor_and_a_fault_acts, sim::Accuracy::sensor, fal
 
 /// All rays of a revolution, and nothing else: what a revolution is measured by.
 void cast_alone(benchmark::State& state, sim::Accuracy accuracy, bool moving) {
-    const sim::SharedScene scene = sim::load_sdf(SCIPD_SCENES "/rescue_maze.sdf").scene;
+    const sim::SharedScene scene = sim::load_scene(SCIPD_SCENES "/rescue_maze.sdf").scene;
     const auto backend = sim::preferred_backend().make(scene, {});
     const sim::Scanner scanner(daemon::find_model("UST-10LX").optics, {.accuracy = accuracy});
     const auto beams = static_cast<std::size_t>(scanner.spec().beams());

@@ -92,6 +92,8 @@ def main():
         check_nothing_of_the_sources(prefix)
         check_headers(prefix, scratch)
         build(SOURCES / "examples", scratch / "examples", prefix)
+        run("cmake", "--install", BUILD, "--prefix", prefix, "--component", "scipd")
+        os.environ["SCIPD_READ"] = str(prefix / "libexec/scipd/scipd-read")
         printed = run(scratch / "examples/scan_a_room", SOURCES / "scenes/square_room.sdf")
         assert "objects, 3.000 m straight ahead" in printed, printed
         check_asking(scratch / "examples/ask_scanner")

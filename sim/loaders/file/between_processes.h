@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Passes values from a confined child (confined.h) to its parent as they lie in memory. Both are
-// the same program, so the layouts agree; bytes of a file from outside are never read this way.
-// Any thread.
+// Passes values between a process and its child (child_process.h) as they lie in memory. Both are
+// built together, so that the layouts agree. No file from outside is read this way; but a library
+// that such a file has led astray may have written the values: no size is believed, and bool and
+// std::optional have functions of their own. Any thread.
 #pragma once
 
 #include <cstdint>
 #include <cstdio>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
 
@@ -21,14 +23,41 @@ void put(const Value& value, std::FILE* out) {
     if (std::fwrite(&value, sizeof value, 1, out) != 1) throw std::bad_alloc();
 }
 
+[[noreturn]] inline void refuse_data() {
+    throw std::runtime_error("was read, but its data did not arrive from the child process");
+}
+
 template <typename Value>
 Value take(std::FILE* in) {
-    static_assert(std::is_trivially_copyable_v<Value>);
+    static_assert(std::is_trivially_copyable_v<Value> && !std::is_same_v<Value, bool>);
     Value value;
-    if (std::fread(&value, sizeof value, 1, in) != 1) {
-        throw std::runtime_error("was read, but its data did not arrive from the child process");
-    }
+    if (std::fread(&value, sizeof value, 1, in) != 1) refuse_data();
     return value;
+}
+
+inline bool take_bool(std::FILE* in) {
+    return take<std::uint8_t>(in) != 0;
+}
+
+template <typename Value>
+void put_optional(const std::optional<Value>& value, std::FILE* out) {
+    put(value.has_value(), out);
+    if (value) put(*value, out);
+}
+
+template <typename Value>
+std::optional<Value> take_optional(std::FILE* in) {
+    if (!take_bool(in)) return std::nullopt;
+    return take<Value>(in);
+}
+
+/// The number of bytes between where the file stands and its end.
+inline std::uint64_t bytes_left(std::FILE* in) {
+    const long here = std::ftell(in);
+    std::fseek(in, 0, SEEK_END);
+    const long end = std::ftell(in);
+    std::fseek(in, here, SEEK_SET);
+    return static_cast<std::uint64_t>(end - here);
 }
 
 /// A string, or a vector of plain values.
@@ -45,13 +74,14 @@ void put_all(const Container& values, std::FILE* out) {
 
 template <typename Container>
 Container take_all(std::FILE* in) {
+    using Value = typename Container::value_type;
+    constexpr std::uint64_t believed = 4096;
+    const auto count = take<std::uint64_t>(in);
+    if (count > believed && count > bytes_left(in) / sizeof(Value)) refuse_data();
     Container values;
-    values.resize(take<std::uint64_t>(in));
+    values.resize(count);
     if (values.empty()) return values;
-    const auto size = sizeof(typename Container::value_type);
-    if (std::fread(values.data(), size, values.size(), in) != values.size()) {
-        throw std::runtime_error("was read, but its data did not arrive from the child process");
-    }
+    if (std::fread(values.data(), sizeof(Value), count, in) != count) refuse_data();
     return values;
 }
 

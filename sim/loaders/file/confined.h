@@ -1,60 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// Runs work that cannot be trusted, such as a large library reading a file from outside, in a child
-// process. If the work loops, hangs, takes all memory or crashes, only the child ends. Any thread.
+// Runs work that cannot be trusted in a copy of this process (fork()). If the work loops, hangs,
+// takes all memory or crashes, only the copy ends. It is cheap where this process is small, and for
+// processes with a single thread: scipd-read does so, and scipd does not.
 #pragma once
 
-#include <chrono>
-#include <cstddef>
+#include <cstdio>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
-#include "sim/loaders/file/doing.h"
-#include "sim/loaders/file/plain_file.h"
+#include "sim/loaders/file/child_process.h"
 
 namespace scipd::sim {
 
-struct Confines {
-    std::chrono::seconds processor_time;
-    std::size_t memory_bytes;  ///< on top of what the process already uses
-    std::chrono::milliseconds wall_time = std::chrono::minutes{2};
-    std::stop_token stop = {};  ///< requested when nobody waits any more
-    /// Advice at the end of the message that the work took too much: "KEY allows more".
-    std::string more_memory = {};
-    std::string more_time = {};
-};
-
-/// Runs `work` in a child, which has a single thread, as after any fork(). The work has standard
-/// input, output and error, and may open some files. The child ends with this object.
+/// Runs `work` in a child. The work has standard input, output and error, and may open some files.
+/// The child ends with this object.
 class Confined {
   public:
-    Confined(Confines confines, const std::function<void(std::FILE* out)>& work);
-    ~Confined();
-    Confined(const Confined&) = delete;
-    Confined& operator=(const Confined&) = delete;
+    Confined(const Confines& confines, const std::function<void(std::FILE* out)>& work);
 
-    /// Waits for the child and returns what the work wrote, from its beginning; the work has no
-    /// other effect on this process. Call it once. Throws std::runtime_error with the message of
-    /// the exception that left the work, or with how the child ended; if it took too long, also
-    /// with what it did last (doing.h).
-    File outcome();
+    /// As ChildProcess::outcome().
+    File outcome() { return child_->outcome(); }
 
   private:
-    class Child;
-
-    void wait();
-    [[nodiscard]] std::string too_late() const;
-
-    Confines confines_;
-    std::chrono::steady_clock::time_point deadline_;
-    File file_;
-    Doing doing_;
-    std::unique_ptr<Child> child_;
+    std::unique_ptr<ChildProcess> child_;
 };
 
 inline File run_confined(const Confines& confines,

@@ -7,33 +7,40 @@
 #include <system_error>
 
 #include <sys/mman.h>
+#include <unistd.h>
+
+#include "sim/loaders/file/plain_file.h"
 
 namespace scipd::sim {
 namespace {
 
 constexpr std::size_t room = 4096;
 
-/// Null if this process is no confined child.
+/// Null if this process is no child.
 char* said_here = nullptr;
 
 }  // namespace
 
-Doing::Doing() {
-    void* memory = mmap(nullptr, room, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (memory == MAP_FAILED) throw std::system_error(errno, std::generic_category(), "mmap");
-    words_ = static_cast<char*>(memory);
+Doing::Doing() : descriptor_(memory_descriptor()) {
+    if (ftruncate(descriptor_, room) == 0) return;
+    const int error = errno;
+    close(descriptor_);
+    throw std::system_error(error, std::generic_category(), "ftruncate");
 }
 
 Doing::~Doing() {
-    munmap(words_, room);
-}
-
-void Doing::begin() {
-    said_here = words_;
+    close(descriptor_);
 }
 
 std::string Doing::last() const {
-    return words_;
+    std::string words(room, '\0');
+    if (pread(descriptor_, words.data(), words.size(), 0) < 0) return {};
+    return words.c_str();
+}
+
+void begin_doing(int descriptor) {
+    void* memory = mmap(nullptr, room, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
+    said_here = memory == MAP_FAILED ? nullptr : static_cast<char*>(memory);
 }
 
 void now_doing(std::string_view what) {

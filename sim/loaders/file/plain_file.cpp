@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -73,10 +74,19 @@ std::string beginning_of(const fs::path& path) {
     return text;
 }
 
-File memory_file() {
-    const int descriptor = memfd_create("scipd", MFD_CLOEXEC);
+int memory_descriptor() {
+    constexpr int first = 4;
+    int descriptor = memfd_create("scipd", MFD_CLOEXEC);
+    if (descriptor >= 0 && descriptor < first) {
+        const int low = std::exchange(descriptor, fcntl(descriptor, F_DUPFD_CLOEXEC, first));
+        close(low);
+    }
     if (descriptor < 0) throw std::runtime_error("cannot make a memory file: " + reason(errno));
-    return stream_of(descriptor, "w+");
+    return descriptor;
+}
+
+File memory_file() {
+    return stream_of(memory_descriptor(), "w+");
 }
 
 std::string read_file(const fs::path& path, std::uintmax_t most_bytes, const std::string& wanted) {

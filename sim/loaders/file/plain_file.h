@@ -33,6 +33,9 @@ std::string beginning_of(const std::filesystem::path& path);
 
 /// A file without a name, in memory. Throws std::runtime_error.
 File memory_file();
+/// The same as a descriptor, which is never one of the first four: these have a meaning of their
+/// own in a child that is given it.
+int memory_descriptor();
 
 /// The whole file. Throws LoadError if the file cannot be read or is larger than `most_bytes`; the
 /// message names the file and ends in `wanted`, which tells the user what should be there.

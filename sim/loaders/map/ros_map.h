@@ -7,28 +7,11 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
 #include "sim/loaders/file/loaded_scene.h"
+#include "sim/loaders/map/map_options.h"
 
 namespace scipd::sim {
-
-/// What unknown cells become.
-enum class UnknownCells {
-    free,
-    wall,
-    unknown,  ///< as high as walls, of a material named unknown
-};
-
-/// Settings that a map file does not have.
-struct MapOptions {
-    double bottom_m = 0.0;  ///< z of the walls in W; below top_m
-    double top_m = 2.0;
-    std::string material = "wall";
-    UnknownCells unknown = UnknownCells::free;
-
-    bool operator==(const MapOptions&) const = default;
-};
 
 /// The world has one model, which never moves and has the name of the file. Throws LoadError with
 /// every fault.

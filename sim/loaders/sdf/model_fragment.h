@@ -6,21 +6,13 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 
 #include "sim/loaders/file/loaded_scene.h"
+#include "sim/loaders/file/new_model.h"
 #include "sim/loaders/sdf/sdf_options.h"
 
 namespace scipd::sim {
-
-struct Placement {
-    std::string name;                                     ///< replaces the model's own name
-    std::optional<Pose> world_from_model = std::nullopt;  ///< none: the model's own pose
-    /// True: the model moves as one body. False: no part of it moves. Without a value, as its file
-    /// says.
-    std::optional<bool> movable = std::nullopt;
-};
 
 /// `options` with smaller limits, for models that arrive while scanners run. Anybody who can reach
 /// the daemon may send one, so it may take only a part of the memory and triangles of a world.

@@ -19,6 +19,7 @@
 #include "sim/backends/registry.h"
 #include "sim/loaders/poses/trajectory_file.h"
 #include "sim/loaders/scene_file.h"
+#include "sim/loaders/sdf/sdf.h"
 #include "sim/world/script.h"
 
 namespace scipd::sim {

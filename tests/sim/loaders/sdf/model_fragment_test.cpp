@@ -11,6 +11,7 @@
 
 #include "sim/backends/registry.h"
 #include "sim/loaders/scene_file.h"
+#include "sim/loaders/sdf/sdf.h"
 #include "tests/sim/loaders/faults_of.h"
 #include "tests/sim/loaders/sdf/sdf_text.h"
 #include "tests/support/sanitized.h"
@@ -145,7 +146,7 @@ TEST_F(ModelFragment, MayBeTheFolderOfAModel) {
                       visual("by_name", "<mesh><uri>model://shelf/meshes/part.obj</uri></mesh>") +
                       visual("beside", "<mesh><uri>model://other/part.obj</uri></mesh>") +
                       "</link></model></sdf>");
-    const auto shelf = load_model_file(folder_.path() / "shelf", {"mine"});
+    const auto shelf = load_model({.placement = {"mine"}, .file = folder_.path() / "shelf"});
     EXPECT_THAT(shelf.warnings, IsEmpty());
     EXPECT_EQ(shelf.scene->models.at(0).name, "mine");
     EXPECT_FALSE(shelf.scene->models.at(0).movable);
@@ -167,7 +168,7 @@ TEST_F(ModelFragment, MayBeARobotOrAFile) {
         "</geometry></visual></link></robot>";
     EXPECT_EQ(load(urdf, {"a"}).scene->models.at(0).name, "a");
     const auto file = folder_.write("robot.urdf", urdf);
-    EXPECT_EQ(load_model_file(file, {"b"}).scene->models.at(0).name, "b");
+    EXPECT_EQ(load_model({.placement = {"b"}, .file = file}).scene->models.at(0).name, "b");
 }
 
 TEST_F(ModelFragment, OfAMeshHasItsMaterialsOrOneOfItsOwn) {

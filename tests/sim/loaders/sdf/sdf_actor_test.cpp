@@ -286,7 +286,7 @@ TEST_F(IncludedActors, WalkFromWhereTheyArePut) {
 TEST_F(IncludedActors, CanBeAddedToAWorldThatIsThere) {
     const auto file = folder_.path() / "models/man/model.sdf";
     const Pose there = pose_from_rpy({10, 2, 0}, {0, 0, std::acos(0.0)});
-    const auto loaded = load_model_file(file, {"walker", there}, {});
+    const auto loaded = load_model({.placement = {"walker", there}, .file = file});
     scene_ = with_models(Scene{}, *loaded.scene);
     EXPECT_NEAR(pose(3s).translation_m.x, 10.0, 1e-9);
     EXPECT_NEAR(pose(3s).translation_m.y, 5.0, 1e-9);
@@ -295,8 +295,8 @@ TEST_F(IncludedActors, CanBeAddedToAWorldThatIsThere) {
 
 TEST_F(IncludedActors, StandStillWhereTheyAreToldSo) {
     const auto file = folder_.path() / "models/man/model.sdf";
-    const auto model =
-        load_model_file(file, {"walker", std::nullopt, false}, {}).scene->models.at(0);
+    const Placement still{"walker", std::nullopt, false};
+    const auto model = load_model({.placement = still, .file = file}).scene->models.at(0);
     EXPECT_FALSE(model.movable);
     EXPECT_EQ(model.script, nullptr);
 }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/loaders/scene_file.h"
+#include "sim/loaders/sdf/sdf.h"
 #include "tests/sim/loaders/faults_of.h"
 #include "tests/sim/loaders/sdf/sdf_text.h"
 

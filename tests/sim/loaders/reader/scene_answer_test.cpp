@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/confined_scene.h"
+#include "sim/loaders/reader/scene_answer.h"
 
-#include <csignal>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include "sim/loaders/file/doing.h"
-#include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/plain_file.h"
 #include "sim/world/script.h"
 
 namespace scipd::sim {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 /// One of everything that a scene can hold.
 Scene full_scene() {
@@ -43,29 +37,31 @@ Scene full_scene() {
     return scene;
 }
 
-LoadedScene through_a_child(const Scene& scene, std::vector<std::string> warnings) {
-    return load_confined("x", {}, [&] {
-        return LoadedScene{std::make_shared<const Scene>(scene), warnings};
-    });
+File written(const Scene& scene) {
+    File file = memory_file();
+    put_scene(scene, file.get());
+    std::rewind(file.get());
+    return file;
 }
 
-std::vector<std::string> faults_of_child(const std::function<void()>& work,
-                                         const LoadLimits& limits = {}) {
-    try {
-        load_confined("x", limits, [&] {
-            work();
-            return LoadedScene{};
-        });
-    } catch (const LoadError& error) {
-        return error.faults();
-    }
-    return {};
+std::string bytes_of(const Scene& scene) {
+    const File file = written(scene);
+    std::string bytes(100'000, ' ');
+    bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file.get()));
+    return bytes;
 }
 
-TEST(ConfinedScene, ArrivesWhole) {
+Scene taken_from(const std::string& bytes) {
+    const File file = memory_file();
+    std::fwrite(bytes.data(), 1, bytes.size(), file.get());
+    std::rewind(file.get());
+    return take_scene(file.get());
+}
+
+TEST(SceneAnswer, ArrivesWhole) {
     const Scene sent = full_scene();
-    const auto [arrived, warnings] = through_a_child(sent, {"one", "", "three\nlines"});
-    EXPECT_THAT(warnings, ElementsAre("one", "", "three\nlines"));
+    const File file = written(sent);
+    const auto arrived = std::make_shared<const Scene>(take_scene(file.get()));
     EXPECT_EQ(arrived->name, sent.name);
     EXPECT_EQ(arrived->anchor_m, sent.anchor_m);
     EXPECT_EQ(arrived->materials, sent.materials);
@@ -104,44 +100,53 @@ TEST(ConfinedScene, ArrivesWhole) {
               std::get<SharedMesh>(arrived->objects[6].shape));
 }
 
-TEST(ConfinedScene, FaultsArriveEach) {
-    EXPECT_THAT(faults_of_child([] {
-                    throw LoadError({"a.sdf:1: one", "a.sdf:2: two\nlines"});
-                }),
-                ElementsAre("a.sdf:1: one", "a.sdf:2: two\nlines"));
-    EXPECT_THAT(faults_of_child([] { throw std::logic_error("slip"); }), ElementsAre("x: slip"));
+void expect_no_answer(const Scene& scene) {
+    EXPECT_THROW(taken_from(bytes_of(scene)), std::runtime_error);
 }
 
-// The whole of a world may take so long, and the file that took it is one of many.
-TEST(ConfinedScene, WhatTakesTooLongTellsWhatItWasAtAndTheLimit) {
-    const auto wait_at = [](const std::string& what) {
-        return faults_of_child(
-            [&what] {
-                now_doing("reading other.dae");
-                now_doing(what);
-                while (true)
-                    pause();
-            },
-            {.wall_time = std::chrono::seconds{1}});
-    };
-    EXPECT_THAT(wait_at("reading a.dae"),
-                ElementsAre("x: was not read within 1 s; at last it was reading a.dae; "
-                            "world_load_s under limits in the configuration allows more"));
-    EXPECT_THAT(wait_at(std::string(10'000, 'a')), ElementsAre(HasSubstr("it was aaa")));
+// The reader may have lost its senses over a file.
+TEST(SceneAnswer, ThatLeadsNowhereIsNone) {
+    Scene scene = full_scene();
+    scene.objects[0].model = 2;
+    expect_no_answer(scene);
+    scene = full_scene();
+    scene.objects[0].material = 3;
+    expect_no_answer(scene);
+    scene = full_scene();
+    scene.frames[0].model = no_model;
+    expect_no_answer(scene);
+    scene = full_scene();
+    scene.models[1].script = std::make_shared<const Script>();
+    expect_no_answer(scene);
+    scene = full_scene();
+    scene.objects[4].shape = std::make_shared<const Mesh>(Mesh{{{0, 0, 0}}, {{0, 0, 1}}});
+    expect_no_answer(scene);
+    scene = full_scene();
+    scene.materials.clear();
+    expect_no_answer(scene);
 }
 
-TEST(ConfinedScene, WhatCrashesOrNeverEndsIsAFault) {
-    EXPECT_THAT(faults_of_child([] {
-                    std::signal(SIGABRT, SIG_DFL);
-                    std::raise(SIGABRT);
-                }),
-                ElementsAre(HasSubstr("x: crashes the library that reads it (signal 6)")));
-    EXPECT_THAT(faults_of_child([] { pause(); }, {.wall_time = std::chrono::seconds{1}}),
-                ElementsAre(HasSubstr("x: was not read within 1 s")));
-    std::stop_source stop;
-    stop.request_stop();
-    EXPECT_THAT(faults_of_child([] { pause(); }, {.stop = stop.get_token()}),
-                ElementsAre("x: was not read to its end"));
+TEST(SceneAnswer, ThatEndsEarlyIsNone) {
+    const std::string whole = bytes_of(full_scene());
+    ASSERT_NO_THROW(taken_from(whole));
+    for (std::size_t size = 0; size < whole.size(); ++size)
+        EXPECT_THROW(taken_from(whole.substr(0, size)), std::runtime_error) << size;
+}
+
+// A sanitizer would see what goes wrong, and a size that is believed would take all memory.
+TEST(SceneAnswer, OfAnyBytesIsASceneOrNone) {
+    const std::string whole = bytes_of(full_scene());
+    for (std::size_t at = 0; at < whole.size(); ++at) {
+        for (const char byte : {'\x00', '\x01', '\x7F', '\xFF'}) {
+            std::string damaged = whole;
+            damaged[at] = byte;
+            try {
+                for (const Object& object : taken_from(damaged).objects)
+                    (void)object.shape.index();
+            } catch (const std::runtime_error&) {
+            }
+        }
+    }
 }
 
 }  // namespace

@@ -1,32 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/confined_scene.h"
+#include "sim/loaders/reader/scene_answer.h"
 
+#include <algorithm>
 #include <map>
 #include <memory>
-#include <optional>
-#include <stdexcept>
+#include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "sim/loaders/file/between_processes.h"
-#include "sim/loaders/file/confined.h"
-#include "sim/loaders/file/load_error.h"
 #include "sim/world/script.h"
 
 namespace scipd::sim {
 namespace {
-
-using Texts = std::vector<std::string>;
-
-void put_texts(const Texts& texts, std::FILE* out) {
-    put_each(texts, out, put_all<std::string>);
-}
-
-Texts take_texts(std::FILE* in) {
-    return take_each<Texts>(in, take_all<std::string>);
-}
 
 void put_script(const Script& script, std::FILE* out) {
     put_all(script.steps, out);
@@ -37,6 +26,7 @@ SharedScript take_script(std::FILE* in) {
     Script script;
     script.steps = take_all<std::vector<Script::Step>>(in);
     script.lap = take<Time>(in);
+    if (script.steps.empty()) refuse_data();
     return std::make_shared<const Script>(std::move(script));
 }
 
@@ -51,9 +41,9 @@ void put_model(const Model& model, std::FILE* out) {
 Model take_model(std::FILE* in) {
     Model model;
     model.name = take_all<std::string>(in);
-    model.movable = take<bool>(in);
+    model.movable = take_bool(in);
     model.world_from_model = take<Pose>(in);
-    if (take<bool>(in)) model.script = take_script(in);
+    if (take_bool(in)) model.script = take_script(in);
     return model;
 }
 
@@ -62,7 +52,7 @@ void put_frame(const Frame& frame, std::FILE* out) {
     put(frame.model, out);
     put(frame.model_from_frame, out);
     put_all(frame.sensor, out);
-    put(frame.lidar, out);
+    put_optional(frame.lidar, out);
 }
 
 Frame take_frame(std::FILE* in) {
@@ -71,23 +61,27 @@ Frame take_frame(std::FILE* in) {
     frame.model = take<ModelId>(in);
     frame.model_from_frame = take<Pose>(in);
     frame.sensor = take_all<std::string>(in);
-    frame.lidar = take<std::optional<Lidar>>(in);
+    frame.lidar = take_optional<Lidar>(in);
     return frame;
 }
 
 void put_material(const Material& material, std::FILE* out) {
     put_all(material.name, out);
-    put(material.laser_retro, out);
-    put(material.appearance, out);
+    const Appearance& appearance = material.appearance;
+    for (const auto& number : {material.laser_retro, appearance.transparency, appearance.metalness,
+                               appearance.roughness})
+        put_optional(number, out);
     put(material.from_script, out);
 }
 
 Material take_material(std::FILE* in) {
     Material material;
     material.name = take_all<std::string>(in);
-    material.laser_retro = take<std::optional<double>>(in);
-    material.appearance = take<Appearance>(in);
-    material.from_script = take<bool>(in);
+    Appearance& appearance = material.appearance;
+    for (auto* number : {&material.laser_retro, &appearance.transparency, &appearance.metalness,
+                         &appearance.roughness})
+        *number = take_optional<double>(in);
+    material.from_script = take_bool(in);
     return material;
 }
 
@@ -100,11 +94,38 @@ SharedMesh take_mesh(std::FILE* in) {
     Mesh mesh;
     mesh.vertices_m = take_all<std::vector<glm::vec3>>(in);
     mesh.triangles = take_all<std::vector<glm::uvec3>>(in);
+    const auto vertices = mesh.vertices_m.size();
+    if (!std::ranges::all_of(mesh.triangles, [&](const glm::uvec3& corners) {
+            return corners.x < vertices && corners.y < vertices && corners.z < vertices;
+        }))
+        refuse_data();
     return std::make_shared<const Mesh>(std::move(mesh));
 }
 
 /// A shape with the index of its mesh in place of the mesh, since many objects may share one mesh.
-using Plain = std::variant<Box, Cylinder, Sphere, Plane, std::size_t>;
+using Plain = std::variant<Box, Cylinder, Sphere, Plane, std::uint64_t>;
+
+void put_plain(const Plain& plain, std::FILE* out) {
+    put(std::uint64_t{plain.index()}, out);
+    std::visit([&](const auto& shape) { put(shape, out); }, plain);
+}
+
+Plain take_plain(std::FILE* in) {
+    switch (take<std::uint64_t>(in)) {
+        case 0:
+            return take<Box>(in);
+        case 1:
+            return take<Cylinder>(in);
+        case 2:
+            return take<Sphere>(in);
+        case 3:
+            return take<Plane>(in);
+        case 4:
+            return take<std::uint64_t>(in);
+        default:
+            refuse_data();
+    }
+}
 
 class Sender {
   public:
@@ -126,7 +147,7 @@ class Sender {
         put(object.model, out_);
         put(object.model_from_object, out_);
         put(object.material, out_);
-        put(std::visit([&](const auto& shape) { return plain(shape); }, object.shape), out_);
+        put_plain(std::visit([&](const auto& shape) { return plain(shape); }, object.shape), out_);
     }
 
     template <typename Primitive>
@@ -141,7 +162,7 @@ class Sender {
 
     std::FILE* out_;
     std::vector<SharedMesh> meshes_;
-    std::map<const Mesh*, std::size_t> index_of_;
+    std::map<const Mesh*, std::uint64_t> index_of_;
 };
 
 class Receiver {
@@ -149,22 +170,22 @@ class Receiver {
     explicit Receiver(std::FILE* in) : in_(in) {}
 
     Scene receive() {
-        Scene scene;
-        scene.name = take_all<std::string>(in_);
-        scene.anchor_m = take<glm::dvec3>(in_);
-        scene.models = take_each<std::vector<Model>>(in_, take_model);
-        scene.frames = take_each<std::vector<Frame>>(in_, take_frame);
-        scene.materials = take_each<std::vector<Material>>(in_, take_material);
+        scene_.name = take_all<std::string>(in_);
+        scene_.anchor_m = take<glm::dvec3>(in_);
+        scene_.models = take_each<std::vector<Model>>(in_, take_model);
+        scene_.frames = take_each<std::vector<Frame>>(in_, take_frame);
+        scene_.materials = take_each<std::vector<Material>>(in_, take_material);
         std::vector<Plain> shapes;
-        scene.objects = take_each<std::vector<Object>>(in_, [&](std::FILE*) {
+        scene_.objects = take_each<std::vector<Object>>(in_, [&](std::FILE*) {
             Object object = take_object();
-            shapes.push_back(take<Plain>(in_));
+            shapes.push_back(take_plain(in_));
             return object;
         });
-        const auto meshes = take_each<std::vector<SharedMesh>>(in_, take_mesh);
+        meshes_ = take_each<std::vector<SharedMesh>>(in_, take_mesh);
         for (std::size_t i = 0; i < shapes.size(); ++i)
-            scene.objects[i].shape = shape_of(shapes[i], meshes);
-        return scene;
+            scene_.objects[i].shape = shape_of(shapes[i]);
+        check();
+        return std::move(scene_);
     }
 
   private:
@@ -177,10 +198,11 @@ class Receiver {
         return object;
     }
 
-    static Shape shape_of(const Plain& plain, const std::vector<SharedMesh>& meshes) {
+    [[nodiscard]] Shape shape_of(const Plain& plain) const {
         const auto whole = [&](const auto& shape) -> Shape {
-            if constexpr (std::is_same_v<decltype(shape), const std::size_t&>) {
-                return meshes.at(shape);
+            if constexpr (std::is_same_v<decltype(shape), const std::uint64_t&>) {
+                if (shape >= meshes_.size()) refuse_data();
+                return meshes_[shape];
             } else {
                 return shape;
             }
@@ -188,48 +210,32 @@ class Receiver {
         return std::visit(whole, plain);
     }
 
-    std::FILE* in_;
-};
-
-void work(std::FILE* out, const LoadLimits& limits, const std::function<LoadedScene()>& load) {
-    try {
-        if (limits.folders) read_only_from(*limits.folders);
-        const LoadedScene loaded = load();
-        put(true, out);
-        put_texts(loaded.warnings, out);
-        Sender{out}.send(*loaded.scene);
-    } catch (const LoadError& error) {
-        put(false, out);
-        put_texts(error.faults(), out);
+    void check() const {
+        const auto has_model = [&](const auto& thing) {
+            return thing.model < scene_.models.size();
+        };
+        const auto has_material = [&](const Object& object) {
+            return object.material < scene_.materials.size();
+        };
+        if (scene_.materials.empty() || !std::ranges::all_of(scene_.frames, has_model) ||
+            !std::ranges::all_of(scene_.objects, has_model) ||
+            !std::ranges::all_of(scene_.objects, has_material))
+            refuse_data();
     }
-}
+
+    std::FILE* in_;
+    Scene scene_;
+    std::vector<SharedMesh> meshes_;
+};
 
 }  // namespace
 
-LoadedScene load_confined(const std::string& name, const LoadLimits& limits,
-                          const std::function<LoadedScene()>& load) {
-    try {
-        // Longer than one thread can use within wall_time: so the wall time ends the child first,
-        // and the message is about that.
-        const auto processor_time = limits.wall_time + std::chrono::seconds{10};
-        const Confines confines{
-            .processor_time = processor_time,
-            .memory_bytes = limits.memory_bytes,
-            .wall_time = limits.wall_time,
-            .stop = limits.stop,
-            .more_memory = {},
-            .more_time = "world_load_s under limits in the configuration allows more"};
-        const File answer =
-            run_confined(confines, [&](std::FILE* out) { work(out, limits, load); });
-        const bool is_loaded = take<bool>(answer.get());
-        Texts texts = take_texts(answer.get());
-        if (!is_loaded) throw LoadError(std::move(texts));
-        return {std::make_shared<const Scene>(Receiver{answer.get()}.receive()), std::move(texts)};
-    } catch (const LoadError&) {
-        throw;
-    } catch (const std::runtime_error& wrong) {
-        throw LoadError({name + ": " + wrong.what()});
-    }
+void put_scene(const Scene& scene, std::FILE* out) {
+    Sender{out}.send(scene);
+}
+
+Scene take_scene(std::FILE* in) {
+    return Receiver{in}.receive();
 }
 
 }  // namespace scipd::sim
