@@ -76,18 +76,18 @@ TEST_F(ReaderProgram, ThatCannotBeStartedIsAFault) {
 TEST_F(ReaderProgram, ThatTakesTooLongTellsWhatItWasAtAndTheLimit) {
     const LoadLimits brief{.wall_time = std::chrono::seconds{1}};
     EXPECT_THAT(
-        faults_of(program("printf 'reading a.dae' >&3\nwhile :; do sleep 1; done\n"), "x", brief),
+        faults_of(program("printf 'reading a.dae' >&3\nexec sleep 9\n"), "x", brief),
         ElementsAre("x: was not read within 1 s; at last it was reading a.dae; "
                     "world_load_s under limits in the configuration allows more"));
     EXPECT_THAT(
-        faults_of(program("head -c 100000 /dev/zero | tr '\\0' a >&3\nsleep 9\n"), "x", brief),
+        faults_of(program("head -c 100000 /dev/zero | tr '\\0' a >&3\nexec sleep 9\n"), "x", brief),
         ElementsAre(HasSubstr("it was aaa")));
 }
 
 TEST_F(ReaderProgram, ThatNobodyWaitsForEndsAtOnce) {
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_THAT(faults_of(program("sleep 9\n"), "x", {.stop = stop.get_token()}),
+    EXPECT_THAT(faults_of(program("exec sleep 9\n"), "x", {.stop = stop.get_token()}),
                 ElementsAre("x: was not read to its end"));
 }
 
