@@ -72,7 +72,7 @@ std::string summary_of_curves(const Config& config) {
 
 std::string check_configuration(const std::filesystem::path& file, const Options& options) {
     Config config = load_config(file);
-    options.put_into(config);
+    options.overrides.put_into(config);
     sim::LoadedScene world;
     Sentences faults;
     std::vector<std::string> notices;
@@ -114,9 +114,9 @@ std::string check(const std::filesystem::path& file, const Options& options) {
     const auto kind = kind_of(file);
     if (!kind) throw sim::LoadError({file.string() + ": " + kind.error().why});
     if (*kind == FileKind::configuration) return check_configuration(file, options);
-    if (!options.scenario.empty())
+    if (!options.overrides.scenario.empty())
         throw sim::LoadError({file.string() + ": --scenario goes with a configuration"});
-    return check_file(*kind, file, options.strict);
+    return check_file(*kind, file, options.overrides.strict);
 }
 
 }  // namespace scipd::daemon

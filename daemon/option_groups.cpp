@@ -2,8 +2,11 @@
 // Copyright The scipd authors
 #include "daemon/option_groups.h"
 
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -21,6 +24,11 @@ namespace scipd::daemon {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* world_title = "World";
+constexpr const char* daemon_title = "Daemon";
+constexpr const char* alone_title = "Instead of the above";
+constexpr const char* general_title = "General";
 
 /// Adds options of one group. The text of each goes through a parser of daemon/config.
 class Group {
@@ -57,25 +65,25 @@ void warn_of_degrees(const char* option, const std::string& text, OptionValues& 
 }
 
 void add_world(CLI::App& app, OptionValues& said) {
-    Group group{app, "World"};
-    Config& config = said.options.config;
+    Group group{app, world_title};
+    Overrides& over = said.options.overrides;
     group.add(
         "--scene", "FILE",
         "the world: SDF, URDF, xacro, a ROS map, Stage, MVSim, a mesh or the folder of a "
         "model; default: the rescue maze",
-        [&](const auto& text) { return put(parse_scene(text, fs::current_path()), config.scene); });
+        [&](const auto& text) { return put(parse_scene(text, fs::current_path()), over.scene); });
     group.add("--materials", "FILE",
               "materials that are added to those of scipd, or replace them; default: none",
               [&](const auto& text) {
-                  return put(parse_file(text, fs::current_path()), config.materials);
+                  return put(parse_file(text, fs::current_path()), over.materials);
               });
     group.add(
         "--clock", "CLOCK",
         "wall; or poses: the stamps of the poses are the time, which stands still between them; "
         "default: wall",
-        [&](const auto& text) { return put(parse_clock(text), config.clock); });
+        [&](const auto& text) { return put(parse_clock(text), over.clock); });
     group.add("--seed", "N", "the same seed gives the same noise; default: 1",
-              [&](const auto& text) { return put(parse_seed(text), config.seed); });
+              [&](const auto& text) { return put(parse_seed(text), over.seed); });
 }
 
 void add_robot(CLI::App& app, OptionValues& said) {
@@ -155,28 +163,28 @@ void add_scanner(CLI::App& app, OptionValues& said) {
 }
 
 void add_daemon(CLI::App& app, OptionValues& said) {
-    Group group{app, "Daemon"};
-    Config& config = said.options.config;
+    Group group{app, daemon_title};
+    Overrides& over = said.options.overrides;
     group.add("--control", "SOCKET",
               "the socket of the control API; default: control.sock in the run directory",
               [&](const auto& text) {
-                  return put(parse_socket(text, fs::current_path()), config.control);
+                  return put(parse_socket(text, fs::current_path()), over.control);
               });
     group.add("--broker", "URL",
               "share the world with other daemons by this MQTT broker, mqtt://HOST:PORT; default: "
               "the world is this daemon's alone",
-              [&](const auto& text) { return put(parse_broker(text), said.fleet.broker); });
+              [&](const auto& text) { return put(parse_broker(text), over.broker); });
     group.add("--world", "NAME", "which of the broker's worlds; goes with --broker",
-              [&](const auto& text) { return put(parse_world_name(text), said.fleet.world); });
+              [&](const auto& text) { return put(parse_world_name(text), over.world); });
 }
-
-constexpr const char* alone_title = "Instead of the above";
-constexpr const char* general_title = "General";
 
 void add_alone(CLI::App& app, OptionValues& said) {
     Group group{app, alone_title};
-    group.add("--config", "FILE.yaml", "run what the file says",
-              [&](const auto& text) { return put<fs::path>(text, said.config); });
+    group.add(
+        "--config", "FILE.yaml",
+        "run what the file says; options of the world, the daemon and below go with it, and hold "
+        "in place of what it says",
+        [&](const auto& text) { return put<fs::path>(text, said.config); });
     group.add("--check", "FILE",
               "tell what a configuration, a world, a map, a mesh, a scenario, materials or a "
               "trajectory holds and every fault in it, and end",
@@ -207,12 +215,12 @@ void add_overrides(CLI::App& app, OptionValues& said) {
     group.add("--scenario", "FILE",
               "what goes wrong at the scanners, and when; default: what the configuration says",
               [&](const auto& text) {
-                  return put(parse_file(text, fs::current_path()), said.options.scenario);
+                  return put(parse_file(text, fs::current_path()), said.options.overrides.scenario);
               });
     group.add("--http", "ADDR:PORT",
               "where the live page and the control API listen on TCP, on loopback, or none; "
               "default: what the configuration says, else none",
-              [&](const auto& text) { return put(parse_http(text), said.options.http); });
+              [&](const auto& text) { return put(parse_http(text), said.options.overrides.http); });
 }
 
 /// Adds the options that go with all others.
@@ -230,7 +238,7 @@ void add_general(CLI::App& app, OptionValues& said) {
         ->capture_default_str()
         ->group(general_title);
     app.add_flag(
-           "--strict", said.options.strict,
+           "--strict", said.options.overrides.strict,
            "refuse a world or a trajectory of which scipd would leave out or change anything, and "
            "numbers in a wrong unit, instead of warning")
         ->group(general_title);
@@ -264,6 +272,36 @@ void add_options(CLI::App& app, OptionValues& said) {
     add_general(app, said);
 }
 
+namespace {
+
+/// Where a configuration says what this option of a scanner or its robot says; empty: it is no such
+/// option.
+std::string key_of(const std::string& option) {
+    constexpr std::array<std::string_view, 2> of_robot{"pose", "poses"};
+    constexpr std::array<std::string_view, 8> of_sensor{
+        "model", "mount", "tcp", "pty", "backend", "accuracy", "timing", "power-up"};
+    std::string name = option.substr(2);
+    if (name == "name") return "robots.ROBOT.sensors.SENSOR";
+    if (name == "sensor-from") return "robots.ROBOT.sensors.SENSOR.mount.sensor";
+    if (std::ranges::find(of_robot, name) != of_robot.end()) return "robots.ROBOT." + name;
+    if (std::ranges::find(of_sensor, name) == of_sensor.end()) return {};
+    std::ranges::replace(name, '-', '_');
+    return "robots.ROBOT.sensors.SENSOR." + name;
+}
+
+sim::Expected<> check_beside(const CLI::Option& alone, const CLI::Option& other) {
+    const std::string key = key_of(other.get_name());
+    if (alone.get_name() != "--config")
+        return sim::refuse(alone.get_name() + " stands alone: leave " + other.get_name() + " out");
+    if (other.get_group() == alone_title)
+        return sim::refuse("--config and " + other.get_name() + " do not go together");
+    if (key.empty()) return {};
+    return sim::refuse(other.get_name() + " is for a scanner without a configuration: beside " +
+                       "--config, write " + key + " into the file");
+}
+
+}  // namespace
+
 /// Not CLI11's excludes(): it would list every pair in the help.
 sim::Expected<> check_alone(const CLI::App& app) {
     for (const CLI::Option* alone : app.get_options()) {
@@ -272,8 +310,7 @@ sim::Expected<> check_alone(const CLI::App& app) {
             if (other == alone || other->get_group() == general_title || other->count() == 0) {
                 continue;
             }
-            return sim::refuse(alone->get_name() + " stands alone: leave " + other->get_name() +
-                               " out");
+            if (const auto good = check_beside(*alone, *other); !good) return good;
         }
     }
     return {};

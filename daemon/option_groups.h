@@ -22,7 +22,6 @@ struct OptionValues {
 
     Options options;
     RobotConfig robot;
-    BrokerConfig fleet;
     SensorConfig sensor;  ///< of the kind that stands alone, until options say otherwise
     bool start_given = false;
     bool mount_given = false;
@@ -38,7 +37,7 @@ struct OptionValues {
 /// Their texts go through the parsers of daemon/config, whose refusals become CLI's.
 void add_options(CLI::App& app, OptionValues& said);
 
-/// Refuses other options beside one that stands alone.
+/// Refuses options that do not go together. --config goes with those that are of no scanner.
 [[nodiscard]] sim::Expected<> check_alone(const CLI::App& app);
 
 }  // namespace scipd::daemon

@@ -56,16 +56,14 @@ Answer wrong_options(const std::string& why) {
     return refusal("scipd: " + why + (why.ends_with('?') ? " See" : "; see") + " scipd --help");
 }
 
-/// A world is shared where both options say how.
-sim::Expected<> take_fleet(OptionValues& said) {
-    const bool has_broker = !said.fleet.broker.host.empty();
-    if (has_broker != !said.fleet.world.empty())
+/// A world is shared where both is said: how, and which.
+sim::Expected<> check_fleet(const Config& config) {
+    if (config.fleet && (config.fleet->broker.host.empty() || config.fleet->world.empty()))
         return sim::refuse("--broker and --world go together");
-    const auto& poses = said.robot.poses;
-    if (!has_broker && poses && poses->kind == PoseSource::Kind::vda5050)
-        return sim::refuse("--poses vda5050: goes with --broker and --world");
-    if (!has_broker) return {};
-    said.options.config.fleet = said.fleet;
+    for (const RobotConfig& robot : config.robots) {
+        if (!config.fleet && robot.poses && robot.poses->kind == PoseSource::Kind::vda5050)
+            return sim::refuse("--poses vda5050: goes with --broker and --world");
+    }
     return {};
 }
 
@@ -98,14 +96,16 @@ std::variant<Options, Answer> act(OptionValues& said) {
     if (said.list_backends) return backend_list();
     if (said.probe) return probe();
     if (!said.check.empty()) return Answer{0, check(said.check, said.options)};
-    if (said.config.empty()) {
-        const auto completed = complete(said).and_then([&] { return take_fleet(said); });
-        if (!completed) return wrong_options(completed.error().why);
-    } else {
-        said.options.config = load_config(said.config);
+    Config& config = said.options.config;
+    if (!said.config.empty()) {
+        config = load_config(said.config);
         said.options.config_file = fs::absolute(said.config);
     }
-    said.options.put_into(said.options.config);
+    said.options.overrides.put_into(config);
+    const auto good = (said.config.empty() ? complete(said) : sim::Expected<>{}).and_then([&] {
+        return check_fleet(config);
+    });
+    if (!good) return wrong_options(good.error().why);
     return std::move(said.options);
 }
 

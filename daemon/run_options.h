@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,29 +15,33 @@
 
 namespace scipd::daemon {
 
+/// What holds whatever the configuration says; nothing, or empty: that holds.
+struct Overrides {
+    std::filesystem::path scene = {};
+    std::filesystem::path materials = {};
+    std::optional<ClockKind> clock = {};
+    std::optional<std::uint64_t> seed = {};
+    std::filesystem::path control = {};
+    BrokerAddress broker = {};
+    std::string world = {};  ///< of the broker's
+    std::filesystem::path scenario = {};
+    /// Nothing in it: no control API on TCP.
+    std::optional<std::optional<Address>> http = {};
+    bool strict = false;
+
+    void put_into(Config& read) const;
+};
+
 struct Options {
     Config config;
     /// The file of the configuration, which SIGHUP has read again; nothing: it came from options.
     std::optional<std::filesystem::path> config_file;
+    Overrides overrides;
     /// trace, debug, info, warning (or warn), error, critical or off.
     std::string log_level = "info";
     std::string log_format = "text";  ///< or "json"
-    bool strict = false;              ///< whatever the configuration says
     /// How many threads sensors live on.
     unsigned threads = std::max(1U, std::thread::hardware_concurrency());
-    /// In the place of what the configuration says; empty: that holds.
-    std::filesystem::path scenario = {};
-    /// The same of `http`; nothing in it: no control API on TCP.
-    std::optional<std::optional<Address>> http = {};
-
-    /// Puts what holds whatever the configuration says into it.
-    void put_into(Config& read) const {
-        read.strict |= strict;
-        if (http) read.http = *http;
-        if (scenario.empty()) return;
-        read.scenario = scenario;
-        read.places.erase("scenario");
-    }
 };
 
 }  // namespace scipd::daemon

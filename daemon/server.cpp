@@ -223,7 +223,7 @@ Server::Next Server::load_next(const Options& options, const Running& running,
                                const std::stop_token& stop, const JoinWorld& join) {
     const Config& started = options.config;
     Config config = load_config(*options.config_file);
-    options.put_into(config);
+    options.overrides.put_into(config);
     const auto set_at_the_start = [](const Config& of) {
         return std::tie(of.control, of.control_group, of.http, of.http_token, of.clock, of.fleet);
     };

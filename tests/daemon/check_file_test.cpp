@@ -34,7 +34,7 @@ class CheckFile : public testing::Test {
     std::string said_of(const std::string& name, bool strict = false) {
         std::string text;
         Options options;
-        options.strict = strict;
+        options.overrides.strict = strict;
         try {
             text = check(dir_.path() / name, options);
         } catch (const sim::LoadError& error) {

@@ -175,7 +175,7 @@ TEST_F(OptionsTest, PosesComeFromThreeKindsOfSources) {
     EXPECT_EQ(source("--poses " + walk.string()).file, walk);
 }
 
-TEST_F(OptionsTest, AConfigurationStandsAlone) {
+TEST_F(OptionsTest, AConfigurationSaysWhatOptionsDoNot) {
     const auto file = dir_.write("one.yaml",
                                  "scene: room.sdf\n"
                                  "robots: {r: {sensors: {s: {model: UST-20LX, pty: auto}}}}\n");
@@ -184,10 +184,48 @@ TEST_F(OptionsTest, AConfigurationStandsAlone) {
     EXPECT_EQ(options.config_file, file);
     EXPECT_EQ(options.log_level, "warn");
 
-    const Answer both = answer("--seed 3 --config " + file.string());
-    EXPECT_EQ(both.exit_code, 2);
-    EXPECT_EQ(both.text, "scipd: --config stands alone: leave --seed out; see scipd --help\n");
     EXPECT_EQ(answer("--list-models --check x").exit_code, 2);
+}
+
+TEST_F(OptionsTest, HoldInPlaceOfWhatAConfigurationSays) {
+    const auto file = dir_.write("one.yaml",
+                                 "scene: room.sdf\nseed: 5\nclock: wall\ncontrol: a.sock\n"
+                                 "http: 127.0.0.1:8080\nfleet: {broker: 'mqtt://a', world: b}\n"
+                                 "robots: {r: {sensors: {s: {model: UST-20LX, pty: auto}}}}\n");
+    const auto other = dir_.write("more/other.sdf", "");
+    const Config said =
+        run("--config " + file.string() + " --scene " + other.string() +
+            " --seed 3 --clock poses --control b.sock --http none --strict --world c")
+            .config;
+    EXPECT_EQ(said.scene, other);
+    EXPECT_EQ(said.seed, 3U);
+    EXPECT_EQ(said.clock, ClockKind::poses);
+    EXPECT_EQ(said.control.filename(), "b.sock");
+    EXPECT_FALSE(said.http);
+    EXPECT_TRUE(said.strict);
+    EXPECT_EQ(said.fleet->broker.host, "a");
+    EXPECT_EQ(said.fleet->world, "c");
+    // Its clients may name files beside the world that there is.
+    EXPECT_THAT(said.allow, testing::Contains(other.parent_path()));
+}
+
+TEST_F(OptionsTest, OfAScannerAreRefusedBesideAConfiguration) {
+    const auto refused = [&](const std::string& option, const std::string& key) {
+        const Answer both = answer(option + " --config x.yaml");
+        EXPECT_EQ(both.exit_code, 2);
+        EXPECT_EQ(both.text, "scipd: " + option.substr(0, option.find(' ')) +
+                                 " is for a scanner without a configuration: beside --config, "
+                                 "write " +
+                                 key + " into the file; see scipd --help\n");
+    };
+    refused("--model UST-10LX", "robots.ROBOT.sensors.SENSOR.model");
+    refused("--power-up boot", "robots.ROBOT.sensors.SENSOR.power_up");
+    refused("--pose 1,2,3", "robots.ROBOT.pose");
+    refused("--name a/b", "robots.ROBOT.sensors.SENSOR");
+    refused("--sensor-from a", "robots.ROBOT.sensors.SENSOR.mount.sensor");
+    EXPECT_EQ(answer("--config x.yaml --check y.yaml").text,
+              "scipd: --config and --check do not go together; see scipd --help\n");
+    EXPECT_THAT(answer("--broker mqtt://a " + scene()).text, HasSubstr("go together"));
 }
 
 TEST_F(OptionsTest, NamesMaterials) {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "tools/control_client.h"
@@ -71,22 +72,37 @@ Json request_of(const StartOptions& options) {
     return fault;
 }
 
+/// Where there is one scanner, its name may be left out: the first word is the kind then, and the
+/// second already a member.
+void leave_sensor_out(StartOptions& options) {
+    FaultWords& words = options.fault;
+    if (options.sensor.empty() || could_be_sensor(options.sensor)) return;
+    if (!words.kind.empty()) words.members.insert(words.members.begin(), words.kind);
+    words.kind = std::exchange(options.sensor, {});
+}
+
+void leave_sensor_out(StopOptions& options) {
+    if (options.sensor.empty() || could_be_sensor(options.sensor)) return;
+    options.id = std::exchange(options.sensor, {});
+}
+
 void start(const ControlOptions& control, const StartOptions& options) {
-    const std::string path = faults_path(options.sensor);
     const Json fault = request_of(options);
     ControlClient client(control.socket);
+    const std::string sensor = choose_sensor(client, options.sensor);
     const Json started =
-        about_sensor(client, options.sensor, [&] { return client.post(path, fault); });
+        about_sensor(client, sensor, [&] { return client.post(faults_path(sensor), fault); });
     for (const auto& note : started.value("notes", Json::array()))
         std::cerr << "note: " << note.get<std::string>() << '\n';
     std::cout << started.at("id") << '\n';
 }
 
 void stop(const ControlOptions& control, const StopOptions& options) {
-    std::string path = faults_path(options.sensor);
-    if (options.id != "all") path += "/" + path_segment(options.id);
     ControlClient client(control.socket);
-    about_sensor(client, options.sensor, [&] { client.remove(path); });
+    const std::string sensor = choose_sensor(client, options.sensor);
+    std::string path = faults_path(sensor);
+    if (options.id != "all") path += "/" + path_segment(options.id);
+    about_sensor(client, sensor, [&] { client.remove(path); });
 }
 
 /// Of one scanner, each with its name.
@@ -169,12 +185,12 @@ void print(const Json& entries, bool json, std::uint64_t& left) {
 void show_log(const ControlOptions& control, const LogOptions& options) {
     constexpr std::chrono::milliseconds pause{200};
     ControlClient client(control.socket);
+    const std::string sensor = choose_sensor(client, options.sensor);
     std::uint64_t since = options.since.value_or(0);
     std::uint64_t left = options.count.value_or(UINT64_MAX);
     while (std::cout && left > 0) {
         const Json log =
-            ask_sensor(client, options.sensor,
-                       faults_path(options.sensor) + "/log?since=" + std::to_string(since));
+            ask_sensor(client, sensor, faults_path(sensor) + "/log?since=" + std::to_string(since));
         print(log.at("entries"), options.json, left);
         if (!options.follow) return;
         // The numbers begin again where the scanner is another one after a reload.
@@ -184,7 +200,8 @@ void show_log(const ControlOptions& control, const LogOptions& options) {
 }
 
 void add_sensor(CLI::App& command, std::string& sensor) {
-    command.add_option("SENSOR", sensor, "the scanner, as ROBOT/SENSOR")->required();
+    command.add_option("SENSOR", sensor,
+                       "the scanner, as ROBOT/SENSOR; not needed if there is only one");
 }
 
 void add_start_command(CLI::App& fault, const ControlOptions& control) {
@@ -209,10 +226,14 @@ void add_start_command(CLI::App& fault, const ControlOptions& control) {
                         "with --every: by how much earlier or later, s=T or scans=N");
     command->add_option("--seed", words.seed, "of its chance, a whole number");
     command->add_option("--json", options->json, "all of the fault, as a JSON object");
-    command->callback([&control, options] { start(control, *options); });
+    command->callback([&control, options] {
+        leave_sensor_out(*options);
+        start(control, *options);
+    });
     command->footer(
         "Examples:\n"
         "  scipctl fault start robot/scanner stall --for s=2\n"
+        "  scipctl fault start stall --for s=2\n"
         "  scipctl fault start robot/scanner corrupt bytes.rate=0.01 --at scans=40 --for scans=10\n"
         "  scipctl fault start robot/scanner dirty 'steps=[400, 500]' reads=near\n"
         "  scipctl fault start robot/scanner reboot --at request=MD:2\n"
@@ -225,7 +246,10 @@ void add_stop_command(CLI::App& fault, const ControlOptions& control) {
     add_sensor(*command, options->sensor);
     command->add_option("ID", options->id, "the fault, as start and list tell it, or all")
         ->capture_default_str();
-    command->callback([&control, options] { stop(control, *options); });
+    command->callback([&control, options] {
+        leave_sensor_out(*options);
+        stop(control, *options);
+    });
 }
 
 void add_list_command(CLI::App& fault, const ControlOptions& control) {

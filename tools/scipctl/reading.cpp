@@ -48,9 +48,9 @@ void print(const Json& reading) {
 }
 
 void show(const ControlOptions& control, const ReadingOptions& options) {
-    const std::string path = sensor_path(options.sensor) + "/reading";
     ControlClient client(control.socket);
-    const Json reading = ask_sensor(client, options.sensor, path);
+    const std::string sensor = choose_sensor(client, options.sensor, SensorKind::camera_or_ranger);
+    const Json reading = ask_sensor(client, sensor, sensor_path(sensor) + "/reading");
     if (!options.json) return print(reading);
     std::cout << json_text(reading) << '\n';
 }
@@ -61,8 +61,8 @@ void add_reading_command(CLI::App& program, const ControlOptions& control) {
     auto* const command =
         program.add_subcommand("reading", "show what a camera or a ranger measures");
     const auto options = std::make_shared<ReadingOptions>();
-    command->add_option("SENSOR", options->sensor, "the camera or ranger, as ROBOT/SENSOR")
-        ->required();
+    command->add_option("SENSOR", options->sensor,
+                        "the camera or ranger, as ROBOT/SENSOR; not needed if there is only one");
     command->add_flag("--json", options->json, "as a JSON document, with every pixel");
     command->callback([&control, options] { show(control, *options); });
 }

@@ -11,7 +11,35 @@ namespace {
 
 using Json = ControlClient::Json;
 
+/// Cameras and rangers have nothing to connect to.
+bool is_scanner(const Json& sensor) {
+    return !sensor.at("tcp").is_null() || !sensor.at("pty").is_null();
+}
+
 }  // namespace
+
+std::string choose_sensor(ControlClient& client, const std::string& said, SensorKind kind) {
+    if (!said.empty()) return said;
+    const bool wants_scanner = kind == SensorKind::scanner;
+    std::string names;
+    std::string only;
+    std::size_t count = 0;
+    for (const Json& sensor : client.get("/sensors")) {
+        if (is_scanner(sensor) != wants_scanner) continue;
+        only = sensor.at("name").get<std::string>();
+        names.append(names.empty() ? "" : ", ").append(only);
+        ++count;
+    }
+    if (count == 1) return only;
+    const std::string what = wants_scanner ? "scanner" : "camera or ranger";
+    throw ControlError(
+        404, count == 0 ? "there is no " + what : "which " + what + "? Name one of " + names);
+}
+
+bool could_be_sensor(const std::string& word) {
+    const auto equals = word.find('=');
+    return word.substr(0, equals).find('/') != word.npos;
+}
 
 void explain(ControlClient& client, const std::string& sensor, const ControlError& error) {
     if (error.status() != 404) throw ControlError(error);

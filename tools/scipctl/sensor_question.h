@@ -10,6 +10,16 @@
 
 namespace scipd::tools {
 
+enum class SensorKind { scanner, camera_or_ranger };
+
+/// `said`; if that is empty, the only sensor of this kind. Throws ControlError if there is not
+/// exactly one.
+[[nodiscard]] std::string choose_sensor(ControlClient& client, const std::string& said,
+                                        SensorKind kind = SensorKind::scanner);
+
+/// Whether a word could be the name of a sensor, ROBOT/SENSOR, and is no KEY=VALUE.
+[[nodiscard]] bool could_be_sensor(const std::string& word);
+
 /// "/sensors/rescue/front" for "rescue/front". Throws CLI::ValidationError for other text.
 [[nodiscard]] std::string sensor_path(const std::string& sensor);
 

@@ -27,8 +27,8 @@ struct TruthOptions {
     bool json = false;
 };
 
-std::string path_of(const TruthOptions& options) {
-    const std::string path = sensor_path(options.sensor) + "/truth";
+std::string path_of(const std::string& sensor, const TruthOptions& options) {
+    const std::string path = sensor_path(sensor) + "/truth";
     return options.scan ? path + "?scan=" + std::to_string(*options.scan) : path;
 }
 
@@ -103,9 +103,9 @@ void print_staring(const Json& truth) {
 }
 
 void show(const ControlOptions& control, const TruthOptions& options) {
-    const std::string path = path_of(options);
     ControlClient client(control.socket);
-    const Json truth = ask_sensor(client, options.sensor, path);
+    const std::string sensor = choose_sensor(client, options.sensor);
+    const Json truth = ask_sensor(client, sensor, path_of(sensor, options));
     if (options.json) {
         std::cout << json_text(truth) << '\n';
     } else {
@@ -119,7 +119,8 @@ void add_truth_command(CLI::App& program, const ControlOptions& control) {
     auto* const command = program.add_subcommand(
         "truth", "show stage by stage what a scanner's beams met, what came back and what it sent");
     const auto options = std::make_shared<TruthOptions>();
-    command->add_option("SENSOR", options->sensor, "the sensor, as ROBOT/SENSOR")->required();
+    command->add_option("SENSOR", options->sensor,
+                        "the sensor, as ROBOT/SENSOR; not needed if there is only one scanner");
     command->add_option("--scan", options->scan,
                         "the number of a scan of the last second; default: the latest");
     command->add_option("--from", options->from, "the first step of the table")

@@ -85,6 +85,27 @@ TEST_F(ScipctlFault, StartsListsAndStops) {
     EXPECT_EQ(list().size(), 0U);
 }
 
+TEST_F(ScipctlFault, NeedsNoNameWhereThereIsOneScanner) {
+    EXPECT_EQ(done({"fault", "start", "stall", "--for", "s=2"}), "1\n");
+    EXPECT_EQ(done({"fault", "start", "corrupt", "bytes.rate=0.01", "messages=scans"}), "2\n");
+    EXPECT_EQ(done({"fault", "start", "--json", R"({"kind":"stall"})"}), "3\n");
+    EXPECT_EQ(list()[1]["fault"],
+              json::parse(R"({"kind":"corrupt","bytes":{"rate":0.01},"messages":"scans"})"));
+    EXPECT_EQ(done({"fault", "stop", "1"}), "");
+    EXPECT_EQ(list().size(), 2U);
+    EXPECT_EQ(done({"fault", "stop"}), "");
+    EXPECT_EQ(list().size(), 0U);
+    log(1);
+    EXPECT_THAT(done({"fault", "log", "--count", "1"}), HasSubstr("corrupt"));
+}
+
+TEST(ScipctlFaults, NeedANameWhereThereAreSeveralScanners) {
+    const ControlStandIn daemon({"left", "right"});
+    const Outcome outcome = run({SCIPCTL, "--control", daemon.socket(), "fault", "start", "stall"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.err, "scipctl: which scanner? Name one of left/front, right/front\n");
+}
+
 TEST_F(ScipctlFault, ReadsMembersAsYaml) {
     const json rate = json::parse(R"({"kind":"corrupt","bytes":{"rate":0.01},"messages":"scans"})");
     EXPECT_EQ(asked_for({"corrupt", "bytes.rate=0.01", "messages=scans"}), rate);
