@@ -239,6 +239,39 @@ class PoseSenders:
                 self.fault = self.fault or f"driven is elsewhere: {body.decode()}, not {place_at(time.monotonic())}"
 
 
+class Pictures:
+    """Reads the pictures of a camera as they come, and notes how much later than a period after the one before the
+    latest came. scipd measures its backends first, which holds a few up."""
+    SETTLED_S = 5.0
+
+    def __init__(self, scipd, machine, sensor, period_s):
+        self.scipd, self.machine, self.sensor, self.period_s = scipd, machine, sensor, period_s
+        self.count = 0
+        self.late_s = 0.0
+        self.settled_s = time.monotonic() + self.SETTLED_S
+        self.last_s = None
+
+    def take(self):
+        now_s = time.monotonic()
+        self.count += 1
+        if self.last_s is not None and now_s > self.settled_s:
+            self.late_s = max(self.late_s, now_s - self.last_s - self.period_s - self.machine.late_s())
+        self.last_s = now_s
+
+    async def run(self):
+        reader, writer = await asyncio.open_connection(*self.scipd.http)
+        writer.write(wire.http_request(self.scipd.http, "GET", f"/stream?sensor={self.sensor}", fields=wire.UPGRADE))
+        await reader.readuntil(b"\r\n\r\n")
+        while True:
+            length = (await reader.readexactly(2))[1]
+            wide = {126: 2, 127: 8}.get(length, 0)
+            if wide:
+                length = int.from_bytes(await reader.readexactly(wide), "big")
+            while length > 0:
+                length -= len(await reader.read(min(length, 65536)))
+            self.take()
+
+
 class Editor:
     """Adds a model and removes it. If another world was loaded meanwhile, the model is already gone. It calls
     `answered(since, s)` for each change."""

@@ -14,6 +14,9 @@ JUDGED_FROM_S = 600.0
 # How many more descriptors may be in use after all deeds than before: connections that linger.
 # Behind each of four good clients five may wait who said something and hung up: scipd cannot know that nobody reads.
 LEFT_DESCRIPTORS = 8 + 4 * 5
+ENOUGH_ANSWERS = 200  # for a 99th percentile
+EDITED_STATUS_MS = 20.0
+LATE_PICTURE_MS = 30.0  # of a picture while nobody does anything but change the scene
 CALM_SIZES = 2  # the last seconds, which count as the end
 
 
@@ -104,11 +107,26 @@ def tell_status(judge, soak, said):
                f"{slow} of {len(took)} do, {by_scipd} by scipd itself")
 
 
+def tell_edits(judge, soak, said):
+    """What a change of the scene does to others when nothing else is the matter."""
+    answers = [1000 * answer.by_scipd_s() for answer in soak.answers_after_edits()]
+    if len(answers) >= ENOUGH_ANSWERS:
+        p99 = quantile(answers, 0.99)
+        judge.on_time(p99 < EDITED_STATUS_MS, f"/status within a second of a change, with no deed: p99 {p99:.1f} ms of "
+                      f"{len(answers)}, less than {EDITED_STATUS_MS:g}")
+    late_ms = 1000 * soak.pictures.late_s
+    print(f"pictures: {soak.pictures.count}, the latest by {late_ms:.1f} ms")
+    judge.that(soak.pictures.count > 0, "pictures come")
+    if not said.deeds:
+        judge.on_time(late_ms <= LATE_PICTURE_MS, f"none is late by more than {LATE_PICTURE_MS:g} ms")
+
+
 def tell_clients(judge, soak, said):
     tell_status(judge, soak, said)
     print(f"changes of the scene: {len(soak.edits_s)}, p50 {quantile(soak.edits_s, 0.5):.3f}, "
           f"max {max(soak.edits_s, default=0):.3f} s")
     judge.on_time(bool(soak.edits_s) and max(soak.edits_s) <= said.edit_s, f"none takes longer than {said.edit_s:g} s")
+    tell_edits(judge, soak, said)
     poses = soak.poses
     print(f"poses: {poses.sent} by UDP and as many by WebSocket; {poses.asked} times asked where their robot is")
     judge.that(poses.sent > 0 and poses.refused == 0, f"none is refused: {poses.refused}")

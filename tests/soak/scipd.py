@@ -18,6 +18,7 @@ STREAMS = {
     "good/urg": (b"MD0044072501000", 682, 100.0),
     "driven/ust": (b"MD0000108000000", 1081, 25.0),
 }
+PICTURES = ("good/tof", 0.05)  # a camera whose pictures are read, and its period in s
 # Hostile clients use `victim`, whose pictures take a megabyte each.
 CONFIGURATION = """scene: {scenes}/square_room.sdf
 seed: {seed}
@@ -29,6 +30,7 @@ robots:
       ust: {{model: UST-10LX, mount: {{xyz: [0, 0, 0.3]}}, tcp: '127.0.0.1:0', accuracy: sensor}}
       utm: {{model: UTM-30LX, mount: {{xyz: [0, 0, 0.3]}}, pty: good-utm}}
       urg: {{model: URG-04LX, mount: {{xyz: [0, 0, 0.3]}}, pty: good-urg}}
+      tof: {{camera: {{columns: 160, rows: 120, fov_deg: [60, 45], rate_hz: 20, range_m: [0.1, 7.5]}}}}
   driven:
     pose: {{xyz: [-1, -1, 0]}}
     poses: {{from: 'udp:127.0.0.1:{driven}'}}

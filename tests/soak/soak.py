@@ -36,9 +36,11 @@ class Soak:
         self.status = good.StatusClient(scipd, self.machine, self.take_answer)
         self.poses = good.PoseSenders(scipd)
         self.editor = good.Editor(scipd, self.take_edit)
+        self.pictures = good.Pictures(scipd, self.machine, *under_load.PICTURES)
         self.streams = [good.Stream(name, *stream, self.take_missing) for name, stream in under_load.STREAMS.items()]
         self.answers = []
         self.edits_s = []
+        self.edited_s = []  # when changes of the scene began while no deed was done
         self.sizes = []  # (MB, descriptors, threads), once a second
         self.doings = [(self.begin_s, "none")]  # (since when, deed)
         self.deeds = {}
@@ -61,8 +63,15 @@ class Soak:
 
     def take_edit(self, since_s, latency_s):
         self.edits_s.append(latency_s)
+        if self.done_at(since_s) == "none":
+            self.edited_s.append(since_s)
         deed = self.culprit(since_s)
         deed.slowest_edit_s = max(deed.slowest_edit_s, latency_s)
+
+    def answers_after_edits(self):
+        """Answers to /status within a second of a change of the scene, while no deed was done."""
+        return [answer for answer in self.answers if self.done_at(answer.since_s) == "none" and
+                any(0.0 <= answer.since_s - edit_s < 1.0 for edit_s in self.edited_s)]
 
     def take_missing(self, scans, since_s):
         self.culprit(since_s).missed += scans
@@ -104,7 +113,7 @@ class Soak:
         await self.connect_streams()
         clients = [asyncio.ensure_future(work) for work in (
             self.machine.run(), self.status.run(), self.poses.send(), self.poses.look(), self.editor.run(),
-            self.measure())]
+            self.pictures.run(), self.measure())]
         over = asyncio.get_running_loop().create_future()
 
         def hear():
