@@ -19,8 +19,8 @@
 #include "sim/loaders/mvsim/mvsim_scene.h"
 #include "sim/loaders/sdf/model_fragment.h"
 #include "sim/loaders/sdf/sdf.h"
-#include "sim/loaders/sdf/xacro.h"
 #include "sim/loaders/stage/stage_scene.h"
+#include "sim/loaders/xacro/xacro.h"
 #include "sim/world/anchor.h"
 
 namespace scipd::sim {

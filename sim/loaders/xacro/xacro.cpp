@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/sdf/xacro.h"
+#include "sim/loaders/xacro/xacro.h"
 
 #include <stdexcept>
 #include <string>
