@@ -17,8 +17,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/loaders/mesh/mesh_parts.h"
+#include "sim/loaders/model/model_fragment.h"
 #include "sim/loaders/scene_file.h"
-#include "sim/loaders/sdf/model_fragment.h"
 #include "tests/sim/loaders/faults_of.h"
 #include "tests/sim/loaders/map/map_folder.h"
 #include "tests/sim/loaders/mesh/mesh_text.h"

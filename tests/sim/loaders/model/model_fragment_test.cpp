@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // Models that a running scene is given: from a text, a file and a mesh.
-#include "sim/loaders/sdf/model_fragment.h"
+#include "sim/loaders/model/model_fragment.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/sdf/model_fragment.h"
+#include "sim/loaders/model/model_fragment.h"
 
 #include <algorithm>
 #include <cmath>
