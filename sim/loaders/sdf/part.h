@@ -12,10 +12,9 @@
 #include <variant>
 #include <vector>
 
-#include <glm/vec3.hpp>
-
 #include "sim/loaders/mesh/mesh_shelf.h"
 #include "sim/loaders/sdf/placed_shape.h"
+#include "sim/loaders/terrain/terrain.h"
 #include "sim/world/lidar.h"
 #include "sim/world/material.h"
 #include "sim/world/script.h"
@@ -51,9 +50,7 @@ struct NamedMesh {
 
 struct NamedHeights {
     NamedFile file;
-    std::optional<glm::dvec3> size_m;
-    glm::dvec3 position_m{0.0};
-    std::size_t sampling = 1;
+    TerrainView view;
 };
 
 struct NoShape {

@@ -7,7 +7,6 @@
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/sdf/actor_skin.h"
 #include "sim/loaders/sdf/sdf_geometry.h"
-#include "sim/loaders/sdf/sdf_heightmap.h"
 
 namespace scipd::sim {
 namespace {
@@ -83,10 +82,10 @@ PlacedShape SceneShapes::terrain_in(const NamedHeights& heights, const std::stri
     const auto& [uri, folder] = heights.file;
     const auto found = resources_.find(uri, folder);
     if (found.empty()) throw LoadError({resources_.not_found(uri, folder)});
-    const auto terrain = terrain_of(heights, found, options_.mesh.triangles);
+    const auto terrain = terrain_of(found, heights.view, options_.mesh.triangles);
     for (const auto& remark : terrain.remarks)
         draft_.warn(place + remark);
-    return terrain.surface;
+    return {terrain.surface, {terrain.position_m}};
 }
 
 void SceneShapes::add_mesh(const SdfSurface& surface, const NamedMesh& mesh, Object object,

@@ -124,10 +124,10 @@ NamedMesh mesh_of(const SdfValues& values, const XMLElement& element, const SdfS
 }
 
 NamedHeights heights_of(const SdfValues& values, const SdfSheet& sheet) {
-    NamedHeights heights{{uri_of(values), sheet.folder}, values.vector("size")};
-    heights.position_m = values.vector("pos").value_or(glm::dvec3{0.0});
+    NamedHeights heights{{uri_of(values), sheet.folder}, {values.vector("size")}};
+    heights.view.position_m = values.vector("pos").value_or(glm::dvec3{0.0});
     const double sampling = values.number("sampling").value_or(1.0);
-    heights.sampling = static_cast<std::size_t>(std::clamp(sampling, 0.0, 1e6));
+    heights.view.sampling = static_cast<std::size_t>(std::clamp(sampling, 0.0, 1e6));
     return heights;
 }
 

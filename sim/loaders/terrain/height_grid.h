@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The heights of a terrain. height_file.h reads them; sdf_heightmap.h places them in the world. A
-// value.
+// The heights of a terrain. height_file.h reads them; terrain.h makes triangles of them. A value.
 #pragma once
 
 #include <cstddef>

@@ -3,7 +3,7 @@
 //
 // Heights lie where gz-rendering 7 (OgreHeightmap.cc) and gz-common 5 (ImageHeightmap.hh, Dem.cc)
 // put them. Gazebo Classic 11 agrees (physics/HeightmapShape.cc, rendering/Heightmap.cc).
-#include "sim/loaders/sdf/sdf_heightmap.h"
+#include "sim/loaders/terrain/terrain.h"
 
 #include <algorithm>
 #include <cmath>
@@ -123,8 +123,8 @@ std::size_t sampling_for(const HeightGrid& grid, std::size_t wanted, std::size_t
     return 1;
 }
 
-glm::dvec3 size_of(const NamedHeights& heights, const HeightGrid& grid) {
-    const glm::dvec3 size_m = heights.size_m.value_or(grid.size_m);
+glm::dvec3 size_of(const TerrainView& view, const HeightGrid& grid) {
+    const glm::dvec3 size_m = view.size_m.value_or(grid.size_m);
     const bool is_plausible = size_m.x > 0.0 && size_m.y > 0.0 && plausible_position(size_m);
     if (!is_plausible) {
         throw LoadError(
@@ -134,27 +134,27 @@ glm::dvec3 size_of(const NamedHeights& heights, const HeightGrid& grid) {
     return size_m;
 }
 
-Terrain terrain(const NamedHeights& heights, const HeightGrid& grid, std::size_t most_triangles) {
+Terrain terrain(const HeightGrid& grid, const TerrainView& view, std::size_t most_triangles) {
     std::vector<std::string> remarks = grid.remarks;
-    const glm::dvec3 size_m = size_of(heights, grid);
-    const auto sampling = sampling_for(grid, heights.sampling, most_triangles, remarks);
+    const glm::dvec3 size_m = size_of(view, grid);
+    const auto sampling = sampling_for(grid, view.sampling, most_triangles, remarks);
     if (grid.width != grid.height || !is_power_of_two_and_one(grid.width)) {
         remarks.push_back("has " + extent_of(grid) +
                           "; Gazebo shows squares of 2^n + 1 only, scipd stretches it over its "
                           "<size>");
     }
     const Surface surface{grid, size_m, sampling};
-    const glm::dvec3 at_m = heights.position_m + glm::dvec3{0.0, 0.0, surface.base_m()};
-    return {{std::make_shared<const Mesh>(surface.mesh()), {at_m}}, std::move(remarks)};
+    const glm::dvec3 at_m = view.position_m + glm::dvec3{0.0, 0.0, surface.base_m()};
+    return {std::make_shared<const Mesh>(surface.mesh()), at_m, std::move(remarks)};
 }
 
 }  // namespace
 
-Terrain terrain_of(const NamedHeights& heights, const std::filesystem::path& file,
+Terrain terrain_of(const std::filesystem::path& file, const TerrainView& view,
                    std::size_t most_triangles) {
     const HeightGrid grid = read_heights(file);
     try {
-        Terrain made = terrain(heights, grid, most_triangles);
+        Terrain made = terrain(grid, view, most_triangles);
         for (auto& remark : made.remarks)
             remark.insert(0, file.string() + ": ");
         return made;
