@@ -25,6 +25,12 @@
 
 namespace scipd::sim {
 
+/// A file that a world names.
+struct NamedFile {
+    std::string uri;
+    std::filesystem::path folder;  ///< where a relative URI starts
+};
+
 class Resources {
   public:
     /// `folder` holds the file that the user asked for; `more` are the caller's folders.

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sim/loaders/mesh/mesh_shelf.h"
+#include "sim/loaders/resources/resources.h"
 #include "sim/loaders/sdf/placed_shape.h"
 #include "sim/loaders/terrain/terrain.h"
 #include "sim/world/lidar.h"
@@ -35,12 +36,6 @@ inline std::string text_of(const FilePlace& place) {
 struct GivenPose {
     Pose pose = {};
     std::string relative_to = {};  ///< empty: to what its kind of part lies in by default
-};
-
-/// A file that a geometry names.
-struct NamedFile {
-    std::string uri;
-    std::filesystem::path folder;  ///< where a relative URI starts
 };
 
 struct NamedMesh {

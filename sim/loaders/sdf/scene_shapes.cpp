@@ -4,16 +4,16 @@
 
 #include <utility>
 
+#include "sim/loaders/actors/actor_skin.h"
 #include "sim/loaders/file/load_error.h"
-#include "sim/loaders/sdf/actor_skin.h"
 #include "sim/loaders/sdf/sdf_geometry.h"
 
 namespace scipd::sim {
 namespace {
 
-NamedMesh larger(NamedMesh mesh, const glm::dvec3& scale) {
-    mesh.view.scale *= scale;
-    return mesh;
+MeshView larger(MeshView view, const glm::dvec3& scale) {
+    view.scale *= scale;
+    return view;
 }
 
 /// What the visual says comes before what the mesh says, and if it names a material the mesh's own
@@ -94,7 +94,7 @@ void SceneShapes::add_mesh(const SdfSurface& surface, const NamedMesh& mesh, Obj
     const auto found = resources_.find(uri, folder);
     if (found.empty()) return leave_out_missing(mesh.file, place);
     if (auto warning = case_warning(uri, found); !warning.empty()) draft_.warn(place + warning);
-    for (const auto& part : shelf_.parts_of(found, larger(mesh, scale).view)) {
+    for (const auto& part : shelf_.parts_of(found, larger(mesh.view, scale))) {
         object.shape = part.mesh;
         draft_.add(object, material_of(surface, part));
     }
@@ -103,8 +103,8 @@ void SceneShapes::add_mesh(const SdfSurface& surface, const NamedMesh& mesh, Obj
 void SceneShapes::add_skin(const SdfSurface& surface, Object object, const glm::dvec3& scale,
                            const std::string& place) {
     const double z_m = draft_.model(object.model).world_from_model.translation_m.z;
-    const ActorSkin skin =
-        skin_of(larger(std::get<NamedMesh>(surface.geometry), scale), resources_, shelf_, z_m);
+    const auto& [file, view] = std::get<NamedMesh>(surface.geometry);
+    const ActorSkin skin = skin_of(file, larger(view, scale), resources_, shelf_, z_m);
     if (!skin.warning.empty()) draft_.warn(place + skin.warning);
     object.model_from_object.translation_m.z += skin.lift_m;
     for (const SharedPart& part : skin.parts) {

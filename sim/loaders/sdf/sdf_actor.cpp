@@ -11,8 +11,8 @@
 #include <glm/geometric.hpp>
 #include <tinyxml2.h>
 
+#include "sim/loaders/actors/actor_walk.h"
 #include "sim/loaders/file/xml_tree.h"
-#include "sim/loaders/sdf/actor_walk.h"
 #include "sim/text/quote.h"
 #include "sim/text/text_number.h"
 #include "sim/world/reach.h"

@@ -5,13 +5,11 @@
 // instead. Any thread; nothing shared.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "sim/loaders/mesh/mesh_shelf.h"
 #include "sim/loaders/resources/resources.h"
-#include "sim/loaders/sdf/part.h"
 #include "sim/world/bounds.h"
 
 namespace scipd::sim {
@@ -24,8 +22,8 @@ struct ActorSkin {
 
 /// The skin of an actor whose origin is at `actor_z_m`. Throws LoadError if the world already has
 /// too many triangles for any skin.
-ActorSkin skin_of(const NamedMesh& mesh, const Resources& resources, MeshShelf& shelf,
-                  double actor_z_m);
+ActorSkin skin_of(const NamedFile& file, const MeshView& view, const Resources& resources,
+                  MeshShelf& shelf, double actor_z_m);
 
 /// How far to lift a skin so that either its feet or its hips are at the actor's height, whichever
 /// brings the feet closer to z = 0.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/sdf/actor_skin.h"
+#include "sim/loaders/actors/actor_skin.h"
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
 #include "sim/loaders/file/load_error.h"
@@ -47,15 +48,15 @@ double lift_m(const Bounds& skin, double actor_z_m) {
     return -feet_m - (stands_there ? 0.0 : hips_m);
 }
 
-ActorSkin skin_of(const NamedMesh& mesh, const Resources& resources, MeshShelf& shelf,
-                  double actor_z_m) {
+ActorSkin skin_of(const NamedFile& file, const MeshView& view, const Resources& resources,
+                  MeshShelf& shelf, double actor_z_m) {
     ActorSkin skin;
-    const auto& [uri, folder] = mesh.file;
+    const auto& [uri, folder] = file;
     try {
         if (uri.empty()) throw LoadError({"has no <skin>"});
         const fs::path found = find_skin(uri, folder, resources);
         if (found.empty()) throw LoadError({resources.not_found(uri, folder)});
-        skin.parts = shelf.parts_of(found, mesh.view);
+        skin.parts = shelf.parts_of(found, view);
         skin.warning = case_warning(uri, found);
     } catch (const LoadError& error) {
         skin.warning = std::string{error.what()} +

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/sdf/actor_walk.h"
+#include "sim/loaders/actors/actor_walk.h"
 
 #include <algorithm>
 #include <cmath>

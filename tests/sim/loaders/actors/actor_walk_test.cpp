@@ -3,7 +3,7 @@
 //
 // The walks of actors against the splines that Gazebo evaluates, asked as its PoseAnimation asks
 // them, and against closed form.
-#include "sim/loaders/sdf/actor_walk.h"
+#include "sim/loaders/actors/actor_walk.h"
 
 #include <algorithm>
 #include <numbers>
