@@ -7,6 +7,7 @@
 #include "sim/loaders/actors/actor_skin.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/sdf/sdf_geometry.h"
+#include "sim/loaders/terrain/terrain.h"
 
 namespace scipd::sim {
 namespace {

@@ -13,8 +13,8 @@
 
 #include "sim/loaders/file/scene_draft.h"
 #include "sim/loaders/mesh/mesh_shelf.h"
+#include "sim/loaders/parts/part.h"
 #include "sim/loaders/resources/resources.h"
-#include "sim/loaders/sdf/part.h"
 #include "sim/loaders/sdf/sdf_options.h"
 
 namespace scipd::sim {

@@ -10,7 +10,7 @@
 
 #include <tinyxml2.h>
 
-#include "sim/loaders/sdf/part.h"
+#include "sim/loaders/parts/part.h"
 #include "sim/loaders/sdf/sdf_options.h"
 #include "sim/loaders/sdf/sdf_values.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "sim/loaders/file/xml_tree.h"
-#include "sim/loaders/sdf/sdf_names.h"
+#include "sim/loaders/parts/part_names.h"
 #include "sim/loaders/sdf/sdf_sensors.h"
 #include "sim/loaders/sdf/sdf_surface.h"
 #include "sim/text/quote.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/loaders/sdf/frames.h"
+#include "sim/loaders/parts/frames.h"
 
 namespace scipd::sim {
 namespace {

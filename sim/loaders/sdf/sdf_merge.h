@@ -4,7 +4,7 @@
 // <include merge='true'>: the parts of a model become parts of what includes it. Any thread.
 #pragma once
 
-#include "sim/loaders/sdf/part.h"
+#include "sim/loaders/parts/part.h"
 
 namespace scipd::sim {
 

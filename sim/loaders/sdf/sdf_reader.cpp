@@ -8,8 +8,8 @@
 
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/xml_tree.h"
+#include "sim/loaders/parts/part_names.h"
 #include "sim/loaders/sdf/sdf_actor.h"
-#include "sim/loaders/sdf/sdf_names.h"
 #include "sim/loaders/sdf/sdf_population.h"
 #include "sim/loaders/sdf/sdf_road.h"
 #include "sim/loaders/sdf/urdf.h"

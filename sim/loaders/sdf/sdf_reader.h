@@ -12,7 +12,7 @@
 
 #include <tinyxml2.h>
 
-#include "sim/loaders/sdf/part.h"
+#include "sim/loaders/parts/part.h"
 #include "sim/loaders/sdf/sdf_documents.h"
 #include "sim/loaders/sdf/sdf_link.h"
 #include "sim/loaders/sdf/sdf_state.h"

@@ -6,7 +6,7 @@
 
 #include <tinyxml2.h>
 
-#include "sim/loaders/sdf/part.h"
+#include "sim/loaders/parts/part.h"
 #include "sim/loaders/sdf/sdf_geometry.h"
 
 namespace scipd::sim {

@@ -10,7 +10,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "sim/loaders/sdf/frames.h"
+#include "sim/loaders/parts/frames.h"
 #include "sim/loaders/sdf/scene_shapes.h"
 #include "sim/loaders/sdf/sdf_actor.h"
 #include "sim/loaders/sdf/sdf_sensors.h"

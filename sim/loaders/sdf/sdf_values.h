@@ -13,7 +13,7 @@
 #include <glm/vec3.hpp>
 #include <tinyxml2.h>
 
-#include "sim/loaders/sdf/part.h"
+#include "sim/loaders/parts/part.h"
 
 namespace scipd::sim {
 

@@ -12,7 +12,7 @@
 #include <tinyxml2.h>
 
 #include "sim/loaders/file/scene_draft.h"
-#include "sim/loaders/sdf/part.h"
+#include "sim/loaders/parts/part.h"
 #include "sim/loaders/sdf/sdf_geometry.h"
 #include "sim/loaders/sdf/sdf_options.h"
 

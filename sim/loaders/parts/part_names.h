@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/loaders/file/scene_draft.h"
-#include "sim/loaders/sdf/part.h"
+#include "sim/loaders/parts/part.h"
 
 namespace scipd::sim {
 

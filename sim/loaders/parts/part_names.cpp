@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/sdf/sdf_names.h"
+#include "sim/loaders/parts/part_names.h"
 
 #include <functional>
 #include <map>

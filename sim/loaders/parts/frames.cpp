@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/sdf/frames.h"
+#include "sim/loaders/parts/frames.h"
 
 #include <string>
 #include <utility>

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // A world, a model or a robot as its files say it: a plain tree of parts, with the place of each in
-// the files. Its readers are sdf_reader.h and urdf.h; frames.h tells where the parts lie. Values.
+// the files. frames.h tells where the parts lie. Values.
 #pragma once
 
 #include <filesystem>
@@ -14,11 +14,12 @@
 
 #include "sim/loaders/mesh/mesh_shelf.h"
 #include "sim/loaders/resources/resources.h"
-#include "sim/loaders/sdf/placed_shape.h"
 #include "sim/loaders/terrain/terrain.h"
 #include "sim/world/lidar.h"
 #include "sim/world/material.h"
+#include "sim/world/pose.h"
 #include "sim/world/script.h"
+#include "sim/world/shape.h"
 
 namespace scipd::sim {
 
@@ -36,6 +37,13 @@ inline std::string text_of(const FilePlace& place) {
 struct GivenPose {
     Pose pose = {};
     std::string relative_to = {};  ///< empty: to what its kind of part lies in by default
+};
+
+/// A shape and its pose in the frame of the geometry. The pose is needed because scipd's planes are
+/// normal to z, while SDF's may have any normal.
+struct PlacedShape {
+    Shape shape;
+    Pose geometry_from_shape;
 };
 
 struct NamedMesh {

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "sim/expected.h"
-#include "sim/loaders/sdf/part.h"
+#include "sim/loaders/parts/part.h"
 
 namespace scipd::sim {
 
