@@ -26,6 +26,35 @@ inline bool is_one_of(const tinyxml2::XMLElement& element,
     return is_one_of<std::initializer_list<std::string_view>>(element, names);
 }
 
+/// The elements that lie right in an element, or those of them with this name:
+/// for (const XMLElement& link : Children(model, "link")) ...
+class Children {
+  public:
+    explicit Children(const tinyxml2::XMLElement& outer, const char* name = nullptr)
+        : first_(outer.FirstChildElement(name)), name_(name) {}
+
+    class Iterator {
+      public:
+        Iterator(const tinyxml2::XMLElement* at, const char* name) : at_(at), name_(name) {}
+        const tinyxml2::XMLElement& operator*() const { return *at_; }
+        bool operator!=(const Iterator& other) const { return at_ != other.at_; }
+        Iterator& operator++() {
+            at_ = at_->NextSiblingElement(name_);
+            return *this;
+        }
+
+      private:
+        const tinyxml2::XMLElement* at_;
+        const char* name_;
+    };
+    [[nodiscard]] Iterator begin() const { return {first_, name_}; }
+    [[nodiscard]] Iterator end() const { return {nullptr, name_}; }
+
+  private:
+    const tinyxml2::XMLElement* first_;
+    const char* name_;
+};
+
 /// Empty if the element has no such attribute.
 std::string attribute(const tinyxml2::XMLElement& element, const char* name);
 

@@ -103,9 +103,8 @@ class ActorReader {
         const auto* script = actor_.FirstChildElement("script");
         if (script == nullptr || !is_true(script->FirstChildElement("auto_start"), true)) return {};
         std::vector<ActorTrajectory> trajectories;
-        for (const auto* trajectory = script->FirstChildElement("trajectory");
-             trajectory != nullptr; trajectory = trajectory->NextSiblingElement("trajectory")) {
-            if (auto read = read_trajectory(*trajectory)) trajectories.push_back(std::move(*read));
+        for (const XMLElement& trajectory : Children(*script, "trajectory")) {
+            if (auto read = read_trajectory(trajectory)) trajectories.push_back(std::move(*read));
         }
         if (trajectories.empty()) return {};
         std::ranges::stable_sort(trajectories, {}, &ActorTrajectory::id);
@@ -138,13 +137,12 @@ class ActorReader {
 
     std::optional<ActorTrajectory> read_trajectory(const XMLElement& element) {
         ActorTrajectory trajectory{element.IntAttribute("id"), tension_of(element), {}};
-        for (const auto* waypoint = element.FirstChildElement("waypoint"); waypoint != nullptr;
-             waypoint = waypoint->NextSiblingElement("waypoint")) {
+        for (const XMLElement& waypoint : Children(element, "waypoint")) {
             if (++waypoints_ > most_waypoints) {
-                warn(*waypoint, "has more than 10000 waypoints; the rest is left out");
+                warn(waypoint, "has more than 10000 waypoints; the rest is left out");
                 break;
             }
-            if (const auto read = read_waypoint(*waypoint)) trajectory.waypoints.push_back(*read);
+            if (const auto read = read_waypoint(waypoint)) trajectory.waypoints.push_back(*read);
         }
         put_in_order(element, trajectory.waypoints);
         if (!trajectory.waypoints.empty()) return trajectory;

@@ -75,9 +75,8 @@ PlacedShape plane_of(const SdfValues& plane, const XMLElement& element) {
 
 Outline outline_of(const XMLElement& polyline) {
     Outline outline;
-    for (const auto* point = polyline.FirstChildElement("point"); point != nullptr;
-         point = point->NextSiblingElement("point")) {
-        const glm::dvec2 at_m = plane_point_in(*point);
+    for (const XMLElement& point : Children(polyline, "point")) {
+        const glm::dvec2 at_m = plane_point_in(point);
         if (!plausible_position({at_m.x, at_m.y, 0.0})) {
             throw LoadError(
                 {"every <point> of a <polyline> must be finite and at most 1e7 m away"});

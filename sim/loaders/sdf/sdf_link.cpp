@@ -36,14 +36,13 @@ std::optional<SdfPart> LinkReader::read(const XMLElement& element, const SdfShee
     link.surfaces = std::move(visuals);
     link.has_unseen = !collisions.empty();
     const bool is_second = !sensors.links.insert(link.name).second;
-    for (const auto* sensor = element.FirstChildElement("sensor"); sensor != nullptr;
-         sensor = sensor->NextSiblingElement("sensor")) {
+    for (const XMLElement& sensor : Children(element, "sensor")) {
         if (is_second) {
-            warn_of_sensor(*sensor, link.name, sheet, "its link is not the first of this name");
+            warn_of_sensor(sensor, link.name, sheet, "its link is not the first of this name");
         } else if (link.name.empty()) {
-            warn_of_sensor(*sensor, link.name, sheet, "its link has no name");
+            warn_of_sensor(sensor, link.name, sheet, "its link has no name");
         } else {
-            read_sensor(*sensor, link.name, sheet, sensors);
+            read_sensor(sensor, link.name, sheet, sensors);
         }
     }
     return link;
@@ -55,13 +54,12 @@ std::vector<SdfSurface> LinkReader::read_surfaces(const XMLElement& link, const 
     std::vector<std::string> outer = names_;
     outer.push_back(name);
     std::vector<SdfSurface> surfaces;
-    for (const auto* element = link.FirstChildElement(kind); element != nullptr;
-         element = element->NextSiblingElement(kind)) {
+    for (const XMLElement& element : Children(link, kind)) {
         const auto place = [&] {
-            return place_of(*element, sheet, outer, attribute(*element, "name"));
+            return place_of(element, sheet, outer, attribute(element, "name"));
         };
         try {
-            surfaces.push_back(surface_of(*element, sheet, [&](const std::string& what) {
+            surfaces.push_back(surface_of(element, sheet, [&](const std::string& what) {
                 if (is_wanted) draft_.warn(place() + what + "; ignored");
             }));
         } catch (const UnreadableValue& value) {

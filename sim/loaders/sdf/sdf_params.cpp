@@ -66,12 +66,11 @@ void modify(const XMLElement& param, XMLElement& element) {
         element.SetAttribute(is->Name(), is->Value());
     }
     if (param.GetText() != nullptr) element.SetText(param.GetText());
-    for (const auto* child = param.FirstChildElement(); child != nullptr;
-         child = child->NextSiblingElement()) {
-        if (auto* same = same_child(*child, element)) {
-            modify(*child, *same);
+    for (const XMLElement& child : Children(param)) {
+        if (auto* same = same_child(child, element)) {
+            modify(child, *same);
         } else {
-            (void)add_copy(*child, element);
+            (void)add_copy(child, element);
         }
     }
 }
@@ -124,16 +123,15 @@ class Params {
 
     /// A param without an action has one for each of its children.
     void apply_children(const XMLElement& param, XMLElement& element) {
-        for (const auto* child = param.FirstChildElement(); child != nullptr;
-             child = child->NextSiblingElement()) {
-            const std::string action = attribute(*child, "action");
-            auto* same = same_child(*child, element);
+        for (const XMLElement& child : Children(param)) {
+            const std::string action = attribute(child, "action");
+            auto* same = same_child(child, element);
             if (action == "add") {
-                (void)add_copy(*child, element);
+                (void)add_copy(child, element);
             } else if (same == nullptr) {
-                skipped_(*child, "the element has no <" + std::string{child->Name()} + ">");
+                skipped_(child, "the element has no <" + std::string{child.Name()} + ">");
             } else {
-                apply(*child, action.empty() ? "modify" : action, *same);
+                apply(child, action.empty() ? "modify" : action, *same);
             }
         }
     }
@@ -146,9 +144,8 @@ class Params {
 
 void apply_params(const XMLElement& params, XMLElement& model, const Skipped& skipped) {
     Params apply(model, skipped);
-    for (const auto* param = params.FirstChildElement(); param != nullptr;
-         param = param->NextSiblingElement())
-        apply.apply(*param);
+    for (const XMLElement& param : Children(params))
+        apply.apply(param);
 }
 
 }  // namespace scipd::sim

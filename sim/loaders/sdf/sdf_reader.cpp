@@ -99,13 +99,12 @@ std::optional<SdfPart> SdfReader::read_robot(const XMLElement& robot, const SdfS
         links_.read_sensor(*sensor, link, sheet, sensors);
     std::ranges::move(sensors.frames, std::back_inserter(model.parts));
     // Gazebo puts what stands in a <gazebo> without a reference into the model.
-    for (const auto* more = robot.FirstChildElement("gazebo"); more != nullptr;
-         more = more->NextSiblingElement("gazebo")) {
-        if (more->Attribute("reference") != nullptr) continue;
-        const SdfValues values(*more, sheet.dialect);
+    for (const XMLElement& more : Children(robot, "gazebo")) {
+        if (more.Attribute("reference") != nullptr) continue;
+        const SdfValues values(more, sheet.dialect);
         if (const auto is_static = values.truth("static")) model.is_static = is_static;
         if (values.has_pose()) model.pose = values.pose();
-        read_parts(*more, sheet, model);
+        read_parts(more, sheet, model);
     }
     name_apart(model.parts);
     names_.pop_back();
@@ -165,9 +164,8 @@ SdfPart SdfReader::as_seen(SdfPart link) const {
 
 void SdfReader::read_parts(const XMLElement& element, const SdfSheet& sheet, SdfPart& outer) {
     SensorFrames sensors;
-    for (const auto* child = element.FirstChildElement(); child != nullptr;
-         child = child->NextSiblingElement())
-        read_part(*child, sheet, outer, sensors);
+    for (const XMLElement& child : Children(element))
+        read_part(child, sheet, outer, sensors);
     std::ranges::move(sensors.frames, std::back_inserter(outer.parts));
 }
 

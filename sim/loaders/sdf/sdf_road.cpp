@@ -23,9 +23,8 @@ using tinyxml2::XMLElement;
 /// Skips repeated points: a road has no direction between two equal points.
 std::vector<glm::dvec3> points_of(const XMLElement& road) {
     std::vector<glm::dvec3> points_m;
-    for (const auto* point = road.FirstChildElement("point"); point != nullptr;
-         point = point->NextSiblingElement("point")) {
-        const glm::dvec3 at_m = point_in(*point);
+    for (const XMLElement& point : Children(road, "point")) {
+        const glm::dvec3 at_m = point_in(point);
         if (!plausible_position(at_m)) {
             throw LoadError({"every <point> of a <road> must be finite and at most 1e7 m away"});
         }

@@ -42,11 +42,9 @@ class StateReader {
 
     SdfState read(const XMLElement& state) {
         read_parts(state, "");
-        for (const auto* list = state.FirstChildElement("deletions"); list != nullptr;
-             list = list->NextSiblingElement("deletions")) {
-            for (const auto* name = list->FirstChildElement("name"); name != nullptr;
-                 name = name->NextSiblingElement("name")) {
-                if (name->GetText() != nullptr) state_.deleted.insert(name->GetText());
+        for (const XMLElement& list : Children(state, "deletions")) {
+            for (const XMLElement& name : Children(list, "name")) {
+                if (name.GetText() != nullptr) state_.deleted.insert(name.GetText());
             }
         }
         return std::move(state_);
@@ -54,13 +52,12 @@ class StateReader {
 
   private:
     void read_parts(const XMLElement& outer, const std::string& prefix) {
-        for (const auto* part = outer.FirstChildElement(); part != nullptr;
-             part = part->NextSiblingElement()) {
-            const std::string_view kind = part->Name();
-            const char* name = part->Attribute("name");
+        for (const XMLElement& part : Children(outer)) {
+            const std::string_view kind = part.Name();
+            const char* name = part.Attribute("name");
             if ((kind != "model" && kind != "link") || name == nullptr) continue;
-            add(*part, prefix + name);
-            if (kind == "model") read_parts(*part, prefix + name + "::");
+            add(part, prefix + name);
+            if (kind == "model") read_parts(part, prefix + name + "::");
         }
     }
 

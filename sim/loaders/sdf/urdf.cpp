@@ -91,18 +91,17 @@ std::optional<double> retro_in(const XMLElement& element) {
 
 std::map<std::string, Extension> extensions_of(const XMLElement& robot) {
     std::map<std::string, Extension> extensions;
-    for (const auto* element = robot.FirstChildElement("gazebo"); element != nullptr;
-         element = element->NextSiblingElement("gazebo")) {
-        Extension& extension = extensions[attribute(*element, "reference")];
-        const auto* within = element->FirstChildElement("visual");
+    for (const XMLElement& element : Children(robot, "gazebo")) {
+        Extension& extension = extensions[attribute(element, "reference")];
+        const auto* within = element.FirstChildElement("visual");
         if (within != nullptr) extension.retro_of_visuals = retro_in(*within);
         for (const char* name : {"material", "script", "name"})
             within = within == nullptr ? nullptr : within->FirstChildElement(name);
-        const std::string material = text_of(element->FirstChildElement("material"));
+        const std::string material = text_of(element.FirstChildElement("material"));
         if (!material.empty()) extension.material = trimmed(material);
         if (extension.material.empty()) extension.material = trimmed(text_of(within));
-        const auto* collision = element->FirstChildElement("collision");
-        if (const auto retro = retro_in(collision == nullptr ? *element : *collision)) {
+        const auto* collision = element.FirstChildElement("collision");
+        if (const auto retro = retro_in(collision == nullptr ? element : *collision)) {
             extension.retro_of_collisions = retro;
         }
     }
@@ -121,9 +120,8 @@ class RobotReader {
 
     SdfPart read() {
         SdfPart model{SdfPart::Kind::model, attribute(robot_, "name"), sheet_.place(robot_)};
-        for (const auto* element = robot_.FirstChildElement("link"); element != nullptr;
-             element = element->NextSiblingElement("link")) {
-            if (auto link = read_link(*element)) model.parts.push_back(std::move(*link));
+        for (const XMLElement& element : Children(robot_, "link")) {
+            if (auto link = read_link(element)) model.parts.push_back(std::move(*link));
         }
         hang(model.parts);
         // It is the world that a robot of Gazebo hangs on, and no part of the robot.
@@ -162,9 +160,8 @@ class RobotReader {
         std::vector<SdfSurface> surfaces;
         const Extension& extension = extensions_[link_name];
         int count = 0;
-        for (const auto* part = link.FirstChildElement(kind.c_str()); part != nullptr;
-             part = part->NextSiblingElement(kind.c_str()), ++count) {
-            SdfSurface surface = read_surface(*part, kind, link_name, count);
+        for (const XMLElement& part : Children(link, kind.c_str())) {
+            SdfSurface surface = read_surface(part, kind, link_name, count++);
             const bool is_visual = kind == "visual";
             if (is_visual && surface.material.empty()) surface.material = extension.material;
             surface.laser_retro =
@@ -228,13 +225,11 @@ SdfPart robot_of(const XMLElement& robot, const SdfSheet& sheet, SdfGeometry geo
 
 std::vector<std::pair<std::string, const XMLElement*>> sensors_of_robot(const XMLElement& robot) {
     std::vector<std::pair<std::string, const XMLElement*>> sensors;
-    for (const auto* extension = robot.FirstChildElement("gazebo"); extension != nullptr;
-         extension = extension->NextSiblingElement("gazebo")) {
-        const std::string link = attribute(*extension, "reference");
+    for (const XMLElement& extension : Children(robot, "gazebo")) {
+        const std::string link = attribute(extension, "reference");
         if (link.empty()) continue;
-        for (const auto* sensor = extension->FirstChildElement("sensor"); sensor != nullptr;
-             sensor = sensor->NextSiblingElement("sensor"))
-            sensors.emplace_back(link, sensor);
+        for (const XMLElement& sensor : Children(extension, "sensor"))
+            sensors.emplace_back(link, &sensor);
     }
     return sensors;
 }

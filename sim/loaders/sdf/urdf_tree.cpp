@@ -41,17 +41,16 @@ Pose pose_of_origin(const XMLElement* origin, std::vector<std::string>& faults) 
 
 UrdfTree::UrdfTree(const XMLElement& robot, const std::set<std::string>& links,
                    const Wrong& wrong) {
-    for (const auto* joint = robot.FirstChildElement("joint"); joint != nullptr;
-         joint = joint->NextSiblingElement("joint")) {
-        if (const auto fault = fault_of(*joint, links); !fault.empty()) {
-            wrong(*joint, fault + "; left out");
+    for (const XMLElement& joint : Children(robot, "joint")) {
+        if (const auto fault = fault_of(joint, links); !fault.empty()) {
+            wrong(joint, fault + "; left out");
             continue;
         }
         std::vector<std::string> faults;
-        const Pose pose = pose_of_origin(joint->FirstChildElement("origin"), faults);
+        const Pose pose = pose_of_origin(joint.FirstChildElement("origin"), faults);
         for (const std::string& fault : faults)
-            wrong(*joint, fault + "; 0 0 0 is taken");
-        above_[link_of(*joint, "child")] = {link_of(*joint, "parent"), pose};
+            wrong(joint, fault + "; 0 0 0 is taken");
+        above_[link_of(joint, "child")] = {link_of(joint, "parent"), pose};
     }
 }
 
