@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/sdf/sdf_actor.h"
-
+//
+// Reads an <actor>.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,6 +13,7 @@
 
 #include "sim/loaders/actors/actor_walk.h"
 #include "sim/loaders/file/xml_tree.h"
+#include "sim/loaders/sdf/sdf_world.h"
 #include "sim/text/quote.h"
 #include "sim/text/text_number.h"
 #include "sim/world/reach.h"

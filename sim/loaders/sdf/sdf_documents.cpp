@@ -2,16 +2,18 @@
 // Copyright The scipd authors
 #include "sim/loaders/sdf/sdf_documents.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
 #include "sim/loaders/file/doing.h"
 #include "sim/loaders/file/load_error.h"
+#include "sim/loaders/file/mistaken_file.h"
 #include "sim/loaders/file/plain_file.h"
 #include "sim/loaders/file/xml_text.h"
 #include "sim/loaders/resources/model_folder.h"
-#include "sim/loaders/sdf/sdf_kind.h"
 #include "sim/text/quote.h"
 
 namespace scipd::sim {
@@ -22,6 +24,7 @@ namespace fs = std::filesystem;
 /// The largest file, as a share of the memory limit: 64 MiB for a world's limit. Once parsed, a
 /// file takes up to 40 times its size.
 constexpr std::size_t parts_of_memory = 64;
+constexpr std::size_t longest_quoted = 60;
 
 std::string warning_of_version(const tinyxml2::XMLElement& root) {
     const char* text = root.Attribute("version");
@@ -34,6 +37,40 @@ std::string warning_of_version(const tinyxml2::XMLElement& root) {
     if (std::tuple{major, minor} <= std::tuple{1, 12}) return {};
     return "is of version " + std::to_string(major) + '.' + std::to_string(minor) +
            ", which is newer than any known here; it is read as SDF 1.12";
+}
+
+/// The name that tinyxml2 gives to the error, without its prefix.
+std::string broken_xml(const tinyxml2::XMLDocument& parsed) {
+    std::string_view name = parsed.ErrorName();
+    for (const std::string_view prefix : {"XML_", "ERROR_"}) {
+        if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
+    }
+    const int line = std::max(parsed.ErrorLineNum(), 1);
+    return ':' + std::to_string(line) + ": is no XML that can be read: " + std::string{name};
+}
+
+/// What kind of text this is; empty if unknown.
+std::string known_kind(std::string_view text) {
+    if (auto why = why_mistaken(text, "SDF"); !why.empty()) return why;
+    if (text.empty() || text.front() == '<') return {};
+    return "is no SDF; it begins with '" +
+           printable(text.substr(0, text.find_first_of("\r\n")), longest_quoted) +
+           "', and an SDF file begins with <sdf>";
+}
+
+/// For a text and the result of its Parse(): ":LINE: is ...", which says what it is instead. Empty
+/// if it is SDF or URDF.
+std::string why_no_sdf(const std::string& text, const tinyxml2::XMLDocument& parsed) {
+    const auto* root = parsed.Error() ? nullptr : parsed.RootElement();
+    const std::string_view name = root == nullptr ? "" : root->Name();
+    // Up to SDF 1.2, <sdf> was called <gazebo>.
+    if (name == "sdf" || name == "robot" || name == "gazebo") return {};
+    const std::string kind = known_kind(without_blank_start(text));
+    if (!kind.empty()) return ":1: " + kind;
+    if (parsed.Error()) return broken_xml(parsed);
+    if (root == nullptr) return ":1: is no SDF: holds no element";
+    return ':' + std::to_string(root->GetLineNum()) + ": is no SDF: its root is <" +
+           printable(name, longest_quoted) + ">, not <sdf>";
 }
 
 }  // namespace

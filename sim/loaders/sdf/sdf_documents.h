@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -73,5 +74,12 @@ class SdfDocuments {
     std::map<std::pair<std::string, std::filesystem::path>, const SdfDocument*> named_;
     std::set<std::string> told_;  ///< missing downloads, by command
 };
+
+/// Does with `model`, of a copy, what the <experimental:params> of an include say: they add to it,
+/// change it, and take away or replace what is in it. What finds nothing there is skipped, and told
+/// to `skipped` with its element.
+void apply_params(
+    const tinyxml2::XMLElement& params, tinyxml2::XMLElement& model,
+    const std::function<void(const tinyxml2::XMLElement& param, const std::string& why)>& skipped);
 
 }  // namespace scipd::sim

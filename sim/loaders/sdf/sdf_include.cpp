@@ -3,11 +3,11 @@
 //
 // How the reader follows an <include>.
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "sim/loaders/file/xml_tree.h"
-#include "sim/loaders/sdf/sdf_merge.h"
-#include "sim/loaders/sdf/sdf_params.h"
+#include "sim/loaders/parts/frames.h"
 #include "sim/loaders/sdf/sdf_reader.h"
 #include "sim/text/quote.h"
 #include "sim/text/text_number.h"
@@ -16,6 +16,69 @@ namespace scipd::sim {
 namespace {
 
 constexpr std::size_t deepest_include = 32;
+constexpr std::string_view model_frame = "__model__";
+
+/// Makes names that mean the model itself mean the frame that stands for it.
+class Redirect {
+  public:
+    explicit Redirect(const std::string& frame) : frame_(frame) {}
+
+    void part(SdfPart& part) const {
+        const bool is_fixed = part.kind == SdfPart::Kind::frame;
+        if (is_fixed ? means_model(part.attached_to) : part.attached_to == model_frame) {
+            part.attached_to = frame_;
+        }
+        // A frame or a joint is where it is fixed to, unless it says otherwise.
+        const bool is_placed =
+            part.kind == SdfPart::Kind::link || part.kind == SdfPart::Kind::model;
+        pose(part.pose, is_placed);
+        for (SdfSurface& surface : part.surfaces)
+            pose(surface.pose, false);
+    }
+
+  private:
+    static bool means_model(const std::string& name) { return name.empty() || name == model_frame; }
+
+    void pose(GivenPose& given, bool by_default) const {
+        if (by_default ? means_model(given.relative_to) : given.relative_to == model_frame) {
+            given.relative_to = frame_;
+        }
+    }
+
+    const std::string& frame_;
+};
+
+/// libsdformat calls it so.
+SdfPart frame_of(const SdfPart& model, const SdfPart& outer) {
+    SdfPart frame{SdfPart::Kind::frame, "_merged__" + model.name + "__model__", model.place,
+                  model.pose};
+    if (frame.pose.relative_to.empty()) {
+        frame.pose.relative_to = outer.kind == SdfPart::Kind::world ? "world" : "__model__";
+    }
+    const auto link = std::ranges::find(model.parts, SdfPart::Kind::link, &SdfPart::kind);
+    if (outer.kind == SdfPart::Kind::model && link != model.parts.end()) {
+        frame.attached_to = model.canonical_link.empty() ? link->name : model.canonical_link;
+    }
+    return frame;
+}
+
+/// <include merge='true'>: puts the parts of `model` into `outer`, and a frame that stands for the
+/// model. If its placement frame is none, nothing is merged, and the result says why.
+std::string merge(SdfPart model, SdfPart& outer) {
+    SdfPart frame = frame_of(model, outer);
+    if (!model.placement_frame.empty()) {
+        const auto placed = Frames(model).pose_of(model.placement_frame);
+        if (!placed) return "its placement_frame is " + placed.error().why;
+        frame.pose.pose = frame.pose.pose * inverse(*placed);
+    }
+    const Redirect redirect(frame.name);
+    outer.parts.push_back(frame);
+    for (SdfPart& part : model.parts) {
+        redirect.part(part);
+        outer.parts.push_back(std::move(part));
+    }
+    return {};
+}
 
 }  // namespace
 
@@ -84,9 +147,8 @@ void SdfReader::read_include(const XMLElement& include, const SdfSheet& sheet, S
     const bool has_links =
         std::ranges::find(model->parts, SdfPart::Kind::link, &SdfPart::kind) != model->parts.end();
     if (!merges || (in_world && has_links)) return outer.parts.push_back(std::move(*model));
-    std::string why;
     const std::string place = place_of(include, sheet, names_, model->name);
-    merge(std::move(*model), outer, why);
+    const std::string why = merge(std::move(*model), outer);
     if (!why.empty()) draft_.leave_out(place + why);
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/sdf/sdf_params.h"
-
+//
+// The <experimental:params> of an <include>.
 #include <string_view>
 
 #include "sim/loaders/file/xml_tree.h"
+#include "sim/loaders/sdf/sdf_documents.h"
 #include "sim/text/quote.h"
 
 namespace scipd::sim {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/sdf/sdf_population.h"
-
+//
+// Spreads a <population>.
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include "sim/loaders/file/xml_tree.h"
+#include "sim/loaders/sdf/sdf_world.h"
 
 namespace scipd::sim {
 namespace {

@@ -9,9 +9,7 @@
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/xml_tree.h"
 #include "sim/loaders/parts/part_names.h"
-#include "sim/loaders/sdf/sdf_actor.h"
-#include "sim/loaders/sdf/sdf_population.h"
-#include "sim/loaders/sdf/sdf_road.h"
+#include "sim/loaders/sdf/sdf_world.h"
 #include "sim/loaders/sdf/urdf.h"
 
 namespace scipd::sim {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/loaders/sdf/sdf_road.h"
-
+//
+// Makes a strip of a <road>.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -13,6 +13,7 @@
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/xml_tree.h"
 #include "sim/loaders/sdf/sdf_surface.h"
+#include "sim/loaders/sdf/sdf_world.h"
 #include "sim/world/reach.h"
 
 namespace scipd::sim {

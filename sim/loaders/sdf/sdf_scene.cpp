@@ -12,8 +12,8 @@
 
 #include "sim/loaders/parts/frames.h"
 #include "sim/loaders/sdf/scene_shapes.h"
-#include "sim/loaders/sdf/sdf_actor.h"
 #include "sim/loaders/sdf/sdf_sensors.h"
+#include "sim/loaders/sdf/sdf_world.h"
 #include "sim/text/name.h"
 #include "sim/text/quote.h"
 #include "sim/world/reach.h"

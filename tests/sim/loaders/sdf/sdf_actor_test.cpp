@@ -3,8 +3,6 @@
 //
 // Actors as Gazebo's users write them: where they walk, what is seen of them, and what is said of
 // those that are faulty.
-#include "sim/loaders/sdf/sdf_actor.h"
-
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -13,6 +11,7 @@
 #include "sim/backends/registry.h"
 #include "sim/loaders/scene_file.h"
 #include "sim/loaders/sdf/sdf.h"
+#include "sim/world/script.h"
 #include "tests/sim/backends/contract.h"
 #include "tests/sim/loaders/faults_of.h"
 #include "tests/sim/loaders/sdf/sdf_text.h"
