@@ -6,6 +6,15 @@ namespace scipd::sim {
 
 using tinyxml2::XMLElement;
 
+const XMLElement* inside(const XMLElement& outer, std::initializer_list<const char*> names) {
+    const XMLElement* at = &outer;
+    for (const char* name : names) {
+        at = at->FirstChildElement(name);
+        if (at == nullptr) break;
+    }
+    return at;
+}
+
 std::string attribute(const XMLElement& element, const char* name) {
     const char* value = element.Attribute(name);
     return value == nullptr ? "" : value;

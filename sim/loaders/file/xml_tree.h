@@ -55,6 +55,11 @@ class Children {
     const char* name_;
 };
 
+/// The first element of the second name in the first of the first name in `outer`, and so on. Null
+/// if one of them is missing.
+const tinyxml2::XMLElement* inside(const tinyxml2::XMLElement& outer,
+                                   std::initializer_list<const char*> names);
+
 /// Empty if the element has no such attribute.
 std::string attribute(const tinyxml2::XMLElement& element, const char* name);
 

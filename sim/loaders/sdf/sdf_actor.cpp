@@ -60,8 +60,8 @@ bool is_true(const XMLElement* element, bool otherwise) {
 
 class ActorReader {
   public:
-    ActorReader(const XMLElement& actor, const SdfSheet& sheet, std::vector<std::string>& warnings)
-        : actor_(actor), sheet_(sheet), warnings_(warnings) {}
+    ActorReader(const XMLElement& actor, const SdfSheet& sheet, SceneDraft& draft)
+        : actor_(actor), sheet_(sheet), draft_(draft) {}
 
     Actor read() {
         Actor read;
@@ -201,23 +201,21 @@ class ActorReader {
     void warn(const XMLElement& at, const std::string& what) {
         if (std::ranges::find(told_, what) != told_.end()) return;
         told_.push_back(what);
-        const char* name = actor_.Attribute("name");
-        warnings_.push_back(text_of(sheet_.place(at)) + ": actor " +
-                            quote(name == nullptr ? "" : name) + ' ' + what);
+        draft_.warn(text_of(sheet_.place(at)) + ": actor " + quote(attribute(actor_, "name")) +
+                    ' ' + what);
     }
 
     const XMLElement& actor_;
     const SdfSheet& sheet_;
-    std::vector<std::string>& warnings_;
+    SceneDraft& draft_;
     std::vector<std::string> told_;
     std::size_t waypoints_ = 0;
 };
 
 }  // namespace
 
-Actor actor_of(const XMLElement& element, const SdfSheet& sheet,
-               std::vector<std::string>& warnings) {
-    return ActorReader(element, sheet, warnings).read();
+Actor actor_of(const XMLElement& element, const SdfSheet& sheet, SceneDraft& draft) {
+    return ActorReader(element, sheet, draft).read();
 }
 
 SdfPart skin_link_of(const Actor& actor, const FilePlace& place) {

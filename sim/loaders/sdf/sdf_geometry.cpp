@@ -161,8 +161,12 @@ Geometry shape_of(const XMLElement& shape, const SdfSheet& sheet) {
 Geometry geometry_of(const XMLElement& geometry, const SdfSheet& sheet) {
     const auto* shape = geometry.FirstChildElement();
     if (shape == nullptr) return NoShape{};
+    return read_or_why([&] { return shape_of(*shape, sheet); });
+}
+
+Geometry read_or_why(const std::function<Geometry()>& read) {
     try {
-        return shape_of(*shape, sheet);
+        return read();
     } catch (const UnreadableValue& value) {
         return Unread{value.what()};
     } catch (const LoadError& error) {

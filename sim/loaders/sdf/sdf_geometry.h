@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include <tinyxml2.h>
@@ -28,6 +29,9 @@ struct SdfSheet {
 };
 
 Geometry geometry_of(const tinyxml2::XMLElement& geometry, const SdfSheet& sheet);
+
+/// What `read` returns or, if it throws an UnreadableValue or a LoadError, why it is Unread.
+Geometry read_or_why(const std::function<Geometry()>& read);
 
 /// Throws LoadError if a size is not above 0 or beyond 1e7 m.
 void check_sizes(std::initializer_list<double> sizes_m);

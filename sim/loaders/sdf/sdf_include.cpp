@@ -154,20 +154,15 @@ void SdfReader::read_include(const XMLElement& include, const SdfSheet& sheet, S
 
 void SdfReader::place_include(const XMLElement& include, const SdfSheet& sheet, SdfPart& model) {
     const SdfValues values(include, sheet.dialect);
-    const auto place = [&] { return place_of(include, sheet, names_, model.name); };
     // Its name and its pose are told here.
     model.place = sheet.place(include);
     try {
         if (values.has_pose()) model.pose = values.pose();
     } catch (const UnreadableValue& value) {
-        draft_.leave_out(place() + value.what());
+        draft_.leave_out(place_of(include, sheet, names_, model.name) + value.what());
         model.parts.clear();
     }
-    try {
-        if (const auto is_static = values.truth("static")) model.is_static = is_static;
-    } catch (const UnreadableValue& value) {
-        draft_.warn(place() + value.what() + "; ignored");
-    }
+    read_static(include, sheet, model);
     if (const auto frame = values.text("placement_frame")) model.placement_frame = *frame;
 }
 

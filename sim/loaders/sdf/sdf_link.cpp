@@ -31,10 +31,7 @@ std::optional<SdfPart> LinkReader::read(const XMLElement& element, const SdfShee
     }
     auto collisions = read_surfaces(element, link.name, "collision", sheet);
     auto visuals = read_surfaces(element, link.name, "visual", sheet);
-    share_retro(collisions, visuals);
-    if (geometry_ == SdfGeometry::collision) std::swap(visuals, collisions);
-    link.surfaces = std::move(visuals);
-    link.has_unseen = !collisions.empty();
+    put_surfaces(std::move(visuals), std::move(collisions), geometry_, link);
     const bool is_second = !sensors.links.insert(link.name).second;
     for (const XMLElement& sensor : Children(element, "sensor")) {
         if (is_second) {

@@ -62,13 +62,9 @@ SdfTree SdfReader::read_world(const XMLElement& root, const SdfSheet& sheet) {
         draft_.warn(source_ + ": holds several worlds; only the first, '" + tree.root.name +
                     "', is used");
     }
-    std::vector<std::string> warnings;
-    tree.state = state_of(world, *sheet.file, warnings);
-    for (auto& warning : warnings)
-        draft_.warn(warning);
+    tree.state = state_of(world, *sheet.file, draft_);
     read_parts(world, sheet, tree.root);
-    const auto* state = world.FirstChildElement("state");
-    const auto* inserted = state == nullptr ? nullptr : state->FirstChildElement("insertions");
+    const auto* inserted = inside(world, {"state", "insertions"});
     if (inserted != nullptr) read_parts(*inserted, sheet, tree.root);
     name_apart(tree.root.parts);
     return tree;
@@ -120,11 +116,7 @@ std::optional<SdfPart> SdfReader::read_model(const XMLElement& element, const Sd
         draft_.leave_out(place() + "models lie in each other more than 200 deep");
         return std::nullopt;
     }
-    try {
-        model.is_static = values.truth("static");
-    } catch (const UnreadableValue& value) {
-        draft_.warn(place() + value.what() + "; ignored");
-    }
+    read_static(element, sheet, model);
     try {
         if (is(element, "actor")) read_actor(element, sheet, model);
         if (!is(element, "actor")) model.pose = values.pose();
@@ -142,11 +134,17 @@ std::optional<SdfPart> SdfReader::read_model(const XMLElement& element, const Sd
     return is_seen(model) ? std::optional(std::move(model)) : std::nullopt;
 }
 
+void SdfReader::read_static(const XMLElement& element, const SdfSheet& sheet, SdfPart& model) {
+    try {
+        const auto is_static = SdfValues(element, sheet.dialect).truth("static");
+        if (is_static) model.is_static = is_static;
+    } catch (const UnreadableValue& value) {
+        draft_.warn(place_of(element, sheet, names_, model.name) + value.what() + "; ignored");
+    }
+}
+
 void SdfReader::read_actor(const XMLElement& element, const SdfSheet& sheet, SdfPart& model) {
-    std::vector<std::string> warnings;
-    const auto actor = std::make_shared<const Actor>(actor_of(element, sheet, warnings));
-    for (auto& warning : warnings)
-        draft_.warn(warning);
+    const auto actor = std::make_shared<const Actor>(actor_of(element, sheet, draft_));
     model.pose.pose = actor->pose;
     if (actor->skin) model.parts.push_back(as_seen(skin_link_of(*actor, model.place)));
     model.actor = actor;

@@ -80,23 +80,13 @@ PlacedShape strip_of(const XMLElement& road, const Dialect& dialect) {
     return {std::make_shared<const Mesh>(strip_along(points_m, width_m)), {first_m}};
 }
 
-Geometry geometry_of_road(const XMLElement& road, const Dialect& dialect) {
-    try {
-        return strip_of(road, dialect);
-    } catch (const UnreadableValue& value) {
-        return Unread{value.what()};
-    } catch (const LoadError& error) {
-        return Unread{error.what()};
-    }
-}
-
 }  // namespace
 
 SdfPart road_of(const XMLElement& road, const SdfSheet& sheet) {
     // A road looks like a visual without a geometry.
     SdfSurface visual = surface_of(road, sheet, [](const std::string&) {});
     visual.name = "visual";
-    visual.geometry = geometry_of_road(road, sheet.dialect);
+    visual.geometry = read_or_why([&] { return strip_of(road, sheet.dialect); });
     SdfPart link{SdfPart::Kind::link, "link", sheet.place(road)};
     link.surfaces.push_back(std::move(visual));
     SdfPart model{SdfPart::Kind::model, attribute(road, "name"), sheet.place(road)};

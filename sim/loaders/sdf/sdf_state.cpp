@@ -37,8 +37,8 @@ std::optional<glm::dvec3> scale_of(const XMLElement& element) {
 
 class StateReader {
   public:
-    StateReader(const std::filesystem::path& file, std::vector<std::string>& warnings)
-        : file_(file), warnings_(warnings) {}
+    StateReader(const std::filesystem::path& file, SceneDraft& draft)
+        : file_(file), draft_(draft) {}
 
     SdfState read(const XMLElement& state) {
         read_parts(state, "");
@@ -68,13 +68,13 @@ class StateReader {
             state_.entries.insert({name, {*pose, *scale, part.GetLineNum()}});
             return;
         }
-        warnings_.push_back(file_.string() + ':' + std::to_string(part.GetLineNum()) +
-                            ": the <state> of " + name + " has a " + (pose ? "scale" : "pose") +
-                            " that is not a row of finite numbers; its own pose and scale stay");
+        draft_.warn(file_.string() + ':' + std::to_string(part.GetLineNum()) + ": the <state> of " +
+                    name + " has a " + (pose ? "scale" : "pose") +
+                    " that is not a row of finite numbers; its own pose and scale stay");
     }
 
     const std::filesystem::path& file_;
-    std::vector<std::string>& warnings_;
+    SceneDraft& draft_;
     SdfState state_;
 };
 
@@ -102,10 +102,9 @@ std::string SdfState::unused(const std::filesystem::path& file) const {
            ", and the world has nothing of that name; ignored";
 }
 
-SdfState state_of(const XMLElement& world, const std::filesystem::path& file,
-                  std::vector<std::string>& warnings) {
+SdfState state_of(const XMLElement& world, const std::filesystem::path& file, SceneDraft& draft) {
     const auto* state = world.FirstChildElement("state");
-    return state == nullptr ? SdfState{} : StateReader{file, warnings}.read(*state);
+    return state == nullptr ? SdfState{} : StateReader{file, draft}.read(*state);
 }
 
 }  // namespace scipd::sim

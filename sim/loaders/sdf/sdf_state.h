@@ -9,11 +9,11 @@
 #include <map>
 #include <set>
 #include <string>
-#include <vector>
 
 #include <glm/vec3.hpp>
 #include <tinyxml2.h>
 
+#include "sim/loaders/file/scene_draft.h"
 #include "sim/world/pose.h"
 
 namespace scipd::sim {
@@ -35,9 +35,9 @@ struct SdfState {
     [[nodiscard]] std::string unused(const std::filesystem::path& file) const;
 };
 
-/// Reads the first <state> of a world, as Gazebo Classic does. Each warning begins with its place
-/// in `file`.
+/// Reads the first <state> of a world, as Gazebo Classic does. The draft is told what cannot be
+/// read, with its place in `file`.
 SdfState state_of(const tinyxml2::XMLElement& world, const std::filesystem::path& file,
-                  std::vector<std::string>& warnings);
+                  SceneDraft& draft);
 
 }  // namespace scipd::sim

@@ -2,6 +2,8 @@
 // Copyright The scipd authors
 #include "sim/loaders/sdf/sdf_surface.h"
 
+#include <utility>
+
 #include "sim/loaders/file/xml_tree.h"
 #include "sim/text/text_number.h"
 
@@ -10,16 +12,11 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-const XMLElement* child_of(const XMLElement* element, const char* name) {
-    return element == nullptr ? nullptr : element->FirstChildElement(name);
-}
-
 /// scipd's own material comes first; the one that Gazebo shows is the next best guess.
 void read_material(const XMLElement& element, SdfSurface& surface) {
     surface.material = trimmed(text_of(element.FirstChildElement("scipd:material")));
     if (!surface.material.empty()) return;
-    const auto* script = child_of(element.FirstChildElement("material"), "script");
-    surface.material = trimmed(text_of(child_of(script, "name")));
+    surface.material = trimmed(text_of(inside(element, {"material", "script", "name"})));
     surface.from_script = !surface.material.empty();
 }
 
@@ -27,13 +24,25 @@ Appearance appearance_of(const XMLElement& visual, const SdfSheet& sheet) {
     const auto number = [](const std::optional<std::string>& text) {
         return text ? parse_number(trimmed(*text)) : std::nullopt;
     };
-    const auto* metal = child_of(child_of(visual.FirstChildElement("material"), "pbr"), "metal");
+    const auto* metal = inside(visual, {"material", "pbr", "metal"});
     const SdfValues of_metal(metal == nullptr ? visual : *metal, sheet.dialect);
     const auto said = [&](const char* name) {
         return metal == nullptr ? std::nullopt : number(of_metal.text(name));
     };
     return as_said(number(SdfValues(visual, sheet.dialect).text("transparency")), said("metalness"),
                    said("roughness"));
+}
+
+void share_retro(const std::vector<SdfSurface>& collisions, std::vector<SdfSurface>& visuals) {
+    std::optional<double> common;
+    for (const SdfSurface& collision : collisions) {
+        if (!collision.laser_retro) continue;
+        if (common && *common != *collision.laser_retro) return;
+        common = collision.laser_retro;
+    }
+    for (SdfSurface& visual : visuals) {
+        if (!visual.laser_retro) visual.laser_retro = common;
+    }
 }
 
 }  // namespace
@@ -57,16 +66,12 @@ SdfSurface surface_of(const XMLElement& element, const SdfSheet& sheet, const Ig
     return surface;
 }
 
-void share_retro(const std::vector<SdfSurface>& collisions, std::vector<SdfSurface>& visuals) {
-    std::optional<double> common;
-    for (const SdfSurface& collision : collisions) {
-        if (!collision.laser_retro) continue;
-        if (common && *common != *collision.laser_retro) return;
-        common = collision.laser_retro;
-    }
-    for (SdfSurface& visual : visuals) {
-        if (!visual.laser_retro) visual.laser_retro = common;
-    }
+void put_surfaces(std::vector<SdfSurface> visuals, std::vector<SdfSurface> collisions,
+                  SdfGeometry seen, SdfPart& link) {
+    share_retro(collisions, visuals);
+    if (seen == SdfGeometry::collision) std::swap(visuals, collisions);
+    link.surfaces = std::move(visuals);
+    link.has_unseen = !collisions.empty();
 }
 
 }  // namespace scipd::sim

@@ -22,8 +22,10 @@ using Ignored = std::function<void(const std::string& what)>;
 SdfSurface surface_of(const tinyxml2::XMLElement& element, const SdfSheet& sheet,
                       const Ignored& ignored);
 
-/// Gives visuals without a laser_retro that of their link's collisions, if all that have one agree:
-/// Gazebo Classic reads it in the collision, Gazebo Sim in the visual.
-void share_retro(const std::vector<SdfSurface>& collisions, std::vector<SdfSurface>& visuals);
+/// Gives a link those of its surfaces that scanners see. Visuals without a laser_retro get that of
+/// the collisions, if all that have one agree: Gazebo Classic reads it in the collision, Gazebo Sim
+/// in the visual.
+void put_surfaces(std::vector<SdfSurface> visuals, std::vector<SdfSurface> collisions,
+                  SdfGeometry seen, SdfPart& link);
 
 }  // namespace scipd::sim

@@ -4,23 +4,22 @@
 // What only a world holds: actors, roads and populations of models. Any thread; nothing shared.
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
 #include <tinyxml2.h>
 
+#include "sim/loaders/file/scene_draft.h"
 #include "sim/loaders/parts/part.h"
 #include "sim/loaders/sdf/sdf_geometry.h"
 #include "sim/loaders/sdf/sdf_values.h"
 
 namespace scipd::sim {
 
-/// What an <actor> is beyond a model, for example a person who walks along a script. It is a movable
-/// model whose skin is the visual of a link. Each warning begins with its place.
-Actor actor_of(const tinyxml2::XMLElement& element, const SdfSheet& sheet,
-               std::vector<std::string>& warnings);
+/// What an <actor> is beyond a model, for example a person who walks along a script. It is a
+/// movable model whose skin is the visual of a link. The draft is told what cannot be read.
+Actor actor_of(const tinyxml2::XMLElement& element, const SdfSheet& sheet, SceneDraft& draft);
 
 /// The name of the link that shows the skin, and of its visual.
 inline constexpr std::string_view skin_name = "skin";

@@ -6,7 +6,6 @@
 #include <map>
 #include <set>
 
-#include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/xml_tree.h"
 #include "sim/loaders/sdf/sdf_surface.h"
 #include "sim/loaders/sdf/urdf_tree.h"
@@ -30,7 +29,7 @@ std::vector<double> numbers_in(const XMLElement& element, const char* name, std:
                           "'> cannot be read");
 }
 
-Geometry shape_of(const XMLElement& shape, const SdfSheet& sheet) {
+Geometry urdf_shape_of(const XMLElement& shape, const SdfSheet& sheet) {
     const std::string_view kind = shape.Name();
     if (kind == "box") {
         const auto n = numbers_in(shape, "size", 3);
@@ -62,16 +61,10 @@ Geometry shape_of(const XMLElement& shape, const SdfSheet& sheet) {
 
 Geometry geometry_in(const XMLElement& part, const SdfSheet& sheet) {
     const auto* geometry = part.FirstChildElement("geometry");
-    try {
-        if (geometry == nullptr) throw UnreadableValue("it has no <geometry>");
-        const auto* shape = geometry->FirstChildElement();
-        if (shape == nullptr) throw UnreadableValue("its <geometry> is empty");
-        return shape_of(*shape, sheet);
-    } catch (const UnreadableValue& value) {
-        return Unread{value.what()};
-    } catch (const LoadError& error) {
-        return Unread{error.what()};
-    }
+    if (geometry == nullptr) return Unread{"it has no <geometry>"};
+    const auto* shape = geometry->FirstChildElement();
+    if (shape == nullptr) return Unread{"its <geometry> is empty"};
+    return read_or_why([&] { return urdf_shape_of(*shape, sheet); });
 }
 
 /// What Gazebo's extensions say of a link.
@@ -93,13 +86,12 @@ std::map<std::string, Extension> extensions_of(const XMLElement& robot) {
     std::map<std::string, Extension> extensions;
     for (const XMLElement& element : Children(robot, "gazebo")) {
         Extension& extension = extensions[attribute(element, "reference")];
-        const auto* within = element.FirstChildElement("visual");
-        if (within != nullptr) extension.retro_of_visuals = retro_in(*within);
-        for (const char* name : {"material", "script", "name"})
-            within = within == nullptr ? nullptr : within->FirstChildElement(name);
+        const auto* visual = element.FirstChildElement("visual");
+        if (visual != nullptr) extension.retro_of_visuals = retro_in(*visual);
+        const auto* script = inside(element, {"visual", "material", "script", "name"});
         const std::string material = text_of(element.FirstChildElement("material"));
         if (!material.empty()) extension.material = trimmed(material);
-        if (extension.material.empty()) extension.material = trimmed(text_of(within));
+        if (extension.material.empty()) extension.material = trimmed(text_of(script));
         const auto* collision = element.FirstChildElement("collision");
         if (const auto retro = retro_in(collision == nullptr ? element : *collision)) {
             extension.retro_of_collisions = retro;
@@ -148,10 +140,7 @@ class RobotReader {
         }
         auto visuals = read_surfaces(element, "visual", link.name);
         auto collisions = read_surfaces(element, "collision", link.name);
-        share_retro(collisions, visuals);
-        if (geometry_ == SdfGeometry::collision) std::swap(visuals, collisions);
-        link.surfaces = std::move(visuals);
-        link.has_unseen = !collisions.empty();
+        put_surfaces(std::move(visuals), std::move(collisions), geometry_, link);
         return link;
     }
 
