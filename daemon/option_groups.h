@@ -15,6 +15,11 @@
 
 namespace scipd::daemon {
 
+/// Of the group of options each of which leaves no room for most others.
+inline constexpr const char* alone_title = "Instead of the above";
+/// Of the group of options that go with all others.
+inline constexpr const char* general_title = "General";
+
 /// What a user gave by options, or what holds where the user gave nothing. options.cpp decides
 /// later which of it counts.
 struct OptionValues {
@@ -36,8 +41,5 @@ struct OptionValues {
 
 /// Their texts go through the parsers of daemon/config, whose refusals become CLI's.
 void add_options(CLI::App& app, OptionValues& said);
-
-/// Refuses options that do not go together. --config goes with those that are of no scanner.
-[[nodiscard]] sim::Expected<> check_alone(const CLI::App& app);
 
 }  // namespace scipd::daemon

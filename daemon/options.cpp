@@ -16,6 +16,7 @@
 #include "daemon/config/demo_world.h"
 #include "daemon/config/sensor.h"
 #include "daemon/option_groups.h"
+#include "daemon/options_together.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/scene_file.h"
 
@@ -119,7 +120,7 @@ std::variant<Options, Answer> parse_options(int argc, const char* const* argv) {
     use_our_help(app);
     try {
         app.parse(argc, argv);
-        if (const auto alone = check_alone(app); !alone) return wrong_options(alone.error().why);
+        if (const auto alone = check_together(app); !alone) return wrong_options(alone.error().why);
         if (!said.completion.empty()) return completion_script(app, said.completion);
         return act(said);
     } catch (const CLI::CallForHelp&) {

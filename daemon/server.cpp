@@ -16,6 +16,7 @@
 #include "daemon/api/routes.h"
 #include "daemon/config/config_file.h"
 #include "daemon/config/run_directory.h"
+#include "daemon/config_changes.h"
 #include "daemon/link/leftovers.h"
 #include "daemon/service_notify.h"
 #include "daemon/simulation.h"
@@ -56,6 +57,7 @@ Server::Server(const Options& options)
     const auto unlike_the_others = plan.unlike_the_others;
     (void)fleet_.apply(std::move(plan));
     if (shared_) shared_->serve(config, unlike_the_others);
+    running_ = config;
     fleet_.simulation().choose_backends();
     wait_for_signal();
 }
@@ -250,7 +252,9 @@ void Server::take_up(std::future<Next> loaded) {
         }
         fleet_.simulation().choose_backends();
         warn_of_unneeded(config);
-        spdlog::info("SIGHUP: {} is running now", options_.config_file->string());
+        spdlog::info("SIGHUP: {} is running now; {}", options_.config_file->string(),
+                     changes_between(running_, config));
+        running_ = config;
         service_.reloaded();
     } catch (const std::exception& error) {
         spdlog::error("SIGHUP: nothing was changed, since\n{}", error.what());

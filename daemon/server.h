@@ -67,6 +67,7 @@ class Server {
     void listen_at_control();
 
     const Options options_;  ///< that it was started with
+    Config running_;         ///< the latest, which a reload may have read
     const HandedSockets handed_;
     boost::asio::io_context io_{1};
     boost::asio::signal_set signals_;

@@ -9,8 +9,10 @@
 #include "daemon/device/device.h"
 #include "daemon/device/staring_sensor.h"
 #include "daemon/faults/fault_injector.h"
+#include "daemon/link/client_log.h"
 #include "daemon/link/port.h"
 #include "daemon/shards/shard.h"
+#include "daemon/wire/wire_log.h"
 #include "protocol/ideal.h"
 #include "sim/fnv1a.h"
 #include "sim/random.h"
@@ -97,16 +99,20 @@ std::unique_ptr<Station> make_station(const StationContext& context, const std::
     std::vector<std::shared_ptr<Port>> heard;
     for (const auto& port : {station->ports.tcp, station->ports.pty}) {
         if (!port) continue;
-        port->serve(device, sensor.link);
         served.push_back(port.get());
         heard.push_back(port);
     }
+    // Before anybody is served, since the log tells of the first as well.
+    station->client_log = std::make_unique<ClientLog>(station->name(), heard);
+    station->wire_tap = std::make_unique<WireStream::Tap>(
+        context.wire, station->name(),
+        std::make_unique<WireTap>(device, std::move(heard), wire_log(station->name())));
+    for (Port* const port : served)
+        port->serve(device, sensor.link);
     station->served_before = station->ports.counts();
     station->faults = std::make_unique<FaultInjector>(device, std::move(served), sensor.link,
                                                       context.shard.clock);
     station->tap->follow(station->faults->log());
-    station->wire_tap = std::make_unique<WireStream::Tap>(
-        context.wire, station->name(), std::make_unique<WireTap>(device, std::move(heard)));
     return station;
 }
 

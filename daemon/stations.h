@@ -23,6 +23,7 @@
 
 namespace scipd::daemon {
 
+class ClientLog;
 class Device;
 class FaultInjector;
 class StaringSensor;
@@ -48,6 +49,7 @@ struct Station {
     std::unique_ptr<ScanStream::Tap> tap;
     std::unique_ptr<ViewStream::Tap> view_tap;
     std::unique_ptr<WireStream::Tap> wire_tap;  ///< null: a camera or ranger
+    std::unique_ptr<ClientLog> client_log;      ///< the same
 
     [[nodiscard]] std::string name() const { return sensor_name(robot, config.name); }
     /// From the next measurement on it sits there on its robot.

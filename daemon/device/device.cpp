@@ -22,6 +22,8 @@ class Device::ServedClient final : public Endpoint::Client {
     ServedClient(Device& device, std::function<void()> on_actions, protocol::LinkKind link)
         : Client(device.profile_, device.state_, link),
           on_actions_(std::move(on_actions)),
+          kind_(link == protocol::LinkKind::tty ? DeviceLog::By::tty_client
+                                                : DeviceLog::By::tcp_client),
           device_(device) {
         session().set_hook(device_.hook_);
         device_.clients_.push_back(this);
@@ -29,6 +31,8 @@ class Device::ServedClient final : public Endpoint::Client {
     ServedClient(const ServedClient&) = delete;
     ServedClient& operator=(const ServedClient&) = delete;
     ~ServedClient() override {
+        session().close();
+        device_.told_.laser(device_.state_.laser_on(), DeviceLog::By::leaving_client);
         add(session().refused(), device_.counts_.refused);
         std::erase(device_.clients_, this);
     }
@@ -49,9 +53,11 @@ class Device::ServedClient final : public Endpoint::Client {
 
     /// Tells it that its session may have something to send.
     void tell() const { on_actions_(); }
+    [[nodiscard]] DeviceLog::By kind() const { return kind_; }
 
   private:
     std::function<void()> on_actions_;
+    DeviceLog::By kind_;
     Device& device_;
 };
 
@@ -67,11 +73,13 @@ Device::Device(const std::string& robot, const SensorConfig& config, std::uint64
       sweep_(world, robot, config, unit_.scanner(config, profile_, chance_)),
       timing_(sweep_.optics(), config.clock.phase.value_or(sim::Time::zero())),
       cold_start_(config.power_up == PowerUp::boot),
+      told_(sweep_.name()),
       bit_rate_told_(protocol::bit_rate_of(state_.settings(), profile_)) {
     if (config.power_up == PowerUp::scip1) state_.power_up_in_scip1(uptime());
     if (config.power_up == PowerUp::boot) state_.boot(uptime(), profile_.boot_time);
     state_.set_clock(uptime(), std::chrono::milliseconds(config.clock.start_ms));
     boots_told_ = state_.boots();
+    told_.know(state_.laser_on());
     state_.set_mirror_origin(timing_.start(0));
     follow_motor();
     sweep_.know_own_lamp(*this);
@@ -91,27 +99,11 @@ void Device::go_on_as(const Device& other) {
     timing_ = other.timing_;
     state_ = other.state_;
     boots_told_ = other.boots_told_;
+    told_.know(state_.laser_on());
     bit_rate_told_ = other.bit_rate_told_;
     pace_ = other.pace_;
     log_ = other.log_;
     counts_ = other.counts();
-}
-
-std::optional<LampBeam> Device::shines(sim::Time time) const {
-    if (!state_.laser_on()) return std::nullopt;
-    const sim::Time device_time = device_clock_.device_time(time);
-    const std::int64_t revolution = timing_.revolution_at(device_time);
-    const std::chrono::duration<double> since = device_time - timing_.start(revolution);
-    const std::chrono::duration<double> turn =
-        timing_.start(revolution + 1) - timing_.start(revolution);
-    const sim::SensorSpec& optics = sweep_.optics();
-    const double step = optics.steps_per_turn * (since / turn);
-    if (step < optics.first_step || step > optics.last_step) return std::nullopt;
-    const double angle_rad = optics.angle_rad(step);
-    const sim::Pose pose = sweep_.pose_at(time);
-    return LampBeam{pose.translation_m,
-                    pose.rotation * glm::dvec3{std::cos(angle_rad), std::sin(angle_rad), 0.0},
-                    optics.footprint.half_width_rad};
 }
 
 std::unique_ptr<Endpoint::Client> Device::connect(std::function<void()> on_actions,
@@ -145,6 +137,7 @@ void Device::change(const Change& change) {
     if (other_speed && state_.boots() == boots) state_.set_mirror_origin(mirror.after(uptime()));
     follow_motor();
     notice_boot();
+    told_.laser(state_.laser_on(), DeviceLog::By::fault);
     bit_rate_told_ = protocol::bit_rate_of(state_.settings(), profile_);
     tell_clients();
 }
@@ -211,6 +204,7 @@ void Device::turn_complete(std::int64_t revolution) {
         const protocol::ScanView scan = measure(revolution).sent.view();
         for (ServedClient* client : takers)
             client->session().take(scan, uptime());
+        told_.laser(state_.laser_on(), DeviceLog::By::last_scan);
         ++counts_.scans;
         if (leaves(revolution) >= punctual_from_)
             counts_.lateness.add(clock_.now() - leaves(revolution));
@@ -235,12 +229,14 @@ void Device::serve_latest(ServedClient& client) {
     const int bit_rate = protocol::bit_rate_of(state_.settings(), profile_);
     const bool booted = boots_told_ != state_.boots();
     notice_boot();
+    told_.laser(state_.laser_on(), client.kind());
     const bool changed = std::exchange(bit_rate_told_, bit_rate) != bit_rate;
     if (booted || changed) tell_clients(&client);
 }
 
 void Device::notice_boot() {
     if (std::exchange(boots_told_, state_.boots()) == state_.boots()) return;
+    told_.booted(state_.laser_on());
     if (hook_ != nullptr) hook_->booted();
 }
 

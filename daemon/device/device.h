@@ -18,6 +18,7 @@
 #include "daemon/config/config.h"
 #include "daemon/device/bridge.h"
 #include "daemon/device/device_hook.h"
+#include "daemon/device/device_log.h"
 #include "daemon/device/pace.h"
 #include "daemon/device/scan_source.h"
 #include "daemon/device/sensor_counts.h"
@@ -108,9 +109,7 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     void serve_latest(ServedClient& client);
     /// Clients may be waiting for what has just happened. One of them may know already.
     void tell_clients(const ServedClient* knows = nullptr);
-
     void notice_boot();
-
     /// As others see it: a light that turns with its mirror, and shines where it measures.
     [[nodiscard]] std::optional<LampBeam> shines(sim::Time time) const override;
 
@@ -134,7 +133,8 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     bool cold_start_;         ///< it was switched on when it was made; else long ago
 
     protocol::DeviceState state_;
-    int boots_told_ = 0;                  ///< how many boots all clients know of
+    int boots_told_ = 0;  ///< how many boots all clients know of
+    DeviceLog told_;
     int bit_rate_told_;                   ///< which rate of the serial line all clients know of
     std::vector<ServedClient*> clients_;  ///< each adds and removes itself
     DeviceHook* hook_ = nullptr;

@@ -265,7 +265,10 @@ void Connection::end_of_input() {
 // The device boots. A tty outlives that: only what was under way is lost.
 void Connection::drop() {
     drop_under_way();
-    if (hooks_.kind == protocol::LinkKind::network) input_ended_ = true;
+    if (hooks_.kind == protocol::LinkKind::network) {
+        input_ended_ = true;
+        why_ended_ = Leaving::booted;
+    }
     flush();
 }
 
@@ -284,7 +287,7 @@ void Connection::end_if_done() {
 
 void Connection::end() {
     close();
-    hooks_.ended();
+    hooks_.ended(why_ended_);
 }
 
 }  // namespace scipd::daemon

@@ -18,6 +18,7 @@
 #include "daemon/clock/clock.h"
 #include "daemon/config/link_config.h"
 #include "daemon/limits/limits.h"
+#include "daemon/link/client_watch.h"
 #include "daemon/link/endpoint.h"
 #include "daemon/link/line_hook.h"
 #include "daemon/link/line_state.h"
@@ -42,7 +43,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
         /// A tty stays when the device boots.
         protocol::LinkKind kind = protocol::LinkKind::network;
         /// Called once, when nothing more will come or go; never after close().
-        std::function<void()> ended = [] {};
+        std::function<void(Leaving why)> ended = [](Leaving) {};
     };
 
     /// `scanner` must live until close() or ended.
@@ -114,6 +115,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     bool reading_ = false;
     bool writing_ = false;
     bool input_ended_ = false;
+    Leaving why_ended_ = Leaving::closed;
     LinkCounts counts_;
 };
 

@@ -42,8 +42,9 @@ void Port::begin(std::shared_ptr<Connection> connection) {
     connection_->start();
 }
 
-void Port::end_connection() {
+void Port::end_connection(Leaving why) {
     if (!connection_) return;
+    if (connected()) tell_left(why);
     counts_before_ += connection_->counts();
     connection_->close();
     connection_.reset();

@@ -12,6 +12,7 @@
 
 #include "daemon/config/link_config.h"
 #include "daemon/limits/limits.h"
+#include "daemon/link/client_watch.h"
 #include "daemon/link/connection.h"
 #include "daemon/link/endpoint.h"
 #include "daemon/link/line_hook.h"
@@ -44,7 +45,7 @@ class Port {
     virtual void stop() = 0;
     /// Cuts off who is connected, so that the scanner may go: serve() or stop() follows in the same
     /// turn.
-    void end_connection();
+    void end_connection(Leaving why = Leaving::ended);
 
     /// What a client connects to: HOST:PORT with the port that was really taken, or the path of the
     /// tty's link.
@@ -61,6 +62,9 @@ class Port {
     /// Null: nobody listens. It must outlive that.
     void set_ear(WireEar* ear);
     [[nodiscard]] WireEar* ear() const { return ear_; }
+    /// Null: nobody is told who comes and goes. It must outlive that.
+    void set_watch(ClientWatch* watch) { watch_ = watch; }
+    [[nodiscard]] ClientWatch* watch() const { return watch_; }
     /// Ends the connection in the next turn; nothing goes either way any more. A tty hangs up and
     /// comes back under its name. The next client is welcome at once, unless the line refuses it.
     virtual void cut(Cut how) = 0;
@@ -82,8 +86,13 @@ class Port {
     [[nodiscard]] const LineState& line() const { return line_; }
     /// The line may refuse clients now, or may no longer.
     virtual void follow_line() = 0;
-    void tell_connected() {
+    /// `from` as for ClientWatch.
+    void tell_connected(const std::string& from) {
+        if (watch_) watch_->came(from);
         if (hook_) hook_->connected(*this);
+    }
+    void tell_left(Leaving why) {
+        if (watch_) watch_->left(why);
     }
 
   private:
@@ -91,6 +100,7 @@ class Port {
     LineState line_;
     LineHook* hook_ = nullptr;
     WireEar* ear_ = nullptr;
+    ClientWatch* watch_ = nullptr;
     std::shared_ptr<Connection> connection_;
     LinkCounts counts_before_;  ///< by connections that have ended
 };

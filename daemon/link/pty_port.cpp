@@ -188,7 +188,7 @@ void PtyPort::connect_or_hang_up() {
 
 // Whoever has the tty open gets EIO, since the other side of it is closed.
 void PtyPort::hang_up() {
-    end_connection();
+    end_connection(scanner_ ? Leaving::cut : Leaving::ended);
     close_terminal();
     if (link_) link_->remove();
 }
@@ -205,8 +205,9 @@ void PtyPort::watch() {
 // new one is answered.
 bool PtyPort::somebody_there() {
     const TtyOpens::News news = opens_.look([this] { return somebody_else(); });
+    if (news.closed) tell_left(Leaving::closed);
     if (news.closed) last_one_closed(news.next_was_heard);
-    if (news.opened) tell_connected();
+    if (news.opened) tell_connected({});
     return opens_.any();
 }
 

@@ -49,6 +49,14 @@ bool has_hung_up(tcp::socket& socket) {
     return ::poll(&asked, 1, 0) == 1;
 }
 
+/// HOST:PORT
+std::string peer_of(const tcp::socket& socket) {
+    error_code error;
+    const tcp::endpoint peer = socket.remote_endpoint(error);
+    if (error) return "an unknown address";
+    return text_of(Address{peer.address().to_string(), peer.port()});
+}
+
 bool has_left_silently(tcp::socket& socket) {
     error_code ignored;
     return has_hung_up(socket) && socket.available(ignored) == 0;
@@ -95,7 +103,7 @@ std::shared_ptr<TcpPort> TcpPort::moved_to(const asio::any_io_executor& executor
 }
 
 void TcpPort::serve(Endpoint& scanner, const LinkConfig& link) {
-    disconnect();
+    disconnect(Leaving::ended);
     scanner_ = &scanner;
     set_line({.link = link});
     serve_next();
@@ -108,7 +116,7 @@ void TcpPort::stop() {
     for (tcp::socket& socket : waiting_)
         pass_on(std::move(socket));
     waiting_.clear();
-    disconnect();
+    disconnect(Leaving::ended);
     scanner_ = nullptr;
 }
 
@@ -125,7 +133,7 @@ void TcpPort::cut(Cut how) {
                    if (!cut_off || cut_off.get() != self->connection()) return;
                    how == Cut::fin ? drop_unread(cut_off->descriptor())
                                    : reset_on_close(cut_off->descriptor());
-                   self->disconnect();
+                   self->disconnect(Leaving::cut);
                    self->serve_next();
                });
 }
@@ -239,6 +247,7 @@ void TcpPort::accept_later() {
 
 void TcpPort::connect(tcp::socket socket) {
     error_code error;
+    const std::string from = peer_of(socket);
     socket.set_option(tcp::no_delay(true), error);
     socket.set_option(tcp::socket::send_buffer_size(kernel_buffer_bytes), error);
     const auto executor = socket.get_executor();
@@ -247,12 +256,12 @@ void TcpPort::connect(tcp::socket socket) {
     LinkConfig link = line().link;
     link.baud.reset();  // a tty's
     begin(std::make_shared<Connection>(Connection::Descriptor(executor, descriptor), *scanner_,
-                                       link, Connection::Hooks{.ended = [this] {
-                                           disconnect();
+                                       link, Connection::Hooks{.ended = [this](Leaving why) {
+                                           disconnect(why);
                                            serve_next();
                                        }}));
     watch(descriptor);
-    tell_connected();
+    tell_connected(from);
 }
 
 // It looks so often that it notices at most an eighth too late.
@@ -268,13 +277,13 @@ void TcpPort::watch_on() {
     peer_timer_.async_wait([self = shared_from_this()](error_code error) {
         if (error || !self->peer_) return;
         if (!self->peer_->stalled()) return self->watch_on();
-        self->disconnect();
+        self->disconnect(Leaving::silent);
         self->serve_next();
     });
 }
 
-void TcpPort::disconnect() {
-    end_connection();
+void TcpPort::disconnect(Leaving why) {
+    end_connection(why);
     peer_.reset();
     peer_timer_.cancel();
 }

@@ -66,7 +66,7 @@ class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
     [[nodiscard]] bool make_room();
     void turn_all_away();
     void connect(boost::asio::ip::tcp::socket socket);
-    void disconnect();
+    void disconnect(Leaving why);
     /// Looks whether the client's machine is still there, until it disconnects.
     void watch(int socket);
     void watch_on();

@@ -10,19 +10,39 @@
 
 namespace scipd::daemon {
 
-WireTap::WireTap(Device& device, std::vector<std::shared_ptr<Port>> ports)
-    : device_(device), ports_(std::move(ports)) {}
+namespace {
 
-WireTap::~WireTap() {
+TakeEntry both(const TakeEntry& first, const TakeEntry& second) {
+    if (!first) return second;
+    if (!second) return first;
+    return [first, second](WireEntry entry) {
+        first(entry);
+        second(std::move(entry));
+    };
+}
+
+}  // namespace
+
+WireTap::WireTap(Device& device, std::vector<std::shared_ptr<Port>> ports, TakeEntry log)
+    : device_(device), ports_(std::move(ports)), log_(std::move(log)) {
     listen(nullptr);
 }
 
-void WireTap::listen(const TakeEntry& take) {
-    // Another scanner may have the port by now, and listen at it.
+WireTap::~WireTap() {
+    remove_ears();
+}
+
+// Another scanner may have the port by now, and listen at it.
+void WireTap::remove_ears() {
     for (std::size_t i = 0; i < ears_.size(); ++i) {
         if (ports_[i]->ear() == ears_[i].get()) ports_[i]->set_ear(nullptr);
     }
     ears_.clear();
+}
+
+void WireTap::listen(const TakeEntry& wanted) {
+    remove_ears();
+    const TakeEntry take = both(log_, wanted);
     if (!take) return;
     for (const auto& port : ports_) {
         const bool is_tty = port->kind() == protocol::LinkKind::tty;

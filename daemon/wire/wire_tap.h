@@ -19,7 +19,8 @@ class WireEar;
 class WireTap {
   public:
     /// The device must outlive it.
-    WireTap(Device& device, std::vector<std::shared_ptr<Port>> ports);
+    /// `log` hears everything, whether somebody else wants to or not; null: it hears nothing.
+    WireTap(Device& device, std::vector<std::shared_ptr<Port>> ports, TakeEntry log = nullptr);
     WireTap(const WireTap&) = delete;
     WireTap& operator=(const WireTap&) = delete;
     ~WireTap();
@@ -28,8 +29,11 @@ class WireTap {
     void listen(const TakeEntry& take);
 
   private:
+    void remove_ears();
+
     Device& device_;
     std::vector<std::shared_ptr<Port>> ports_;
+    TakeEntry log_;
     std::vector<std::unique_ptr<WireEar>> ears_;  ///< one at each port; empty: nobody listens
 };
 

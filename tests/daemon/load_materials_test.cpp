@@ -92,7 +92,7 @@ TEST_F(LoadMaterials, TellsFaultsWithBothPlaces) {
 TEST_F(LoadMaterials, ChecksTheNamesOfTheWorld) {
     const std::string unknown = "no library knows the material 'cheese'";
     Options strict;
-    strict.strict = true;
+    strict.overrides.strict = true;
     const std::string said = check(fleet(""));
     EXPECT_THAT(said, HasSubstr(unknown));
     EXPECT_THAT(said, HasSubstr(", materials: " + summary_of(*load_materials({}).library)));

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// scipd writes its log to a pipe that nobody reads.
+// The log of scipd as a process: that it holds nobody up, and what it tells of clients.
 #include <array>
 #include <csignal>
 #include <string>
 
 #include <fcntl.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -14,6 +15,9 @@
 
 namespace scipd::tests {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 class FullPipe {
   public:
@@ -53,6 +57,57 @@ TEST(Log, ThatNobodyReadsHoldsNobodyUp) {
     }
     daemon.signal(SIGTERM);
     EXPECT_EQ(daemon.wait(), 0);
+}
+
+class LogOfClients : public testing::Test {
+  protected:
+    /// Ends the daemon, and returns all that it has told.
+    static std::string told(DaemonProcess& daemon) {
+        daemon.signal(SIGTERM);
+        EXPECT_EQ(daemon.wait(), 0);
+        return daemon.standard_error();
+    }
+    Arguments at(const std::string& level) {
+        Arguments words = on_tcp();
+        words.insert(words.end(), {"--log-level", level});
+        return words;
+    }
+
+    TempDir directory_;
+};
+
+TEST_F(LogOfClients, TellsWhoComesAndGoesAndWhatTheyDo) {
+    DaemonProcess daemon(directory_, at("info"));
+    ASSERT_NE(daemon.ready_line(), "");
+    {
+        ScannerWire wire = ScannerWire::tcp(daemon.port());
+        EXPECT_EQ(wire.ask("BM"), "00");
+        EXPECT_EQ(wire.ask("RS"), "00");
+    }
+    ScannerWire next = ScannerWire::tcp(daemon.port());
+    EXPECT_EQ(next.ask("VV"), "00");
+    const std::string log = told(daemon);
+    EXPECT_THAT(log, HasSubstr("robot/scanner: a client came from 127.0.0.1:"));
+    EXPECT_THAT(log, HasSubstr("robot/scanner: laser on, by the TCP client"));
+    EXPECT_THAT(log, HasSubstr("robot/scanner: the client has left: it has closed its side"));
+    EXPECT_THAT(log, Not(HasSubstr("hears")));
+}
+
+TEST_F(LogOfClients, TellsEachRequestAndItsStatusWhereItIsToDebug) {
+    DaemonProcess daemon(directory_, at("debug"));
+    ASSERT_NE(daemon.ready_line(), "");
+    ScannerWire wire = ScannerWire::tcp(daemon.port());
+    EXPECT_EQ(wire.ask("BM"), "00");
+    EXPECT_EQ(wire.ask("BM"), "02");
+    EXPECT_NE(wire.ask("PP9"), "00");
+    EXPECT_EQ(wire.ask(stream_of_one_beam), "00");
+    (void)wire.next_scan();
+    const std::string log = told(daemon);
+    EXPECT_THAT(log, HasSubstr("debug robot/scanner: tcp hears BM: "));
+    EXPECT_THAT(log, HasSubstr("robot/scanner: tcp answers BM with 02: the laser is on already"));
+    EXPECT_THAT(log, HasSubstr("robot/scanner: tcp answers PP9 with "));
+    // Forty scans a second would hide all else.
+    EXPECT_THAT(log, Not(HasSubstr("with 99")));
 }
 
 }  // namespace

@@ -181,7 +181,7 @@ TEST_F(Reload, KeepsWhatDidNotChange) {
     std::uint32_t stamp_ms = kept.next_scan().stamp_ms;
 
     write(top + front);
-    reload_and_wait_for("is running now");
+    reload_and_wait_for("is running now; new: rescue/top; gone: rescue/rear");
     expect_no_gap(kept, stamp_ms);
     EXPECT_TRUE(eventually([&] {
         return daemon_.standard_error().find("rescue/top: auto takes") != std::string::npos;

@@ -263,13 +263,16 @@ class Pictures:
         writer.write(wire.http_request(self.scipd.http, "GET", f"/stream?sensor={self.sensor}", fields=wire.UPGRADE))
         await reader.readuntil(b"\r\n\r\n")
         while True:
-            length = (await reader.readexactly(2))[1]
+            kind, length = await reader.readexactly(2)
+            if kind & 0x0F == wire.PING:
+                writer.write(wire.PONG)
             wide = {126: 2, 127: 8}.get(length, 0)
             if wide:
                 length = int.from_bytes(await reader.readexactly(wide), "big")
             while length > 0:
                 length -= len(await reader.read(min(length, 65536)))
-            self.take()
+            if kind & 0x0F != wire.PING:
+                self.take()
 
 
 class Editor:

@@ -34,6 +34,10 @@ def http_request(where, method, path, body=None, fields=""):
     return f"{method} {path} HTTP/1.1\r\nHost: {where[0]}:{where[1]}\r\n{fields}{length}\r\n".encode() + text
 
 
+PING = 9
+PONG = bytes([0x8A, 0x80]) + bytes(4)  # as clients answer a ping without data
+
+
 def text_frame(text):
     """A frame as clients send it, with a mask that changes nothing."""
     size = len(text)

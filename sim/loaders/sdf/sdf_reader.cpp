@@ -87,6 +87,11 @@ std::optional<SdfPart> SdfReader::read_robot(const XMLElement& robot, const SdfS
                                              const std::string& name) {
     SdfPart model = robot_of(robot, sheet, options_.geometry, draft_);
     if (!name.empty()) model.name = name;
+    for (const XMLElement& more : Children(robot, "gazebo")) {
+        if (more.Attribute("reference") != nullptr) continue;
+        read_static(more, sheet, model);
+        read_own_pose(more, sheet, model);
+    }
     names_.push_back(model.name);
     SensorFrames sensors;
     for (const auto& [link, sensor] : sensors_of_robot(robot))
@@ -95,9 +100,6 @@ std::optional<SdfPart> SdfReader::read_robot(const XMLElement& robot, const SdfS
     // Gazebo puts what stands in a <gazebo> without a reference into the model.
     for (const XMLElement& more : Children(robot, "gazebo")) {
         if (more.Attribute("reference") != nullptr) continue;
-        const SdfValues values(more, sheet.dialect);
-        if (const auto is_static = values.truth("static")) model.is_static = is_static;
-        if (values.has_pose()) model.pose = values.pose();
         read_parts(more, sheet, model);
     }
     name_apart(model.parts);
@@ -132,6 +134,16 @@ std::optional<SdfPart> SdfReader::read_model(const XMLElement& element, const Sd
     names_.pop_back();
     // Nobody would see a model without links.
     return is_seen(model) ? std::optional(std::move(model)) : std::nullopt;
+}
+
+/// Of a robot; one that cannot be read leaves it where it is.
+void SdfReader::read_own_pose(const XMLElement& element, const SdfSheet& sheet, SdfPart& robot) {
+    try {
+        const SdfValues values(element, sheet.dialect);
+        if (values.has_pose()) robot.pose = values.pose();
+    } catch (const UnreadableValue& value) {
+        draft_.warn(place_of(element, sheet, names_, robot.name) + value.what() + "; ignored");
+    }
 }
 
 void SdfReader::read_static(const XMLElement& element, const SdfSheet& sheet, SdfPart& model) {

@@ -42,6 +42,7 @@ class SdfReader {
     std::optional<SdfPart> read_model(const tinyxml2::XMLElement& element, const SdfSheet& sheet,
                                       const std::string& name);
     /// Of a model or an include; where it says nothing, what is known already stays.
+    void read_own_pose(const tinyxml2::XMLElement& element, const SdfSheet& sheet, SdfPart& robot);
     void read_static(const tinyxml2::XMLElement& element, const SdfSheet& sheet, SdfPart& model);
     void read_actor(const tinyxml2::XMLElement& element, const SdfSheet& sheet, SdfPart& model);
     [[nodiscard]] SdfPart as_seen(SdfPart link) const;

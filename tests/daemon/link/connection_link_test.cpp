@@ -48,7 +48,7 @@ class ConnectionLink : public testing::Test {
             Connection::Hooks{
                 .client_rate = [this] { return client_rate_; },
                 .kind = link.baud ? protocol::LinkKind::tty : protocol::LinkKind::network,
-                .ended = [this] { ++ended_; }});
+                .ended = [this](Leaving) { ++ended_; }});
         connection_->start();
     }
 

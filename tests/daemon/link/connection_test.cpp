@@ -31,7 +31,7 @@ class ConnectionTest : public testing::Test {
         connection_ = std::make_shared<Connection>(
             Connection::Descriptor(io_, ends[1]), device_, LinkConfig{},
             Connection::Hooks{.somebody_there = [this] { return somebody_there_; },
-                              .ended = [this] { ++ended_; }});
+                              .ended = [this](Leaving) { ++ended_; }});
         connection_->start();
     }
     ~ConnectionTest() override {

@@ -19,6 +19,7 @@
 #include "daemon/device/device.h"
 #include "daemon/device/scan_loop.h"
 #include "daemon/link/tcp_port.h"
+#include "daemon/wire/wire_log.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/scanner_wire.h"
 
@@ -83,6 +84,15 @@ TEST_F(WireTapTest, TellsRequestsAndReplies) {
     EXPECT_EQ(told_[3].status, "02");
     EXPECT_EQ(told_[3].explains, "the laser is on already");
     EXPECT_EQ(told_[2].bytes + told_[3].bytes, answer.size());
+}
+
+TEST_F(WireTapTest, IsToldToALogInOneLine) {
+    listen();
+    ScannerWire wire = connect();
+    (void)ask(wire, "BM;hello\nBM\n", "BM\n02");
+    ASSERT_EQ(told_.size(), 4U);
+    EXPECT_EQ(line_of(told_[0]), "tcp hears BM;hello: " + told_[0].means);
+    EXPECT_EQ(line_of(told_[3]), "tcp answers BM with 02: the laser is on already");
 }
 
 TEST_F(WireTapTest, TellsTheScansOfAStream) {

@@ -75,10 +75,9 @@ TEST_F(ReaderProgram, ThatCannotBeStartedIsAFault) {
 // The whole of a world may take so long, and the file that took it is one of many.
 TEST_F(ReaderProgram, ThatTakesTooLongTellsWhatItWasAtAndTheLimit) {
     const LoadLimits brief{.wall_time = std::chrono::seconds{1}};
-    EXPECT_THAT(
-        faults_of(program("printf 'reading a.dae' >&3\nexec sleep 9\n"), "x", brief),
-        ElementsAre("x: was not read within 1 s; at last it was reading a.dae; "
-                    "world_load_s under limits in the configuration allows more"));
+    EXPECT_THAT(faults_of(program("printf 'reading a.dae' >&3\nexec sleep 9\n"), "x", brief),
+                ElementsAre("x: was not read within 1 s; at last it was reading a.dae; "
+                            "world_load_s under limits in the configuration allows more"));
     EXPECT_THAT(
         faults_of(program("head -c 100000 /dev/zero | tr '\\0' a >&3\nexec sleep 9\n"), "x", brief),
         ElementsAre(HasSubstr("it was aaa")));
