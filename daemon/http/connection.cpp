@@ -11,7 +11,6 @@
 
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
-#include <poll.h>
 
 #include "daemon/http/framing.h"
 #include "daemon/http/plain.h"
@@ -34,13 +33,6 @@ constexpr std::chrono::milliseconds glance_period{100};
 
 /// Read at once.
 constexpr std::size_t gulp = 4096;
-
-/// Whether nobody is there to read an answer. Who has only ended its own side may still read. A
-/// client of TCP that has closed looks the same, until it is sent something.
-bool has_gone(int socket) {
-    pollfd state{socket, 0, 0};  // errors and both ends closed are told in any case
-    return ::poll(&state, 1, 0) == 1;
-}
 
 /// Where its client has connected to. A client that has gone meanwhile was nowhere.
 Address address_of(const asio::ip::tcp::socket& socket) {
@@ -207,6 +199,7 @@ void HttpConnection<Protocol>::answer() {
     };
     answered_ = false;
     hung_up_ = {};
+    presence_ = Presence{request.version() >= 11};
     HttpRequest plain = to_plain(request, rate_);
     plain.withdrawn = hung_up_.get_token();
     try {
@@ -224,7 +217,7 @@ void HttpConnection<Protocol>::watch() {
     glance_.async_wait([weak = this->weak_from_this()](const Error& error) {
         const auto self = weak.lock();
         if (error || !self || self->answered_ || self->service_->closed) return;
-        if (!has_gone(self->stream_.socket().native_handle())) return self->watch();
+        if (!self->presence_.has_gone(self->stream_.socket().native_handle())) return self->watch();
         self->hung_up_.request_stop();
     });
 }

@@ -19,6 +19,7 @@
 #include <boost/beast/http.hpp>
 
 #include "daemon/http/pace.h"
+#include "daemon/http/presence.h"
 #include "daemon/http/service.h"
 
 namespace scipd::daemon {
@@ -70,6 +71,7 @@ class HttpConnection : public HttpClient,
     const std::shared_ptr<Rate> rate_ = std::make_shared<Rate>();
     bool answered_ = false;
     std::stop_source hung_up_;
+    Presence presence_;                 ///< of who waits for the answer
     boost::asio::steady_timer glance_;  ///< when to look whether it has
     boost::beast::http::response<boost::beast::http::empty_body> go_on_;
     boost::beast::http::response<boost::beast::http::string_body> response_;

@@ -85,6 +85,16 @@ class Start {
     posix_spawnattr_t attributes_{};
 };
 
+/// Where programs and models are, and which language is spoken. Only the xacro of a file that the
+/// owner of this process has named sees everything, since such a file may ask for any variable.
+bool passes_on(const char* variable, const SceneRequest& request) {
+    if (!request.folders && request.file().extension() == ".xacro") return true;
+    const std::string_view text{variable};
+    const auto name = text.substr(0, text.find('='));
+    // The last are those of sanitizers.
+    return std::ranges::find(passed_on, name) != passed_on.end() || name.ends_with("SAN_OPTIONS");
+}
+
 std::vector<char*> environment_for(const SceneRequest& request) {
     std::vector<char*> passed;
     for (char** variable = environ; variable != nullptr && *variable != nullptr; ++variable) {
@@ -121,14 +131,6 @@ File answer_of(const fs::path& program, const SceneRequest& request, const LoadL
 }
 
 }  // namespace
-
-bool passes_on(const char* variable, const SceneRequest& request) {
-    if (!request.folders && request.file().extension() == ".xacro") return true;
-    const std::string_view text{variable};
-    const auto name = text.substr(0, text.find('='));
-    // The last are those of sanitizers.
-    return std::ranges::find(passed_on, name) != passed_on.end() || name.ends_with("SAN_OPTIONS");
-}
 
 fs::path reader_program() {
     if (const char* said = std::getenv("SCIPD_READ")) return said;

@@ -3,7 +3,8 @@
 //
 // Has scipd-read read a world or a model: a program of its own, since the files come from outside
 // and the libraries for them are large. If one of them crashes, hangs or is led astray by a file,
-// only that program ends, and it could do little (sandbox.h). Any thread; the caller waits.
+// only that program ends, and it could do little (file/landlock.h, no_network.h). Any thread; the
+// caller waits.
 #pragma once
 
 #include <filesystem>
@@ -23,10 +24,5 @@ std::filesystem::path reader_program();
 /// name and says that the program took too much time or memory, or crashed.
 LoadedScene read_by(const std::filesystem::path& program, SceneRequest request,
                     const LoadLimits& limits);
-
-/// What the program gets to see of the environment of this process: where programs and models are,
-/// and which language is spoken. Only the xacro of a file that the owner of this process has named
-/// sees everything, since such a file may ask for any variable.
-[[nodiscard]] bool passes_on(const char* variable, const SceneRequest& request);
 
 }  // namespace scipd::sim

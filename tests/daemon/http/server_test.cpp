@@ -500,6 +500,7 @@ TEST_F(HttpServerTest, NoticesThatAClientWhoWaitsHasHungUp) {
     auto stays = connect();
     auto goes = connect();
     auto goes_in_a_hurry = connect_local();
+    auto goes_in_order = connect();
     const std::string request = to_tcp("GET /never HTTP/1.1\r\nHost: x\r\n\r\n");
     asio::write(stays, asio::buffer(request));
     const auto asked = [&](std::size_t clients) {
@@ -510,12 +511,16 @@ TEST_F(HttpServerTest, NoticesThatAClientWhoWaitsHasHungUp) {
     ASSERT_TRUE(asked(2));
     asio::write(goes_in_a_hurry, asio::buffer(request));
     ASSERT_TRUE(asked(3));
-    // An orderly end could be that of the sending side alone.
+    asio::write(goes_in_order, asio::buffer(request));
+    ASSERT_TRUE(asked(4));
     goes.set_option(asio::socket_base::linger{true, 0});
     goes.close();
     goes_in_a_hurry.close();
+    // That could be the end of the sending side alone.
+    goes_in_order.close();
     EXPECT_TRUE(eventually([] {
-        return waiting[1].withdrawn.stop_requested() && waiting[2].withdrawn.stop_requested();
+        return waiting[1].withdrawn.stop_requested() && waiting[2].withdrawn.stop_requested() &&
+               waiting[3].withdrawn.stop_requested();
     }));
     on_server([] {
         EXPECT_FALSE(waiting[0].withdrawn.stop_requested());
@@ -547,6 +552,7 @@ TEST_F(HttpServerTest, AnswersLateToAClientThatHasEndedItsSendingSide) {
     for (const std::string& answers : {rest(tcp_client), rest(local_client)}) {
         EXPECT_THAT(answers, testing::EndsWith("late"));
         EXPECT_NE(answers.find("late"), answers.rfind("late")) << answers;
+        EXPECT_THAT(answers, testing::StartsWith("HTTP/1.1 102 Processing\r\n\r\nHTTP/1.1 200"));
     }
 }
 
