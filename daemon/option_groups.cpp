@@ -87,7 +87,8 @@ void add_robot(CLI::App& app, OptionValues& said) {
               [&](const std::string& text) {
                   const auto slash = text.find('/');
                   if (slash == text.npos)
-                      return sim::Expected<>{sim::refuse("must be ROBOT/SENSOR")};
+                      return sim::Expected<>{sim::refuse(
+                          "must be ROBOT/SENSOR, such as rescue/front, not '" + text + "'")};
                   return put(parse_name(text.substr(0, slash)), said.robot.name).and_then([&] {
                       return put(parse_name(text.substr(slash + 1)), said.sensor.name);
                   });

@@ -89,7 +89,9 @@ sim::Expected<> complete(OptionValues& said) {
     if (!said.sensor.tcp && !said.sensor.pty)
         return sim::refuse("--tcp none and --pty none: nobody could reach the scanner");
     if (mount && mount->chooses_model) return {};
-    return check_power_up(said.sensor.power_up, said.sensor.model.profile);
+    const auto good = check_power_up(said.sensor.power_up, said.sensor.model.profile);
+    if (!good) return sim::refuse("--power-up: " + good.error().why);
+    return {};
 }
 
 std::variant<Options, Answer> act(OptionValues& said) {

@@ -413,7 +413,7 @@ TEST(Options, SaysInOneSentenceWhatIsWrong) {
          "--tcp: must be ADDRESS:PORT such as 127.0.0.1:10940, [::1]:10940 or localhost:0, not "
          "'10940'"},
         {"--tcp none --pty none", "--tcp none and --pty none: nobody could reach the scanner"},
-        {"--name robot", "--name: must be ROBOT/SENSOR"},
+        {"--name robot", "--name: must be ROBOT/SENSOR, such as rescue/front, not 'robot'"},
         {"--name a/..",
          "--name: '..' is no name: use up to 64 letters, digits, _ - and ., not beginning with a "
          "dot"},
@@ -428,7 +428,7 @@ TEST(Options, SaysInOneSentenceWhatIsWrong) {
          "--backend: this build has no backend 'radar'; use auto, " + tests::listed_backends()},
         {"--power-up cold", "--power-up: must be scip2.0, scip1.1 or boot, not 'cold'"},
         {"--power-up scip1.1 --model UST-20LX",
-         "UST-20LX never spoke SCIP 1.1; use scip2.0 or boot"},
+         "--power-up: UST-20LX never spoke SCIP 1.1; use scip2.0 or boot"},
         {"--threads 0", "--threads: must be a whole number from 1 to 1024, not '0'"},
         {"--seed 1.5", "--seed: must be a whole number from 0 to 18446744073709551615, not '1.5'"},
     };

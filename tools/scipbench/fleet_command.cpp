@@ -85,9 +85,10 @@ void add_fleet(CLI::App& program) {
     const auto asked = std::make_shared<Asked>();
     FleetQuestion& question = asked->question;
     CLI::App* fleet = program.add_subcommand(
-        "fleet",
+        "capacity",
         "find out how many scanners one scipd can be on this machine without losing a "
         "scan, what they cost and what limits");
+    fleet->alias("fleet");  // as it was called in 0.1
     add_setup(*fleet, question.setup);
     fleet->add_option("-s,--seconds", asked->seconds, "how long each run streams")
         ->check(whole_within(1, 1'000'000))

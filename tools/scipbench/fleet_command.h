@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// `scipbench fleet` as a user calls it. One thread.
+// `scipbench capacity` as a user calls it. One thread.
 #pragma once
 
 #include <CLI/CLI.hpp>

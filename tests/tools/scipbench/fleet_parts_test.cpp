@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What scipbench fleet stands on: its search, its looks at processes, its bare timer, and what it
-// makes of figures.
+// What scipbench capacity stands on: its search, its looks at processes, its bare timer, and what
+// it makes of figures.
 #include <algorithm>
 #include <chrono>
 #include <thread>

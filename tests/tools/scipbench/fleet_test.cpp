@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// scipbench fleet as a user starts it, with a few scanners: that the figures are there and hang
+// scipbench capacity as a user starts it, with a few scanners: that the figures are there and hang
 // together. How good they are depends on the machine.
 #include <cstddef>
 #include <map>
@@ -21,7 +21,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 Outcome fleet(std::vector<std::string> words) {
-    words.insert(words.begin(), {SCIPBENCH, "fleet"});
+    words.insert(words.begin(), {SCIPBENCH, "capacity"});
     return run(words);
 }
 
