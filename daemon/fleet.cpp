@@ -80,7 +80,7 @@ Fleet::~Fleet() {
 }
 
 void Fleet::apply(const Config& config) {
-    // Of a sensor of which nothing is known, none moves.
+    // It knows nothing of the sensors, so that none moves.
     (void)apply(make_plan(config, {.homes = homes_, .played = running().played}));
 }
 

@@ -46,7 +46,7 @@ class Fleet {
     /// std::runtime_error for a port or a source of poses: then all is as before, too. The plan was
     /// made for what is running().
     [[nodiscard]] bool apply(FleetPlan&& plan);
-    /// The same of a configuration whose world is still to be loaded, and throws what make_plan()
+    /// Applies a configuration whose world is still to be loaded, and throws what make_plan()
     /// throws.
     void apply(const Config& config);
     void stop();

@@ -117,7 +117,7 @@ FleetPlan make_plan(Config config, const Running& running, const std::stop_token
     std::ranges::move(materials.warnings, std::back_inserter(loaded.warnings));
     std::vector<std::string> notices = mount_by_name(config, *loaded.scene);
     std::ranges::move(warnings_of(config, *loaded.scene), std::back_inserter(loaded.warnings));
-    // Of a sensor that is mounted by name nothing is known before it has its place.
+    // A sensor that is mounted by name is unknown before it has its place.
     Homes homes = find_homes(config, running.homes, running.sensors);
     std::ranges::move(media_notices(config), std::back_inserter(notices));
     std::ranges::move(material_notices(config, *loaded.scene), std::back_inserter(notices));

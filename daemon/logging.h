@@ -12,8 +12,8 @@
 
 namespace scipd::daemon {
 
-/// Of text, each line begins with the time and the level; of JSON, each is a document. The journal
-/// of systemd gets entries with fields, where standard error leads to it.
+/// A line of text begins with the time and the level; a line of JSON is a document. The journal of
+/// systemd gets entries with fields, where standard error leads to it.
 enum class LogFormat { text, json, journal };
 
 /// Logs go to standard error; standard output belongs to the ready line. `level` is one of spdlog's

@@ -15,9 +15,9 @@
 
 namespace scipd::daemon {
 
-/// Of the group of options each of which leaves no room for most others.
+/// The title of the options each of which leaves no room for most others.
 inline constexpr const char* alone_title = "Instead of the above";
-/// Of the group of options that go with all others.
+/// The title of the options that go with all others.
 inline constexpr const char* general_title = "General";
 
 /// What a user gave by options, or what holds where the user gave nothing. options.cpp decides

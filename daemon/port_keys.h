@@ -11,7 +11,7 @@ namespace scipd::daemon {
 
 struct SensorConfig;
 
-/// Of one sensor; empty where it has none of a kind.
+/// The keys of one sensor; empty where it has no port of the kind.
 struct PortKeys {
     std::string tcp;
     std::string pty;

@@ -27,7 +27,7 @@ struct SensorPorts {
     std::shared_ptr<Port> tcp;
     std::shared_ptr<Port> pty;
 
-    /// Of both.
+    /// What went over both.
     [[nodiscard]] LinkCounts counts() const;
 };
 
@@ -44,7 +44,7 @@ struct PortContext {
 /// others. Throws std::runtime_error.
 [[nodiscard]] Ports open_ports(const PortContext& context, const Config& config, const Ports& open);
 
-/// Of the ports that open_ports() has opened for the sensor.
+/// The ports that open_ports() has opened for the sensor.
 [[nodiscard]] SensorPorts ports_of(const Ports& ports, const std::string& robot,
                                    const SensorConfig& sensor);
 

@@ -61,7 +61,7 @@ class Server {
     void take_up(std::future<Next> loaded);
     void stop();
 
-    /// Of the sockets that were handed over.
+    /// Warns of sockets that were handed over and that nobody needs.
     void warn_of_unneeded(const Config& config) const;
     [[nodiscard]] std::filesystem::path first_control_socket() const;
     void listen_at_control();

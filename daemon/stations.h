@@ -80,7 +80,8 @@ struct StationContext {
 /// Whether somebody would notice if it lived on another shard: a client or a page, or whoever has
 /// asked for a fault. A tty cannot move, and a camera or ranger need not.
 [[nodiscard]] bool in_use(const Station& station);
-/// The same sensor on another shard, where its ports are by now. Nobody uses it. It does not fail.
+/// Makes the sensor anew on another shard, where its ports are by now. Nobody uses it. It does not
+/// fail.
 [[nodiscard]] std::unique_ptr<Station> moved(const Station& station, const StationContext& context,
                                              SensorPorts ports);
 

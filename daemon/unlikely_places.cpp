@@ -33,7 +33,7 @@ bool could_be_millimetres(const RobotConfig& robot) {
            std::ranges::any_of(robot.sensors, could_be, mount_of);
 }
 
-/// Of a robot whose own place is right.
+/// A warning for a sensor on a robot whose own place is right.
 std::optional<std::string> millimetres(const SensorConfig& sensor, const sim::Pose& robot,
                                        const sim::Bounds& world) {
     const std::array numbers = numbers_of(mount_of(sensor));

@@ -20,7 +20,7 @@ inline constexpr std::string_view unseen_media =
 /// That sentence, if the configuration has media and it is true.
 std::vector<std::string> media_notices(const Config& config);
 
-/// The same of materials, if the configuration or the world has any that no scanner sees.
+/// That sentence about materials, if the configuration or the world has any that no scanner sees.
 std::vector<std::string> material_notices(const Config& config, const sim::Scene& scene);
 
 }  // namespace scipd::daemon

@@ -9,7 +9,7 @@
 
 namespace scipd::protocol {
 
-/// The same device without ticks and delays: replies and scans leave as soon as they can.
+/// The device without ticks and delays: replies and scans leave as soon as they can.
 [[nodiscard]] DeviceProfile answering_at_once(DeviceProfile profile);
 
 /// The device as its data sheet has it: turns take their nominal time, and nothing waits, boots

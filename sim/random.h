@@ -40,7 +40,7 @@ class Chance {
   public:
     explicit Chance(const ChanceKey& key);
 
-    /// Of the normal distribution with mean 0 and standard deviation 1.
+    /// A number of the normal distribution with mean 0 and standard deviation 1.
     [[nodiscard]] double standard_normal(std::uint32_t beam) const;
     /// Those of as many beams in a row, in less time.
     void standard_normals(std::uint32_t first_beam, std::span<float> numbers) const;

@@ -22,9 +22,9 @@ struct WrongInput : std::runtime_error {
 /// they are very far.
 [[nodiscard]] CLI::Validator number_within(double least, double most);
 
-/// The same for whole numbers, from least to most.
+/// Takes whole numbers, from least to most.
 [[nodiscard]] CLI::Validator whole_within(std::int64_t least, std::int64_t most);
-/// The same where there is no bound above, but what an int holds.
+/// Takes whole numbers from least to what an int holds.
 [[nodiscard]] CLI::Validator whole_from(std::int64_t least);
 
 /// Reads the options, runs the command and reports faults on standard error. Returns the exit code.

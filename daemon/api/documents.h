@@ -26,7 +26,7 @@ std::string text_of(const Json& document);
 
 /// With a line end, for those who read it in a terminal.
 HttpResponse ok(const Json& document, int status = 200);
-/// Of a document that is text already.
+/// Answers with a document that is text already.
 HttpResponse ok_text(std::string document, int status = 200);
 /// 204
 HttpResponse no_content();

@@ -33,7 +33,7 @@ std::string reading_text(const std::string& sensor, const StaringRecord& record)
 /// several of them {"sent_echoes_mm":[[..]],"sent_echoes_intensity":[[..]]}.
 std::string truth_text(const std::string& sensor, const ScanRecord& record);
 
-/// The same of a camera or ranger, without what a wire has: {"sensor","scan","time_s","backend",
+/// What a camera or ranger measured, without what a wire has: {"sensor","scan","time_s","backend",
 /// "backend_reason","poses","true_m","object","material","incidence_rad"} and what it says.
 std::string truth_text(const std::string& sensor, const StaringRecord& record);
 

@@ -27,7 +27,7 @@ class PoseSocket : public Conversation {
     }
 
   private:
-    /// Of one message.
+    /// The lines of one message that were refused.
     struct Refused {
         std::uint64_t lines = 0;
         std::uint64_t first_line = 0;

@@ -65,7 +65,7 @@ class ScanStream {
         ScanStream& stream_;
         std::shared_ptr<Backlog::Source> source_;
         Lane lane_;
-        /// Of the same name: many faults at once cost no client a scan.
+        /// Faults have a source of their own under this name: many at once cost no client a scan.
         std::shared_ptr<Backlog::Source> faults_source_;
         FaultLog* faults_ = nullptr;
         Watch watch_;

@@ -23,14 +23,15 @@ using boost::system::error_code;
 namespace {
 
 constexpr int keep_alive_s = 10;
-// Of a broker that takes a connection and says nothing.
+// How long a broker may take a connection and say nothing.
 constexpr auto longest_silence = 10s;
 constexpr auto longest_goodbye = 1s;
 constexpr auto care_time = 500ms;
 // So many messages are taken before the event loop turns to the scanners again.
 constexpr int messages_in_one_go = 16;
 
-/// Of "OpenSSL Error[0]: error:0A000086:SSL routines::certificate verify failed", the last words.
+/// "certificate verify failed" in "OpenSSL Error[0]: error:0A000086:SSL routines::certificate
+/// verify failed".
 std::string last_words(const std::string& log) {
     return log.substr(log.rfind(':') + 1);
 }

@@ -155,7 +155,7 @@ std::string SharedPoses::own_body(const sim::PoseLine& line, std::string_view ro
     return found == bodies_.end() ? "" : found->second;
 }
 
-// Of robots only their bodies are seen. They go by the names of their models, which differ, while
+// Only the bodies of robots are seen. They go by the names of their models, which differ, while
 // two daemons may well call their robots the same.
 void SharedPoses::tell_of(const sim::PoseLine& line, std::string_view robot, sim::Time time) {
     sim::PoseLine told{.model = line.model.empty() ? own_body(line, robot) : line.model,

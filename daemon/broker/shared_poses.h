@@ -92,7 +92,7 @@ class SharedPoses {
     World& world_;
     PoseIntake& intake_;
     const Clock& clock_;
-    /// Of the robots here, by their names; empty where one has none.
+    /// The bodies of the robots here, by the names of these; empty where one has none.
     std::map<std::string, std::string, std::less<>> bodies_;
     std::optional<Nearness> nearness_;
     boost::asio::steady_timer timer_;

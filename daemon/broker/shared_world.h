@@ -50,7 +50,7 @@ class SharedWorld {
     /// Asks the broker what the world is like; takes seconds where it does not answer. Throws
     /// std::runtime_error. Nothing else runs meanwhile.
     [[nodiscard]] JoinedWorld join(const sim::Scene& base);
-    /// The same for a configuration that is read again; any thread may call what this returns.
+    /// Asks again, for a configuration that is read again; any thread may call what this returns.
     [[nodiscard]] JoinWorld rejoining() const;
     /// The configuration runs in the world that was joined, from now on. What others have changed
     /// and could not be made here is told, with why, by model.

@@ -22,8 +22,8 @@ class Troubles {
 
     /// Empty: all is well with this topic. Tells the log. Returns whether text() has changed.
     bool set(const std::string& topic, const std::string& why);
-    /// Of one of them, with what to do about it, and whether there are others; empty: none. Others
-    /// that come and go do not change it: all daemons hear of each change.
+    /// Tells of one trouble, with what to do about it, and whether there are others; empty: none.
+    /// Others that come and go do not change it: all daemons hear of each change.
     [[nodiscard]] const std::string& text() const { return text_; }
 
   private:

@@ -20,7 +20,8 @@ namespace scipd::daemon {
 class WallClock : public Clock {
   public:
     explicit WallClock(boost::asio::any_io_executor executor) : executor_(std::move(executor)) {}
-    /// The same time, with calls from another executor. `defer` makes those that take long, later.
+    /// Shows the time of `same`, and calls from another executor. `defer` makes calls that take
+    /// long, later.
     using Defer = std::function<void(Call)>;
     WallClock(const WallClock& same, boost::asio::any_io_executor executor, Defer defer)
         : executor_(std::move(executor)), defer_(std::move(defer)), epoch_(same.epoch_) {}

@@ -33,7 +33,7 @@ class Claims {
     void claim(const Field* field, const std::string& what);
     /// `field` claims this file, however the path is spelt.
     void claim_file(const Field* field, const std::filesystem::path& file);
-    /// The same for an owner that has a file even where its key is left out.
+    /// `owner` claims this file, although its key may be left out.
     void claim_file(const std::string& owner, const std::filesystem::path& file);
     /// `field` claims this address. Port 0, where the system chooses one, claims nothing.
     void claim(const Field* field, Transport transport, const std::optional<Address>& address);

@@ -37,7 +37,7 @@ struct PoseSource {
     std::filesystem::path times = {};  ///< of a KITTI trajectory; empty: beside it, or 10 Hz
     double speed = 1.0;  ///< of a trajectory: how much faster than its stamps it is played
     bool loop = false;   ///< of a trajectory: begins anew where it has ended
-    /// Of vda5050: MANUFACTURER/SERIAL, or MANUFACTURER of one that is called as the robot is.
+    /// For vda5050: MANUFACTURER/SERIAL, or MANUFACTURER of one that is called as the robot is.
     std::string vehicle = {};
 
     bool operator==(const PoseSource&) const = default;

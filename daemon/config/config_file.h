@@ -21,7 +21,8 @@ std::span<const std::string_view> configuration_keys();
 /// are absolute.
 Config load_config(const std::filesystem::path& file);
 
-/// The same from text. `file` names it in faults, and paths in the text are relative to it.
+/// Reads a text as load_config() does a file. `file` names it in faults, and paths in the text are
+/// relative to it.
 Config parse_config(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace scipd::daemon

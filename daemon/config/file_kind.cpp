@@ -112,7 +112,7 @@ bool is_trajectory(std::string_view text) {
     return false;
 }
 
-/// Of a file that has no extension, or one that means nothing.
+/// Tells the kind by the text, for a file whose extension says nothing.
 std::optional<FileKind> kind_of_text(const fs::path& file) {
     const std::string beginning = sim::beginning_of(file);
     if (beginning.find('\0') != beginning.npos) return std::nullopt;

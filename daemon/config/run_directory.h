@@ -15,7 +15,7 @@ std::filesystem::path run_directory();
 /// The control socket where the user names none.
 std::filesystem::path usual_control_socket();
 
-/// The same folder, created. Throws std::runtime_error.
+/// Makes the run directory, and returns it. Throws std::runtime_error.
 std::filesystem::path make_run_directory();
 
 /// Makes the folder, for this user alone, where it is not there yet. Throws std::runtime_error.

@@ -14,7 +14,7 @@
 
 namespace scipd::daemon {
 
-/// Of a longer line only its first 4096 bytes.
+/// The only line of the file; if it is longer, its first 4096 bytes.
 sim::Expected<std::string> secret_in(const std::filesystem::path& file);
 
 }  // namespace scipd::daemon

@@ -44,7 +44,7 @@ class Faults {
     void require(const Field& field, const sim::Expected<>& checked) {
         if (!checked) add(field, checked.error().why);
     }
-    /// The same, and a good value goes to the target.
+    /// Puts a good value into the target; a refusal becomes a fault of the field.
     template <class Value, class Target>
     void take(const Field& field, sim::Expected<Value> value, Target& target) {
         if (value) {
@@ -119,12 +119,12 @@ class Section {
         if (const Field* field = find(key))
             faults_.take(*field, text_of(field->value).and_then(parse), target);
     }
-    /// The same for a text of which anything is right.
+    /// Reads a text; any is right.
     void read(std::string_view key, std::string& target) const {
         if (const Field* field = find(key)) faults_.take(*field, text_of(field->value), target);
     }
 
-    /// The same for a list of three numbers, and of two.
+    /// Reads a list of three numbers, or of two.
     void read_vector(std::string_view key, glm::dvec3& target, ParseNumber parse) const;
     void read_pair(std::string_view key, std::array<double, 2>& target, ParseNumber parse) const;
 

@@ -41,7 +41,7 @@ std::vector<std::string_view> split_at_commas(std::string_view text) {
     }
 }
 
-/// Of X,Y,YAW and of X,Y,Z,ROLL,PITCH,YAW.
+/// Whether this number of X,Y,YAW or of X,Y,Z,ROLL,PITCH,YAW is an angle.
 bool is_angle(std::size_t index, std::size_t count) {
     return index + 1 == count || index >= 3;
 }

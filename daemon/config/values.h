@@ -65,7 +65,7 @@ std::optional<std::string> degrees_in_pose(std::string_view text);
 /// ADDR:PORT, [IPv6]:PORT or localhost:PORT. The result's host is numeric.
 sim::Expected<Address> parse_address(std::string_view text);
 
-/// The same, or nothing for `none`.
+/// As parse_address(); nothing for `none`.
 sim::Expected<std::optional<Address>> parse_listener(std::string_view text);
 
 /// A link, auto, or nothing for `none`.

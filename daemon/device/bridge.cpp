@@ -85,7 +85,7 @@ WireScan to_wire(const sim::Scan& scan, const protocol::Turn& turn, const sim::S
     if (!profile.rare_codes.empty()) put_rare_codes(scan.readings, profile, wire.distance);
     wire.echoes.reserve(scan.every_echo.beams());
     for (std::size_t beam = 0; beam < scan.every_echo.beams(); ++beam) {
-        // Of a beam that another scanner disturbs there are no echoes to tell.
+        // A beam that another scanner disturbs has no echoes to tell.
         const bool disturbed = scan.readings[beam].cause == sim::Cause::interference;
         const std::span<const sim::Reading> one(&scan.readings[beam], 1);
         wire.echoes.push_back(on_wire(disturbed ? one : scan.every_echo[beam], profile));

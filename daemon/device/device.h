@@ -66,7 +66,7 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     void set_late(sim::Time late);
     /// Null: nobody stands between its mirror and its clients.
     void set_hook(DeviceHook* hook);
-    /// The same of what no client waits for. For the hook, from within a call of the device's.
+    /// Changes what no client waits for. For the hook, from within a call of the device's.
     void amend(const Change& change) { change(state_, uptime()); }
     /// The instant of step 0, on its own clock.
     [[nodiscard]] protocol::Uptime start_of(std::int64_t revolution) const;
@@ -116,7 +116,7 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     /// Lets the mirror turn as the device's state says. To be called after whatever may have
     /// changed that.
     void follow_motor();
-    /// Of a revolution that is complete.
+    /// Measures a revolution that is complete, if nobody has done so yet.
     const ScanRecord& measure(std::int64_t revolution);
     [[nodiscard]] Measurement cast(std::int64_t revolution);
 

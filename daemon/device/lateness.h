@@ -26,7 +26,7 @@ class Lateness {
     [[nodiscard]] std::uint64_t count() const { return count_; }
     /// How many of them were less than 2^octave microseconds late.
     [[nodiscard]] std::uint64_t below(int octave) const;
-    /// Of all of them; what came too early adds nothing.
+    /// The sum of all; what came too early adds nothing.
     [[nodiscard]] Duration sum() const { return sum_; }
     Lateness& operator+=(const Lateness& other);
 

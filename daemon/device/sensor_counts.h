@@ -34,7 +34,7 @@ struct SensorCounts {
     SensorCounts& operator+=(const SensorCounts& other);
 };
 
-/// Of all backends; nothing: there was no cast.
+/// The mean time of a cast, over all backends; nothing: there was none.
 [[nodiscard]] std::optional<std::chrono::duration<double>> mean_cast(const SensorCounts& counts);
 
 void add(const protocol::StatusCounts& more, protocol::StatusCounts& counts);

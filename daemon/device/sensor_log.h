@@ -20,7 +20,7 @@ using SharedStaringRecord = std::shared_ptr<const StaringRecord>;
 using ScanLog = RecordLog<ScanRecord>;
 using StaringLog = RecordLog<StaringRecord>;
 
-/// Of a scanner, or of a camera or ranger.
+/// What a scanner, or a camera or ranger, measured.
 using SensorRecord = std::variant<SharedRecord, SharedStaringRecord>;
 using SensorLog = std::variant<ScanLog, StaringLog>;
 

@@ -23,8 +23,8 @@ struct ScanRecord : Measurement {
     int steps_per_turn = 0;
 };
 
-/// Of a camera or ranger. Its revolution is the number of the measurement, its start the instant
-/// that it was made for.
+/// What a camera or ranger measured. Its revolution is the number of the measurement, its start the
+/// instant that it was made for.
 struct StaringRecord : Measurement {
     std::vector<float> range_m;  ///< what the sensor says; infinity: nothing
     sim::StaringSpec spec;       ///< of the sensor

@@ -16,7 +16,7 @@ namespace {
 constexpr double typical_clock_ppm = 20.0;
 constexpr double typical_turn_ppm = 300.0;
 
-/// Of the chances of a unit. What it reads too far takes those before (unit_bias.cpp).
+/// Which chances of a unit are for what. Its bias takes those before (unit_bias.cpp).
 enum : std::uint32_t { first_digit = 64, clock_chance = 128, turn_chance };
 
 /// The number of a unit that somebody saw, with other digits behind its first three characters,

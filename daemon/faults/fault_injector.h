@@ -67,7 +67,7 @@ class FaultInjector : private DeviceHook, private LineHook {
     void look_at(const protocol::Send& message, std::uint64_t& replies);
     /// Begins and ends what is due at the moment that is looked at.
     void advance();
-    /// Of what has begun or ended, outside of all calls of the device and the ports.
+    /// Does what has begun or ended, outside of all calls of the device and the ports.
     void settle();
     void settle_soon();
     void set_clock();

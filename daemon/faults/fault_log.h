@@ -42,7 +42,7 @@ class FaultLog {
     using Entries = std::deque<FaultLogEntry>;
     using Watcher = std::function<void(const FaultLogEntry&)>;
     static constexpr std::size_t capacity = 4096;
-    /// Of the bytes and steps of all entries together: the oldest entries go beyond.
+    /// How many bytes and steps all entries name together; beyond that, the oldest entries go.
     static constexpr std::size_t most_places = 1'000'000;
 
     void add(FaultLogEntry entry);

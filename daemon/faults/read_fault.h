@@ -25,7 +25,7 @@ using FaultKinds = std::vector<const FaultKind*>;
 std::optional<FaultPlan> read_fault(const Field& map, std::span<const std::string_view> also,
                                     Faults& faults, const FaultKinds& kinds = fault_kinds());
 
-/// The same from a JSON object; the fault names the field, such as "for.scans".
+/// Reads a fault from a JSON object; a refusal names the field, such as "for.scans".
 sim::Expected<FaultPlan> parse_fault(const std::string& json,
                                      const FaultKinds& kinds = fault_kinds());
 

@@ -29,7 +29,7 @@ struct Scenario {
     std::uint64_t seed = 1;
     std::vector<ScenarioStep> steps;
 
-    /// Of the file of this name, which asks for the same.
+    /// Whether the other is of a file of the same name and asks for the same.
     bool operator==(const Scenario& other) const;
 };
 
@@ -39,7 +39,7 @@ struct Scenario {
 Scenario parse_scenario(const std::string& text, const std::string& name,
                         const std::optional<std::vector<std::string>>& sensors,
                         const FaultKinds& kinds = fault_kinds());
-/// The same of a file, which may be missing or too long.
+/// Reads a file, which may be missing or too long, as parse_scenario() does a text.
 Scenario load_scenario(const std::filesystem::path& file,
                        const std::optional<std::vector<std::string>>& sensors,
                        const FaultKinds& kinds = fault_kinds());

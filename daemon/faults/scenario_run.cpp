@@ -10,7 +10,7 @@
 namespace scipd::daemon {
 namespace {
 
-/// The same in every run.
+/// A seed for the step, equal in every run.
 std::uint64_t seed_of_step(const Scenario& scenario, int number) {
     return sim::fnv1a<std::uint64_t>(std::to_string(scenario.seed) + " step " +
                                      std::to_string(number));

@@ -23,7 +23,7 @@ struct HttpRequest {
     std::string if_none_match = {};  ///< the ETags of what the client has already
     /// Stop is requested, on the I/O thread, when nobody is there any more who could get an answer.
     std::stop_token withdrawn = {};
-    /// Of what comes by this connection, for a handler that bounds it.
+    /// How much comes by this connection, for a handler that bounds it.
     std::shared_ptr<Rate> rate = std::make_shared<Rate>();
 };
 

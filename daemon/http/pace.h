@@ -15,7 +15,7 @@ class Pace {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// Of a new message.
+    /// A new message begins.
     void begin(std::chrono::milliseconds patience) {
         patience_ = patience;
         passed_ = 0;

@@ -22,7 +22,7 @@ class WebSocket {
     virtual ~WebSocket() = default;
     /// Sends a message after those that are queued already. One text can be sent to many clients.
     virtual void send(std::shared_ptr<const std::string> message) = 0;
-    /// The same of a message that is no text.
+    /// Sends a message that is no text, after those that are queued already.
     virtual void send_bytes(std::shared_ptr<const std::string> message) = 0;
     /// Ends the connection, in another turn of the event loop. For a client that does not read.
     virtual void cut() = 0;

@@ -92,7 +92,7 @@ void Connection::send_raw(std::string bytes) {
     asio::post(descriptor_.get_executor(),
                [self = shared_from_this(), bytes = std::move(bytes)]() mutable {
                    if (!self->client_ || self->dead_) return;
-                   // Of bytes that nobody waits for there may be too many.
+                   // There may be too many bytes that nobody waits for.
                    (void)self->outbox_.push({std::move(bytes), protocol::Send::Kind::scan},
                                             self->clock_.now());
                    self->flush();
@@ -234,7 +234,7 @@ void Connection::write() {
                 if (!self->client_) return;
                 if (error && error != asio::error::operation_aborted) return self->end();
                 self->counts_.sent_bytes += count;
-                // Of what has been dropped meanwhile nothing is left.
+                // What has been dropped meanwhile has left nothing here.
                 self->sending_.erase(0, count);
                 self->flush();
             });

@@ -57,13 +57,13 @@ class Connection : public std::enable_shared_from_this<Connection> {
     /// the old one asked, not even a half request, and nothing of what was to be sent to the old
     /// one, not even the rest of a half-sent message. What the old one began goes on.
     void forget();
-    /// The same, and what the old one began ends, as by close().
+    /// As forget(), and what the old one began ends, as by close().
     void hang_up();
     /// What the line does from here on; but for its rate.
     void set_line(const LineState& line);
     /// Null: none.
     void set_hook(LineHook* hook) { hook_ = hook; }
-    /// The same.
+    /// Null: nobody listens.
     void set_ear(WireEar* ear) { ear_ = ear; }
     /// Sends bytes outside of all messages, behind what has been sent by the next turn.
     void send_raw(std::string bytes);

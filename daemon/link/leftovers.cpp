@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of "control-4711.sock" and "robot-scanner-4711": 4711. 0: the name has none.
+/// 4711 in "control-4711.sock" and "robot-scanner-4711". 0: the name has none.
 pid_t process_in(std::string_view name) {
     if (name.ends_with(".sock")) name.remove_suffix(5);
     const std::string_view digits = name.substr(name.find_last_of('-') + 1);
@@ -33,7 +33,7 @@ bool is_gone(pid_t process) {
     return process > 0 && ::kill(process, 0) != 0 && errno == ESRCH;
 }
 
-/// Of the lock .NAME.lock, NAME.
+/// NAME in the lock .NAME.lock.
 std::string_view name_in(std::string_view lock) {
     if (!lock.starts_with('.') || !lock.ends_with(".lock")) return {};
     return lock.substr(1, lock.size() - 6);

@@ -20,7 +20,7 @@ const std::vector<Model>& models();
 /// prints them. A fault tells the choices.
 sim::Expected<Model> model_named(std::string_view name);
 
-/// The same for a name that must be right. Throws std::invalid_argument where it is not.
+/// The model of a name that must be right. Throws std::invalid_argument where it is not.
 const Model& find_model(std::string_view name);
 
 }  // namespace scipd::daemon

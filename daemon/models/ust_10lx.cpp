@@ -31,7 +31,7 @@ protocol::DeviceProfile ust_profile(const std::string& name, const std::string& 
         .scan_rpm = 2400,
 
         .motor_speed = "2400",
-        // The same in every state: only LASR tells whether the laser is on.
+        // It says so in every state: only LASR tells whether the laser is on.
         .mode_idle = "Measuring by Sensitive Mode",
         .mode_measuring = "Measuring by Sensitive Mode",
         .bit_rate = "Ethernet 100[Mbps]",

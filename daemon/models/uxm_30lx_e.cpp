@@ -32,7 +32,7 @@ Model uxm_30lx_e() {
         .motor_speed = "Initial(1200[rpm])",
         // Recorded only with the laser on. IDLE is what the URG-04LX of the same generation says.
         .mode_idle = "IDLE",
-        // The same recording says CLASSIC later. The reason is unknown.
+        // That recording says CLASSIC later. The reason is unknown.
         .mode_measuring = "STANDARD(max:100000[mm])",
         .bit_rate = "USB Full Speed",
         .health = "Sensor works well.",

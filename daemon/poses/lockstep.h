@@ -61,7 +61,7 @@ class Lockstep {
 
     /// Calls back once everything is done that is due up to the poses that have come.
     void when_caught_up(Call call);
-    /// The same, but only when somebody waits for time to go on.
+    /// Calls back when all that is done and somebody waits for time to go on.
     void when_awaited(Call call);
 
   private:

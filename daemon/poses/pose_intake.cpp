@@ -27,7 +27,7 @@ constexpr sim::Time patience = std::chrono::milliseconds(500);
 // Longer than held-up packets take to come in, and shorter than a sender takes to drift much.
 constexpr sim::Time portion = std::chrono::milliseconds(50);
 
-/// The same for those who only tell a person.
+/// Only what a person is told of it.
 sim::Expected<> told(const Placed& placed) {
     if (placed) return {};
     return tl::unexpected<sim::Fault>(placed.error());

@@ -84,10 +84,10 @@ class PoseIntake {
     /// is empty. A refused line is counted and changes nothing.
     [[nodiscard]] sim::Expected<> take_line(std::string_view line, std::string_view robot,
                                             SenderClock& sender, sim::Time arrival);
-    /// The same for a line that has been understood already.
+    /// Takes a line that has been understood already.
     [[nodiscard]] sim::Expected<> take(const sim::PoseLine& line, std::string_view robot,
                                        SenderClock& sender, sim::Time arrival);
-    /// The same at a world time. A line that says no time itself holds from then on.
+    /// Takes it at a world time. A line that says no time itself holds from then on.
     [[nodiscard]] sim::Expected<> take_at(sim::Time time, const sim::PoseLine& line,
                                           std::string_view robot);
     /// World time of a step that a leader says, with whatever poses; in lockstep. A stamp that

@@ -99,7 +99,7 @@ void ShardThread::run_some() {
         io_.run_one();
         return;
     }
-    // Of a client that never stops asking, not all is heard first.
+    // A client may never stop asking: not all of that is heard first.
     constexpr int most_at_once = 64;
     for (int i = 0; i < most_at_once && !called_; ++i) {
         if (io_.poll_one() == 0) break;

@@ -55,7 +55,7 @@ class ShardThread {
     /// Returns when it stands still, and all that it was told before halt() is done. Calls `late`
     /// where that takes longer than any sweep does.
     void wait_until_still(const std::function<void()>& late);
-    /// Of a shard that stands still: it does all that it was told, and then this on its thread.
+    /// The shard stands still: it does all that it was told, and then `errand`, on its thread.
     /// Returns when that is done.
     void catch_up(std::function<void()> errand = [] {});
     void go_on();

@@ -33,7 +33,7 @@ class Movers {
     /// How all but `except` move between these times. Good until the next call.
     [[nodiscard]] std::vector<sim::Mover> all(sim::Time from, sim::Time to,
                                               sim::ModelId except) const;
-    /// The same without those of which nothing is in the ball then.
+    /// How those move of which something is in the ball then. Good until the next call.
     [[nodiscard]] std::vector<sim::Mover> within(const Ball& ball, sim::Time from, sim::Time to,
                                                  sim::ModelId except) const;
 

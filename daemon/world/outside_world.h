@@ -16,7 +16,7 @@ namespace scipd::daemon {
 
 /// By more than 10 m, within which robots may start on purpose. `world` is not empty.
 bool outside(const sim::Bounds& world, const glm::dvec3& point_m);
-/// The same from above: what flies may be far over the world.
+/// Whether it lies outside as seen from above: what flies may be far over the world.
 bool beside(const sim::Bounds& world, const glm::dvec3& point_m);
 
 /// A warning for a place beside the world, a thousandth of which would not be.

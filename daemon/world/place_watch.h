@@ -66,7 +66,7 @@ class PlaceWatch {
     [[nodiscard]] std::optional<std::string> warning(const std::string& sensor) const;
 
   private:
-    /// Of one sensor.
+    /// What one sensor was warned of.
     struct Look {
         std::string warning;  ///< empty: nothing is wrong
         std::string told;     ///< the last warning that was logged

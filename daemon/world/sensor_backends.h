@@ -26,7 +26,7 @@ class SensorBackends {
     /// Those of the sensors that live there.
     [[nodiscard]] SensorBackends of_shard(std::size_t shard) const;
 
-    // Of a sensor that a backend was assigned to.
+    // Both want the name of a sensor that a backend was assigned to.
     [[nodiscard]] sim::RangeBackend& of(std::string_view sensor) {
         return *sensors_.find(sensor)->second.backend;
     }

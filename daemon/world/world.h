@@ -91,9 +91,9 @@ class World {
 
     /// Puts the robot there. Between two poses that follow each other closely it moves evenly.
     [[nodiscard]] Placed place_robot(std::string_view name, const Placement& placement);
-    /// The same for senders that name no robot; refused unless there is exactly one.
+    /// Puts the only robot there, for senders that name none; refused unless there is exactly one.
     [[nodiscard]] Placed place_only_robot(const Placement& placement);
-    /// The same for a movable model, which no longer follows its script then.
+    /// Puts a movable model there, which no longer follows its script then.
     [[nodiscard]] Placed place_model(std::string_view name, const Placement& placement);
     /// Whether one robot is all that can move, so that one pose tells all about its time.
     [[nodiscard]] bool has_one_mover() const;
@@ -119,8 +119,8 @@ class World {
     void on_cast(std::function<void(const Cast&)> callback) { on_cast_ = std::move(callback); }
 
     [[nodiscard]] std::vector<sim::Pose> poses_at(sim::Time time) const;  ///< by ModelId
-    /// Of all movable models. Not const: sweeps ask how scripts move them. Good until the scene or
-    /// the robots are replaced.
+    /// The paths of all movable models. Not const: sweeps ask how scripts move them. Good until the
+    /// scene or the robots are replaced.
     [[nodiscard]] const Movers& movers() { return movers_; }
 
   private:

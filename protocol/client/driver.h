@@ -62,7 +62,7 @@ class Driver {
     void enter_adjust();
     /// The scanner's clock; older models tell it in adjust mode only.
     [[nodiscard]] std::uint32_t time_ms();
-    /// The same in microseconds, without wrapping; newest firmware only.
+    /// The scanner's clock in microseconds, without wrapping; newest firmware only.
     [[nodiscard]] std::uint64_t time_us();
     void leave_adjust();
 

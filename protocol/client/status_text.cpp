@@ -12,7 +12,7 @@
 namespace scipd::protocol::client {
 namespace {
 
-/// Of all commands that any model knows. Null: none.
+/// Looks among all commands that any model knows. Null: none.
 const Command* command_of(std::string_view echo) {
     const Command* found = nullptr;
     for (const Command& command : command_table()) {

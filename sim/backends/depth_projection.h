@@ -33,7 +33,7 @@ struct Strip {
     glm::ivec2 size_px{1, 1};
 };
 
-/// The same pixels and as many more on all sides.
+/// The strip with so many more pixels on all sides.
 Strip widened(const Strip& strip, const glm::ivec2& margin_px);
 
 /// Where a direction before the strip falls; whole numbers are the centres of pixels.
@@ -42,8 +42,8 @@ glm::dvec2 pixel_of(const Strip& strip, const glm::dvec3& direction);
 /// The cosine of eq. (2): range = z / cos_alpha. `direction` is of unit length.
 double cos_alpha(const Strip& strip, const glm::dvec3& direction);
 
-/// Of a point given relative to the eye, along the axes of S: x and y fill the strip, w is z, and
-/// depth = near_m / z, which is 1 at the near plane and 0 at infinity.
+/// Takes a point given relative to the eye, along the axes of S: x and y fill the strip, w is z,
+/// and depth = near_m / z, which is 1 at the near plane and 0 at infinity.
 glm::dmat4 clip_from_sensor(const Strip& strip);
 
 /// Eq. (1), z = f n / (f - d (f - n)), as the far plane f goes to infinity and with d = 1 - depth.

@@ -51,7 +51,7 @@ class DepthRaster {
     /// What triangles refer to from now on.
     void set_vertices(std::span<const DrawnVertex> vertices);
 
-    /// The same number of vertices at other places, from this one on.
+    /// Puts as many vertices at other places, from this one on.
     void replace_vertices(std::size_t first, std::span<const DrawnVertex> vertices);
 
     /// Draws all views, each with its triangles, into a picture of this size. Views lie inside of

@@ -55,7 +55,7 @@ class EglContext {
     /// Where it is bound to this thread, any other may bind it next.
     void release();
 
-    /// Of OpenGL, for all who draw in this context: drivers translate a program when it is first
+    /// A program of OpenGL, for all who draw in this context: drivers translate it when it is first
     /// drawn with, which takes longer than all else that a picture needs. Bound here, made by the
     /// first who asks, and gone with the context.
     unsigned program(unsigned (*make)());

@@ -111,7 +111,7 @@ inline std::string reason_without_device() {
     }
 }
 
-/// The same direction to a nanoradian. Embree 3.13 loses all rays of a packet that share their
+/// The direction, to a nanoradian. Embree 3.13 loses all rays of a packet that share their
 /// signs with one whose component is 1e-17 or so, as the cosine of a right angle comes out.
 inline glm::vec3 apart_from_zero(const glm::vec3& direction) {
     constexpr float least = 1e-9F;

@@ -16,7 +16,7 @@ namespace scipd::sim {
 class EmbreeBodies {
   public:
     EmbreeBodies() = default;
-    /// Of all movable models of the scene.
+    /// The bodies of all movable models of the scene.
     EmbreeBodies(RTCDevice device, const Scene& scene);
 
     /// In the frame of the model. Null: it does not move, or has no objects.

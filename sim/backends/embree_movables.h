@@ -31,7 +31,7 @@ class EmbreeMovables {
     void show(std::span<const ModelId> models);
     /// The hits of the packet so far have shortened its rays: only what stands before is met.
     void trace(CoherentTracer& tracer, const int* valid, RTCRayHit16& packet) const;
-    /// The same with one model, which need not be shown.
+    /// Traces one model, which need not be shown.
     void trace_alone(ModelId model, CoherentTracer& tracer, const int* valid,
                      RTCRayHit16& packet) const;
 
@@ -52,7 +52,7 @@ class EmbreeMovables {
 
     void place(Movable& movable);
     void turn_normals(RTCRayHit16& packet) const;
-    /// Of ray k, from the model's frame to W.
+    /// Turns the normal of ray k from the model's frame to W.
     void set_normal(RTCHit16& hit, std::size_t k, ModelId model, const RTCHit16& in_model) const;
 
     SharedScene scene_;

@@ -37,8 +37,8 @@ class RangeBackend {
     /// Whether it tells the normals of faces, and casts fans whose rays begin anywhere: both are
     /// needed to follow light behind glass and into mirrors.
     [[nodiscard]] virtual bool follows_light() const { return false; }
-    /// The same as cast(), with the unit normal in W of each face that is met, to either side. Only
-    /// for backends that follow light.
+    /// Casts, and tells the unit normal in W of each face that is met, to either side. Only for
+    /// backends that follow light.
     void cast(const Fan& fan, std::span<Hit> hits, std::span<glm::vec3> world_normals);
 
     /// Whether it can cast what stands still first and what moves later, and leaves out all movable

@@ -19,7 +19,7 @@ namespace scipd::sim {
 class BeamPattern {
   public:
     explicit BeamPattern(const SensorSpec& spec);
-    /// Of a sensor that does not turn: a direction a step, unit vectors.
+    /// For a sensor that does not turn: a direction a step, unit vectors.
     explicit BeamPattern(std::vector<glm::vec3> directions) : directions_(std::move(directions)) {}
     [[nodiscard]] std::span<const glm::vec3> directions() const { return directions_; }
     [[nodiscard]] std::span<const FootprintRay> footprint() const { return footprint_; }

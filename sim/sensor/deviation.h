@@ -20,7 +20,7 @@ class Deviation {
     /// So many times what `curves` say, which must outlive it.
     Deviation(const NoiseLaw& law, const SpecCurves& curves, double factor);
 
-    /// Of a white wall that is met head-on.
+    /// For a white wall that is met head-on.
     [[nodiscard]] double of_white_wall_m(double range_m) {
         return factor_ * white_wall_.at(range_m);
     }

@@ -15,7 +15,7 @@ struct Echo {
     /// the same range.
     float power = 0.0F;
     float spread_m = 0.0F;  ///< the standard deviation of the ranges of its faces, by their light
-    /// Of the face that sends most; no_object: something in the air.
+    /// What has the face that sends most; no_object: something in the air.
     ObjectId object = no_object;
     MaterialId material = 0;
 };

@@ -110,7 +110,7 @@ class EchoFinder {
         key.purpose = Purpose::in_the_air;
         return Chance(key);
     }
-    /// The same for all sensors and scans: a texture belongs to its face.
+    /// Equal for all sensors and scans: a texture belongs to its face.
     static Chance for_texture(const ChanceKey& key) {
         return Chance({.seed = key.seed, .purpose = Purpose::texture});
     }

@@ -55,7 +55,7 @@ struct Passing {
     Time time{};
 };
 
-/// The same for each model by itself, in front of what the scan has met so far: models that no beam
+/// When each model by itself passes in front of what the scan has met so far: models that no beam
 /// reaches are left out. `sensor` moves as the poses of the scan say.
 [[nodiscard]] std::vector<Passing> passings_of_sweep(
     const SensorSpec& optics, const SensorMotion& sensor, const Scan& scan,

@@ -47,7 +47,7 @@ struct ErrorModel {
     void read(const SensorSpec& spec, Time on_for, Scan& scan) const {
         read(spec, SpecCurves(spec), on_for, scan);
     }
-    /// The same in less time: `curves` are those of `spec`.
+    /// Reads in less time: `curves` are those of `spec`.
     void read(const SensorSpec& spec, const SpecCurves& curves, Time on_for, Scan& scan) const;
 
     /// What a sensor reads of one hit; `beam` tells one chance from another.

@@ -62,8 +62,8 @@ struct Mix {
     std::span<const float> sigma_m;
 };
 
-/// Of what the beams would read. On a slope the median chooses less, so it leaves more noise there,
-/// as in the recordings.
+/// The median of what the beams would read. On a slope it chooses less, so it leaves more noise
+/// there, as in the recordings.
 struct Median {
     [[nodiscard]] float noise_m(const float* read_m, std::size_t beam) const {
         return median(read_m[-2], read_m[-1], read_m[0], read_m[1], read_m[2]) - range_m[beam];

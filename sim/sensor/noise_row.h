@@ -41,7 +41,7 @@ class NoiseRow {
     /// To be called once, when all returns are set. `beam_rad`: the angle between two beams.
     void draw(const Smoothing& smoothing, double beam_rad, const Chance& chance);
 
-    /// Of a beam with a return.
+    /// The noise of a beam that has a return.
     [[nodiscard]] float noise_m(std::size_t beam) const { return noise_m_[beam]; }
 
   private:

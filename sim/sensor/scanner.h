@@ -58,7 +58,7 @@ class Scanner {
                                      std::vector<Pose> world_from_sensor,
                                      const Conditions& conditions = {}) const;
 
-    /// The same in pieces, for a world that moves meanwhile: call begin(), then cast() for some
+    /// Makes a scan in pieces, for a world that moves meanwhile: call begin(), then cast() for some
     /// beams after the other, then read(). Beams that are not cast meet nothing.
     [[nodiscard]] Scan begin(std::int64_t revolution, Time start,
                              std::vector<Pose> world_from_sensor) const;
@@ -75,7 +75,7 @@ class Scanner {
     void read(Scan& scan, const Conditions& conditions) const;
 
   private:
-    /// Of these beams, and their hits.
+    /// The fan of these beams, and their hits.
     [[nodiscard]] Fan fan_of(const Scan& scan, Beams beams) const;
     [[nodiscard]] std::span<Hit> hits_of(Scan& scan, Beams beams) const;
 

@@ -87,7 +87,7 @@ struct Receiver {
 
     bool operator==(const Receiver&) const = default;
 
-    /// Of light of this power (Echo), in intensities of a white face at the same range.
+    /// How bright light of this power (Echo) is, in intensities of a white face at the same range.
     [[nodiscard]] double brightness(double power) const;
 };
 
@@ -98,7 +98,7 @@ struct SensorSpec {
     int front_step = 0;    ///< points along +x of S
     Time scan_period{};    ///< one turn
     double max_range_m{};  ///< no beam sees farther
-    /// Of ranges, where it follows from the light.
+    /// The noise of ranges, where it follows from the light.
     NoiseLaw noise_law = {};
     /// The deviation for a white wall head-on, in place of that law; by growing from_range_m, the
     /// first at 0. Empty: the law decides.
@@ -123,9 +123,9 @@ struct SensorSpec {
     /// The deviation that it reads a white wall with, head-on at this range.
     [[nodiscard]] double sigma_m(double range_m) const;
     [[nodiscard]] double bias_m(double range_m) const;
-    /// Of light of this power (Echo) from this range.
+    /// The intensity that is told of light of this power (Echo) from this range.
     [[nodiscard]] double intensity(double range_m, double power) const;
-    /// Of a dark target at dark_range_m.
+    /// The intensity of a dark target at dark_range_m.
     [[nodiscard]] double faintest_intensity() const;
 };
 

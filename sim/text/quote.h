@@ -15,7 +15,7 @@ namespace scipd::sim {
 /// bytes is cut there, and dots follow.
 std::string printable(std::string_view text, std::size_t limit = 160);
 
-/// The same between single quotes, with a smaller limit by default.
+/// As printable(), between single quotes, with a smaller limit by default.
 std::string quote(std::string_view text, std::size_t limit = 40);
 
 /// A limit that cuts no path and no address short.

@@ -34,7 +34,7 @@ class LitWorld {
     bool light_goes_on_;
 };
 
-/// The same of the materials of a scene, which a LitWorld need not be made for.
+/// Whether light goes on at a material of this scene; no LitWorld need be made for that.
 [[nodiscard]] bool light_goes_on(const Scene& scene, const MaterialLibrary& materials,
                                  int wavelength_nm);
 

@@ -50,7 +50,7 @@ struct Item {
     std::uint32_t triangles;
 };
 
-/// Of a box that a ray goes through: two faces of two triangles each.
+/// A ray that goes through a box meets two faces of two triangles each.
 constexpr std::uint32_t triangles_met_of_shape = 4;
 
 const Mesh* mesh_of(const Object& object) {

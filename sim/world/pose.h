@@ -30,7 +30,7 @@ Pose inverse(const Pose& target_from_source);
 /// Roll, pitch, yaw in radians about the fixed x, y, z axes, in that order (as in SDF and URDF).
 Pose pose_from_rpy(const glm::dvec3& xyz_m, const glm::dvec3& rpy_rad);
 
-/// Of a body, both in W.
+/// How fast a body moves and turns, both in W.
 struct Velocity {
     glm::dvec3 linear_mps{0.0, 0.0, 0.0};
     glm::dvec3 angular_radps{0.0, 0.0, 0.0};  ///< about its own origin

@@ -11,7 +11,7 @@
 namespace scipd::sim {
 namespace {
 
-/// Of the start pose, which has no time of its own.
+/// The time of the start pose, which has none of its own.
 constexpr Time ever_since = Time::min();
 
 using Seconds = std::chrono::duration<double>;

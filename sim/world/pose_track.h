@@ -53,7 +53,7 @@ class PoseTrack {
     /// Returns false and changes nothing if `time` is not later than that of the last pose.
     bool place(Time time, const Pose& pose, const std::optional<Velocity>& velocity = {});
 
-    /// The same, but the thing always moved there, however far away it is.
+    /// As place(), but the thing always moved there, however far away it is.
     bool append(Time time, const Pose& pose);
 
     /// From `time` on the thing is at `pose`. It jumps there, so nothing is interpolated. Poses

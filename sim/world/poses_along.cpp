@@ -116,7 +116,7 @@ std::vector<Pose> poses_along(const PoseTrack& track, const Pose& thing_from_mou
         const PoseTrack::Stretch stretch = track.stretch(times[first]);
         std::span<Pose> there;
         if (stretch.velocity == Velocity{}) {
-            // The same to the last bit, however often it is asked for.
+            // Equal to the last bit, however often it is asked for.
             there = until(stretch.end);
             std::ranges::fill(there, stretch.from * thing_from_mount);
         } else {

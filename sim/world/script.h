@@ -28,7 +28,7 @@ struct Script {
 
     bool operator==(const Script&) const = default;
 
-    /// Of one that began at `begin`.
+    /// Where the model is, if the script began at `begin`.
     [[nodiscard]] Pose at(Time begin, Time time) const;
     /// Right from one time to the other, and with no more poses than that takes.
     [[nodiscard]] PoseTrack between(Time begin, Time from, Time to) const;
@@ -36,7 +36,7 @@ struct Script {
 
 using SharedScript = std::shared_ptr<const Script>;
 
-/// The same walk in a frame that lies so in the world.
+/// The script for a walk in a frame that lies so in the world.
 SharedScript moved(const Pose& world_from_frame, const Script& script);
 
 }  // namespace scipd::sim

@@ -122,7 +122,7 @@ struct SphereCut {
         corner_radius_m = balanced_radius_m(radius_m, std::pow(std::cos(0.5 * turn), 2));
     }
 
-    /// Of the rings between the poles, from the top.
+    /// One of the rings between the poles, from the top.
     [[nodiscard]] Ring ring(unsigned index) const {
         const double down_rad = (index + 1) * turn;
         return {corner_radius_m * std::sin(down_rad), corner_radius_m * std::cos(down_rad)};

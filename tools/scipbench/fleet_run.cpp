@@ -84,7 +84,7 @@ void read_status(const ControlClient::Json& status, FleetRun& run) {
     run.worst_p99_ms = at_share(p99_ms, 1.0);
 }
 
-/// Of all samples of a metric.
+/// The sum of all samples of a metric.
 double sum_of(const std::string& metrics, const std::string& name) {
     double sum = 0.0;
     std::istringstream lines(metrics);

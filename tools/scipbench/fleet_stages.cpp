@@ -27,7 +27,7 @@ double thread_seconds() {
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Of one call, in processor time: others that run on this machine do not count.
+/// How long one call takes in processor time: others that run on this machine do not count.
 double us_for_each(std::size_t count, const auto& work) {
     constexpr int rounds = 20;
     std::vector<double> us;

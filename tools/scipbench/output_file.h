@@ -14,7 +14,7 @@ namespace scipd::tools {
 /// measuring begins, which takes minutes.
 std::string can_be_written(const std::string& file);
 
-/// The same: why no picture can be that file.
+/// Why no picture can be that file; empty: one can.
 std::string is_picture(const std::string& file);
 
 /// Calls `write` with the file as a stream, unless nobody named one. Throws std::runtime_error.

@@ -34,7 +34,7 @@ class StreamCheck {
     using Time = std::chrono::steady_clock::time_point;
     using Milliseconds = std::chrono::duration<double, std::milli>;
 
-    /// Of a stream without end that was asked for like this, from a scanner whose turns take
+    /// Checks a stream without end that was asked for like this, from a scanner whose turns take
     /// `period`: distances and perhaps intensities, stamps in milliseconds.
     StreamCheck(const protocol::client::ScanRequest& request, Milliseconds period);
 

@@ -13,7 +13,7 @@
 
 namespace scipd::tools {
 
-/// Of the page that it fills.
+/// The height of the page that it fills.
 [[nodiscard]] double height_of_polar_plot(const TopView& view, const Colouring& colouring);
 
 void draw_polar_plot(cairo_t* context, const TopView& view, const Colouring& colouring,

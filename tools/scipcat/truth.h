@@ -47,7 +47,7 @@ struct TruthOptions {
 /// Throws as ask_truth() does.
 void announce_question(const TruthOptions& options, const std::string& target);
 
-/// Of the scan with this stamp of the scanner at `target`, as the user wrote it. Throws
+/// The truth of the scan with this stamp, of the scanner at `target`, as the user wrote it. Throws
 /// ControlError, and std::runtime_error with a sentence.
 [[nodiscard]] Truth ask_truth(const TruthOptions& options, const std::string& target,
                               std::uint32_t stamp_ms);

@@ -105,7 +105,7 @@ void stop(const ControlOptions& control, const StopOptions& options) {
     about_sensor(client, sensor, [&] { client.remove(path); });
 }
 
-/// Of one scanner, each with its name.
+/// The faults of one scanner, each with its name.
 Json faults_of(ControlClient& client, const std::string& sensor) {
     Json list = Json::array();
     for (const Json& fault : ask_sensor(client, sensor, faults_path(sensor))) {

@@ -27,7 +27,7 @@ struct FaultWords {
 /// `examples` of what is right.
 void add_member(ControlClient::Json& map, const std::string& text, const std::string& examples);
 
-/// The same as the control API takes it. Throws WrongInput.
+/// The fault as the control API takes it. Throws WrongInput.
 [[nodiscard]] ControlClient::Json fault_of(const FaultWords& words);
 
 /// One line for people.

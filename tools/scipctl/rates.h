@@ -25,7 +25,7 @@ struct SensorRates {
     std::map<std::string, double> casts_per_s;  ///< by backend; without those that cast nothing
 };
 
-/// Of the sensors that the later status has. Both are answers to GET /status.
+/// The rates of the sensors that the later status has. Both are answers to GET /status.
 [[nodiscard]] std::vector<SensorRates> rates_between(const ControlClient::Json& earlier,
                                                      const ControlClient::Json& later);
 

@@ -20,7 +20,7 @@ std::string lower(std::string_view text);
 std::filesystem::path exactly(const std::filesystem::path& folder,
                               const std::filesystem::path& name);
 
-/// The same, but a part of the name that does not exist as written may differ in case.
+/// As exactly(), but a part of the name that does not exist as written may differ in case.
 std::filesystem::path in_any_case(const std::filesystem::path& folder,
                                   const std::filesystem::path& name);
 

@@ -18,7 +18,7 @@ class Doing {
     Doing(const Doing&) = delete;
     Doing& operator=(const Doing&) = delete;
 
-    /// Of the file: the child needs it.
+    /// The file, which the child needs.
     [[nodiscard]] int descriptor() const { return descriptor_; }
     /// What the child reported last; empty if nothing. Call it after the child has ended.
     [[nodiscard]] std::string last() const;

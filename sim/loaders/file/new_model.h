@@ -27,7 +27,7 @@ struct NewModel {
     std::string text = {};
     /// Relative URIs of the text start here.
     std::filesystem::path folder = {};
-    /// Of any kind that a world may be of, or the folder of a model.
+    /// A file of any kind that a world may be of, or the folder of a model.
     std::filesystem::path file = {};
     std::filesystem::path mesh = {};  ///< in place of both
     double scale = 1.0;               ///< of a mesh

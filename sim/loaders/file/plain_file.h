@@ -33,7 +33,7 @@ std::string beginning_of(const std::filesystem::path& path);
 
 /// A file without a name, in memory. Throws std::runtime_error.
 File memory_file();
-/// The same as a descriptor, which is never one of the first four: these have a meaning of their
+/// Such a file as a descriptor, which is never one of the first four: these have a meaning of their
 /// own in a child that is given it.
 int memory_descriptor();
 
@@ -42,7 +42,7 @@ int memory_descriptor();
 std::string read_file(const std::filesystem::path& path, std::uintmax_t most_bytes,
                       const std::string& wanted);
 
-/// The same for a text in UTF-8. If it is in UTF-16, the LoadError says so.
+/// Reads a text in UTF-8. If it is in UTF-16, the LoadError says so.
 std::string read_text(const std::filesystem::path& path, std::uintmax_t most_bytes,
                       const std::string& wanted);
 

@@ -17,7 +17,7 @@ namespace scipd::sim {
 /// key; too many faults end it early.
 std::vector<MaterialOptics> load_materials(const std::filesystem::path& file);
 
-/// The same from text. `file` names it in faults.
+/// Reads a text as load_materials() does a file. `file` names it in faults.
 std::vector<MaterialOptics> parse_materials(const std::string& text,
                                             const std::filesystem::path& file);
 

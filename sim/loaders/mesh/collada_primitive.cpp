@@ -19,7 +19,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// Of a polygon with holes: its time grows with the cube of this number at worst.
+/// The corners of a polygon with holes: its time grows with the cube of this number at worst.
 constexpr std::size_t most_corners = 1000;
 constexpr std::string_view xml_blanks = " \t\r\n";
 

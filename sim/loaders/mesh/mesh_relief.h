@@ -31,7 +31,7 @@ std::string relieved_collada(std::string_view text);
 /// of its materials only the names. Throws std::runtime_error if the text is no glTF.
 std::string relieved_gltf(std::string_view text);
 
-/// The same for a GLB, whose buffer stays as it is.
+/// Relieves a GLB, whose buffer stays as it is.
 std::string relieved_glb(std::string_view bytes);
 
 }  // namespace scipd::sim

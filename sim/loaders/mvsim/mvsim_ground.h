@@ -26,7 +26,7 @@ PlacedMesh grid_mesh(const MvsimNode& grid, std::string_view picture, double bot
 /// its darkest and brightest pixels are the lowest and the highest.
 PlacedMesh elevation_mesh(const MvsimNode& map, std::string_view picture);
 
-/// The same of an `<elevation_data_matrix>`, which has the heights themselves in metres.
+/// The ground of an `<elevation_data_matrix>`, which has the heights themselves in metres.
 PlacedMesh matrix_mesh(const MvsimNode& map, std::string_view matrix);
 
 }  // namespace scipd::sim

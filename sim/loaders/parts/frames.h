@@ -19,14 +19,14 @@ namespace scipd::sim {
 
 class Frames {
   public:
-    /// Of a model or a world.
+    /// The frames in a model or a world.
     explicit Frames(const SdfPart& outer);
 
-    /// Of one of its own parts, in its frame. Else the reason why nobody knows.
+    /// The pose of one of its own parts, in its frame. Else the reason why nobody knows.
     [[nodiscard]] Expected<Pose> pose_of(const SdfPart& part);
-    /// Of the frame of this name.
+    /// The pose of the frame of this name.
     [[nodiscard]] Expected<Pose> pose_of(std::string_view name);
-    /// Of a pose that a part of `link` gives, in the frame of the link.
+    /// A pose that a part of `link` gives, in the frame of the link.
     [[nodiscard]] Expected<Pose> in_link(const SdfPart& link, const GivenPose& given);
     /// The link of its own that a frame is fixed to, through others; null if it is another body.
     [[nodiscard]] const SdfPart* link_under(const SdfPart& frame) const;

@@ -103,22 +103,22 @@ struct SdfPart {
     std::string name = {};
     FilePlace place = {};
     GivenPose pose = {};
-    /// Of a frame: what it is fixed to; empty: the model. Of a joint: its child.
+    /// What a frame is fixed to, empty: the model; or the child of a joint.
     std::string attached_to = {};
     std::vector<SdfPart> parts = {};  ///< of a world or a model
 
-    // Of a model.
+    // What only a model has.
     std::optional<bool> is_static = std::nullopt;
     std::string placement_frame = {};
     std::string canonical_link = {};
     std::shared_ptr<const Actor> actor = nullptr;
     bool is_road = false;  ///< nobody cares what it is called
 
-    // Of a link.
+    // What only a link has.
     std::vector<SdfSurface> surfaces = {};
     bool has_unseen = false;  ///< surfaces of the other kind
 
-    // Of a frame.
+    // What only a frame has.
     std::optional<FoundSensor> sensor = std::nullopt;
 };
 

@@ -19,7 +19,7 @@ std::string path_of(const std::vector<std::string>& names);
 /// told. `outer` are the names around them.
 void mend_names(std::vector<SdfPart>& parts, const std::vector<std::string>& outer,
                 SceneDraft& draft);
-/// The same of the surfaces of a link; `kind` is their element.
+/// Mends the names of the surfaces of a link; `kind` is their element.
 void mend_names(std::vector<SdfSurface>& surfaces, const std::vector<std::string>& outer,
                 const std::string& kind, SceneDraft& draft);
 

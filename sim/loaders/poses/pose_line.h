@@ -35,7 +35,7 @@ bool says_nothing(std::string_view line);
 /// line, and its sentence names the field, too. Never throws on any bytes.
 Expected<PoseLine> parse_pose_line(std::string_view line);
 
-/// The same for a JSON object that has been read already.
+/// Takes a JSON object that has been read already.
 Expected<PoseLine> pose_line_in(const nlohmann::json& object);
 
 }  // namespace scipd::sim

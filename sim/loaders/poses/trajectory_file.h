@@ -32,8 +32,8 @@ struct Stamps {
 /// is wrong.
 Stamps parse_stamps(std::string_view text, const std::filesystem::path& file);
 
-/// The same as load_trajectory(), from text; `file` names it in faults. A KITTI file without stamps
-/// has 10 poses a second.
+/// Reads a text as load_trajectory() does a file; `file` names it in faults. A KITTI file without
+/// stamps has 10 poses a second.
 Trajectory parse_trajectory(std::string_view text, const std::filesystem::path& file,
                             TrajectoryFormat format = TrajectoryFormat::guess,
                             const std::optional<Stamps>& stamps = {});

@@ -23,8 +23,8 @@ Expected<TimedPose> parse_tum_line(std::string_view line);
 /// The order is that of files: x, y, z, w.
 std::optional<glm::dquat> normalised_quaternion(double x, double y, double z, double w);
 
-/// The same for a quaternion in a file, which must have length 1 within the rounding of two
-/// decimals. A fault names the `columns` that it was read from.
+/// A quaternion in a file must have length 1 within the rounding of two decimals. A fault names the
+/// `columns` that it was read from.
 Expected<glm::dquat> quaternion_in_file(const glm::dvec4& xyzw, const std::string& columns);
 
 }  // namespace scipd::sim

@@ -19,7 +19,7 @@
 
 namespace scipd::sim {
 
-/// Of one model: frames that stand for the sensors of its links.
+/// Frames that stand for the sensors of the links of one model.
 struct SensorFrames {
     std::vector<SdfPart> frames = {};
     std::set<std::string> names = {};

@@ -136,7 +136,7 @@ std::optional<SdfPart> SdfReader::read_model(const XMLElement& element, const Sd
     return is_seen(model) ? std::optional(std::move(model)) : std::nullopt;
 }
 
-/// Of a robot; one that cannot be read leaves it where it is.
+/// A pose of a robot that cannot be read leaves it where it is.
 void SdfReader::read_own_pose(const XMLElement& element, const SdfSheet& sheet, SdfPart& robot) {
     try {
         const SdfValues values(element, sheet.dialect);

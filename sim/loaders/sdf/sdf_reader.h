@@ -41,8 +41,8 @@ class SdfReader {
                                       const std::string& name);
     std::optional<SdfPart> read_model(const tinyxml2::XMLElement& element, const SdfSheet& sheet,
                                       const std::string& name);
-    /// Of a model or an include; where it says nothing, what is known already stays.
     void read_own_pose(const tinyxml2::XMLElement& element, const SdfSheet& sheet, SdfPart& robot);
+    /// For a model, a robot or an include; where it says nothing, what is known already stays.
     void read_static(const tinyxml2::XMLElement& element, const SdfSheet& sheet, SdfPart& model);
     void read_actor(const tinyxml2::XMLElement& element, const SdfSheet& sheet, SdfPart& model);
     [[nodiscard]] SdfPart as_seen(SdfPart link) const;

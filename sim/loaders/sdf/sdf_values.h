@@ -29,7 +29,7 @@ struct Dialect {
     bool has_frame_attribute = false;
 };
 
-/// Of an <sdf> or <gazebo>. Versions that are no number are like the newest.
+/// The dialect of an <sdf> or <gazebo>. Versions that are no number are like the newest.
 Dialect dialect_of(const tinyxml2::XMLElement& root);
 
 /// The values in the children of one element.
@@ -54,7 +54,7 @@ class SdfValues {
     const Dialect& dialect_;
 };
 
-/// Of a <point>: the numbers in the element itself.
+/// The numbers in a <point> itself.
 glm::dvec2 plane_point_in(const tinyxml2::XMLElement& element);
 glm::dvec3 point_in(const tinyxml2::XMLElement& element);
 
