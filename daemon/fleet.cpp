@@ -11,7 +11,6 @@
 #include "daemon/fleet_metrics.h"
 #include "daemon/fleet_plan.h"
 #include "daemon/link/port.h"
-#include "daemon/link/tcp_port.h"
 #include "daemon/load_world.h"
 #include "daemon/logging.h"
 #include "daemon/poses/pose_feed.h"
@@ -80,28 +79,14 @@ Fleet::~Fleet() {
 }
 
 void Fleet::apply(const Config& config) {
-    // It knows nothing of the sensors, so that none moves.
-    (void)apply(make_plan(config, {.homes = homes_, .played = running().played}));
+    apply(make_plan(config, {.homes = homes_, .played = running().played}));
 }
 
-bool Fleet::apply(FleetPlan&& plan) {
-    return simulation_->shards.still([&] {
-        const std::vector<std::string>& moved = plan.homes.moved;
-        if (std::ranges::any_of(moved, [&](const std::string& sensor) {
-                const Station* const station = find_station(simulation_->stations, sensor);
-                return station != nullptr && in_use(*station);
-            }))
-            return false;
-        Ports ports;
-        try {
-            ports = prepare_ports(plan.config, plan.homes);
-        } catch (const PortNotMoved&) {
-            if (moved.empty()) throw;
-            return false;
-        }
+void Fleet::apply(FleetPlan&& plan) {
+    simulation_->shards.still([&] {
+        Ports ports = prepare_ports(plan.config, plan.homes);
         Feeds feeds = open_feeds(plan);
         take_up(std::move(plan), std::move(ports), std::move(feeds));
-        return true;
     });
 }
 
@@ -222,7 +207,6 @@ std::vector<Station*> Fleet::start(const Config& config, const Ports& ports) noe
                 fresh.push_back(station.get());
             } else {
                 station->read_as(errors_of(sensor));
-                if (station->shard != home) station = moved(*station, context, served);
             }
             simulation.stations.push_back(std::move(station));
         }
@@ -247,8 +231,8 @@ void Fleet::replace_scenario(std::optional<Scenario> scenario,
     scenario_ = std::move(scenario);
 }
 
-Running Fleet::running(Moves moves) const {
-    Running running{.sensors = simulation_->known_sensors(moves), .homes = homes_, .played = {}};
+Running Fleet::running() const {
+    Running running{.sensors = simulation_->known_sensors(), .homes = homes_, .played = {}};
     for (const Feed& feed : feeds_) {
         if (feed.source.kind == PoseSource::Kind::file) running.played[feed.robot] = feed.source;
     }

@@ -41,11 +41,9 @@ class Fleet {
     /// As stop().
     ~Fleet();
 
-    /// False: the plan moves a scanner to another shard that somebody has come to use, or there are
-    /// no descriptors for that; all is as before, and it takes a plan that moves none. Throws
-    /// std::runtime_error for a port or a source of poses: then all is as before, too. The plan was
-    /// made for what is running().
-    [[nodiscard]] bool apply(FleetPlan&& plan);
+    /// Throws std::runtime_error for a port or a source of poses: then all is as before. The plan
+    /// was made for what is running().
+    void apply(FleetPlan&& plan);
     /// Applies a configuration whose world is still to be loaded, and throws what make_plan()
     /// throws.
     void apply(const Config& config);
@@ -53,7 +51,7 @@ class Fleet {
 
     [[nodiscard]] Simulation& simulation() { return *simulation_; }
     /// What a plan need not find out again.
-    [[nodiscard]] Running running(Moves moves = Moves::allowed) const;
+    [[nodiscard]] Running running() const;
     /// Where poses by UDP are to be sent, by robot.
     [[nodiscard]] std::map<std::string, Address> pose_addresses() const;
 

@@ -45,12 +45,6 @@ std::optional<std::size_t> held(const Lodger& lodger, const Homes& now) {
     return std::nullopt;
 }
 
-/// A tty stays where it is.
-bool may_move(const Lodger& lodger, const KnownSensors& known) {
-    const auto before = known.find(lodger.name);
-    return before != known.end() && before->second.may_move && lodger.ports.pty.empty();
-}
-
 /// What a sensor costs while it measures, as a share of a core.
 class Costs {
   public:
@@ -105,10 +99,8 @@ Homes find_homes(const Config& config, const Homes& now, const KnownSensors& kno
     const bool together = live_together(lodgers);
     std::vector<Burden> burdens;
     for (const Lodger& lodger : lodgers)
-        burdens.push_back({costs.of(lodger), held(lodger, now), may_move(lodger, known)});
-    const auto is_elsewhere = [](const Burden& burden) {
-        return burden.held > 0 && !burden.may_move;
-    };
+        burdens.push_back({costs.of(lodger), held(lodger, now)});
+    const auto is_elsewhere = [](const Burden& burden) { return burden.held > 0; };
     if (together && std::ranges::any_of(burdens, is_elsewhere)) {
         throw std::runtime_error(
             "interference: scanners that disturb each other live on one thread, and these live on "
@@ -118,8 +110,6 @@ Homes find_homes(const Config& config, const Homes& now, const KnownSensors& kno
     Homes next{.shards = now.shards};
     for (std::size_t i = 0; i < lodgers.size(); ++i) {
         next.sensors[lodgers[i].name] = shard_of[i];
-        if (shard_of[i] != burdens[i].held.value_or(shard_of[i]))
-            next.moved.push_back(lodgers[i].name);
         for (const std::string& key : {lodgers[i].ports.tcp, lodgers[i].ports.pty}) {
             if (!key.empty()) next.ports[key] = shard_of[i];
         }

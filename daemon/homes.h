@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <map>
 #include <string>
-#include <vector>
 
 namespace scipd::daemon {
 
@@ -20,7 +19,6 @@ struct Homes {
     std::size_t shards = 1;                      ///< how many there are
     std::map<std::string, std::size_t> sensors;  ///< by name
     std::map<std::string, std::size_t> ports;    ///< by key
-    std::vector<std::string> moved;  ///< sensors that could stay where they were, by name
 };
 
 /// For this configuration, with all sensors mounted, where those are that run now. A sensor goes

@@ -21,12 +21,7 @@ struct KnownSensor {
     SharedChoice choice;  ///< what `auto` has been settled as
     /// How long a sweep of it takes, on the average; nothing: it has made none.
     std::optional<std::chrono::duration<double>> sweep;
-    /// To another shard, however it is configured by then: nobody uses it.
-    bool may_move = false;
 };
-
-/// Whether sensors that nobody uses may live elsewhere with a configuration that comes.
-enum class Moves { allowed, forbidden };
 
 /// By name.
 using KnownSensors = std::map<std::string, KnownSensor>;

@@ -55,7 +55,7 @@ Server::Server(const Options& options)
     if (options_.config.http) listen_for_http(*options_.config.http);
     const Config config = plan.config;
     const auto unlike_the_others = plan.unlike_the_others;
-    (void)fleet_.apply(std::move(plan));
+    fleet_.apply(std::move(plan));
     if (shared_) shared_->serve(config, unlike_the_others);
     running_ = config;
     fleet_.simulation().choose_backends();
@@ -205,13 +205,13 @@ void Server::reload() {
     }
     service_.reloading(options_.config_file->string());
     asked_again_ = std::exchange(loading_, true);
-    if (!asked_again_) load_again(Moves::allowed);
+    if (!asked_again_) load_again();
 }
 
-void Server::load_again(Moves moves) {
+void Server::load_again() {
     Simulation& simulation = fleet_.simulation();
-    simulation.worker.add([this, &simulation, moves] {
-        return [this, running = fleet_.running(moves), stop = simulation.worker.stopping(),
+    simulation.worker.add([this, &simulation] {
+        return [this, running = fleet_.running(), stop = simulation.worker.stopping(),
                 join = shared_ ? shared_->rejoining() : JoinWorld{}]() -> Worker::Finish {
             const auto task = std::make_shared<std::packaged_task<Next()>>(
                 [&] { return load_next(options_, running, stop, join); });
@@ -239,10 +239,7 @@ void Server::take_up(std::future<Next> loaded) {
         Next next = loaded.get();
         const Config config = next.plan.config;
         const auto unlike_the_others = next.plan.unlike_the_others;
-        if (!fleet_.apply(std::move(next.plan))) {
-            fleet_.simulation().worker.discard(std::make_shared<FleetPlan>(std::move(next.plan)));
-            return load_again(Moves::forbidden);
-        }
+        fleet_.apply(std::move(next.plan));
         if (shared_) shared_->serve(config, unlike_the_others);
         if (next.asks_for_a_start) {
             spdlog::warn(

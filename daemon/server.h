@@ -54,7 +54,7 @@ class Server {
     void wait_for_signal();
     void reload();
     /// Loads the configuration again on the worker's thread, and takes it up.
-    void load_again(Moves moves);
+    void load_again();
     /// On the worker's thread.
     static Next load_next(const Options& options, const Running& running,
                           const std::stop_token& stop, const JoinWorld& join);

@@ -74,15 +74,14 @@ void Simulation::choose_backends() {
     if (!lockstep) chooser.choose();
 }
 
-KnownSensors Simulation::known_sensors(Moves moves) {
-    return shards.still([this, moves] {
+KnownSensors Simulation::known_sensors() {
+    return shards.still([this] {
         KnownSensors known;
         for (const auto& station : stations) {
             const SensorCounts counts =
                 std::visit([](const auto& sensor) { return sensor->counts(); }, station->sensor);
             known[station->name()] = {station->config, world.choice_of(station->name()),
-                                      mean_cast(counts),
-                                      moves == Moves::allowed && !in_use(*station)};
+                                      mean_cast(counts)};
         }
         return known;
     });

@@ -46,7 +46,7 @@ struct Simulation {
     /// again for those whose scene has changed much since.
     void choose_backends();
     /// What a configuration that comes need not find out again.
-    [[nodiscard]] KnownSensors known_sensors(Moves moves = Moves::allowed);
+    [[nodiscard]] KnownSensors known_sensors();
     /// Mounts each sensor where the scene has the place it is mounted on. Returns a warning for
     /// each place that the scene does not have.
     [[nodiscard]] std::vector<std::string> remount();

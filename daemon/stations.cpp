@@ -116,27 +116,6 @@ std::unique_ptr<Station> make_station(const StationContext& context, const std::
     return station;
 }
 
-bool in_use(const Station& station) {
-    const auto* const device = std::get_if<std::unique_ptr<Device>>(&station.sensor);
-    if (device == nullptr || station.ports.pty) return true;
-    return (*device)->clients() > 0 || (*device)->watched() || station.wire_tap->listens() ||
-           station.faults->asked();
-}
-
-std::unique_ptr<Station> moved(const Station& station, const StationContext& context,
-                               SensorPorts ports) {
-    auto there =
-        make_station(context, station.robot, station.config, station.seed, std::move(ports));
-    const auto device = [](const Station& of) -> Device& {
-        return *std::get<std::unique_ptr<Device>>(of.sensor);
-    };
-    device(*there).go_on_as(device(station));
-    there->loop->count_on_from(*station.loop);
-    there->tap->count_on_from(*station.tap);
-    there->served_before = station.served_before;
-    return there;
-}
-
 Station* find_station(const Stations& stations, const std::string& sensor) {
     const auto found = std::ranges::find_if(
         stations, [&](const auto& station) { return station->name() == sensor; });

@@ -77,14 +77,6 @@ struct StationContext {
                                                     const SensorConfig& sensor, std::uint64_t seed,
                                                     SensorPorts ports);
 
-/// Whether somebody would notice if it lived on another shard: a client or a page, or whoever has
-/// asked for a fault. A tty cannot move, and a camera or ranger need not.
-[[nodiscard]] bool in_use(const Station& station);
-/// Makes the sensor anew on another shard, where its ports are by now. Nobody uses it. It does not
-/// fail.
-[[nodiscard]] std::unique_ptr<Station> moved(const Station& station, const StationContext& context,
-                                             SensorPorts ports);
-
 /// By the sensor's full name; null: there is none.
 [[nodiscard]] Station* find_station(const Stations& stations, const std::string& sensor);
 

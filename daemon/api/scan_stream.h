@@ -50,8 +50,6 @@ class ScanStream {
         void follow(FaultLog& faults);
         /// Scans that a subscriber, or the stream, was too slow for.
         [[nodiscard]] std::uint64_t lost() const { return source_->lost + lane_.lost(); }
-        /// From what the other has counted, too.
-        void count_on_from(const Tap& other) { source_->lost += other.lost(); }
 
       private:
         friend class ScanStream;

@@ -30,9 +30,6 @@ class WireStream {
         Tap& operator=(const Tap&) = delete;
         ~Tap() { std::erase(stream_.taps_, this); }
 
-        /// Somebody follows the wire.
-        [[nodiscard]] bool listens() const { return listens_; }
-
       private:
         friend class WireStream;
 

@@ -94,18 +94,6 @@ void Device::read_as(const SensorConfig& config) {
     sweep_.read_as(unit_.scanner(config, profile_, chance_), config.interference);
 }
 
-void Device::go_on_as(const Device& other) {
-    device_clock_ = other.device_clock_;
-    timing_ = other.timing_;
-    state_ = other.state_;
-    boots_told_ = other.boots_told_;
-    told_.know(state_.laser_on());
-    bit_rate_told_ = other.bit_rate_told_;
-    pace_ = other.pace_;
-    log_ = other.log_;
-    counts_ = other.counts();
-}
-
 std::unique_ptr<Endpoint::Client> Device::connect(std::function<void()> on_actions,
                                                   protocol::LinkKind link) {
     return std::make_unique<ServedClient>(*this, std::move(on_actions), link);

@@ -44,10 +44,6 @@ class Device : public ScanSource, public Endpoint, private Lamp {
            Clock& clock);
     ~Device() override;
 
-    /// Takes over all that another has gone through, which is configured alike and has neither
-    /// clients nor faults.
-    void go_on_as(const Device& other);
-
     [[nodiscard]] std::unique_ptr<Client> connect(std::function<void()> on_actions,
                                                   protocol::LinkKind link) override;
     [[nodiscard]] Clock& clock() override { return clock_; }

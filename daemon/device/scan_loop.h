@@ -37,12 +37,6 @@ class ScanLoop {
     /// Counts those that somebody who watches waited for.
     [[nodiscard]] std::uint64_t missed_by_watchers() const { return missed_by_watchers_; }
 
-    /// From what the other has counted, too.
-    void count_on_from(const ScanLoop& other) {
-        missed_ += other.missed_;
-        missed_by_watchers_ += other.missed_by_watchers_;
-    }
-
     /// The turn that it is to end next.
     [[nodiscard]] std::int64_t turn() const { return revolution_; }
     /// Whether it should have gone on by now: what it waits for has come, or somebody wants scans

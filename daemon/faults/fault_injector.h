@@ -41,8 +41,6 @@ class FaultInjector : private DeviceHook, private LineHook {
 
     /// Those that wait, act, or have lately ended, the oldest first.
     [[nodiscard]] std::vector<FaultStatus> list() const;
-    /// Whether it was ever asked for a fault.
-    [[nodiscard]] bool asked() const { return last_id_ > 0; }
     [[nodiscard]] FaultLog& log() { return site_.log; }
     [[nodiscard]] const FaultLog& log() const { return site_.log; }
 

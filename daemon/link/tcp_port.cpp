@@ -92,8 +92,8 @@ std::shared_ptr<TcpPort> TcpPort::moved_to(const asio::any_io_executor& executor
     // While it refuses clients, nothing listens there.
     if (acceptor_.is_open()) socket = ::dup(acceptor_.native_handle());
     if (socket == -1) {
-        throw PortNotMoved("cannot move the port " + text_of(address) + ": " +
-                           std::generic_category().message(errno));
+        throw std::runtime_error("cannot move the port " + text_of(address) + ": " +
+                                 std::generic_category().message(errno));
     }
     auto moved = std::make_shared<TcpPort>(executor, address, socket);
     moved->handed_ = handed_;

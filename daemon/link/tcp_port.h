@@ -9,7 +9,6 @@
 #include <deque>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include <boost/asio/any_io_executor.hpp>
@@ -22,12 +21,6 @@
 
 namespace scipd::daemon {
 
-/// There are no descriptors for a port in two places.
-class PortNotMoved : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
-
 class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
   public:
     /// Binds and listens; or takes the descriptor of a socket that listens there already, and that
@@ -36,7 +29,8 @@ class TcpPort : public Port, public std::enable_shared_from_this<TcpPort> {
             std::optional<int> handed = {});
 
     /// One that listens on the same socket with another executor, where this one is to be stopped.
-    /// It counts on, and gets whoever connects here meanwhile or waits. Throws PortNotMoved.
+    /// It counts on, and gets whoever connects here meanwhile or waits. Throws
+    /// std::runtime_error where there are no descriptors for a port in two places.
     [[nodiscard]] std::shared_ptr<TcpPort> moved_to(const boost::asio::any_io_executor& executor);
 
     /// Its serve() needs nothing.

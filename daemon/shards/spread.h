@@ -16,11 +16,10 @@ namespace scipd::daemon {
 struct Burden {
     double cost = 0.0;                ///< in any unit, the same for all
     std::optional<std::size_t> held;  ///< by what lives there already
-    bool may_move = false;            ///< from where it is held
 };
 
-/// The shard of each, below `shards`. What may move does so only where that evens out what there is
-/// to do. The same burdens give the same answer.
+/// The shard of each, below `shards`: what is held stays, and the others go where there is least to
+/// do. The same burdens give the same answer.
 [[nodiscard]] std::vector<std::size_t> spread(std::span<const Burden> burdens, std::size_t shards);
 
 }  // namespace scipd::daemon

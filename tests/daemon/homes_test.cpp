@@ -93,25 +93,7 @@ TEST_F(HomesTest, LeavesThemWhereTheyAreWhateverTheyCost) {
     EXPECT_EQ(found.sensors.at("robot/c"), 0U);
 }
 
-TEST_F(HomesTest, MovesThoseThatNobodyUses) {
-    Homes now{.shards = 2};
-    for (const char* name : {"a", "b", "c", "d"}) {
-        SensorConfig& sensor = add(name);
-        if (sensor.name == "b") sensor.pty = PtyConfig{"/tmp/b"};
-        know(sensor, 100us);
-        now.sensors[std::string("robot/") + name] = 1;
-    }
-    for (const char* name : {"b", "c", "d"})
-        known_.at(std::string("robot/") + name).may_move = true;
-    // A tty cannot move.
-    const Homes found = find_homes(config_, now, known_);
-    EXPECT_EQ(found.sensors.at("robot/a"), 1U);
-    EXPECT_EQ(found.sensors.at("robot/b"), 1U);
-    EXPECT_EQ(found.sensors.at("robot/c"), 0U);
-    EXPECT_EQ(found.sensors.at("robot/d"), 0U);
-}
-
-TEST_F(HomesTest, BringsThoseTogetherThatDisturbEachOtherWhereNobodyUsesThem) {
+TEST_F(HomesTest, BringsThoseTogetherThatDisturbEachOtherWhereNoneLivesElsewhere) {
     Homes now{.shards = 2};
     for (const char* name : {"a", "b"}) {
         know(add(name), 100us);
@@ -119,9 +101,7 @@ TEST_F(HomesTest, BringsThoseTogetherThatDisturbEachOtherWhereNobodyUsesThem) {
     }
     config_.robots[0].sensors[0].interference = true;
     EXPECT_THROW((void)find_homes(config_, now, known_), std::runtime_error);
-    for (auto& [name, sensor] : known_)
-        sensor.may_move = true;
-    for (const auto& [name, shard] : find_homes(config_, now, known_).sensors)
+    for (const auto& [name, shard] : find_homes(config_, {.shards = 2}, known_).sensors)
         EXPECT_EQ(shard, 0U) << name;
 }
 

@@ -116,44 +116,6 @@ TEST_F(DeviceTest, TellsWhoeverWaitsThatItIsWanted) {
     EXPECT_EQ(woken, 1);
 }
 
-/// Of the latest scan, on a link of its own.
-std::string latest_of(Device& device) {
-    const auto client = device.connect([] {}, protocol::LinkKind::network);
-    client->receive("GD0000108000\n");
-    return all_messages(*client);
-}
-
-TEST_F(DeviceTest, GoesOnAsAnotherInAnotherWorld) {
-    clock_.advance_to(700ms);
-    {
-        const auto client = device_.connect([] {}, protocol::LinkKind::network);
-        client->receive("XX\nCR03\nMD0000108000002\n");
-        (void)all_messages(*client);
-        (void)next_of(*client);
-        (void)next_of(*client);
-    }
-    device_.change(
-        [](protocol::DeviceState& state, protocol::Uptime now) { state.switch_laser_on(now); });
-    clock_.advance_to(2500ms);
-    World there = wall_world();
-    SensorConfig alike = ideal_sensor();
-    alike.clock.phase = 7ms;  // it was switched on before
-    Device other("robot", alike, 1, there, clock_);
-    EXPECT_NE(other.next_revolution(), device_.next_revolution());
-    other.go_on_as(device_);
-    EXPECT_EQ(other.uptime(), device_.uptime());
-    EXPECT_EQ(other.next_revolution(), device_.next_revolution());
-    EXPECT_EQ(other.leaves(other.next_revolution()), device_.leaves(device_.next_revolution()));
-    EXPECT_EQ(other.scans_sent(), 2U);
-    EXPECT_EQ(other.counts().casts.size(), 1U);
-    EXPECT_FALSE(other.counts().refused.empty());
-    EXPECT_EQ(other.latest_scan(), device_.latest_scan());
-    EXPECT_TRUE(other.state().laser_on());
-    const std::string scan = latest_of(other);
-    EXPECT_EQ(scan, latest_of(device_));
-    EXPECT_EQ(scan_in(scan).distances_mm[540], 4000U);
-}
-
 TEST_F(DeviceTest, LetsScansLeaveOnTheTickAfterTheLastStep) {
     SensorConfig real = ideal_sensor();
     real.timing = Timing::real;

@@ -41,49 +41,6 @@ TEST(SpreadTest, LeavesThemWhereTheyAreHeld) {
                 ElementsAre(1, 0, 1, 0));
 }
 
-TEST(SpreadTest, MovesAsFewAsItTakes) {
-    EXPECT_THAT(spread(Burdens{{1.0, 0}, {1.0, 0, true}, {1.0, 0, true}, {1.0, 0, true}}, 2),
-                ElementsAre(0, 1, 1, 0));
-    // What comes new may be enough.
-    EXPECT_THAT(spread(Burdens{{1.0, 0, true}, {1.0, 0, true}, {2.0, {}}}, 2),
-                ElementsAre(0, 0, 1));
-    // The one that is nearest to half of the difference.
-    EXPECT_THAT(spread(Burdens{{6.0, 0, true}, {2.0, 0, true}, {1.0, 0, true}, {5.0, 1}}, 2),
-                ElementsAre(0, 1, 0, 1));
-}
-
-TEST(SpreadTest, MovesNothingWhereThatEvensNothingOut) {
-    EXPECT_THAT(spread(Burdens{{1.0, 0, true}, {1.0, 0, true}, {1.0, 1}}, 2), ElementsAre(0, 0, 1));
-    EXPECT_THAT(spread(Burdens{{9.0, 1, true}}, 3), ElementsAre(1));
-    EXPECT_THAT(spread(Burdens{{0.0, 1, true}, {0.0, 1, true}}, 2), ElementsAre(1, 1));
-    EXPECT_THAT(spread(Burdens{{50.0, 0, true}, {1.0, 0, true}, {49.0, 1}}, 2),
-                ElementsAre(0, 0, 1));
-}
-
-double unevenness(const std::vector<double>& loads) {
-    const auto [least, most] = std::ranges::minmax(loads);
-    return most - least;
-}
-
-TEST(SpreadTest, MovesUntilTheLargestThatMayMoveMakesNoDifference) {
-    std::uint32_t chance = 7;
-    const auto next = [&chance] { return (chance = chance * 1664525U + 1013904223U) >> 8U; };
-    for (int round = 0; round < 200; ++round) {
-        const std::size_t shards = 2 + next() % 5U;
-        Burdens held(1 + next() % 60U);
-        for (Burden& burden : held)
-            burden = {1.0 + next() % 1000U, next() % shards};
-        Burdens free = held;
-        double largest = 0.0;
-        for (Burden& burden : free) {
-            burden.may_move = true;
-            largest = std::max(largest, burden.cost);
-        }
-        EXPECT_LE(unevenness(loads(free, shards)), unevenness(loads(held, shards)));
-        EXPECT_LE(unevenness(loads(free, shards)), 1.02 * largest);
-    }
-}
-
 // The bound is Graham's. The least that any spread reaches is the mean or the largest.
 TEST(SpreadTest, IsNeverMuchWorseThanTheBest) {
     std::uint32_t chance = 1;
