@@ -119,7 +119,7 @@ struct SdfPart {
     bool has_unseen = false;  ///< surfaces of the other kind
 
     // What only a frame has.
-    std::optional<FoundSensor> sensor = std::nullopt;
+    std::shared_ptr<const FoundSensor> sensor = nullptr;
 };
 
 }  // namespace scipd::sim

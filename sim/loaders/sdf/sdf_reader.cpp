@@ -26,6 +26,14 @@ bool is(const XMLElement& element, std::string_view name) {
     return element.Name() == name;
 }
 
+/// Parts are large, and a vector that grows takes twice as much.
+std::size_t count_of_parts(const XMLElement& element) {
+    std::size_t count = 0;
+    for (const XMLElement& child : Children(element))
+        count += is_one_of(child, {"model", "link", "include", "frame", "joint"}) ? 1 : 0;
+    return count;
+}
+
 bool is_seen(const SdfPart& model) {
     return std::ranges::any_of(model.parts, [](const SdfPart& part) {
         return part.kind == SdfPart::Kind::link || part.kind == SdfPart::Kind::model;
@@ -172,6 +180,7 @@ SdfPart SdfReader::as_seen(SdfPart link) const {
 
 void SdfReader::read_parts(const XMLElement& element, const SdfSheet& sheet, SdfPart& outer) {
     SensorFrames sensors;
+    outer.parts.reserve(outer.parts.size() + count_of_parts(element));
     for (const XMLElement& child : Children(element))
         read_part(child, sheet, outer, sensors);
     std::ranges::move(sensors.frames, std::back_inserter(outer.parts));

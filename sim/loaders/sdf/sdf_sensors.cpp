@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <memory>
 #include <numbers>
 #include <string_view>
+#include <utility>
 
 #include "sim/loaders/file/xml_tree.h"
 #include "sim/text/quote.h"
@@ -119,9 +121,9 @@ Expected<SdfPart> frame_of_sensor(const XMLElement& sensor, const std::string& l
     frame.attached_to = link;
     try {
         frame.pose = SdfValues(sensor, sheet.dialect).pose();
-        frame.sensor = {
-            printable(attribute(sensor, "type"), longest_type),
-            is_lidar(sensor) ? std::optional(lidar_of(sensor, sheet.dialect)) : std::nullopt};
+        FoundSensor found{printable(attribute(sensor, "type"), longest_type), std::nullopt};
+        if (is_lidar(sensor)) found.lidar = lidar_of(sensor, sheet.dialect);
+        frame.sensor = std::make_shared<const FoundSensor>(std::move(found));
     } catch (const UnreadableValue& value) {
         return refuse(value.what());
     }
