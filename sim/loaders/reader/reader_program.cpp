@@ -29,6 +29,9 @@ namespace {
 namespace fs = std::filesystem;
 using Texts = std::vector<std::string>;
 
+/// The packages of Debian are built for another place than they are installed at.
+constexpr auto of_package = "/usr/libexec/scipd/scipd-read";
+
 constexpr std::array<std::string_view, 17> passed_on{
     "PATH", "HOME", "LANG", "LC_ALL", "LC_CTYPE", "LD_LIBRARY_PATH", "PYTHONPATH", "PYTHONHOME",
     // resources.h
@@ -137,11 +140,11 @@ fs::path reader_program() {
     std::error_code error;
     const auto here = fs::read_symlink("/proc/self/exe", error).parent_path();
     const std::array places{(here / SCIPD_READ_FROM_BIN).lexically_normal(),
-                            fs::path{SCIPD_READ_INSTALLED}};
+                            fs::path{SCIPD_READ_INSTALLED}, fs::path{of_package}};
     std::string sought;
     for (const auto& place : places) {
         if (access(place.c_str(), X_OK) == 0) return place;
-        sought += (sought.empty() ? "neither at " : " nor at ") + place.string();
+        sought += (sought.empty() ? "not at " : ", not at ") + place.string();
     }
     throw LoadError({"scipd-read, the program that reads worlds, is " + sought +
                      "; it comes with scipd, and SCIPD_READ can name another place"});
