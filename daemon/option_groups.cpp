@@ -22,9 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* world_title = "World";
-constexpr const char* daemon_title = "Daemon";
-
 /// Adds options of one group. The text of each goes through a parser of daemon/config.
 class Group {
   public:
@@ -60,7 +57,7 @@ void warn_of_degrees(const char* option, const std::string& text, OptionValues& 
 }
 
 void add_world(CLI::App& app, OptionValues& said) {
-    Group group{app, world_title};
+    Group group{app, "World"};
     Overrides& over = said.options.overrides;
     group.add(
         "--scene", "FILE",
@@ -82,7 +79,7 @@ void add_world(CLI::App& app, OptionValues& said) {
 }
 
 void add_robot(CLI::App& app, OptionValues& said) {
-    Group group{app, "Robot"};
+    Group group{app, robot_title};
     group.add("--name", "ROBOT/SENSOR", "what they are called; default: robot/scanner",
               [&](const std::string& text) {
                   const auto slash = text.find('/');
@@ -112,7 +109,7 @@ void add_robot(CLI::App& app, OptionValues& said) {
 }
 
 void add_scanner(CLI::App& app, OptionValues& said) {
-    Group group{app, "Scanner"};
+    Group group{app, scanner_title};
     SensorConfig& sensor = said.sensor;
     group.add("--model", "MODEL",
               "one of --list-models; default: UST-10LX, or the one that fits --sensor-from best",
@@ -159,7 +156,7 @@ void add_scanner(CLI::App& app, OptionValues& said) {
 }
 
 void add_daemon(CLI::App& app, OptionValues& said) {
-    Group group{app, daemon_title};
+    Group group{app, "Daemon"};
     Overrides& over = said.options.overrides;
     group.add("--control", "SOCKET",
               "the socket of the control API; default: control.sock in the run directory",

@@ -17,6 +17,9 @@ namespace scipd::daemon {
 
 /// The title of the options each of which leaves no room for most others.
 inline constexpr const char* alone_title = "Instead of the above";
+/// The titles of the options that describe a robot and its scanner.
+inline constexpr const char* robot_title = "Robot";
+inline constexpr const char* scanner_title = "Scanner";
 /// The title of the options that go with all others.
 inline constexpr const char* general_title = "General";
 

@@ -122,7 +122,7 @@ std::variant<Options, Answer> parse_options(int argc, const char* const* argv) {
     use_our_help(app);
     try {
         app.parse(argc, argv);
-        if (const auto alone = check_together(app); !alone) return wrong_options(alone.error().why);
+        if (const auto good = check_together(app); !good) return wrong_options(good.error().why);
         if (!said.completion.empty()) return completion_script(app, said.completion);
         return act(said);
     } catch (const CLI::CallForHelp&) {

@@ -3,32 +3,27 @@
 #include "daemon/options_together.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
-#include <string_view>
 
 #include "daemon/option_groups.h"
 
 namespace scipd::daemon {
 namespace {
 
-/// Where a configuration says what this option of a scanner or its robot says; empty: it is no such
-/// option.
-std::string key_of(const std::string& option) {
-    constexpr std::array<std::string_view, 2> of_robot{"pose", "poses"};
-    constexpr std::array<std::string_view, 8> of_sensor{
-        "model", "mount", "tcp", "pty", "backend", "accuracy", "timing", "power-up"};
-    std::string name = option.substr(2);
-    if (name == "name") return "robots.ROBOT.sensors.SENSOR";
-    if (name == "sensor-from") return "robots.ROBOT.sensors.SENSOR.mount.sensor";
-    if (std::ranges::find(of_robot, name) != of_robot.end()) return "robots.ROBOT." + name;
-    if (std::ranges::find(of_sensor, name) == of_sensor.end()) return {};
+/// Where a configuration says what this option says; empty: the option is of no scanner.
+std::string key_of(const CLI::Option& option) {
+    const std::string robot = "robots.ROBOT";
+    const std::string sensor = robot + ".sensors.SENSOR";
+    std::string name = option.get_name().substr(2);
     std::ranges::replace(name, '-', '_');
-    return "robots.ROBOT.sensors.SENSOR." + name;
+    if (name == "name") return sensor;
+    if (name == "sensor_from") return sensor + ".mount.sensor";
+    if (option.get_group() == robot_title) return robot + '.' + name;
+    return option.get_group() == scanner_title ? sensor + '.' + name : "";
 }
 
 sim::Expected<> check_beside(const CLI::Option& alone, const CLI::Option& other) {
-    const std::string key = key_of(other.get_name());
+    const std::string key = key_of(other);
     if (alone.get_name() != "--config")
         return sim::refuse(alone.get_name() + " stands alone: leave " + other.get_name() + " out");
     if (other.get_group() == alone_title)

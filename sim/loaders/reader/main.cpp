@@ -17,7 +17,6 @@
 #include "sim/loaders/file/landlock.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/file/plain_file.h"
-#include "sim/loaders/mesh/mesh_file.h"
 #include "sim/loaders/reader/no_network.h"
 #include "sim/loaders/reader/read_scene.h"
 #include "sim/loaders/reader/scene_answer.h"
@@ -33,9 +32,8 @@ void put_texts(const std::vector<std::string>& texts, std::FILE* out) {
 /// Without a kernel that can do so, the reader itself still looks where each file lies.
 void give_up_all_else(const SceneRequest& request) {
     if (request.folders) read_only_from(*request.folders);
-    const bool runs_xacro = extension_of(request.file()) == ".xacro";
     (void)hold_program_to(request.folders.value_or(Folders{"/"}));
-    (void)forbid_network(runs_xacro ? Programs::may_run : Programs::none);
+    (void)forbid_network(request.runs_xacro() ? Programs::may_run : Programs::none);
 }
 
 void answer(const SceneRequest& request, std::FILE* out) {

@@ -91,7 +91,7 @@ class Start {
 /// Where programs and models are, and which language is spoken. Only the xacro of a file that the
 /// owner of this process has named sees everything, since such a file may ask for any variable.
 bool passes_on(const char* variable, const SceneRequest& request) {
-    if (!request.folders && request.file().extension() == ".xacro") return true;
+    if (!request.folders && request.runs_xacro()) return true;
     const std::string_view text{variable};
     const auto name = text.substr(0, text.find('='));
     // The last are those of sanitizers.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/loaders/file/between_processes.h"
+#include "sim/loaders/mesh/mesh_file.h"
 
 namespace scipd::sim {
 namespace {
@@ -87,6 +88,10 @@ std::filesystem::path SceneRequest::file() const {
     if (const auto* world = std::get_if<World>(&wanted)) return *world;
     const NewModel& model = std::get<NewModel>(wanted);
     return model.mesh.empty() ? model.file : model.mesh;
+}
+
+bool SceneRequest::runs_xacro() const {
+    return extension_of(file()) == ".xacro";
 }
 
 void put_request(const SceneRequest& request, std::FILE* out) {

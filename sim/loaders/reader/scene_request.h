@@ -37,6 +37,8 @@ struct SceneRequest {
     [[nodiscard]] std::string name() const;
     /// The file to begin with; empty if the request itself has the text.
     [[nodiscard]] std::filesystem::path file() const;
+    /// Whether the program xacro is to read that file.
+    [[nodiscard]] bool runs_xacro() const;
 };
 
 void put_request(const SceneRequest& request, std::FILE* out);

@@ -127,6 +127,7 @@ TEST_F(ReaderProgram, SeesOfTheEnvironmentWhatItNeeds) {
     EXPECT_THAT(said("a.sdf", {}), ElementsAre("a.sdf: /models:\n"));
     // $(env SCIPD_TEST_SECRET) is xacro, but not for those who are held to folders.
     EXPECT_THAT(said("a.xacro", {}), ElementsAre("a.xacro: /models:s3cret\n"));
+    EXPECT_THAT(said("a.XACRO", {}), ElementsAre("a.XACRO: /models:s3cret\n"));
     EXPECT_THAT(said("a.xacro", {.folders = Folders{"/"}}), ElementsAre("a.xacro: /models:\n"));
     unsetenv("SDF_PATH");
     unsetenv("SCIPD_TEST_SECRET");
