@@ -19,6 +19,7 @@
 #include "daemon/config_changes.h"
 #include "daemon/link/leftovers.h"
 #include "daemon/service_notify.h"
+#include "daemon/service_status.h"
 #include "daemon/simulation.h"
 #include "daemon/web/page.h"
 #include "daemon/web/page_files.h"
@@ -38,7 +39,7 @@ Server::Server(const Options& options)
     : options_(options),
       signals_(io_, SIGHUP),
       fleet_(io_.get_executor(), options_.config.clock, &handed_, options_.threads),
-      service_(io_.get_executor(), fleet_.simulation()),
+      service_(io_.get_executor(), served(fleet_.simulation())),
       control_(
           io_.get_executor(),
           [this](const HttpRequest& request, Respond respond) {

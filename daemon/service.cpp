@@ -9,8 +9,6 @@
 #include <spdlog/spdlog.h>
 
 #include "daemon/service_notify.h"
-#include "daemon/service_status.h"
-#include "daemon/simulation.h"
 
 namespace scipd::daemon {
 namespace {
@@ -28,8 +26,8 @@ std::optional<std::chrono::nanoseconds> hunger() {
 
 // A loop gets half of the watchdog's time, so that it is stuck for that time and a half at most
 // when systemd acts; looks are often enough that one which comes late does no harm.
-Service::Service(const boost::asio::any_io_executor& executor, Simulation& simulation)
-    : simulation_(simulation),
+Service::Service(const boost::asio::any_io_executor& executor, Served served)
+    : served_(std::move(served)),
       pause_(std::min(status_age, hunger().value_or(status_age) / 4)),
       timer_(executor) {
     if (const auto time = hunger()) watch_.emplace(*time / 2);
@@ -60,7 +58,7 @@ void Service::stopping() {
 }
 
 std::string Service::status() const {
-    const std::string line = simulation_.shards.still([&] { return status_line(simulation_); });
+    const std::string line = served_.status();
     return fault_.empty() ? line : line + "; the last reload changed nothing: " + fault_;
 }
 
@@ -87,13 +85,7 @@ void Service::tell_changes() {
 
 void Service::feed() {
     if (!watch_) return;
-    std::vector<ScanWatch::Look> loops;
-    simulation_.shards.still([&] {
-        for (const auto& station : simulation_.stations) {
-            const ScanLoop& loop = *station->loop;
-            loops.push_back({station->name(), loop.turn(), loop.overdue()});
-        }
-    });
+    const std::vector<ScanWatch::Look> loops = served_.loops();
     const auto stuck = watch_->stuck(loops, std::chrono::steady_clock::now().time_since_epoch());
     if (stuck.empty()) service_notify::feed_watchdog();
     for (const std::string& sensor : stuck) {

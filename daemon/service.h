@@ -3,11 +3,12 @@
 //
 // A running scipd as a service of systemd. It tells systemd what it does, in words for people, and
 // feeds the watchdog as long as every scan loop gets on: systemd starts it again where one is
-// stuck, or the whole thread is. Where systemd asks for none of this, nothing happens. Lives on the
-// I/O thread.
+// stuck, or the whole thread is. Where systemd asks for none of this, nothing happens. It does not
+// know what runs: it is told. Lives on the I/O thread.
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,12 +20,15 @@
 
 namespace scipd::daemon {
 
-struct Simulation;
+/// What runs, as systemd sees it. Called on the I/O thread.
+struct Served {
+    std::function<std::string()> status;  ///< in a line, for people
+    std::function<std::vector<ScanWatch::Look>()> loops;
+};
 
 class Service {
   public:
-    /// `simulation` must outlive it.
-    Service(const boost::asio::any_io_executor& executor, Simulation& simulation);
+    Service(const boost::asio::any_io_executor& executor, Served served);
 
     /// Everything listens.
     void ready();
@@ -40,7 +44,7 @@ class Service {
     void tell_changes();
     void feed();
 
-    Simulation& simulation_;
+    const Served served_;
     std::chrono::nanoseconds pause_;  ///< between two looks
     std::optional<ScanWatch> watch_;  ///< nothing: there is no watchdog
     boost::asio::steady_timer timer_;

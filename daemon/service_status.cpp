@@ -3,6 +3,8 @@
 #include "daemon/service_status.h"
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
 #include "daemon/link/port.h"
 #include "daemon/simulation.h"
@@ -24,8 +26,6 @@ std::string named(const Station& station) {
     return text;
 }
 
-}  // namespace
-
 std::string status_line(const Simulation& simulation) {
     const std::size_t count = simulation.stations.size();
     std::string line = std::to_string(count) + (count == 1 ? " sensor" : " sensors") + " in " +
@@ -34,6 +34,22 @@ std::string status_line(const Simulation& simulation) {
         line += (i == 0 ? ": " : ", ") + named(*simulation.stations[i]);
     if (count > most_named) line += " and " + std::to_string(count - most_named) + " more";
     return line;
+}
+
+std::vector<ScanWatch::Look> looks_at(const Stations& stations) {
+    std::vector<ScanWatch::Look> loops;
+    for (const auto& station : stations) {
+        const ScanLoop& loop = *station->loop;
+        loops.push_back({station->name(), loop.turn(), loop.overdue()});
+    }
+    return loops;
+}
+
+}  // namespace
+
+Served served(Simulation& simulation) {
+    return {[&] { return simulation.shards.still([&] { return status_line(simulation); }); },
+            [&] { return simulation.shards.still([&] { return looks_at(simulation.stations); }); }};
 }
 
 }  // namespace scipd::daemon

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What a scipd that runs tells people about itself in a line. On the I/O thread.
+// What systemd sees of a simulation that runs. On the I/O thread.
 #pragma once
 
-#include <string>
+#include "daemon/service.h"
 
 namespace scipd::daemon {
 
 struct Simulation;
 
-/// "2 sensors in room.sdf: robot/front on 127.0.0.1:10940 and /run/scipd/robot-front, .."
-[[nodiscard]] std::string status_line(const Simulation& simulation);
+/// Its status is such as "2 sensors in room.sdf: robot/front on 127.0.0.1:10940 and
+/// /run/scipd/robot-front, ..". `simulation` must outlive it.
+[[nodiscard]] Served served(Simulation& simulation);
 
 }  // namespace scipd::daemon

@@ -20,6 +20,7 @@
 #include "daemon/device/device.h"
 #include "daemon/fleet.h"
 #include "daemon/service_notify.h"
+#include "daemon/service_status.h"
 #include "daemon/simulation.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/temp_dir.h"
@@ -132,7 +133,7 @@ TEST(Service, FeedsTheWatchdogUntilAScanLoopIsStuck) {
     config.robots.push_back({.name = "robot", .sensors = {sensor}});
     fleet.apply(config);
     Simulation& simulation = fleet.simulation();
-    Service service(io.get_executor(), simulation);
+    Service service(io.get_executor(), served(simulation));
     service.ready();
 
     Station& station = *simulation.stations.front();
