@@ -12,8 +12,8 @@
 #include "daemon/fleet_plan.h"
 #include "daemon/link/port.h"
 #include "daemon/load_world.h"
-#include "daemon/logging.h"
 #include "daemon/poses/pose_feed.h"
+#include "daemon/service/logging.h"
 #include "daemon/simulation.h"
 
 namespace scipd::daemon {

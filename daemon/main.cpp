@@ -17,11 +17,11 @@
 #include <unistd.h>
 
 #include "daemon/config/address.h"
-#include "daemon/journal.h"
-#include "daemon/logging.h"
 #include "daemon/options.h"
 #include "daemon/server.h"
-#include "daemon/service_notify.h"
+#include "daemon/service/journal.h"
+#include "daemon/service/logging.h"
+#include "daemon/service/service_notify.h"
 #include "sim/backends/depth.h"
 #include "sim/text/quote.h"
 

@@ -18,7 +18,7 @@
 #include "daemon/config/run_directory.h"
 #include "daemon/config_changes.h"
 #include "daemon/link/leftovers.h"
-#include "daemon/service_notify.h"
+#include "daemon/service/service_notify.h"
 #include "daemon/service_status.h"
 #include "daemon/simulation.h"
 #include "daemon/web/page.h"

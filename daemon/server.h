@@ -20,11 +20,11 @@
 #include "daemon/fleet.h"
 #include "daemon/fleet_api.h"
 #include "daemon/fleet_plan.h"
-#include "daemon/handed_sockets.h"
 #include "daemon/http/server.h"
 #include "daemon/link/path_hold.h"
 #include "daemon/run_options.h"
-#include "daemon/service.h"
+#include "daemon/service/handed_sockets.h"
+#include "daemon/service/service.h"
 
 namespace scipd::daemon {
 

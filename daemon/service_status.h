@@ -4,7 +4,7 @@
 // What systemd sees of a simulation that runs. On the I/O thread.
 #pragma once
 
-#include "daemon/service.h"
+#include "daemon/service/service.h"
 
 namespace scipd::daemon {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/logging.h"
+#include "daemon/service/logging.h"
 
 #include <chrono>
 #include <memory>
@@ -16,8 +16,8 @@
 #include <spdlog/spdlog.h>
 #include <syslog.h>
 
-#include "daemon/journal.h"
-#include "daemon/log_line.h"
+#include "daemon/service/journal.h"
+#include "daemon/service/log_line.h"
 #include "sim/text/quote.h"
 
 namespace scipd::daemon {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/service.h"
+#include "daemon/service/service.h"
 
 #include <algorithm>
 #include <utility>
@@ -8,7 +8,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "daemon/service_notify.h"
+#include "daemon/service/service_notify.h"
 
 namespace scipd::daemon {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/journal.h"
+#include "daemon/service/journal.h"
 
 #include <cstdlib>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/log_line.h"
+#include "daemon/service/log_line.h"
 
 #include <array>
 #include <cstdio>

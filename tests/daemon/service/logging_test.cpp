@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // The log on a standard error that is a pipe, which is read late or never.
-#include "daemon/logging.h"
+#include "daemon/service/logging.h"
 
 #include <array>
 #include <cstddef>
@@ -16,7 +16,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include "daemon/log_line.h"
+#include "daemon/service/log_line.h"
 
 namespace scipd::daemon {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/handed_sockets.h"
+#include "daemon/service/handed_sockets.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/service_notify.h"
+#include "daemon/service/service_notify.h"
 
 #include <algorithm>
 #include <cerrno>

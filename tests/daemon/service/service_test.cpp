@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // When the watchdog is fed. tests/systemd/ has the rest of what systemd hears.
-#include "daemon/service.h"
+#include "daemon/service/service.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@
 #include "daemon/config/config.h"
 #include "daemon/device/device.h"
 #include "daemon/fleet.h"
-#include "daemon/service_notify.h"
+#include "daemon/service/service_notify.h"
 #include "daemon/service_status.h"
 #include "daemon/simulation.h"
 #include "tests/daemon/wall_world.h"
