@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "daemon/faults/scenario.h"
-#include "daemon/load_materials.h"
-#include "daemon/load_world.h"
+#include "daemon/plan/load_materials.h"
+#include "daemon/plan/load_world.h"
 #include "sim/loaders/materials/materials_file.h"
 #include "sim/loaders/poses/trajectory_file.h"
 #include "sim/world/extent.h"

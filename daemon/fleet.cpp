@@ -9,9 +9,9 @@
 
 #include "daemon/faults/fault_injector.h"
 #include "daemon/fleet_metrics.h"
-#include "daemon/fleet_plan.h"
 #include "daemon/link/port.h"
-#include "daemon/load_world.h"
+#include "daemon/plan/load_world.h"
+#include "daemon/plan/rig_plan.h"
 #include "daemon/poses/pose_feed.h"
 #include "daemon/service/logging.h"
 #include "daemon/simulation.h"

@@ -18,8 +18,8 @@
 
 #include "daemon/config/address.h"
 #include "daemon/faults/scenario.h"
-#include "daemon/homes.h"
-#include "daemon/known_sensors.h"
+#include "daemon/plan/homes.h"
+#include "daemon/plan/known_sensors.h"
 #include "daemon/ports.h"
 
 namespace scipd::daemon {

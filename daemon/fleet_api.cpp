@@ -13,8 +13,8 @@
 #include "daemon/device/staring_sensor.h"
 #include "daemon/fleet_metrics.h"
 #include "daemon/fleet_status.h"
+#include "daemon/plan/unseen_media.h"
 #include "daemon/simulation.h"
-#include "daemon/unseen_media.h"
 
 namespace scipd::daemon {
 namespace {

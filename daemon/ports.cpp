@@ -11,10 +11,10 @@
 
 #include "daemon/config/config.h"
 #include "daemon/config/run_directory.h"
-#include "daemon/homes.h"
 #include "daemon/link/pty_port.h"
 #include "daemon/link/tcp_port.h"
-#include "daemon/port_keys.h"
+#include "daemon/plan/homes.h"
+#include "daemon/plan/port_keys.h"
 #include "daemon/service/handed_sockets.h"
 #include "daemon/shards/shards.h"
 

@@ -8,7 +8,7 @@
 
 #include "daemon/device/device.h"
 #include "daemon/device/staring_sensor.h"
-#include "daemon/mounting.h"
+#include "daemon/plan/mounting.h"
 
 namespace scipd::daemon {
 

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // A place for a sensor that the user has said by its name and not by numbers. Only the loaded world
-// tells where that is (daemon/mounting.h). Plain values.
+// tells where that is (daemon/plan/mounting.h). Plain values.
 #pragma once
 
 #include <string>

@@ -18,7 +18,7 @@
 #include "daemon/faults/read_fault.h"
 #include "daemon/fleet.h"
 #include "daemon/fleet_api.h"
-#include "daemon/fleet_plan.h"
+#include "daemon/plan/rig_plan.h"
 #include "daemon/simulation.h"
 #include "sim/backends/registry.h"
 #include "sim/loaders/file/load_error.h"

@@ -16,7 +16,7 @@
 #include "daemon/faults/fault_kind.h"
 #include "daemon/faults/fault_values.h"
 #include "daemon/fleet.h"
-#include "daemon/fleet_plan.h"
+#include "daemon/plan/rig_plan.h"
 #include "daemon/simulation.h"
 #include "sim/loaders/file/load_error.h"
 #include "tests/daemon/device/ideal_camera.h"

@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "daemon/config/config_file.h"
-#include "daemon/load_materials.h"
 #include "daemon/models/registry.h"
+#include "daemon/plan/load_materials.h"
 #include "tests/support/backend_names.h"
 #include "tests/support/temp_dir.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/homes.h"
+#include "daemon/plan/homes.h"
 
 #include <algorithm>
 #include <chrono>
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "daemon/config/config.h"
-#include "daemon/known_sensors.h"
-#include "daemon/port_keys.h"
+#include "daemon/plan/known_sensors.h"
+#include "daemon/plan/port_keys.h"
 #include "daemon/shards/spread.h"
 
 namespace scipd::daemon {

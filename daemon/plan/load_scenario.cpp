@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/load_scenario.h"
+#include "daemon/plan/load_scenario.h"
 
 #include <string>
 #include <vector>
 
 #include "daemon/config/config_error.h"
-#include "daemon/load_world.h"
+#include "daemon/plan/load_world.h"
 
 namespace scipd::daemon {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/port_keys.h"
+#include "daemon/plan/port_keys.h"
 
 #include "daemon/config/config.h"
 #include "daemon/config/run_directory.h"

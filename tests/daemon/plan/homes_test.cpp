@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/homes.h"
+#include "daemon/plan/homes.h"
 
 #include <chrono>
 #include <optional>
@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "daemon/config/config.h"
-#include "daemon/known_sensors.h"
+#include "daemon/plan/known_sensors.h"
 #include "tests/daemon/wall_world.h"
 
 namespace scipd::daemon {

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // Places in a room of 6 m by 4 m that nobody meant, and odd ones that somebody did.
-#include "daemon/unlikely_places.h"
+#include "daemon/plan/unlikely_places.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/config_changes.h"
+#include "daemon/plan/config_changes.h"
 
 #include <map>
 #include <vector>

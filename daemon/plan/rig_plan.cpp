@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/fleet_plan.h"
+#include "daemon/plan/rig_plan.h"
 
 #include <algorithm>
 #include <iterator>
 #include <optional>
 #include <utility>
 
-#include "daemon/load_materials.h"
-#include "daemon/load_scenario.h"
-#include "daemon/load_world.h"
-#include "daemon/mounting.h"
-#include "daemon/unlikely_places.h"
-#include "daemon/unseen_media.h"
+#include "daemon/plan/load_materials.h"
+#include "daemon/plan/load_scenario.h"
+#include "daemon/plan/load_world.h"
+#include "daemon/plan/mounting.h"
+#include "daemon/plan/unlikely_places.h"
+#include "daemon/plan/unseen_media.h"
 #include "daemon/world/backend_maker.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/sensor/scanner.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/load_trajectories.h"
+#include "daemon/plan/load_trajectories.h"
 
 #include <filesystem>
 #include <stop_token>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/load_materials.h"
+#include "daemon/plan/load_materials.h"
 
 #include <cmath>
 #include <memory>
 #include <utility>
 
 #include "daemon/config/demo_world.h"
-#include "daemon/load_world.h"
+#include "daemon/plan/load_world.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/materials/materials_file.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/mounting.h"
+#include "daemon/plan/mounting.h"
 
 #include <algorithm>
 #include <string_view>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/unlikely_places.h"
+#include "daemon/plan/unlikely_places.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // Mounts by name in worlds that are there already, and the literal words for those that are not.
-#include "daemon/mounting.h"
+#include "daemon/plan/mounting.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

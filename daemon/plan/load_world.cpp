@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/load_world.h"
+#include "daemon/plan/load_world.h"
 
 #include <string>
 #include <utility>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/load_trajectories.h"
+#include "daemon/plan/load_trajectories.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "daemon/load_world.h"
+#include "daemon/plan/load_world.h"
 #include "sim/loaders/file/load_error.h"
 
 namespace scipd::daemon {

@@ -3,7 +3,7 @@
 //
 // The materials that a configuration names, what --check and a start tell of them, and which of two
 // files counts.
-#include "daemon/load_materials.h"
+#include "daemon/plan/load_materials.h"
 
 #include <string>
 
@@ -12,7 +12,7 @@
 
 #include "daemon/check.h"
 #include "daemon/config/config_file.h"
-#include "daemon/fleet_plan.h"
+#include "daemon/plan/rig_plan.h"
 #include "sim/loaders/file/load_error.h"
 #include "tests/support/temp_dir.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/unseen_media.h"
+#include "daemon/plan/unseen_media.h"
 
 #include <algorithm>
 
