@@ -17,7 +17,7 @@
 #include <unistd.h>
 
 #include "daemon/config/address.h"
-#include "daemon/options.h"
+#include "daemon/program/parse_options.h"
 #include "daemon/server.h"
 #include "daemon/service/journal.h"
 #include "daemon/service/logging.h"

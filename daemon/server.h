@@ -22,7 +22,7 @@
 #include "daemon/http/server.h"
 #include "daemon/link/path_hold.h"
 #include "daemon/plan/rig_plan.h"
-#include "daemon/run_options.h"
+#include "daemon/program/run_options.h"
 #include "daemon/service/handed_sockets.h"
 #include "daemon/service/service.h"
 

@@ -10,9 +10,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "daemon/check.h"
 #include "daemon/config/config_file.h"
 #include "daemon/plan/rig_plan.h"
+#include "daemon/program/check.h"
 #include "sim/loaders/file/load_error.h"
 #include "tests/support/temp_dir.h"
 

@@ -2,8 +2,6 @@
 // Copyright The scipd authors
 //
 // What a command line means, and the literal words for one that is wrong.
-#include "daemon/options.h"
-
 #include <sstream>
 #include <string>
 #include <utility>
@@ -14,6 +12,7 @@
 #include "daemon/config/config_file.h"
 #include "daemon/models/registry.h"
 #include "daemon/plan/load_materials.h"
+#include "daemon/program/parse_options.h"
 #include "tests/support/backend_names.h"
 #include "tests/support/temp_dir.h"
 

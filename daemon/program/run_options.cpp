@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/run_options.h"
+#include "daemon/program/run_options.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/option_groups.h"
+#include "daemon/program/option_groups.h"
 
 #include <functional>
 #include <string>

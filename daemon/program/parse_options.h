@@ -7,8 +7,8 @@
 
 #include <variant>
 
-#include "daemon/answers.h"
-#include "daemon/run_options.h"
+#include "daemon/program/answers.h"
+#include "daemon/program/run_options.h"
 
 namespace scipd::daemon {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/check_file.h"
+#include "daemon/program/check_file.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/check.h"
+#include "daemon/program/check.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "daemon/check_file.h"
 #include "daemon/config/config_file.h"
 #include "daemon/plan/load_materials.h"
 #include "daemon/plan/load_scenario.h"
@@ -21,6 +20,7 @@
 #include "daemon/plan/mounting.h"
 #include "daemon/plan/unlikely_places.h"
 #include "daemon/plan/unseen_media.h"
+#include "daemon/program/check_file.h"
 #include "daemon/world/backend_choice.h"
 #include "sim/backends/registry.h"
 

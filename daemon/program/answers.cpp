@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/answers.h"
+#include "daemon/program/answers.h"
 
 #include "daemon/command_line/completions.h"
 #include "daemon/models/model_list.h"

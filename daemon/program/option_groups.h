@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // The options of the command line, group by group: their help texts, and the values that a user
-// gave. options.cpp decides what follows from the values. At the start, on the only thread.
+// gave. parse_options.cpp decides what follows from the values. At the start, on the only thread.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 #include <CLI/App.hpp>
 
-#include "daemon/run_options.h"
+#include "daemon/program/run_options.h"
 #include "sim/expected.h"
 
 namespace scipd::daemon {
@@ -23,7 +23,7 @@ inline constexpr const char* scanner_title = "Scanner";
 /// The title of the options that go with all others.
 inline constexpr const char* general_title = "General";
 
-/// What a user gave by options, or what holds where the user gave nothing. options.cpp decides
+/// What a user gave by options, or what holds where the user gave nothing. parse_options.cpp decides
 /// later which of it counts.
 struct OptionValues {
     OptionValues();

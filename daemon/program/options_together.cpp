@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/options_together.h"
+#include "daemon/program/options_together.h"
 
 #include <algorithm>
 #include <string>
 
-#include "daemon/option_groups.h"
+#include "daemon/program/option_groups.h"
 
 namespace scipd::daemon {
 namespace {

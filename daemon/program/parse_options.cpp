@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/options.h"
+#include "daemon/program/parse_options.h"
 
 #include <exception>
 #include <string>
@@ -9,14 +9,14 @@
 
 #include <CLI/CLI.hpp>
 
-#include "daemon/check.h"
 #include "daemon/command_line/help_text.h"
 #include "daemon/command_line/unknown_word.h"
 #include "daemon/config/config_file.h"
 #include "daemon/config/demo_world.h"
 #include "daemon/config/sensor.h"
-#include "daemon/option_groups.h"
-#include "daemon/options_together.h"
+#include "daemon/program/check.h"
+#include "daemon/program/option_groups.h"
+#include "daemon/program/options_together.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/scene_file.h"
 

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <string>
 
-#include "daemon/run_options.h"
+#include "daemon/program/run_options.h"
 
 namespace scipd::daemon {
 
