@@ -18,9 +18,9 @@
 #include "daemon/config/run_directory.h"
 #include "daemon/link/leftovers.h"
 #include "daemon/plan/config_changes.h"
+#include "daemon/rig/served.h"
+#include "daemon/rig/simulation.h"
 #include "daemon/service/service_notify.h"
-#include "daemon/service_status.h"
-#include "daemon/simulation.h"
 #include "daemon/web/page.h"
 #include "daemon/web/page_files.h"
 
@@ -38,16 +38,16 @@ constexpr std::chrono::minutes beside_the_world{5};
 Server::Server(const Options& options)
     : options_(options),
       signals_(io_, SIGHUP),
-      fleet_(io_.get_executor(), options_.config.clock, &handed_, options_.threads),
-      service_(io_.get_executor(), served(fleet_.simulation())),
+      rig_(io_.get_executor(), options_.config.clock, &handed_, options_.threads),
+      service_(io_.get_executor(), served(rig_.simulation())),
       control_(
           io_.get_executor(),
           [this](const HttpRequest& request, Respond respond) {
               route(api_, request, std::move(respond));
           },
           [this](const HttpRequest& request) { return open_socket(api_, request); },
-          fleet_.simulation().limits) {
-    FleetPlan plan = load_first();
+          rig_.simulation().limits) {
+    RigPlan plan = load_first();
     signals_.add(SIGINT);
     signals_.add(SIGTERM);
     warn_of_unneeded(plan.config);
@@ -56,10 +56,10 @@ Server::Server(const Options& options)
     if (options_.config.http) listen_for_http(*options_.config.http);
     const Config config = plan.config;
     const auto unlike_the_others = plan.unlike_the_others;
-    fleet_.apply(std::move(plan));
+    rig_.apply(std::move(plan));
     if (shared_) shared_->serve(config, unlike_the_others);
     running_ = config;
-    fleet_.simulation().choose_backends();
+    rig_.simulation().choose_backends();
     wait_for_signal();
 }
 
@@ -67,7 +67,7 @@ Server::Server(const Options& options)
 // nothing is left behind. SIGHUP waits. It loads on another thread: the memory of the world is then
 // in the part of the heap that other threads have, so that this one does not wait while the memory
 // is given back.
-FleetPlan Server::load_first() {
+RigPlan Server::load_first() {
     service_notify::loading("loads " + options_.config.scene.string(),
                             options_.config.limits.load_time + beside_the_world);
     JoinWorld join;
@@ -75,14 +75,14 @@ FleetPlan Server::load_first() {
         share_world(*options_.config.fleet);
         join = [this](const sim::Scene& base) { return shared_->join(base); };
     }
-    const Running running = fleet_.running();
+    const Running running = rig_.running();
     return std::async(std::launch::async,
                       [&] { return make_plan(options_.config, running, {}, join); })
         .get();
 }
 
 void Server::share_world(const BrokerConfig& config) {
-    Simulation& simulation = fleet_.simulation();
+    Simulation& simulation = rig_.simulation();
     shared_.emplace(
         io_.get_executor(), config,
         SharedWorld::Parts{simulation.world, simulation.intake, simulation.clock,
@@ -162,7 +162,7 @@ std::string Server::ready_line() const {
     }
     line["control"] = control_socket_;
     line["http"] = or_null(http_);
-    for (const auto& [robot, address] : fleet_.pose_addresses())
+    for (const auto& [robot, address] : rig_.pose_addresses())
         line["poses"][robot] = "udp:" + text_of(address);
     constexpr bool ascii = true;  // what a path holds does a terminal no harm
     return line.dump(-1, ' ', ascii, nlohmann::json::error_handler_t::replace);
@@ -210,9 +210,9 @@ void Server::reload() {
 }
 
 void Server::load_again() {
-    Simulation& simulation = fleet_.simulation();
+    Simulation& simulation = rig_.simulation();
     simulation.worker.add([this, &simulation] {
-        return [this, running = fleet_.running(), stop = simulation.worker.stopping(),
+        return [this, running = rig_.running(), stop = simulation.worker.stopping(),
                 join = shared_ ? shared_->rejoining() : JoinWorld{}]() -> Worker::Finish {
             const auto task = std::make_shared<std::packaged_task<Next()>>(
                 [&] { return load_next(options_, running, stop, join); });
@@ -240,7 +240,7 @@ void Server::take_up(std::future<Next> loaded) {
         Next next = loaded.get();
         const Config config = next.plan.config;
         const auto unlike_the_others = next.plan.unlike_the_others;
-        fleet_.apply(std::move(next.plan));
+        rig_.apply(std::move(next.plan));
         if (shared_) shared_->serve(config, unlike_the_others);
         if (next.asks_for_a_start) {
             spdlog::warn(
@@ -248,7 +248,7 @@ void Server::take_up(std::future<Next> loaded) {
                 "scipd "
                 "is started again");
         }
-        fleet_.simulation().choose_backends();
+        rig_.simulation().choose_backends();
         warn_of_unneeded(config);
         spdlog::info("SIGHUP: {} is running now; {}", options_.config_file->string(),
                      changes_between(running_, config));
@@ -266,7 +266,7 @@ void Server::stop() {
     service_.stopping();
     control_.close();
     if (shared_) shared_->stop();
-    fleet_.stop();
+    rig_.stop();
 }
 
 }  // namespace scipd::daemon

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The running program: one io_context, a fleet of scanners, the control API and signals. SIGINT and
+// The running program: one io_context, a rig of sensors, the control API and signals. SIGINT and
 // SIGTERM end it cleanly. SIGHUP has it read the configuration again, on the worker's thread, so
 // that no stream waits for it; a faulty configuration changes nothing. Lives on the I/O thread,
 // which is the one that runs it.
@@ -17,12 +17,12 @@
 #include <boost/asio/signal_set.hpp>
 
 #include "daemon/broker/shared_world.h"
-#include "daemon/fleet.h"
-#include "daemon/fleet_api.h"
 #include "daemon/http/server.h"
 #include "daemon/link/path_hold.h"
 #include "daemon/plan/rig_plan.h"
 #include "daemon/program/run_options.h"
+#include "daemon/rig/rig.h"
+#include "daemon/rig/rig_api.h"
 #include "daemon/service/handed_sockets.h"
 #include "daemon/service/service.h"
 
@@ -30,7 +30,7 @@ namespace scipd::daemon {
 
 class Server {
   public:
-    /// Everything listens when this returns. Throws what Fleet::apply() and HttpServer throw.
+    /// Everything listens when this returns. Throws what Rig::apply() and HttpServer throw.
     explicit Server(const Options& options);
 
     /// One JSON document without line end: where everything listens.
@@ -42,11 +42,11 @@ class Server {
   private:
     /// Another configuration, loaded.
     struct Next {
-        FleetPlan plan;
+        RigPlan plan;
         bool asks_for_a_start = false;  ///< of what stays as it is while this program runs
     };
 
-    [[nodiscard]] FleetPlan load_first();
+    [[nodiscard]] RigPlan load_first();
     void share_world(const BrokerConfig& config);
     void listen_for_control();
     void hold_control();
@@ -71,8 +71,8 @@ class Server {
     const HandedSockets handed_;
     boost::asio::io_context io_{1};
     boost::asio::signal_set signals_;
-    Fleet fleet_;
-    FleetApi api_{fleet_.simulation()};
+    Rig rig_;
+    RigApi api_{rig_.simulation()};
     std::optional<SharedWorld> shared_;  ///< nothing: the world is this daemon's alone
     Service service_;
     std::filesystem::path control_socket_;

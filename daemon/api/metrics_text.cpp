@@ -34,19 +34,19 @@ void add_gauge(MetricFamily& family, Labels labels, double value) {
 
 /// A counter for each sensor.
 template <class Count>
-MetricFamily of_each(const FleetMetrics& fleet, const char* name, const char* help, Count count) {
+MetricFamily of_each(const RigMetrics& rig, const char* name, const char* help, Count count) {
     MetricFamily family{name, help, MetricType::Counter, {}};
-    for (const SensorMetrics& sensor : fleet.sensors)
+    for (const SensorMetrics& sensor : rig.sensors)
         add_counter(family, {{"sensor", sensor.name}}, static_cast<double>(count(sensor)));
     return family;
 }
 
 /// A counter for each entry of one of the maps of each sensor. Its key becomes this label.
 template <class Map, class Count>
-MetricFamily of_entries(const FleetMetrics& fleet, const char* name, const char* help,
+MetricFamily of_entries(const RigMetrics& rig, const char* name, const char* help,
                         const char* label, Map SensorCounts::*map, Count count) {
     MetricFamily family{name, help, MetricType::Counter, {}};
-    for (const SensorMetrics& sensor : fleet.sensors) {
+    for (const SensorMetrics& sensor : rig.sensors) {
         for (const auto& [key, entry] : sensor.counts.*map) {
             add_counter(family, {{"sensor", sensor.name}, {label, key}},
                         static_cast<double>(count(entry)));
@@ -69,32 +69,32 @@ ClientMetric::Histogram histogram(const Lateness& lateness) {
     return told;
 }
 
-MetricFamily of_lateness(const FleetMetrics& fleet) {
+MetricFamily of_lateness(const RigMetrics& rig) {
     MetricFamily family{"scipd_lateness_seconds",
                         "How long after their ideal instant scans left.",
                         MetricType::Histogram,
                         {}};
-    for (const SensorMetrics& sensor : fleet.sensors) {
+    for (const SensorMetrics& sensor : rig.sensors) {
         family.metric.push_back(
             {.label = {{"sensor", sensor.name}}, .histogram = histogram(sensor.counts.lateness)});
     }
     return family;
 }
 
-MetricFamily of_clients(const FleetMetrics& fleet) {
+MetricFamily of_clients(const RigMetrics& rig) {
     MetricFamily family{
         "scipd_clients", "Drivers that are connected by TCP or tty.", MetricType::Gauge, {}};
-    for (const SensorMetrics& sensor : fleet.sensors)
+    for (const SensorMetrics& sensor : rig.sensors)
         add_gauge(family, {{"sensor", sensor.name}}, static_cast<double>(sensor.clients));
     return family;
 }
 
-MetricFamily of_limits(const FleetMetrics& fleet) {
+MetricFamily of_limits(const RigMetrics& rig) {
     MetricFamily family{"scipd_limited_total",
                         "What was refused since it was more than a limit allows.",
                         MetricType::Counter,
                         {}};
-    for (const auto& [limit, count] : fleet.limited)
+    for (const auto& [limit, count] : rig.limited)
         add_counter(family, {{"limit", limit}}, static_cast<double>(count));
     return family;
 }
@@ -106,42 +106,41 @@ MetricFamily of_build() {
     return family;
 }
 
-Families of_scans(const FleetMetrics& fleet) {
-    return {
-        of_each(fleet, "scipd_scans_total", "Scans that left when their turn was complete.",
-                [](const auto& sensor) { return sensor.counts.scans; }),
-        of_each(fleet, "scipd_scans_lost_total", "Scans that a driver wanted and did not get.",
-                [](const auto& sensor) { return sensor.counts.lost; }),
-        of_lateness(fleet),
-        of_entries(fleet, "scipd_casts_total", "Sweeps that were cast into the world.", "backend",
-                   &SensorCounts::casts, [](const CastCount& count) { return count.casts; }),
-        of_entries(fleet, "scipd_cast_seconds_total", "Time spent on casting them.", "backend",
-                   &SensorCounts::casts,
-                   [](const CastCount& count) { return Seconds(count.spent).count(); })};
+Families of_scans(const RigMetrics& rig) {
+    return {of_each(rig, "scipd_scans_total", "Scans that left when their turn was complete.",
+                    [](const auto& sensor) { return sensor.counts.scans; }),
+            of_each(rig, "scipd_scans_lost_total", "Scans that a driver wanted and did not get.",
+                    [](const auto& sensor) { return sensor.counts.lost; }),
+            of_lateness(rig),
+            of_entries(rig, "scipd_casts_total", "Sweeps that were cast into the world.", "backend",
+                       &SensorCounts::casts, [](const CastCount& count) { return count.casts; }),
+            of_entries(rig, "scipd_cast_seconds_total", "Time spent on casting them.", "backend",
+                       &SensorCounts::casts,
+                       [](const CastCount& count) { return Seconds(count.spent).count(); })};
 }
 
-Families of_links(const FleetMetrics& fleet) {
-    return {of_clients(fleet),
-            of_each(fleet, "scipd_sent_bytes_total", "Bytes sent to drivers.",
+Families of_links(const RigMetrics& rig) {
+    return {of_clients(rig),
+            of_each(rig, "scipd_sent_bytes_total", "Bytes sent to drivers.",
                     [](const auto& sensor) { return sensor.counts.sent_bytes; }),
-            of_entries(fleet, "scipd_refused_requests_total",
+            of_entries(rig, "scipd_refused_requests_total",
                        "Requests of drivers that were answered with another status than 00.",
                        "status", &SensorCounts::refused, std::identity()),
-            of_each(fleet, "scipd_faults_injected_total", "How often faults on purpose have acted.",
+            of_each(rig, "scipd_faults_injected_total", "How often faults on purpose have acted.",
                     [](const auto& sensor) { return sensor.counts.faults; })};
 }
 
-Families of_whole(const FleetMetrics& fleet) {
-    return {of_daemon("scipd_poses_total", "Poses that were taken.", fleet.poses),
-            of_daemon("scipd_poses_refused_total", "Poses that were refused.", fleet.poses_refused),
-            of_limits(fleet), of_build()};
+Families of_whole(const RigMetrics& rig) {
+    return {of_daemon("scipd_poses_total", "Poses that were taken.", rig.poses),
+            of_daemon("scipd_poses_refused_total", "Poses that were refused.", rig.poses_refused),
+            of_limits(rig), of_build()};
 }
 
 }  // namespace
 
-std::string metrics_text(const FleetMetrics& fleet) {
-    Families families = of_scans(fleet);
-    for (const Families& more : {of_links(fleet), of_whole(fleet)})
+std::string metrics_text(const RigMetrics& rig) {
+    Families families = of_scans(rig);
+    for (const Families& more : {of_links(rig), of_whole(rig)})
         families.insert(families.end(), more.begin(), more.end());
     return prometheus::TextSerializer().Serialize(families);
 }

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What a fleet has counted, as Prometheus reads it. docs/operations.md has a table of it. Any
+// What a rig has counted, as Prometheus reads it. docs/operations.md has a table of it. Any
 // thread.
 #pragma once
 
 #include <string>
 
-#include "daemon/api/fleet_metrics.h"
+#include "daemon/api/rig_metrics.h"
 
 namespace scipd::daemon {
 
-[[nodiscard]] std::string metrics_text(const FleetMetrics& fleet);
+[[nodiscard]] std::string metrics_text(const RigMetrics& rig);
 
 }  // namespace scipd::daemon

@@ -42,7 +42,7 @@ Json histogram_of(const std::optional<LatenessStatus>& lateness) {
     return {{"le_ms", bounds_ms}, {"counts", lateness->counts}};
 }
 
-// One by one: of a list of members the library makes more than twice the work, and a fleet has
+// One by one: of a list of members the library makes more than twice the work, and a rig has
 // hundreds of sensors.
 Json to_json(const SensorStatus& sensor) {
     Json told = Json::object();
@@ -82,7 +82,7 @@ Json to_json(const SharedStatus& shared) {
             {"frames_dropped", shared.frames_dropped}};
 }
 
-Json to_json(const FleetStatus& status) {
+Json to_json(const RigStatus& status) {
     return {{"uptime_s", status.uptime.count()},
             {"clock", status.clock},
             {"time_s", seconds(status.time)},

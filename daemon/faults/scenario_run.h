@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The scenario that is under way, over all scanners of a fleet. There is one at a time. Lives on
+// The scenario that is under way, over all scanners of a daemon. There is one at a time. Lives on
 // the I/O thread.
 #pragma once
 

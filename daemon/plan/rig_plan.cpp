@@ -106,8 +106,8 @@ RequestedBackend requested_backend(const std::string& robot, const SensorConfig&
     return request;
 }
 
-FleetPlan make_plan(Config config, const Running& running, const std::stop_token& stop,
-                    const JoinWorld& join) {
+RigPlan make_plan(Config config, const Running& running, const std::stop_token& stop,
+                  const JoinWorld& join) {
     std::optional<Scenario> scenario = load_scenario(config);
     LoadedTrajectories trajectories = load_trajectories(config, running.played, stop);
     LoadedMaterials materials = load_materials(config);

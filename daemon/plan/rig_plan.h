@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A configuration on its way to a running fleet: its world is loaded and ready to be cast into, and
+// A configuration on its way to a running rig: its world is loaded and ready to be cast into, and
 // so is whatever else is read from files. Touches nothing that runs, so that any thread may do it.
 #pragma once
 
@@ -32,7 +32,7 @@ struct Running {
     PlayedSources played;
 };
 
-struct FleetPlan {
+struct RigPlan {
     Config config;
     Homes homes;
     sim::LoadedScene loaded;
@@ -50,8 +50,8 @@ struct FleetPlan {
 /// Where nothing is settled yet, `auto` takes the preferred backend for now. Throws LoadError, also
 /// soon after `stop`, and std::runtime_error where this machine lacks a backend that is wanted.
 /// `join` makes the world the one that is shared with others, and throws what it throws.
-FleetPlan make_plan(Config config, const Running& running = {}, const std::stop_token& stop = {},
-                    const JoinWorld& join = {});
+RigPlan make_plan(Config config, const Running& running = {}, const std::stop_token& stop = {},
+                  const JoinWorld& join = {});
 
 /// What a sensor asks of the backends while its robot is at this pose. In lockstep two runs have to
 /// be the same, so there `auto` is settled from the first. `materials` are those of the world.

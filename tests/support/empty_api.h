@@ -37,8 +37,8 @@ class EmptyFaults : public daemon::FaultsApi {
 
 class EmptyApi : public daemon::Api {
   public:
-    [[nodiscard]] daemon::FleetStatus status() const override { return {}; }
-    [[nodiscard]] daemon::FleetMetrics metrics() const override { return {}; }
+    [[nodiscard]] daemon::RigStatus status() const override { return {}; }
+    [[nodiscard]] daemon::RigMetrics metrics() const override { return {}; }
     [[nodiscard]] std::optional<daemon::SensorRecord> latest(const std::string& sensor) override {
         const auto kept = log(sensor);
         if (!kept) return {};

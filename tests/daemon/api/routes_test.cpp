@@ -26,7 +26,7 @@ using namespace std::chrono_literals;
 
 class FakeApi : public tests::EmptyApi {
   public:
-    [[nodiscard]] FleetStatus status() const override { return status_; }
+    [[nodiscard]] RigStatus status() const override { return status_; }
 
     [[nodiscard]] std::optional<SensorLog> log(const std::string& sensor) const override {
         return sensor == "rescue/front" ? std::optional<SensorLog>(log_) : std::nullopt;
@@ -67,7 +67,7 @@ class FakeApi : public tests::EmptyApi {
         return {};
     }
 
-    FleetStatus status_;
+    RigStatus status_;
     ScanLog log_;
     sim::SharedScene scene_ = sim::SceneBuilder()
                                   .add(sim::Box{{1, 1, 1}}, {}, 1)
@@ -115,7 +115,7 @@ int problem_status(const HttpResponse& response) {
     return response.status;
 }
 
-FleetStatus busy_status() {
+RigStatus busy_status() {
     SensorStatus front;
     front.name = "rescue/front";
     front.model = "UST-10LX";
@@ -139,7 +139,7 @@ FleetStatus busy_status() {
     rear.warning = "is inside model hull";
     rear.pty = "/run/scipd/rear";
 
-    FleetStatus status;
+    RigStatus status;
     status.uptime = 100.5s;
     status.clock = "wall";
     status.time = 100250ms;

@@ -36,7 +36,7 @@ class LoadMaterials : public testing::Test {
                "</link></model></world></sdf>";
     }
 
-    std::filesystem::path fleet(const std::string& more, const std::string& accuracy = "material") {
+    std::filesystem::path rig(const std::string& more, const std::string& accuracy = "material") {
         return dir_.write("fleet.yaml",
                           "scene: room.sdf\n" + more +
                               "robots: {r: {sensors: {s: {model: UST-10LX, pty: auto, accuracy: " +
@@ -82,7 +82,7 @@ TEST_F(LoadMaterials, AddsAndReplacesEntryByEntry) {
 
 TEST_F(LoadMaterials, TellsFaultsWithBothPlaces) {
     const auto mine = dir_.write("mine.yaml", "materials:\n  cheese: {gloss: 0}\n");
-    const auto file = fleet("materials: mine.yaml\n");
+    const auto file = rig("materials: mine.yaml\n");
     EXPECT_THAT(faults_of([&] { (void)check(file); }),
                 ElementsAre(file.string() + ":2: materials: " + mine.string() +
                             ":2: materials.cheese.gloss: must be an exponent from 1 to 1e6"));
@@ -93,30 +93,29 @@ TEST_F(LoadMaterials, ChecksTheNamesOfTheWorld) {
     const std::string unknown = "no library knows the material 'cheese'";
     Options strict;
     strict.overrides.strict = true;
-    const std::string said = check(fleet(""));
+    const std::string said = check(rig(""));
     EXPECT_THAT(said, HasSubstr(unknown));
     EXPECT_THAT(said, HasSubstr(", materials: " + summary_of(*load_materials({}).library)));
-    EXPECT_THAT(faults_of([&] { (void)check(fleet(""), strict); }),
-                ElementsAre(HasSubstr(unknown)));
-    EXPECT_THAT(faults_of([&] { (void)check(fleet("strict: true\n")); }),
+    EXPECT_THAT(faults_of([&] { (void)check(rig(""), strict); }), ElementsAre(HasSubstr(unknown)));
+    EXPECT_THAT(faults_of([&] { (void)check(rig("strict: true\n")); }),
                 ElementsAre(HasSubstr(unknown)));
 
     dir_.write("mine.yaml",
                "materials: {cheese: {reflectance: {905: 0.7}, source: a cow, assumed: [905]}}\n");
-    EXPECT_THAT(check(fleet("materials: mine.yaml\n"), strict), Not(HasSubstr(unknown)));
+    EXPECT_THAT(check(rig("materials: mine.yaml\n"), strict), Not(HasSubstr(unknown)));
 }
 
 // Where no sensor sees light, no material matters.
 TEST_F(LoadMaterials, ChecksNoNamesForSensorsThatSeeNoLight) {
-    EXPECT_THAT(check(fleet("strict: true\n", "sensor")), Not(HasSubstr("no library knows")));
+    EXPECT_THAT(check(rig("strict: true\n", "sensor")), Not(HasSubstr("no library knows")));
 }
 
-TEST_F(LoadMaterials, GoesWithThePlanOfAFleet) {
+TEST_F(LoadMaterials, GoesWithThePlanOfARig) {
     dir_.write("mine.yaml", "materials: {cheese: {reflectance: {905: 0.7}, assumed: true}}\n");
-    EXPECT_THAT(make_plan(load_config(fleet(""))).loaded.warnings,
+    EXPECT_THAT(make_plan(load_config(rig(""))).loaded.warnings,
                 ElementsAre(HasSubstr("no library knows the material 'cheese'")));
     // A reload reads the file again.
-    const FleetPlan plan = make_plan(load_config(fleet("materials: mine.yaml\n")));
+    const RigPlan plan = make_plan(load_config(rig("materials: mine.yaml\n")));
     EXPECT_THAT(plan.loaded.warnings, IsEmpty());
     EXPECT_FLOAT_EQ(plan.materials->surface({"cheese"}, 905).diffuse, 0.7F);
     dir_.write("mine.yaml", "materials: {cheese: {reflectance: {905: 0.3}, assumed: true}}\n");

@@ -18,10 +18,10 @@
 
 #include "daemon/config/config.h"
 #include "daemon/device/device.h"
-#include "daemon/fleet.h"
+#include "daemon/rig/rig.h"
+#include "daemon/rig/served.h"
+#include "daemon/rig/simulation.h"
 #include "daemon/service/service_notify.h"
-#include "daemon/service_status.h"
-#include "daemon/simulation.h"
 #include "tests/daemon/wall_world.h"
 #include "tests/support/temp_dir.h"
 
@@ -125,14 +125,14 @@ TEST(Service, WaitsForNobodyWhoDoesNotRead) {
 TEST(Service, FeedsTheWatchdogUntilAScanLoopIsStuck) {
     Listener systemd;
     boost::asio::io_context io;
-    Fleet fleet(io.get_executor(), ClockKind::wall);
+    Rig rig(io.get_executor(), ClockKind::wall);
     Config config;
     config.scene = SCIPD_SCENES "/square_room.sdf";
     SensorConfig sensor = ideal_sensor();
     sensor.tcp = Address{"127.0.0.1", 0};
     config.robots.push_back({.name = "robot", .sensors = {sensor}});
-    fleet.apply(config);
-    Simulation& simulation = fleet.simulation();
+    rig.apply(config);
+    Simulation& simulation = rig.simulation();
     Service service(io.get_executor(), served(simulation));
     service.ready();
 
@@ -163,7 +163,7 @@ TEST(Service, FeedsTheWatchdogUntilAScanLoopIsStuck) {
         EXPECT_TRUE(run_until(io, is_fed));
     service.stopping();
     client.reset();
-    fleet.stop();
+    rig.stop();
 }
 
 }  // namespace

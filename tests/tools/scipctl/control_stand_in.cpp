@@ -79,8 +79,8 @@ void ControlStandIn::log_fault(daemon::FaultLogEntry entry) {
     boost::asio::post(io_, [this, entry = std::move(entry)] { faults_.entries.add(entry); });
 }
 
-daemon::FleetStatus ControlStandIn::status() const {
-    daemon::FleetStatus status;
+daemon::RigStatus ControlStandIn::status() const {
+    daemon::RigStatus status;
     status.uptime = std::chrono::seconds(90);
     status.clock = clock_;
     status.time = std::chrono::milliseconds(12345);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/stations.h"
+#include "daemon/rig/stations.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The ports of a fleet, by what the configuration asks for, so that a port outlives a change of the
+// The ports of a rig, by what the configuration asks for, so that a port outlives a change of the
 // scanner behind it. On the I/O thread, while the shards that they live on stand still.
 #pragma once
 

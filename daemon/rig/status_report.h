@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// How a running fleet is doing. On the I/O thread.
+// How a running rig is doing. On the I/O thread.
 #pragma once
 
 #include "daemon/api/api.h"
@@ -10,6 +10,6 @@ namespace scipd::daemon {
 
 struct Simulation;
 
-[[nodiscard]] FleetStatus status_of(const Simulation& simulation);
+[[nodiscard]] RigStatus status_of(const Simulation& simulation);
 
 }  // namespace scipd::daemon

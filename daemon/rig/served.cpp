@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/service_status.h"
+#include "daemon/rig/served.h"
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
 #include "daemon/link/port.h"
-#include "daemon/simulation.h"
+#include "daemon/rig/simulation.h"
 
 namespace scipd::daemon {
 namespace {

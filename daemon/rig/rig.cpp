@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/fleet.h"
+#include "daemon/rig/rig.h"
 
 #include <algorithm>
 #include <utility>
@@ -8,13 +8,13 @@
 #include <spdlog/spdlog.h>
 
 #include "daemon/faults/fault_injector.h"
-#include "daemon/fleet_metrics.h"
 #include "daemon/link/port.h"
 #include "daemon/plan/load_world.h"
 #include "daemon/plan/rig_plan.h"
 #include "daemon/poses/pose_feed.h"
+#include "daemon/rig/metrics_report.h"
+#include "daemon/rig/simulation.h"
 #include "daemon/service/logging.h"
-#include "daemon/simulation.h"
 
 namespace scipd::daemon {
 namespace {
@@ -49,7 +49,7 @@ std::vector<std::string> names_of_sensors(const Config& config) {
     return names;
 }
 
-void log_findings(const FleetPlan& plan) {
+void log_findings(const RigPlan& plan) {
     for (const auto* warnings : {&plan.loaded.warnings, &plan.trajectories.warnings}) {
         for (const std::string& warning : *warnings)
             spdlog::warn("{}", warning);
@@ -61,28 +61,28 @@ void log_findings(const FleetPlan& plan) {
 }  // namespace
 
 /// Which robot's poses come from where.
-struct Fleet::Feed {
+struct Rig::Feed {
     std::string robot;
     PoseSource source;
     std::shared_ptr<PoseFeed> feed;
 };
 
-Fleet::Fleet(const boost::asio::any_io_executor& executor, ClockKind clock,
-             const HandedSockets* handed, std::size_t shards)
+Rig::Rig(const boost::asio::any_io_executor& executor, ClockKind clock, const HandedSockets* handed,
+         std::size_t shards)
     : executor_(executor),
       handed_(handed),
       simulation_(std::make_unique<Simulation>(executor, clock, shards)),
       homes_{.shards = simulation_->shards.size()} {}
 
-Fleet::~Fleet() {
+Rig::~Rig() {
     stop();
 }
 
-void Fleet::apply(const Config& config) {
+void Rig::apply(const Config& config) {
     apply(make_plan(config, {.homes = homes_, .played = running().played}));
 }
 
-void Fleet::apply(FleetPlan&& plan) {
+void Rig::apply(RigPlan&& plan) {
     simulation_->shards.still([&] {
         Ports ports = prepare_ports(plan.config, plan.homes);
         Feeds feeds = open_feeds(plan);
@@ -91,7 +91,7 @@ void Fleet::apply(FleetPlan&& plan) {
 }
 
 // An exception on the way would leave ports behind that serve devices which are gone.
-void Fleet::take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept {
+void Rig::take_up(RigPlan&& plan, Ports ports, Feeds feeds) noexcept {
     const Config& config = plan.config;
     tell_log_of(names_of_sensors(config));
     log_findings(plan);
@@ -107,7 +107,7 @@ void Fleet::take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept {
 
 // A fault that ends may have its scanner answer what clients have asked: it casts once more. The
 // ports may soon be those of other scanners, to which no fault of these must do anything.
-void Fleet::retire(const Config& config, const Ports& ports) noexcept {
+void Rig::retire(const Config& config, const Ports& ports) noexcept {
     Simulation& simulation = *simulation_;
     Stations staying = take_unchanged(simulation.stations, config);
     Stations leaving = std::exchange(simulation.stations, std::move(staying));
@@ -117,7 +117,7 @@ void Fleet::retire(const Config& config, const Ports& ports) noexcept {
     stop_unneeded(ports_, ports);
 }
 
-void Fleet::replace_world(FleetPlan& plan) noexcept {
+void Rig::replace_world(RigPlan& plan) noexcept {
     Simulation& simulation = *simulation_;
     const Config& config = plan.config;
     simulation.limits->set(config.client_limits);
@@ -135,7 +135,7 @@ void Fleet::replace_world(FleetPlan& plan) noexcept {
     simulation.world.set_robots(robots);
 }
 
-void Fleet::stop() {
+void Rig::stop() {
     simulation_->worker.stop();
     simulation_->drawer.stop();
     simulation_->shards.still([&] {
@@ -146,7 +146,7 @@ void Fleet::stop() {
     simulation_->shards.join();
 }
 
-Ports Fleet::prepare_ports(const Config& config, const Homes& homes) const {
+Ports Rig::prepare_ports(const Config& config, const Homes& homes) const {
     Ports ports = open_ports({simulation_->shards, homes_, homes, handed_}, config, ports_);
     for (const auto& [key, port] : ports)
         port->hold_to(simulation_->limits);
@@ -163,7 +163,7 @@ Ports Fleet::prepare_ports(const Config& config, const Homes& homes) const {
     return ports;
 }
 
-Fleet::Feeds Fleet::open_feeds(const FleetPlan& plan) {
+Rig::Feeds Rig::open_feeds(const RigPlan& plan) {
     const FeedContext context{
         .executor = executor_,
         .intake = simulation_->intake,
@@ -188,7 +188,7 @@ Fleet::Feeds Fleet::open_feeds(const FleetPlan& plan) {
     return feeds;
 }
 
-std::vector<Station*> Fleet::start(const Config& config, const Ports& ports) noexcept {
+std::vector<Station*> Rig::start(const Config& config, const Ports& ports) noexcept {
     Simulation& simulation = *simulation_;
     Stations staying = std::exchange(simulation.stations, {});
     std::vector<Station*> fresh;
@@ -214,8 +214,8 @@ std::vector<Station*> Fleet::start(const Config& config, const Ports& ports) noe
     return fresh;
 }
 
-void Fleet::replace_scenario(std::optional<Scenario> scenario,
-                             const std::vector<Station*>& fresh) noexcept {
+void Rig::replace_scenario(std::optional<Scenario> scenario,
+                           const std::vector<Station*>& fresh) noexcept {
     ScenarioRun& run = simulation_->scenario;
     if (scenario == scenario_) {
         for (const Station* const station : fresh) {
@@ -231,7 +231,7 @@ void Fleet::replace_scenario(std::optional<Scenario> scenario,
     scenario_ = std::move(scenario);
 }
 
-Running Fleet::running() const {
+Running Rig::running() const {
     Running running{.sensors = simulation_->known_sensors(), .homes = homes_, .played = {}};
     for (const Feed& feed : feeds_) {
         if (feed.source.kind == PoseSource::Kind::file) running.played[feed.robot] = feed.source;
@@ -239,7 +239,7 @@ Running Fleet::running() const {
     return running;
 }
 
-std::map<std::string, Address> Fleet::pose_addresses() const {
+std::map<std::string, Address> Rig::pose_addresses() const {
     std::map<std::string, Address> addresses;
     for (const Feed& feed : feeds_) {
         if (const auto address = feed.feed->address()) addresses[feed.robot] = *address;
@@ -247,7 +247,7 @@ std::map<std::string, Address> Fleet::pose_addresses() const {
     return addresses;
 }
 
-void Fleet::replace_feeds(Feeds feeds) noexcept {
+void Rig::replace_feeds(Feeds feeds) noexcept {
     const auto in = [](const Feeds& list, const Feed& feed) {
         return std::ranges::any_of(list,
                                    [&](const Feed& other) { return other.feed == feed.feed; });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What the control API asks of a running fleet: it reads and changes the simulation. Lives on the
+// What the control API asks of a running rig: it reads and changes the simulation. Lives on the
 // I/O thread.
 #pragma once
 
@@ -15,26 +15,26 @@
 
 #include "daemon/api/api.h"
 #include "daemon/api/scene_gallery.h"
-#include "daemon/fleet_faults.h"
 #include "daemon/poses/pose_intake.h"
+#include "daemon/rig/rig_faults.h"
 
 namespace scipd::daemon {
 
 class SharedWorld;
 struct Simulation;
 
-class FleetApi : public Api {
+class RigApi : public Api {
   public:
     /// `simulation` must outlive it.
-    explicit FleetApi(Simulation& simulation);
+    explicit RigApi(Simulation& simulation);
 
     /// From now on changes of the world are those of others, too; null: of this daemon alone.
     void share(SharedWorld* shared) { shared_ = shared; }
     /// Without telling anybody who shares the world.
     void edit_here(SceneEdit edit, EditDone done, std::stop_token withdrawn = {});
 
-    [[nodiscard]] FleetStatus status() const override;
-    [[nodiscard]] FleetMetrics metrics() const override;
+    [[nodiscard]] RigStatus status() const override;
+    [[nodiscard]] RigMetrics metrics() const override;
     [[nodiscard]] std::optional<SensorRecord> latest(const std::string& sensor) override;
     [[nodiscard]] std::optional<SensorLog> log(const std::string& sensor) const override;
     [[nodiscard]] std::optional<ReadingErrors> errors(const std::string& sensor) const override;
@@ -60,7 +60,7 @@ class FleetApi : public Api {
   private:
     Simulation& simulation_;
     SharedWorld* shared_ = nullptr;
-    FleetFaults faults_;
+    RigFaults faults_;
     SceneGallery gallery_;
     const std::string run_;  ///< of this daemon, which another one has not
     std::map<std::string, SenderClock> robot_senders_;  ///< of robots that the API moves

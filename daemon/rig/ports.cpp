@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/ports.h"
+#include "daemon/rig/ports.h"
 
 #include <filesystem>
 #include <optional>
 #include <utility>
 
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
 #include "daemon/config/config.h"
 #include "daemon/config/run_directory.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What the control API asks about faults, of a running fleet. Lives on the I/O thread.
+// What the control API asks about faults, of a running rig. Lives on the I/O thread.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +17,10 @@ namespace scipd::daemon {
 struct Simulation;
 struct Station;
 
-class FleetFaults : public FaultsApi {
+class RigFaults : public FaultsApi {
   public:
     /// `simulation` must outlive it.
-    explicit FleetFaults(Simulation& simulation) : simulation_(simulation) {}
+    explicit RigFaults(Simulation& simulation) : simulation_(simulation) {}
 
     [[nodiscard]] std::vector<std::string> scanners() const override;
     FaultStarted start(const std::string& scanner, FaultPlan plan) override;

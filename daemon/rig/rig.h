@@ -20,30 +20,30 @@
 #include "daemon/faults/scenario.h"
 #include "daemon/plan/homes.h"
 #include "daemon/plan/known_sensors.h"
-#include "daemon/ports.h"
+#include "daemon/rig/ports.h"
 
 namespace scipd::daemon {
 
 enum class ClockKind;
-struct FleetPlan;
+struct RigPlan;
 struct Running;
 struct Simulation;
 struct Station;
 
-class Fleet {
+class Rig {
   public:
     /// `handed`, sockets for its scanners, must outlive it; null: none. Its sensors live on
     /// `shards` threads.
-    Fleet(const boost::asio::any_io_executor& executor, ClockKind clock,
-          const HandedSockets* handed = nullptr, std::size_t shards = 1);
-    Fleet(const Fleet&) = delete;
-    Fleet& operator=(const Fleet&) = delete;
+    Rig(const boost::asio::any_io_executor& executor, ClockKind clock,
+        const HandedSockets* handed = nullptr, std::size_t shards = 1);
+    Rig(const Rig&) = delete;
+    Rig& operator=(const Rig&) = delete;
     /// As stop().
-    ~Fleet();
+    ~Rig();
 
     /// Throws std::runtime_error for a port or a source of poses: then all is as before. The plan
     /// was made for what is running().
-    void apply(FleetPlan&& plan);
+    void apply(RigPlan&& plan);
     /// Applies a configuration whose world is still to be loaded, and throws what make_plan()
     /// throws.
     void apply(const Config& config);
@@ -61,12 +61,12 @@ class Fleet {
 
     /// With all that it takes to serve those scanners that will be new.
     [[nodiscard]] Ports prepare_ports(const Config& config, const Homes& homes) const;
-    [[nodiscard]] Feeds open_feeds(const FleetPlan& plan);
+    [[nodiscard]] Feeds open_feeds(const RigPlan& plan);
     /// The second half of apply(), in which nothing can fail.
-    void take_up(FleetPlan&& plan, Ports ports, Feeds feeds) noexcept;
+    void take_up(RigPlan&& plan, Ports ports, Feeds feeds) noexcept;
     /// What this configuration has not goes: first, so that its world still stands.
     void retire(const Config& config, const Ports& ports) noexcept;
-    void replace_world(FleetPlan& plan) noexcept;
+    void replace_world(RigPlan& plan) noexcept;
     /// Returns those that are new.
     std::vector<Station*> start(const Config& config, const Ports& ports) noexcept;
     /// One that is the same goes on, also for new scanners.

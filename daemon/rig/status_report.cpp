@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/fleet_status.h"
+#include "daemon/rig/status_report.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +11,7 @@
 #include "daemon/device/device.h"
 #include "daemon/device/staring_sensor.h"
 #include "daemon/link/port.h"
-#include "daemon/simulation.h"
+#include "daemon/rig/simulation.h"
 
 namespace scipd::daemon {
 namespace {
@@ -85,12 +85,12 @@ SensorStatus status_of(const Station& station, const Simulation& simulation) {
 
 }  // namespace
 
-FleetStatus status_of(const Simulation& simulation) {
-    FleetStatus status{.uptime = simulation.wall_clock.now(),
-                       .clock = simulation.lockstep ? "poses" : "wall",
-                       .time = simulation.clock.origin() + simulation.clock.now(),
-                       .scene = simulation.editor.file(),
-                       .warnings = simulation.editor.warnings()};
+RigStatus status_of(const Simulation& simulation) {
+    RigStatus status{.uptime = simulation.wall_clock.now(),
+                     .clock = simulation.lockstep ? "poses" : "wall",
+                     .time = simulation.clock.origin() + simulation.clock.now(),
+                     .scene = simulation.editor.file(),
+                     .warnings = simulation.editor.warnings()};
     const PoseIntake& intake = simulation.intake;
     status.poses = {intake.accepted(), intake.refused(), intake.last_refusal()};
     for (const auto& station : simulation.stations)

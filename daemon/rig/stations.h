@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The sensors of a fleet, each with what drives it and with the ports that reach it. A station
+// The sensors of a rig, each with what drives it and with the ports that reach it. A station
 // lives on its shard; it is made, changed and looked at while that stands still.
 #pragma once
 
@@ -19,7 +19,7 @@
 #include "daemon/config/sensor_config.h"
 #include "daemon/device/scan_loop.h"
 #include "daemon/link/link_counts.h"
-#include "daemon/ports.h"
+#include "daemon/rig/ports.h"
 
 namespace scipd::daemon {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/simulation.h"
+#include "daemon/rig/simulation.h"
 
 #include <variant>
 

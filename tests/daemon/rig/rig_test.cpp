@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/fleet.h"
+#include "daemon/rig/rig.h"
 
 #include <algorithm>
 #include <array>
@@ -23,10 +23,10 @@
 #include "daemon/device/staring_sensor.h"
 #include "daemon/faults/fault_injector.h"
 #include "daemon/faults/read_fault.h"
-#include "daemon/fleet_api.h"
 #include "daemon/models/registry.h"
 #include "daemon/plan/rig_plan.h"
-#include "daemon/simulation.h"
+#include "daemon/rig/rig_api.h"
+#include "daemon/rig/simulation.h"
 #include "sim/backends/registry.h"
 #include "sim/loaders/file/load_error.h"
 #include "tests/daemon/device/ideal_camera.h"
@@ -45,10 +45,10 @@ using tests::why_not;
 namespace fs = std::filesystem;
 
 /// By how many threads sensors live on.
-class FleetTest : public testing::TestWithParam<std::size_t> {
+class RigTest : public testing::TestWithParam<std::size_t> {
   protected:
-    ~FleetTest() override {
-        fleet_.stop();
+    ~RigTest() override {
+        rig_.stop();
         io_.restart();
         io_.run_for(10ms);
     }
@@ -111,19 +111,19 @@ class FleetTest : public testing::TestWithParam<std::size_t> {
 
     boost::asio::io_context io_;
     tests::TempDir directory_;
-    Fleet fleet_{io_.get_executor(), ClockKind::wall, nullptr, GetParam()};
-    FleetApi api_{fleet_.simulation()};
+    Rig rig_{io_.get_executor(), ClockKind::wall, nullptr, GetParam()};
+    RigApi api_{rig_.simulation()};
 };
 
-INSTANTIATE_TEST_SUITE_P(Threads, FleetTest, testing::Values(1, 3),
+INSTANTIATE_TEST_SUITE_P(Threads, RigTest, testing::Values(1, 3),
                          testing::PrintToStringParamName());
 
-// A hundred scanners of a fleet are not measured a hundred times.
-TEST_P(FleetTest, MeasuresBackendsOnceForSensorsThatAskAlike) {
+// A hundred scanners of a rig are not measured a hundred times.
+TEST_P(RigTest, MeasuresBackendsOnceForSensorsThatAskAlike) {
     SensorConfig other = on_tcp("other");
     other.model = find_model("URG-04LX");
-    fleet_.apply(of({on_tcp("a"), on_tcp("b"), other}));
-    Simulation& simulation = fleet_.simulation();
+    rig_.apply(of({on_tcp("a"), on_tcp("b"), other}));
+    Simulation& simulation = rig_.simulation();
     const auto choice = [&](const char* sensor) { return simulation.world.choice_of(sensor); };
     simulation.choose_backends();
     ASSERT_TRUE(run_until(io_, [&] { return choice("rescue/other")->faces.has_value(); }));
@@ -132,9 +132,9 @@ TEST_P(FleetTest, MeasuresBackendsOnceForSensorsThatAskAlike) {
     EXPECT_NE(choice("rescue/a"), choice("rescue/other"));
 }
 
-std::vector<protocol::Uptime> phases(Fleet& fleet) {
+std::vector<protocol::Uptime> phases(Rig& rig) {
     std::vector<protocol::Uptime> phases;
-    Simulation& simulation = fleet.simulation();
+    Simulation& simulation = rig.simulation();
     simulation.shards.still([&] {
         for (const auto& station : simulation.stations)
             phases.push_back(std::get<std::unique_ptr<Device>>(station->sensor)->start_of(0));
@@ -143,14 +143,14 @@ std::vector<protocol::Uptime> phases(Fleet& fleet) {
 }
 
 // If all mirrors were in step, all scans would have to be cast at once.
-TEST_P(FleetTest, SpreadsItsMirrorsOverATurn) {
+TEST_P(RigTest, SpreadsItsMirrorsOverATurn) {
     std::vector<SensorConfig> sensors;
     for (int i = 0; i < 100; ++i)
         sensors.push_back(on_tcp(std::to_string(i)));
     sensors[7].clock.phase = 12ms;
     sensors[8].clock.phase = 30ms;
-    fleet_.apply(of(sensors));
-    const std::vector<protocol::Uptime> spread = phases(fleet_);
+    rig_.apply(of(sensors));
+    const std::vector<protocol::Uptime> spread = phases(rig_);
     EXPECT_EQ(spread[7], 12ms);
     EXPECT_EQ(spread[8], 30ms % ideal_sensor().model.optics.scan_period);
     for (int quarter = 0; quarter < 4; ++quarter) {
@@ -159,17 +159,17 @@ TEST_P(FleetTest, SpreadsItsMirrorsOverATurn) {
         });
         EXPECT_GT(within, 10) << quarter;
     }
-    Fleet again{io_.get_executor(), ClockKind::wall};
+    Rig again{io_.get_executor(), ClockKind::wall};
     again.apply(of(sensors));
     EXPECT_EQ(phases(again), spread);
-    Fleet lockstep{io_.get_executor(), ClockKind::poses};
+    Rig lockstep{io_.get_executor(), ClockKind::poses};
     lockstep.apply(of({on_tcp("0"), on_tcp("1")}));
     EXPECT_EQ(phases(lockstep), (std::vector<protocol::Uptime>{0ms, 0ms}));
 }
 
-TEST_P(FleetTest, TellsWhatThereIs) {
-    fleet_.apply(of({on_tcp("front"), on_tty("rear")}));
-    const FleetStatus status = api_.status();
+TEST_P(RigTest, TellsWhatThereIs) {
+    rig_.apply(of({on_tcp("front"), on_tty("rear")}));
+    const RigStatus status = api_.status();
     ASSERT_EQ(status.sensors.size(), 2U);
     EXPECT_EQ(status.clock, "wall");
     EXPECT_EQ(status.sensors[0].name, "rescue/front");
@@ -190,7 +190,7 @@ TEST_P(FleetTest, TellsWhatThereIs) {
 }
 
 // A pose for each beam of six cameras takes a while to measure; who asks meanwhile comes first.
-TEST_P(FleetTest, MeasuresBackendsBehindWhatIsAskedForMeanwhile) {
+TEST_P(RigTest, MeasuresBackendsBehindWhatIsAskedForMeanwhile) {
     std::vector<SensorConfig> cameras;
     for (int i = 0; i < 6; ++i) {
         SensorConfig camera = ideal_camera(1000, 8.0);
@@ -199,8 +199,8 @@ TEST_P(FleetTest, MeasuresBackendsBehindWhatIsAskedForMeanwhile) {
         camera.backend = "auto";
         cameras.push_back(camera);
     }
-    fleet_.apply(of(cameras));
-    fleet_.simulation().choose_backends();
+    rig_.apply(of(cameras));
+    rig_.simulation().choose_backends();
     const EditOutcome outcome = after(LoadWorld{SCIPD_SCENES "/corridor.sdf"});
     EXPECT_EQ(outcome.result, EditOutcome::Result::done);
     EXPECT_EQ(sensor().backend_reason, "not measured yet");
@@ -213,20 +213,20 @@ TEST_P(FleetTest, MeasuresBackendsBehindWhatIsAskedForMeanwhile) {
     // And not again without a reason: what is settled goes with the sensors.
     Config same = of(cameras);
     same.scene = SCIPD_SCENES "/corridor.sdf";
-    fleet_.apply(make_plan(same, fleet_.running()));
+    rig_.apply(make_plan(same, rig_.running()));
     EXPECT_TRUE(measured());
 }
 
 // A picture is drawn where the camera lives, whoever asks for it.
-TEST_P(FleetTest, ShowsTheLatestOfACameraThatIsWatched) {
+TEST_P(RigTest, ShowsTheLatestOfACameraThatIsWatched) {
     if (sim::find_backend("depth") == nullptr) GTEST_SKIP();
     SensorConfig camera = ideal_camera(20, 50.0);
     camera.name = "camera";
     camera.backend = "depth";
-    fleet_.apply(of({camera}));
-    EXPECT_FALSE(fleet_.simulation().known_sensors().at("rescue/camera").sweep);
+    rig_.apply(of({camera}));
+    EXPECT_FALSE(rig_.simulation().known_sensors().at("rescue/camera").sweep);
     EXPECT_TRUE(api_.latest("rescue/camera"));
-    Simulation& simulation = fleet_.simulation();
+    Simulation& simulation = rig_.simulation();
     auto& sensor = *std::get<std::unique_ptr<StaringSensor>>(simulation.stations[0]->sensor);
     std::atomic<int> seen = 0;
     simulation.shards.still([&] { sensor.watch([&](const StaringRecord&) { ++seen; }); });
@@ -238,7 +238,7 @@ TEST_P(FleetTest, ShowsTheLatestOfACameraThatIsWatched) {
     EXPECT_GT(simulation.known_sensors().at("rescue/camera").sweep, 0s);
 }
 
-TEST_P(FleetTest, TakesAWorldOfAnyKind) {
+TEST_P(RigTest, TakesAWorldOfAnyKind) {
     Config config = of({on_tcp("front")});
     config.scene = SCIPD_SCENES "/office_map.yaml";
     EXPECT_EQ(make_plan(config).loaded.scene->name, "office_map");
@@ -246,7 +246,7 @@ TEST_P(FleetTest, TakesAWorldOfAnyKind) {
     EXPECT_EQ(make_plan(config).loaded.scene->name, "rescue_maze_terrain");
 }
 
-TEST_P(FleetTest, LoadsOtherWorldsAndModelsInTheWayOfItsConfiguration) {
+TEST_P(RigTest, LoadsOtherWorldsAndModelsInTheWayOfItsConfiguration) {
     const std::string model =
         "<model name='m'><link name='l'><visual name='seen'><geometry><box><size>1 1 1</size></box>"
         "</geometry></visual><collision name='hit'><geometry><box><size>2 2 2</size></box>"
@@ -255,7 +255,7 @@ TEST_P(FleetTest, LoadsOtherWorldsAndModelsInTheWayOfItsConfiguration) {
         "other.sdf", "<sdf version='1.9'><world name='other'>" + model + "</world></sdf>");
     Config config = of({on_tcp("front")});
     const auto last_object = [&] { return api_.scene().scene->objects.back().name; };
-    fleet_.apply(config);
+    rig_.apply(config);
     EXPECT_EQ(after(LoadWorld{world}).result, EditOutcome::Result::done);
     EXPECT_EQ(last_object(), "m::l::seen");
     EXPECT_EQ(after(AddModel{.placement = {"n"}, .sdf = model}).result, EditOutcome::Result::done);
@@ -264,7 +264,7 @@ TEST_P(FleetTest, LoadsOtherWorldsAndModelsInTheWayOfItsConfiguration) {
     config.scene = world;
     config.geometry = sim::SdfGeometry::collision;
     config.map.material = "brick";
-    fleet_.apply(config);
+    rig_.apply(config);
     EXPECT_EQ(after(LoadWorld{world}).result, EditOutcome::Result::done);
     EXPECT_EQ(last_object(), "m::l::hit");
     EXPECT_EQ(after(AddModel{.placement = {"n"}, .sdf = model}).result, EditOutcome::Result::done);
@@ -273,10 +273,10 @@ TEST_P(FleetTest, LoadsOtherWorldsAndModelsInTheWayOfItsConfiguration) {
     EXPECT_EQ(api_.scene().scene->materials.back().name, "brick");
 }
 
-TEST_P(FleetTest, SaysWhichBodiesAnotherWorldLacks) {
+TEST_P(RigTest, SaysWhichBodiesAnotherWorldLacks) {
     Config config = of({on_tcp("front")});
     config.robots[0].body = "box";
-    fleet_.apply(config);
+    rig_.apply(config);
     const std::string lacking = SCIPD_SCENES
         "/corridor.sdf: has no movable model \"box\" to be the body of robot \"rescue\"";
     EXPECT_THAT(after(LoadWorld{SCIPD_SCENES "/corridor.sdf"}).messages,
@@ -284,15 +284,15 @@ TEST_P(FleetTest, SaysWhichBodiesAnotherWorldLacks) {
     EXPECT_THAT(after(LoadWorld{SCIPD_SCENES "/square_room.sdf"}).messages, testing::IsEmpty());
 }
 
-TEST_P(FleetTest, KeepsWhatDidNotChange) {
+TEST_P(RigTest, KeepsWhatDidNotChange) {
     const SensorConfig front = on_tcp("front");
-    fleet_.apply(of({front, on_tty("rear")}));
+    rig_.apply(of({front, on_tty("rear")}));
     const std::string address = *sensor().tcp;
     ScannerWire wire = connect();
     ASSERT_TRUE(streams(wire));
     const std::uint64_t scans = sensor().scans;
 
-    fleet_.apply(of({front, on_tty("top")}));
+    rig_.apply(of({front, on_tty("top")}));
     EXPECT_EQ(sensor().tcp, address);
     EXPECT_EQ(sensor().clients, 1U);
     EXPECT_GE(sensor().scans, scans);
@@ -303,24 +303,24 @@ TEST_P(FleetTest, KeepsWhatDidNotChange) {
     // Another seed is another scanner.
     Config reseeded = of({front});
     reseeded.seed = 99;
-    fleet_.apply(reseeded);
+    rig_.apply(reseeded);
     EXPECT_EQ(sensor().scans, 0U);
     EXPECT_EQ(sensor().clients, 0U);
 }
 
-TEST_P(FleetTest, ChangesNothingWhereSomethingFails) {
-    fleet_.apply(of({on_tcp("front")}));
+TEST_P(RigTest, ChangesNothingWhereSomethingFails) {
+    rig_.apply(of({on_tcp("front")}));
     ScannerWire wire = connect();
     ASSERT_TRUE(streams(wire));
     const std::uint64_t scans = sensor().scans;
 
     Config lost_world = of({on_tty("rear")});
     lost_world.scene = directory_.path() / "nowhere.sdf";
-    EXPECT_THROW(fleet_.apply(lost_world), sim::LoadError);
+    EXPECT_THROW(rig_.apply(lost_world), sim::LoadError);
 
     SensorConfig taken = on_tcp("taken");
     taken.tcp->port = tests::port_of(*sensor().tcp);
-    EXPECT_THROW(fleet_.apply(of({on_tty("rear"), taken})), std::runtime_error);
+    EXPECT_THROW(rig_.apply(of({on_tty("rear"), taken})), std::runtime_error);
 
     EXPECT_FALSE(fs::is_symlink(directory_.path() / "rear"));
     EXPECT_EQ(api_.status().sensors.size(), 1U);
@@ -345,9 +345,9 @@ class FewDescriptors {
     rlimit before_{};
 };
 
-TEST_P(FleetTest, ChangesNothingWhereDescriptorsRunOutOnTheWay) {
+TEST_P(RigTest, ChangesNothingWhereDescriptorsRunOutOnTheWay) {
     const SensorConfig kept = on_tcp("kept");
-    fleet_.apply(of({kept, on_tty("changed"), on_tty("gone")}));
+    rig_.apply(of({kept, on_tty("changed"), on_tty("gone")}));
     ScannerWire stream = connect();
     ASSERT_TRUE(streams(stream));
     ScannerWire tty = ScannerWire::tty(directory_.path() / "changed");
@@ -357,10 +357,10 @@ TEST_P(FleetTest, ChangesNothingWhereDescriptorsRunOutOnTheWay) {
     Config next = of({kept, changed, on_tty("new"), on_tcp("more")});
     next.robots[0].poses = PoseSource{.address = {"127.0.0.1", 0}, .file = {}};
     const auto try_with = [&](rlim_t more) {
-        FleetPlan plan = make_plan(next, fleet_.running());
+        RigPlan plan = make_plan(next, rig_.running());
         const FewDescriptors few(more);
         try {
-            fleet_.apply(std::move(plan));
+            rig_.apply(std::move(plan));
         } catch (const std::exception&) {
             return false;
         }
@@ -388,78 +388,78 @@ TEST_P(FleetTest, ChangesNothingWhereDescriptorsRunOutOnTheWay) {
     EXPECT_TRUE(fs::is_symlink(directory_.path() / "new"));
 }
 
-TEST_P(FleetTest, HandsAPortToAnotherScanner) {
+TEST_P(RigTest, HandsAPortToAnotherScanner) {
     SensorConfig front = on_tty("tty");
-    fleet_.apply(of({front}));
+    rig_.apply(of({front}));
     ScannerWire wire = ScannerWire::tty(*sensor().pty);
     const fs::path target = fs::read_symlink(*sensor().pty);
 
     SensorConfig rear = front;
     rear.name = "rear";
     rear.model = find_model("UTM-30LX");
-    fleet_.apply(of({rear}));
+    rig_.apply(of({rear}));
     EXPECT_EQ(fs::read_symlink(*sensor().pty), target);
     EXPECT_TRUE(answers(wire, "UTM-30LX"));
 }
 
-TEST_P(FleetTest, DoesNotChargeAScannerWithTheLossesOfTheOneBefore) {
+TEST_P(RigTest, DoesNotChargeAScannerWithTheLossesOfTheOneBefore) {
     SensorConfig front = on_tty("tty");
-    fleet_.apply(of({front}));
+    rig_.apply(of({front}));
     ScannerWire wire = ScannerWire::tty(*sensor().pty);
     wire.write("MD0000108000000\n");  // and nobody reads it
     ASSERT_TRUE(run_until(io_, [&] { return sensor().lost > 0; }));
     front.name = "rear";
-    fleet_.apply(of({front}));
+    rig_.apply(of({front}));
     EXPECT_EQ(sensor().name, "rescue/rear");
     EXPECT_EQ(sensor().lost, 0U);
-    Simulation& simulation = fleet_.simulation();
+    Simulation& simulation = rig_.simulation();
     const auto lost_by_port = [&] { return simulation.stations[0]->ports.counts().lost_scans; };
     EXPECT_GT(simulation.shards.still(lost_by_port), 0U);
 }
 
 /// Where scanners live, by name.
-std::map<std::string, std::size_t> shards_of(Fleet& fleet) {
+std::map<std::string, std::size_t> shards_of(Rig& rig) {
     std::map<std::string, std::size_t> shards;
-    for (const auto& station : fleet.simulation().stations)
+    for (const auto& station : rig.simulation().stations)
         shards[station->name()] = station->shard;
     return shards;
 }
 
 // Four scanners in turn on three threads: the first and the last live together.
-TEST_P(FleetTest, LeavesScannersOnTheirThreadsAndPutsNewOnesWhereThereIsLeastToDo) {
+TEST_P(RigTest, LeavesScannersOnTheirThreadsAndPutsNewOnesWhereThereIsLeastToDo) {
     const std::vector<SensorConfig> all{on_tcp("a"), on_tcp("b"), on_tcp("c"), on_tcp("d")};
-    fleet_.apply(of(all));
-    const auto before = shards_of(fleet_);
-    fleet_.apply(of({all[0], all[3]}));
-    EXPECT_EQ(shards_of(fleet_).at("rescue/a"), before.at("rescue/a"));
-    EXPECT_EQ(shards_of(fleet_).at("rescue/d"), before.at("rescue/d"));
-    fleet_.apply(of({all[0], all[3], on_tcp("e")}));
-    EXPECT_EQ(shards_of(fleet_).at("rescue/d"), before.at("rescue/d"));
-    if (fleet_.simulation().shards.size() > 1) {
-        EXPECT_NE(shards_of(fleet_).at("rescue/e"), before.at("rescue/a"));
+    rig_.apply(of(all));
+    const auto before = shards_of(rig_);
+    rig_.apply(of({all[0], all[3]}));
+    EXPECT_EQ(shards_of(rig_).at("rescue/a"), before.at("rescue/a"));
+    EXPECT_EQ(shards_of(rig_).at("rescue/d"), before.at("rescue/d"));
+    rig_.apply(of({all[0], all[3], on_tcp("e")}));
+    EXPECT_EQ(shards_of(rig_).at("rescue/d"), before.at("rescue/d"));
+    if (rig_.simulation().shards.size() > 1) {
+        EXPECT_NE(shards_of(rig_).at("rescue/e"), before.at("rescue/a"));
     }
 }
 
 // Each scanner stays where its tty is, and the other one's port comes to it, on another thread.
-TEST_P(FleetTest, LetsScannersExchangeTheirPorts) {
+TEST_P(RigTest, LetsScannersExchangeTheirPorts) {
     SensorConfig a = on_tty("a");
     SensorConfig b = on_tty("b");
     b.model = find_model("UTM-30LX");
     a.tcp = b.tcp = Address{"127.0.0.1", 0};
     {
-        Fleet finds_free_ones{io_.get_executor(), ClockKind::wall};
+        Rig finds_free_ones{io_.get_executor(), ClockKind::wall};
         SensorConfig c = on_tcp("c");
         finds_free_ones.apply(of({c, on_tcp("d")}));
-        const FleetApi api{finds_free_ones.simulation()};
+        const RigApi api{finds_free_ones.simulation()};
         a.tcp->port = tests::port_of(*api.status().sensors[0].tcp);
         b.tcp->port = tests::port_of(*api.status().sensors[1].tcp);
     }
-    fleet_.apply(of({a, b}));
+    rig_.apply(of({a, b}));
     ScannerWire before = connect(0);
     EXPECT_TRUE(answers(before, "UST-10LX"));
 
     std::swap(a.tcp, b.tcp);
-    fleet_.apply(of({a, b}));
+    rig_.apply(of({a, b}));
     EXPECT_EQ(tests::port_of(*sensor(0).tcp), a.tcp->port);
     ScannerWire to_a = connect(0);
     ScannerWire to_b = connect(1);
@@ -470,47 +470,47 @@ TEST_P(FleetTest, LetsScannersExchangeTheirPorts) {
 }
 
 // Without a tty a scanner goes where its port is. It has changed, so its client is cut off.
-TEST_P(FleetTest, LetsScannersExchangeThePortsThatClientsUse) {
+TEST_P(RigTest, LetsScannersExchangeThePortsThatClientsUse) {
     SensorConfig a = on_tcp("a");
     SensorConfig b = on_tcp("b");
     b.model = find_model("UTM-30LX");
-    fleet_.apply(of({a, b}));
+    rig_.apply(of({a, b}));
     for (SensorConfig* sensor : {&a, &b})
         sensor->tcp->port = tests::port_of(*this->sensor(sensor == &a ? 0 : 1).tcp);
-    fleet_.stop();
-    Fleet fleet{io_.get_executor(), ClockKind::wall, nullptr, GetParam()};
-    const FleetApi api{fleet.simulation()};
-    fleet.apply(of({a, b}));
+    rig_.stop();
+    Rig rig{io_.get_executor(), ClockKind::wall, nullptr, GetParam()};
+    const RigApi api{rig.simulation()};
+    rig.apply(of({a, b}));
     ScannerWire before = ScannerWire::tcp(a.tcp->port);
     EXPECT_TRUE(answers(before, "UST-10LX"));
     std::swap(a.tcp, b.tcp);
-    fleet.apply(make_plan(of({a, b}), fleet.running()));
+    rig.apply(make_plan(of({a, b}), rig.running()));
     ScannerWire to_a = ScannerWire::tcp(a.tcp->port);
     EXPECT_TRUE(answers(to_a, "UST-10LX"));
     ScannerWire to_b = ScannerWire::tcp(b.tcp->port);
     EXPECT_TRUE(answers(to_b, "UTM-30LX"));
-    fleet.stop();
+    rig.stop();
 }
 
-TEST_P(FleetTest, HandsAPortOnWithoutTheFaultsOfTheScannerBefore) {
+TEST_P(RigTest, HandsAPortOnWithoutTheFaultsOfTheScannerBefore) {
     Config config = of({on_tty("tty")});
     config.scenario =
         directory_.write("bad_day.yaml", "steps: [{sensor: '*', kind: delay, ms: 1}]\n");
-    fleet_.apply(config);
+    rig_.apply(config);
     ScannerWire wire = ScannerWire::tty(*sensor().pty);
     EXPECT_TRUE(answers(wire, "UST-10LX"));
 
     // The line of the new scanner is not that which the end of the old one's fault brings back.
     config.scenario.clear();
     config.robots[0].sensors[0].link.latency = 100ms;
-    fleet_.apply(config);
+    rig_.apply(config);
     const auto begin = std::chrono::steady_clock::now();
     EXPECT_TRUE(answers(wire, "UST-10LX"));
     EXPECT_GE(std::chrono::steady_clock::now() - begin, 200ms);
 }
 
-TEST_P(FleetTest, MovesRobotsForTheControlApi) {
-    fleet_.apply(of({on_tcp("front")}));
+TEST_P(RigTest, MovesRobotsForTheControlApi) {
+    rig_.apply(of({on_tcp("front")}));
     EXPECT_FALSE(api_.robot_pose("nobody"));
     EXPECT_EQ(api_.robot_pose("rescue")->pose, sim::Pose{});
     const sim::Pose there = sim::pose_from_rpy({1, 2, 0}, {0, 0, 0});
@@ -525,23 +525,23 @@ TEST_P(FleetTest, MovesRobotsForTheControlApi) {
     EXPECT_EQ(api_.status().poses.refused, 1U);
 }
 
-TEST_P(FleetTest, KeepsThePoseFeedsThatStay) {
+TEST_P(RigTest, KeepsThePoseFeedsThatStay) {
     const tests::UdpSender sender;
     Config config = of({on_tcp("front")});
     PoseSource source;
     source.address = Address{"127.0.0.1", sender.port()};
     config.robots[0].poses = source;
-    fleet_.apply(config);
+    rig_.apply(config);
     sender.send(R"({"xyz":[1,0,0]})");
     EXPECT_TRUE(run_until(io_, [&] { return api_.status().poses.accepted == 1; }));
     config.seed = 5;
-    fleet_.apply(config);
+    rig_.apply(config);
     sender.send(R"({"xyz":[2,0,0]})");
     EXPECT_TRUE(run_until(io_, [&] { return api_.status().poses.accepted == 2; }));
     EXPECT_EQ(api_.robot_pose("rescue")->pose.translation_m.x, 2.0);
 
     config.robots[0].poses.reset();
-    fleet_.apply(config);
+    rig_.apply(config);
     sender.send(R"({"xyz":[3,0,0]})");
     io_.restart();
     io_.run_for(50ms);
@@ -549,40 +549,40 @@ TEST_P(FleetTest, KeepsThePoseFeedsThatStay) {
 }
 
 // To each robot its own.
-TEST_P(FleetTest, KeepsThePortsForPosesThatTheSystemChose) {
+TEST_P(RigTest, KeepsThePortsForPosesThatTheSystemChose) {
     Config config = of({on_tcp("front")}, "a");
     config.robots[0].poses = PoseSource{.address = {"127.0.0.1", 0}, .file = {}};
-    fleet_.apply(config);
-    const Address of_a = fleet_.pose_addresses().at("a");
+    rig_.apply(config);
+    const Address of_a = rig_.pose_addresses().at("a");
     EXPECT_NE(of_a.port, 0);
     config.robots.push_back(config.robots[0]);
     config.robots[1].name = "b";
-    fleet_.apply(config);
-    EXPECT_EQ(fleet_.pose_addresses().at("a"), of_a);
-    EXPECT_NE(fleet_.pose_addresses().at("b").port, of_a.port);
+    rig_.apply(config);
+    EXPECT_EQ(rig_.pose_addresses().at("a"), of_a);
+    EXPECT_NE(rig_.pose_addresses().at("b").port, of_a.port);
     config.robots[1].poses.reset();
-    fleet_.apply(config);
-    EXPECT_EQ(fleet_.pose_addresses().size(), 1U);
+    rig_.apply(config);
+    EXPECT_EQ(rig_.pose_addresses().size(), 1U);
 }
 
-TEST_P(FleetTest, HandsAPoseAddressOnToARenamedRobot) {
+TEST_P(RigTest, HandsAPoseAddressOnToARenamedRobot) {
     const tests::UdpSender sender;
     PoseSource source;
     source.address = Address{"127.0.0.1", sender.port()};
     Config config = of({on_tcp("front")});
     config.robots[0].poses = source;
-    fleet_.apply(config);
+    rig_.apply(config);
     config.robots[0].name = "transport";
-    fleet_.apply(config);
+    rig_.apply(config);
     sender.send(R"({"xyz":[1,0,0]})");
     EXPECT_TRUE(run_until(io_, [&] { return api_.status().poses.accepted == 1; }));
     EXPECT_EQ(api_.robot_pose("transport")->pose.translation_m.x, 1.0);
     EXPECT_FALSE(api_.robot_pose("rescue"));
 }
 
-TEST_P(FleetTest, LeavesNothingBehind) {
-    fleet_.apply(of({on_tcp("front"), on_tty("rear")}));
-    fleet_.stop();
+TEST_P(RigTest, LeavesNothingBehind) {
+    rig_.apply(of({on_tcp("front"), on_tty("rear")}));
+    rig_.stop();
     EXPECT_TRUE(api_.status().sensors.empty());
     EXPECT_FALSE(fs::is_symlink(directory_.path() / "rear"));
     // Nothing is waited for any more.

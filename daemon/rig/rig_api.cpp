@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/fleet_api.h"
+#include "daemon/rig/rig_api.h"
 
 #include <algorithm>
 #include <chrono>
@@ -11,10 +11,10 @@
 #include "daemon/broker/shared_world.h"
 #include "daemon/device/device.h"
 #include "daemon/device/staring_sensor.h"
-#include "daemon/fleet_metrics.h"
-#include "daemon/fleet_status.h"
 #include "daemon/plan/unseen_media.h"
-#include "daemon/simulation.h"
+#include "daemon/rig/metrics_report.h"
+#include "daemon/rig/simulation.h"
+#include "daemon/rig/status_report.h"
 
 namespace scipd::daemon {
 namespace {
@@ -29,23 +29,23 @@ SharedStaringRecord latest_of(StaringSensor& sensor) {
 
 }  // namespace
 
-FleetApi::FleetApi(Simulation& simulation)
+RigApi::RigApi(Simulation& simulation)
     : simulation_(simulation),
       faults_(simulation),
       gallery_([&simulation](Worker::Begin begin) { simulation.drawer.add(std::move(begin)); }),
       run_(std::to_string(std::chrono::system_clock::now().time_since_epoch().count())) {}
 
-FleetStatus FleetApi::status() const {
-    FleetStatus status = simulation_.shards.still([&] { return status_of(simulation_); });
+RigStatus RigApi::status() const {
+    RigStatus status = simulation_.shards.still([&] { return status_of(simulation_); });
     if (shared_ != nullptr) status.fleet = shared_->status();
     return status;
 }
 
-FleetMetrics FleetApi::metrics() const {
+RigMetrics RigApi::metrics() const {
     return simulation_.shards.still([&] { return metrics_of(simulation_); });
 }
 
-std::optional<SensorRecord> FleetApi::latest(const std::string& sensor) {
+std::optional<SensorRecord> RigApi::latest(const std::string& sensor) {
     const Station* const station = find_station(simulation_.stations, sensor);
     if (station == nullptr) return std::nullopt;
     SensorRecord latest;
@@ -56,7 +56,7 @@ std::optional<SensorRecord> FleetApi::latest(const std::string& sensor) {
     return latest;
 }
 
-std::optional<SensorLog> FleetApi::log(const std::string& sensor) const {
+std::optional<SensorLog> RigApi::log(const std::string& sensor) const {
     const Station* const station = find_station(simulation_.stations, sensor);
     if (station == nullptr) return std::nullopt;
     return simulation_.shards.still([&] {
@@ -65,13 +65,13 @@ std::optional<SensorLog> FleetApi::log(const std::string& sensor) const {
     });
 }
 
-std::optional<ReadingErrors> FleetApi::errors(const std::string& sensor) const {
+std::optional<ReadingErrors> RigApi::errors(const std::string& sensor) const {
     const Station* const station = find_station(simulation_.stations, sensor);
     if (station == nullptr || station->config.staring) return std::nullopt;
     return errors_of(station->config);
 }
 
-sim::Expected<> FleetApi::set_errors(const std::string& sensor, const ReadingErrors& errors) {
+sim::Expected<> RigApi::set_errors(const std::string& sensor, const ReadingErrors& errors) {
     Station& station = *find_station(simulation_.stations, sensor);
     const auto lives_elsewhere = [&](const auto& other) {
         return !other->config.staring && other->shard != station.shard;
@@ -86,38 +86,38 @@ sim::Expected<> FleetApi::set_errors(const std::string& sensor, const ReadingErr
     return {};
 }
 
-void FleetApi::ask_log(const std::string& sensor) {
+void RigApi::ask_log(const std::string& sensor) {
     simulation_.shards.still([&] {
         std::visit([](const auto& made) { made->ask_log(); },
                    find_station(simulation_.stations, sensor)->sensor);
     });
 }
 
-std::unique_ptr<Conversation> FleetApi::subscribe(const std::string& sensor, WebSocket& socket) {
+std::unique_ptr<Conversation> RigApi::subscribe(const std::string& sensor, WebSocket& socket) {
     return simulation_.stream.subscribe(sensor, socket);
 }
 
-std::unique_ptr<Conversation> FleetApi::open_view(WebSocket& page) {
+std::unique_ptr<Conversation> RigApi::open_view(WebSocket& page) {
     return simulation_.view.open(page, [this] { return world(); });
 }
 
-std::unique_ptr<Conversation> FleetApi::open_wire(const std::string& sensor, WebSocket& socket) {
+std::unique_ptr<Conversation> RigApi::open_wire(const std::string& sensor, WebSocket& socket) {
     return simulation_.wire.open(sensor, socket);
 }
 
-sim::Expected<> FleetApi::admit_pose(Rate& sender) {
+sim::Expected<> RigApi::admit_pose(Rate& sender) {
     return simulation_.intake.admit(sender);
 }
 
-sim::Expected<> FleetApi::take_pose_line(std::string_view line, SenderClock& sender) {
+sim::Expected<> RigApi::take_pose_line(std::string_view line, SenderClock& sender) {
     return simulation_.intake.take_line(line, {}, sender, simulation_.clock.now());
 }
 
-SceneView FleetApi::scene() const {
+SceneView RigApi::scene() const {
     return {simulation_.editor.file(), simulation_.world.scene()};
 }
 
-WorldView FleetApi::world() const {
+WorldView RigApi::world() const {
     const World& world = simulation_.world;
     const sim::Time now = simulation_.clock.now();
     WorldView view{.version = run_ + '-' + std::to_string(world.edition()),
@@ -133,12 +133,12 @@ WorldView FleetApi::world() const {
 }
 
 // The others are told of an edit that is made, so none is withdrawn.
-void FleetApi::edit_scene(SceneEdit edit, EditDone done, std::stop_token withdrawn) {
+void RigApi::edit_scene(SceneEdit edit, EditDone done, std::stop_token withdrawn) {
     if (shared_ != nullptr) return shared_->edit(std::move(edit), std::move(done));
     edit_here(std::move(edit), std::move(done), std::move(withdrawn));
 }
 
-void FleetApi::edit_here(SceneEdit edit, EditDone done, std::stop_token withdrawn) {
+void RigApi::edit_here(SceneEdit edit, EditDone done, std::stop_token withdrawn) {
     auto told = [&simulation = simulation_, done = std::move(done)](EditOutcome outcome) {
         if (outcome.result != EditOutcome::Result::done) return done(outcome);
         std::ranges::move(simulation.remount(), std::back_inserter(outcome.messages));
@@ -148,11 +148,11 @@ void FleetApi::edit_here(SceneEdit edit, EditDone done, std::stop_token withdraw
     simulation_.editor.edit(std::move(edit), std::move(told), std::move(withdrawn));
 }
 
-std::vector<sim::Medium> FleetApi::media() const {
+std::vector<sim::Medium> RigApi::media() const {
     return simulation_.world.light().media();
 }
 
-std::vector<std::string> FleetApi::set_media(std::vector<sim::Medium> media) {
+std::vector<std::string> RigApi::set_media(std::vector<sim::Medium> media) {
     const bool seen = media.empty() || std::ranges::any_of(simulation_.stations, [](const auto& s) {
                           return s->config.sees_light();
                       });
@@ -160,25 +160,25 @@ std::vector<std::string> FleetApi::set_media(std::vector<sim::Medium> media) {
     return seen ? std::vector<std::string>{} : std::vector{std::string(unseen_media)};
 }
 
-std::optional<sim::TimedPose> FleetApi::robot_pose(const std::string& robot) const {
+std::optional<sim::TimedPose> RigApi::robot_pose(const std::string& robot) const {
     const sim::PoseTrack* const track = simulation_.world.robot(robot);
     if (track == nullptr) return std::nullopt;
     const sim::Time now = simulation_.clock.now();
     return sim::TimedPose{simulation_.clock.origin() + now, track->at(now)};
 }
 
-sim::Expected<> FleetApi::set_robot_pose(const std::string& robot, const sim::PoseLine& said) {
+sim::Expected<> RigApi::set_robot_pose(const std::string& robot, const sim::PoseLine& said) {
     return simulation_.intake.take(said, robot, robot_senders_[robot], simulation_.clock.now());
 }
 
-std::optional<sim::TimedPose> FleetApi::model_pose(const std::string& model) const {
+std::optional<sim::TimedPose> RigApi::model_pose(const std::string& model) const {
     const sim::Time now = simulation_.clock.now();
     const auto pose = simulation_.world.model_pose(model, now);
     if (!pose) return std::nullopt;
     return sim::TimedPose{simulation_.clock.origin() + now, *pose};
 }
 
-sim::Expected<> FleetApi::set_model_pose(const std::string& model, const sim::PoseLine& said) {
+sim::Expected<> RigApi::set_model_pose(const std::string& model, const sim::PoseLine& said) {
     sim::PoseLine line = said;
     line.model = model;
     return simulation_.intake.take(line, {}, model_senders_[model], simulation_.clock.now());

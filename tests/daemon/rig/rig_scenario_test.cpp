@@ -15,9 +15,9 @@
 #include "daemon/faults/fault_injector.h"
 #include "daemon/faults/fault_kind.h"
 #include "daemon/faults/fault_values.h"
-#include "daemon/fleet.h"
 #include "daemon/plan/rig_plan.h"
-#include "daemon/simulation.h"
+#include "daemon/rig/rig.h"
+#include "daemon/rig/simulation.h"
 #include "sim/loaders/file/load_error.h"
 #include "tests/daemon/device/ideal_camera.h"
 #include "tests/daemon/wall_world.h"
@@ -54,7 +54,7 @@ class Draw : public FaultEffect {
     void begin(FaultScene& scene) override { drawn.push_back({scene.scan(), scene.chance(0)}); }
 };
 
-class FleetScenarioTest : public testing::Test {
+class RigScenarioTest : public testing::Test {
   protected:
     static SensorConfig scanner(const std::string& name) {
         SensorConfig sensor = ideal_sensor();
@@ -85,15 +85,15 @@ class FleetScenarioTest : public testing::Test {
         return steps;
     }
 
-    [[nodiscard]] Simulation& simulation() { return fleet_.simulation(); }
+    [[nodiscard]] Simulation& simulation() { return rig_.simulation(); }
 
     boost::asio::io_context io_;
     tests::TempDir directory_;
-    Fleet fleet_{io_.get_executor(), ClockKind::wall};
+    Rig rig_{io_.get_executor(), ClockKind::wall};
 };
 
-TEST_F(FleetScenarioTest, BeginsWithItsConfiguration) {
-    fleet_.apply(of({scanner("front"), scanner("rear"), ideal_camera(4, 25.0)}, front_and_all));
+TEST_F(RigScenarioTest, BeginsWithItsConfiguration) {
+    rig_.apply(of({scanner("front"), scanner("rear"), ideal_camera(4, 25.0)}, front_and_all));
     EXPECT_EQ(status().name, (directory_.path() / "bad_day.yaml").string());
     EXPECT_EQ(status().state, "running");
     EXPECT_THAT(steps(), ElementsAre("1 rescue/front state 1", "2 rescue/front reboot 2",
@@ -103,27 +103,27 @@ TEST_F(FleetScenarioTest, BeginsWithItsConfiguration) {
               R"({"kind":"reboot","at":{"scan":900000000},"seed":5})");
 }
 
-TEST_F(FleetScenarioTest, GoesOnWhereItIsTheSameAndTakesNewScannersIn) {
-    fleet_.apply(of({scanner("front")}, front_and_all));
-    fleet_.apply(of({scanner("front"), scanner("rear")}, std::string("# again\n") + front_and_all));
+TEST_F(RigScenarioTest, GoesOnWhereItIsTheSameAndTakesNewScannersIn) {
+    rig_.apply(of({scanner("front")}, front_and_all));
+    rig_.apply(of({scanner("front"), scanner("rear")}, std::string("# again\n") + front_and_all));
     EXPECT_THAT(steps(), ElementsAre("1 rescue/front state 1", "2 rescue/front reboot 2",
                                      "2 rescue/rear reboot 1"));
 }
 
-TEST_F(FleetScenarioTest, IsReplacedByAnotherAndStoppedByNone) {
-    fleet_.apply(of({scanner("front")}, front_and_all));
-    fleet_.apply(of({scanner("front")}, std::string("seed: 2\n") + front_and_all));
+TEST_F(RigScenarioTest, IsReplacedByAnotherAndStoppedByNone) {
+    rig_.apply(of({scanner("front")}, front_and_all));
+    rig_.apply(of({scanner("front")}, std::string("seed: 2\n") + front_and_all));
     EXPECT_THAT(steps(), ElementsAre("1 rescue/front state 3", "2 rescue/front reboot 4"));
-    fleet_.apply(of({scanner("front")}, {}));
+    rig_.apply(of({scanner("front")}, {}));
     EXPECT_THAT(steps(), IsEmpty());
     EXPECT_EQ(status().state, "ended");
     // A scanner that comes later has none either.
-    fleet_.apply(of({scanner("front"), scanner("rear")}, {}));
+    rig_.apply(of({scanner("front"), scanner("rear")}, {}));
     EXPECT_THAT(steps(), IsEmpty());
 }
 
-TEST_F(FleetScenarioTest, LeavesFaultsAloneThatWereAskedForSingly) {
-    fleet_.apply(of({scanner("front")}, front_and_all));
+TEST_F(RigScenarioTest, LeavesFaultsAloneThatWereAskedForSingly) {
+    rig_.apply(of({scanner("front")}, front_and_all));
     FaultInjector& injector = *simulation().scanners().at(0).injector;
     const auto single = parse_fault(R"({"kind":"reboot","at":{"scan":900000000}})");
     ASSERT_TRUE(single);
@@ -135,8 +135,8 @@ TEST_F(FleetScenarioTest, LeavesFaultsAloneThatWereAskedForSingly) {
     EXPECT_EQ(injector.list()[0].id, id);
 }
 
-TEST_F(FleetScenarioTest, HasTheSameChanceWhateverWasRunBefore) {
-    fleet_.apply(of({scanner("front"), scanner("rear")}, {}));
+TEST_F(RigScenarioTest, HasTheSameChanceWhateverWasRunBefore) {
+    rig_.apply(of({scanner("front"), scanner("rear")}, {}));
     const auto targets = simulation().scanners();
     const auto single = parse_fault(R"({"kind":"reboot"})");
     ASSERT_TRUE(single);
@@ -157,26 +157,26 @@ TEST_F(FleetScenarioTest, HasTheSameChanceWhateverWasRunBefore) {
         << "what is one step for two scanners hits both alike";
 }
 
-TEST_F(FleetScenarioTest, ThatWasRunByHandStaysWhereTheConfigurationHasNoOther) {
+TEST_F(RigScenarioTest, ThatWasRunByHandStaysWhereTheConfigurationHasNoOther) {
     const Config config = of({scanner("front")}, front_and_all);
-    fleet_.apply(config);
+    rig_.apply(config);
     const Scenario by_hand = parse_scenario(
         R"(steps: [{sensor: "*", kind: reboot, at: {scan: 900000000}}])", "by_hand", {});
     simulation().scenario.run(by_hand, simulation().scanners());
     EXPECT_THAT(steps(), ElementsAre("1 rescue/front reboot 3"));
-    fleet_.apply(config);
+    rig_.apply(config);
     EXPECT_EQ(status().name, "by_hand");
     EXPECT_THAT(steps(), ElementsAre("1 rescue/front reboot 3"));
 }
 
-TEST_F(FleetScenarioTest, ChangesNothingWhereItIsWrong) {
-    fleet_.apply(of({scanner("front")}, front_and_all));
+TEST_F(RigScenarioTest, ChangesNothingWhereItIsWrong) {
+    rig_.apply(of({scanner("front")}, front_and_all));
     Config wrong = of({scanner("front"), ideal_camera(4, 25.0)}, "seed: x\nsteps: []\n");
     wrong.places["scenario"] = "fleet.yaml:3: scenario: ";
     const std::string place =
         "fleet.yaml:3: scenario: " + (directory_.path() / "bad_day.yaml").string();
     try {
-        fleet_.apply(wrong);
+        rig_.apply(wrong);
         FAIL();
     } catch (const sim::LoadError& error) {
         EXPECT_THAT(error.faults(),
@@ -187,10 +187,10 @@ TEST_F(FleetScenarioTest, ChangesNothingWhereItIsWrong) {
     EXPECT_THAT(steps(), ElementsAre("1 rescue/front state 1", "2 rescue/front reboot 2"));
 }
 
-TEST_F(FleetScenarioTest, ShowsHowAListIsWritten) {
+TEST_F(RigScenarioTest, ShowsHowAListIsWritten) {
     try {
-        fleet_.apply(of({scanner("front")},
-                        "steps: [{sensor: rescue/front, kind: blind, steps: '400,500'}]"));
+        rig_.apply(of({scanner("front")},
+                      "steps: [{sensor: rescue/front, kind: blind, steps: '400,500'}]"));
         FAIL();
     } catch (const sim::LoadError& error) {
         EXPECT_THAT(error.faults(),
@@ -200,11 +200,11 @@ TEST_F(FleetScenarioTest, ShowsHowAListIsWritten) {
     }
 }
 
-TEST_F(FleetScenarioTest, IsForScannersAlone) {
+TEST_F(RigScenarioTest, IsForScannersAlone) {
     const SensorConfig camera = ideal_camera(4, 25.0);
     const std::string sensor = "rescue/" + camera.name;
     try {
-        fleet_.apply(
+        rig_.apply(
             of({scanner("front"), camera}, "steps: [{sensor: " + sensor + ", kind: reboot}]"));
         FAIL();
     } catch (const sim::LoadError& error) {

@@ -16,10 +16,10 @@
 #include <gtest/gtest.h>
 
 #include "daemon/faults/read_fault.h"
-#include "daemon/fleet.h"
-#include "daemon/fleet_api.h"
 #include "daemon/plan/rig_plan.h"
-#include "daemon/simulation.h"
+#include "daemon/rig/rig.h"
+#include "daemon/rig/rig_api.h"
+#include "daemon/rig/simulation.h"
 #include "sim/backends/registry.h"
 #include "sim/loaders/file/load_error.h"
 #include "tests/daemon/wall_world.h"
@@ -45,18 +45,18 @@ bool can_use(const std::string& backend) {
 }
 
 /// By how many threads sensors live on, and by what casts for them.
-class FleetReloadTest : public testing::TestWithParam<std::tuple<std::size_t, std::string>> {
+class RigReloadTest : public testing::TestWithParam<std::tuple<std::size_t, std::string>> {
   protected:
     void SetUp() override {
         if (!can_use(backend_)) GTEST_SKIP() << "this machine has no " << backend_;
-        fleet_.apply(of("a"));
+        rig_.apply(of("a"));
         client_ = std::make_unique<ScannerWire>(connect());
         ask("BM\n");
         const auto fault = parse_fault(R"({"kind":"motor","percent":5})");
         (void)api_.faults().start("a/scanner", fault.value());
     }
-    ~FleetReloadTest() override {
-        fleet_.stop();
+    ~RigReloadTest() override {
+        rig_.stop();
         io_.restart();
         io_.run_for(10ms);
     }
@@ -100,7 +100,7 @@ class FleetReloadTest : public testing::TestWithParam<std::tuple<std::size_t, st
     template <class Act>
     void while_a_request_arrives(Act act) {
         send_a_request();
-        fleet_.simulation().shards.still([&] {
+        rig_.simulation().shards.still([&] {
             std::this_thread::sleep_for(latency);
             act();
         });
@@ -108,12 +108,12 @@ class FleetReloadTest : public testing::TestWithParam<std::tuple<std::size_t, st
 
     std::string backend_ = std::get<1>(GetParam());
     boost::asio::io_context io_;
-    Fleet fleet_{io_.get_executor(), ClockKind::wall, nullptr, std::get<0>(GetParam())};
-    FleetApi api_{fleet_.simulation()};
+    Rig rig_{io_.get_executor(), ClockKind::wall, nullptr, std::get<0>(GetParam())};
+    RigApi api_{rig_.simulation()};
     std::unique_ptr<ScannerWire> client_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Threads, FleetReloadTest,
+INSTANTIATE_TEST_SUITE_P(Threads, RigReloadTest,
                          testing::Combine(testing::Values(1, 3),
                                           testing::Values("embree", "depth")),
                          [](const auto& info) {
@@ -122,38 +122,38 @@ INSTANTIATE_TEST_SUITE_P(Threads, FleetReloadTest,
                          });
 
 // The end of a fault has the scanner look at what has come meanwhile.
-TEST_P(FleetReloadTest, EndsAScannerWhoseRobotGetsAnotherName) {
-    while_a_request_arrives([&] { fleet_.apply(of("b")); });
+TEST_P(RigReloadTest, EndsAScannerWhoseRobotGetsAnotherName) {
+    while_a_request_arrives([&] { rig_.apply(of("b")); });
     client_ = std::make_unique<ScannerWire>(connect());
     ask("BM\n");
     ask("GD0540054000\n");
     EXPECT_EQ(api_.status().sensors.at(0).name, "b/scanner");
 }
 
-TEST_P(FleetReloadTest, EndsAScannerThatGoes) {
+TEST_P(RigReloadTest, EndsAScannerThatGoes) {
     while_a_request_arrives([&] {
         Config empty = of("a");
         empty.robots.clear();
-        fleet_.apply(empty);
+        rig_.apply(empty);
     });
     EXPECT_TRUE(api_.status().sensors.empty());
 }
 
-TEST_P(FleetReloadTest, EndsAScannerWithTheDaemon) {
+TEST_P(RigReloadTest, EndsAScannerWithTheDaemon) {
     send_a_request();
     std::this_thread::sleep_for(latency);
-    fleet_.stop();
+    rig_.stop();
     EXPECT_TRUE(api_.status().sensors.empty());
 }
 
 // What draws for a scanner is bound to the scanner's thread.
-TEST_P(FleetReloadTest, LetsAFaultEndWhereItsScannerLives) {
+TEST_P(RigReloadTest, LetsAFaultEndWhereItsScannerLives) {
     while_a_request_arrives([&] { api_.faults().stop_all("a/scanner"); });
     EXPECT_TRUE(comes("GD0540054000\n00P\n"));
     ask("GD0540054000\n");
 }
 
-TEST_P(FleetReloadTest, LetsAScenarioBeginAndEndWhereItsScannersLive) {
+TEST_P(RigReloadTest, LetsAScenarioBeginAndEndWhereItsScannersLive) {
     const Scenario scenario =
         parse_scenario("steps: [{sensor: '*', kind: motor, percent: 7}]", "bad_day", {});
     while_a_request_arrives([&] { api_.faults().run(scenario); });
@@ -163,7 +163,7 @@ TEST_P(FleetReloadTest, LetsAScenarioBeginAndEndWhereItsScannersLive) {
 }
 
 // All sensors stand still while a plan is taken up, and a large file takes seconds.
-TEST(FleetPlanTest, HoldsAllThatFilesTell) {
+TEST(RigPlanTest, HoldsAllThatFilesTell) {
     const tests::TempDir directory;
     Config config;
     config.scene = directory.write("empty.sdf", R"(<sdf version="1.9"><world name="w"/></sdf>)");
@@ -178,12 +178,12 @@ TEST(FleetPlanTest, HoldsAllThatFilesTell) {
     drive.kind = PoseSource::Kind::file;
     drive.file = directory.write("drive.tum", "1 5 0 0 0 0 0 1\n9 5 0 0 0 0 0 1\n");
     boost::asio::io_context io;
-    Fleet fleet(io.get_executor(), ClockKind::wall);
-    FleetPlan plan = make_plan(config, fleet.running());
+    Rig rig(io.get_executor(), ClockKind::wall);
+    RigPlan plan = make_plan(config, rig.running());
     for (const auto& file : {config.scene, config.materials, config.scenario, drive.file})
         std::filesystem::remove(file);
-    fleet.apply(std::move(plan));
-    FleetApi api(fleet.simulation());
+    rig.apply(std::move(plan));
+    RigApi api(rig.simulation());
     EXPECT_EQ(api.robot_pose("rescue")->pose.translation_m.x, 5.0);
     EXPECT_EQ(api.faults().scenario()->state, "running");
 
@@ -191,9 +191,9 @@ TEST(FleetPlanTest, HoldsAllThatFilesTell) {
     config.scene = SCIPD_SCENES "/square_room.sdf";
     config.materials.clear();
     config.scenario.clear();
-    fleet.apply(make_plan(config, fleet.running()));
+    rig.apply(make_plan(config, rig.running()));
     EXPECT_THROW((void)make_plan(config), sim::LoadError);
-    fleet.stop();
+    rig.stop();
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// How a fleet and its sensors are doing. Values; any thread.
+// How a rig is doing: all sensors of this daemon. Values; any thread.
 #pragma once
 
 #include <array>
@@ -54,7 +54,7 @@ struct PosesStatus {
     std::optional<std::string> last_refusal;
 };
 
-struct FleetStatus {
+struct RigStatus {
     std::chrono::duration<double> uptime{};
     std::string clock;  ///< "wall" or "poses"
     sim::Time time{};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What is counted of a fleet, for those who watch over it. A value; any thread.
+// What is counted of a rig, all sensors of this daemon, for those who watch over it. A value; any thread.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct SensorMetrics {
     SensorCounts counts;        ///< also of its predecessors of the same name
 };
 
-struct FleetMetrics {
+struct RigMetrics {
     std::uint64_t poses = 0;
     std::uint64_t poses_refused = 0;
     std::map<std::string, std::uint64_t> limited;  ///< how often something was too much, by limit

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// One world in time: the scene with its robots, the sensors in it, and whatever changes it. Fleet
-// configures it, FleetApi reads and changes it for the control API. Lives on the I/O thread. But
+// One world in time: the scene with its robots, the sensors in it, and whatever changes it. Rig
+// configures it, RigApi reads and changes it for the control API. Lives on the I/O thread. But
 // the sensors with their ports live on shards, and are touched while the shards stand still.
 #pragma once
 
@@ -24,8 +24,8 @@
 #include "daemon/plan/rig_plan.h"
 #include "daemon/poses/lockstep.h"
 #include "daemon/poses/pose_intake.h"
+#include "daemon/rig/stations.h"
 #include "daemon/shards/shards.h"
-#include "daemon/stations.h"
 #include "daemon/world/backend_chooser.h"
 #include "daemon/world/place_watch.h"
 #include "daemon/world/scene_editor.h"

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What a running fleet has counted. On the I/O thread.
+// What a running rig has counted. On the I/O thread.
 #pragma once
 
-#include "daemon/api/fleet_metrics.h"
-#include "daemon/stations.h"
+#include "daemon/api/rig_metrics.h"
+#include "daemon/rig/stations.h"
 
 namespace scipd::daemon {
 
 struct Simulation;
 
-[[nodiscard]] FleetMetrics metrics_of(const Simulation& simulation);
+[[nodiscard]] RigMetrics metrics_of(const Simulation& simulation);
 
 /// Keeps what these have counted for sensors of the same names that come after them. To be called
 /// once, before they are gone and before others have their ports; null is passed over.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/fleet_metrics.h"
+#include "daemon/rig/metrics_report.h"
 
 #include <variant>
 
@@ -8,7 +8,7 @@
 #include "daemon/device/staring_sensor.h"
 #include "daemon/faults/fault_injector.h"
 #include "daemon/link/port.h"
-#include "daemon/simulation.h"
+#include "daemon/rig/simulation.h"
 
 namespace scipd::daemon {
 namespace {
@@ -36,9 +36,9 @@ SensorMetrics metrics_of(const Station& station, const Simulation& simulation) {
 
 }  // namespace
 
-FleetMetrics metrics_of(const Simulation& simulation) {
-    FleetMetrics metrics{.poses = simulation.intake.accepted(),
-                         .poses_refused = simulation.intake.refused()};
+RigMetrics metrics_of(const Simulation& simulation) {
+    RigMetrics metrics{.poses = simulation.intake.accepted(),
+                       .poses_refused = simulation.intake.refused()};
     for (std::size_t i = 0; i < limit_table.size(); ++i) {
         metrics.limited[std::string(limit_table[i].key)] =
             simulation.limits->refused(static_cast<Limit>(i));
