@@ -81,7 +81,7 @@ RigPlan Server::load_first() {
         .get();
 }
 
-void Server::share_world(const BrokerConfig& config) {
+void Server::share_world(const FleetConfig& config) {
     Simulation& simulation = rig_.simulation();
     shared_.emplace(
         io_.get_executor(), config,

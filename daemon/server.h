@@ -16,7 +16,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
 
-#include "daemon/broker/shared_world.h"
+#include "daemon/fleet/shared_world.h"
 #include "daemon/http/server.h"
 #include "daemon/link/path_hold.h"
 #include "daemon/plan/rig_plan.h"
@@ -47,7 +47,7 @@ class Server {
     };
 
     [[nodiscard]] RigPlan load_first();
-    void share_world(const BrokerConfig& config);
+    void share_world(const FleetConfig& config);
     void listen_for_control();
     void hold_control();
     void listen_for_http(const Address& address);

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "daemon/config/broker_config.h"
+#include "daemon/config/fleet_config.h"
 #include "daemon/config/sensor_config.h"
 #include "daemon/limits/limit.h"
 #include "sim/loaders/map/map_options.h"
@@ -90,7 +90,7 @@ struct Config {
     std::optional<Address> http;
     std::string http_token;                    ///< that its clients must know; empty: none
     std::vector<std::filesystem::path> allow;  ///< folders of files that its clients may name
-    std::optional<BrokerConfig> fleet;         ///< nothing: the world is this daemon's alone
+    std::optional<FleetConfig> fleet;          ///< nothing: the world is this daemon's alone
     /// What looks wrong and is taken as it is, each with its place.
     std::vector<std::string> warnings;
     /// Where a key stands, "FILE:LINE: KEY: ", for the keys whose faults show only when other files

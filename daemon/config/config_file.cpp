@@ -12,10 +12,10 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include "daemon/config/broker.h"
 #include "daemon/config/claims.h"
 #include "daemon/config/demo_world.h"
 #include "daemon/config/doors.h"
+#include "daemon/config/fleet.h"
 #include "daemon/config/media.h"
 #include "daemon/config/models.h"
 #include "daemon/config/poses.h"

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "daemon/broker/join_world.h"
 #include "daemon/config/config.h"
 #include "daemon/faults/scenario.h"
+#include "daemon/fleet/join_world.h"
 #include "daemon/plan/homes.h"
 #include "daemon/plan/known_sensors.h"
 #include "daemon/plan/load_trajectories.h"

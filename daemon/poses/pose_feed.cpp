@@ -233,7 +233,7 @@ std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const PoseSource
         case PoseSource::Kind::standard_input:
             return std::make_shared<StandardInputFeed>(context);
         case PoseSource::Kind::vda5050:
-            assert(false);  // daemon/broker takes these
+            assert(false);  // daemon/fleet takes these
             break;
         case PoseSource::Kind::file:
             break;

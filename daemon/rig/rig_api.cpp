@@ -8,9 +8,9 @@
 #include <utility>
 #include <variant>
 
-#include "daemon/broker/shared_world.h"
 #include "daemon/device/device.h"
 #include "daemon/device/staring_sensor.h"
+#include "daemon/fleet/shared_world.h"
 #include "daemon/plan/unseen_media.h"
 #include "daemon/rig/metrics_report.h"
 #include "daemon/rig/simulation.h"

@@ -6,9 +6,9 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "daemon/broker/identity.h"
-#include "daemon/broker/step.h"
 #include "daemon/config/secret_file.h"
+#include "daemon/fleet/identity.h"
+#include "daemon/fleet/step.h"
 #include "tools/control_client.h"
 
 namespace scipd::tools {
@@ -25,9 +25,9 @@ Value checked(const char* option, sim::Expected<Value> value) {
     return *std::move(value);
 }
 
-daemon::BrokerConfig config_of(const BrokerOptions& options) {
+daemon::FleetConfig config_of(const BrokerOptions& options) {
     const auto said = checked("--to", daemon::parse_broker_and_world(options.to));
-    daemon::BrokerConfig config{.broker = said.broker, .world = said.world};
+    daemon::FleetConfig config{.broker = said.broker, .world = said.world};
     config.tls.ca = options.ca;
     if (!options.user_file.empty()) {
         const auto line = daemon::secret_in(options.user_file);

@@ -12,9 +12,9 @@
 #include <CLI/CLI.hpp>
 #include <boost/asio/io_context.hpp>
 
-#include "daemon/broker/kept_messages.h"
-#include "daemon/broker/mqtt_link.h"
-#include "daemon/broker/topics.h"
+#include "daemon/fleet/kept_messages.h"
+#include "daemon/fleet/mqtt_link.h"
+#include "daemon/fleet/topics.h"
 
 namespace scipd::tools {
 
@@ -56,7 +56,7 @@ class BrokerSession {
 
     boost::asio::io_context io_;
     std::string name_;
-    daemon::BrokerConfig config_;
+    daemon::FleetConfig config_;
     daemon::Topics topics_;
     daemon::KeptMessages kept_;
     std::string marker_;  ///< the topic of this session's own marks

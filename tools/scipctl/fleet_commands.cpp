@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "daemon/broker/pose_frame.h"
+#include "daemon/fleet/pose_frame.h"
 #include "tools/control_client.h"
 #include "tools/options.h"
 #include "tools/scipctl/broker_session.h"

@@ -13,7 +13,7 @@
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/post.hpp>
 
-#include "daemon/broker/pose_sender.h"
+#include "daemon/fleet/pose_sender.h"
 #include "sim/loaders/poses/pose_line.h"
 #include "tools/control_client.h"
 

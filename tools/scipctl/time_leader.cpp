@@ -10,8 +10,8 @@
 #include <set>
 #include <vector>
 
-#include "daemon/broker/pose_frame.h"
-#include "daemon/broker/step.h"
+#include "daemon/fleet/pose_frame.h"
+#include "daemon/fleet/step.h"
 #include "tools/control_client.h"
 #include "tools/scipctl/pose_broadcast.h"
 
