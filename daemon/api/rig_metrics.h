@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// What is counted of a rig, all sensors of this daemon, for those who watch over it. A value; any thread.
+// What is counted of a rig, which is all sensors of this daemon, for those who watch over it. A
+// value; any thread.
 #pragma once
 
 #include <cstdint>

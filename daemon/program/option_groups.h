@@ -23,8 +23,8 @@ inline constexpr const char* scanner_title = "Scanner";
 /// The title of the options that go with all others.
 inline constexpr const char* general_title = "General";
 
-/// What a user gave by options, or what holds where the user gave nothing. parse_options.cpp decides
-/// later which of it counts.
+/// What a user gave by options, or what holds where the user gave nothing. parse_options.cpp
+/// decides later which of it counts.
 struct OptionValues {
     OptionValues();
 

@@ -41,8 +41,8 @@ constexpr const char* examples = R"(Examples:
         starts at x 2 m, y 1.5 m, looking along -x, and then follows the poses sent by UDP
   scipd --poses scenes/rescue_maze.tum --accuracy ideal
         drives through the maze, without noise
-  scipd --config fleet.yaml
-        any number of robots and scanners; scipd --check fleet.yaml tells every fault in it
+  scipd --config rig.yaml
+        any number of robots and scanners; scipd --check rig.yaml tells every fault in it
 
 Lengths are metres, angles radians; x is forward, y left, z up.
 Exit codes: 0 it ended as asked; 1 it failed while running, or --probe cannot draw here,

@@ -2,8 +2,7 @@
 // Copyright The scipd authors
 //
 // The geometry of movable models, as Embree searches it. Models of equal geometry share one body,
-// as the robots of a fleet do: it takes memory once, and stays in the caches. Lives with its
-// device.
+// as robots of one kind do: it takes memory once, and stays in the caches. Lives with its device.
 #pragma once
 
 #include <vector>

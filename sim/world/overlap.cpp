@@ -195,7 +195,7 @@ std::vector<Body> large_bodies(const Scene& scene, double most) {
     return bodies;
 }
 
-/// As the robots of a fleet are.
+/// As robots of one kind are.
 bool alike(const Scene& scene, const Body& a, const Body& b) {
     return std::ranges::equal(a, b, [&](ObjectId one, ObjectId other) {
         const Mesh* const mesh = mesh_of(scene.objects[one]);

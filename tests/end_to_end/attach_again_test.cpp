@@ -96,7 +96,7 @@ void expect_attached_three_times(const ClientProgram& client, const std::string&
     const std::vector<Carried> scanners = every_model_on_both();
     ASSERT_GE(scanners.size(), 42U);
     const TempDir directory;
-    const auto file = directory.write("fleet.yaml", configuration(scanners, tcp_keys));
+    const auto file = directory.write("rig.yaml", configuration(scanners, tcp_keys));
     const DaemonProcess daemon(directory, {"--config", file});
     ASSERT_NE(daemon.ready_line(), "") << daemon.standard_error();
     constexpr std::size_t at_once = 14;

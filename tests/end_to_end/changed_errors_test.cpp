@@ -33,7 +33,7 @@ class ChangedErrors : public testing::Test {
     }
 
     std::string write(const std::string& errors) {
-        return directory_.write("fleet.yaml",
+        return directory_.write("rig.yaml",
                                 "scene: " + scene("square_room.sdf").string() +
                                     "\nrobots: {r: {sensors: {s: {model: UST-10LX, mount: {xyz: "
                                     "[0, 0, 0.3]}, tcp: \"127.0.0.1:0\", " +

@@ -161,7 +161,7 @@ def check_the_web(program, scene, folder):
 
 
 def configured(folder, scene, text):
-    file = folder / "fleet.yaml"
+    file = folder / "rig.yaml"
     file.write_text(f"scene: {scene}\n{text}\nrobots: {{robot: {{sensors: {{scanner: {{model: UST-10LX, "
                     "tcp: '0.0.0.0:0'}}}}\n")
     return "--config", str(file)

@@ -47,9 +47,9 @@ class Loading : public testing::Test {
     }
 
     fs::path write(const fs::path& world) {
-        return directory_.write("fleet.yaml", "scene: " + world.string() +
-                                                  "\ncontrol: control.sock\nrobots: {r: {sensors: "
-                                                  "{s: {model: UST-10LX, tcp: 127.0.0.1:0}}}}\n");
+        return directory_.write("rig.yaml", "scene: " + world.string() +
+                                                "\ncontrol: control.sock\nrobots: {r: {sensors: "
+                                                "{s: {model: UST-10LX, tcp: 127.0.0.1:0}}}}\n");
     }
 
     /// Waits long enough for scipd to begin to load.

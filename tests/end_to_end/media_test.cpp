@@ -29,10 +29,10 @@ class Media : public testing::Test {
     static std::string write(const TempDir& directory, const std::string& media,
                              const std::string& accuracy = "material") {
         return directory.write(
-            "fleet.yaml", "scene: " + scene("square_room.sdf").string() + "\n" + media +
-                              "robots: {r: {sensors: {s: {model: UTM-30LX, mount: {xyz: [0, 0, "
-                              "0.3]}, tcp: \"127.0.0.1:0\", accuracy: " +
-                              accuracy + "}}}}\n");
+            "rig.yaml", "scene: " + scene("square_room.sdf").string() + "\n" + media +
+                            "robots: {r: {sensors: {s: {model: UTM-30LX, mount: {xyz: [0, 0, "
+                            "0.3]}, tcp: \"127.0.0.1:0\", accuracy: " +
+                            accuracy + "}}}}\n");
     }
 
     static ControlAnswer ask(const DaemonProcess& daemon, const std::string& method,

@@ -79,7 +79,7 @@ double memory_of_driving_mb(int scanners) {
                          "\nrobots:\n  robot:\n    poses: '-'\n    sensors:\n";
     for (int i = 0; i < scanners; ++i)
         config += "      s" + std::to_string(i) + ": {model: UST-10LX, tcp: 127.0.0.1:0}\n";
-    const DaemonProcess daemon(directory, {"--config", directory.write("fleet.yaml", config)});
+    const DaemonProcess daemon(directory, {"--config", directory.write("rig.yaml", config)});
     std::vector<ScannerWire> clients;
     for (int i = 0; i < scanners; ++i) {
         clients.push_back(ScannerWire::tcp(daemon.port(static_cast<std::size_t>(i))));

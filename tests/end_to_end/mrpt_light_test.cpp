@@ -44,7 +44,7 @@ TEST(MrptDriverOnLight, ReadsTheIntensityOfEveryModelThatHasIt) {
     ASSERT_GT(models.size(), 10U);
     const TempDir directory;
     const DaemonProcess daemon(directory,
-                               {"--config", directory.write("fleet.yaml", configuration(models))});
+                               {"--config", directory.write("rig.yaml", configuration(models))});
     ASSERT_NE(daemon.ready_line(), "") << daemon.standard_error();
     for (std::size_t i = 0; i < models.size(); ++i) {
         SCOPED_TRACE(models[i]);

@@ -113,7 +113,7 @@ void expect_room_seen_by_all(const std::vector<Carried>& scanners, const std::st
                              const Before& before = {},
                              std::chrono::seconds patience = std::chrono::seconds(20)) {
     const TempDir directory;
-    const auto file = directory.write("fleet.yaml", configuration(scanners, keys));
+    const auto file = directory.write("rig.yaml", configuration(scanners, keys));
     const DaemonProcess daemon(directory, {"--config", file});
     ASSERT_NE(daemon.ready_line(), "") << daemon.standard_error();
     // A driver reads a stream that runs already without a pause. On a slow machine, more than a few

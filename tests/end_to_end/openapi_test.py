@@ -23,7 +23,7 @@ LIDAR = ("<model name='l'><link name='l'><sensor name='s' type='gpu_lidar'><lida
          "<samples>9</samples><min_angle>-1</min_angle><max_angle>1</max_angle></horizontal></scan>"
          "<range><min>0.1</min><max>inf</max></range></lidar></sensor>"
          "<visual name='v'><geometry><box><size>0.1 0.1 0.1</size></box></geometry></visual></link></model>")
-FLEET = """
+RIG = """
 scene: SCENE
 control: control.sock
 http: {listen: 127.0.0.1:0, token_file: token}
@@ -349,12 +349,12 @@ def main():
     document = Document(document)
     with tempfile.TemporaryDirectory() as folder:
         control = folder + "/control.sock"
-        fleet = pathlib.Path(folder) / "fleet.yaml"
-        fleet.write_text(FLEET.replace("SCENE", scene))
+        rig = pathlib.Path(folder) / "rig.yaml"
+        rig.write_text(RIG.replace("SCENE", scene))
         token = pathlib.Path(folder) / "token"
         token.write_text(TOKEN + "\n")
         token.chmod(0o600)
-        daemon = subprocess.Popen([scipd, "--config", str(fleet)], stdout=subprocess.PIPE)
+        daemon = subprocess.Popen([scipd, "--config", str(rig)], stdout=subprocess.PIPE)
         try:
             ready = json.loads(daemon.stdout.readline())
             check_stream(document, control, "scanner", "StreamScan")

@@ -60,9 +60,9 @@ class Place : public testing::Test {
         return count;
     }
     std::string config(const std::string& of_robot, const std::string& world) {
-        return directory_.write("fleet.yaml", "scene: " + world + "\nrobots: {r: {" + of_robot +
-                                                  "sensors: {s: {model: UST-10LX, tcp: "
-                                                  "\"127.0.0.1:0\", mount: {xyz: [0, 0, 0.3]}}}}}");
+        return directory_.write("rig.yaml", "scene: " + world + "\nrobots: {r: {" + of_robot +
+                                                "sensors: {s: {model: UST-10LX, tcp: "
+                                                "\"127.0.0.1:0\", mount: {xyz: [0, 0, 0.3]}}}}}");
     }
 
     TempDir directory_;

@@ -55,8 +55,8 @@ class Reload : public testing::Test {
     /// Writes to the same file each time.
     std::string write(const std::string& sensors,
                       const fs::path& world = scene("square_room.sdf")) {
-        return directory_.write("fleet.yaml", "scene: " + world.string() +
-                                                  "\nrobots:\n  rescue:\n    sensors:\n" + sensors);
+        return directory_.write("rig.yaml", "scene: " + world.string() +
+                                                "\nrobots:\n  rescue:\n    sensors:\n" + sensors);
     }
 
     void reload_and_wait_for(const std::string& word) {

@@ -165,7 +165,7 @@ TEST_F(SensorFrom, TellsWhatThereIs) {
 class NamedMounts : public SensorFrom {
   protected:
     std::string configuration(const std::string& mount) {
-        return directory_.write("fleet.yaml",
+        return directory_.write("rig.yaml",
                                 "scene: " + directory_.write("w.sdf", world()).string() +
                                     "\nrobots:\n  rescue:\n    sensors:\n      front:\n"
                                     "        model: UST-10LX\n        accuracy: ideal\n"
@@ -230,7 +230,7 @@ TEST_F(NamedMounts, AreCheckedWithTheirLine) {
     DaemonProcess wrong(directory_, {"--check", configuration("{link: bot::lid}")});
     EXPECT_EQ(wrong.wait(), 2);
     EXPECT_THAT(wrong.standard_error(),
-                HasSubstr("fleet.yaml:9: robots.rescue.sensors.front.mount: "));
+                HasSubstr("rig.yaml:9: robots.rescue.sensors.front.mount: "));
     EXPECT_THAT(wrong.standard_error(), HasSubstr("has no link or frame \"bot::lid\""));
     DaemonProcess right(directory_, {"--check", configuration("{sensor: fine}")});
     EXPECT_EQ(right.wait(), 0);

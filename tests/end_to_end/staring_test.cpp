@@ -73,7 +73,7 @@ bool lacks_egl(const std::string& error) {
 class Staring : public testing::Test {
   protected:
     void start(const std::string& text) {
-        daemon_.emplace(directory_, Arguments{"--config", directory_.write("fleet.yaml", text)});
+        daemon_.emplace(directory_, Arguments{"--config", directory_.write("rig.yaml", text)});
         ASSERT_NE(daemon_->ready_line(), "") << daemon_->standard_error();
     }
     [[nodiscard]] json reading(const std::string& sensor) const {
@@ -110,7 +110,7 @@ TEST_F(Staring, IsTheSameByDepthBuffer) {
     const json by_rays = reading("tof");
     expect_wall(by_rays);
     daemon_.reset();
-    const auto file = directory_.write("fleet.yaml", robots("depth"));
+    const auto file = directory_.write("rig.yaml", robots("depth"));
     daemon_.emplace(directory_, Arguments{"--config", file});
     if (daemon_->ready_line().empty() && lacks_egl(daemon_->standard_error())) {
         GTEST_SKIP() << daemon_->standard_error();

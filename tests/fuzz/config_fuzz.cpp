@@ -52,7 +52,7 @@ void check(const Config& config) {
 void check(const ConfigError& error) {
     require(!error.faults().empty());
     for (const auto& fault : error.faults()) {
-        require(fault.starts_with("fleet.yaml:"));
+        require(fault.starts_with("rig.yaml:"));
         require(fault.find('\n') == fault.npos);
     }
 }
@@ -62,7 +62,7 @@ void check(const ConfigError& error) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text{reinterpret_cast<const char*>(data), size};
     try {
-        check(parse_config(text, "fleet.yaml"));
+        check(parse_config(text, "rig.yaml"));
     } catch (const ConfigError& error) {
         check(error);
     }

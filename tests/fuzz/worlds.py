@@ -245,10 +245,10 @@ def check(scipd, scenes, chance):
         scene, text = shown
         if text:
             (scenes / scene).write_text(text)
-    (scenes / "fleet.yaml").write_text(
+    (scenes / "rig.yaml").write_text(
         f"scene: {scene}\nrobots: {{r: {{sensors: {{s: {{model: UST-10LX, pty: auto}}}}}}}}\n")
     try:
-        run = subprocess.run([scipd, "--check", scenes / "fleet.yaml"], capture_output=True, timeout=LONGEST_S,
+        run = subprocess.run([scipd, "--check", scenes / "rig.yaml"], capture_output=True, timeout=LONGEST_S,
                              check=False)
     except subprocess.TimeoutExpired:
         return name, f"takes more than {LONGEST_S} s", b""

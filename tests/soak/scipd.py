@@ -62,7 +62,7 @@ class Scipd:
         self.folder = tempfile.TemporaryDirectory(prefix="scipd-soak-")
         self.scenes = scenes
         self.udp = {"driven": free_udp_port(), "victim": free_udp_port()}
-        self.file = pathlib.Path(self.folder.name) / "fleet.yaml"
+        self.file = pathlib.Path(self.folder.name) / "rig.yaml"
         self.configuration = CONFIGURATION.format(scenes=scenes, seed=seed, **self.udp)
         self.configure(self.configuration)
         reading, writing = os.pipe()

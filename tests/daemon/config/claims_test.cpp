@@ -122,11 +122,11 @@ robots:
     sensors:
       one: {model: UST-10LX, pty: auto}
 )"),
-        ElementsAre("fleet.yaml:8: robots.a.sensors.two.tcp: 127.0.0.1:1002 is taken by http, "
+        ElementsAre("rig.yaml:8: robots.a.sensors.two.tcp: 127.0.0.1:1002 is taken by http, "
                     "which has 0.0.0.0:1002; use another",
-                    "fleet.yaml:10: robots.b.poses.from: 127.0.0.1:1001 is taken by "
+                    "rig.yaml:10: robots.b.poses.from: 127.0.0.1:1001 is taken by "
                     "robots.a.poses; use another",
-                    "fleet.yaml:12: robots.b.sensors.one.tcp: [::]:1001 is taken by "
+                    "rig.yaml:12: robots.b.sensors.one.tcp: [::]:1001 is taken by "
                     "robots.a.sensors.one.tcp, which has 127.0.0.1:1001; use another"));
 }
 
@@ -142,9 +142,9 @@ robots:
       two: {model: UST-10LX, pty: there/tty}
       three: {model: UST-10LX, pty: there/socket}
 )"),
-                ElementsAre("fleet.yaml:7: robots.a.sensors.two.pty: here/tty is taken by "
+                ElementsAre("rig.yaml:7: robots.a.sensors.two.pty: here/tty is taken by "
                             "robots.a.sensors.one.pty; use another",
-                            "fleet.yaml:8: robots.a.sensors.three.pty: here/socket is taken by "
+                            "rig.yaml:8: robots.a.sensors.three.pty: here/socket is taken by "
                             "control; use another"));
 }
 
@@ -160,10 +160,10 @@ robots:
       three: {model: UST-10LX, pty: c.sock/u}
       four: {model: UST-10LX, pty: tty2}
 )"),
-                ElementsAre("fleet.yaml:7: robots.a.sensors.two.pty: tty/u and tty of "
+                ElementsAre("rig.yaml:7: robots.a.sensors.two.pty: tty/u and tty of "
                             "robots.a.sensors.one.pty cannot both be: one is a folder of the "
                             "other; use another",
-                            "fleet.yaml:8: robots.a.sensors.three.pty: c.sock/u and c.sock of "
+                            "rig.yaml:8: robots.a.sensors.three.pty: c.sock/u and c.sock of "
                             "control cannot both be: one is a folder of the other; use another"));
 }
 
@@ -181,11 +181,11 @@ robots:
     sensors:
       b-c: {model: UST-10LX, pty: auto}
 )"),
-                ElementsAre("fleet.yaml:6: robots.a-b.sensors.d.pty: scipd/control.sock is taken "
+                ElementsAre("rig.yaml:6: robots.a-b.sensors.d.pty: scipd/control.sock is taken "
                             "by control; use another",
-                            "fleet.yaml:7: robots.a-b.sensors.e.pty: scipd/a-b-c is taken by "
+                            "rig.yaml:7: robots.a-b.sensors.e.pty: scipd/a-b-c is taken by "
                             "robots.a-b.sensors.c.pty; use another",
-                            "fleet.yaml:10: robots.a.sensors.b-c.pty: scipd/a-b-c is taken by "
+                            "rig.yaml:10: robots.a.sensors.b-c.pty: scipd/a-b-c is taken by "
                             "robots.a-b.sensors.c.pty; use another"));
     // The default is nobody's where there is another.
     EXPECT_THAT(faults("scene: room.sdf\ncontrol: other.sock\nrobots: {r: {sensors: {s: {model: "

@@ -22,7 +22,7 @@ class ConfigFixture : public testing::Test {
     }
 
     Config parse(const std::string& text) const {
-        return parse_config(text, dir_.path() / "fleet.yaml");
+        return parse_config(text, dir_.path() / "rig.yaml");
     }
 
     /// Without the folder, which differs from run to run.

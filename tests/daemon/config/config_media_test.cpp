@@ -64,17 +64,17 @@ TEST_F(ConfigMedia, TellTheirFaultsWithLineAndKey) {
                      "  - {kind: snow, mm_per_hour: 1, box: {from: [0, 0, 0], to: [1, 0, 1]}}\n"
                      "  - {kind: snow, mm_per_hour: 1, box: [0, 0, 0, 1, 1, 1]}\n"),
         ElementsAre(
-            "fleet.yaml:2: media: needs kind: fog, rain, snow, dust or custom",
-            "fleet.yaml:3: media.kind: must be fog, rain, snow, dust or custom, not 'mud'",
-            "fleet.yaml:4: media: needs visibility_m",
-            "fleet.yaml:6: media.visibility_m: must be 0.5 to 100000 m, not '0.4'",
-            "fleet.yaml:7: media.visibility_m: is not of rain; leave it out",
-            "fleet.yaml:8: media.colour: unknown key; known here are kind, name, box, "
+            "rig.yaml:2: media: needs kind: fog, rain, snow, dust or custom",
+            "rig.yaml:3: media.kind: must be fog, rain, snow, dust or custom, not 'mud'",
+            "rig.yaml:4: media: needs visibility_m",
+            "rig.yaml:6: media.visibility_m: must be 0.5 to 100000 m, not '0.4'",
+            "rig.yaml:7: media.visibility_m: is not of rain; leave it out",
+            "rig.yaml:8: media.colour: unknown key; known here are kind, name, box, "
             "visibility_m, mm_per_hour, extinction_per_m, returns_per_m, brightness",
-            "fleet.yaml:8: media.mm_per_hour: must be a number, not 'nan'",
-            "fleet.yaml:9: media.box: needs to",
-            "fleet.yaml:10: media.box: must go from the lowest corner to the highest in x, y and z",
-            "fleet.yaml:11: media.box: must be a map of keys and values"));
+            "rig.yaml:8: media.mm_per_hour: must be a number, not 'nan'",
+            "rig.yaml:9: media.box: needs to",
+            "rig.yaml:10: media.box: must go from the lowest corner to the highest in x, y and z",
+            "rig.yaml:11: media.box: must be a map of keys and values"));
 }
 
 TEST_F(ConfigMedia, AreBoundInEachNumber) {
@@ -82,7 +82,7 @@ TEST_F(ConfigMedia, AreBoundInEachNumber) {
         const auto faults = media_faults("media: [{" + medium + "}]\n");
         return faults.size() == 1 ? faults[0] : std::to_string(faults.size()) + " faults";
     };
-    const std::string place = "fleet.yaml:1: media.";
+    const std::string place = "rig.yaml:1: media.";
     EXPECT_EQ(fault("kind: fog, visibility_m: 100001"),
               place + "visibility_m: must be 0.5 to 100000 m, not '100001'");
     EXPECT_EQ(fault("kind: snow, mm_per_hour: 501"),
@@ -104,9 +104,9 @@ TEST_F(ConfigMedia, HaveNamesOfTheirOwn) {
                              "  - {kind: fog, visibility_m: 30}\n"
                              "  - {kind: rain, mm_per_hour: 3, name: fog}\n"
                              "  - {kind: rain, mm_per_hour: 3, name: \"a\\tb\"}\n"),
-                ElementsAre("fleet.yaml:3: media: needs a name, since another medium is 'fog'",
-                            "fleet.yaml:4: media.name: is taken: another is 'fog'",
-                            "fleet.yaml:5: media.name: must be UTF-8 without control characters"));
+                ElementsAre("rig.yaml:3: media: needs a name, since another medium is 'fog'",
+                            "rig.yaml:4: media.name: is taken: another is 'fog'",
+                            "rig.yaml:5: media.name: must be UTF-8 without control characters"));
 }
 
 TEST_F(ConfigMedia, AreAtMost64) {
@@ -115,9 +115,9 @@ TEST_F(ConfigMedia, AreAtMost64) {
         list += "  - {kind: rain, mm_per_hour: 1, name: r" + std::to_string(i) + "}\n";
     EXPECT_EQ(media(list).size(), 64U);
     EXPECT_THAT(media_faults(list + "  - {kind: snow, mm_per_hour: 1}\n"),
-                ElementsAre("fleet.yaml:1: media: must be a list of at most 64, in brackets"));
+                ElementsAre("rig.yaml:1: media: must be a list of at most 64, in brackets"));
     EXPECT_THAT(media_faults("media: fog\n"),
-                ElementsAre("fleet.yaml:1: media: must be a list of at most 64, in brackets"));
+                ElementsAre("rig.yaml:1: media: must be a list of at most 64, in brackets"));
 }
 
 }  // namespace

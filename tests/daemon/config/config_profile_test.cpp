@@ -256,7 +256,7 @@ class ConfigProfileFaults : public ConfigFixture {
   protected:
     std::vector<std::string> said(const std::string& fields,
                                   const std::string& model = "UST-10LX") const {
-        const std::string start = "fleet.yaml:3: robots.r.sensors.s.profile.";
+        const std::string start = "rig.yaml:3: robots.r.sensors.s.profile.";
         auto all = sensor_faults("profile: {" + fields + "}", model);
         for (std::string& fault : all)
             if (fault.starts_with(start)) fault.erase(0, start.size());
@@ -340,7 +340,7 @@ TEST_F(ConfigProfileFaults, OfOneValue) {
                 ElementsAre("bit_rates: must be a whole number from 0 to 1000000, not 'x'"));
     EXPECT_THAT(said("serial: {a: b}"), ElementsAre("serial: must be a single value, not a map"));
     EXPECT_THAT(sensor_faults("profile: x"),
-                ElementsAre("fleet.yaml:3: robots.r.sensors.s.profile: must be a map of keys and "
+                ElementsAre("rig.yaml:3: robots.r.sensors.s.profile: must be a map of keys and "
                             "values"));
 }
 
@@ -450,22 +450,21 @@ robots:
       b: {pty: auto, model: MINE}
 )");
     ASSERT_EQ(told.size(), 9u) << testing::PrintToString(told);
-    EXPECT_EQ(told[0],
-              "fleet.yaml:3: models.UST-10LX: is a model of scipd's own; use another name");
+    EXPECT_EQ(told[0], "rig.yaml:3: models.UST-10LX: is a model of scipd's own; use another name");
     EXPECT_EQ(told[1],
-              "fleet.yaml:4: models.a/b: 'a/b' is no name: use up to 64 letters, digits, _ - and "
+              "rig.yaml:4: models.a/b: 'a/b' is no name: use up to 64 letters, digits, _ - and "
               "., not beginning with a dot");
     EXPECT_EQ(told[2],
-              "fleet.yaml:5: models.EMPTY: needs like, the model that all else is taken from, such "
+              "rig.yaml:5: models.EMPTY: needs like, the model that all else is taken from, such "
               "as `like: UST-10LX`");
     EXPECT_THAT(told[3], testing::StartsWith(
-                             "fleet.yaml:6: models.LIKE-MINE.like: there is no model \"EMPTY\""));
-    EXPECT_EQ(told[4], "fleet.yaml:7: models.WRONG.dmax: unknown key; did you mean amax?");
-    EXPECT_EQ(told[5], "fleet.yaml:7: models.WRONG.serial: must be a single value, not a list");
-    EXPECT_EQ(told[6], "fleet.yaml:7: models.WRONG.amin: must be at most 540, afrt, not 700");
-    EXPECT_EQ(told[7], "fleet.yaml:8: models.NONE: must be a map of keys and values");
+                             "rig.yaml:6: models.LIKE-MINE.like: there is no model \"EMPTY\""));
+    EXPECT_EQ(told[4], "rig.yaml:7: models.WRONG.dmax: unknown key; did you mean amax?");
+    EXPECT_EQ(told[5], "rig.yaml:7: models.WRONG.serial: must be a single value, not a list");
+    EXPECT_EQ(told[6], "rig.yaml:7: models.WRONG.amin: must be at most 540, afrt, not 700");
+    EXPECT_EQ(told[7], "rig.yaml:8: models.NONE: must be a map of keys and values");
     EXPECT_THAT(told[8],
-                testing::AllOf(testing::StartsWith("fleet.yaml:13: robots.r.sensors.b.model: there "
+                testing::AllOf(testing::StartsWith("rig.yaml:13: robots.r.sensors.b.model: there "
                                                    "is no model \"MINE\""),
                                testing::EndsWith("; this file defines EMPTY, LIKE-MINE, NONE, "
                                                  "UST-10LX, WRONG, a/b")));

@@ -19,7 +19,7 @@ using testing::HasSubstr;
 
 /// FILE:LINE: and the key of the sensor, which is the same in all of these.
 std::string at(const std::string& rest) {
-    return "fleet.yaml:3: robots.r.sensors.s." + rest;
+    return "rig.yaml:3: robots.r.sensors.s." + rest;
 }
 
 using ConfigSensorTest = ConfigFixture;

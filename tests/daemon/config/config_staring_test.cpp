@@ -29,7 +29,7 @@ const std::string sonar = "ranger: {cone_deg: 30, beams: 61, rate_hz: 20, range_
 
 /// FILE:LINE: and the key of the sensor, which is the same in all of these.
 std::string at(const std::string& rest) {
-    return "fleet.yaml:3: robots.r.sensors.s" + rest;
+    return "rig.yaml:3: robots.r.sensors.s" + rest;
 }
 
 class ConfigStaringTest : public ConfigFixture {

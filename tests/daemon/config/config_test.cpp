@@ -120,53 +120,53 @@ http: 8080
 TEST_F(ConfigTest, TellsEveryFaultAtOnceInTheOrderOfLines) {
     EXPECT_THAT(
         faults(every_fault),
-        ElementsAre("fleet.yaml:1: scene: there is no file 'nowhere.sdf'",
-                    "fleet.yaml:2: seed: must be a whole number from 0 to 18446744073709551615, "
+        ElementsAre("rig.yaml:1: scene: there is no file 'nowhere.sdf'",
+                    "rig.yaml:2: seed: must be a whole number from 0 to 18446744073709551615, "
                     "not '-1'",
-                    "fleet.yaml:3: materials: there is no file 'wood.yaml'",
-                    "fleet.yaml:4: sceen: unknown key; did you mean scene?",
-                    "fleet.yaml:7: robots.rescue.pose.yaw: unknown key; known here are xyz, rpy",
-                    "fleet.yaml:7: robots.rescue.pose.xyz: must be a list of three numbers, such "
+                    "rig.yaml:3: materials: there is no file 'wood.yaml'",
+                    "rig.yaml:4: sceen: unknown key; did you mean scene?",
+                    "rig.yaml:7: robots.rescue.pose.yaw: unknown key; known here are xyz, rpy",
+                    "rig.yaml:7: robots.rescue.pose.xyz: must be a list of three numbers, such "
                     "as [1, 2, 0]",
-                    "fleet.yaml:7: robots.rescue.pose.rpy: must be a number, not 'north'",
-                    "fleet.yaml:9: robots.rescue.poses.from: must be udp:ADDRESS:PORT such "
+                    "rig.yaml:7: robots.rescue.pose.rpy: must be a number, not 'north'",
+                    "rig.yaml:9: robots.rescue.poses.from: must be udp:ADDRESS:PORT such "
                     "as udp:127.0.0.1:14550, not 'udp:somewhere'",
-                    "fleet.yaml:9: robots.rescue.poses.after: must be hold, extrapolate or none, "
+                    "rig.yaml:9: robots.rescue.poses.after: must be hold, extrapolate or none, "
                     "not 'rest'",
-                    "fleet.yaml:9: robots.rescue.poses.wait_ms: must be 0 to 900 ms, not '2000'",
-                    "fleet.yaml:11: robots.rescue.sensors.front: needs a model, a camera "
+                    "rig.yaml:9: robots.rescue.poses.wait_ms: must be 0 to 900 ms, not '2000'",
+                    "rig.yaml:11: robots.rescue.sensors.front: needs a model, a camera "
                     "or a ranger; `scipd --list-models` lists them",
-                    "fleet.yaml:12: robots.rescue.sensors.front.modle: unknown key; did you mean "
+                    "rig.yaml:12: robots.rescue.sensors.front.modle: unknown key; did you mean "
                     "model?",
-                    "fleet.yaml:13: robots.rescue.sensors.front.tcp: must be ADDRESS:PORT such as "
+                    "rig.yaml:13: robots.rescue.sensors.front.tcp: must be ADDRESS:PORT such as "
                     "127.0.0.1:10940, [::1]:10940 or localhost:0, not '127.0.0.1:70000'",
-                    "fleet.yaml:14: robots.rescue.sensors.front.tcp: given twice, first in line "
+                    "rig.yaml:14: robots.rescue.sensors.front.tcp: given twice, first in line "
                     "13; keep one",
-                    "fleet.yaml:15: robots.rescue.sensors.front.backend: this build has no "
+                    "rig.yaml:15: robots.rescue.sensors.front.backend: this build has no "
                     "backend 'opengl'; use auto, " +
                         tests::listed_backends(),
-                    "fleet.yaml:16: robots.rescue.sensors.front.accuracy: must be ideal, "
+                    "rig.yaml:16: robots.rescue.sensors.front.accuracy: must be ideal, "
                     "sensor or material, not 'fine'",
-                    "fleet.yaml:17: robots.rescue.sensors.front.echo: must be first, strongest "
+                    "rig.yaml:17: robots.rescue.sensors.front.echo: must be first, strongest "
                     "or last, not 'loud'",
-                    "fleet.yaml:18: robots.rescue.sensors.front.motion: must be beam or a number "
+                    "rig.yaml:18: robots.rescue.sensors.front.motion: must be beam or a number "
                     "of poses per sweep, 1 to 100000, not '0'",
-                    "fleet.yaml:19: robots.rescue.sensors.front.link.baud: is of a tty; give "
+                    "rig.yaml:19: robots.rescue.sensors.front.link.baud: is of a tty; give "
                     "pty, or leave it out",
-                    "fleet.yaml:20: robots.rescue.sensors.rear/left: 'rear/left' is no name: use "
+                    "rig.yaml:20: robots.rescue.sensors.rear/left: 'rear/left' is no name: use "
                     "up to 64 letters, digits, _ - and ., not beginning with a dot",
-                    "fleet.yaml:20: robots.rescue.sensors.rear/left: nobody can reach it; give "
+                    "rig.yaml:20: robots.rescue.sensors.rear/left: nobody can reach it; give "
                     "tcp or pty, such as `pty: auto`",
-                    "fleet.yaml:21: robots.rescue.sensors.rear/left.model: there is no model "
+                    "rig.yaml:21: robots.rescue.sensors.rear/left.model: there is no model "
                     "\"UST-99\"; the models are URG-04LX, URG-04LX-UG01, UBG-04LX-F01, "
                     "UHG-08LX, UTM-30LX, UTM-30LX-EW, UXM-30LX-E, UXM-30LX-EW, UXM-30LXH-EWA, "
                     "UST-05LX, UST-10LX, UST-10LX-H01, UST-10LX-H02, UST-20LX, UST-20LX-H01, "
                     "UST-30LX, UST-30LC; `scipd --list-models` shows their firmware",
-                    "fleet.yaml:22: robots.rescue.sensors.rear/left.timing: must be real or "
+                    "rig.yaml:22: robots.rescue.sensors.rear/left.timing: must be real or "
                     "ideal, not 'fast'",
-                    "fleet.yaml:23: robots.empty: needs at least one sensor, under sensors",
-                    "fleet.yaml:24: clock: must be wall or poses, not 'pose'",
-                    "fleet.yaml:25: http: must be ADDRESS:PORT such as 127.0.0.1:10940, "
+                    "rig.yaml:23: robots.empty: needs at least one sensor, under sensors",
+                    "rig.yaml:24: clock: must be wall or poses, not 'pose'",
+                    "rig.yaml:25: http: must be ADDRESS:PORT such as 127.0.0.1:10940, "
                     "[::1]:10940 or localhost:0, not '8080'"));
 }
 
@@ -215,12 +215,12 @@ TEST_F(ConfigTest, ReadsWhatAMapAndAnSdfLeaveOpen) {
     EXPECT_TRUE(config.strict);
     EXPECT_EQ(config.map, (sim::MapOptions{-0.5, 3.0, "brick", sim::UnknownCells::wall}));
     EXPECT_THAT(faults(robots + "geometry: both\nmap: {z: [2, 1], unknown: maybe, height: 2}"),
-                ElementsAre("fleet.yaml:2: geometry: must be visual or collision, not 'both'",
-                            "fleet.yaml:3: map.height: unknown key; known here are z, material, "
+                ElementsAre("rig.yaml:2: geometry: must be visual or collision, not 'both'",
+                            "rig.yaml:3: map.height: unknown key; known here are z, material, "
                             "unknown",
-                            "fleet.yaml:3: map.z: must be the heights of the walls, [BOTTOM, TOP], "
+                            "rig.yaml:3: map.z: must be the heights of the walls, [BOTTOM, TOP], "
                             "such as [0, 2]",
-                            "fleet.yaml:3: map.unknown: must be free, wall or unknown, not "
+                            "rig.yaml:3: map.unknown: must be free, wall or unknown, not "
                             "'maybe'"));
 }
 
@@ -237,14 +237,14 @@ TEST_F(ConfigTest, ReadsWhatAWorldMayTake) {
     EXPECT_EQ(parse(robots).limits, WorldLimits{});
     EXPECT_THAT(
         faults(robots + "limits: {world_memory_mb: 0, world_triangles: 8GiB, memory: 2}"),
-        ElementsAre("fleet.yaml:2: limits.memory: unknown key; known here are "
+        ElementsAre("rig.yaml:2: limits.memory: unknown key; known here are "
                     "world_memory_mb, world_triangles, world_overlap, world_load_s, "
                     "scip_line_bytes, scanner_connections, http_connections, control_connections, "
                     "http_header_bytes, http_body_bytes, websocket_messages_per_s, "
                     "websocket_queue_bytes, added_models, added_triangles, poses_per_s",
-                    "fleet.yaml:2: limits.world_memory_mb: must be a whole number from 1 "
+                    "rig.yaml:2: limits.world_memory_mb: must be a whole number from 1 "
                     "to 1000000, not '0'",
-                    "fleet.yaml:2: limits.world_triangles: must be a whole number from 1 "
+                    "rig.yaml:2: limits.world_triangles: must be a whole number from 1 "
                     "to 1000000000, not '8GiB'"));
 }
 
@@ -257,11 +257,11 @@ TEST_F(ConfigTest, ReadsWhatClientsMay) {
     EXPECT_EQ(config.client_limits[Limit::scip_line_bytes], 128);
     EXPECT_THAT(faults(robots + "limits:\n  scip_line_bytes: 31\n  http_connections: 0\n"
                                 "  added_models: -1"),
-                ElementsAre("fleet.yaml:3: limits.scip_line_bytes: must be a whole number from 32 "
+                ElementsAre("rig.yaml:3: limits.scip_line_bytes: must be a whole number from 32 "
                             "to 4096, not '31'",
-                            "fleet.yaml:4: limits.http_connections: must be a whole number from 1 "
+                            "rig.yaml:4: limits.http_connections: must be a whole number from 1 "
                             "to 10000, not '0'",
-                            "fleet.yaml:5: limits.added_models: must be a whole number from 1 to "
+                            "rig.yaml:5: limits.added_models: must be a whole number from 1 to "
                             "1000000, not '-1'"));
 }
 
@@ -289,24 +289,24 @@ TEST_F(ConfigTest, SaysWhatPosesCannotBe) {
                       "}, sensors: {s: {model: UST-10LX, pty: auto}}}}");
     };
     EXPECT_THAT(faults_of("after: hold"),
-                ElementsAre("fleet.yaml:1: robots.r.poses: needs from: udp:ADDR:PORT, a trajectory "
+                ElementsAre("rig.yaml:1: robots.r.poses: needs from: udp:ADDR:PORT, a trajectory "
                             "or -"));
     EXPECT_THAT(faults_of("from: '-', speed: 2, loop: true"),
-                ElementsAre("fleet.yaml:1: robots.r.poses.speed: is of a trajectory; live poses "
+                ElementsAre("rig.yaml:1: robots.r.poses.speed: is of a trajectory; live poses "
                             "come when they come",
-                            "fleet.yaml:1: robots.r.poses.loop: is of a trajectory; live poses "
+                            "rig.yaml:1: robots.r.poses.loop: is of a trajectory; live poses "
                             "come when they come"));
     EXPECT_THAT(faults_of("from: '-', format: tum"),
-                ElementsAre("fleet.yaml:1: robots.r.poses.format: is of a trajectory; live poses "
+                ElementsAre("rig.yaml:1: robots.r.poses.format: is of a trajectory; live poses "
                             "come when they come"));
     EXPECT_THAT(faults_of("from: walk.tum, format: gpx"),
-                ElementsAre("fleet.yaml:1: robots.r.poses.format: must be tum, euroc, kitti or "
+                ElementsAre("rig.yaml:1: robots.r.poses.format: must be tum, euroc, kitti or "
                             "csv, not 'gpx'; leave it out to go by the content"));
     EXPECT_THAT(faults_of("from: '-', before: now, stale_s: 0, jump_mps: -1"),
-                ElementsAre("fleet.yaml:1: robots.r.poses.before: must be hold or none, not 'now'",
-                            "fleet.yaml:1: robots.r.poses.stale_s: must be more than 0 and up to "
+                ElementsAre("rig.yaml:1: robots.r.poses.before: must be hold or none, not 'now'",
+                            "rig.yaml:1: robots.r.poses.stale_s: must be more than 0 and up to "
                             "3600 s, not '0'",
-                            "fleet.yaml:1: robots.r.poses.jump_mps: must be more than 0 and up to "
+                            "rig.yaml:1: robots.r.poses.jump_mps: must be more than 0 and up to "
                             "1e6 m/s, not '-1'"));
 }
 
@@ -328,53 +328,53 @@ robots:
       three: {model: UST-10LX, tcp: 127.0.0.1:1002}
 )"),
         ElementsAre(
-            "fleet.yaml:10: robots.b.poses: standard input is taken by robots.a.poses; use another",
-            "fleet.yaml:12: robots.b.sensors.one.tcp: 127.0.0.1:1001 is taken by "
+            "rig.yaml:10: robots.b.poses: standard input is taken by robots.a.poses; use another",
+            "rig.yaml:12: robots.b.sensors.one.tcp: 127.0.0.1:1001 is taken by "
             "robots.a.sensors.one.tcp; use another",
-            "fleet.yaml:13: robots.b.sensors.two.pty: link is taken by robots.a.sensors.one.pty; "
+            "rig.yaml:13: robots.b.sensors.two.pty: link is taken by robots.a.sensors.one.pty; "
             "use another",
-            "fleet.yaml:14: robots.b.sensors.three.tcp: 127.0.0.1:1002 is taken by http; use "
+            "rig.yaml:14: robots.b.sensors.three.tcp: 127.0.0.1:1002 is taken by http; use "
             "another"));
 }
 
 TEST_F(ConfigTest, NeedsARobotWithASensor) {
     const std::string start = "scene: room.sdf\n";
-    EXPECT_THAT(faults(start), ElementsAre("fleet.yaml:1: needs at least one robot, under robots"));
+    EXPECT_THAT(faults(start), ElementsAre("rig.yaml:1: needs at least one robot, under robots"));
     EXPECT_THAT(faults(start + "robots: {}"),
-                ElementsAre("fleet.yaml:2: robots: needs at least one robot, under robots"));
+                ElementsAre("rig.yaml:2: robots: needs at least one robot, under robots"));
     EXPECT_THAT(faults(start + "robots:"),
-                ElementsAre("fleet.yaml:2: robots: must be a map of keys and values"));
+                ElementsAre("rig.yaml:2: robots: must be a map of keys and values"));
     EXPECT_THAT(faults(start + "robots: {r: {}}"),
-                ElementsAre("fleet.yaml:2: robots.r: needs at least one sensor, under sensors"));
+                ElementsAre("rig.yaml:2: robots.r: needs at least one sensor, under sensors"));
     EXPECT_THAT(faults(start + "robots: {r: {sensors: [a]}}"),
-                ElementsAre("fleet.yaml:2: robots.r.sensors: must be a map of keys and values"));
+                ElementsAre("rig.yaml:2: robots.r.sensors: must be a map of keys and values"));
 }
 
 TEST_F(ConfigTest, SaysWhatAValueMayBe) {
     EXPECT_THAT(sensor_faults("backend:"),
-                ElementsAre("fleet.yaml:3: robots.r.sensors.s.backend: has no value; give one or "
+                ElementsAre("rig.yaml:3: robots.r.sensors.s.backend: has no value; give one or "
                             "leave the key out"));
     EXPECT_THAT(sensor_faults("backend: [auto]"),
-                ElementsAre("fleet.yaml:3: robots.r.sensors.s.backend: must be a single value, "
+                ElementsAre("rig.yaml:3: robots.r.sensors.s.backend: must be a single value, "
                             "not a list"));
     EXPECT_THAT(sensor_faults("mount: [1, 2, 3]"),
-                ElementsAre("fleet.yaml:3: robots.r.sensors.s.mount: must be a map of keys and "
+                ElementsAre("rig.yaml:3: robots.r.sensors.s.mount: must be a map of keys and "
                             "values"));
     EXPECT_THAT(sensor_faults("mount: {xyz: [1e8, 0, 0]}"),
-                ElementsAre("fleet.yaml:3: robots.r.sensors.s.mount.xyz: must lie within 1e7 m, "
+                ElementsAre("rig.yaml:3: robots.r.sensors.s.mount.xyz: must lie within 1e7 m, "
                             "not '1e8'"));
     EXPECT_THAT(sensor_faults("mount: {rpy: [nan, 0, 0]}"),
-                ElementsAre("fleet.yaml:3: robots.r.sensors.s.mount.rpy: must be a number, not "
+                ElementsAre("rig.yaml:3: robots.r.sensors.s.mount.rpy: must be a number, not "
                             "'nan'"));
     EXPECT_THAT(sensor_faults("accuracy: best"),
-                ElementsAre("fleet.yaml:3: robots.r.sensors.s.accuracy: must be ideal, sensor or "
+                ElementsAre("rig.yaml:3: robots.r.sensors.s.accuracy: must be ideal, sensor or "
                             "material, not 'best'"));
     EXPECT_THAT(sensor_faults("{a: b}: c"),
-                ElementsAre("fleet.yaml:3: robots.r.sensors.s: a key must be a plain name"));
+                ElementsAre("rig.yaml:3: robots.r.sensors.s: a key must be a plain name"));
     EXPECT_THAT(sensor_faults("tcp: none"), ElementsAre());
     EXPECT_THAT(faults("scene: room.sdf\n"
                        "robots: {r: {sensors: {s: {model: UST-10LX, tcp: none, pty: none}}}}"),
-                ElementsAre("fleet.yaml:2: robots.r.sensors.s: nobody can reach it; give tcp or "
+                ElementsAre("rig.yaml:2: robots.r.sensors.s: nobody can reach it; give tcp or "
                             "pty, such as `pty: auto`"));
 }
 
@@ -383,28 +383,26 @@ TEST_F(ConfigTest, NamesMaterialsBesideItself) {
     const auto file = dir_.write("wood.yaml", "materials: {}\n");
     const Config config = parse(robots + "materials: wood.yaml\n");
     EXPECT_EQ(config.materials, file);
-    EXPECT_THAT(config.place_of("materials"), testing::EndsWith("fleet.yaml:2: materials: "));
+    EXPECT_THAT(config.place_of("materials"), testing::EndsWith("rig.yaml:2: materials: "));
     EXPECT_TRUE(parse(robots).materials.empty());
     EXPECT_THAT(faults(robots + "materials: ."), ElementsAre(testing::HasSubstr("name a file")));
 }
 
 TEST_F(ConfigTest, SaysWhereTheTextIsNotYaml) {
     EXPECT_THAT(faults("scene: room.sdf\nrobots: {r: [}\n"),
-                ElementsAre(HasSubstr("fleet.yaml:2: not YAML: ")));
+                ElementsAre(HasSubstr("rig.yaml:2: not YAML: ")));
     EXPECT_THAT(faults("scene: room.sdf\n\tseed: 1\n"),
-                ElementsAre(HasSubstr("fleet.yaml:2: not YAML: ")));
-    EXPECT_THAT(faults("just words"),
-                ElementsAre("fleet.yaml:1: must be a map of keys and values"));
+                ElementsAre(HasSubstr("rig.yaml:2: not YAML: ")));
+    EXPECT_THAT(faults("just words"), ElementsAre("rig.yaml:1: must be a map of keys and values"));
     EXPECT_THAT(faults(std::string{whole} + "---\nscene: room.sdf\n"),
-                ElementsAre("fleet.yaml:27: a second YAML document; keep one"));
+                ElementsAre("rig.yaml:27: a second YAML document; keep one"));
     // On which the library's own way to read all documents never ends.
-    EXPECT_THAT(faults("!tag,"),
-                testing::Contains("fleet.yaml:1: a second YAML document; keep one"));
+    EXPECT_THAT(faults("!tag,"), testing::Contains("rig.yaml:1: a second YAML document; keep one"));
 }
 
 TEST_F(ConfigTest, AFaultIsALineThatCanBeShown) {
     EXPECT_THAT(sensor_faults("\"a\\n\\x1b\": 1"),
-                ElementsAre("fleet.yaml:3: robots.r.sensors.s.a??: unknown key; known here are "
+                ElementsAre("rig.yaml:3: robots.r.sensors.s.a??: unknown key; known here are "
                             "model, camera, ranger, mount, tcp, pty, backend, depth, accuracy, "
                             "echo, interference, motion, timing, power_up, clock, link, profile, "
                             "sees_body, noise, bias"));
@@ -414,19 +412,19 @@ TEST_F(ConfigTest, AFaultIsALineThatCanBeShown) {
     EXPECT_THAT(told, ElementsAre(HasSubstr("there is no model \"UST?10\"")));
     // The library quotes the byte that it stumbles over.
     EXPECT_THAT(faults("\"\\\x01\""),
-                ElementsAre("fleet.yaml:1: not YAML: unknown escape character: ?"));
+                ElementsAre("rig.yaml:1: not YAML: unknown escape character: ?"));
 }
 
 TEST_F(ConfigTest, BoundsWhatAHostileFileCosts) {
     EXPECT_THAT(faults(std::string(500'000, '[')),
-                ElementsAre("fleet.yaml:1: nested too deeply to be a configuration"));
+                ElementsAre("rig.yaml:1: nested too deeply to be a configuration"));
     EXPECT_THAT(faults(std::string((1 << 20) + 1, ' ')),
-                ElementsAre("fleet.yaml:1: larger than 1 MiB; split it"));
+                ElementsAre("rig.yaml:1: larger than 1 MiB; split it"));
 
     std::string many = "scene: room.sdf\nrobots:\n";
     for (int i = 0; i < 5000; ++i)
         many += "  r" + std::to_string(i) + ": {}\n";
-    EXPECT_THAT(faults(many), ElementsAre("fleet.yaml:2: robots: has more than 4096 entries; "
+    EXPECT_THAT(faults(many), ElementsAre("rig.yaml:2: robots: has more than 4096 entries; "
                                           "split it into several daemons"));
 
     // One alias a robot, and every robot would have a hundred sensors.
@@ -438,7 +436,7 @@ TEST_F(ConfigTest, BoundsWhatAHostileFileCosts) {
     const auto told = faults(aliases);
     ASSERT_EQ(told.size(), 101u);
     EXPECT_EQ(told.front(),
-              "fleet.yaml:144: robots.r39: more than 4096 sensors in all; split them "
+              "rig.yaml:144: robots.r39: more than 4096 sensors in all; split them "
               "over several daemons");
     EXPECT_THAT(told.back(), HasSubstr("too many faults"));
 }
@@ -456,7 +454,7 @@ robots:
 }
 
 TEST_F(ConfigTest, LoadsAFileRelativeToItself) {
-    const auto file = dir_.write("fleet.yaml", whole);
+    const auto file = dir_.write("rig.yaml", whole);
     EXPECT_EQ(load_config(file), parse(whole));
     EXPECT_EQ(load_config(file).scene, dir_.path() / "room.sdf");
 }

@@ -33,20 +33,20 @@ TEST_F(ConfigUnits, DegreesAreToldOfRobotsAndMounts) {
                          "      c: {camera: {columns: 8, rows: 6, fov_deg: [40, 30], rate_hz: 25, "
                          "range_m: [100, 7500]},\n"
                          "          mount: {rpy: [0, 45, 0]}}\n"),
-                ElementsAre("fleet.yaml:4: robots.r.pose.rpy: 0, 0, 90 looks like degrees, but "
+                ElementsAre("rig.yaml:4: robots.r.pose.rpy: 0, 0, 90 looks like degrees, but "
                             "angles are radians; did you mean 0, 0, 1.5708?",
-                            "fleet.yaml:6: robots.r.sensors.s.mount.rpy: 180, 0, 0 looks like "
+                            "rig.yaml:6: robots.r.sensors.s.mount.rpy: 180, 0, 0 looks like "
                             "degrees, but angles are radians; did you mean 3.1416, 0, 0?",
-                            "fleet.yaml:8: robots.r.sensors.c.mount.rpy: 0, 45, 0 looks like "
+                            "rig.yaml:8: robots.r.sensors.c.mount.rpy: 0, 45, 0 looks like "
                             "degrees, but angles are radians; did you mean 0, 0.7854, 0?",
-                            "fleet.yaml:7: robots.r.sensors.c.camera.range_m: 100, 7500 looks like "
+                            "rig.yaml:7: robots.r.sensors.c.camera.range_m: 100, 7500 looks like "
                             "millimetres, but lengths are metres; did you mean 0.1, 7.5?"));
 }
 
 TEST_F(ConfigUnits, MillimetresAreToldOfTheWallsOfAMap) {
     const std::string robots = "robots: {r: {sensors: {s: {model: UST-10LX, pty: auto}}}}\n";
     EXPECT_THAT(warnings("scene: room.sdf\nmap: {z: [0, 2500]}\n" + robots),
-                ElementsAre("fleet.yaml:2: map.z: 0, 2500 looks like millimetres, but lengths are "
+                ElementsAre("rig.yaml:2: map.z: 0, 2500 looks like millimetres, but lengths are "
                             "metres; did you mean 0, 2.5?"));
     EXPECT_THAT(warnings("scene: room.sdf\nmap: {z: [0, 250]}\n" + robots), IsEmpty());
 }

@@ -45,11 +45,11 @@ TEST_F(DoorsTest, AMapSaysWhereHttpListensAndForWhom) {
 
 TEST_F(DoorsTest, WhatOtherMachinesReachNeedsAToken) {
     EXPECT_THAT(faults(rooted("http: 0.0.0.0:8080")),
-                ElementsAre("fleet.yaml:3: http: other machines reach 0.0.0.0:8080: in a "
+                ElementsAre("rig.yaml:3: http: other machines reach 0.0.0.0:8080: in a "
                             "configuration, http: {listen: ADDRESS:PORT, token_file: FILE} lets in "
                             "who has the token; or use 127.0.0.1"));
     EXPECT_THAT(faults(rooted("http:\n  listen: \"[::]:0\"")),
-                ElementsAre(StartsWith("fleet.yaml:4: http.listen: other machines reach [::]:0")));
+                ElementsAre(StartsWith("rig.yaml:4: http.listen: other machines reach [::]:0")));
     for (const char* address : {"127.0.0.1:0", "127.8.0.1:0", "localhost:0", "'[::1]:0'", "none"})
         EXPECT_THAT(faults(rooted("http: " + std::string(address))), IsEmpty()) << address;
 }
@@ -58,7 +58,7 @@ TEST_F(DoorsTest, ATokenIsLongAndForNobodyElse) {
     const auto why = [&] {
         return faults(rooted("http: {listen: 0.0.0.0:80, token_file: token}"));
     };
-    const std::string place = "fleet.yaml:3: http.token_file: ";
+    const std::string place = "rig.yaml:3: http.token_file: ";
     write_token(secret, fs::perms(0644));
     EXPECT_THAT(why(), ElementsAre(place + "others may read or write 'token'; `chmod o= FILE` "
                                            "forbids it"));
@@ -79,11 +79,11 @@ TEST_F(DoorsTest, ATokenIsLongAndForNobodyElse) {
 
 TEST_F(DoorsTest, TellWhatIsMissingOrUnknown) {
     EXPECT_THAT(faults(rooted("http: {token_file: token}")),
-                ElementsAre("fleet.yaml:3: http: needs listen: ADDRESS:PORT"));
+                ElementsAre("rig.yaml:3: http: needs listen: ADDRESS:PORT"));
     EXPECT_THAT(faults(rooted("http: {listen: 127.0.0.1:0, token_file: no}")),
-                ElementsAre("fleet.yaml:3: http.token_file: there is no file 'no'"));
+                ElementsAre("rig.yaml:3: http.token_file: there is no file 'no'"));
     EXPECT_THAT(faults(rooted("control:\n  socket: c.sock\n  group: no-such-group")),
-                ElementsAre("fleet.yaml:5: control.group: there is no group 'no-such-group'; "
+                ElementsAre("rig.yaml:5: control.group: there is no group 'no-such-group'; "
                             "`getent group` lists them"));
 }
 
@@ -107,10 +107,10 @@ TEST_F(DoorsTest, FilesMayBeReadFromTheFoldersOfTheConfigurationAndItsScene) {
                 ElementsAre(dir_.path() / "worlds", "/tmp"));
     EXPECT_THAT(parse(rooted("allow: []")).allow, IsEmpty());
     EXPECT_THAT(faults(rooted("allow: worlds")),
-                ElementsAre("fleet.yaml:3: allow: must be a list of folders, such as [worlds]"));
+                ElementsAre("rig.yaml:3: allow: must be a list of folders, such as [worlds]"));
     EXPECT_THAT(faults(rooted("allow: [nowhere, room.sdf]")),
-                ElementsAre("fleet.yaml:3: allow: there is no file 'nowhere'",
-                            "fleet.yaml:3: allow: 'room.sdf' is a file; name its folder"));
+                ElementsAre("rig.yaml:3: allow: there is no file 'nowhere'",
+                            "rig.yaml:3: allow: 'room.sdf' is a file; name its folder"));
 }
 
 }  // namespace

@@ -48,14 +48,14 @@ TEST_F(FleetConfigTest, SaysWhichWorldIsSharedAndByWhichBroker) {
 
 TEST_F(FleetConfigTest, TellsWhatIsMissingAndWhatDoesNotFit) {
     EXPECT_THAT(faults(with_fleet("broker: mqtt://a")),
-                ElementsAre("fleet.yaml:3: fleet: needs world, such as {broker: "
+                ElementsAre("rig.yaml:3: fleet: needs world, such as {broker: "
                             "mqtt://127.0.0.1:1883, world: warehouse}"));
     EXPECT_THAT(faults(with_fleet("broker: mqtt://a, world: w, tls: {cert: ca.pem}")),
-                ElementsAre("fleet.yaml:3: fleet.tls: needs a broker: mqtts://HOST:PORT",
-                            "fleet.yaml:3: fleet.tls: cert and key go together"));
+                ElementsAre("rig.yaml:3: fleet.tls: needs a broker: mqtts://HOST:PORT",
+                            "rig.yaml:3: fleet.tls: cert and key go together"));
     dir_.write("user", "nobody\n");
     EXPECT_THAT(faults(with_fleet("broker: mqtt://a, world: w, user_file: user")),
-                ElementsAre("fleet.yaml:3: fleet.user_file: the first line of the file must be "
+                ElementsAre("rig.yaml:3: fleet.user_file: the first line of the file must be "
                             "USER:PASSWORD"));
 }
 
@@ -72,11 +72,11 @@ TEST_F(FleetConfigTest, VehiclesTellTheirPosesByTheBroker) {
         EXPECT_EQ(poses->vehicle, vehicle);
     }
     EXPECT_THAT(faults(with_poses("vda5050:ACME", "")),
-                ElementsAre("fleet.yaml:4: robots.tug.poses: needs fleet, by whose broker vehicles "
+                ElementsAre("rig.yaml:4: robots.tug.poses: needs fleet, by whose broker vehicles "
                             "tell where they are"));
     for (const char* bad : {"'vda5050:'", "vda5050:a/b/c", "vda5050:a+", "vda5050:/a"}) {
         EXPECT_THAT(faults(with_poses(bad, fleet)),
-                    ElementsAre(StartsWith("fleet.yaml:4: robots.tug.poses: must be vda5050:")));
+                    ElementsAre(StartsWith("rig.yaml:4: robots.tug.poses: must be vda5050:")));
     }
 }
 

@@ -37,7 +37,7 @@ class LoadMaterials : public testing::Test {
     }
 
     std::filesystem::path rig(const std::string& more, const std::string& accuracy = "material") {
-        return dir_.write("fleet.yaml",
+        return dir_.write("rig.yaml",
                           "scene: room.sdf\n" + more +
                               "robots: {r: {sensors: {s: {model: UST-10LX, pty: auto, accuracy: " +
                               accuracy + "}}}}\n");
@@ -119,7 +119,7 @@ TEST_F(LoadMaterials, GoesWithThePlanOfARig) {
     EXPECT_THAT(plan.loaded.warnings, IsEmpty());
     EXPECT_FLOAT_EQ(plan.materials->surface({"cheese"}, 905).diffuse, 0.7F);
     dir_.write("mine.yaml", "materials: {cheese: {reflectance: {905: 0.3}, assumed: true}}\n");
-    EXPECT_FLOAT_EQ(make_plan(load_config(dir_.path() / "fleet.yaml"))
+    EXPECT_FLOAT_EQ(make_plan(load_config(dir_.path() / "rig.yaml"))
                         .materials->surface({"cheese"}, 905)
                         .diffuse,
                     0.3F);

@@ -31,7 +31,7 @@ class LoadTrajectoriesTest : public testing::Test {
         PoseSource& source = plays.poses.emplace();
         source.kind = PoseSource::Kind::file;
         source.file = file;
-        config_.places["robots." + robot + ".poses"] = "fleet.yaml: " + robot + ": ";
+        config_.places["robots." + robot + ".poses"] = "rig.yaml: " + robot + ": ";
         config_.robots.push_back(std::move(plays));
         return *config_.robots.back().poses;
     }
@@ -77,7 +77,7 @@ TEST_F(LoadTrajectoriesTest, TellsEveryFaultWithItsPlace) {
     add("a", directory_.write("rubbish.tum", "1 2 3\n"));
     add("b", directory_.write("drive.tum", two_poses));
     add("c", directory_.path() / "nowhere.tum");
-    EXPECT_THAT(faults(), ElementsAre(HasSubstr("fleet.yaml: a: "), HasSubstr("fleet.yaml: c: ")));
+    EXPECT_THAT(faults(), ElementsAre(HasSubstr("rig.yaml: a: "), HasSubstr("rig.yaml: c: ")));
 }
 
 TEST_F(LoadTrajectoriesTest, RefusesAWarningWhereItIsStrict) {

@@ -152,10 +152,10 @@ TEST_F(Mounting, ANameMustBeOfOnePlace) {
 }
 
 TEST_F(Mounting, FaultsHaveTheirPlace) {
-    config_.places["robots.r.sensors.s.mount"] = "fleet.yaml:7: robots.r.sensors.s.mount: ";
+    config_.places["robots.r.sensors.s.mount"] = "rig.yaml:7: robots.r.sensors.s.mount: ";
     EXPECT_THAT(
         faults("x"),
-        ElementsAre(testing::StartsWith("fleet.yaml:7: robots.r.sensors.s.mount: w.sdf has no ")));
+        ElementsAre(testing::StartsWith("rig.yaml:7: robots.r.sensors.s.mount: w.sdf has no ")));
 }
 
 TEST_F(Mounting, ARobotIsOfOneModel) {

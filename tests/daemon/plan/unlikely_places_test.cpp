@@ -44,11 +44,10 @@ TEST(UnlikelyPlaces, AreToldWithWhatWasMeant) {
                 ElementsAre("--mount: 200, 0, 250 looks like millimetres, but lengths are metres; "
                             "did you mean 0.2, 0, 0.25?"));
     Config config = with(at(1500, 2000, 0), at(0.2, 0, 0.25));
-    config.places["robots.r.pose"] = "fleet.yaml:3: robots.r.pose: ";
-    EXPECT_THAT(
-        warnings_of(config, room()),
-        ElementsAre("fleet.yaml:3: robots.r.pose.xyz: 1500, 2000, 0 looks like millimetres, "
-                    "but lengths are metres; did you mean 1.5, 2, 0?"));
+    config.places["robots.r.pose"] = "rig.yaml:3: robots.r.pose: ";
+    EXPECT_THAT(warnings_of(config, room()),
+                ElementsAre("rig.yaml:3: robots.r.pose.xyz: 1500, 2000, 0 looks like millimetres, "
+                            "but lengths are metres; did you mean 1.5, 2, 0?"));
     // Where the mount is nothing to wonder at once the robot's place is right.
     EXPECT_EQ(warnings_of(with(at(1500, 2000, 0), at(0, 0, 0.25)), room()).size(), 1U);
 }

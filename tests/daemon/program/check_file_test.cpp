@@ -151,7 +151,7 @@ TEST_F(CheckFile, StillTakesAConfigurationByAnyName) {
     dir_.write("room.sdf", world("<box><size>2 3 1</size></box>"));
     const std::string config =
         "scene: room.sdf\nrobots: {r: {sensors: {s: {model: UST-10LX, pty: auto}}}}\n";
-    for (const char* name : {"fleet.yaml", "fleet.conf", "fleet"})
+    for (const char* name : {"rig.yaml", "rig.conf", "rig"})
         EXPECT_THAT(said(name, config), HasSubstr(": no faults; robots: 1, sensors: 1, models: 1"));
     EXPECT_THAT(said("typo.yaml", "robot: {}\n"),
                 HasSubstr("typo.yaml:1: robot: unknown key; did you mean robots?"));

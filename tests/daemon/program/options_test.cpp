@@ -253,7 +253,7 @@ TEST_F(OptionsTest, CheckTellsAllFaultsOrNone) {
 }
 
 TEST_F(OptionsTest, CheckReadsTheWorldToo) {
-    const auto file = dir_.write("fleet.yaml",
+    const auto file = dir_.write("rig.yaml",
                                  "scene: bad.sdf\n"
                                  "robots: {r: {sensors: {s: {model: UST-20LX, pty: auto}}}}\n");
     const auto bad = dir_.write("bad.sdf", room("<box><size>1 0 1</size></box>"));
@@ -282,7 +282,7 @@ TEST_F(OptionsTest, CheckSaysWhereLaserRetroCountsForNothing) {
         "bright.sdf", room("<box><size>1 1 1</size></box>", "<laser_retro>2000</laser_retro>"));
     const auto check = [&](const std::string& accuracy) {
         return answer("--check " +
-                      dir_.write("fleet.yaml",
+                      dir_.write("rig.yaml",
                                  "scene: bright.sdf\nrobots: {r: {sensors: {s: {model: "
                                  "UST-20LX, pty: auto, accuracy: " +
                                      accuracy + "}}}}\n")
@@ -296,7 +296,7 @@ TEST_F(OptionsTest, CheckSaysWhereLaserRetroCountsForNothing) {
 }
 
 TEST_F(OptionsTest, CheckTellsFaultsOfTheWorldAndOfTrajectories) {
-    const auto file = dir_.write("fleet.yaml",
+    const auto file = dir_.write("rig.yaml",
                                  "scene: bad.sdf\n"
                                  "robots: {r: {poses: drive.tum, sensors: {s: {model: UST-20LX, "
                                  "pty: auto}}}}\n");
@@ -311,7 +311,7 @@ TEST_F(OptionsTest, CheckTellsFaultsOfTheWorldAndOfTrajectories) {
 }
 
 TEST_F(OptionsTest, CheckTellsWhatIsLeftOutOfTrajectories) {
-    const auto file = dir_.write("fleet.yaml",
+    const auto file = dir_.write("rig.yaml",
                                  "scene: room.sdf\n"
                                  "robots: {r: {poses: {from: drive.txt, format: csv}, sensors: {s: "
                                  "{model: UST-20LX, pty: auto}}}}\n");
@@ -323,7 +323,7 @@ TEST_F(OptionsTest, CheckTellsWhatIsLeftOutOfTrajectories) {
 }
 
 TEST_F(OptionsTest, CheckMakesFaultsOfWarningsOfTrajectoriesWhereItIsStrict) {
-    const auto file = dir_.write("fleet.yaml",
+    const auto file = dir_.write("rig.yaml",
                                  "scene: room.sdf\nstrict: true\n"
                                  "robots: {r: {poses: {from: drive.txt, format: csv}, sensors: {s: "
                                  "{model: UST-20LX, pty: auto}}}}\n");
@@ -338,7 +338,7 @@ TEST_F(OptionsTest, CheckMakesFaultsOfWarningsOfTrajectoriesWhereItIsStrict) {
 
 TEST_F(OptionsTest, RunsAScenarioWhateverTheConfigurationSays) {
     const auto other = dir_.write("other.yaml", "steps: [{sensor: r/s, kind: reboot}]\n");
-    const auto file = dir_.write("fleet.yaml",
+    const auto file = dir_.write("rig.yaml",
                                  "scene: room.sdf\nscenario: bad_day.yaml\n"
                                  "robots: {r: {sensors: {s: {model: UST-20LX, pty: auto}}}}\n");
     const auto named = dir_.write("bad_day.yaml", "steps:\n- {sensor: r/x, kind: reboot}\n");
@@ -376,7 +376,7 @@ TEST_F(OptionsTest, HasAPageWhateverTheConfigurationSays) {
 }
 
 TEST_F(OptionsTest, CheckTellsWhereABodyIsMissing) {
-    const auto file = dir_.write("fleet.yaml",
+    const auto file = dir_.write("rig.yaml",
                                  "scene: room.sdf\n"
                                  "robots:\n  r:\n    body: hull\n"
                                  "    sensors: {s: {model: UST-20LX, pty: auto}}\n");
@@ -445,7 +445,7 @@ TEST(Options, NamesTheOptionThatSomebodyMeant) {
         {"--sceen x", "there is no option --sceen; did you mean --scene? See"},
         {"--seed 2 --treads=3", "there is no option --treads; did you mean --threads? See"},
         {"--radar", "there is no option --radar; see"},
-        {"fleet.yaml", "'fleet.yaml' is no option; leave it out; see"},
+        {"rig.yaml", "'rig.yaml' is no option; leave it out; see"},
     };
     for (const auto& [line, sentence] : table) {
         EXPECT_EQ(answer(line).exit_code, 2) << line;

@@ -172,9 +172,9 @@ TEST_F(RigScenarioTest, ThatWasRunByHandStaysWhereTheConfigurationHasNoOther) {
 TEST_F(RigScenarioTest, ChangesNothingWhereItIsWrong) {
     rig_.apply(of({scanner("front")}, front_and_all));
     Config wrong = of({scanner("front"), ideal_camera(4, 25.0)}, "seed: x\nsteps: []\n");
-    wrong.places["scenario"] = "fleet.yaml:3: scenario: ";
+    wrong.places["scenario"] = "rig.yaml:3: scenario: ";
     const std::string place =
-        "fleet.yaml:3: scenario: " + (directory_.path() / "bad_day.yaml").string();
+        "rig.yaml:3: scenario: " + (directory_.path() / "bad_day.yaml").string();
     try {
         rig_.apply(wrong);
         FAIL();

@@ -239,7 +239,7 @@ TEST_P(BackendContract, LooksThroughTheBodyThatCarriesTheSensorAndNoOther) {
     EXPECT_EQ(ahead(1).object, 0U);
 }
 
-// Robots of a fleet: the same two pieces each, of other materials. The last one is of another size.
+// Robots of one kind: the same two pieces each, of other materials. The last is of another size.
 TEST_P(BackendContract, TellsBodiesOfEqualGeometryApart) {
     load(scene()
              .movable(at(5))

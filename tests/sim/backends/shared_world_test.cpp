@@ -80,7 +80,7 @@ TEST(EmbreeOfOneScene, TakesTheMemoryOfWhatStandsStillOnce) {
 }
 
 /// Robots that all have this body. Without one, each has a box of its own height.
-SharedScene fleet(unsigned robots, const SharedMesh& body) {
+SharedScene many_robots(unsigned robots, const SharedMesh& body) {
     SceneBuilder scene;
     for (unsigned i = 0; i < robots; ++i) {
         scene.movable({{2.0 * i, 0, 0}, {1, 0, 0, 0}});
@@ -104,12 +104,12 @@ TEST(EmbreeOfOneScene, TakesTheMemoryOfEqualBodiesOnce) {
     const auto body = std::get<SharedMesh>(sea(200)->objects.front().shape);
     const auto triangles_mb = 1e-6 * sizeof(glm::uvec3) * double(body->triangles.size());
     constexpr unsigned robots = 100;
-    EXPECT_LT(backend_mb(fleet(robots, body)), 0.5 * robots * triangles_mb);
+    EXPECT_LT(backend_mb(many_robots(robots, body)), 0.5 * robots * triangles_mb);
 }
 
 TEST(EmbreeOfOneScene, TakesNoMoreForABodyWhereThereAreMany) {
     if (tests::sanitized) GTEST_SKIP() << tests::sanitizers_want_memory;
-    EXPECT_LT(backend_mb(fleet(5000, nullptr)), 0.03 * 5000);
+    EXPECT_LT(backend_mb(many_robots(5000, nullptr)), 0.03 * 5000);
 }
 
 TEST(EmbreeOfOneScene, HasWhatMovesForEachBackend) {

@@ -182,15 +182,15 @@ TEST(WorstOverlap, CountsShapesOfManyObjectsTogether) {
     EXPECT_NEAR(found->middle_m.z, 5.0, 1e-3);
 }
 
-// Robots of a fleet may well begin at one place.
+// Robots of one kind may well begin at one place.
 TEST(WorstOverlap, CountsWhatMovesByItself) {
     const SharedMesh body = shared(soup(900, 0.01F, 0.5F));
-    SceneBuilder fleet;
+    SceneBuilder robots;
     for (int i = 0; i < 20; ++i)
-        fleet.movable({}).with(body, {});
-    EXPECT_FALSE(worst(fleet, 400));
-    fleet.movable({}).with(body, {}).with(body, {});
-    EXPECT_TRUE(worst(fleet, 400));
+        robots.movable({}).with(body, {});
+    EXPECT_FALSE(worst(robots, 400));
+    robots.movable({}).with(body, {}).with(body, {});
+    EXPECT_TRUE(worst(robots, 400));
 }
 
 TEST(WorstOverlap, LooksWhereSomethingWasAdded) {

@@ -139,7 +139,7 @@ TEST_F(Stage, childrenStandOnTopUnlessTheyAreToldNotTo) {
 }
 
 TEST_F(Stage, robotsMoveAndTheirSensorsAreNothing) {
-    const auto fleet = scene(
+    const auto robots = scene(
         "define sick laser ( size [0.1 0.1 0.1] samples 180 )\n"
         "define pioneer position ( size [0.5 0.5 0.2] drive \"diff\"\n"
         "  block ( points 4 point[0] [1 1] point[1] [1 -1] point[2] [-1 -1] point[3] [-1 1] z [0 "
@@ -147,12 +147,12 @@ TEST_F(Stage, robotsMoveAndTheirSensorsAreNothing) {
         ")\n"
         "pioneer ( name \"r\" pose [2 0 0 0] sick ( pose [0 0 0.1 0] ) )\n"
         "pioneer ( name \"r\" pose [-2 0 0 0] )\n");
-    ASSERT_THAT(fleet->models, SizeIs(2));
-    EXPECT_EQ(fleet->models[0].name, "r");
-    EXPECT_EQ(fleet->models[1].name, "r:1");
-    EXPECT_TRUE(fleet->models[0].movable);
-    EXPECT_THAT(fleet->objects, SizeIs(2));
-    expect_range(fleet, {0, 0, 0.1}, {1, 0, 0}, 1.75);
+    ASSERT_THAT(robots->models, SizeIs(2));
+    EXPECT_EQ(robots->models[0].name, "r");
+    EXPECT_EQ(robots->models[1].name, "r:1");
+    EXPECT_TRUE(robots->models[0].movable);
+    EXPECT_THAT(robots->objects, SizeIs(2));
+    expect_range(robots, {0, 0, 0.1}, {1, 0, 0}, 1.75);
 }
 
 // Finding a free number for each by counting from 1 takes 17 s.
