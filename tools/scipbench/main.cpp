@@ -22,10 +22,10 @@
 #include "sim/sensor/scanner.h"
 #include "tools/completion_command.h"
 #include "tools/options.h"
+#include "tools/scipbench/capacity_command.h"
 #include "tools/scipbench/chart.h"
 #include "tools/scipbench/compare.h"
 #include "tools/scipbench/compare_stages.h"
-#include "tools/scipbench/fleet_command.h"
 #include "tools/scipbench/load.h"
 #include "tools/scipbench/machine.h"
 #include "tools/scipbench/output_file.h"
@@ -231,7 +231,7 @@ int main(int argc, char** argv) {
         ->excludes("--json");
     add_plot(*compare, said);
     add_load(program, said);
-    add_fleet(program);
+    add_capacity(program);
     // Last, since commands take it over.
     program.footer("scipbench COMMAND --help tells more.");
     add_completion_command(program);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipbench/fleet.h"
+#include "tools/scipbench/measure_capacity.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -11,11 +11,11 @@
 
 #include "daemon/models/registry.h"
 #include "tools/scipbench/capacity.h"
-#include "tools/scipbench/fleet_chart.h"
-#include "tools/scipbench/fleet_report.h"
-#include "tools/scipbench/fleet_run.h"
-#include "tools/scipbench/fleet_stages.h"
-#include "tools/scipbench/fleet_world.h"
+#include "tools/scipbench/capacity_chart.h"
+#include "tools/scipbench/capacity_report.h"
+#include "tools/scipbench/capacity_run.h"
+#include "tools/scipbench/capacity_stages.h"
+#include "tools/scipbench/capacity_world.h"
 #include "tools/scipbench/machine.h"
 #include "tools/scipbench/output_file.h"
 
@@ -24,10 +24,10 @@ namespace {
 
 class Measurement {
   public:
-    explicit Measurement(const FleetQuestion& question)
+    explicit Measurement(const CapacityQuestion& question)
         : question_(question), world_(question.setup.scene) {
         constexpr int enough = 64;
-        const FleetSetup& setup = question.setup;
+        const CapacitySetup& setup = question.setup;
         costs_ = measure_stages(world_.backend(), daemon::find_model(setup.model), setup.driving,
                                 world_.places(enough));
     }
@@ -41,21 +41,21 @@ class Measurement {
             search();
         }
         if (!question_.plot.empty()) {
-            draw_fleets(runs_, costs_, describe(question_.setup), describe_machine(),
-                        question_.plot);
+            draw_capacity(runs_, costs_, describe(question_.setup), describe_machine(),
+                          question_.plot);
         }
         write_to(question_.csv, [this](std::ostream& out) { write_runs_csv(runs_, costs_, out); });
     }
 
   private:
-    const FleetRun& run(int scanners) {
+    const CapacityRun& run(int scanners) {
         runs_.push_back(
-            run_fleet(question_.setup, world_.places(scanners + question_.setup.moving)));
+            run_scanners(question_.setup, world_.places(scanners + question_.setup.moving)));
         print_run(runs_.back(), costs_, std::cout);
         return runs_.back();
     }
 
-    static const FleetRun& told(const FleetRun& run) {
+    static const CapacityRun& told(const CapacityRun& run) {
         if (!run.failure.empty()) throw std::runtime_error(run.failure);
         return run;
     }
@@ -63,8 +63,8 @@ class Measurement {
     // A neighbour of this machine may take a core away for a moment, so each number has two tries.
     bool holds(int scanners) { return run(scanners).holds() || run(scanners).holds(); }
 
-    [[nodiscard]] const FleetRun& last(int scanners) const {
-        return *std::ranges::find(runs_.rbegin(), runs_.rend(), scanners, &FleetRun::scanners);
+    [[nodiscard]] const CapacityRun& last(int scanners) const {
+        return *std::ranges::find(runs_.rbegin(), runs_.rend(), scanners, &CapacityRun::scanners);
     }
 
     void search() {
@@ -79,7 +79,7 @@ class Measurement {
         print_costs(last(found.held), costs_, std::cout);
         std::cout << "\nat four fifths of them:\n";
         print_run_header(std::cout);
-        const FleetRun& calm = run(std::max(1, found.held * 4 / 5));
+        const CapacityRun& calm = run(std::max(1, found.held * 4 / 5));
         std::cout << "\n";
         print_lateness(calm, std::cout);
     }
@@ -96,22 +96,22 @@ class Measurement {
         }
     }
 
-    void print_all(const FleetRun& run) const {
+    void print_all(const CapacityRun& run) const {
         std::cout << "\n";
         print_costs(run, costs_, std::cout);
         std::cout << "\n";
         print_lateness(run, std::cout);
     }
 
-    const FleetQuestion& question_;
-    FleetWorld world_;
+    const CapacityQuestion& question_;
+    CapacityWorld world_;
     StageCosts costs_;
-    std::vector<FleetRun> runs_;
+    std::vector<CapacityRun> runs_;
 };
 
 }  // namespace
 
-void measure_fleet(const FleetQuestion& question) {
+void measure_capacity(const CapacityQuestion& question) {
     Measurement(question).print();
 }
 

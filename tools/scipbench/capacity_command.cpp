@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipbench/fleet_command.h"
+#include "tools/scipbench/capacity_command.h"
 
 #include <chrono>
 #include <filesystem>
@@ -14,7 +14,7 @@
 #include "daemon/models/registry.h"
 #include "sim/loaders/file/load_error.h"
 #include "tools/options.h"
-#include "tools/scipbench/fleet.h"
+#include "tools/scipbench/measure_capacity.h"
 #include "tools/scipbench/output_file.h"
 
 namespace scipd::tools {
@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Asked {
-    FleetQuestion question;
+    CapacityQuestion question;
     int seconds = 10;
     bool start = false;
 };
@@ -41,75 +41,75 @@ fs::path maze() {
 }
 
 void answer(Asked& asked) {
-    FleetSetup& setup = asked.question.setup;
+    CapacitySetup& setup = asked.question.setup;
     if (setup.scipd.empty()) setup.scipd = scipd_beside();
     if (::access(setup.scipd.c_str(), X_OK) != 0)
         throw WrongInput(setup.scipd.string() + " is no program; name scipd with --scipd");
     if (setup.scene.empty()) setup.scene = maze();
     setup.duration = std::chrono::seconds(asked.seconds);
     try {
-        asked.start ? measure_start(asked.question) : measure_fleet(asked.question);
+        asked.start ? measure_start(asked.question) : measure_capacity(asked.question);
     } catch (const sim::LoadError& error) {
         throw WrongInput(error.what());
     }
 }
 
-void add_setup(CLI::App& fleet, FleetSetup& setup) {
-    fleet.add_option("--model", setup.model, "a scanner of `scipd --list-models`")
+void add_setup(CLI::App& capacity, CapacitySetup& setup) {
+    capacity.add_option("--model", setup.model, "a scanner of `scipd --list-models`")
         ->check([](const std::string& name) {
             const auto model = daemon::model_named(name);
             return model ? std::string() : model.error().why;
         })
         ->option_text("MODEL [UST-10LX]");
-    fleet.add_option("--scene", setup.scene, "world to measure in")
+    capacity.add_option("--scene", setup.scene, "world to measure in")
         ->check(CLI::ExistingFile)
         ->option_text("FILE [the rescue maze]");
-    fleet.add_flag("--driving", setup.driving,
-                   "every robot drives in a circle, by 50 poses a second from a file");
-    fleet
+    capacity.add_flag("--driving", setup.driving,
+                      "every robot drives in a circle, by 50 poses a second from a file");
+    capacity
         .add_option("--moving", setup.moving,
                     "so many boxes go round among them, by 50 poses a second each")
         ->check(whole_within(0, 10'000))
         ->option_text("N [0]");
-    fleet.add_option("--threads", setup.threads, "how many threads the scanners live on")
+    capacity.add_option("--threads", setup.threads, "how many threads the scanners live on")
         ->check(whole_within(1, 1024))
         ->option_text("N [scipd's own choice]");
-    fleet.add_option("--scipd", setup.scipd, "program to measure")
+    capacity.add_option("--scipd", setup.scipd, "program to measure")
         ->option_text("PROGRAM [the one beside scipbench]");
 }
 
 }  // namespace
 
-void add_fleet(CLI::App& program) {
+void add_capacity(CLI::App& program) {
     constexpr int most_scanners = 20'000;
     const auto asked = std::make_shared<Asked>();
-    FleetQuestion& question = asked->question;
-    CLI::App* fleet = program.add_subcommand(
+    CapacityQuestion& question = asked->question;
+    CLI::App* capacity = program.add_subcommand(
         "capacity",
         "find out how many scanners one scipd can be on this machine without losing a "
         "scan, what they cost and what limits");
-    fleet->alias("fleet");  // as it was called in 0.1
-    add_setup(*fleet, question.setup);
-    fleet->add_option("-s,--seconds", asked->seconds, "how long each run streams")
+    capacity->alias("fleet");  // as it was called in 0.1
+    add_setup(*capacity, question.setup);
+    capacity->add_option("-s,--seconds", asked->seconds, "how long each run streams")
         ->check(whole_within(1, 1'000'000))
         ->capture_default_str();
     auto* const scanners =
-        fleet->add_option("-n,--scanners", question.scanners, "run so many, and do not search")
+        capacity->add_option("-n,--scanners", question.scanners, "run so many, and do not search")
             ->check(whole_within(1, most_scanners))
             ->option_text("N");
-    auto* const most = fleet->add_option("--most", question.most, "try no more than so many")
+    auto* const most = capacity->add_option("--most", question.most, "try no more than so many")
                            ->check(whole_within(1, most_scanners))
                            ->excludes(scanners)
                            ->option_text("N");
-    auto* const csv = fleet->add_option("--csv", question.csv, "table to write, a run a line")
+    auto* const csv = capacity->add_option("--csv", question.csv, "table to write, a run a line")
                           ->check(can_be_written)
                           ->option_text("FILE.csv");
     auto* const plot =
-        fleet->add_option("-o,--plot", question.plot, "picture to draw: the share of all cores")
+        capacity->add_option("-o,--plot", question.plot, "picture to draw: the share of all cores")
             ->check(is_picture)
             ->check(can_be_written)
             ->option_text("FILE.png|FILE.svg");
-    fleet
+    capacity
         ->add_flag("--start", asked->start,
                    "measure instead how soon 500 scanners are ready, or --scanners, and how soon "
                    "scipd answers GET /status then")
@@ -117,7 +117,7 @@ void add_fleet(CLI::App& program) {
         ->excludes(plot)
         ->excludes(most)
         ->excludes("--moving");
-    fleet->callback([asked] { answer(*asked); });
+    capacity->callback([asked] { answer(*asked); });
 }
 
 }  // namespace scipd::tools

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipbench/fleet_daemon.h"
+#include "tools/scipbench/capacity_daemon.h"
 
 #include <stdexcept>
 #include <thread>
@@ -13,7 +13,7 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-std::vector<std::string> command(const FleetSetup& setup, const FleetSite& site) {
+std::vector<std::string> command(const CapacitySetup& setup, const CapacitySite& site) {
     std::vector<std::string> words{setup.scipd, "--config", site.configuration(), "--log-level",
                                    "warning"};
     if (setup.threads) words.insert(words.end(), {"--threads", std::to_string(*setup.threads)});
@@ -22,7 +22,7 @@ std::vector<std::string> command(const FleetSetup& setup, const FleetSite& site)
 
 }  // namespace
 
-FleetDaemon::FleetDaemon(const FleetSetup& setup, const std::vector<sim::Pose>& places)
+CapacityDaemon::CapacityDaemon(const CapacitySetup& setup, const std::vector<sim::Pose>& places)
     : program_(
           [&] {
               site_.write(setup, places);
@@ -34,7 +34,7 @@ FleetDaemon::FleetDaemon(const FleetSetup& setup, const std::vector<sim::Pose>& 
     wait_until_ready();
 }
 
-void FleetDaemon::wait_until_ready() {
+void CapacityDaemon::wait_until_ready() {
     constexpr auto patience = 120s;
     constexpr auto between_looks = 1ms;
     std::string line;

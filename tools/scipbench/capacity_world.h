@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The world of a fleet, as this process sees it, and how many scanners this process and those that
-// it starts can have. One thread.
+// The world of a measurement, as this process sees it, and how many scanners this process and those
+// that it starts can have. One thread.
 #pragma once
 
 #include <filesystem>
@@ -14,11 +14,11 @@
 
 namespace scipd::tools {
 
-class FleetWorld {
+class CapacityWorld {
   public:
     /// Throws sim::LoadError. From now on this process, and those that it starts, may open as many
     /// files as the system lets them.
-    explicit FleetWorld(const std::filesystem::path& scene);
+    explicit CapacityWorld(const std::filesystem::path& scene);
 
     [[nodiscard]] sim::RangeBackend& backend() { return *backend_; }
     /// Free places on the ground for so many robots. Each run gets the same ones.

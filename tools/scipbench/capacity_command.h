@@ -9,6 +9,6 @@
 namespace scipd::tools {
 
 /// Adds the command.
-void add_fleet(CLI::App& program);
+void add_capacity(CLI::App& program);
 
 }  // namespace scipd::tools

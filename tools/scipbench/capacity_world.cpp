@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipbench/fleet_world.h"
+#include "tools/scipbench/capacity_world.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -13,7 +13,7 @@
 #include "daemon/config/demo_world.h"
 #include "sim/backends/registry.h"
 #include "sim/loaders/scene_file.h"
-#include "tools/scipbench/fleet_site.h"
+#include "tools/scipbench/capacity_site.h"
 #include "tools/scipbench/free_poses.h"
 
 namespace scipd::tools {
@@ -41,13 +41,13 @@ std::unique_ptr<sim::RangeBackend> rays_into(const std::filesystem::path& scene)
 
 }  // namespace
 
-FleetWorld::FleetWorld(const std::filesystem::path& scene)
+CapacityWorld::CapacityWorld(const std::filesystem::path& scene)
     : backend_(rays_into(scene)), most_(raise_descriptors()) {}
 
-std::vector<sim::Pose> FleetWorld::places(int robots) {
+std::vector<sim::Pose> CapacityWorld::places(int robots) {
     std::vector<sim::Pose> places;
     for (const sim::Pose& free :
-         free_poses(*backend_, static_cast<std::size_t>(robots), fleet_height_m)) {
+         free_poses(*backend_, static_cast<std::size_t>(robots), scanner_height_m)) {
         const double yaw_rad = 2.0 * std::atan2(free.rotation.z, free.rotation.w);
         places.push_back(sim::pose_from_rpy({free.translation_m.x, free.translation_m.y, 0.0},
                                             {0.0, 0.0, yaw_rad}));

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "sim/world/pose.h"
-#include "tools/scipbench/fleet_site.h"
+#include "tools/scipbench/capacity_site.h"
 #include "tools/scipbench/processor_use.h"
 
 namespace scipd::tools {
@@ -20,7 +20,7 @@ struct Late {
     double p99_ms = 0.0;
 };
 
-struct FleetRun {
+struct CapacityRun {
     int scanners = 0;
     std::string failure;  ///< why there is nothing to tell; empty: there is
     bool whole = false;   ///< the reader found nothing missing and nothing wrong
@@ -52,6 +52,6 @@ struct FleetRun {
 };
 
 /// The last of the places are those of models that move, as many as the setup has.
-FleetRun run_fleet(const FleetSetup& setup, const std::vector<sim::Pose>& places);
+CapacityRun run_scanners(const CapacitySetup& setup, const std::vector<sim::Pose>& places);
 
 }  // namespace scipd::tools

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipbench/fleet_report.h"
+#include "tools/scipbench/capacity_report.h"
 
 #include <cmath>
 #include <iomanip>
@@ -21,7 +21,7 @@ double used(const ProcessorUse& use) {
 }
 
 /// Seconds of each second become microseconds of each scan.
-double per_scan_us(double share, const FleetRun& run) {
+double per_scan_us(double share, const CapacityRun& run) {
     return run.scans_per_s() > 0.0 ? 1e6 * share / run.scans_per_s() : 0.0;
 }
 
@@ -34,7 +34,7 @@ void print_cost(std::ostream& out, const char* name, double us, const char* what
 
 }  // namespace
 
-double bare_share(const FleetRun& run, const StageCosts& costs) {
+double bare_share(const CapacityRun& run, const StageCosts& costs) {
     return run.scans_per_s() * 1e-6 * costs.bare_cast_us / processors();
 }
 
@@ -49,7 +49,7 @@ void print_run_header(std::ostream& out) {
            "         ms\n";
 }
 
-void print_run(const FleetRun& run, const StageCosts& costs, std::ostream& out) {
+void print_run(const CapacityRun& run, const StageCosts& costs, std::ostream& out) {
     out << std::setw(8) << run.scanners;
     if (!run.failure.empty()) {
         out << "  " << run.failure << "\n" << std::flush;
@@ -73,7 +73,7 @@ void print_run(const FleetRun& run, const StageCosts& costs, std::ostream& out) 
         << std::flush;
 }
 
-void print_costs(const FleetRun& run, const StageCosts& costs, std::ostream& out) {
+void print_costs(const CapacityRun& run, const StageCosts& costs, std::ostream& out) {
     if (!run.failure.empty()) return;
     const double alone_us = costs.poses_us + costs.cast_us + costs.errors_us + costs.encode_us;
     const double user_us = per_scan_us(run.scipd_use.user_s, run);
@@ -98,7 +98,7 @@ void print_costs(const FleetRun& run, const StageCosts& costs, std::ostream& out
     print_cost(out, "read", per_scan_us(used(run.reader_use), run), "the reader's share");
 }
 
-void print_lateness(const FleetRun& run, std::ostream& out) {
+void print_lateness(const CapacityRun& run, std::ostream& out) {
     if (!run.failure.empty()) return;
     const auto pair = [](const Late& late) {
         return "p50 " + significant(late.p50_ms, 3) + " ms, p99 " + significant(late.p99_ms, 3) +
@@ -112,7 +112,7 @@ void print_lateness(const FleetRun& run, std::ostream& out) {
 }
 
 // What is busy for so much of the time cannot make up for a moment that it has lost.
-std::string what_limits(const FleetRun& run) {
+std::string what_limits(const CapacityRun& run) {
     constexpr double busy = 0.9;
     if (!run.failure.empty()) return run.failure;
     const ThreadUse busiest = busiest_of(run.scipd_use);
@@ -131,12 +131,13 @@ std::string what_limits(const FleetRun& run) {
            there;
 }
 
-void write_runs_csv(const std::vector<FleetRun>& runs, const StageCosts& costs, std::ostream& out) {
+void write_runs_csv(const std::vector<CapacityRun>& runs, const StageCosts& costs,
+                    std::ostream& out) {
     out << "scanners,holds,seconds,start_s,scans,missing,lost,scans_per_s,bare_cast_us,"
            "bare_cast_share,poses_us,stage_cast_us,errors_us,encode_us,casts_us,scipd_user_cores,"
            "scipd_kernel_cores,scipd_waiting,reader_cores,late_p50_ms,late_p99_ms,"
            "late_worst_p99_ms,reader_p50_ms,reader_p99_ms,timer_p50_ms,timer_p99_ms\n";
-    for (const FleetRun& run : runs) {
+    for (const CapacityRun& run : runs) {
         out << run.scanners << "," << run.holds() << "," << run.seconds << "," << run.start_s << ","
             << run.scans << "," << run.missing << "," << run.lost << "," << run.scans_per_s();
         for (const double value :

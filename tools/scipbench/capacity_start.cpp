@@ -7,10 +7,10 @@
 #include <thread>
 #include <vector>
 
-#include "tools/scipbench/fleet.h"
-#include "tools/scipbench/fleet_daemon.h"
-#include "tools/scipbench/fleet_world.h"
+#include "tools/scipbench/capacity_daemon.h"
+#include "tools/scipbench/capacity_world.h"
 #include "tools/scipbench/machine.h"
+#include "tools/scipbench/measure_capacity.h"
 #include "tools/scipbench/spread.h"
 
 namespace scipd::tools {
@@ -45,12 +45,12 @@ void print(const char* when, const Answers& answers) {
 
 }  // namespace
 
-void measure_start(const FleetQuestion& question) {
+void measure_start(const CapacityQuestion& question) {
     constexpr int usual_scanners = 500;
-    const FleetSetup& setup = question.setup;
-    FleetWorld world(setup.scene);
+    const CapacitySetup& setup = question.setup;
+    CapacityWorld world(setup.scene);
     const int scanners = question.scanners.value_or(std::min(usual_scanners, world.most()));
-    FleetDaemon scipd(setup, world.places(scanners));
+    CapacityDaemon scipd(setup, world.places(scanners));
     const auto begin = std::chrono::steady_clock::now();
     const Answers at_once =
         ask(scipd.control(), [&] { return std::chrono::steady_clock::now() - begin > 2s; });

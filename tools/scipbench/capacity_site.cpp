@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipbench/fleet_site.h"
+#include "tools/scipbench/capacity_site.h"
 
 #include <cerrno>
 #include <cmath>
@@ -42,7 +42,7 @@ void write_lap(const sim::Pose& place, std::ostream& out) {
     }
 }
 
-Json robot_at(const sim::Pose& place, const FleetSetup& setup, const std::string& lap) {
+Json robot_at(const sim::Pose& place, const CapacitySetup& setup, const std::string& lap) {
     const sim::Pose start = on_its_lap(place, {});
     const double yaw_rad = 2.0 * std::atan2(start.rotation.z, start.rotation.w);
     const glm::dvec3& at = start.translation_m;
@@ -50,7 +50,7 @@ Json robot_at(const sim::Pose& place, const FleetSetup& setup, const std::string
                {"sensors",
                 {{"scanner",
                   {{"model", setup.model},
-                   {"mount", {{"xyz", {0, 0, fleet_height_m}}}},
+                   {"mount", {{"xyz", {0, 0, scanner_height_m}}}},
                    {"tcp", "127.0.0.1:0"},
                    {"accuracy", "sensor"}}}}}};
     if (setup.driving) robot["poses"] = {{"from", lap}, {"loop", true}};
@@ -68,7 +68,7 @@ Json gate_of_movers(std::uint16_t port) {
 
 }  // namespace
 
-std::string describe(const FleetSetup& setup) {
+std::string describe(const CapacitySetup& setup) {
     const std::string threads =
         setup.threads ? std::to_string(*setup.threads) : std::string("scipd's own number of");
     return setup.scene.string() + ", " + setup.model + (setup.driving ? " driving" : " standing") +
@@ -84,15 +84,15 @@ sim::Pose on_its_lap(const sim::Pose& place, sim::Time time) {
                                       {0.0, 0.0, angle_rad + std::numbers::pi / 2});
 }
 
-FleetSite::FleetSite() : folder_(new_folder()), poses_port_(free_udp_port()) {}
+CapacitySite::CapacitySite() : folder_(new_folder()), poses_port_(free_udp_port()) {}
 
-FleetSite::~FleetSite() {
+CapacitySite::~CapacitySite() {
     std::error_code error;
     fs::remove_all(folder_, error);
 }
 
 // JSON is YAML too.
-void FleetSite::write(const FleetSetup& setup, const std::vector<sim::Pose>& places) const {
+void CapacitySite::write(const CapacitySetup& setup, const std::vector<sim::Pose>& places) const {
     Json configuration{{"scene", fs::absolute(setup.scene).string()},
                        {"control", control().string()}};
     for (std::size_t i = 0; i < places.size(); ++i) {

@@ -15,8 +15,8 @@
 #include "tests/support/temp_dir.h"
 #include "tools/scipbench/bare_timer.h"
 #include "tools/scipbench/capacity.h"
+#include "tools/scipbench/capacity_report.h"
 #include "tools/scipbench/child_program.h"
-#include "tools/scipbench/fleet_report.h"
 #include "tools/scipbench/processor_use.h"
 
 namespace scipd::tools {
@@ -143,39 +143,39 @@ TEST(BareTimer, IsNeverEarlyAndLeavesNothingOut) {
 }
 
 /// A run of ten seconds in which nothing was lost.
-FleetRun sound_run() {
+CapacityRun sound_run() {
     return {.scanners = 10, .whole = true, .seconds = 10.0, .scans = 4000, .scans_due = 4000.0};
 }
 
-TEST(FleetRun, HoldsIfAllScansCameInTime) {
+TEST(CapacityRun, HoldsIfAllScansCameInTime) {
     EXPECT_TRUE(sound_run().holds());
     // The first turn or two of each scanner have no scan.
-    FleetRun late = sound_run();
+    CapacityRun late = sound_run();
     late.scans = 3980;
     EXPECT_TRUE(late.holds());
     late.scans = 3700;
     EXPECT_TRUE(late.falls_behind());
     EXPECT_FALSE(late.holds());
-    FleetRun unread = sound_run();
+    CapacityRun unread = sound_run();
     unread.whole = false;
     EXPECT_FALSE(unread.holds());
-    FleetRun lost = sound_run();
+    CapacityRun lost = sound_run();
     lost.lost = 1;
     EXPECT_FALSE(lost.holds());
-    FleetRun failed = sound_run();
+    CapacityRun failed = sound_run();
     failed.failure = "no scipd";
     EXPECT_FALSE(failed.holds());
 }
 
-TEST(FleetReport, TellsBareCastsAsAShareOfAllCores) {
+TEST(CapacityReport, TellsBareCastsAsAShareOfAllCores) {
     // 400 scans a second of 25 ms each are ten cores.
     EXPECT_DOUBLE_EQ(bare_share(sound_run(), {.bare_cast_us = 25'000.0}),
                      10.0 / std::thread::hardware_concurrency());
 }
 
-TEST(FleetReport, NamesWhatLimits) {
+TEST(CapacityReport, NamesWhatLimits) {
     const double all = std::thread::hardware_concurrency();
-    FleetRun run = sound_run();
+    CapacityRun run = sound_run();
     run.scipd_use.user_s = 0.8 * all;
     run.reader_use.kernel_s = 0.15 * all;
     EXPECT_TRUE(what_limits(run).starts_with("the cores: ")) << what_limits(run);

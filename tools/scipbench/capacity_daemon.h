@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// A scipd of our own with a fleet, from its start to its end. One thread.
+// A scipd of our own with so many scanners, from its start to its end. One thread.
 #pragma once
 
 #include <chrono>
@@ -13,15 +13,15 @@
 
 #include "sim/world/pose.h"
 #include "tools/control_client.h"
+#include "tools/scipbench/capacity_site.h"
 #include "tools/scipbench/child_program.h"
-#include "tools/scipbench/fleet_site.h"
 
 namespace scipd::tools {
 
-class FleetDaemon {
+class CapacityDaemon {
   public:
     /// Returns when it is ready. Throws std::runtime_error with what it said, if it is not.
-    FleetDaemon(const FleetSetup& setup, const std::vector<sim::Pose>& places);
+    CapacityDaemon(const CapacitySetup& setup, const std::vector<sim::Pose>& places);
 
     [[nodiscard]] pid_t pid() const { return program_.pid(); }
     /// From exec to the line that says it is ready.
@@ -36,7 +36,7 @@ class FleetDaemon {
   private:
     void wait_until_ready();
 
-    FleetSite site_;
+    CapacitySite site_;
     std::chrono::steady_clock::time_point begin_;
     ChildProgram program_;
     std::chrono::duration<double> start_{};

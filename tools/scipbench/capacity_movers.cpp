@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipbench/fleet_movers.h"
+#include "tools/scipbench/capacity_movers.h"
 
 #include <chrono>
 #include <cstddef>
@@ -11,7 +11,7 @@
 #include <boost/asio/ip/udp.hpp>
 #include <nlohmann/json.hpp>
 
-#include "tools/scipbench/fleet_site.h"
+#include "tools/scipbench/capacity_site.h"
 
 namespace scipd::tools {
 namespace {
@@ -65,8 +65,8 @@ void send_until(const std::stop_token& end, std::uint16_t port,
 
 }  // namespace
 
-FleetMovers::FleetMovers(ControlClient& scipd, std::uint16_t port,
-                         const std::vector<sim::Pose>& places) {
+CapacityMovers::CapacityMovers(ControlClient& scipd, std::uint16_t port,
+                               const std::vector<sim::Pose>& places) {
     for (std::size_t i = 0; i < places.size(); ++i)
         scipd.post("/scene/models", {{"name", name_of(i)}, {"sdf", box}});
     sender_ =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipbench/fleet_run.h"
+#include "tools/scipbench/capacity_run.h"
 
 #include <algorithm>
 #include <chrono>
@@ -14,8 +14,8 @@
 
 #include "daemon/models/registry.h"
 #include "tools/scipbench/bare_timer.h"
-#include "tools/scipbench/fleet_daemon.h"
-#include "tools/scipbench/fleet_movers.h"
+#include "tools/scipbench/capacity_daemon.h"
+#include "tools/scipbench/capacity_movers.h"
 #include "tools/scipbench/spread.h"
 
 namespace scipd::tools {
@@ -49,7 +49,7 @@ std::vector<Look> watch(pid_t scipd, ChildProgram& reader, Clock::duration patie
 }
 
 /// From the first look at the stream, which the reader ends with, to the last.
-void tell_use(const std::vector<Look>& looks, Clock::time_point begin, FleetRun& run) {
+void tell_use(const std::vector<Look>& looks, Clock::time_point begin, CapacityRun& run) {
     const auto first = std::ranges::lower_bound(looks, begin, {}, &Look::time);
     if (first == looks.end() || &*first == &looks.back()) return;
     const Look& last = looks.back();
@@ -58,7 +58,7 @@ void tell_use(const std::vector<Look>& looks, Clock::time_point begin, FleetRun&
     run.reader_use = use_between(first->reader, last.reader, seconds);
 }
 
-void read_findings(const ChildProgram& reader, FleetRun& run) {
+void read_findings(const ChildProgram& reader, CapacityRun& run) {
     const auto found = nlohmann::json::parse(reader.output(), nullptr, false);
     if (!found.is_object()) throw std::runtime_error("the reader fails: " + reader.errors());
     run.seconds = found.at("seconds");
@@ -68,7 +68,7 @@ void read_findings(const ChildProgram& reader, FleetRun& run) {
     run.reader = {found.at("delay_ms").at("p50"), found.at("delay_ms").at("p99")};
 }
 
-void read_status(const ControlClient::Json& status, FleetRun& run) {
+void read_status(const ControlClient::Json& status, CapacityRun& run) {
     std::vector<double> p50_ms;
     std::vector<double> p99_ms;
     for (const auto& sensor : status.at("sensors")) {
@@ -94,18 +94,19 @@ double sum_of(const std::string& metrics, const std::string& name) {
     return sum;
 }
 
-void read_metrics(const std::string& metrics, FleetRun& run) {
+void read_metrics(const std::string& metrics, CapacityRun& run) {
     const double casts = sum_of(metrics, "scipd_casts_total");
     if (casts > 0) run.casts_us = 1e6 * sum_of(metrics, "scipd_cast_seconds_total") / casts;
 }
 
-void run_in_full(const FleetSetup& setup, const std::vector<sim::Pose>& places, FleetRun& run) {
+void run_in_full(const CapacitySetup& setup, const std::vector<sim::Pose>& places,
+                 CapacityRun& run) {
     // Each scanner answers within a few milliseconds before the first one streams.
     const auto patience = setup.duration + 60s + places.size() * 100ms;
-    FleetDaemon scipd(setup, {places.begin(), places.begin() + run.scanners});
+    CapacityDaemon scipd(setup, {places.begin(), places.begin() + run.scanners});
     run.start_s = scipd.start().count();
-    const FleetMovers movers(scipd.control(), scipd.poses_port(),
-                             {places.begin() + run.scanners, places.end()});
+    const CapacityMovers movers(scipd.control(), scipd.poses_port(),
+                                {places.begin() + run.scanners, places.end()});
     const sim::Time period = daemon::find_model(setup.model).optics.scan_period;
     BareTimer timer(period);
     ChildProgram reader(load_command(scipd.targets(), setup.duration), scipd.folder(), "load");
@@ -123,8 +124,8 @@ void run_in_full(const FleetSetup& setup, const std::vector<sim::Pose>& places, 
 
 }  // namespace
 
-FleetRun run_fleet(const FleetSetup& setup, const std::vector<sim::Pose>& places) {
-    FleetRun run{.scanners = static_cast<int>(places.size()) - setup.moving};
+CapacityRun run_scanners(const CapacitySetup& setup, const std::vector<sim::Pose>& places) {
+    CapacityRun run{.scanners = static_cast<int>(places.size()) - setup.moving};
     try {
         run_in_full(setup, places, run);
     } catch (const std::runtime_error& error) {

@@ -20,7 +20,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-Outcome fleet(std::vector<std::string> words) {
+Outcome capacity(std::vector<std::string> words) {
     words.insert(words.begin(), {SCIPBENCH, "capacity"});
     return run(words);
 }
@@ -49,12 +49,12 @@ std::vector<Row> rows_of(const std::filesystem::path& csv) {
     return rows;
 }
 
-TEST(ScipbenchFleet, MeasuresSoManyScanners) {
+TEST(ScipbenchCapacity, MeasuresSoManyScanners) {
     const TempDir directory;
-    const auto csv = directory.path() / "fleet.csv";
-    const auto plot = directory.path() / "fleet.svg";
-    const Outcome outcome = fleet({"--scanners", "3", "--driving", "--threads", "2", "--seconds",
-                                   "2", "--csv", csv, "-o", plot});
+    const auto csv = directory.path() / "capacity.csv";
+    const auto plot = directory.path() / "capacity.svg";
+    const Outcome outcome = capacity({"--scanners", "3", "--driving", "--threads", "2", "--seconds",
+                                      "2", "--csv", csv, "-o", plot});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
     EXPECT_THAT(read_file(plot), HasSubstr("<svg"));
     const std::vector<Row> rows = rows_of(csv);
@@ -74,11 +74,11 @@ TEST(ScipbenchFleet, MeasuresSoManyScanners) {
                                    HasSubstr("of a bare timer beside")));
 }
 
-TEST(ScipbenchFleet, CountsNoModelThatMovesAmongItsScanners) {
+TEST(ScipbenchCapacity, CountsNoModelThatMovesAmongItsScanners) {
     const TempDir directory;
-    const auto csv = directory.path() / "fleet.csv";
+    const auto csv = directory.path() / "capacity.csv";
     const Outcome outcome =
-        fleet({"--scanners", "2", "--moving", "3", "--seconds", "1", "--csv", csv});
+        capacity({"--scanners", "2", "--moving", "3", "--seconds", "1", "--csv", csv});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
     EXPECT_THAT(outcome.out, HasSubstr("3 models move"));
     const std::vector<Row> rows = rows_of(csv);
@@ -87,11 +87,11 @@ TEST(ScipbenchFleet, CountsNoModelThatMovesAmongItsScanners) {
     EXPECT_GT(rows.front().at("scans"), 10);
 }
 
-TEST(ScipbenchFleet, SearchesUpToTheMostThatItMayTry) {
+TEST(ScipbenchCapacity, SearchesUpToTheMostThatItMayTry) {
     const TempDir directory;
-    const auto csv = directory.path() / "fleet.csv";
+    const auto csv = directory.path() / "capacity.csv";
     const Outcome outcome =
-        fleet({"--most", "2", "--model", "URG-04LX-UG01", "--seconds", "1", "--csv", csv});
+        capacity({"--most", "2", "--model", "URG-04LX-UG01", "--seconds", "1", "--csv", csv});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
     const std::vector<Row> rows = rows_of(csv);
     ASSERT_FALSE(rows.empty());
@@ -106,17 +106,17 @@ TEST(ScipbenchFleet, SearchesUpToTheMostThatItMayTry) {
     }
 }
 
-TEST(ScipbenchFleet, MeasuresTheStart) {
-    const Outcome outcome = fleet({"--start", "--scanners", "3", "--seconds", "1"});
+TEST(ScipbenchCapacity, MeasuresTheStart) {
+    const Outcome outcome = capacity({"--start", "--scanners", "3", "--seconds", "1"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
     EXPECT_THAT(outcome.out, AllOf(HasSubstr("3 scanners are ready "),
                                    HasSubstr("in the first two seconds: p50"),
                                    HasSubstr("while they connect and stream: p50")));
 }
 
-TEST(ScipbenchFleet, SaysWhatIsWrongBeforeItMeasures) {
+TEST(ScipbenchCapacity, SaysWhatIsWrongBeforeItMeasures) {
     const auto said = [](std::vector<std::string> words) {
-        const Outcome outcome = fleet(std::move(words));
+        const Outcome outcome = capacity(std::move(words));
         EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
         EXPECT_EQ(outcome.out, "");
         return outcome.err;
@@ -126,16 +126,16 @@ TEST(ScipbenchFleet, SaysWhatIsWrongBeforeItMeasures) {
     EXPECT_THAT(said({"--start", "--most", "3"}), HasSubstr("--most"));
     EXPECT_THAT(said({"--threads", "none"}), HasSubstr("--threads"));
     EXPECT_THAT(said({"--model", "UST-11LX"}), HasSubstr("UST-11LX"));
-    EXPECT_THAT(said({"--csv", "/no/such/fleet.csv"}), HasSubstr("no directory /no/such"));
-    EXPECT_THAT(said({"-o", "fleet.pdf"}), HasSubstr("must end with .png or .svg"));
+    EXPECT_THAT(said({"--csv", "/no/such/capacity.csv"}), HasSubstr("no directory /no/such"));
+    EXPECT_THAT(said({"-o", "capacity.pdf"}), HasSubstr("must end with .png or .svg"));
     EXPECT_THAT(said({"--scene", "/no/such.sdf"}), HasSubstr("--scene"));
     EXPECT_THAT(said({"--scipd", "/no/such/scipd"}),
                 HasSubstr("/no/such/scipd is no program; name scipd with --scipd"));
 }
 
-TEST(ScipbenchFleet, SaysWhyScipdDoesNotStart) {
+TEST(ScipbenchCapacity, SaysWhyScipdDoesNotStart) {
     for (const char* how : {"--scanners", "--most"}) {
-        const Outcome outcome = fleet({how, "1", "--scipd", "/bin/false"});
+        const Outcome outcome = capacity({how, "1", "--scipd", "/bin/false"});
         EXPECT_EQ(outcome.exit_code, 1);
         EXPECT_THAT(outcome.err, HasSubstr("scipd does not start")) << how;
     }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipbench/fleet_chart.h"
+#include "tools/scipbench/capacity_chart.h"
 
 #include <algorithm>
 #include <functional>
 #include <stdexcept>
 
-#include "tools/scipbench/fleet_report.h"
+#include "tools/scipbench/capacity_report.h"
 #include "tools/scipbench/plot_area.h"
 
 namespace scipd::tools {
@@ -15,20 +15,20 @@ namespace {
 struct Curve {
     std::string name;
     Colour colour;
-    std::function<double(const FleetRun&)> share;
+    std::function<double(const CapacityRun&)> share;
 };
 
-std::vector<FleetRun> by_number(std::vector<FleetRun> runs) {
-    std::erase_if(runs, [](const FleetRun& run) { return !run.failure.empty(); });
-    std::ranges::stable_sort(runs, {}, &FleetRun::scanners);
+std::vector<CapacityRun> by_number(std::vector<CapacityRun> runs) {
+    std::erase_if(runs, [](const CapacityRun& run) { return !run.failure.empty(); });
+    std::ranges::stable_sort(runs, {}, &CapacityRun::scanners);
     return runs;
 }
 
 // The line leads through the numbers that hold.
-void draw_curve(PlotArea& area, const Curve& curve, const std::vector<FleetRun>& runs) {
+void draw_curve(PlotArea& area, const Curve& curve, const std::vector<CapacityRun>& runs) {
     constexpr double width = 2.5;
     std::vector<Place> line;
-    for (const FleetRun& run : runs) {
+    for (const CapacityRun& run : runs) {
         const Place place{static_cast<double>(run.scanners), curve.share(run)};
         area.dot(place, run.holds() ? curve.colour : colours::faint_ink, run.holds() ? 4.0 : 2.5);
         if (run.holds()) line.push_back(place);
@@ -39,16 +39,17 @@ void draw_curve(PlotArea& area, const Curve& curve, const std::vector<FleetRun>&
 
 }  // namespace
 
-void draw_fleets(const std::vector<FleetRun>& runs, const StageCosts& costs,
-                 const std::string& title, const std::string& machine,
-                 const std::filesystem::path& file) {
+void draw_capacity(const std::vector<CapacityRun>& runs, const StageCosts& costs,
+                   const std::string& title, const std::string& machine,
+                   const std::filesystem::path& file) {
     const std::vector<Curve> curves{
-        {"scipd", colours::wall, [](const FleetRun& run) { return share_of_all(run.scipd_use); }},
+        {"scipd", colours::wall,
+         [](const CapacityRun& run) { return share_of_all(run.scipd_use); }},
         {"the reader", colours::scanner,
-         [](const FleetRun& run) { return share_of_all(run.reader_use); }},
+         [](const CapacityRun& run) { return share_of_all(run.reader_use); }},
         {"bare casts of all scans", colours::ink,
-         [&](const FleetRun& run) { return bare_share(run, costs); }}};
-    const std::vector<FleetRun> sorted = by_number(runs);
+         [&](const CapacityRun& run) { return bare_share(run, costs); }}};
+    const std::vector<CapacityRun> sorted = by_number(runs);
     if (sorted.empty()) return;
     Page page(file, PlotArea::page_height(curves.size()));
     PlotArea area(page, {0.0, 1.05 * sorted.back().scanners, false}, {0.0, 1.0, false});

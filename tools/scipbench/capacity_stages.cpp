@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipbench/fleet_stages.h"
+#include "tools/scipbench/capacity_stages.h"
 
 #include <chrono>
 #include <cmath>
@@ -15,7 +15,7 @@
 #include "sim/sensor/scanner.h"
 #include "sim/world/pose_track.h"
 #include "sim/world/poses_along.h"
-#include "tools/scipbench/fleet_site.h"
+#include "tools/scipbench/capacity_site.h"
 #include "tools/scipbench/spread.h"
 
 namespace scipd::tools {
@@ -117,7 +117,7 @@ class ScanStages {
     sim::RangeBackend& backend_;
     const daemon::Model& model_;
     sim::Scanner scanner_;
-    sim::Pose robot_from_scanner_ = sim::pose_from_rpy({0, 0, fleet_height_m}, {0, 0, 0});
+    sim::Pose robot_from_scanner_ = sim::pose_from_rpy({0, 0, scanner_height_m}, {0, 0, 0});
     std::vector<sim::Time> times_;
     std::vector<sim::PoseTrack> tracks_;
     std::vector<sim::Scan> scans_;

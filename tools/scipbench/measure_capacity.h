@@ -8,12 +8,12 @@
 #include <optional>
 #include <string>
 
-#include "tools/scipbench/fleet_site.h"
+#include "tools/scipbench/capacity_site.h"
 
 namespace scipd::tools {
 
-struct FleetQuestion {
-    FleetSetup setup;
+struct CapacityQuestion {
+    CapacitySetup setup;
     std::optional<int> scanners;  ///< run so many, and search for no number
     std::optional<int> most;      ///< to search up to; none: as many as descriptors allow
     std::string csv;              ///< file to write
@@ -21,9 +21,9 @@ struct FleetQuestion {
 };
 
 /// Prints what it finds.
-void measure_fleet(const FleetQuestion& question);
+void measure_capacity(const CapacityQuestion& question);
 
 /// How long scipd takes from exec until it is ready, and to answer GET /status then.
-void measure_start(const FleetQuestion& question);
+void measure_start(const CapacityQuestion& question);
 
 }  // namespace scipd::tools
