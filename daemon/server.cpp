@@ -21,7 +21,7 @@
 #include "daemon/rig/served.h"
 #include "daemon/rig/simulation.h"
 #include "daemon/service/service_notify.h"
-#include "daemon/web/page.h"
+#include "daemon/web/live_page.h"
 #include "daemon/web/page_files.h"
 
 namespace scipd::daemon {

@@ -17,7 +17,7 @@
 #include <boost/asio/signal_set.hpp>
 
 #include "daemon/fleet/shared_world.h"
-#include "daemon/http/server.h"
+#include "daemon/http/http_server.h"
 #include "daemon/link/path_hold.h"
 #include "daemon/plan/rig_plan.h"
 #include "daemon/program/run_options.h"

@@ -20,7 +20,7 @@
 #include <unistd.h>
 
 #include "protocol/client/error.h"
-#include "tools/line_rate.h"
+#include "tools/set_line_rate.h"
 
 namespace scipd::tools {
 namespace {

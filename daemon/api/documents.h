@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "daemon/http/message.h"
+#include "daemon/http/http_message.h"
 #include "sim/time.h"
 #include "sim/world/pose.h"
 

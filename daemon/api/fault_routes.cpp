@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "daemon/api/fault_text.h"
-#include "daemon/api/handlers.h"
 #include "daemon/api/pose_routes.h"
+#include "daemon/api/route_handlers.h"
 #include "daemon/config/sensor_config.h"
 #include "daemon/faults/read_fault.h"
 #include "daemon/http/problem.h"

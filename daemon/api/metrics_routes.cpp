@@ -3,8 +3,8 @@
 //
 // For those who watch over a daemon: what it has counted, and that it is there.
 #include "daemon/api/documents.h"
-#include "daemon/api/handlers.h"
 #include "daemon/api/metrics_text.h"
+#include "daemon/api/route_handlers.h"
 
 namespace scipd::daemon {
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "daemon/api/documents.h"
-#include "daemon/api/handlers.h"
 #include "daemon/api/object_text.h"
+#include "daemon/api/route_handlers.h"
 #include "daemon/api/scene_gallery.h"
 #include "daemon/http/problem.h"
 

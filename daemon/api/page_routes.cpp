@@ -2,8 +2,8 @@
 // Copyright The scipd authors
 //
 // The live page. On the I/O thread.
-#include "daemon/api/handlers.h"
-#include "daemon/web/page.h"
+#include "daemon/api/route_handlers.h"
+#include "daemon/web/live_page.h"
 
 namespace scipd::daemon {
 

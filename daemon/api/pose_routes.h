@@ -8,7 +8,7 @@
 #include <string>
 
 #include "daemon/api/documents.h"
-#include "daemon/api/handlers.h"
+#include "daemon/api/route_handlers.h"
 #include "sim/expected.h"
 #include "sim/loaders/poses/pose_line.h"
 #include "sim/loaders/poses/trajectory.h"

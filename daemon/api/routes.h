@@ -9,7 +9,7 @@
 #include <string_view>
 #include <variant>
 
-#include "daemon/api/handlers.h"
+#include "daemon/api/route_handlers.h"
 #include "daemon/http/web_socket.h"
 
 namespace scipd::daemon {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "daemon/api/fault_text.h"
-#include "daemon/api/handlers.h"
 #include "daemon/api/pose_routes.h"
+#include "daemon/api/route_handlers.h"
 #include "daemon/config/config_error.h"
 #include "daemon/http/problem.h"
 #include "sim/loaders/poses/small_json.h"

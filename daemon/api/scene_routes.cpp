@@ -8,7 +8,7 @@
 
 #include "daemon/api/documents.h"
 #include "daemon/api/pose_routes.h"
-#include "daemon/api/scene_request.h"
+#include "daemon/api/scene_edit_request.h"
 #include "daemon/http/problem.h"
 #include "daemon/models/best_fit.h"
 

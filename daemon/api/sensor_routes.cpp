@@ -11,9 +11,9 @@
 
 #include "daemon/api/documents.h"
 #include "daemon/api/errors_request.h"
-#include "daemon/api/handlers.h"
 #include "daemon/api/measurement_text.h"
 #include "daemon/api/pose_routes.h"
+#include "daemon/api/route_handlers.h"
 #include "daemon/config/sensor_config.h"
 #include "daemon/http/problem.h"
 #include "daemon/http/url.h"

@@ -7,7 +7,7 @@
 
 #include "daemon/config/profile.h"
 #include "daemon/config/values.h"
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 
 namespace scipd::daemon {
 namespace {

@@ -10,7 +10,7 @@
 #include "daemon/config/numbers.h"
 #include "daemon/config/profile.h"
 #include "daemon/config/run_directory.h"
-#include "daemon/config/staring.h"
+#include "daemon/config/staring_optics.h"
 #include "daemon/config/values.h"
 #include "sim/backends/registry.h"
 

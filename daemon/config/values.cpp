@@ -11,7 +11,7 @@
 #include <sys/un.h>
 
 #include "daemon/config/numbers.h"
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "sim/backends/registry.h"
 #include "sim/loaders/file/plain_file.h"
 #include "sim/text/likely_unit.h"

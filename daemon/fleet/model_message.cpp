@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "daemon/api/scene_request.h"
+#include "daemon/api/scene_edit_request.h"
 
 namespace scipd::daemon {
 

@@ -10,7 +10,7 @@
 
 #include <boost/beast/http/message.hpp>
 
-#include "daemon/http/message.h"
+#include "daemon/http/http_message.h"
 
 namespace scipd::daemon {
 

@@ -9,7 +9,7 @@
 #include <boost/beast/http/message.hpp>
 #include <boost/beast/http/string_body.hpp>
 
-#include "daemon/http/message.h"
+#include "daemon/http/http_message.h"
 #include "daemon/limits/rate.h"
 
 namespace scipd::daemon {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "daemon/http/message.h"
+#include "daemon/http/http_message.h"
 
 namespace scipd::daemon {
 

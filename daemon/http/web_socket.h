@@ -12,7 +12,7 @@
 #include <string_view>
 #include <variant>
 
-#include "daemon/http/message.h"
+#include "daemon/http/http_message.h"
 
 namespace scipd::daemon {
 

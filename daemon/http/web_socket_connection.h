@@ -16,7 +16,7 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 
-#include "daemon/http/service.h"
+#include "daemon/http/http_service.h"
 
 namespace scipd::daemon {
 

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 
 namespace scipd::daemon {
 namespace {

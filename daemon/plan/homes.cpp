@@ -12,7 +12,7 @@
 #include "daemon/config/config.h"
 #include "daemon/plan/known_sensors.h"
 #include "daemon/plan/port_keys.h"
-#include "daemon/shards/spread.h"
+#include "daemon/shards/burdens.h"
 
 namespace scipd::daemon {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "daemon/command_line/completions.h"
 #include "daemon/models/model_list.h"
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "sim/backends/registry.h"
 
 namespace scipd::daemon {

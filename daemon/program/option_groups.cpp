@@ -15,7 +15,7 @@
 #include "daemon/config/numbers.h"
 #include "daemon/config/sensor.h"
 #include "daemon/config/values.h"
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 
 namespace scipd::daemon {
 namespace {

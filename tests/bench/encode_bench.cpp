@@ -10,7 +10,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "protocol/char_code.h"
 #include "protocol/checksum.h"
 #include "protocol/data_block.h"

@@ -18,7 +18,7 @@
 #include "daemon/device/device.h"
 #include "daemon/faults/fault_injector.h"
 #include "daemon/faults/read_fault.h"
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "daemon/world/world.h"
 #include "sim/backends/registry.h"
 #include "sim/loaders/scene_file.h"

@@ -11,7 +11,7 @@
 #include <boost/asio/io_context.hpp>
 
 #include "daemon/config/config.h"
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "daemon/world/world.h"
 #include "tests/support/one_backend.h"
 #include "tests/support/scene_builder.h"

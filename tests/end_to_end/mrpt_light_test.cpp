@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "tests/end_to_end/in_square_room.h"
 #include "tests/end_to_end/mrpt_driver.h"
 

@@ -23,9 +23,9 @@
 #include <boost/asio/local/stream_protocol.hpp>
 #include <sys/socket.h>
 
-#include "daemon/http/connection.h"
+#include "daemon/http/http_connection.h"
+#include "daemon/http/http_service.h"
 #include "daemon/http/problem.h"
-#include "daemon/http/service.h"
 
 namespace {
 

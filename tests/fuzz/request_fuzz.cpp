@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "protocol/checksum.h"
 #include "protocol/data_block.h"
 #include "protocol/ideal.h"

@@ -13,7 +13,7 @@
 #include <string>
 #include <string_view>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "tests/protocol/script.h"
 #include "tests/protocol/script_maker.h"
 

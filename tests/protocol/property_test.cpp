@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "tests/protocol/script.h"
 #include "tests/protocol/script_maker.h"
 #include "tests/protocol/shown.h"

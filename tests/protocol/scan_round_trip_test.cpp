@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "protocol/client/decoder.h"
 #include "protocol/client/scan_message.h"
 #include "protocol/command_table.h"

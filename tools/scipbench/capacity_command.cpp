@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "daemon/config/demo_world.h"
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "sim/loaders/file/load_error.h"
 #include "tools/options.h"
 #include "tools/scipbench/measure_capacity.h"

@@ -12,7 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "tools/scipbench/bare_timer.h"
 #include "tools/scipbench/capacity_daemon.h"
 #include "tools/scipbench/capacity_movers.h"

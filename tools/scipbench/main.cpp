@@ -15,7 +15,7 @@
 #include <CLI/CLI.hpp>
 
 #include "daemon/config/demo_world.h"
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/materials/materials_file.h"
 #include "sim/loaders/scene_file.h"

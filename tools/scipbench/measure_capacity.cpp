@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "tools/scipbench/capacity.h"
 #include "tools/scipbench/capacity_chart.h"
 #include "tools/scipbench/capacity_report.h"

@@ -8,8 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/scipcat/commands.h"
 #include "tools/scipcat/scan_options.h"
+#include "tools/scipcat/scipcat_commands.h"
 
 namespace scipd::tools {
 namespace {
@@ -52,7 +52,7 @@ std::string clock(const SensorState& state) {
     return format("%.3f s", *state.time_ms / 1000.0);
 }
 
-void print(const Scanner& scanner, const SensorState& state) {
+void print(const ConnectedScanner& scanner, const SensorState& state) {
     const Parameters& parameters = scanner.parameters();
     const Version& version = scanner.version();
     std::cout << scanner.model() << '\n';
@@ -72,7 +72,7 @@ void print(const Scanner& scanner, const SensorState& state) {
     line("health", state.health);
 }
 
-nlohmann::ordered_json as_json(const Scanner& scanner, const SensorState& state) {
+nlohmann::ordered_json as_json(const ConnectedScanner& scanner, const SensorState& state) {
     using Json = nlohmann::ordered_json;
     const Parameters& parameters = scanner.parameters();
     const Version& version = scanner.version();
@@ -101,7 +101,7 @@ nlohmann::ordered_json as_json(const Scanner& scanner, const SensorState& state)
 }
 
 void show(const InfoOptions& options) {
-    Scanner scanner = options.connection.open();
+    ConnectedScanner scanner = options.connection.open();
     const SensorState state = scanner.driver().state();
     if (!options.json) return print(scanner, state);
     const nlohmann::ordered_json document = as_json(scanner, state);

@@ -6,7 +6,7 @@
 
 #include "tools/completion_command.h"
 #include "tools/options.h"
-#include "tools/scipcat/commands.h"
+#include "tools/scipcat/scipcat_commands.h"
 
 int main(int argc, char** argv) {
     CLI::App program("Talks to any SCIP scanner, real or emulated, over TCP or a tty.", "scipcat");

@@ -14,11 +14,11 @@
 
 #include "tools/page.h"
 #include "tools/safe_output.h"
-#include "tools/scipcat/commands.h"
 #include "tools/scipcat/plot_text.h"
 #include "tools/scipcat/point_colours.h"
 #include "tools/scipcat/polar_plot.h"
 #include "tools/scipcat/scan_options.h"
+#include "tools/scipcat/scipcat_commands.h"
 #include "tools/scipcat/terminal_plot.h"
 #include "tools/scipcat/top_view.h"
 #include "tools/scipcat/truth.h"
@@ -43,7 +43,7 @@ struct PlotOptions {
 };
 
 /// Uses a stream of one scan, which switches the laser on and off by itself.
-ScanMessage one_scan(Scanner& scanner, const ScanOptions& options) {
+ScanMessage one_scan(ConnectedScanner& scanner, const ScanOptions& options) {
     auto request = options.request(scanner.parameters());
     request.scans = 1;
     scanner.driver().start(request);
@@ -52,7 +52,7 @@ ScanMessage one_scan(Scanner& scanner, const ScanOptions& options) {
     return scan;
 }
 
-PlotText text_of(const Scanner& scanner, const ScanMessage& scan, const TopView& view,
+PlotText text_of(const ConnectedScanner& scanner, const ScanMessage& scan, const TopView& view,
                  const std::string& title) {
     const std::time_t now = std::time(nullptr);
     std::tm local{};
@@ -82,7 +82,7 @@ void draw_file(const std::filesystem::path& file, const TopView& view, const Col
 void plot(PlotOptions options) {
     if (options.scan.intensity && !options.colour) options.colour = ColourBy::intensity;
     if (options.colour == ColourBy::intensity) options.scan.intensity = true;
-    Scanner scanner = options.connection.open();
+    ConnectedScanner scanner = options.connection.open();
     if (options.need_truth()) {
         options.truth.find_scipd();
         announce_question(options.truth, options.connection.target);

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "tools/options.h"
-#include "tools/scipcat/commands.h"
 #include "tools/scipcat/scan_options.h"
 #include "tools/scipcat/scan_writer.h"
+#include "tools/scipcat/scipcat_commands.h"
 
 namespace scipd::tools {
 namespace {
@@ -41,7 +41,7 @@ class RunningStream {
 };
 
 /// Returns how many scans it has copied.
-std::uint64_t copy_scans(Scanner& scanner, ScanWriter& writer, std::uint64_t wanted) {
+std::uint64_t copy_scans(ConnectedScanner& scanner, ScanWriter& writer, std::uint64_t wanted) {
     std::uint64_t count = 0;
     try {
         while (wanted == 0 || count < wanted) {
@@ -55,7 +55,7 @@ std::uint64_t copy_scans(Scanner& scanner, ScanWriter& writer, std::uint64_t wan
 }
 
 void record(const RecordOptions& options) {
-    Scanner scanner = options.connection.open();
+    ConnectedScanner scanner = options.connection.open();
     const auto request = options.scan.request(scanner.parameters());
     std::uint64_t count = 0;
     {

@@ -40,7 +40,7 @@ void ConnectionOptions::add_to(CLI::App& command) {
 }
 
 // A scan may take a tenth of a second longer than an answer.
-Scanner ConnectionOptions::open() const {
+ConnectedScanner ConnectionOptions::open() const {
     using std::chrono::duration;
     using std::chrono::milliseconds;
     const auto answer = std::chrono::duration_cast<milliseconds>(duration<double>(timeout_s));

@@ -12,7 +12,7 @@
 
 #include "protocol/client/device_info.h"
 #include "protocol/client/scan_request.h"
-#include "tools/scipcat/scanner.h"
+#include "tools/scipcat/connected_scanner.h"
 
 namespace scipd::tools {
 
@@ -22,7 +22,7 @@ struct ConnectionOptions {
     double timeout_s = 1.0;
 
     void add_to(CLI::App& command);
-    [[nodiscard]] Scanner open() const;
+    [[nodiscard]] ConnectedScanner open() const;
 };
 
 struct ScanOptions {

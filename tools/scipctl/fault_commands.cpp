@@ -15,8 +15,8 @@
 
 #include "tools/control_client.h"
 #include "tools/options.h"
-#include "tools/scipctl/commands.h"
-#include "tools/scipctl/fault_text.h"
+#include "tools/scipctl/fault_words.h"
+#include "tools/scipctl/scipctl_commands.h"
 #include "tools/scipctl/sensor_question.h"
 #include "tools/scipctl/table.h"
 

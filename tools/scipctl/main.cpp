@@ -9,7 +9,7 @@
 #include "daemon/config/run_directory.h"
 #include "tools/completion_command.h"
 #include "tools/options.h"
-#include "tools/scipctl/commands.h"
+#include "tools/scipctl/scipctl_commands.h"
 #include "tools/which_scipd.h"
 
 namespace {

@@ -8,10 +8,10 @@
 
 #include "sim/loaders/poses/pose_line.h"
 #include "tools/control_client.h"
-#include "tools/scipctl/commands.h"
 #include "tools/scipctl/model_options.h"
 #include "tools/scipctl/pose_text.h"
 #include "tools/scipctl/robots.h"
+#include "tools/scipctl/scipctl_commands.h"
 
 namespace scipd::tools {
 namespace {

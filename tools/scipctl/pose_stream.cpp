@@ -11,10 +11,10 @@
 #include "sim/loaders/poses/pose_line.h"
 #include "tools/control_client.h"
 #include "tools/options.h"
-#include "tools/scipctl/commands.h"
 #include "tools/scipctl/pose_broadcast.h"
 #include "tools/scipctl/pose_text.h"
 #include "tools/scipctl/robots.h"
+#include "tools/scipctl/scipctl_commands.h"
 #include "tools/scipctl/time_leader.h"
 
 namespace scipd::tools {

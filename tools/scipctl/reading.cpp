@@ -5,7 +5,7 @@
 #include <string>
 
 #include "tools/control_client.h"
-#include "tools/scipctl/commands.h"
+#include "tools/scipctl/scipctl_commands.h"
 #include "tools/scipctl/sensor_question.h"
 
 namespace scipd::tools {

@@ -11,7 +11,7 @@
 
 #include "tools/control_client.h"
 #include "tools/options.h"
-#include "tools/scipctl/commands.h"
+#include "tools/scipctl/scipctl_commands.h"
 #include "tools/scipctl/table.h"
 
 namespace scipd::tools {

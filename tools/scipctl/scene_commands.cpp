@@ -11,9 +11,9 @@
 
 #include "tools/control_client.h"
 #include "tools/options.h"
-#include "tools/scipctl/commands.h"
 #include "tools/scipctl/model_options.h"
 #include "tools/scipctl/pose_text.h"
+#include "tools/scipctl/scipctl_commands.h"
 #include "tools/scipctl/table.h"
 
 namespace scipd::tools {

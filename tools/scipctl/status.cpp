@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "tools/control_client.h"
-#include "tools/scipctl/commands.h"
 #include "tools/scipctl/robots.h"
+#include "tools/scipctl/scipctl_commands.h"
 #include "tools/scipctl/table.h"
 
 namespace scipd::tools {

@@ -16,8 +16,8 @@
 #include "tools/control_client.h"
 #include "tools/keyboard.h"
 #include "tools/safe_output.h"
-#include "tools/scipctl/commands.h"
 #include "tools/scipctl/rates.h"
+#include "tools/scipctl/scipctl_commands.h"
 #include "tools/scipctl/table.h"
 #include "tools/terminal.h"
 

@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "daemon/config/profile.h"
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "tests/daemon/config/config_fixture.h"
 
 namespace scipd::daemon {

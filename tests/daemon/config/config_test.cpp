@@ -9,7 +9,7 @@
 
 #include "daemon/config/config_file.h"
 #include "daemon/config/world_options.h"
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "sim/world/pose.h"
 #include "tests/daemon/config/config_fixture.h"
 #include "tests/support/backend_names.h"

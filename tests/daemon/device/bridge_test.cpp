@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 
 namespace scipd::daemon {
 namespace {

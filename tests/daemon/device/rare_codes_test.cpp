@@ -18,7 +18,7 @@
 #include <gtest/gtest.h>
 
 #include "daemon/device/bridge.h"
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "sim/backends/registry.h"
 #include "sim/loaders/scene_file.h"
 #include "sim/sensor/code_chance.h"

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "tests/daemon/stepped_driver.h"
 
 namespace scipd::daemon {

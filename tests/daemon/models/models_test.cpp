@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "daemon/models/model_list.h"
+#include "daemon/models/model_registry.h"
 #include "daemon/models/profile_check.h"
-#include "daemon/models/registry.h"
 #include "protocol/device_state.h"
 #include "protocol/reports.h"
 #include "protocol/scip1.h"

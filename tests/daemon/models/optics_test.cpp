@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "sim/backends/registry.h"
 #include "sim/loaders/materials/materials_file.h"
 #include "sim/sensor/scanner.h"

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "tests/daemon/models/cast_by_hand.h"
 
 namespace scipd::daemon {

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "sim/sensor/echo_model.h"
 #include "sim/sensor/scanner.h"
 

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "sim/loaders/file/load_error.h"
 
 namespace scipd::daemon {

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "daemon/config/config_file.h"
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "daemon/plan/load_materials.h"
 #include "daemon/program/parse_options.h"
 #include "tests/support/backend_names.h"

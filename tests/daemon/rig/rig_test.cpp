@@ -23,7 +23,7 @@
 #include "daemon/device/staring_sensor.h"
 #include "daemon/faults/fault_injector.h"
 #include "daemon/faults/read_fault.h"
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "daemon/plan/rig_plan.h"
 #include "daemon/rig/rig_api.h"
 #include "daemon/rig/simulation.h"

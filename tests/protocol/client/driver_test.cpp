@@ -12,7 +12,7 @@
 
 #include <gmock/gmock.h>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "tests/protocol/shell.h"
 
 namespace scipd::protocol::client {

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "tests/sim/backends/surface.h"
+#include "tests/sim/backends/convex_shapes.h"
 #include "tests/support/scene_builder.h"
 
 namespace scipd::sim {

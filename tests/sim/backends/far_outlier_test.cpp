@@ -12,7 +12,7 @@
 
 #include "sim/backends/registry.h"
 #include "tests/sim/backends/contract.h"
-#include "tests/sim/backends/surface.h"
+#include "tests/sim/backends/convex_shapes.h"
 
 namespace scipd::sim {
 namespace {

@@ -2,8 +2,6 @@
 // Copyright The scipd authors
 //
 // Every shape, turned any way, seen from outside and from inside, from a hand's breadth to 60 m.
-#include "tests/sim/backends/surface.h"
-
 #include <cmath>
 #include <vector>
 
@@ -11,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/sim/backends/contract.h"
+#include "tests/sim/backends/convex_shapes.h"
 
 namespace scipd::sim {
 namespace {

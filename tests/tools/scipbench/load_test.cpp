@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "tests/support/child.h"
 #include "tests/support/loopback_scanner.h"
 

@@ -10,7 +10,7 @@
 
 #include <gmock/gmock.h>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "tests/support/scripted_peer.h"
 #include "tests/support/temp_dir.h"
 #include "tests/tools/scipcat/room.h"

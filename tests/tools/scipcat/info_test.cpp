@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "tests/support/tty_rate.h"
 #include "tests/tools/scipcat/room.h"
 #include "tests/tools/scipcat/scipcat.h"

@@ -13,7 +13,7 @@
 #include <cairo.h>
 #include <gmock/gmock.h>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "tests/support/temp_dir.h"
 #include "tests/tools/scipcat/room.h"
 #include "tests/tools/scipcat/scipcat.h"

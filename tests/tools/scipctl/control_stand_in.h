@@ -17,7 +17,7 @@
 
 #include "daemon/api/routes.h"
 #include "daemon/device/sensor_record.h"
-#include "daemon/http/server.h"
+#include "daemon/http/http_server.h"
 #include "tests/support/fake_faults.h"
 #include "tests/support/temp_dir.h"
 

@@ -10,7 +10,7 @@
 
 #include "daemon/api/api.h"
 #include "daemon/api/faults_api.h"
-#include "daemon/http/message.h"
+#include "daemon/http/http_message.h"
 
 namespace scipd::daemon {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tests/sim/backends/surface.h"
+#include "tests/sim/backends/convex_shapes.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/web/page.h"
+#include "daemon/web/live_page.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipctl/fault_text.h"
+#include "tools/scipctl/fault_words.h"
 
 #include <cstdio>
 #include <utility>

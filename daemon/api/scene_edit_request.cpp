@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/api/scene_request.h"
+#include "daemon/api/scene_edit_request.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/shards/spread.h"
+#include "daemon/shards/burdens.h"
 
 #include <algorithm>
 #include <cstdint>

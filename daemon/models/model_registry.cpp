@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 
 #include <stdexcept>
 

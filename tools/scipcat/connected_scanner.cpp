@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipcat/scanner.h"
+#include "tools/scipcat/connected_scanner.h"
 
 namespace scipd::tools {
 
-Scanner::Scanner(const Target& target, const OpenOptions& open_options,
-                 protocol::client::Patience patience)
+ConnectedScanner::ConnectedScanner(const Target& target, const OpenOptions& open_options,
+                                   protocol::client::Patience patience)
     : transport_(open_target(target, open_options)), driver_(*transport_, patience) {
     driver_.connect();
     parameters_ = driver_.parameters();
     version_ = driver_.version();
 }
 
-std::string Scanner::model() const {
+std::string ConnectedScanner::model() const {
     return parameters_.model.substr(0, parameters_.model.find('('));
 }
 

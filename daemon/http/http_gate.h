@@ -16,7 +16,7 @@
 #include <boost/beast/http/message.hpp>
 
 #include "daemon/config/address.h"
-#include "daemon/http/message.h"
+#include "daemon/http/http_message.h"
 
 namespace scipd::daemon {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/http/gate.h"
+#include "daemon/http/http_gate.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -3,7 +3,7 @@
 //
 // A file of its own, because <asm/termbits.h>, which can set rates without a name, cannot be
 // included beside <termios.h>.
-#include "tools/line_rate.h"
+#include "tools/set_line_rate.h"
 
 #include <asm/termbits.h>
 #include <sys/ioctl.h>

@@ -13,11 +13,11 @@
 
 namespace scipd::tools {
 
-class Scanner {
+class ConnectedScanner {
   public:
     /// Connects. Throws protocol::client::Error.
-    Scanner(const Target& target, const OpenOptions& open_options,
-            protocol::client::Patience patience);
+    ConnectedScanner(const Target& target, const OpenOptions& open_options,
+                     protocol::client::Patience patience);
 
     [[nodiscard]] protocol::client::Driver& driver() { return driver_; }
     [[nodiscard]] ScipTransport& transport() { return *transport_; }

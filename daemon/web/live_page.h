@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-#include "daemon/http/message.h"
+#include "daemon/http/http_message.h"
 
 namespace scipd::daemon {
 

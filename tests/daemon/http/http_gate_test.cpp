@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // Who may come in by TCP: by the gate's own answers, and by a server that real sockets speak to.
-#include "daemon/http/gate.h"
+#include "daemon/http/http_gate.h"
 
 #include <future>
 #include <optional>
@@ -19,7 +19,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "daemon/http/server.h"
+#include "daemon/http/http_server.h"
 #include "tests/support/temp_dir.h"
 
 namespace scipd::daemon {

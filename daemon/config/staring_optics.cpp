@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/config/staring.h"
+#include "daemon/config/staring_optics.h"
 
 #include <array>
 #include <cstdint>

@@ -18,9 +18,9 @@
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http.hpp>
 
-#include "daemon/http/pace.h"
+#include "daemon/http/http_pace.h"
+#include "daemon/http/http_service.h"
 #include "daemon/http/presence.h"
-#include "daemon/http/service.h"
 
 namespace scipd::daemon {
 
@@ -64,7 +64,7 @@ class HttpConnection : public HttpClient,
     boost::beast::flat_buffer buffer_;
     std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
     std::chrono::milliseconds patience_{};
-    Pace pace_;              ///< of the request, then of its answer
+    HttpPace pace_;          ///< of the request, then of its answer
     std::size_t room_ = 0;   ///< for what is left of the header, or for what frames a chunk
     bool with_body_ = true;  ///< its answer, unless it is to HEAD
     bool wants_web_socket_ = false;

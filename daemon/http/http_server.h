@@ -19,7 +19,7 @@
 #include <boost/asio/local/stream_protocol.hpp>
 
 #include "daemon/config/address.h"
-#include "daemon/http/service.h"
+#include "daemon/http/http_service.h"
 
 namespace scipd::daemon {
 
@@ -54,7 +54,7 @@ class HttpServer {
     Address listen(const Address& address, Gate gate = Gate{}, std::optional<int> handed = {});
 
     /// A connection ends where no whole header has come for so long, or too little of a body or of
-    /// an answer has passed (pace.h).
+    /// an answer has passed (http_pace.h).
     void set_idle(std::chrono::milliseconds idle) { service_->idle = idle; }
 
     /// Ends all connections and removes the sockets.

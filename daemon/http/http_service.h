@@ -12,8 +12,8 @@
 #include <set>
 #include <string>
 
-#include "daemon/http/gate.h"
-#include "daemon/http/message.h"
+#include "daemon/http/http_gate.h"
+#include "daemon/http/http_message.h"
 #include "daemon/http/web_socket.h"
 #include "daemon/limits/limits.h"
 
@@ -44,7 +44,7 @@ struct HttpService {
     OpenWebSocket open_web_socket;
     SharedLimits limits;
     /// A connection ends where no whole header has come for so long, or too little of a body or of
-    /// an answer has passed (pace.h).
+    /// an answer has passed (http_pace.h).
     std::chrono::milliseconds idle{60'000};
     bool closed = false;
     std::set<HttpClient*> clients;  ///< each adds and removes itself

@@ -3,7 +3,7 @@
 //
 // The files of the page: against the sources that they are made of, and against the promises of its
 // headers.
-#include "daemon/web/page.h"
+#include "daemon/web/live_page.h"
 
 #include <filesystem>
 #include <fstream>
@@ -102,7 +102,7 @@ TEST_F(Page, IsNotSentAgainToThoseWhoHaveIt) {
 }
 
 TEST(PageFile, IsNoOtherFile) {
-    for (const char* name : {"", "..", "../page.cpp", "/etc/hostname", "index", "Index.html"})
+    for (const char* name : {"", "..", "../live_page.cpp", "/etc/hostname", "index", "Index.html"})
         EXPECT_EQ(page_file(name, {}).status, 404) << name;
 }
 

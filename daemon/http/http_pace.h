@@ -11,7 +11,7 @@
 
 namespace scipd::daemon {
 
-class Pace {
+class HttpPace {
   public:
     using Time = std::chrono::steady_clock::time_point;
 

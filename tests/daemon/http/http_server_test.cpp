@@ -2,7 +2,7 @@
 // Copyright The scipd authors
 //
 // The HTTP server over real sockets, against clients that behave and clients that do not.
-#include "daemon/http/server.h"
+#include "daemon/http/http_server.h"
 
 #include <chrono>
 #include <future>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/http/connection.h"
+#include "daemon/http/http_connection.h"
 
 #include <algorithm>
 #include <chrono>

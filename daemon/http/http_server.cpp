@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/http/server.h"
+#include "daemon/http/http_server.h"
 
 #include <cerrno>
 #include <exception>
@@ -15,7 +15,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "daemon/http/connection.h"
+#include "daemon/http/http_connection.h"
 #include "daemon/http/problem.h"
 
 namespace scipd::daemon {
