@@ -2,7 +2,8 @@
 // Copyright The scipd authors
 //
 // Checks that the sources keep the laws in the READMEs of their folders (folder_law.h):
-// dependencies go one way, no two files include each other, and no file is too long.
+// dependencies go one way, no two files include each other, no two headers have one name, and no
+// file is too long.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -50,6 +51,10 @@ TEST(FolderLaws, LetNoTwoNeedEachOther) {
             << known << " is no pair any more; take it off known_pairs";
 }
 
+TEST(FolderLaws, LetNoTwoHeadersHaveOneName) {
+    EXPECT_THAT(faults_of_names(sources()), IsEmpty());
+}
+
 TEST(FolderLaws, KeepFilesShort) {
     EXPECT_THAT(faults_of_length(sources()), IsEmpty());
 }
@@ -93,6 +98,7 @@ TEST(FolderLawsSelfTest, FindNoFaultInWhatIsSound) {
     EXPECT_THAT(faults_of_includes(sound()), IsEmpty());
     EXPECT_THAT(faults_of_reach(sound()), IsEmpty());
     EXPECT_THAT(faults_of_length(sound()), IsEmpty());
+    EXPECT_THAT(faults_of_names(sound()), IsEmpty());
     EXPECT_THAT(pairs_in(sound()), IsEmpty());
 }
 
@@ -170,6 +176,17 @@ TEST(FolderLawsSelfTest, NameTwoThatNeedEachOther) {
     tree["sim/world/child.h"] = "";
     tree["sim/world/child.cpp"] = including("sim/world/mesh.h");
     EXPECT_THAT(pairs_in(tree), ElementsAre("sim/world/child <-> sim/world/mesh"));
+}
+
+TEST(FolderLawsSelfTest, NameHeadersOfOneNameAndWhatLiesBesideTheRooms) {
+    EXPECT_THAT(faults_of_names(with("daemon/link/status.h", "")),
+                ElementsAre("protocol/status.h has the name of daemon/link/status.h; call it after "
+                            "what only it is about"));
+    EXPECT_THAT(faults_of_names(with("daemon/link/status.cpp", "")), IsEmpty());
+    EXPECT_THAT(faults_of_names(with("daemon/server.h", "")), IsEmpty());
+    EXPECT_THAT(faults_of_names(with("daemon/rig.cpp", "")),
+                ElementsAre("daemon/rig.cpp lies right in daemon/, which only puts its folders "
+                            "together"));
 }
 
 TEST(FolderLawsSelfTest, CountLines) {

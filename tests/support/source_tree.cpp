@@ -34,6 +34,10 @@ constexpr std::array bans = {
     Ban{"tools/", "daemon/device/", "-", "tools talk to the daemon from outside"},
     Ban{"tools/", "daemon/link/", "-", "tools talk to the daemon from outside"},
     Ban{"tools/", "daemon/api/", "-", "tools talk to the daemon from outside"},
+    Ban{"tools/", "daemon/program/", "-", "tools talk to the daemon from outside"},
+    Ban{"tools/", "daemon/plan/", "-", "tools talk to the daemon from outside"},
+    Ban{"tools/", "daemon/rig/", "-", "tools talk to the daemon from outside"},
+    Ban{"tools/", "daemon/service/", "-", "tools talk to the daemon from outside"},
     Ban{"tools/", "daemon/http/", "-", "tools talk to the daemon from outside"},
     Ban{"tools/", "daemon/poses/", "-", "tools talk to the daemon from outside"},
     Ban{"tools/", "daemon/world/", "-", "tools talk to the daemon from outside"},
@@ -42,6 +46,9 @@ constexpr std::array bans = {
     Ban{"daemon/", "sdf/", "-", "SDF is read by sim/loaders"},
     Ban{"daemon/", "assimp/", "-", "meshes are read by sim/loaders"},
 };
+
+/// The sources that put the folders of the daemon together.
+const Names right_in_daemon{"main.cpp", "server.cpp", "server.h"};
 
 bool is_source(std::string_view path) {
     return path.ends_with(".h") || path.ends_with(".cpp");
@@ -225,6 +232,22 @@ std::vector<std::string> faults_of_length(const SourceTree& tree) {
         faults.push_back(path + " has " + std::to_string(lines) + " lines; a " +
                          (is_header ? "header" : "source") + " has at most " +
                          std::to_string(budget));
+    }
+    return faults;
+}
+
+std::vector<std::string> faults_of_names(const SourceTree& tree) {
+    std::vector<std::string> faults;
+    std::map<std::string_view, std::string_view> headers;
+    for (const auto& [path, text] : tree) {
+        const auto name = std::string_view{path}.substr(folder_of(path).size());
+        if (folder_of(path) == "daemon/" && is_source(name) && !is_among(name, right_in_daemon))
+            faults.push_back(path + " lies right in daemon/, which only puts its folders together");
+        if (!name.ends_with(".h")) continue;
+        const auto [first, is_new] = headers.emplace(name, path);
+        if (!is_new)
+            faults.push_back(path + " has the name of " + std::string{first->second} +
+                             "; call it after what only it is about");
     }
     return faults;
 }

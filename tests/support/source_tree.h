@@ -32,6 +32,10 @@ std::vector<std::string> faults_of_reach(const SourceTree& tree);
 /// Files with too many lines.
 std::vector<std::string> faults_of_length(const SourceTree& tree);
 
+/// Headers that have the name of another one, anywhere in the four folders, and what lies right in
+/// daemon/ but belongs into a folder of it.
+std::vector<std::string> faults_of_names(const SourceTree& tree);
+
 /// "A <-> B" for two units (a header with its source), or two folders, that include each other.
 std::vector<std::string> pairs_in(const SourceTree& tree);
 
