@@ -390,9 +390,10 @@ TEST(Options, AnswersQuestionsOnStandardOutput) {
     EXPECT_EQ(answer("--list-models").exit_code, 0);
     EXPECT_THAT(answer("--list-models").text, testing::StartsWith("MODEL  "));
     EXPECT_THAT(answer("--list-models").text, HasSubstr("\nUST-10LX@2.23.0000      Ethernet     "));
-    EXPECT_EQ(answer("--list-backends").exit_code, 0);
+    const Answer backends = answer("--list-backends");
+    EXPECT_EQ(backends.exit_code, 0);
     for (const std::string& name : tests::backend_names())
-        EXPECT_THAT("\n" + answer("--list-backends").text, HasSubstr("\n" + name));
+        EXPECT_THAT('\n' + backends.text, HasSubstr('\n' + name));
     EXPECT_EQ(answer("--version").exit_code, 0);
     EXPECT_THAT(answer("--version").text, testing::StartsWith("scipd 0."));
     EXPECT_EQ(answer("--help").exit_code, 0);
