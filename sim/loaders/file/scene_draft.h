@@ -28,6 +28,8 @@ class SceneDraft {
     void drop_if_bare(ModelId last);
     /// A material without a name is "default".
     void add(Object object, const Material& material);
+    /// Frames are large, and a vector that grows takes twice as much.
+    void expect_frames(std::size_t count) { scene_.frames.reserve(count); }
     void add(Frame frame) { scene_.frames.push_back(std::move(frame)); }
     [[nodiscard]] const Model& model(ModelId id) const { return scene_.models[id]; }
 

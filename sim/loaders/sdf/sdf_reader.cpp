@@ -34,6 +34,11 @@ std::size_t count_of_parts(const XMLElement& element) {
     return count;
 }
 
+/// Nobody can see it, nor name it.
+bool is_bare(const SdfPart& part) {
+    return part.name.empty() && part.surfaces.empty() && !part.has_unseen;
+}
+
 bool is_seen(const SdfPart& model) {
     return std::ranges::any_of(model.parts, [](const SdfPart& part) {
         return part.kind == SdfPart::Kind::link || part.kind == SdfPart::Kind::model;
@@ -209,7 +214,7 @@ void SdfReader::read_part(const XMLElement& element, const SdfSheet& sheet, SdfP
 void SdfReader::read_link(const XMLElement& element, const SdfSheet& sheet, SdfPart& outer,
                           SensorFrames& sensors) {
     auto link = links_.read(element, sheet, sensors);
-    if (!link) return;
+    if (!link || is_bare(*link)) return;
     count_parts(1 + link->surfaces.size());
     outer.parts.push_back(std::move(*link));
 }
@@ -246,7 +251,7 @@ void SdfReader::read_frame(const XMLElement& element, const SdfSheet& sheet, Sdf
     }
     try {
         frame.pose = values.pose();
-        outer.parts.push_back(std::move(frame));
+        if (!is_bare(frame)) outer.parts.push_back(std::move(frame));
     } catch (const UnreadableValue& value) {
         // Nobody mounts a scanner at a joint.
         if (!is_joint)

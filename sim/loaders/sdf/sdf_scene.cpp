@@ -62,6 +62,14 @@ Model walking(Model still, const Actor& actor, const Pose& put) {
     return still;
 }
 
+/// A frame for each, but for models right in a world.
+std::size_t count_of_frames(const SdfPart& outer) {
+    std::size_t count = outer.parts.size();
+    for (const SdfPart& part : outer.parts)
+        count += count_of_frames(part);
+    return count;
+}
+
 /// Walks through the tree, from the root to the surfaces.
 class SceneWalk {
   public:
@@ -74,6 +82,7 @@ class SceneWalk {
 
     void run(const std::filesystem::path& file) {
         draft_.set_name(tree_.root.name);
+        draft_.expect_frames(count_of_frames(tree_.root));
         Frames frames(tree_.root);
         for (const SdfPart& model : tree_.root.parts) {
             if (model.kind == SdfPart::Kind::model) add_model(model, frames);
@@ -107,9 +116,9 @@ class SceneWalk {
     const SdfOptions& options_;
     SceneDraft& draft_;
     SceneShapes shapes_;
-    const Actor* actor_ = nullptr;  ///< of the current model; null: none
-    glm::dvec3 scale_{1.0};         ///< of the model whose links are being read
-    std::map<const SdfPart*, Place> links_;
+    const Actor* actor_ = nullptr;                 ///< of the current model; null: none
+    glm::dvec3 scale_{1.0};                        ///< of the model whose links are being read
+    std::map<const SdfPart*, Place> moved_links_;  ///< by a saved world
 };
 
 void SceneWalk::add_model(const SdfPart& model, Frames& world) {
@@ -148,7 +157,7 @@ void SceneWalk::add_parts(const SdfPart& model, const Place& place, const std::s
         const auto here = place_of(place, frames.pose_of(link), link.place, link_name, moved);
         if (!here) continue;
         add_link(link, frames, *here, link_name);
-        links_[&link] = *here;
+        if (moved != nullptr) moved_links_[&link] = *here;
     }
     for (const SdfPart& frame : model.parts) {
         if (frame.kind == SdfPart::Kind::frame) add_frame(frame, frames, place, name);
@@ -225,8 +234,8 @@ void SceneWalk::add_frame(const SdfPart& frame, Frames& frames, const Place& mod
                            (is_lidar ? no_scanner_there : "; left out"));
     }
     const SdfPart* link = frames.link_under(frame);
-    const auto there = links_.find(link);
-    const Place here = there == links_.end()
+    const auto there = moved_links_.find(link);
+    const Place here = there == moved_links_.end()
                            ? model * *pose
                            : there->second * (inverse(*frames.pose_of(*link)) * *pose);
     if (!plausible_position(here.world_from_here.translation_m)) return;

@@ -13,6 +13,7 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "sim/loaders/file/load_error.h"
@@ -51,6 +52,40 @@ class ReaderProgram : public ::testing::Test {
 
     tests::TempDir folder_;
 };
+
+/// The most memory that a child of this process has taken.
+double most_of_children_bytes() {
+    rusage usage{};
+    getrusage(RUSAGE_CHILDREN, &usage);
+    return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+std::string thousands_of(const std::string& element) {
+    std::string text = "<sdf version='1.9'><model name='m'>";
+    for (int i = 0; i < 50'000; ++i)
+        text += element;
+    return text + "</model></sdf>";
+}
+
+TEST_F(ReaderProgram, TakesLittleMemoryForManyParts) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "sanitizers take memory of their own";
+#endif
+    const auto read = [&](const std::string& text) {
+        try {
+            (void)read_by(reader_program(),
+                          {.wanted = folder_.write("w.sdf", text), .most_overlap = 50'000}, {});
+        } catch (const LoadError&) {
+            // Nothing in it can be seen, which is found out at the end.
+        }
+        return most_of_children_bytes();
+    };
+    const double alone_bytes = read(box_world);
+    for (const char* element : {"<link/>", "<joint/>", "<frame/>", "<link name='a123'/>"}) {
+        const std::string text = thousands_of(element);
+        EXPECT_LT(read(text) - alone_bytes, 40.0 * static_cast<double>(text.size())) << element;
+    }
+}
 
 TEST_F(ReaderProgram, IsThereAndReads) {
     const auto world = folder_.write("w.sdf", box_world);
