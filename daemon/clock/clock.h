@@ -6,6 +6,7 @@
 // simulation reads a clock or sets a timer. One thread.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 
@@ -46,8 +47,17 @@ class Clock {
     /// long as somebody waits does not go on for this.
     [[nodiscard]] virtual std::unique_ptr<Alarm> make_idle_alarm() { return make_alarm(); }
 
-    /// For calls that take long: where others wait as well, what is short comes first.
-    [[nodiscard]] virtual std::unique_ptr<Alarm> make_slow_alarm() { return make_alarm(); }
+    /// What takes long of a call, and may be done right before it on another thread, beside that of
+    /// calls that follow it at the same time.
+    struct Ahead {
+        std::size_t shard = 0;  ///< what is of one shard is done one after the other
+        Call work = nullptr;    ///< null: nothing
+    };
+    /// For calls that take long: where others wait as well, what is short comes first. A clock that
+    /// waits for nothing does `ahead`, others leave it to the call.
+    [[nodiscard]] virtual std::unique_ptr<Alarm> make_slow_alarm(Ahead /*ahead*/) {
+        return make_alarm();
+    }
 
     /// Whether somebody who waits for it has lately found its thread too slow for all who do.
     [[nodiscard]] bool overloaded() const { return now() < overloaded_until_; }

@@ -10,7 +10,8 @@ namespace scipd::daemon {
 
 class SteppedClock::QueuedAlarm : public Clock::Alarm {
   public:
-    QueuedAlarm(SteppedClock& clock, bool idle) : clock_(clock), counts_(idle ? 0 : 1) {}
+    QueuedAlarm(SteppedClock& clock, bool idle, Ahead ahead = {})
+        : clock_(clock), counts_(idle ? 0 : 1), ahead_(std::move(ahead)) {}
     ~QueuedAlarm() override { cancel(); }
 
     void set(sim::Time at, Call call) override {
@@ -18,6 +19,7 @@ class SteppedClock::QueuedAlarm : public Clock::Alarm {
         cancel();
         place_ = clock_.queue_.emplace(at, this);
         call_ = std::move(call);
+        done_ahead_ = false;
         clock_.awaited_ += counts_;
         if (!awaited && clock_.awaited()) clock_.on_awaited_();
     }
@@ -37,9 +39,16 @@ class SteppedClock::QueuedAlarm : public Clock::Alarm {
         return call;
     }
 
+    /// Null: nothing is left to be done ahead of the call.
+    [[nodiscard]] const Ahead* take_ahead() {
+        return ahead_.work && !std::exchange(done_ahead_, true) ? &ahead_ : nullptr;
+    }
+
   private:
     SteppedClock& clock_;
     int counts_;  ///< 1: somebody waits for it
+    Ahead ahead_;
+    bool done_ahead_ = false;
     std::optional<std::multimap<sim::Time, QueuedAlarm*>::iterator> place_;
     Call call_;
 };
@@ -50,6 +59,22 @@ std::unique_ptr<Clock::Alarm> SteppedClock::make_alarm() {
 
 std::unique_ptr<Clock::Alarm> SteppedClock::make_idle_alarm() {
     return std::make_unique<QueuedAlarm>(*this, true);
+}
+
+std::unique_ptr<Clock::Alarm> SteppedClock::make_slow_alarm(Ahead ahead) {
+    return std::make_unique<QueuedAlarm>(*this, false, std::move(ahead));
+}
+
+// Only of calls that follow each other: what lies between may change what they do.
+void SteppedClock::work_ahead() {
+    Works works;
+    for (auto next = queue_.begin(); next != queue_.end(); ++next) {
+        if (next->first != queue_.begin()->first) break;
+        const Ahead* const ahead = next->second->take_ahead();
+        if (ahead == nullptr) break;
+        works.push_back(ahead);
+    }
+    if (works.size() > 1) on_ahead_(works);
 }
 
 void SteppedClock::hold(const void* who, bool needed) {
@@ -67,6 +92,7 @@ bool SteppedClock::step(sim::Time until) {
     }
     const auto [at, alarm] = *queue_.begin();
     now_ = std::max(now_, at);
+    if (on_ahead_) work_ahead();
     const Call call = alarm->take();
     call();
     return true;

@@ -9,6 +9,7 @@
 #include <memory>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "daemon/clock/clock.h"
 
@@ -23,6 +24,12 @@ class SteppedClock : public Clock {
     void set_origin(sim::Time origin) { origin_ = origin; }
     [[nodiscard]] std::unique_ptr<Alarm> make_alarm() override;
     [[nodiscard]] std::unique_ptr<Alarm> make_idle_alarm() override;
+    [[nodiscard]] std::unique_ptr<Alarm> make_slow_alarm(Ahead ahead) override;
+
+    /// `callback` does what it is given, and returns when all of it is done. Without one, each call
+    /// does its own.
+    using Works = std::vector<const Ahead*>;
+    void on_ahead(std::function<void(const Works&)> callback) { on_ahead_ = std::move(callback); }
 
     void hold(const void* who, bool needed) override;
     [[nodiscard]] bool held() const { return !holders_.empty(); }
@@ -44,11 +51,14 @@ class SteppedClock : public Clock {
   private:
     class QueuedAlarm;
 
+    void work_ahead();
+
     sim::Time now_{};
     sim::Time origin_{};
     std::multimap<sim::Time, QueuedAlarm*> queue_;  ///< at equal times in the order they were set
     int awaited_ = 0;                               ///< alarms that are set and not idle
     std::set<const void*> holders_;
+    std::function<void(const Works&)> on_ahead_;
     std::function<void()> on_released_ = [] {};
     std::function<void()> on_awaited_ = [] {};
 };

@@ -28,7 +28,7 @@ class WallClock : public Clock {
 
     [[nodiscard]] sim::Time now() const override { return Steady::now() - epoch_; }
     [[nodiscard]] std::unique_ptr<Alarm> make_alarm() override;
-    [[nodiscard]] std::unique_ptr<Alarm> make_slow_alarm() override;
+    [[nodiscard]] std::unique_ptr<Alarm> make_slow_alarm(Ahead ahead) override;
 
   private:
     using Steady = std::chrono::steady_clock;

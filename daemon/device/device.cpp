@@ -178,6 +178,15 @@ void Device::follow_motor() {
     timing_.turn_from(mirror.origin, mirror.tick);
 }
 
+// Faults may change what is to come.
+void Device::prepare(std::int64_t revolution) {
+    if (hook_ != nullptr || !sweep_.stands_alone()) return;
+    const protocol::Turn turn{.start = start_of(revolution)};
+    const bool taken = std::ranges::any_of(
+        clients_, [&](const auto* client) { return client->session().will_take(turn); });
+    if (taken || watchers_.any()) (void)measure(revolution);
+}
+
 void Device::turn_complete(std::int64_t revolution) {
     if (hook_ != nullptr) {
         hook_->turn(revolution);

@@ -86,6 +86,7 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     [[nodiscard]] sim::Time leaves(std::int64_t revolution) const override;
     [[nodiscard]] sim::Time patience() const override { return patience_; }
     [[nodiscard]] bool poses_known(std::int64_t revolution) const override;
+    void prepare(std::int64_t revolution) override;
     void turn_complete(std::int64_t revolution) override;
 
     [[nodiscard]] std::uint64_t scans_sent() const { return counts_.scans; }

@@ -28,8 +28,10 @@ void tell_lost(const std::string& sensor, std::int64_t turns) {
 
 }  // namespace
 
-ScanLoop::ScanLoop(ScanSource& source, Clock& clock)
-    : source_(source), clock_(clock), alarm_(clock.make_slow_alarm()) {
+ScanLoop::ScanLoop(ScanSource& source, Clock& clock, std::size_t shard)
+    : source_(source),
+      clock_(clock),
+      alarm_(clock.make_slow_alarm({.shard = shard, .work = [this] { prepare(); }})) {
     source_.on_wanted([this] { wake(); });
 }
 
@@ -70,6 +72,11 @@ void ScanLoop::serve() {
     if (lacks_poses_) return wait(at_the_latest);
     source_.turn_complete(revolution_++);
     if (source_.wanted()) wait(source_.leaves(revolution_));
+}
+
+void ScanLoop::prepare() {
+    const bool complete = clock_.now() >= source_.leaves(revolution_);
+    if (complete && source_.poses_known(revolution_)) source_.prepare(revolution_);
 }
 
 std::int64_t ScanLoop::too_many(sim::Time late) const {

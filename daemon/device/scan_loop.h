@@ -12,6 +12,7 @@
 // and what they send is new. Lives on its shard.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 
@@ -22,8 +23,8 @@ namespace scipd::daemon {
 
 class ScanLoop {
   public:
-    /// `source` and `clock` must outlive it.
-    ScanLoop(ScanSource& source, Clock& clock);
+    /// `source`, which lives on this shard, and `clock` must outlive it.
+    ScanLoop(ScanSource& source, Clock& clock, std::size_t shard = 0);
     ScanLoop(const ScanLoop&) = delete;
     ScanLoop& operator=(const ScanLoop&) = delete;
     ~ScanLoop();
@@ -47,6 +48,8 @@ class ScanLoop {
     void wake();
     void wait(sim::Time until);
     void serve();
+    /// Does what takes long of serve(), on any thread, where it is certain to come next.
+    void prepare();
     /// How many turns must be given up where the next one leaves so late.
     [[nodiscard]] std::int64_t too_many(sim::Time late) const;
     void give_up(std::int64_t turns);

@@ -37,6 +37,10 @@ class Sweep {
     /// From now on it sits there.
     void mount(const sim::Pose& robot_from_sensor) { robot_from_sensor_ = robot_from_sensor; }
     [[nodiscard]] bool poses_known(sim::Time until) const { return world_.poses_known(until); }
+    /// Whether what it casts depends on no other sensor, and can be cast on any thread.
+    [[nodiscard]] bool stands_alone() const {
+        return !disturbed_ && !world_.backend(name_).binds_thread();
+    }
     /// From now on it reads like this. Its steps and its turn stay.
     void read_as(sim::Scanner scanner, bool disturbed);
     /// From now on it is cast from poses that differ so.

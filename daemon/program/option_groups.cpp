@@ -236,8 +236,8 @@ void add_general(CLI::App& app, OptionValues& said) {
            "numbers in a wrong unit, instead of warning")
         ->group(general_title);
     group.add("--threads", "N",
-              "how many threads scanners live on; 1 puts all on one, as does --clock poses; "
-              "default: as many as there are processors",
+              "how many threads scanners live on, or with --clock poses are cast on; default: as "
+              "many as there are processors",
               [&said](const auto& text) { return put(parse_threads(text), said.options.threads); });
     app.set_version_flag("--version", version_of("scipd"), "print the version")
         ->group(general_title);

@@ -17,7 +17,8 @@ Simulation::Simulation(const boost::asio::any_io_executor& executor, ClockKind k
     : wall_clock(executor),
       lockstep(kind == ClockKind::poses ? std::make_unique<Lockstep>(executor) : nullptr),
       clock(lockstep ? static_cast<Clock&>(lockstep->clock()) : wall_clock),
-      shards(executor, world, clock, wall_clock, lockstep ? 1 : shard_count),
+      shards(lockstep ? Shards(executor, world, lockstep->clock(), shard_count)
+                      : Shards(executor, world, wall_clock, shard_count)),
       editor(
           world, worker, clock, [this] { return requested_backends(); }, limits),
       chooser(world, worker, [this] { return requested_backends(); }),

@@ -45,7 +45,7 @@ template <class Sensor>
 Sensor& put_in(Station& station, const StationContext& context, const SensorConfig& config) {
     auto sensor = std::make_unique<Sensor>(station.robot, config, station.seed, context.shard.world,
                                            context.shard.clock);
-    station.loop = std::make_unique<ScanLoop>(*sensor, context.shard.clock);
+    station.loop = std::make_unique<ScanLoop>(*sensor, context.shard.clock, context.shard.number);
     station.tap = std::make_unique<ScanStream::Tap>(context.stream, station.name(), *sensor);
     station.view_tap = std::make_unique<ViewStream::Tap>(context.view, station.name(), *sensor);
     Sensor& there = *sensor;

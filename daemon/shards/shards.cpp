@@ -39,21 +39,38 @@ void go_on_beside_the_late(const Threads& halted) {
 
 }  // namespace
 
-Shards::Shards(const boost::asio::any_io_executor& home, World& world, Clock& clock,
-               const WallClock& wall_clock, std::size_t count)
+Shards::Shards(const boost::asio::any_io_executor& home, World& world, WallClock& clock,
+               std::size_t count)
     : home_(home), world_(world), home_shard_{0, home, world, clock} {
     if (count < 2) return;
     for (std::size_t number = 0; number < count; ++number)
-        threads_.push_back(std::make_unique<ShardThread>(number, wall_clock, home));
+        threads_.push_back(std::make_unique<ShardThread>(number, clock, home));
     world.on_change(
         [this](const World::Change& change, World::Haste haste) { tell(change, haste); });
+}
+
+Shards::Shards(const boost::asio::any_io_executor& home, World& world, SteppedClock& clock,
+               std::size_t count)
+    : home_(home), world_(world), home_shard_{0, home, world, clock} {
+    if (count < 2) return;
+    for (std::size_t number = 0; number < count; ++number)
+        in_step_.push_back(std::make_unique<InStep>(number, home, clock));
+    crew_ = std::make_unique<Crew>(count - 1);
+    world.on_change([this](const World::Change& change, World::Haste) { tell_in_step(change); });
+    clock.on_ahead([this](const SteppedClock::Works& works) { work_ahead(works); });
 }
 
 Shards::~Shards() {
     join();
 }
 
+Shard& Shards::at(std::size_t number) {
+    if (!in_step_.empty()) return in_step_[number]->shard;
+    return threads_.empty() ? home_shard_ : threads_[number]->shard();
+}
+
 void Shards::on_changed(const std::function<void(std::size_t)>& callback) {
+    if (!in_step_.empty()) return void(changed_ = callback);
     if (threads_.empty()) return world_.on_placed([callback] { callback(0); });
     for (std::size_t number = 0; number < threads_.size(); ++number)
         threads_[number]->on_changed([callback, number] { callback(number); });
@@ -71,7 +88,7 @@ void Shards::still_on(std::size_t number, const std::function<void()>& act) {
 }
 
 void Shards::call_home(std::function<void()> call) {
-    if (threads_.empty()) return call();
+    if (threads_.empty() && !works_ahead_) return call();
     boost::asio::post(home_, std::move(call));
 }
 
@@ -89,6 +106,31 @@ void Shards::tell(const World::Change& change, World::Haste haste) {
             if (!alive.expired()) flush();
         });
     }
+}
+
+void Shards::tell_in_step(const World::Change& change) {
+    for (const auto& there : in_step_)
+        change(there->world);
+    for (std::size_t number = 0; number < in_step_.size(); ++number)
+        changed_(number);
+}
+
+void Shards::work_ahead(const SteppedClock::Works& works) {
+    std::vector<SteppedClock::Works> by_shard(size());
+    for (const Clock::Ahead* const ahead : works)
+        by_shard[ahead->shard].push_back(ahead);
+    std::erase_if(by_shard, [](const auto& some) { return some.empty(); });
+    if (by_shard.size() < 2) return;  // each call may as well do its own
+    std::vector<Crew::Job> jobs;
+    for (const SteppedClock::Works& some : by_shard) {
+        jobs.emplace_back([&some] {
+            for (const Clock::Ahead* const ahead : some)
+                ahead->work();
+        });
+    }
+    works_ahead_ = true;
+    crew_->work(jobs);
+    works_ahead_ = false;
 }
 
 void Shards::flush() {

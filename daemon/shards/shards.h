@@ -3,16 +3,20 @@
 //
 // All shards of a simulation, as the I/O thread sees them. It tells them what changes in the world,
 // and may touch what lives on them while they stand still. With one shard there is no other thread:
-// sensors live on the I/O thread, in the world that is there, and standing still costs nothing.
-// Lives on the I/O thread.
+// sensors live on the I/O thread, in the world that is there, and standing still costs nothing. On
+// a stepped clock all shards live on the I/O thread, each beside its copy of the world; only what
+// they do ahead of their calls (Clock::Ahead) is done side by side. Lives on the I/O thread.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "daemon/clock/stepped_clock.h"
+#include "daemon/shards/crew.h"
 #include "daemon/shards/shard.h"
 #include "daemon/shards/shard_thread.h"
 
@@ -22,16 +26,19 @@ class Shards {
   public:
     /// One: sensors live here, in this world. More: as many threads, each with a copy of it, which
     /// must not have begun to change.
-    Shards(const boost::asio::any_io_executor& home, World& world, Clock& clock,
-           const WallClock& wall_clock, std::size_t count);
+    Shards(const boost::asio::any_io_executor& home, World& world, WallClock& clock,
+           std::size_t count);
+    /// So many shards that live here, on this clock.
+    Shards(const boost::asio::any_io_executor& home, World& world, SteppedClock& clock,
+           std::size_t count);
     Shards(const Shards&) = delete;
     Shards& operator=(const Shards&) = delete;
     ~Shards();
 
-    [[nodiscard]] std::size_t size() const { return threads_.empty() ? 1 : threads_.size(); }
-    [[nodiscard]] Shard& at(std::size_t number) {
-        return threads_.empty() ? home_shard_ : threads_[number]->shard();
+    [[nodiscard]] std::size_t size() const {
+        return std::max({threads_.size(), in_step_.size(), std::size_t{1}});
     }
+    [[nodiscard]] Shard& at(std::size_t number);
     /// `callback` is called on a shard's thread after poses have come to its world.
     void on_changed(const std::function<void(std::size_t shard)>& callback);
     /// Called on the I/O thread, which waits, where a shard does not stand still within seconds:
@@ -57,6 +64,14 @@ class Shards {
     void join();
 
   private:
+    /// One that lives on the I/O thread, beside others.
+    struct InStep {
+        InStep(std::size_t number, const boost::asio::any_io_executor& home, Clock& clock)
+            : world(number), shard{number, home, world, clock} {}
+        World world;
+        Shard shard;
+    };
+
     class Stillness {
       public:
         explicit Stillness(Shards& shards) : shards_(shards) { shards_.halt(); }
@@ -69,6 +84,8 @@ class Shards {
     };
 
     void tell(const World::Change& change, World::Haste haste);
+    void tell_in_step(const World::Change& change);
+    void work_ahead(const SteppedClock::Works& works);
     /// Hands over what is kept to be told at once.
     void flush();
     void halt();
@@ -79,6 +96,10 @@ class Shards {
     World& world_;
     Shard home_shard_;
     std::vector<std::unique_ptr<ShardThread>> threads_;
+    std::vector<std::unique_ptr<InStep>> in_step_;
+    std::unique_ptr<Crew> crew_;  ///< null: nothing is done side by side
+    bool works_ahead_ = false;    ///< right now
+    std::function<void(std::size_t)> changed_ = [](std::size_t) {};  ///< for those in step
     std::function<void(std::size_t)> late_ = [](std::size_t) {};
     std::vector<World::Change> kept_;  ///< poses come in bunches, and waking a thread takes longer
     int halts_ = 0;                    ///< still() may be called within still()

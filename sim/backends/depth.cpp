@@ -27,6 +27,7 @@ class DepthBackend final : public RangeBackend {
         draw_anything();
     }
 
+    [[nodiscard]] bool binds_thread() const override { return true; }
     void leave_thread() override { raster_.context().release(); }
 
   private:

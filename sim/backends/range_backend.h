@@ -48,6 +48,8 @@ class RangeBackend {
     /// are those of an earlier cast. Only for backends that cast apart.
     void cast_moving(const Fan& fan, std::span<Hit> hits);
 
+    /// Whether it is bound to the thread that casts, until leave_thread().
+    [[nodiscard]] virtual bool binds_thread() const { return false; }
     /// Releases the calling thread: another one may use or destroy the backend next.
     virtual void leave_thread() {}
 

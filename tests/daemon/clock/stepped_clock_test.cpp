@@ -113,5 +113,37 @@ TEST(SteppedClock, NeverGoesBack) {
     EXPECT_EQ(clock.now(), 2s);
 }
 
+TEST(SteppedClock, HasDoneAheadWhatFollowsEachOtherAtOneTime) {
+    SteppedClock clock;
+    std::string done;
+    clock.on_ahead([&](const SteppedClock::Works& works) {
+        done += '(';
+        for (const Clock::Ahead* const ahead : works)
+            ahead->work();
+        done += ')';
+    });
+    const auto slow = [&](char name) {
+        return clock.make_slow_alarm({.work = [&done, name] { done += name; }});
+    };
+    const auto call = [&](char name) { return [&done, name] { done += name; }; };
+    const auto a = slow('a');
+    const auto b = slow('b');
+    const auto c = slow('c');
+    const auto d = slow('d');
+    const auto between = clock.make_alarm();
+    a->set(10ms, call('A'));
+    b->set(10ms, call('B'));
+    between->set(10ms, call('-'));
+    c->set(10ms, call('C'));
+    d->set(20ms, call('D'));
+    clock.advance_to(20ms);
+    EXPECT_EQ(done, "(ab)AB-CD");
+    done.clear();
+    for (const auto& alarm : {&a, &b, &c})
+        (*alarm)->set(30ms, call('.'));
+    clock.advance_to(30ms);
+    EXPECT_EQ(done, "(abc)...");
+}
+
 }  // namespace
 }  // namespace scipd::daemon

@@ -69,7 +69,7 @@ class ShardsTest : public testing::TestWithParam<std::size_t> {
     WallClock clock_{io_.get_executor()};
     std::atomic<int> told_ = 0;
     World world_;
-    Shards shards_{io_.get_executor(), world_, clock_, clock_, GetParam()};
+    Shards shards_{io_.get_executor(), world_, clock_, GetParam()};
     std::vector<std::unique_ptr<Busy>> busy_;
 };
 
