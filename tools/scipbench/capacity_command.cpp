@@ -3,24 +3,16 @@
 #include "tools/scipbench/capacity_command.h"
 
 #include <chrono>
-#include <filesystem>
 #include <memory>
-#include <string>
-#include <system_error>
 
-#include <unistd.h>
-
-#include "daemon/config/demo_world.h"
-#include "daemon/models/model_registry.h"
 #include "sim/loaders/file/load_error.h"
 #include "tools/options.h"
 #include "tools/scipbench/measure_capacity.h"
 #include "tools/scipbench/output_file.h"
+#include "tools/scipbench/setup_options.h"
 
 namespace scipd::tools {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct Asked {
     CapacityQuestion question;
@@ -28,24 +20,9 @@ struct Asked {
     bool start = false;
 };
 
-/// Beside this program, in a build as in an installation.
-fs::path scipd_beside() {
-    std::error_code error;
-    return fs::read_symlink("/proc/self/exe", error).parent_path() / "scipd";
-}
-
-fs::path maze() {
-    const auto scene = daemon::demo_scene();
-    if (!scene) throw WrongInput(scene.error().why);
-    return *scene;
-}
-
 void answer(Asked& asked) {
     CapacitySetup& setup = asked.question.setup;
-    if (setup.scipd.empty()) setup.scipd = scipd_beside();
-    if (::access(setup.scipd.c_str(), X_OK) != 0)
-        throw WrongInput(setup.scipd.string() + " is no program; name scipd with --scipd");
-    if (setup.scene.empty()) setup.scene = maze();
+    fill_in(setup);
     setup.duration = std::chrono::seconds(asked.seconds);
     try {
         asked.start ? measure_start(asked.question) : measure_capacity(asked.question);
@@ -55,15 +32,7 @@ void answer(Asked& asked) {
 }
 
 void add_setup(CLI::App& capacity, CapacitySetup& setup) {
-    capacity.add_option("--model", setup.model, "a scanner of `scipd --list-models`")
-        ->check([](const std::string& name) {
-            const auto model = daemon::model_named(name);
-            return model ? std::string() : model.error().why;
-        })
-        ->option_text("MODEL [UST-10LX]");
-    capacity.add_option("--scene", setup.scene, "world to measure in")
-        ->check(CLI::ExistingFile)
-        ->option_text("FILE [the rescue maze]");
+    add_world_and_scanner(capacity, setup);
     capacity.add_flag("--driving", setup.driving,
                       "every robot drives in a circle, by 50 poses a second from a file");
     capacity
@@ -74,8 +43,6 @@ void add_setup(CLI::App& capacity, CapacitySetup& setup) {
     capacity.add_option("--threads", setup.threads, "how many threads the scanners live on")
         ->check(whole_within(1, 1024))
         ->option_text("N [scipd's own choice]");
-    capacity.add_option("--scipd", setup.scipd, "program to measure")
-        ->option_text("PROGRAM [the one beside scipbench]");
 }
 
 }  // namespace

@@ -101,6 +101,7 @@ void CapacitySite::write(const CapacitySetup& setup, const std::vector<sim::Pose
         configuration["robots"][name] = robot_at(places[i], setup, lap);
         if (setup.driving) write_to(lap, [&](std::ostream& out) { write_lap(places[i], out); });
     }
+    if (setup.lockstep) configuration["clock"] = "poses";
     if (setup.moving > 0) configuration["robots"]["movers"] = gate_of_movers(poses_port_);
     write_to(this->configuration(), [&](std::ostream& out) { out << configuration.dump(1); });
 }

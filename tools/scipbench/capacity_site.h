@@ -23,6 +23,7 @@ struct CapacitySetup {
     std::filesystem::path scene;
     std::string model = "UST-10LX";
     bool driving = false;
+    bool lockstep = false;       ///< time is that of the robots, which drive then
     int moving = 0;              ///< models that move, beside the robots
     std::optional<int> threads;  ///< of scipd; none: as many as it takes by itself
     std::chrono::seconds duration{10};

@@ -3,78 +3,31 @@
 #include "tools/scipbench/load.h"
 
 #include <algorithm>
-#include <array>
 #include <csignal>
 #include <iomanip>
 #include <memory>
 #include <ostream>
-#include <thread>
 #include <utility>
 
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <boost/asio/write.hpp>
 #include <nlohmann/json.hpp>
 
-#include "protocol/client/driver.h"
-#include "protocol/client/error.h"
-#include "tools/scip_transport.h"
 #include "tools/scipbench/spread.h"
+#include "tools/scipbench/stream_reader.h"
 
 namespace scipd::tools {
 namespace {
 
 namespace asio = boost::asio;
 using boost::system::error_code;
-using protocol::client::ScanRequest;
 using Clock = std::chrono::steady_clock;
 
-class Reader {
-  public:
-    /// Connects and asks what scanner it is.
-    Reader(asio::io_context& io, std::string target) : stream_(io), target_(std::move(target)) {
-        const auto transport = open_target(parse_target(target_));
-        protocol::client::Driver driver(*transport);
-        driver.connect();
-        const protocol::client::Parameters parameters = driver.parameters();
-        driver.switch_laser_on();
-        model_ = parameters.model;
-        request_ = {.first_step = parameters.amin, .last_step = parameters.amax};
-        constexpr double ms_per_minute = 60'000.0;
-        check_.emplace(request_, StreamCheck::Milliseconds(ms_per_minute / parameters.scan_rpm));
-        stream_.assign(transport->release());
-    }
-
-    void start() {
-        error_code error;
-        asio::write(stream_, asio::buffer(stream_line(request_) + "\n"), error);
-        read();
-    }
-
-    [[nodiscard]] StreamReport report() const {
-        return {target_, model_, check_->findings(), check_->delays_ms(), ended_};
-    }
-
-  private:
-    void read() {
-        stream_.async_read_some(asio::buffer(buffer_),
-                                [this](const error_code& error, std::size_t count) {
-                                    if (error) return void(ended_ = error.message());
-                                    check_->take({buffer_.data(), count}, Clock::now());
-                                    read();
-                                });
-    }
-
-    asio::posix::stream_descriptor stream_;
-    std::string target_;
-    std::string model_;
-    ScanRequest request_;
-    std::optional<StreamCheck> check_;
-    std::string ended_;
-    std::array<char, 16 * 1024> buffer_;
-};
+StreamReport report_of(const StreamReader& reader) {
+    return {reader.target(), reader.model(), reader.check().findings(), reader.check().delays_ms(),
+            reader.ended()};
+}
 
 struct Total {
     StreamFindings findings;
@@ -100,21 +53,6 @@ void print_unsound(const StreamReport& stream, std::ostream& out) {
     out << "\n";
 }
 
-/// Whoever wakes up for each of thousands of scans a second takes a core away from what sends them
-/// each time: with 350 scanners on two cores a scan then costs an eighth more in all. Scans of few
-/// scanners are read at once, so that their delays are exact.
-std::chrono::milliseconds between_rounds(std::size_t scanners) {
-    constexpr std::size_t few = 32;
-    return std::chrono::milliseconds(scanners > few ? 1 : 0);
-}
-
-void read_in_rounds(asio::io_context& io, std::chrono::milliseconds rest) {
-    while (io.run_one() > 0) {
-        io.poll();
-        std::this_thread::sleep_for(rest);
-    }
-}
-
 }  // namespace
 
 std::size_t LoadReport::unsound() const {
@@ -124,9 +62,9 @@ std::size_t LoadReport::unsound() const {
 
 LoadReport load_scanners(const std::vector<std::string>& targets, std::chrono::seconds duration) {
     asio::io_context io;
-    std::vector<std::unique_ptr<Reader>> readers;
+    std::vector<std::unique_ptr<StreamReader>> readers;
     for (const std::string& target : targets)
-        readers.push_back(std::make_unique<Reader>(io, target));
+        readers.push_back(std::make_unique<StreamReader>(io, target));
     asio::signal_set signals(io, SIGINT, SIGTERM);
     signals.async_wait([&](const error_code&, int) { io.stop(); });
     asio::steady_timer end(io, duration);
@@ -134,10 +72,10 @@ LoadReport load_scanners(const std::vector<std::string>& targets, std::chrono::s
     const Clock::time_point begin = Clock::now();
     for (const auto& reader : readers)
         reader->start();
-    read_in_rounds(io, between_rounds(targets.size()));
+    read_streams(io, targets.size());
     LoadReport report{.seconds = std::chrono::duration<double>(Clock::now() - begin).count()};
     for (const auto& reader : readers)
-        report.streams.push_back(reader->report());
+        report.streams.push_back(report_of(*reader));
     return report;
 }
 

@@ -27,6 +27,7 @@
 #include "tools/scipbench/compare.h"
 #include "tools/scipbench/compare_stages.h"
 #include "tools/scipbench/load.h"
+#include "tools/scipbench/lockstep_command.h"
 #include "tools/scipbench/machine.h"
 #include "tools/scipbench/output_file.h"
 #include "tools/scipbench/table3.h"
@@ -232,6 +233,7 @@ int main(int argc, char** argv) {
     add_plot(*compare, said);
     add_load(program, said);
     add_capacity(program);
+    add_lockstep(program);
     // Last, since commands take it over.
     program.footer("scipbench COMMAND --help tells more.");
     add_completion_command(program);
