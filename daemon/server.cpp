@@ -154,7 +154,7 @@ std::string Server::ready_line() const {
     const auto or_null = [](const std::optional<std::string>& text) {
         return text ? nlohmann::json(*text) : nullptr;
     };
-    for (const SensorStatus& sensor : api_.status().sensors) {
+    for (const SensorReport& sensor : api_.report().sensors) {
         line["sensors"].push_back(nlohmann::ordered_json{{"name", sensor.name},
                                                          {"model", sensor.model},
                                                          {"tcp", or_null(sensor.tcp)},

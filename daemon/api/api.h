@@ -16,8 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include "daemon/api/rig_metrics.h"
-#include "daemon/api/rig_status.h"
+#include "daemon/api/rig_report.h"
 #include "daemon/api/world_view.h"
 #include "daemon/device/sensor_log.h"
 #include "daemon/http/web_socket.h"
@@ -47,8 +46,7 @@ class Api {
   public:
     virtual ~Api() = default;
 
-    [[nodiscard]] virtual RigStatus status() const = 0;
-    [[nodiscard]] virtual RigMetrics metrics() const = 0;
+    [[nodiscard]] virtual RigReport report() const = 0;
 
     /// The latest measurement of "rescue/front". A scanner has none (null) before anybody asks it
     /// for scans; a camera or ranger measures now. Nothing: there is no such sensor.

@@ -10,7 +10,7 @@ namespace scipd::daemon {
 
 void get_metrics(Call&& call) {
     call.respond({.content_type = "text/plain; version=0.0.4; charset=utf-8",
-                  .body = metrics_text(call.api.metrics())});
+                  .body = metrics_text(call.api.report())});
 }
 
 // Requests that come while the daemon starts wait until everything listens, so that whoever gets an

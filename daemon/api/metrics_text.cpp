@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -32,21 +33,40 @@ void add_gauge(MetricFamily& family, Labels labels, double value) {
     family.metric.push_back({.label = std::move(labels), .gauge = {value}});
 }
 
+/// One sensor, and those of the same name before it.
+struct Counted {
+    std::string name;
+    std::uint64_t clients = 0;
+    SensorCounts counts;
+};
+using AllCounted = std::vector<Counted>;
+
+AllCounted counted(const RigReport& rig) {
+    AllCounted all;
+    for (const SensorReport& sensor : rig.sensors) {
+        Counted& one = all.emplace_back(Counted{sensor.name, sensor.clients, sensor.counts_before});
+        one.counts += sensor.counts;
+        // Whoever computes a rate needs the count before the first cast.
+        one.counts.casts.try_emplace(sensor.backend);
+    }
+    return all;
+}
+
 /// A counter for each sensor.
 template <class Count>
-MetricFamily of_each(const RigMetrics& rig, const char* name, const char* help, Count count) {
+MetricFamily of_each(const AllCounted& sensors, const char* name, const char* help, Count count) {
     MetricFamily family{name, help, MetricType::Counter, {}};
-    for (const SensorMetrics& sensor : rig.sensors)
+    for (const Counted& sensor : sensors)
         add_counter(family, {{"sensor", sensor.name}}, static_cast<double>(count(sensor)));
     return family;
 }
 
 /// A counter for each entry of one of the maps of each sensor. Its key becomes this label.
 template <class Map, class Count>
-MetricFamily of_entries(const RigMetrics& rig, const char* name, const char* help,
+MetricFamily of_entries(const AllCounted& sensors, const char* name, const char* help,
                         const char* label, Map SensorCounts::*map, Count count) {
     MetricFamily family{name, help, MetricType::Counter, {}};
-    for (const SensorMetrics& sensor : rig.sensors) {
+    for (const Counted& sensor : sensors) {
         for (const auto& [key, entry] : sensor.counts.*map) {
             add_counter(family, {{"sensor", sensor.name}, {label, key}},
                         static_cast<double>(count(entry)));
@@ -69,27 +89,27 @@ ClientMetric::Histogram histogram(const Lateness& lateness) {
     return told;
 }
 
-MetricFamily of_lateness(const RigMetrics& rig) {
+MetricFamily of_lateness(const AllCounted& sensors) {
     MetricFamily family{"scipd_lateness_seconds",
                         "How long after their ideal instant scans left.",
                         MetricType::Histogram,
                         {}};
-    for (const SensorMetrics& sensor : rig.sensors) {
+    for (const Counted& sensor : sensors) {
         family.metric.push_back(
             {.label = {{"sensor", sensor.name}}, .histogram = histogram(sensor.counts.lateness)});
     }
     return family;
 }
 
-MetricFamily of_clients(const RigMetrics& rig) {
+MetricFamily of_clients(const AllCounted& sensors) {
     MetricFamily family{
         "scipd_clients", "Drivers that are connected by TCP or tty.", MetricType::Gauge, {}};
-    for (const SensorMetrics& sensor : rig.sensors)
+    for (const Counted& sensor : sensors)
         add_gauge(family, {{"sensor", sensor.name}}, static_cast<double>(sensor.clients));
     return family;
 }
 
-MetricFamily of_limits(const RigMetrics& rig) {
+MetricFamily of_limits(const RigReport& rig) {
     MetricFamily family{"scipd_limited_total",
                         "What was refused since it was more than a limit allows.",
                         MetricType::Counter,
@@ -106,41 +126,44 @@ MetricFamily of_build() {
     return family;
 }
 
-Families of_scans(const RigMetrics& rig) {
-    return {of_each(rig, "scipd_scans_total", "Scans that left when their turn was complete.",
-                    [](const auto& sensor) { return sensor.counts.scans; }),
-            of_each(rig, "scipd_scans_lost_total", "Scans that a driver wanted and did not get.",
-                    [](const auto& sensor) { return sensor.counts.lost; }),
-            of_lateness(rig),
-            of_entries(rig, "scipd_casts_total", "Sweeps that were cast into the world.", "backend",
-                       &SensorCounts::casts, [](const CastCount& count) { return count.casts; }),
-            of_entries(rig, "scipd_cast_seconds_total", "Time spent on casting them.", "backend",
-                       &SensorCounts::casts,
-                       [](const CastCount& count) { return Seconds(count.spent).count(); })};
+Families of_scans(const AllCounted& sensors) {
+    return {
+        of_each(sensors, "scipd_scans_total", "Scans that left when their turn was complete.",
+                [](const auto& sensor) { return sensor.counts.scans; }),
+        of_each(sensors, "scipd_scans_lost_total", "Scans that a driver wanted and did not get.",
+                [](const auto& sensor) { return sensor.counts.lost; }),
+        of_lateness(sensors),
+        of_entries(sensors, "scipd_casts_total", "Sweeps that were cast into the world.", "backend",
+                   &SensorCounts::casts, [](const CastCount& count) { return count.casts; }),
+        of_entries(sensors, "scipd_cast_seconds_total", "Time spent on casting them.", "backend",
+                   &SensorCounts::casts,
+                   [](const CastCount& count) { return Seconds(count.spent).count(); })};
 }
 
-Families of_links(const RigMetrics& rig) {
-    return {of_clients(rig),
-            of_each(rig, "scipd_sent_bytes_total", "Bytes sent to drivers.",
-                    [](const auto& sensor) { return sensor.counts.sent_bytes; }),
-            of_entries(rig, "scipd_refused_requests_total",
-                       "Requests of drivers that were answered with another status than 00.",
-                       "status", &SensorCounts::refused, std::identity()),
-            of_each(rig, "scipd_faults_injected_total", "How often faults on purpose have acted.",
-                    [](const auto& sensor) { return sensor.counts.faults; })};
+Families of_links(const AllCounted& sensors) {
+    return {
+        of_clients(sensors),
+        of_each(sensors, "scipd_sent_bytes_total", "Bytes sent to drivers.",
+                [](const auto& sensor) { return sensor.counts.sent_bytes; }),
+        of_entries(sensors, "scipd_refused_requests_total",
+                   "Requests of drivers that were answered with another status than 00.", "status",
+                   &SensorCounts::refused, std::identity()),
+        of_each(sensors, "scipd_faults_injected_total", "How often faults on purpose have acted.",
+                [](const auto& sensor) { return sensor.counts.faults; })};
 }
 
-Families of_whole(const RigMetrics& rig) {
-    return {of_daemon("scipd_poses_total", "Poses that were taken.", rig.poses),
-            of_daemon("scipd_poses_refused_total", "Poses that were refused.", rig.poses_refused),
+Families of_whole(const RigReport& rig) {
+    return {of_daemon("scipd_poses_total", "Poses that were taken.", rig.poses.accepted),
+            of_daemon("scipd_poses_refused_total", "Poses that were refused.", rig.poses.refused),
             of_limits(rig), of_build()};
 }
 
 }  // namespace
 
-std::string metrics_text(const RigMetrics& rig) {
-    Families families = of_scans(rig);
-    for (const Families& more : {of_links(rig), of_whole(rig)})
+std::string metrics_text(const RigReport& rig) {
+    const AllCounted sensors = counted(rig);
+    Families families = of_scans(sensors);
+    for (const Families& more : {of_links(sensors), of_whole(rig)})
         families.insert(families.end(), more.begin(), more.end());
     return prometheus::TextSerializer().Serialize(families);
 }

@@ -7,10 +7,10 @@
 
 #include <string>
 
-#include "daemon/api/rig_metrics.h"
+#include "daemon/api/rig_report.h"
 
 namespace scipd::daemon {
 
-[[nodiscard]] std::string metrics_text(const RigMetrics& rig);
+[[nodiscard]] std::string metrics_text(const RigReport& rig);
 
 }  // namespace scipd::daemon

@@ -26,25 +26,44 @@ Json or_null(const std::optional<Value>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
-Json to_json(const std::optional<LatenessStatus>& lateness) {
-    if (!lateness) return {{"p50", nullptr}, {"p99", nullptr}, {"max", nullptr}};
-    return {{"p50", lateness->p50.count()},
-            {"p99", lateness->p99.count()},
-            {"max", lateness->max.count()}};
+double milliseconds(const std::optional<Lateness::Duration>& time) {
+    return std::chrono::duration<double, std::milli>(*time).count();
 }
 
-/// By bounds that each have twice as much as the one before.
-Json histogram_of(const std::optional<LatenessStatus>& lateness) {
-    if (!lateness) return nullptr;
+Json to_json(const Lateness& lateness) {
+    if (lateness.count() == 0) return {{"p50", nullptr}, {"p99", nullptr}, {"max", nullptr}};
+    return {{"p50", milliseconds(lateness.quantile(0.5))},
+            {"p99", milliseconds(lateness.quantile(0.99))},
+            {"max", milliseconds(lateness.max())}};
+}
+
+/// By bounds that each have twice as much as the one before; the last count is of those beyond.
+Json histogram_of(const Lateness& lateness) {
+    if (lateness.count() == 0) return nullptr;
+    constexpr int first_octave = 4;  // 16 us
+    constexpr int last_octave = 17;
     Json bounds_ms = Json::array();
-    for (const int octave : lateness_octaves)
+    Json counts = Json::array();
+    std::uint64_t before = 0;
+    for (int octave = first_octave; octave <= last_octave; ++octave) {
+        const std::uint64_t below = lateness.below(octave);
         bounds_ms.push_back(std::ldexp(1e-3, octave));
-    return {{"le_ms", bounds_ms}, {"counts", lateness->counts}};
+        counts.push_back(below - std::exchange(before, below));
+    }
+    counts.push_back(lateness.count() - before);
+    return {{"le_ms", bounds_ms}, {"counts", counts}};
+}
+
+Json casts_of(const SensorCounts& counts) {
+    Json casts = Json::object();
+    for (const auto& [backend, count] : counts.casts)
+        casts[backend] = count.casts;
+    return casts;
 }
 
 // One by one: of a list of members the library makes more than twice the work, and a rig has
 // hundreds of sensors.
-Json to_json(const SensorStatus& sensor) {
+Json to_json(const SensorReport& sensor) {
     Json told = Json::object();
     told["name"] = sensor.name;
     told["model"] = sensor.model;
@@ -56,18 +75,18 @@ Json to_json(const SensorStatus& sensor) {
     told["tcp"] = or_null(sensor.tcp);
     told["pty"] = or_null(sensor.pty);
     told["clients"] = sensor.clients;
-    told["scans"] = sensor.scans;
-    told["casts"] = sensor.casts;
-    told["lost"] = sensor.lost;
+    told["scans"] = sensor.counts.scans;
+    told["casts"] = casts_of(sensor.counts);
+    told["lost"] = sensor.counts.lost;
     told["stream_lost"] = sensor.stream_lost;
-    told["lateness_ms"] = to_json(sensor.lateness);
-    told["lateness_histogram"] = histogram_of(sensor.lateness);
+    told["lateness_ms"] = to_json(sensor.counts.lateness);
+    told["lateness_histogram"] = histogram_of(sensor.counts.lateness);
     return told;
 }
 
-Json to_json(const std::vector<SensorStatus>& sensors) {
+Json to_json(const std::vector<SensorReport>& sensors) {
     Json list = Json::array();
-    for (const SensorStatus& sensor : sensors)
+    for (const SensorReport& sensor : sensors)
         list.push_back(to_json(sensor));
     return list;
 }
@@ -82,18 +101,18 @@ Json to_json(const SharedStatus& shared) {
             {"frames_dropped", shared.frames_dropped}};
 }
 
-Json to_json(const RigStatus& status) {
-    return {{"uptime_s", status.uptime.count()},
-            {"clock", status.clock},
-            {"time_s", seconds(status.time)},
-            {"scene", status.scene},
-            {"warnings", status.warnings},
+Json to_json(const RigReport& rig) {
+    return {{"uptime_s", rig.uptime.count()},
+            {"clock", rig.clock},
+            {"time_s", seconds(rig.time)},
+            {"scene", rig.scene},
+            {"warnings", rig.warnings},
             {"poses",
-             {{"accepted", status.poses.accepted},
-              {"refused", status.poses.refused},
-              {"last_refusal", or_null(status.poses.last_refusal)}}},
-            {"fleet", status.fleet ? to_json(*status.fleet) : Json()},
-            {"sensors", to_json(status.sensors)}};
+             {{"accepted", rig.poses.accepted},
+              {"refused", rig.poses.refused},
+              {"last_refusal", or_null(rig.poses.last_refusal)}}},
+            {"fleet", rig.fleet ? to_json(*rig.fleet) : Json()},
+            {"sensors", to_json(rig.sensors)}};
 }
 
 std::string sensor_of(const Call& call) {
@@ -145,15 +164,15 @@ HttpResponse truth(Api& api, const std::string& sensor, const std::string& query
 }  // namespace
 
 void get_status(Call&& call) {
-    call.respond(ok(to_json(call.api.status())));
+    call.respond(ok(to_json(call.api.report())));
 }
 
 void get_sensors(Call&& call) {
-    call.respond(ok(to_json(call.api.status().sensors)));
+    call.respond(ok(to_json(call.api.report().sensors)));
 }
 
 void get_sensor(Call&& call) {
-    for (const SensorStatus& candidate : call.api.status().sensors) {
+    for (const SensorReport& candidate : call.api.report().sensors) {
         if (candidate.name == sensor_of(call)) return call.respond(ok(to_json(candidate)));
     }
     call.respond(no_sensor(call));

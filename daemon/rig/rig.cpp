@@ -12,7 +12,7 @@
 #include "daemon/plan/load_world.h"
 #include "daemon/plan/rig_plan.h"
 #include "daemon/poses/pose_feed.h"
-#include "daemon/rig/metrics_report.h"
+#include "daemon/rig/report.h"
 #include "daemon/rig/simulation.h"
 #include "daemon/service/logging.h"
 

@@ -12,9 +12,8 @@
 #include "daemon/device/staring_sensor.h"
 #include "daemon/fleet/shared_world.h"
 #include "daemon/plan/unseen_media.h"
-#include "daemon/rig/metrics_report.h"
+#include "daemon/rig/report.h"
 #include "daemon/rig/simulation.h"
-#include "daemon/rig/status_report.h"
 
 namespace scipd::daemon {
 namespace {
@@ -35,14 +34,10 @@ RigApi::RigApi(Simulation& simulation)
       gallery_([&simulation](Worker::Begin begin) { simulation.drawer.add(std::move(begin)); }),
       run_(std::to_string(std::chrono::system_clock::now().time_since_epoch().count())) {}
 
-RigStatus RigApi::status() const {
-    RigStatus status = simulation_.shards.still([&] { return status_of(simulation_); });
-    if (shared_ != nullptr) status.fleet = shared_->status();
-    return status;
-}
-
-RigMetrics RigApi::metrics() const {
-    return simulation_.shards.still([&] { return metrics_of(simulation_); });
+RigReport RigApi::report() const {
+    RigReport report = simulation_.shards.still([&] { return report_of(simulation_); });
+    if (shared_ != nullptr) report.fleet = shared_->status();
+    return report;
 }
 
 std::optional<SensorRecord> RigApi::latest(const std::string& sensor) {

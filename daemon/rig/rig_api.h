@@ -33,8 +33,7 @@ class RigApi : public Api {
     /// Without telling anybody who shares the world.
     void edit_here(SceneEdit edit, EditDone done, std::stop_token withdrawn = {});
 
-    [[nodiscard]] RigStatus status() const override;
-    [[nodiscard]] RigMetrics metrics() const override;
+    [[nodiscard]] RigReport report() const override;
     [[nodiscard]] std::optional<SensorRecord> latest(const std::string& sensor) override;
     [[nodiscard]] std::optional<SensorLog> log(const std::string& sensor) const override;
     [[nodiscard]] std::optional<ReadingErrors> errors(const std::string& sensor) const override;

@@ -37,8 +37,7 @@ class EmptyFaults : public daemon::FaultsApi {
 
 class EmptyApi : public daemon::Api {
   public:
-    [[nodiscard]] daemon::RigStatus status() const override { return {}; }
-    [[nodiscard]] daemon::RigMetrics metrics() const override { return {}; }
+    [[nodiscard]] daemon::RigReport report() const override { return {}; }
     [[nodiscard]] std::optional<daemon::SensorRecord> latest(const std::string& sensor) override {
         const auto kept = log(sensor);
         if (!kept) return {};

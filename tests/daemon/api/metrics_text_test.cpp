@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 
 // A number that is rounded on its way would be another bucket, or a counter that stands still.
 TEST(MetricsText, WritesLargeCountsInFull) {
-    SensorMetrics sensor{.name = "robot/front"};
+    SensorReport sensor{.name = "robot/front"};
     sensor.counts.sent_bytes = 123'456'789'012'345;
     const std::string text = metrics_text({.sensors = {sensor}});
     EXPECT_NE(text.find("scipd_sent_bytes_total{sensor=\"robot/front\"} 123456789012345\n"),
@@ -31,7 +31,7 @@ TEST(MetricsText, TellsWhatEachLimitHasRefused) {
 
 // Every bound holds those below it.
 TEST(MetricsText, CountsLatenessUpToEachBound) {
-    SensorMetrics sensor{.name = "robot/front"};
+    SensorReport sensor{.name = "robot/front"};
     for (const auto late : {1us, 63us, 65us, 1000us, 1023us, 1025us, 2000000us})
         sensor.counts.lateness.add(late);
     const std::string text = metrics_text({.sensors = {sensor}});

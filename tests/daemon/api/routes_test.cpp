@@ -26,7 +26,7 @@ using namespace std::chrono_literals;
 
 class FakeApi : public tests::EmptyApi {
   public:
-    [[nodiscard]] RigStatus status() const override { return status_; }
+    [[nodiscard]] RigReport report() const override { return report_; }
 
     [[nodiscard]] std::optional<SensorLog> log(const std::string& sensor) const override {
         return sensor == "rescue/front" ? std::optional<SensorLog>(log_) : std::nullopt;
@@ -67,7 +67,7 @@ class FakeApi : public tests::EmptyApi {
         return {};
     }
 
-    RigStatus status_;
+    RigReport report_;
     ScanLog log_;
     sim::SharedScene scene_ = sim::SceneBuilder()
                                   .add(sim::Box{{1, 1, 1}}, {}, 1)
@@ -115,8 +115,8 @@ int problem_status(const HttpResponse& response) {
     return response.status;
 }
 
-RigStatus busy_status() {
-    SensorStatus front;
+RigReport busy_report() {
+    SensorReport front;
     front.name = "rescue/front";
     front.model = "UST-10LX";
     front.backend = "embree";
@@ -125,13 +125,14 @@ RigStatus busy_status() {
     front.state = "measuring";
     front.tcp = "127.0.0.1:10940";
     front.clients = 1;
-    front.scans = 4000;
-    front.casts = {{"embree", 4001}, {"depth", 2}};
-    front.lost = 2;
+    front.counts.scans = 4000;
+    front.counts.casts = {{"embree", {4001, {}}}, {"depth", {2, {}}}};
+    front.counts.lost = 2;
     front.stream_lost = 3;
-    front.lateness = LatenessStatus{0.125ms, 0.5ms, 2ms, {0, 7, 0, 3}};
-    front.lateness->counts.back() = 1;
-    SensorStatus rear;
+    for (const auto late : {20us, 20us, 20us, 20us, 20us, 20us, 20us, 100us, 100us, 100us, 140'000us})
+        front.counts.lateness.add(late);
+    front.counts_before.scans = 5;
+    SensorReport rear;
     rear.name = "rescue/rear";
     rear.model = "URG-04LX";
     rear.backend = "reference";
@@ -139,15 +140,15 @@ RigStatus busy_status() {
     rear.warning = "is inside model hull";
     rear.pty = "/run/scipd/rear";
 
-    RigStatus status;
-    status.uptime = 100.5s;
-    status.clock = "wall";
-    status.time = 100250ms;
-    status.scene = "/scenes/room.sdf";
-    status.warnings = {"room.sdf: a wall is missing"};
-    status.poses = {7, 1, "q must be a quaternion"};
-    status.sensors = {front, rear};
-    return status;
+    RigReport report;
+    report.uptime = 100.5s;
+    report.clock = "wall";
+    report.time = 100250ms;
+    report.scene = "/scenes/room.sdf";
+    report.warnings = {"room.sdf: a wall is missing"};
+    report.poses = {7, 1, "q must be a quaternion"};
+    report.sensors = {front, rear};
+    return report;
 }
 
 constexpr const char* front_text =
@@ -158,7 +159,7 @@ constexpr const char* front_text =
     R"("state":"measuring","warning":null,)"
     R"("tcp":"127.0.0.1:10940","pty":null,"clients":1,"scans":4000,)"
     R"("casts":{"depth":2,"embree":4001},"lost":2,"stream_lost":3,)"
-    R"("lateness_ms":{"p50":0.125,"p99":0.5,"max":2.0},)"
+    R"("lateness_ms":{"p50":0.020749,"p99":140.0,"max":140.0},)"
     R"("lateness_histogram":{"le_ms":[0.016,0.032,0.064,0.128,0.256,0.512,1.024,2.048,4.096,)"
     R"(8.192,16.384,32.768,65.536,131.072],"counts":[0,7,0,3,0,0,0,0,0,0,0,0,0,0,1]}})";
 constexpr const char* rear_text =
@@ -170,7 +171,7 @@ constexpr const char* rear_text =
     R"("lateness_ms":{"p50":null,"p99":null,"max":null},"lateness_histogram":null})";
 
 TEST_F(RoutesTest, StatusIsTheWholeDocument) {
-    api_.status_ = busy_status();
+    api_.report_ = busy_report();
     const auto response = get("/status");
     EXPECT_EQ(response.status, 200);
     EXPECT_EQ(response.content_type, "application/json");
@@ -190,7 +191,7 @@ TEST_F(RoutesTest, WhatIsUnknownIsNull) {
 }
 
 TEST_F(RoutesTest, SensorsAreListedAndFoundByName) {
-    api_.status_ = busy_status();
+    api_.report_ = busy_report();
     EXPECT_EQ(get("/sensors").body, std::string{"["} + front_text + "," + rear_text + "]\n");
     EXPECT_EQ(get("/sensors/rescue/front").body, std::string{front_text} + "\n");
     EXPECT_EQ(get("/sensors/rescue/rear").body, std::string{rear_text} + "\n");
@@ -275,7 +276,7 @@ TEST_F(RoutesTest, NoSuchRobotIsNotFoundForAllMethods) {
 }
 
 TEST_F(RoutesTest, AWrongMethodIsToldTheRightOnes) {
-    api_.status_ = busy_status();
+    api_.report_ = busy_report();
     const std::pair<const char*, const char*> table[] = {
         {"/status", "GET"},
         {"/sensors", "GET"},

@@ -74,7 +74,7 @@ class RigReloadTest : public testing::TestWithParam<std::tuple<std::size_t, std:
     }
 
     [[nodiscard]] ScannerWire connect() const {
-        return ScannerWire::tcp(tests::port_of(*api_.status().sensors.at(0).tcp));
+        return ScannerWire::tcp(tests::port_of(*api_.report().sensors.at(0).tcp));
     }
     /// A request with an answer.
     void ask(const std::string& request) {
@@ -127,7 +127,7 @@ TEST_P(RigReloadTest, EndsAScannerWhoseRobotGetsAnotherName) {
     client_ = std::make_unique<ScannerWire>(connect());
     ask("BM\n");
     ask("GD0540054000\n");
-    EXPECT_EQ(api_.status().sensors.at(0).name, "b/scanner");
+    EXPECT_EQ(api_.report().sensors.at(0).name, "b/scanner");
 }
 
 TEST_P(RigReloadTest, EndsAScannerThatGoes) {
@@ -136,14 +136,14 @@ TEST_P(RigReloadTest, EndsAScannerThatGoes) {
         empty.robots.clear();
         rig_.apply(empty);
     });
-    EXPECT_TRUE(api_.status().sensors.empty());
+    EXPECT_TRUE(api_.report().sensors.empty());
 }
 
 TEST_P(RigReloadTest, EndsAScannerWithTheDaemon) {
     send_a_request();
     std::this_thread::sleep_for(latency);
     rig_.stop();
-    EXPECT_TRUE(api_.status().sensors.empty());
+    EXPECT_TRUE(api_.report().sensors.empty());
 }
 
 // What draws for a scanner is bound to the scanner's thread.

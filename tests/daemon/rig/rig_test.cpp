@@ -76,8 +76,8 @@ class RigTest : public testing::TestWithParam<std::size_t> {
         return config;
     }
 
-    [[nodiscard]] SensorStatus sensor(std::size_t index = 0) const {
-        return api_.status().sensors.at(index);
+    [[nodiscard]] SensorReport sensor(std::size_t index = 0) const {
+        return api_.report().sensors.at(index);
     }
 
     [[nodiscard]] ScannerWire connect(std::size_t index = 0) const {
@@ -85,9 +85,9 @@ class RigTest : public testing::TestWithParam<std::size_t> {
     }
 
     bool streams(ScannerWire& wire) {
-        const std::uint64_t before = sensor().scans;
+        const std::uint64_t before = sensor().counts.scans;
         wire.write("MD0540054000000\n");
-        return run_until(io_, [&] { return sensor().scans >= before + 3; });
+        return run_until(io_, [&] { return sensor().counts.scans >= before + 3; });
     }
 
     /// That this model is at the other end.
@@ -169,24 +169,25 @@ TEST_P(RigTest, SpreadsItsMirrorsOverATurn) {
 
 TEST_P(RigTest, TellsWhatThereIs) {
     rig_.apply(of({on_tcp("front"), on_tty("rear")}));
-    const RigStatus status = api_.status();
-    ASSERT_EQ(status.sensors.size(), 2U);
-    EXPECT_EQ(status.clock, "wall");
-    EXPECT_EQ(status.sensors[0].name, "rescue/front");
-    EXPECT_EQ(status.sensors[0].model, "UST-10LX");
-    EXPECT_EQ(status.sensors[0].backend, "embree");
-    EXPECT_EQ(status.sensors[0].state, "standby");
-    EXPECT_FALSE(status.sensors[0].pty);
-    EXPECT_FALSE(status.sensors[0].lateness);
-    EXPECT_EQ(status.sensors[1].pty, directory_.path() / "rear");
-    EXPECT_FALSE(status.sensors[1].tcp);
+    const RigReport report = api_.report();
+    ASSERT_EQ(report.sensors.size(), 2U);
+    EXPECT_EQ(report.clock, "wall");
+    EXPECT_EQ(report.sensors[0].name, "rescue/front");
+    EXPECT_EQ(report.sensors[0].model, "UST-10LX");
+    EXPECT_EQ(report.sensors[0].backend, "embree");
+    EXPECT_EQ(report.sensors[0].state, "standby");
+    EXPECT_FALSE(report.sensors[0].pty);
+    EXPECT_FALSE(report.sensors[0].counts.lateness.max());
+    EXPECT_EQ(report.sensors[1].pty, directory_.path() / "rear");
+    EXPECT_FALSE(report.sensors[1].tcp);
 
     ScannerWire wire = connect();
     ASSERT_TRUE(streams(wire));
     EXPECT_EQ(sensor().state, "streaming");
     EXPECT_EQ(sensor().clients, 1U);
-    ASSERT_TRUE(sensor().lateness);
-    EXPECT_LE(sensor().lateness->p50, sensor().lateness->max);
+    const Lateness lateness = sensor().counts.lateness;
+    ASSERT_TRUE(lateness.max());
+    EXPECT_LE(lateness.quantile(0.5), lateness.max());
 }
 
 // A pose for each beam of six cameras takes a while to measure; who asks meanwhile comes first.
@@ -205,7 +206,7 @@ TEST_P(RigTest, MeasuresBackendsBehindWhatIsAskedForMeanwhile) {
     EXPECT_EQ(outcome.result, EditOutcome::Result::done);
     EXPECT_EQ(sensor().backend_reason, "not measured yet");
     const auto measured = [&] {
-        return std::ranges::none_of(api_.status().sensors, [](const SensorStatus& sensor) {
+        return std::ranges::none_of(api_.report().sensors, [](const SensorReport& sensor) {
             return sensor.backend_reason == "not measured yet";
         });
     };
@@ -290,13 +291,13 @@ TEST_P(RigTest, KeepsWhatDidNotChange) {
     const std::string address = *sensor().tcp;
     ScannerWire wire = connect();
     ASSERT_TRUE(streams(wire));
-    const std::uint64_t scans = sensor().scans;
+    const std::uint64_t scans = sensor().counts.scans;
 
     rig_.apply(of({front, on_tty("top")}));
     EXPECT_EQ(sensor().tcp, address);
     EXPECT_EQ(sensor().clients, 1U);
-    EXPECT_GE(sensor().scans, scans);
-    EXPECT_TRUE(run_until(io_, [&] { return sensor().scans > scans + 3; }));
+    EXPECT_GE(sensor().counts.scans, scans);
+    EXPECT_TRUE(run_until(io_, [&] { return sensor().counts.scans > scans + 3; }));
     EXPECT_FALSE(fs::is_symlink(directory_.path() / "rear"));
     EXPECT_TRUE(fs::is_symlink(directory_.path() / "top"));
 
@@ -304,7 +305,7 @@ TEST_P(RigTest, KeepsWhatDidNotChange) {
     Config reseeded = of({front});
     reseeded.seed = 99;
     rig_.apply(reseeded);
-    EXPECT_EQ(sensor().scans, 0U);
+    EXPECT_EQ(sensor().counts.scans, 0U);
     EXPECT_EQ(sensor().clients, 0U);
 }
 
@@ -312,7 +313,7 @@ TEST_P(RigTest, ChangesNothingWhereSomethingFails) {
     rig_.apply(of({on_tcp("front")}));
     ScannerWire wire = connect();
     ASSERT_TRUE(streams(wire));
-    const std::uint64_t scans = sensor().scans;
+    const std::uint64_t scans = sensor().counts.scans;
 
     Config lost_world = of({on_tty("rear")});
     lost_world.scene = directory_.path() / "nowhere.sdf";
@@ -323,8 +324,8 @@ TEST_P(RigTest, ChangesNothingWhereSomethingFails) {
     EXPECT_THROW(rig_.apply(of({on_tty("rear"), taken})), std::runtime_error);
 
     EXPECT_FALSE(fs::is_symlink(directory_.path() / "rear"));
-    EXPECT_EQ(api_.status().sensors.size(), 1U);
-    EXPECT_TRUE(run_until(io_, [&] { return sensor().scans > scans + 3; }));
+    EXPECT_EQ(api_.report().sensors.size(), 1U);
+    EXPECT_TRUE(run_until(io_, [&] { return sensor().counts.scans > scans + 3; }));
 }
 
 /// This process opens no more descriptors than so many, as long as this lives.
@@ -367,13 +368,13 @@ TEST_P(RigTest, ChangesNothingWhereDescriptorsRunOutOnTheWay) {
         return true;
     };
     const auto goes_on = [&] {
-        const std::uint64_t scans = sensor().scans;
-        return run_until(io_, [&] { return sensor().scans >= scans + 3; });
+        const std::uint64_t scans = sensor().counts.scans;
+        return run_until(io_, [&] { return sensor().counts.scans >= scans + 3; });
     };
     rlim_t more = 0;
     for (; !try_with(more); ++more) {
         ASSERT_LT(more, 64U);
-        EXPECT_EQ(api_.status().sensors.size(), 3U);
+        EXPECT_EQ(api_.report().sensors.size(), 3U);
         EXPECT_TRUE(goes_on());
         EXPECT_TRUE(answers(tty, "UST-10LX"));
         EXPECT_TRUE(fs::is_symlink(directory_.path() / "gone"));
@@ -381,7 +382,7 @@ TEST_P(RigTest, ChangesNothingWhereDescriptorsRunOutOnTheWay) {
     }
     // A listener, a socket for poses, and a tty each with a few.
     EXPECT_GE(more, 5U);
-    EXPECT_EQ(api_.status().sensors.size(), 4U);
+    EXPECT_EQ(api_.report().sensors.size(), 4U);
     EXPECT_TRUE(goes_on());
     EXPECT_TRUE(answers(tty, "UTM-30LX"));
     EXPECT_FALSE(fs::is_symlink(directory_.path() / "gone"));
@@ -407,11 +408,11 @@ TEST_P(RigTest, DoesNotChargeAScannerWithTheLossesOfTheOneBefore) {
     rig_.apply(of({front}));
     ScannerWire wire = ScannerWire::tty(*sensor().pty);
     wire.write("MD0000108000000\n");  // and nobody reads it
-    ASSERT_TRUE(run_until(io_, [&] { return sensor().lost > 0; }));
+    ASSERT_TRUE(run_until(io_, [&] { return sensor().counts.lost > 0; }));
     front.name = "rear";
     rig_.apply(of({front}));
     EXPECT_EQ(sensor().name, "rescue/rear");
-    EXPECT_EQ(sensor().lost, 0U);
+    EXPECT_EQ(sensor().counts.lost, 0U);
     Simulation& simulation = rig_.simulation();
     const auto lost_by_port = [&] { return simulation.stations[0]->ports.counts().lost_scans; };
     EXPECT_GT(simulation.shards.still(lost_by_port), 0U);
@@ -451,8 +452,8 @@ TEST_P(RigTest, LetsScannersExchangeTheirPorts) {
         SensorConfig c = on_tcp("c");
         finds_free_ones.apply(of({c, on_tcp("d")}));
         const RigApi api{finds_free_ones.simulation()};
-        a.tcp->port = tests::port_of(*api.status().sensors[0].tcp);
-        b.tcp->port = tests::port_of(*api.status().sensors[1].tcp);
+        a.tcp->port = tests::port_of(*api.report().sensors[0].tcp);
+        b.tcp->port = tests::port_of(*api.report().sensors[1].tcp);
     }
     rig_.apply(of({a, b}));
     ScannerWire before = connect(0);
@@ -516,13 +517,13 @@ TEST_P(RigTest, MovesRobotsForTheControlApi) {
     const sim::Pose there = sim::pose_from_rpy({1, 2, 0}, {0, 0, 0});
     EXPECT_TRUE(api_.set_robot_pose("rescue", {.pose = there}));
     EXPECT_EQ(api_.robot_pose("rescue")->pose, there);
-    EXPECT_EQ(api_.status().poses.accepted, 1U);
+    EXPECT_EQ(api_.report().poses.accepted, 1U);
     // Stamps of the sender begin anywhere but must grow.
     const sim::PoseLine stamped{.time = 500s, .pose = there};
     EXPECT_TRUE(api_.set_robot_pose("rescue", stamped));
     EXPECT_EQ(why_not(api_.set_robot_pose("rescue", stamped)),
               "t: not later than the pose before it");
-    EXPECT_EQ(api_.status().poses.refused, 1U);
+    EXPECT_EQ(api_.report().poses.refused, 1U);
 }
 
 TEST_P(RigTest, KeepsThePoseFeedsThatStay) {
@@ -533,11 +534,11 @@ TEST_P(RigTest, KeepsThePoseFeedsThatStay) {
     config.robots[0].poses = source;
     rig_.apply(config);
     sender.send(R"({"xyz":[1,0,0]})");
-    EXPECT_TRUE(run_until(io_, [&] { return api_.status().poses.accepted == 1; }));
+    EXPECT_TRUE(run_until(io_, [&] { return api_.report().poses.accepted == 1; }));
     config.seed = 5;
     rig_.apply(config);
     sender.send(R"({"xyz":[2,0,0]})");
-    EXPECT_TRUE(run_until(io_, [&] { return api_.status().poses.accepted == 2; }));
+    EXPECT_TRUE(run_until(io_, [&] { return api_.report().poses.accepted == 2; }));
     EXPECT_EQ(api_.robot_pose("rescue")->pose.translation_m.x, 2.0);
 
     config.robots[0].poses.reset();
@@ -545,7 +546,7 @@ TEST_P(RigTest, KeepsThePoseFeedsThatStay) {
     sender.send(R"({"xyz":[3,0,0]})");
     io_.restart();
     io_.run_for(50ms);
-    EXPECT_EQ(api_.status().poses.accepted, 2U);
+    EXPECT_EQ(api_.report().poses.accepted, 2U);
 }
 
 // To each robot its own.
@@ -575,7 +576,7 @@ TEST_P(RigTest, HandsAPoseAddressOnToARenamedRobot) {
     config.robots[0].name = "transport";
     rig_.apply(config);
     sender.send(R"({"xyz":[1,0,0]})");
-    EXPECT_TRUE(run_until(io_, [&] { return api_.status().poses.accepted == 1; }));
+    EXPECT_TRUE(run_until(io_, [&] { return api_.report().poses.accepted == 1; }));
     EXPECT_EQ(api_.robot_pose("transport")->pose.translation_m.x, 1.0);
     EXPECT_FALSE(api_.robot_pose("rescue"));
 }
@@ -583,7 +584,7 @@ TEST_P(RigTest, HandsAPoseAddressOnToARenamedRobot) {
 TEST_P(RigTest, LeavesNothingBehind) {
     rig_.apply(of({on_tcp("front"), on_tty("rear")}));
     rig_.stop();
-    EXPECT_TRUE(api_.status().sensors.empty());
+    EXPECT_TRUE(api_.report().sensors.empty());
     EXPECT_FALSE(fs::is_symlink(directory_.path() / "rear"));
     // Nothing is waited for any more.
     EXPECT_TRUE(run_until(io_, [&] { return io_.stopped(); }));

@@ -79,27 +79,25 @@ void ControlStandIn::log_fault(daemon::FaultLogEntry entry) {
     boost::asio::post(io_, [this, entry = std::move(entry)] { faults_.entries.add(entry); });
 }
 
-daemon::RigStatus ControlStandIn::status() const {
-    daemon::RigStatus status;
-    status.uptime = std::chrono::seconds(90);
-    status.clock = clock_;
-    status.time = std::chrono::milliseconds(12345);
-    status.scene = "maze.sdf";
-    status.poses = {.accepted = 7, .refused = 1, .last_refusal = "xyz is missing"};
+daemon::RigReport ControlStandIn::report() const {
+    daemon::RigReport report;
+    report.uptime = std::chrono::seconds(90);
+    report.clock = clock_;
+    report.time = std::chrono::milliseconds(12345);
+    report.scene = "maze.sdf";
+    report.poses = {.accepted = 7, .refused = 1, .last_refusal = "xyz is missing"};
     for (const auto& [robot, pose] : poses_) {
-        status.sensors.push_back({.name = robot + "/front",
+        report.sensors.push_back({.name = robot + "/front",
                                   .model = "UST-10LX",
                                   .backend = "embree",
                                   .state = "streaming",
                                   .tcp = "127.0.0.1:10940",
                                   .pty = {},
                                   .clients = 1,
-                                  .scans = 4000,
-                                  .lost = 2,
-                                  .stream_lost = 3,
-                                  .lateness = {}});
+                                  .counts = {.scans = 4000, .lost = 2},
+                                  .stream_lost = 3});
     }
-    return status;
+    return report;
 }
 
 std::optional<sim::TimedPose> ControlStandIn::robot_pose(const std::string& robot) const {

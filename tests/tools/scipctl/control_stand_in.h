@@ -46,7 +46,7 @@ class ControlStandIn : EmptyApi {
     void log_fault(daemon::FaultLogEntry entry);
 
   private:
-    [[nodiscard]] daemon::RigStatus status() const override;
+    [[nodiscard]] daemon::RigReport report() const override;
     [[nodiscard]] daemon::FaultsApi& faults() override { return faults_; }
     [[nodiscard]] std::optional<sim::TimedPose> robot_pose(const std::string& robot) const override;
     sim::Expected<> set_robot_pose(const std::string& robot, const sim::PoseLine& said) override;

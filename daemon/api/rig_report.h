@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// How a rig is doing: all sensors of this daemon. Values; any thread.
+// How a rig is doing, which is all sensors of this daemon, and what it has counted: told as /status,
+// as metrics and to systemd. Values; any thread.
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <map>
@@ -14,23 +14,12 @@
 
 #include "daemon/api/shared_status.h"
 #include "daemon/config/reading_errors.h"
+#include "daemon/device/sensor_counts.h"
 #include "sim/time.h"
 
 namespace scipd::daemon {
 
-/// How long after their ideal instant scans left: less than 2^octave microseconds for each of these
-/// octaves, or later.
-inline constexpr std::array<int, 14> lateness_octaves{4,  5,  6,  7,  8,  9,  10,
-                                                      11, 12, 13, 14, 15, 16, 17};
-struct LatenessStatus {
-    std::chrono::duration<double, std::milli> p50{};
-    std::chrono::duration<double, std::milli> p99{};
-    std::chrono::duration<double, std::milli> max{};
-    /// How many left so late, but not as late as the octave before; the last: later than all.
-    std::array<std::uint64_t, lateness_octaves.size() + 1> counts{};
-};
-
-struct SensorStatus {
+struct SensorReport {
     std::string name;                           ///< "rescue/front"
     std::string model;                          ///< "UST-10LX"
     std::string backend;                        ///< what casts, never "auto"
@@ -41,28 +30,29 @@ struct SensorStatus {
     std::optional<std::string> pty;       ///< the link
     std::optional<ReadingErrors> errors;  ///< nothing: a camera or ranger
     std::uint64_t clients = 0;            ///< connected now
-    std::uint64_t scans = 0;
-    std::map<std::string, std::uint64_t> casts;  ///< by backend
-    std::uint64_t lost = 0;                      ///< scans that drivers did not get
-    std::uint64_t stream_lost = 0;               ///< and clients of /stream
-    std::optional<LatenessStatus> lateness;      ///< nothing: no scan yet
+    SensorCounts counts;
+    SensorCounts counts_before;     ///< of its predecessors of the same name
+    std::uint64_t stream_lost = 0;  ///< scans that clients of /stream did not get
+    std::int64_t turn = 0;          ///< that its scan loop is to end next
+    bool overdue = false;           ///< its scan loop should have ended that one by now
 };
 
-struct PosesStatus {
+struct PosesReport {
     std::uint64_t accepted = 0;
     std::uint64_t refused = 0;
     std::optional<std::string> last_refusal;
 };
 
-struct RigStatus {
+struct RigReport {
     std::chrono::duration<double> uptime{};
     std::string clock;  ///< "wall" or "poses"
     sim::Time time{};
     std::string scene;
     std::vector<std::string> warnings;  ///< of the world
-    PosesStatus poses;
-    std::optional<SharedStatus> fleet;  ///< nothing: the world is this daemon's alone
-    std::vector<SensorStatus> sensors;
+    PosesReport poses;
+    std::map<std::string, std::uint64_t> limited;  ///< how often something was too much, by limit
+    std::optional<SharedStatus> fleet;             ///< nothing: the world is this daemon's alone
+    std::vector<SensorReport> sensors;
 };
 
 }  // namespace scipd::daemon
