@@ -240,7 +240,8 @@ void Server::take_up(std::future<Next> loaded) {
         Next next = loaded.get();
         const Config config = next.plan.config;
         const auto unlike_the_others = next.plan.unlike_the_others;
-        rig_.apply(std::move(next.plan));
+        const std::chrono::duration<double, std::milli> still = rig_.apply(std::move(next.plan));
+        spdlog::debug("SIGHUP: all sensors stood still for {:.1f} ms", still.count());
         if (shared_) shared_->serve(config, unlike_the_others);
         if (next.asks_for_a_start) {
             spdlog::warn(

@@ -82,11 +82,13 @@ void Rig::apply(const Config& config) {
     apply(make_plan(config, {.homes = homes_, .played = running().played}));
 }
 
-void Rig::apply(RigPlan&& plan) {
-    simulation_->shards.still([&] {
+std::chrono::nanoseconds Rig::apply(RigPlan&& plan) {
+    return simulation_->shards.still([&] {
+        const auto begin = std::chrono::steady_clock::now();
         Ports ports = prepare_ports(plan.config, plan.homes);
         Feeds feeds = open_feeds(plan);
         take_up(std::move(plan), std::move(ports), std::move(feeds));
+        return std::chrono::steady_clock::now() - begin;
     });
 }
 

@@ -2,11 +2,14 @@
 // Copyright The scipd authors
 //
 // All robots and scanners of a configuration, with their ports and pose feeds, in one simulation. A
-// new configuration is applied as a whole or not at all: everything that can fail is done before
-// anything of the old is touched. Scanners that did not change keep their connections and their
-// scan numbers. Lives on the I/O thread; shards stand still while it changes what lives there.
+// new configuration is applied as a whole or not at all, in three steps: all that takes long is in
+// its plan (rig_plan.h), which may fail; then what leaves ends while its world stands; then the new
+// takes its place and starts. The last two are quick and cannot fail; shards stand still for them.
+// Scanners that did not change keep their connections and their scan numbers. Start and end are the
+// same with nothing before, or after. Lives on the I/O thread.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -42,8 +45,8 @@ class Rig {
     ~Rig();
 
     /// Throws std::runtime_error for a port or a source of poses: then all is as before. The plan
-    /// was made for what is running().
-    void apply(RigPlan&& plan);
+    /// was made for what is running(). Returns how long all sensors stood still for it.
+    std::chrono::nanoseconds apply(RigPlan&& plan);
     /// Applies a configuration whose world is still to be loaded, and throws what make_plan()
     /// throws.
     void apply(const Config& config);

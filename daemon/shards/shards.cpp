@@ -77,13 +77,17 @@ void Shards::on_changed(const std::function<void(std::size_t)>& callback) {
 }
 
 void Shards::still_on(std::size_t number, const std::function<void()>& act) {
-    if (threads_.empty() || joined_) return act();
+    const auto errand = [&act] {
+        const sim::MustBeQuick must_be_quick;
+        act();
+    };
+    if (threads_.empty() || joined_) return errand();
     ShardThread& thread = *threads_[number];
-    if (halts_ > 0) return thread.catch_up(act);
+    if (halts_ > 0) return thread.catch_up(errand);
     flush();
     thread.halt();
     wait_for(thread);
-    thread.catch_up(act);
+    thread.catch_up(errand);
     thread.go_on();
 }
 

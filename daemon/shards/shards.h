@@ -19,6 +19,7 @@
 #include "daemon/shards/crew.h"
 #include "daemon/shards/shard.h"
 #include "daemon/shards/shard_thread.h"
+#include "sim/takes_long.h"
 
 namespace scipd::daemon {
 
@@ -45,7 +46,8 @@ class Shards {
     /// what runs there is stuck, or the machine has no core for it.
     void on_late(std::function<void(std::size_t shard)> callback) { late_ = std::move(callback); }
 
-    /// Calls `act` while every shard stands between two handlers. Changes of the world that were
+    /// Calls `act` while every shard stands between two handlers: nothing that takes long may be
+    /// done in it (sim/takes_long.h). Changes of the world that were
     /// made before are made in all copies by then; poses that come in it follow behind it.
     template <class Act>
     decltype(auto) still(Act&& act) {
@@ -81,6 +83,7 @@ class Shards {
 
       private:
         Shards& shards_;
+        sim::MustBeQuick must_be_quick_;
     };
 
     void tell(const World::Change& change, World::Haste haste);

@@ -16,6 +16,7 @@
 
 #include "sim/backends/choice.h"
 #include "sim/backends/registry.h"
+#include "sim/takes_long.h"
 #include "sim/world/lit_world.h"
 
 namespace scipd::daemon {
@@ -186,7 +187,10 @@ BackendMaker::SharedBackend BackendMaker::backend(const sim::BackendRow& row,
     const sim::DepthOptions used = row.draws ? request.depth : sim::DepthOptions{};
     auto& made = made_[{row.name, used.between_pixels, used.oversample, used.widest_pass_rad,
                         request.shard}];
-    if (!made) made = row.make(scene_, used);
+    if (!made) {
+        sim::takes_long();
+        made = row.make(scene_, used);
+    }
     return made;
 }
 

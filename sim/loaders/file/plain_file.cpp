@@ -14,6 +14,7 @@
 
 #include "sim/loaders/file/allowed_folder.h"
 #include "sim/loaders/file/load_error.h"
+#include "sim/takes_long.h"
 
 namespace scipd::sim {
 namespace {
@@ -50,6 +51,7 @@ Expected<> check_plain_file(const fs::path& path) {
 }
 
 File open_file(const fs::path& path) {
+    takes_long();
     if (const auto plain = check_plain_file(path); !plain)
         throw std::runtime_error(plain.error().why);
     const int descriptor = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);

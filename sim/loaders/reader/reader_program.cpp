@@ -22,6 +22,7 @@
 #include "sim/loaders/file/doing.h"
 #include "sim/loaders/file/load_error.h"
 #include "sim/loaders/reader/scene_answer.h"
+#include "sim/takes_long.h"
 
 namespace scipd::sim {
 namespace {
@@ -151,6 +152,7 @@ fs::path reader_program() {
 }
 
 LoadedScene read_by(const fs::path& program, SceneRequest request, const LoadLimits& limits) {
+    takes_long();
     request.folders = limits.folders;
     request.memory_bytes = limits.memory_bytes;
     // Longer than one thread can use within wall_time: so the wall time ends the child first, and

@@ -123,7 +123,8 @@ INSTANTIATE_TEST_SUITE_P(Threads, RigReloadTest,
 
 // The end of a fault has the scanner look at what has come meanwhile.
 TEST_P(RigReloadTest, EndsAScannerWhoseRobotGetsAnotherName) {
-    while_a_request_arrives([&] { rig_.apply(of("b")); });
+    RigPlan plan = make_plan(of("b"), rig_.running());
+    while_a_request_arrives([&] { rig_.apply(std::move(plan)); });
     client_ = std::make_unique<ScannerWire>(connect());
     ask("BM\n");
     ask("GD0540054000\n");
@@ -131,11 +132,10 @@ TEST_P(RigReloadTest, EndsAScannerWhoseRobotGetsAnotherName) {
 }
 
 TEST_P(RigReloadTest, EndsAScannerThatGoes) {
-    while_a_request_arrives([&] {
-        Config empty = of("a");
-        empty.robots.clear();
-        rig_.apply(empty);
-    });
+    Config empty = of("a");
+    empty.robots.clear();
+    RigPlan plan = make_plan(empty, rig_.running());
+    while_a_request_arrives([&] { rig_.apply(std::move(plan)); });
     EXPECT_TRUE(api_.report().sensors.empty());
 }
 

@@ -253,7 +253,7 @@ TEST_P(ShardsTest, LetNoReplyWaitForMoreThanOneSweep) {
     std::vector<std::unique_ptr<Clock::Alarm>> alarms;
     shards_.still([&] {
         for (int i = 0; i < 50; ++i) {
-            alarms.push_back(shard.clock.make_slow_alarm());
+            alarms.push_back(shard.clock.make_slow_alarm({}));
             alarms.back()->set(shard.clock.now(), [&] {
                 std::this_thread::sleep_for(2ms);
                 ++swept;
@@ -310,6 +310,13 @@ TEST_P(ShardsTest, HoldUpNoOtherForWhatIsAskedForOnOneThread) {
         EXPECT_GT(turns->count, before);
     });
     turns->ended = true;
+}
+
+TEST_P(ShardsTest, StandStillForWhatIsQuickAlone) {
+    EXPECT_FALSE(sim::MustBeQuick::here());
+    shards_.still([] { EXPECT_TRUE(sim::MustBeQuick::here()); });
+    shards_.still_on(0, [] { EXPECT_TRUE(sim::MustBeQuick::here()); });
+    EXPECT_FALSE(sim::MustBeQuick::here());
 }
 
 TEST_P(ShardsTest, MayBeLookedAtWhenTheyHaveEnded) {
