@@ -20,6 +20,11 @@ pkg_check_modules(prometheus REQUIRED IMPORTED_TARGET prometheus-cpp-core)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
 pkg_check_modules(mosquitto REQUIRED IMPORTED_TARGET libmosquitto)
 pkg_check_modules(systemd REQUIRED IMPORTED_TARGET libsystemd)
+find_package(BZip2 REQUIRED)
+pkg_check_modules(lz4 REQUIRED IMPORTED_TARGET liblz4)
+pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)
+pkg_check_modules(sqlite3 REQUIRED IMPORTED_TARGET sqlite3)
+pkg_check_modules(pcap REQUIRED IMPORTED_TARGET libpcap)
 find_path(stb_folder stb/stb_image.h REQUIRED) # headers only
 
 # Takes Embree 4 if there is one, else Embree 3 (Debian 12). sim/backends/embree.cpp builds with both.

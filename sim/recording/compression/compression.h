@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The compressed blocks of recordings. Each library is behind one source. Any thread; nothing
+// shared.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "sim/expected.h"
+
+namespace scipd::sim {
+
+/// No writer makes blocks of such a size, but a damaged length may ask for any.
+inline constexpr std::size_t largest_block = std::size_t{256} << 20;
+
+/// The whole block. Each refuses what is damaged, is cut off, or makes more than `most` bytes.
+[[nodiscard]] Expected<std::string> unpack_zstd(std::string_view packed,
+                                                std::size_t most = largest_block);
+[[nodiscard]] Expected<std::string> unpack_lz4(std::string_view packed,
+                                               std::size_t most = largest_block);
+[[nodiscard]] Expected<std::string> unpack_bzip2(std::string_view packed,
+                                                 std::size_t most = largest_block);
+
+[[nodiscard]] std::string pack_zstd(std::string_view bytes);
+[[nodiscard]] std::string pack_lz4(std::string_view bytes);
+
+}  // namespace scipd::sim

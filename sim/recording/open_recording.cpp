@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/recording/open_recording.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "sim/recording/mcap/mcap.h"
+#include "sim/recording/npy/npy.h"
+#include "sim/recording/pcap/pcap.h"
+#include "sim/recording/ros/bag.h"
+#include "sim/recording/ros/db3.h"
+#include "sim/recording/text/carmen.h"
+#include "sim/recording/text/csv.h"
+#include "sim/recording/text/json_lines.h"
+#include "sim/recording/text/player.h"
+#include "sim/recording/text/ubh.h"
+#include "sim/text/text_number.h"
+
+namespace scipd::sim {
+namespace {
+
+using Open = Expected<std::unique_ptr<Recording>> (*)(InputFile);
+
+struct Magic {
+    std::string_view bytes;
+    Open open;
+};
+constexpr std::array magics = {
+    Magic{{"\x89MCAP", 5}, open_mcap},         Magic{{"#ROSBAG", 7}, open_bag},
+    Magic{{"SQLite format 3", 16}, open_db3},  Magic{{"\x93NUMPY", 6}, open_npy},
+    Magic{{"\xA1\xB2\xC3\xD4", 4}, open_pcap}, Magic{{"\xD4\xC3\xB2\xA1", 4}, open_pcap},
+    Magic{{"\xA1\xB2\x3C\x4D", 4}, open_pcap}, Magic{{"\x4D\x3C\xB2\xA1", 4}, open_pcap},
+    Magic{{"\x0A\x0D\x0D\x0A", 4}, open_pcap},
+};
+
+/// Files that must be unpacked first.
+struct Packed {
+    std::string_view bytes;
+    const char* what_to_do;
+};
+constexpr std::array packed_files = {
+    Packed{{"\x1F\x8B", 2}, "is packed by gzip; unpack it: gunzip FILE"},
+    Packed{{"BZh", 3}, "is packed by bzip2; unpack it: bunzip2 FILE"},
+    Packed{{"\xFD\x37zXZ", 5}, "is packed by xz; unpack it: unxz FILE"},
+    Packed{{"\x28\xB5\x2F\xFD", 4}, "is packed by zstd; unpack it: unzstd FILE"},
+    Packed{{"PK\x03\x04", 4}, "is a zip, as .npz are; unpack it and name a .npy in it"},
+};
+
+/// The reader for a text that has this line at or near its beginning.
+std::optional<Open> reader_for(std::string_view line) {
+    if (line.starts_with("## Player")) return open_player;
+    if (is_carmen_line(line)) return open_carmen;
+    if (line.starts_with("# host_time_s") || line.find(", recorded by ") != line.npos)
+        return open_csv;
+    if (line.starts_with("[") && line.ends_with("]") && line.find('{') == line.npos)
+        return open_ubh;
+    if (line.starts_with("{")) return open_json_lines;
+    return std::nullopt;
+}
+
+std::optional<Open> reader_for_ending(const std::filesystem::path& path) {
+    const std::filesystem::path ending = path.extension();
+    if (ending == ".csv") return open_csv;
+    if (ending == ".jsonl" || ending == ".ndjson") return open_json_lines;
+    if (ending == ".ubh") return open_ubh;
+    return std::nullopt;
+}
+
+std::optional<Open> reader_for_text(std::string_view beginning) {
+    while (!beginning.empty()) {
+        const std::string_view line = beginning.substr(0, beginning.find('\n'));
+        beginning.remove_prefix(std::min(line.size() + 1, beginning.size()));
+        if (const auto reader = reader_for(trimmed(line))) return reader;
+        // Only comments may stand before the first line that tells.
+        if (!trimmed(line).empty() && !line.starts_with('#')) return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<Recording>> open_recording(const std::filesystem::path& path) {
+    auto file = InputFile::open(path);
+    if (!file) return tl::unexpected(file.error());
+    return open_recording(std::move(*file));
+}
+
+Expected<std::unique_ptr<Recording>> open_recording(InputFile file) {
+    constexpr std::size_t enough = 4096;
+    const auto beginning = file.read(0, enough);
+    if (!beginning) return tl::unexpected(beginning.error());
+    if (beginning->empty()) return file.refuse("is empty: it holds no scan");
+    for (const Magic& magic : magics) {
+        if (beginning->starts_with(magic.bytes)) return magic.open(std::move(file));
+    }
+    for (const Packed& packed : packed_files) {
+        if (beginning->starts_with(packed.bytes)) return file.refuse(packed.what_to_do);
+    }
+    if (const auto open = reader_for_text(*beginning)) return (*open)(std::move(file));
+    if (const auto open = reader_for_ending(file.path())) return (*open)(std::move(file));
+    return file.refuse(
+        "begins like no recording that is read: MCAP, a bag of ROS (.bag, .db3), UBH, CSV or JSON "
+        "lines of scipcat, a log of CARMEN or Player, a NumPy array (.npy), a capture of a network "
+        "(.pcap, .pcapng)");
+}
+
+}  // namespace scipd::sim

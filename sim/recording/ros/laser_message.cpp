@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/recording/ros/laser_message.h"
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "sim/recording/file/byte_reader.h"
+
+namespace scipd::sim {
+namespace {
+
+/// The fields of a message, one after the other. All numbers of scans have 32 bits.
+class Fields {
+  public:
+    /// CDR begins with four bytes of its own, of which the second tells the order.
+    Fields(std::string_view bytes, RosEncoding encoding)
+        : cdr_(encoding == RosEncoding::cdr),
+          order_(cdr_ && bytes.size() > 1 && (bytes[1] & 1) == 0 ? std::endian::big
+                                                                 : std::endian::little),
+          reader_(cdr_ ? bytes.substr(std::min<std::size_t>(bytes.size(), 4)) : bytes, order_),
+          size_(reader_.rest().size()) {}
+
+    [[nodiscard]] bool is_cdr() const { return cdr_; }
+    [[nodiscard]] bool too_short() const { return reader_.too_short(); }
+
+    std::uint32_t word() {
+        align();
+        return reader_.number<std::uint32_t>();
+    }
+    float real() { return std::bit_cast<float>(word()); }
+    void skip_text() { reader_.skip(word()); }
+    /// How many elements follow: a length that the bytes cannot hold reads past their end.
+    std::uint32_t count() {
+        const std::uint32_t count = word();
+        if (count <= reader_.rest().size()) return count;
+        reader_.skip(reader_.rest().size() + 1);
+        return 0;
+    }
+    /// Appends them.
+    std::size_t reals(std::vector<double>& values) {
+        const std::uint32_t length = count();
+        ByteReader list(reader_.take(std::uint64_t{length} * sizeof(float)), order_);
+        while (!list.at_end())
+            values.push_back(list.float32());
+        return length;
+    }
+
+  private:
+    /// CDR puts numbers at multiples of their size.
+    void align() {
+        if (cdr_) reader_.skip((sizeof(float) - (size_ - reader_.rest().size()) % 4) % 4);
+    }
+
+    bool cdr_;
+    std::endian order_;
+    ByteReader reader_;
+    std::size_t size_;
+};
+
+/// The number of the message (ROS 1), its time, and the name of its frame.
+std::optional<HostTime> read_header(Fields& fields) {
+    if (!fields.is_cdr()) (void)fields.word();
+    const std::uint32_t seconds = fields.word();
+    const std::uint32_t nanoseconds = fields.word();
+    fields.skip_text();
+    if (seconds == 0 && nanoseconds == 0) return std::nullopt;
+    return HostTime(std::chrono::seconds(seconds) + std::chrono::nanoseconds(nanoseconds));
+}
+
+void read_single(Fields& fields, RecordedScan& scan) {
+    (void)fields.reals(scan.ranges);
+    (void)fields.reals(scan.intensities);
+}
+
+void read_echoes(Fields& fields, RecordedScan& scan) {
+    const std::uint32_t steps = fields.count();
+    for (std::uint32_t step = 0; step < steps && !fields.too_short(); ++step) {
+        (void)fields.reals(scan.ranges);
+        scan.echo_ends.push_back(static_cast<std::uint32_t>(scan.ranges.size()));
+    }
+    const std::uint32_t with_intensities = fields.count();
+    for (std::uint32_t step = 0; step < with_intensities && !fields.too_short(); ++step)
+        (void)fields.reals(scan.intensities);
+}
+
+}  // namespace
+
+std::optional<LaserType> laser_type(std::string_view type_name) {
+    if (type_name == "sensor_msgs/LaserScan" || type_name == "sensor_msgs/msg/LaserScan")
+        return LaserType::laser_scan;
+    if (type_name == "sensor_msgs/MultiEchoLaserScan" ||
+        type_name == "sensor_msgs/msg/MultiEchoLaserScan")
+        return LaserType::multi_echo_laser_scan;
+    return std::nullopt;
+}
+
+Expected<LaserMessage> parse_laser(std::string_view bytes, LaserType type, RosEncoding encoding) {
+    Fields fields(bytes, encoding);
+    LaserMessage message;
+    RecordedScan& scan = message.scan;
+    scan.unit = RangeUnit::metres;
+    scan.host_time = read_header(fields);
+    scan.directions.first_rad = fields.real();
+    (void)fields.real();  // the last angle
+    scan.directions.increment_rad = fields.real();
+    (void)fields.real();  // the time between two steps, and between two scans
+    (void)fields.real();
+    message.min_range_m = fields.real();
+    message.max_range_m = fields.real();
+    if (type == LaserType::laser_scan)
+        read_single(fields, scan);
+    else
+        read_echoes(fields, scan);
+    if (fields.too_short()) return refuse("the message ends before its last field");
+    if (!scan.intensities.empty() && scan.intensities.size() != scan.ranges.size())
+        return refuse("the message has " + std::to_string(scan.intensities.size()) +
+                      " intensities for " + std::to_string(scan.ranges.size()) + " ranges");
+    return message;
+}
+
+}  // namespace scipd::sim

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "sim/recording/values/identity_entries.h"
+
+#include <array>
+#include <charconv>
+#include <string_view>
+
+#include "sim/text/text_number.h"
+
+namespace scipd::sim {
+namespace {
+
+struct TextField {
+    const char* key;
+    std::string Identity::*value;
+};
+constexpr std::array text_fields = {
+    TextField{"model", &Identity::model},
+    TextField{"serial", &Identity::serial},
+    TextField{"firmware", &Identity::firmware},
+};
+
+struct NumberField {
+    const char* key;
+    std::optional<double> Identity::*value;
+};
+constexpr std::array number_fields = {
+    NumberField{"min_range_m", &Identity::min_range_m},
+    NumberField{"max_range_m", &Identity::max_range_m},
+    NumberField{"rpm", &Identity::rpm},
+};
+
+struct StepField {
+    const char* key;
+    std::optional<int> Identity::*value;
+};
+constexpr std::array step_fields = {
+    StepField{"steps_per_turn", &Identity::steps_per_turn},
+    StepField{"front_step", &Identity::front_step},
+};
+
+struct AnswerField {
+    std::string_view prefix;
+    Entries Identity::*value;
+};
+constexpr std::array answer_fields = {
+    AnswerField{"VV.", &Identity::version},
+    AnswerField{"PP.", &Identity::parameters},
+    AnswerField{"II.", &Identity::state},
+};
+
+/// Such that the number can be read again exactly.
+std::string exact(double value) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    return {text.data(), end};
+}
+
+void read_entry(const Entry& entry, Identity& identity) {
+    for (const TextField& field : text_fields) {
+        if (entry.key == field.key) identity.*field.value = entry.value;
+    }
+    for (const NumberField& field : number_fields) {
+        if (entry.key == field.key) identity.*field.value = parse_number(entry.value);
+    }
+    for (const StepField& field : step_fields) {
+        const auto number = entry.key == field.key ? parse_number(entry.value) : std::nullopt;
+        if (number && *number >= 0 && *number < 1e6)
+            identity.*field.value = static_cast<int>(*number);
+    }
+    for (const AnswerField& field : answer_fields) {
+        if (entry.key.starts_with(field.prefix))
+            (identity.*field.value).push_back({entry.key.substr(field.prefix.size()), entry.value});
+    }
+}
+
+}  // namespace
+
+Entries entries_of(const Identity& identity) {
+    Entries entries;
+    for (const TextField& field : text_fields) {
+        const std::string& text = identity.*field.value;
+        if (!text.empty()) entries.push_back({field.key, text});
+    }
+    for (const NumberField& field : number_fields) {
+        if (const auto& number = identity.*field.value)
+            entries.push_back({field.key, exact(*number)});
+    }
+    for (const StepField& field : step_fields) {
+        if (const auto& step = identity.*field.value)
+            entries.push_back({field.key, std::to_string(*step)});
+    }
+    for (const AnswerField& field : answer_fields) {
+        for (const auto& [key, value] : identity.*field.value)
+            entries.push_back({std::string(field.prefix) + key, value});
+    }
+    return entries;
+}
+
+Identity identity_in(const Entries& entries) {
+    Identity identity;
+    for (const Entry& entry : entries)
+        read_entry(entry, identity);
+    return identity;
+}
+
+}  // namespace scipd::sim

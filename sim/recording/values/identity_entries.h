@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// An identity as keys and values, which formats of their own metadata hold: model, serial, and so
+// on, then each line of the scanner's answers as VV.KEY, PP.KEY and II.KEY. Any thread; nothing
+// shared.
+#pragma once
+
+#include "sim/recording/values/identity.h"
+
+namespace scipd::sim {
+
+/// What is not known is left out.
+[[nodiscard]] Entries entries_of(const Identity& identity);
+
+/// Leaves out what it does not know.
+[[nodiscard]] Identity identity_in(const Entries& entries);
+
+}  // namespace scipd::sim

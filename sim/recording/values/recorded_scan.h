@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// One scan of a recording, exactly as it was recorded: no range is rounded, and no code is taken
+// for a range. A value; no thread rule.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/recording/values/directions.h"
+
+namespace scipd::sim {
+
+/// Since 1970, on the clock of the machine that recorded.
+using HostTime = std::chrono::time_point<std::chrono::system_clock, std::chrono::nanoseconds>;
+
+enum class RangeUnit {
+    millimetres,  ///< whole ones and codes for "no distance", as a scanner sends them
+    metres,       ///< NaN and infinities stand for "no distance"
+};
+
+struct RecordedScan {
+    std::optional<HostTime> host_time;      ///< when it came, or when it was measured if known
+    std::optional<std::uint32_t> stamp_ms;  ///< the scanner's clock at step 0: 24 bits, or...
+    std::optional<std::uint64_t> stamp_us;  ///< ...microseconds
+    Directions directions;
+    RangeUnit unit = RangeUnit::millimetres;
+    /// Of each step, all echoes near to far; the next step's follow.
+    std::vector<double> ranges;
+    std::vector<double> intensities;  ///< one for each range; empty: not recorded
+    /// For each step, how many of `ranges` there are up to its last. Empty: one a step.
+    std::vector<std::uint32_t> echo_ends;
+
+    [[nodiscard]] std::size_t steps() const {
+        return echo_ends.empty() ? ranges.size() : echo_ends.size();
+    }
+    [[nodiscard]] bool has_echoes() const { return !echo_ends.empty(); }
+
+    /// A step that met nothing may have none.
+    [[nodiscard]] std::span<const double> ranges_of(std::size_t step) const {
+        return of(step, ranges);
+    }
+    /// As many as ranges_of(), or none where they were not recorded.
+    [[nodiscard]] std::span<const double> intensities_of(std::size_t step) const {
+        return intensities.empty() ? std::span<const double>{} : of(step, intensities);
+    }
+
+    /// The NaN of one equals no NaN of the other.
+    bool operator==(const RecordedScan&) const = default;
+
+  private:
+    [[nodiscard]] std::span<const double> of(std::size_t step,
+                                             const std::vector<double>& values) const {
+        const std::size_t begin = echo_ends.empty() ? step : (step == 0 ? 0 : echo_ends[step - 1]);
+        const std::size_t end = echo_ends.empty() ? step + 1 : echo_ends[step];
+        return std::span(values).subspan(begin, end - begin);
+    }
+};
+
+}  // namespace scipd::sim

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A recording while it is read, whatever its format: item after item, so that no file is held in
+// memory. open_recording.h opens one. Of one owner; any thread.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "sim/expected.h"
+#include "sim/recording/values/identity.h"
+#include "sim/recording/values/recorded_bytes.h"
+#include "sim/recording/values/recorded_scan.h"
+
+namespace scipd::sim {
+
+/// One scanner, topic or connection of a recording.
+struct RecordedStream {
+    std::string name;  ///< as the file calls it: a topic, a laser, addresses; unique in the file
+    std::string type;  ///< what its messages are, such as sensor_msgs/LaserScan
+    Identity identity;
+    bool has_scans = true;   ///< false: it has bytes alone, and who knows SCIP finds scans in them
+    bool has_bytes = false;  ///< the conversation with the scanner
+};
+
+struct RecordedItem {
+    std::size_t stream = 0;  ///< its index in Recording::streams()
+    std::variant<RecordedScan, RecordedBytes> what;
+};
+
+class Recording {
+  public:
+    explicit Recording(std::string format) : format_(std::move(format)) {}
+    virtual ~Recording() = default;
+    Recording(const Recording&) = delete;
+    Recording& operator=(const Recording&) = delete;
+
+    /// "mcap", "bag", "db3", "ubh", "csv", "jsonl", "carmen", "player", "npy" or "pcap".
+    [[nodiscard]] const std::string& format() const { return format_; }
+
+    /// Those that have been met so far; all of them once next() has returned nothing. The identity
+    /// of one may become better known on the way.
+    [[nodiscard]] const std::vector<RecordedStream>& streams() const { return streams_; }
+
+    /// What was lost or left out so far, in sentences for the user.
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
+    /// The next scan or bytes in the order of the file; nothing at the end. A fault names the file
+    /// and the byte or the line, and ends the recording. A file that was cut off ends where its
+    /// whole items end, with a warning.
+    [[nodiscard]] Expected<std::optional<RecordedItem>> next() {
+        if (ended_) return std::nullopt;
+        auto item = do_next();
+        ended_ = !item || !*item;
+        return item;
+    }
+
+  protected:
+    using Next = Expected<std::optional<RecordedItem>>;
+
+    /// Returns its index.
+    std::size_t add_stream(RecordedStream stream) {
+        streams_.push_back(std::move(stream));
+        return streams_.size() - 1;
+    }
+    [[nodiscard]] RecordedStream& stream(std::size_t index) { return streams_[index]; }
+    void warn(std::string sentence) { warnings_.push_back(std::move(sentence)); }
+
+  private:
+    [[nodiscard]] virtual Next do_next() = 0;
+
+    std::string format_;
+    std::vector<RecordedStream> streams_;
+    std::vector<std::string> warnings_;
+    bool ended_ = false;
+};
+
+}  // namespace scipd::sim
