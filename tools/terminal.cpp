@@ -22,4 +22,8 @@ TerminalSize terminal_size() {
     return size;
 }
 
+bool stderr_is_terminal() {
+    return isatty(STDERR_FILENO) != 0;
+}
+
 }  // namespace scipd::tools

@@ -14,4 +14,7 @@ struct TerminalSize {
 /// above.
 [[nodiscard]] TerminalSize terminal_size();
 
+/// Whether somebody may be watching what is told beside the results.
+[[nodiscard]] bool stderr_is_terminal();
+
 }  // namespace scipd::tools

@@ -12,7 +12,7 @@
 namespace scipd::sim {
 
 std::unique_ptr<RecordingWriter> create_recording(const std::filesystem::path& path,
-                                                  const Identity& identity,
+                                                  const ScannerIdentity& identity,
                                                   const Recorder& recorder) {
     const std::string ending = path.extension();
     const std::string who = recorder.name + " " + recorder.version;

@@ -11,8 +11,8 @@
 #include <string_view>
 
 #include "sim/recording/mcap/mcap_writer.h"
-#include "sim/recording/values/identity.h"
 #include "sim/recording/values/recording_writer.h"
+#include "sim/recording/values/scanner_identity.h"
 
 namespace scipd::sim {
 
@@ -29,7 +29,7 @@ struct Recorder {
 /// Replaces an old file. Throws std::runtime_error where it cannot be written, and
 /// std::invalid_argument for another ending.
 [[nodiscard]] std::unique_ptr<RecordingWriter> create_recording(const std::filesystem::path& path,
-                                                                const Identity& identity,
+                                                                const ScannerIdentity& identity,
                                                                 const Recorder& recorder);
 
 }  // namespace scipd::sim

@@ -2,11 +2,16 @@
 // Copyright The scipd authors
 #include "tools/scipcat/connected_scanner.h"
 
+#include <utility>
+
 namespace scipd::tools {
 
 ConnectedScanner::ConnectedScanner(const Target& target, const OpenOptions& open_options,
-                                   protocol::client::Patience patience)
-    : transport_(open_target(target, open_options)), driver_(*transport_, patience) {
+                                   protocol::client::Patience patience,
+                                   TappedTransport::Listener listener)
+    : transport_(open_target(target, open_options)),
+      tap_(*transport_, std::move(listener)),
+      driver_(tap_, patience) {
     driver_.connect();
     parameters_ = driver_.parameters();
     version_ = driver_.version();

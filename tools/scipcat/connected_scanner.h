@@ -9,15 +9,16 @@
 #include "protocol/client/device_info.h"
 #include "protocol/client/driver.h"
 #include "tools/scip_transport.h"
+#include "tools/tapped_transport.h"
 #include "tools/target.h"
 
 namespace scipd::tools {
 
 class ConnectedScanner {
   public:
-    /// Connects. Throws protocol::client::Error.
+    /// Connects; whoever listens hears that, too. Throws protocol::client::Error.
     ConnectedScanner(const Target& target, const OpenOptions& open_options,
-                     protocol::client::Patience patience);
+                     protocol::client::Patience patience, TappedTransport::Listener listener = {});
 
     [[nodiscard]] protocol::client::Driver& driver() { return driver_; }
     [[nodiscard]] ScipTransport& transport() { return *transport_; }
@@ -29,6 +30,7 @@ class ConnectedScanner {
 
   private:
     std::unique_ptr<ScipTransport> transport_;
+    TappedTransport tap_;
     protocol::client::Driver driver_;
     protocol::client::Parameters parameters_;
     protocol::client::Version version_;

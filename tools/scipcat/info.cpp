@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/scipcat/recording_info.h"
+#include "tools/scipcat/recording_target.h"
 #include "tools/scipcat/scan_options.h"
 #include "tools/scipcat/scipcat_commands.h"
 
@@ -101,6 +103,8 @@ nlohmann::ordered_json as_json(const ConnectedScanner& scanner, const SensorStat
 }
 
 void show(const InfoOptions& options) {
+    const std::string& target = options.connection.target;
+    if (is_recording(target)) return show_recording(target, options.json);
     ConnectedScanner scanner = options.connection.open();
     const SensorState state = scanner.driver().state();
     if (!options.json) return print(scanner, state);
@@ -111,15 +115,17 @@ void show(const InfoOptions& options) {
 }  // namespace
 
 void add_info_command(CLI::App& program) {
-    auto* const command = program.add_subcommand("info", "show what the scanner says of itself");
+    auto* const command = program.add_subcommand(
+        "info", "show what a scanner says of itself, or what a recording holds");
     const auto options = std::make_shared<InfoOptions>();
-    options->connection.add_to(*command);
+    options->connection.add_to(*command, Targets::scanners_and_recordings);
     command->add_flag("--json", options->json, "as a JSON document");
     command->callback([options] { show(*options); });
     command->footer(
-        "Example:\n"
+        "Examples:\n"
         "  scipcat info tcp://192.168.0.10:10940\n"
-        "  scipcat info /dev/ttyACM0 --json | jq .serial");
+        "  scipcat info /dev/ttyACM0 --json | jq .serial\n"
+        "  scipcat info room.mcap");
 }
 
 }  // namespace scipd::tools

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include <chrono>
-#include <ctime>
+#include <cstdint>
 #include <filesystem>
-#include <iomanip>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -12,11 +10,14 @@
 #include <stdexcept>
 #include <string>
 
+#include "tools/options.h"
 #include "tools/page.h"
 #include "tools/safe_output.h"
+#include "tools/scipcat/plot_subject.h"
 #include "tools/scipcat/plot_text.h"
 #include "tools/scipcat/point_colours.h"
 #include "tools/scipcat/polar_plot.h"
+#include "tools/scipcat/recording_target.h"
 #include "tools/scipcat/scan_options.h"
 #include "tools/scipcat/scipcat_commands.h"
 #include "tools/scipcat/terminal_plot.h"
@@ -27,12 +28,11 @@
 namespace scipd::tools {
 namespace {
 
-using protocol::client::ScanMessage;
-
 struct PlotOptions {
     ConnectionOptions connection;
     ScanOptions scan;
-    std::string file;  ///< empty: the terminal
+    std::uint64_t number = 1;  ///< of the scan in a recording
+    std::string file;          ///< empty: the terminal
     std::string title;
     std::optional<ColourBy> colour;
     TruthOptions truth;
@@ -42,30 +42,18 @@ struct PlotOptions {
     }
 };
 
-/// Uses a stream of one scan, which switches the laser on and off by itself.
-ScanMessage one_scan(ConnectedScanner& scanner, const ScanOptions& options) {
-    auto request = options.request(scanner.parameters());
-    request.scans = 1;
-    scanner.driver().start(request);
-    const ScanMessage scan = scanner.driver().next_scan();
-    scanner.driver().stop();
-    return scan;
-}
-
-PlotText text_of(const ConnectedScanner& scanner, const ScanMessage& scan, const TopView& view,
-                 const std::string& title) {
-    const std::time_t now = std::time(nullptr);
-    std::tm local{};
-    localtime_r(&now, &local);
-    std::ostringstream of_scan;
-    of_scan << view.points.size() << " points in " << view.directions << " directions";
-    if (!view.further.empty()) of_scan << ", " << view.further.size() << " farther echoes";
-    of_scan << "  ·  stamp " << scan.stamp_ms << " ms  ·  " << std::put_time(&local, "%F %T");
+PlotText text_of(const PlotSubject& subject, const TopView& view, const std::string& title) {
+    std::ostringstream scan;
+    scan << view.points.size() << " points in " << view.directions << " directions";
+    if (!view.further.empty()) scan << ", " << view.further.size() << " farther echoes";
+    if (const std::string when = scan_text(subject); !when.empty()) scan << "  ·  " << when;
+    const std::string& model = subject.identity.model;
     return {
-        .title = title.empty() ? scanner.model() : title,
-        .scanner = scanner.model() + "  ·  serial " + scanner.version().serial + "  ·  firmware " +
-                   scanner.version().firmware,
-        .scan = of_scan.str(),
+        .title = !title.empty()  ? title
+                 : model.empty() ? "a recorded scan"
+                                 : model,
+        .scanner = scanner_text(subject),
+        .scan = scan.str(),
     };
 }
 
@@ -78,21 +66,27 @@ void draw_file(const std::filesystem::path& file, const TopView& view, const Col
     }
 }
 
-/// Takes the scan, and asks the scipd for its truth before that is forgotten.
-void plot(PlotOptions options) {
-    if (options.scan.intensity && !options.colour) options.colour = ColourBy::intensity;
-    if (options.colour == ColourBy::intensity) options.scan.intensity = true;
+/// Takes a scan now. The scipd is told of the question to come, so that it keeps the truth.
+PlotSubject take_scan(PlotOptions& options) {
     ConnectedScanner scanner = options.connection.open();
     if (options.need_truth()) {
         options.truth.find_scipd();
         announce_question(options.truth, options.connection.target);
     }
-    const ScanMessage scan = one_scan(scanner, options.scan);
-    TopView view = make_top_view(scan, scanner.parameters());
+    return subject_of(scanner, options.scan);
+}
+
+void plot(PlotOptions options) {
+    if (options.scan.intensity && !options.colour) options.colour = ColourBy::intensity;
+    if (options.colour == ColourBy::intensity) options.scan.intensity = true;
+    const std::string& target = options.connection.target;
+    const PlotSubject subject =
+        is_recording(target) ? subject_of(target, options.number) : take_scan(options);
+    TopView view = make_top_view(subject.scan, subject.identity);
     if (options.need_truth())
-        add_truth(view, ask_truth(options.truth, options.connection.target, scan.stamp_ms));
+        add_truth(view, ask_truth(options.truth, target, *subject.scan.stamp_ms));
     const Colouring colouring = colour_points(view, options.colour);
-    const PlotText text = text_of(scanner, scan, view, options.title);
+    const PlotText text = text_of(subject, view, options.title);
     if (options.file.empty()) {
         SafeOutput::write_as_is(std::cout, terminal_plot(view, colouring, text, terminal_size()));
     } else {
@@ -110,6 +104,10 @@ std::map<std::string, ColourBy> colour_names() {
 void check(const PlotOptions& options) {
     if (options.need_truth() && options.scan.cluster > 1)
         throw CLI::ValidationError("--color material and error need --cluster 1");
+    const bool recorded = is_recording(options.connection.target);
+    if (options.need_truth() && recorded)
+        throw CLI::ValidationError("--color material and error need a scanner of a scipd");
+    if (options.number > 1 && !recorded) throw CLI::ValidationError("--scan needs a recording");
 }
 
 }  // namespace
@@ -118,9 +116,11 @@ void add_plot_command(CLI::App& program) {
     auto* const command =
         program.add_subcommand("plot", "draw one scan from above, in the terminal or as a picture");
     const auto options = std::make_shared<PlotOptions>();
-    options->connection.add_to(*command);
+    options->connection.add_to(*command, Targets::scanners_and_recordings);
+    command->add_option("--scan", options->number, "of a recording: which scan, from 1")
+        ->check(whole_from(1));
     command->add_option("-o,--output", options->file, "the picture; default: in the terminal")
-        ->check(ends_in(".png", ".svg"));
+        ->check(ends_in({".png", ".svg"}));
     command->add_option("--title", options->title, "title; default: the model");
     options->scan.add_to(*command);
     command->add_flag("--echoes", options->scan.echoes,
@@ -142,6 +142,7 @@ void add_plot_command(CLI::App& program) {
         "Examples:\n"
         "  scipcat plot tcp://127.0.0.1:10940\n"
         "  scipcat plot tcp://127.0.0.1:10940 --color error\n"
+        "  scipcat plot room.mcap --scan 40\n"
         "  scipcat plot /dev/ttyACM0 -o maze.png --title 'Rescue maze' --intensity");
 }
 

@@ -2,11 +2,14 @@
 // Copyright The scipd authors
 #include "tools/scipcat/scan_options.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 #include "tools/options.h"
+#include "tools/scipcat/recording_target.h"
 #include "tools/target.h"
 
 namespace scipd::tools {
@@ -15,7 +18,7 @@ namespace {
 constexpr int max_step = 9999;
 constexpr int max_cluster = 99;
 
-std::string why_no_target(const std::string& text) {
+std::string why_no_scanner(const std::string& text) {
     try {
         (void)parse_target(text);
         return {};
@@ -24,13 +27,20 @@ std::string why_no_target(const std::string& text) {
     }
 }
 
+std::string why_no_target(const std::string& text) {
+    return is_recording(text) ? "" : why_no_scanner(text);
+}
+
+constexpr auto scanner = "the scanner: tcp://HOST:PORT, or a tty such as /dev/ttyACM0";
+
 }  // namespace
 
-void ConnectionOptions::add_to(CLI::App& command) {
+void ConnectionOptions::add_to(CLI::App& command, Targets targets) {
+    const bool recordings = targets == Targets::scanners_and_recordings;
     command
-        .add_option("TARGET", target, "the scanner: tcp://HOST:PORT, or a tty such as /dev/ttyACM0")
+        .add_option("TARGET", target, scanner + std::string(recordings ? "; or a recording" : ""))
         ->required()
-        ->check(CLI::Validator(why_no_target, "", "target"));
+        ->check(CLI::Validator(recordings ? why_no_target : why_no_scanner, "", "target"));
     command.add_option("--baud", baud, "rate of a tty; means nothing to a USB scanner")
         ->check(whole_within(1200, 4'000'000))
         ->capture_default_str();
@@ -40,12 +50,15 @@ void ConnectionOptions::add_to(CLI::App& command) {
 }
 
 // A scan may take a tenth of a second longer than an answer.
-ConnectedScanner ConnectionOptions::open() const {
+ConnectedScanner ConnectionOptions::open(TappedTransport::Listener listener) const {
     using std::chrono::duration;
     using std::chrono::milliseconds;
     const auto answer = std::chrono::duration_cast<milliseconds>(duration<double>(timeout_s));
     const OpenOptions open_options{.connect_timeout = 3 * answer, .baud = baud};
-    return {parse_target(target), open_options, {.reply = answer, .scan = 2 * answer}};
+    return {parse_target(target),
+            open_options,
+            {.reply = answer, .scan = 2 * answer},
+            std::move(listener)};
 }
 
 void ScanOptions::add_to(CLI::App& command) {
@@ -72,13 +85,19 @@ protocol::client::ScanRequest ScanOptions::request(
     };
 }
 
-CLI::Validator ends_in(const std::string& first, const std::string& second) {
+CLI::Validator ends_in(const std::vector<std::string>& endings) {
+    std::string files;
+    std::string names;
+    for (const std::string& ending : endings) {
+        files += (files.empty() ? "FILE" : "|FILE") + ending;
+        names += (names.empty() ? "" : &ending == &endings.back() ? " and " : ", ") + ending;
+    }
     const auto why_not = [=](const std::string& file) -> std::string {
         const std::string ending = std::filesystem::path(file).extension();
-        if (ending == first || ending == second) return {};
-        return "\"" + file + "\" ends in neither " + first + " nor " + second;
+        if (std::ranges::find(endings, ending) != endings.end()) return {};
+        return "\"" + file + "\" ends in none of " + names;
     };
-    return {why_not, "FILE" + first + "|FILE" + second, "ending"};
+    return {why_not, files, "ending"};
 }
 
 }  // namespace scipd::tools

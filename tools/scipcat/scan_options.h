@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -16,13 +17,16 @@
 
 namespace scipd::tools {
 
+/// What a command can look at.
+enum class Targets { scanners, scanners_and_recordings };
+
 struct ConnectionOptions {
     std::string target;
     int baud = 115200;
     double timeout_s = 1.0;
 
-    void add_to(CLI::App& command);
-    [[nodiscard]] ConnectedScanner open() const;
+    void add_to(CLI::App& command, Targets targets = Targets::scanners);
+    [[nodiscard]] ConnectedScanner open(TappedTransport::Listener listener = {}) const;
 };
 
 struct ScanOptions {
@@ -38,7 +42,7 @@ struct ScanOptions {
         const protocol::client::Parameters& parameters) const;
 };
 
-/// Refuses file names with neither of these endings.
-[[nodiscard]] CLI::Validator ends_in(const std::string& first, const std::string& second);
+/// Refuses file names with none of these endings.
+[[nodiscard]] CLI::Validator ends_in(const std::vector<std::string>& endings);
 
 }  // namespace scipd::tools

@@ -6,10 +6,10 @@
 
 namespace scipd::tools {
 
-/// `scipcat info TARGET`: shows what a scanner reports about itself.
+/// `scipcat info TARGET`: shows what a scanner reports about itself, or what a recording holds.
 void add_info_command(CLI::App& program);
 
-/// `scipcat record TARGET -o FILE.csv|FILE.jsonl`: writes scans to a file.
+/// `scipcat record TARGET -o FILE.mcap|FILE.ubh|FILE.csv|FILE.jsonl`: writes scans to a file.
 void add_record_command(CLI::App& program);
 
 /// `scipcat plot TARGET [-o FILE.png|FILE.svg]`: draws one scan from above.

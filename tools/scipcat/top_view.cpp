@@ -4,42 +4,48 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <span>
 
 namespace scipd::tools {
 namespace {
 
-using protocol::client::Parameters;
-using protocol::client::ScanMessage;
-using protocol::client::ScanRequest;
+using sim::RangeUnit;
+using sim::RecordedScan;
+using sim::ScannerIdentity;
 
-/// The directions of a scan's groups of steps.
-class Directions {
+/// Where the values of a scan look, and which of them are distances.
+class Placing {
   public:
-    Directions(const ScanRequest& request, const Parameters& parameters)
-        : request_(request), parameters_(parameters) {}
+    Placing(const RecordedScan& scan, const ScannerIdentity& identity)
+        : scan_(scan), identity_(identity) {}
 
-    [[nodiscard]] double step_rad() const {
-        return request_.cluster * 2.0 * std::numbers::pi / parameters_.ares;
-    }
-    [[nodiscard]] bool is_distance(std::uint32_t value_mm) const {
-        return parameters_.is_distance(value_mm);
-    }
-    [[nodiscard]] ViewPoint point(std::size_t group, int echo, std::uint32_t distance_mm) const {
-        const double middle = (request_.cluster - 1) / 2.0;
-        const double angle_rad = parameters_.angle_rad(request_.first_step + middle) +
-                                 static_cast<double>(group) * step_rad();
-        const double range_m = distance_mm / 1000.0;
-        return {.x_m = range_m * std::cos(angle_rad),
-                .y_m = range_m * std::sin(angle_rad),
-                .range_m = range_m,
-                .step = request_.first_step + static_cast<int>(group) * request_.cluster,
-                .echo = echo};
+    /// From one value to the next.
+    [[nodiscard]] double increment_rad() const { return *scan_.directions.increment_rad; }
+    [[nodiscard]] double step_rad() const { return increment_rad() / scan_.directions.cluster; }
+    [[nodiscard]] double first_rad() const { return *scan_.directions.first_rad; }
+
+    /// Nothing where the value is no distance.
+    [[nodiscard]] std::optional<ViewPoint> point(std::size_t group, int echo, double value) const {
+        const double range_m = scan_.unit == RangeUnit::metres ? value : value / 1000.0;
+        const bool is_distance = std::isfinite(range_m) && range_m > 0 &&
+                                 range_m >= identity_.min_range_m.value_or(0) &&
+                                 range_m <= identity_.max_range_m.value_or(range_m);
+        if (!is_distance) return std::nullopt;
+        const int cluster = scan_.directions.cluster;
+        const double middle = (cluster - 1) / 2.0;
+        const double angle_rad =
+            first_rad() + middle * step_rad() + static_cast<double>(group) * increment_rad();
+        return ViewPoint{
+            .x_m = range_m * std::cos(angle_rad),
+            .y_m = range_m * std::sin(angle_rad),
+            .range_m = range_m,
+            .step = scan_.directions.first_step.value_or(0) + static_cast<int>(group) * cluster,
+            .echo = echo};
     }
 
   private:
-    const ScanRequest& request_;
-    const Parameters& parameters_;
+    const RecordedScan& scan_;
+    const ScannerIdentity& identity_;
 };
 
 /// Two neighbours count as one surface if they are no farther apart than on a wall that the beam
@@ -51,29 +57,32 @@ bool on_one_surface(const ViewPoint& a, const ViewPoint& b, double step_rad) {
     return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m) < grazing * spacing_m + noise_m;
 }
 
-void add_first_echoes(TopView& view, const ScanMessage& scan, const Directions& directions) {
-    bool adjacent = false;
-    for (std::size_t i = 0; i < scan.distances_mm.size(); ++i) {
-        if (!directions.is_distance(scan.distances_mm[i])) {
-            adjacent = false;
-            continue;
-        }
-        ViewPoint point = directions.point(i, 0, scan.distances_mm[i]);
-        if (view.has_intensity) point.intensity = scan.intensities[i];
-        point.adjacent = adjacent;
-        point.joined = adjacent && on_one_surface(view.points.back(), point, directions.step_rad());
-        view.points.push_back(point);
-        adjacent = true;
-    }
+std::uint32_t intensity_of(std::span<const double> intensities, std::size_t echo) {
+    if (intensities.empty()) return 0;
+    return static_cast<std::uint32_t>(std::clamp(intensities[echo], 0.0, 4e9));
 }
 
-void add_further_echoes(TopView& view, const ScanMessage& scan, const Directions& directions) {
-    for (std::size_t i = 0; i < scan.further_echoes.size(); ++i) {
-        for (int echo = 1; const auto& [distance_mm, intensity] : scan.further_echoes[i]) {
-            ViewPoint point = directions.point(i, echo++, distance_mm);
-            point.intensity = intensity;
-            if (directions.is_distance(distance_mm)) view.further.push_back(point);
+void add_points(TopView& view, const RecordedScan& scan, const Placing& placing) {
+    bool adjacent = false;
+    for (std::size_t i = 0; i < scan.steps(); ++i) {
+        const auto ranges = scan.ranges_of(i);
+        const auto intensities = scan.intensities_of(i);
+        bool has_first = false;
+        for (std::size_t echo = 0; echo < ranges.size(); ++echo) {
+            auto point = placing.point(i, static_cast<int>(echo), ranges[echo]);
+            if (!point) continue;
+            point->intensity = intensity_of(intensities, echo);
+            if (echo > 0) {
+                view.further.push_back(*point);
+                continue;
+            }
+            has_first = true;
+            point->adjacent = adjacent;
+            point->joined =
+                adjacent && on_one_surface(view.points.back(), *point, placing.increment_rad());
+            view.points.push_back(*point);
         }
+        adjacent = has_first;
     }
 }
 
@@ -105,14 +114,15 @@ void Bounds::widen(double margin_m) {
     max_y_m += margin_m;
 }
 
-TopView make_top_view(const ScanMessage& scan, const Parameters& parameters) {
-    TopView view{.directions = scan.distances_mm.size(),
-                 .first_angle_rad = parameters.angle_rad(scan.request.first_step),
-                 .last_angle_rad = parameters.angle_rad(scan.request.last_step),
+TopView make_top_view(const RecordedScan& scan, const ScannerIdentity& identity) {
+    const Placing placing(scan, identity);
+    const double first_rad = placing.first_rad();
+    const double all_rad = static_cast<double>(scan.steps()) * placing.increment_rad();
+    TopView view{.directions = scan.steps(),
+                 .first_angle_rad = first_rad,
+                 .last_angle_rad = first_rad + all_rad - placing.step_rad(),
                  .has_intensity = !scan.intensities.empty()};
-    const Directions directions(scan.request, parameters);
-    add_first_echoes(view, scan, directions);
-    add_further_echoes(view, scan, directions);
+    add_points(view, scan, placing);
     view.bounds = bounds_of(view);
     return view;
 }

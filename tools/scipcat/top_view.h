@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "protocol/client/device_info.h"
-#include "protocol/client/scan_message.h"
+#include "sim/recording/values/recorded_scan.h"
+#include "sim/recording/values/scanner_identity.h"
 
 namespace scipd::tools {
 
@@ -53,9 +53,10 @@ struct TopView {
     Bounds bounds;  ///< the points, the scanner and a margin
 };
 
-/// A value outside the scanner's DMIN to DMAX is no distance and leaves no point.
-[[nodiscard]] TopView make_top_view(const protocol::client::ScanMessage& scan,
-                                    const protocol::client::Parameters& parameters);
+/// A value outside the scanner's DMIN to DMAX is no distance and leaves no point. The scan knows
+/// where it looks.
+[[nodiscard]] TopView make_top_view(const sim::RecordedScan& scan,
+                                    const sim::ScannerIdentity& identity);
 
 /// The step, 1, 2 or 5 times a power of ten, that divides `length_m` into at most `most` parts.
 [[nodiscard]] double round_step_m(double length_m, double most);

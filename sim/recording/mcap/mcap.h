@@ -24,7 +24,7 @@ namespace scipd::sim {
 
 /// Throws std::runtime_error.
 [[nodiscard]] std::unique_ptr<RecordingWriter> create_mcap(const std::filesystem::path& path,
-                                                           const Identity& identity,
+                                                           const ScannerIdentity& identity,
                                                            mcap::WriterOptions options);
 
 }  // namespace scipd::sim

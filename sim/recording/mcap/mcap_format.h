@@ -16,7 +16,7 @@
 #include <string_view>
 
 #include "sim/expected.h"
-#include "sim/recording/values/identity.h"
+#include "sim/recording/values/scanner_identity.h"
 
 namespace scipd::sim::mcap {
 

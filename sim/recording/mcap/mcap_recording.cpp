@@ -80,7 +80,7 @@ class Mcap final : public Recording {
     std::map<std::uint16_t, mcap::Schema> schemas_;
     std::map<std::uint16_t, Content> contents_;
     std::map<std::string, std::size_t> streams_by_prefix_;
-    std::map<std::string, Identity> identities_;  ///< by prefix
+    std::map<std::string, ScannerIdentity> identities_;  ///< by prefix
     LeftOut left_out_;
     LaserTopics topics_{{[this](RecordedStream one) { return add_stream(std::move(one)); },
                          [this](std::size_t index) -> RecordedStream& { return stream(index); }}};

@@ -28,7 +28,7 @@ OrderedJson timestamp(std::uint64_t ns) {
 }
 
 /// 0 in place of what is no distance: those who show scans know no codes.
-OrderedJson ranges_of(const RecordedScan& scan, const Identity& identity) {
+OrderedJson ranges_of(const RecordedScan& scan, const ScannerIdentity& identity) {
     OrderedJson ranges = OrderedJson::array();
     for (std::size_t step = 0; step < scan.steps(); ++step) {
         const auto values = scan.ranges_of(step);
@@ -42,7 +42,7 @@ OrderedJson ranges_of(const RecordedScan& scan, const Identity& identity) {
 
 class McapRecordingWriter final : public RecordingWriter {
   public:
-    McapRecordingWriter(const std::filesystem::path& path, const Identity& identity,
+    McapRecordingWriter(const std::filesystem::path& path, const ScannerIdentity& identity,
                         mcap::WriterOptions options)
         : writer_(path, std::move(options)), identity_(identity) {
         const auto schema = writer_.add_schema(std::string(mcap::scan_schema_name), "jsonschema",
@@ -85,7 +85,7 @@ class McapRecordingWriter final : public RecordingWriter {
 
   private:
     mcap::Writer writer_;
-    Identity identity_;
+    ScannerIdentity identity_;
     std::uint16_t to_scanner_ = 0;
     std::uint16_t from_scanner_ = 0;
     std::uint16_t scan_ = 0;
@@ -94,7 +94,7 @@ class McapRecordingWriter final : public RecordingWriter {
 }  // namespace
 
 std::unique_ptr<RecordingWriter> create_mcap(const std::filesystem::path& path,
-                                             const Identity& identity,
+                                             const ScannerIdentity& identity,
                                              mcap::WriterOptions options) {
     return std::make_unique<McapRecordingWriter>(path, identity, std::move(options));
 }

@@ -19,7 +19,7 @@
 
 #include <boost/crc.hpp>
 
-#include "sim/recording/file/output_file.h"
+#include "sim/recording/file/growing_file.h"
 #include "sim/recording/mcap/mcap_format.h"
 
 namespace scipd::sim::mcap {
@@ -80,7 +80,7 @@ class Writer {
     [[nodiscard]] std::string statistics() const;
     [[nodiscard]] static std::string chunk_index(const ChunkIndex& index);
 
-    OutputFile file_;
+    GrowingFile file_;
     WriterOptions options_;
     boost::crc_32_type crc_;  ///< of the data section so far, then of the summary
     std::vector<Schema> schemas_;

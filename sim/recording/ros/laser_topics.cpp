@@ -25,7 +25,7 @@ Expected<RecordedItem> LaserTopics::item(std::uint32_t id, HostTime received,
     const Topic& topic = topics_.at(id);
     auto message = parse_laser(bytes, topic.type, topic.encoding);
     if (!message) return refuse(quote(topic.name) + ": " + message.error().why);
-    Identity& identity = streams_.at(topic.stream).identity;
+    ScannerIdentity& identity = streams_.at(topic.stream).identity;
     if (!identity.max_range_m && std::isfinite(message->max_range_m)) {
         identity.min_range_m = message->min_range_m;
         identity.max_range_m = message->max_range_m;

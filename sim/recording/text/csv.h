@@ -22,6 +22,7 @@ namespace scipd::sim {
 /// another throws std::invalid_argument. With echoes a cell is empty if the step has no such echo.
 /// Throws std::runtime_error.
 [[nodiscard]] std::unique_ptr<RecordingWriter> create_csv(const std::filesystem::path& path,
-                                                          Identity identity, std::string recorder);
+                                                          ScannerIdentity identity,
+                                                          std::string recorder);
 
 }  // namespace scipd::sim

@@ -58,7 +58,7 @@ class Csv final : public TextRecording {
 
     /// Understands the comments of scipcat and of the page.
     void read_identity(const std::string& text) {
-        Identity& identity = stream(0).identity;
+        ScannerIdentity& identity = stream(0).identity;
         int last = 0;
         int low_mm = 0;
         int high_mm = 0;

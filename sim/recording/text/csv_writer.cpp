@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/recording/file/output_file.h"
+#include "sim/recording/file/growing_file.h"
 #include "sim/recording/text/csv.h"
 #include "sim/recording/text/text_values.h"
 
@@ -50,7 +50,7 @@ Shape shape_of(const RecordedScan& scan) {
 
 class CsvWriter final : public RecordingWriter {
   public:
-    CsvWriter(const std::filesystem::path& path, Identity identity, std::string recorder)
+    CsvWriter(const std::filesystem::path& path, ScannerIdentity identity, std::string recorder)
         : file_(path), identity_(std::move(identity)), recorder_(std::move(recorder)) {}
 
     void write(const RecordedScan& scan) override {
@@ -66,8 +66,8 @@ class CsvWriter final : public RecordingWriter {
     [[nodiscard]] std::string head(const RecordedScan& scan) const;
     [[nodiscard]] std::string row(const RecordedScan& scan) const;
 
-    OutputFile file_;
-    Identity identity_;
+    GrowingFile file_;
+    ScannerIdentity identity_;
     std::string recorder_;
     std::optional<Shape> shape_;  ///< once there was a scan
 };
@@ -113,8 +113,8 @@ std::string CsvWriter::row(const RecordedScan& scan) const {
 
 }  // namespace
 
-std::unique_ptr<RecordingWriter> create_csv(const std::filesystem::path& path, Identity identity,
-                                            std::string recorder) {
+std::unique_ptr<RecordingWriter> create_csv(const std::filesystem::path& path,
+                                            ScannerIdentity identity, std::string recorder) {
     return std::make_unique<CsvWriter>(path, std::move(identity), std::move(recorder));
 }
 

@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/recording/file/output_file.h"
+#include "sim/recording/file/growing_file.h"
 #include "sim/recording/json/scan_json.h"
 #include "sim/recording/text/text_recording.h"
 #include "sim/recording/text/text_values.h"
@@ -72,7 +72,7 @@ class JsonLines final : public TextRecording {
 
 class JsonLinesWriter final : public RecordingWriter {
   public:
-    JsonLinesWriter(const std::filesystem::path& path, Identity identity)
+    JsonLinesWriter(const std::filesystem::path& path, ScannerIdentity identity)
         : file_(path), identity_(std::move(identity)) {}
 
     void write(const RecordedScan& scan) override {
@@ -93,8 +93,8 @@ class JsonLinesWriter final : public RecordingWriter {
         if (range_m) object[key] = std::llround(*range_m * 1000.0);
     }
 
-    OutputFile file_;
-    Identity identity_;
+    GrowingFile file_;
+    ScannerIdentity identity_;
 };
 
 }  // namespace
@@ -104,7 +104,7 @@ Expected<std::unique_ptr<Recording>> open_json_lines(InputFile file) {
 }
 
 std::unique_ptr<RecordingWriter> create_json_lines(const std::filesystem::path& path,
-                                                   Identity identity) {
+                                                   ScannerIdentity identity) {
     return std::make_unique<JsonLinesWriter>(path, std::move(identity));
 }
 

@@ -18,6 +18,6 @@ namespace scipd::sim {
 
 /// Throws std::runtime_error.
 [[nodiscard]] std::unique_ptr<RecordingWriter> create_json_lines(const std::filesystem::path& path,
-                                                                 Identity identity);
+                                                                 ScannerIdentity identity);
 
 }  // namespace scipd::sim

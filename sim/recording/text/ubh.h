@@ -21,6 +21,7 @@ namespace scipd::sim {
 
 /// `recorder` is the program with its version. Throws std::runtime_error.
 [[nodiscard]] std::unique_ptr<RecordingWriter> create_ubh(const std::filesystem::path& path,
-                                                          Identity identity, std::string recorder);
+                                                          ScannerIdentity identity,
+                                                          std::string recorder);
 
 }  // namespace scipd::sim

@@ -85,7 +85,7 @@ class Ubh final : public TextRecording {
     }
 
     Expected<> read_value(const std::string& key, const std::string& value) {
-        Identity& identity = stream(0).identity;
+        ScannerIdentity& identity = stream(0).identity;
         if (key == "timestamp") {
             const auto stamp = parse_number(value);
             if (!stamp || *stamp < 0 || *stamp > 0xFFFFFFFF)
@@ -107,7 +107,7 @@ class Ubh final : public TextRecording {
         return {};
     }
 
-    void read_number(const std::string& key, const std::string& value, Identity& identity) {
+    void read_number(const std::string& key, const std::string& value, ScannerIdentity& identity) {
         const auto count = count_in(value);
         if (!count) return;
         if (key == "startStep") directions_.first_step = count;

@@ -5,7 +5,7 @@
 #include <ctime>
 #include <utility>
 
-#include "sim/recording/file/output_file.h"
+#include "sim/recording/file/growing_file.h"
 #include "sim/recording/text/text_values.h"
 #include "sim/recording/text/ubh.h"
 
@@ -51,7 +51,7 @@ std::string values_of(const RecordedScan& scan) {
 
 class UbhWriter final : public RecordingWriter {
   public:
-    UbhWriter(const std::filesystem::path& path, Identity identity, std::string recorder)
+    UbhWriter(const std::filesystem::path& path, ScannerIdentity identity, std::string recorder)
         : file_(path), identity_(std::move(identity)), recorder_(std::move(recorder)) {}
 
     void write(const RecordedScan& scan) override {
@@ -93,16 +93,16 @@ class UbhWriter final : public RecordingWriter {
         return text;
     }
 
-    OutputFile file_;
-    Identity identity_;
+    GrowingFile file_;
+    ScannerIdentity identity_;
     std::string recorder_;
     bool begun_ = false;
 };
 
 }  // namespace
 
-std::unique_ptr<RecordingWriter> create_ubh(const std::filesystem::path& path, Identity identity,
-                                            std::string recorder) {
+std::unique_ptr<RecordingWriter> create_ubh(const std::filesystem::path& path,
+                                            ScannerIdentity identity, std::string recorder) {
     return std::make_unique<UbhWriter>(path, std::move(identity), std::move(recorder));
 }
 

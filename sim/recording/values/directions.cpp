@@ -12,7 +12,7 @@ constexpr double full_turn_rad = 2 * std::numbers::pi;
 
 }  // namespace
 
-Directions with_angles(Directions directions, const Identity& identity) {
+Directions with_angles(Directions directions, const ScannerIdentity& identity) {
     if (!directions.first_step || !identity.front_step || identity.steps_per_turn.value_or(0) <= 0)
         return directions;
     const double step_rad = full_turn_rad / *identity.steps_per_turn;
@@ -21,7 +21,7 @@ Directions with_angles(Directions directions, const Identity& identity) {
     return directions;
 }
 
-void learn_turn(const Directions& directions, Identity& identity) {
+void learn_turn(const Directions& directions, ScannerIdentity& identity) {
     constexpr double most_steps = 1e6;
     if (!directions.first_step || !directions.first_rad || !directions.increment_rad) return;
     const double step_rad = *directions.increment_rad / directions.cluster;

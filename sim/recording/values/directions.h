@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "sim/recording/values/identity.h"
+#include "sim/recording/values/scanner_identity.h"
 
 namespace scipd::sim {
 
@@ -22,9 +22,9 @@ struct Directions {
 
 /// With the angles that follow from the steps, if the scanner says which step looks forward and how
 /// many there are in a turn.
-[[nodiscard]] Directions with_angles(Directions directions, const Identity& identity);
+[[nodiscard]] Directions with_angles(Directions directions, const ScannerIdentity& identity);
 
 /// The reverse: what steps and angles together say of the scanner's turn.
-void learn_turn(const Directions& directions, Identity& identity);
+void learn_turn(const Directions& directions, ScannerIdentity& identity);
 
 }  // namespace scipd::sim

@@ -13,41 +13,41 @@ namespace {
 
 struct TextField {
     const char* key;
-    std::string Identity::*value;
+    std::string ScannerIdentity::*value;
 };
 constexpr std::array text_fields = {
-    TextField{"model", &Identity::model},
-    TextField{"serial", &Identity::serial},
-    TextField{"firmware", &Identity::firmware},
+    TextField{"model", &ScannerIdentity::model},
+    TextField{"serial", &ScannerIdentity::serial},
+    TextField{"firmware", &ScannerIdentity::firmware},
 };
 
 struct NumberField {
     const char* key;
-    std::optional<double> Identity::*value;
+    std::optional<double> ScannerIdentity::*value;
 };
 constexpr std::array number_fields = {
-    NumberField{"min_range_m", &Identity::min_range_m},
-    NumberField{"max_range_m", &Identity::max_range_m},
-    NumberField{"rpm", &Identity::rpm},
+    NumberField{"min_range_m", &ScannerIdentity::min_range_m},
+    NumberField{"max_range_m", &ScannerIdentity::max_range_m},
+    NumberField{"rpm", &ScannerIdentity::rpm},
 };
 
 struct StepField {
     const char* key;
-    std::optional<int> Identity::*value;
+    std::optional<int> ScannerIdentity::*value;
 };
 constexpr std::array step_fields = {
-    StepField{"steps_per_turn", &Identity::steps_per_turn},
-    StepField{"front_step", &Identity::front_step},
+    StepField{"steps_per_turn", &ScannerIdentity::steps_per_turn},
+    StepField{"front_step", &ScannerIdentity::front_step},
 };
 
 struct AnswerField {
     std::string_view prefix;
-    Entries Identity::*value;
+    Entries ScannerIdentity::*value;
 };
 constexpr std::array answer_fields = {
-    AnswerField{"VV.", &Identity::version},
-    AnswerField{"PP.", &Identity::parameters},
-    AnswerField{"II.", &Identity::state},
+    AnswerField{"VV.", &ScannerIdentity::version},
+    AnswerField{"PP.", &ScannerIdentity::parameters},
+    AnswerField{"II.", &ScannerIdentity::state},
 };
 
 /// Such that the number can be read again exactly.
@@ -57,7 +57,7 @@ std::string exact(double value) {
     return {text.data(), end};
 }
 
-void read_entry(const Entry& entry, Identity& identity) {
+void read_entry(const Entry& entry, ScannerIdentity& identity) {
     for (const TextField& field : text_fields) {
         if (entry.key == field.key) identity.*field.value = entry.value;
     }
@@ -77,7 +77,7 @@ void read_entry(const Entry& entry, Identity& identity) {
 
 }  // namespace
 
-Entries entries_of(const Identity& identity) {
+Entries entries_of(const ScannerIdentity& identity) {
     Entries entries;
     for (const TextField& field : text_fields) {
         const std::string& text = identity.*field.value;
@@ -98,8 +98,8 @@ Entries entries_of(const Identity& identity) {
     return entries;
 }
 
-Identity identity_in(const Entries& entries) {
-    Identity identity;
+ScannerIdentity identity_in(const Entries& entries) {
+    ScannerIdentity identity;
     for (const Entry& entry : entries)
         read_entry(entry, identity);
     return identity;

@@ -6,14 +6,14 @@
 // shared.
 #pragma once
 
-#include "sim/recording/values/identity.h"
+#include "sim/recording/values/scanner_identity.h"
 
 namespace scipd::sim {
 
 /// What is not known is left out.
-[[nodiscard]] Entries entries_of(const Identity& identity);
+[[nodiscard]] Entries entries_of(const ScannerIdentity& identity);
 
 /// Leaves out what it does not know.
-[[nodiscard]] Identity identity_in(const Entries& entries);
+[[nodiscard]] ScannerIdentity identity_in(const Entries& entries);
 
 }  // namespace scipd::sim

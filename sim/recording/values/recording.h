@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "sim/expected.h"
-#include "sim/recording/values/identity.h"
 #include "sim/recording/values/recorded_bytes.h"
 #include "sim/recording/values/recorded_scan.h"
+#include "sim/recording/values/scanner_identity.h"
 
 namespace scipd::sim {
 
@@ -23,7 +23,7 @@ namespace scipd::sim {
 struct RecordedStream {
     std::string name;  ///< as the file calls it: a topic, a laser, addresses; unique in the file
     std::string type;  ///< what its messages are, such as sensor_msgs/LaserScan
-    Identity identity;
+    ScannerIdentity identity;
     bool has_scans = true;   ///< false: it has bytes alone, and who knows SCIP finds scans in them
     bool has_bytes = false;  ///< the conversation with the scanner
 };

@@ -76,7 +76,7 @@ inline std::string bytes_of(const std::filesystem::path& path) {
 }
 
 /// A scanner with all that can be known of one.
-inline sim::Identity some_scanner() {
+inline sim::ScannerIdentity some_scanner() {
     return {.model = "UTM-30LX-EW",
             .serial = "H1200046",
             .firmware = "1.1.0(2012)",

@@ -14,8 +14,8 @@
 namespace scipd::tests {
 namespace {
 
-using sim::Identity;
 using sim::RecordedScan;
+using sim::ScannerIdentity;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
@@ -25,7 +25,7 @@ constexpr auto all_values = {Values::ranges, Values::intensities, Values::echoes
 
 std::filesystem::path write(const TempDir& directory, const std::string& ending,
                             const std::vector<RecordedScan>& scans,
-                            const Identity& identity = some_scanner()) {
+                            const ScannerIdentity& identity = some_scanner()) {
     const auto path = directory.path() / ("recording" + ending);
     const auto writer = sim::create_recording(path, identity, {"scipcat", "1.0"});
     for (const RecordedScan& scan : scans)
@@ -59,10 +59,10 @@ TEST_P(RoundTrip, KeepsClusters) {
 
 TEST_P(RoundTrip, SaysWhoseScansTheyAre) {
     const TempDir directory;
-    const Identity wanted = some_scanner();
+    const ScannerIdentity wanted = some_scanner();
     const ReadBack back = read_back(write(directory, GetParam(), {some_scan(0)}));
     ASSERT_THAT(back.streams, SizeIs(1));
-    const Identity& identity = back.streams[0].identity;
+    const ScannerIdentity& identity = back.streams[0].identity;
     EXPECT_EQ(identity.model, wanted.model);
     EXPECT_EQ(identity.serial, wanted.serial);
     EXPECT_EQ(identity.min_range_m, wanted.min_range_m);

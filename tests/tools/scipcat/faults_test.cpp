@@ -40,9 +40,9 @@ TEST(ScipcatFaults, OptionsEndWithTwo) {
     expect_failure({"info", "tcp://a:x"}, 2, "\"tcp://a:x\" is no address");
     expect_failure({"record", "tcp://127.0.0.1:1"}, 2, "--output is required");
     expect_failure({"record", "tcp://127.0.0.1:1", "-o", "room.txt"}, 2,
-                   "\"room.txt\" ends in neither .csv nor .jsonl");
+                   "\"room.txt\" ends in none of .mcap, .ubh, .csv and .jsonl");
     expect_failure({"plot", "tcp://127.0.0.1:1", "-o", "room.gif"}, 2,
-                   "\"room.gif\" ends in neither .png nor .svg");
+                   "\"room.gif\" ends in none of .png and .svg");
     expect_failure({"record", "tcp://127.0.0.1:1", "-o", "a.csv", "-n", "0"}, 2, "--scans");
     expect_failure({"record", "tcp://127.0.0.1:1", "-o", "a.csv", "--cluster", "100"}, 2,
                    "--cluster");

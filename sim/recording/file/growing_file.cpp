@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "sim/recording/file/output_file.h"
+#include "sim/recording/file/growing_file.h"
 
 #include <cerrno>
 #include <cstring>
@@ -9,23 +9,23 @@
 
 namespace scipd::sim {
 
-OutputFile::OutputFile(const std::filesystem::path& path)
+GrowingFile::GrowingFile(const std::filesystem::path& path)
     : path_(path), file_(path, std::ios::binary | std::ios::trunc) {
     check();
 }
 
-void OutputFile::write(std::string_view bytes) {
+void GrowingFile::write(std::string_view bytes) {
     file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     check();
     size_ += bytes.size();
 }
 
-void OutputFile::flush() {
+void GrowingFile::flush() {
     file_.flush();
     check();
 }
 
-void OutputFile::check() const {
+void GrowingFile::check() const {
     if (!file_)
         throw std::runtime_error("cannot write " + path_.string() + ": " + std::strerror(errno));
 }

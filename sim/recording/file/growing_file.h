@@ -11,10 +11,10 @@
 
 namespace scipd::sim {
 
-class OutputFile {
+class GrowingFile {
   public:
     /// Replaces an old file. Throws std::runtime_error.
-    explicit OutputFile(const std::filesystem::path& path);
+    explicit GrowingFile(const std::filesystem::path& path);
 
     /// Throws std::runtime_error where the disk is full.
     void write(std::string_view bytes);

@@ -20,7 +20,7 @@ struct Entry {
 using Entries = std::vector<Entry>;
 
 /// What is not known is empty.
-struct Identity {
+struct ScannerIdentity {
     std::string model;
     std::string serial;
     std::string firmware;
@@ -35,7 +35,7 @@ struct Identity {
     Entries parameters;
     Entries state;
 
-    bool operator==(const Identity&) const = default;
+    bool operator==(const ScannerIdentity&) const = default;
 };
 
 /// The value of the entry with this key; empty if there is none.

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tools/recording/decoded_recording.h"
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "sim/recording/open_recording.h"
+#include "tools/recording/wire_decoder.h"
+
+namespace scipd::tools {
+namespace {
+
+using sim::RecordedBytes;
+using sim::RecordedItem;
+using sim::RecordedScan;
+
+class DecodedRecording final : public sim::Recording {
+  public:
+    explicit DecodedRecording(std::unique_ptr<sim::Recording> inner)
+        : Recording(inner->format()), inner_(std::move(inner)) {
+        meet_streams();
+    }
+
+  private:
+    Next do_next() override {
+        while (ready_.empty()) {
+            auto item = inner_->next();
+            if (!item) return item;
+            meet_streams();
+            if (!*item) return end();
+            take(std::move(**item));
+        }
+        RecordedItem item = std::move(ready_.front());
+        ready_.pop_front();
+        return item;
+    }
+
+    /// Takes over the streams of scans; the others once they turn out to be SCIP.
+    void meet_streams() {
+        for (const auto& stream : inner_->streams()) {
+            const auto index = static_cast<std::size_t>(&stream - inner_->streams().data());
+            if (stream.has_scans) outer_index(index);
+        }
+    }
+
+    std::size_t outer_index(std::size_t inner) {
+        const auto [found, is_new] = outer_.try_emplace(inner, streams().size());
+        if (is_new) add_stream(inner_->streams()[inner]);
+        return found->second;
+    }
+
+    void take(RecordedItem item) {
+        if (auto* const scan = std::get_if<RecordedScan>(&item.what)) {
+            const std::size_t outer = outer_index(item.stream);
+            stream(outer).identity = inner_->streams()[item.stream].identity;
+            ready_.push_back({outer, std::move(*scan)});
+            return;
+        }
+        // Where scans are beside the bytes, they are the same.
+        if (inner_->streams()[item.stream].has_scans) return;
+        WireDecoder& decoder = decoders_[item.stream];
+        auto scans = decoder.take(std::get<RecordedBytes>(item.what));
+        if (decoder.sound_messages() == 0) return;
+        const std::size_t outer = outer_index(item.stream);
+        stream(outer).identity = decoder.identity();
+        for (RecordedScan& scan : scans)
+            ready_.push_back({outer, std::move(scan)});
+    }
+
+    Next end() {
+        for (const auto& [inner, decoder] : decoders_) {
+            if (decoder.sound_messages() == 0 || decoder.damaged_scans() == 0) continue;
+            warn(inner_->streams()[inner].name + ": " + std::to_string(decoder.damaged_scans()) +
+                 " scans are damaged and left out");
+        }
+        for (const std::string& warning : inner_->warnings())
+            warn(warning);
+        return std::nullopt;
+    }
+
+    std::unique_ptr<sim::Recording> inner_;
+    std::map<std::size_t, std::size_t> outer_;  ///< by the index of the inner stream
+    std::map<std::size_t, WireDecoder> decoders_;
+    std::deque<RecordedItem> ready_;
+};
+
+}  // namespace
+
+sim::Expected<std::unique_ptr<sim::Recording>> open_scans(const std::filesystem::path& path) {
+    return sim::open_recording(path).map(scans_of);
+}
+
+std::unique_ptr<sim::Recording> scans_of(std::unique_ptr<sim::Recording> recording) {
+    return std::make_unique<DecodedRecording>(std::move(recording));
+}
+
+}  // namespace scipd::tools

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tools/recording/wire_decoder.h"
+
+#include <string_view>
+#include <variant>
+
+#include "protocol/client/scan_message.h"
+#include "tools/recording/scip_values.h"
+
+namespace scipd::tools {
+
+using protocol::client::Message;
+using protocol::client::ScanMessage;
+
+std::vector<sim::RecordedScan> WireDecoder::take(const sim::RecordedBytes& bytes) {
+    std::vector<sim::RecordedScan> scans;
+    if (bytes.way == sim::Way::to_scanner) return scans;
+    std::string_view rest = bytes.bytes;
+    while (const auto message = decoder_.next(rest))
+        take_message(*message, bytes.host_time, scans);
+    return scans;
+}
+
+void WireDecoder::take_message(const Message& message, sim::HostTime time,
+                               std::vector<sim::RecordedScan>& scans) {
+    if (!message.damage) ++sound_messages_;
+    if (learn_identity(message, identity_)) return;
+    const auto request = protocol::client::parse_scan_echo(message.echo);
+    if (!request || request->contents != protocol::Contents::distances) return;
+    const auto parsed = parse_scan(message);
+    if (const auto* const scan = std::get_if<ScanMessage>(&parsed)) {
+        scans.push_back(recorded_scan(*scan, identity_, time));
+    } else if (message.damage || !message.lines.empty()) {  // an accepted request has no lines
+        ++damaged_scans_;
+    }
+}
+
+}  // namespace scipd::tools

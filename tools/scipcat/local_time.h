@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <ctime>
+#include <string>
+
+#include "sim/recording/values/recorded_scan.h"
+
+namespace scipd::tools {
+
+/// As in 2026-01-31 12:00:00, where the user is.
+[[nodiscard]] inline std::string local_time(sim::HostTime time) {
+    const auto seconds = std::chrono::floor<std::chrono::seconds>(time);
+    const std::time_t unix_s = seconds.time_since_epoch().count();
+    std::tm local{};
+    localtime_r(&unix_s, &local);
+    std::array<char, 40> text{};
+    std::strftime(text.data(), text.size(), "%F %T", &local);
+    return text.data();
+}
+
+}  // namespace scipd::tools

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What is drawn: a scan, and who made it. A value; no thread rule.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "sim/recording/values/recorded_scan.h"
+#include "sim/recording/values/scanner_identity.h"
+#include "tools/scipcat/scan_options.h"
+
+namespace scipd::tools {
+
+struct PlotSubject {
+    sim::RecordedScan scan;  ///< which knows where it looks
+    sim::ScannerIdentity identity;
+};
+
+/// Uses a stream of one scan, which switches the laser on and off by itself. Throws
+/// protocol::client::Error.
+[[nodiscard]] PlotSubject subject_of(ConnectedScanner& scanner, const ScanOptions& options);
+
+/// The scan with this number, from 1. Throws WrongInput.
+[[nodiscard]] PlotSubject subject_of(const std::filesystem::path& recording, std::uint64_t number);
+
+/// Which scanner, and which scan, as far as they are known.
+[[nodiscard]] std::string scanner_text(const PlotSubject& subject);
+[[nodiscard]] std::string scan_text(const PlotSubject& subject);
+
+}  // namespace scipd::tools

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tools/scipcat/recording_target.h"
+
+#include <utility>
+
+#include "tools/options.h"
+#include "tools/recording/decoded_recording.h"
+
+namespace scipd::tools {
+
+bool is_recording(const std::filesystem::path& target) {
+    std::error_code error;
+    const auto status = std::filesystem::status(target, error);
+    return std::filesystem::is_regular_file(status) || std::filesystem::is_directory(status);
+}
+
+std::unique_ptr<sim::Recording> open_recorded(const std::filesystem::path& target) {
+    auto recording = open_scans(target);
+    if (!recording) throw WrongInput(recording.error().why);
+    return std::move(*recording);
+}
+
+}  // namespace scipd::tools
