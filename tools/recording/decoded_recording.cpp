@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "sim/recording/open_recording.h"
+#include "sim/text/quote.h"
 #include "tools/recording/wire_decoder.h"
 
 namespace scipd::tools {
@@ -75,8 +76,8 @@ class DecodedRecording final : public sim::Recording {
     Next end() {
         for (const auto& [inner, decoder] : decoders_) {
             if (decoder.sound_messages() == 0 || decoder.damaged_scans() == 0) continue;
-            warn(inner_->streams()[inner].name + ": " + std::to_string(decoder.damaged_scans()) +
-                 " scans are damaged and left out");
+            warn(sim::printable(inner_->streams()[inner].name) + ": " +
+                 std::to_string(decoder.damaged_scans()) + " scans are damaged and left out");
         }
         for (const std::string& warning : inner_->warnings())
             warn(warning);

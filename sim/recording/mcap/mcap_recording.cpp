@@ -48,8 +48,8 @@ HostTime time_of(const nlohmann::json& message, HostTime received) {
     };
     const std::uint64_t seconds = part("sec");
     if (seconds == 0 || seconds > 0xFFFFFFFF) return received;
-    return HostTime(std::chrono::seconds(seconds) +
-                    std::chrono::nanoseconds(part("nsec") % 1'000'000'000));
+    return host_time_at(static_cast<std::int64_t>(seconds),
+                        static_cast<std::int64_t>(part("nsec") % 1'000'000'000));
 }
 
 class Mcap final : public Recording {

@@ -23,12 +23,14 @@ std::string_view behind(std::string_view dictionary, std::string_view key) {
 
 /// A type such as '<f8', without its quotes.
 Expected<> read_type(std::string_view type, NpyHeader& header) {
-    const std::string_view name = type.substr(1, type.find('\'', 1) - 1);
+    if (!type.starts_with('\'')) return refuse("its numbers have no type, or several");
+    type.remove_prefix(1);
+    const std::string_view name = type.substr(0, type.find('\''));
     const bool known = name.size() == 3 && std::string_view("<>|=").find(name[0]) != name.npos &&
                        std::string_view("fiu").find(name[1]) != name.npos &&
                        std::string_view("1248").find(name[2]) != name.npos;
     const bool small_float = known && name[1] == 'f' && name[2] < '4';
-    if (!type.starts_with('\'') || !known || small_float)
+    if (!known || small_float)
         return refuse("its numbers are " + quote(name) +
                       "; save integers, float32 or float64: numpy.save(FILE, a.astype('f4'))");
     header.order = name[0] == '>' ? std::endian::big : std::endian::little;

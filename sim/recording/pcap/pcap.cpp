@@ -77,8 +77,7 @@ class Capture final : public Recording {
         if (result != 1) return false;
         const std::string_view packet(reinterpret_cast<const char*>(bytes), head->caplen);
         // The file was opened for nanoseconds, which this field then holds.
-        const HostTime time{std::chrono::seconds(head->ts.tv_sec) +
-                            std::chrono::nanoseconds(head->ts.tv_usec)};
+        const HostTime time = host_time_at(head->ts.tv_sec, head->ts.tv_usec);
         if (const auto segment = tcp_segment(link_type_, packet)) take(*segment, time);
         return true;
     }

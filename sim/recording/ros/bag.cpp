@@ -53,7 +53,7 @@ class BagFields {
 /// Seconds, then nanoseconds, of 32 bits each.
 HostTime bag_time(const BagFields& fields) {
     const auto both = fields.number<std::uint64_t>("time");
-    return HostTime(std::chrono::seconds(both & 0xFFFFFFFF) + std::chrono::nanoseconds(both >> 32));
+    return host_time_at(both & 0xFFFFFFFF, both >> 32);
 }
 
 class Bag final : public Recording {

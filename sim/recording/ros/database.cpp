@@ -5,6 +5,7 @@
 #include <sqlite3.h>
 
 #include "sim/recording/compression/compression.h"
+#include "sim/text/quote.h"
 
 namespace scipd::sim {
 namespace {
@@ -51,11 +52,11 @@ Rows::Rows(sqlite3* database, const std::string& question) : database_(database)
 
 Expected<bool> Rows::next() {
     // Nothing to step through: the question does not fit the file, and the library says why.
-    if (!statement_) return refuse(sqlite3_errmsg(database_));
+    if (!statement_) return refuse(printable(sqlite3_errmsg(database_)));
     const int result = sqlite3_step(statement_.get());
     if (result == SQLITE_ROW) return true;
     if (result == SQLITE_DONE) return false;
-    return refuse(sqlite3_errmsg(database_));
+    return refuse(printable(sqlite3_errmsg(database_)));
 }
 
 std::int64_t Rows::number(int column) const {

@@ -68,7 +68,7 @@ std::optional<HostTime> read_header(Fields& fields) {
     const std::uint32_t nanoseconds = fields.word();
     fields.skip_text();
     if (seconds == 0 && nanoseconds == 0) return std::nullopt;
-    return HostTime(std::chrono::seconds(seconds) + std::chrono::nanoseconds(nanoseconds));
+    return host_time_at(seconds, nanoseconds);
 }
 
 void read_single(Fields& fields, RecordedScan& scan) {

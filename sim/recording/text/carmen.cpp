@@ -22,8 +22,11 @@ constexpr std::array<std::string_view, 12> messages = {
 
 /// "RAWLASER2" without its number.
 std::string_view kind_of(std::string_view message) {
-    if (message.starts_with("RAWLASER")) return "RAWLASER";
-    if (message.starts_with("ROBOTLASER")) return "ROBOTLASER";
+    for (const std::string_view kind : {"RAWLASER", "ROBOTLASER"}) {
+        const std::string_view number = message.substr(std::min(kind.size(), message.size()));
+        if (message.starts_with(kind) && number.size() == 1 && number >= "1" && number <= "9")
+            return kind;
+    }
     return message;
 }
 

@@ -30,7 +30,7 @@ std::optional<HostTime> parse_log_time(const std::string& text) {
     local.tm_mon -= 1;
     local.tm_isdst = -1;
     const std::time_t unix_s = std::mktime(&local);
-    return HostTime(std::chrono::seconds(unix_s) + std::chrono::milliseconds(ms));
+    return host_time_at(unix_s, std::int64_t{ms} * 1'000'000);
 }
 
 std::optional<int> count_in(std::string_view value) {

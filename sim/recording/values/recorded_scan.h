@@ -5,6 +5,7 @@
 // for a range. A value; no thread rule.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +19,13 @@ namespace scipd::sim {
 
 /// Since 1970, on the clock of the machine that recorded.
 using HostTime = std::chrono::time_point<std::chrono::system_clock, std::chrono::nanoseconds>;
+
+/// What lies beyond the years 1678 to 2262 becomes the nearest of them: nanoseconds have no room.
+[[nodiscard]] inline HostTime host_time_at(std::int64_t unix_s, std::int64_t nanoseconds = 0) {
+    constexpr std::int64_t most_s = 9'200'000'000;
+    const std::chrono::seconds seconds{std::clamp(unix_s, -most_s, most_s)};
+    return HostTime(seconds + std::chrono::nanoseconds(nanoseconds % 1'000'000'000));
+}
 
 enum class RangeUnit {
     millimetres,  ///< whole ones and codes for "no distance", as a scanner sends them
