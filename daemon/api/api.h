@@ -20,6 +20,7 @@
 #include "daemon/api/world_view.h"
 #include "daemon/device/sensor_log.h"
 #include "daemon/http/web_socket.h"
+#include "daemon/replay/replay.h"
 #include "daemon/world/scene_edit.h"
 #include "sim/expected.h"
 #include "sim/loaders/poses/pose_line.h"
@@ -57,6 +58,11 @@ class Api {
     /// From its next scan on it reads like this. Of a scanner that is there.
     [[nodiscard]] virtual sim::Expected<> set_errors(const std::string& sensor,
                                                      const ReadingErrors& errors) = 0;
+
+    /// How it stands with the recording that it plays; nothing: it plays none.
+    [[nodiscard]] virtual std::optional<ReplayStatus> replay(const std::string& sensor) const = 0;
+    /// From its next scan on. Of a scanner that plays one.
+    virtual void steer_replay(const std::string& sensor, const ReplaySteering& steering) = 0;
 
     /// The measurements of the sensor that are kept: the latest, and those of a second where
     /// somebody has asked for its truth. Nothing: there is no such sensor.

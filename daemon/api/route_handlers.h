@@ -33,6 +33,8 @@ void get_sensors(Call&& call);
 void get_sensor(Call&& call);
 void patch_sensor(Call&& call);
 void get_reading(Call&& call);
+void get_replay(Call&& call);
+void patch_replay(Call&& call);
 void get_truth(Call&& call);
 
 // metrics_routes.cpp

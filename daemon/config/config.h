@@ -104,6 +104,15 @@ struct Config {
         });
     }
 
+    /// Whether all sensors play recordings, so that nobody needs a world.
+    [[nodiscard]] bool only_plays() const {
+        return std::ranges::all_of(robots, [](const RobotConfig& robot) {
+            return std::ranges::all_of(robot.sensors, [](const SensorConfig& sensor) {
+                return sensor.replay.has_value();
+            });
+        });
+    }
+
     /// Where the key stands; empty where that is unknown, as for command-line options.
     [[nodiscard]] std::string place_of(const std::string& key) const {
         const auto found = places.find(key);

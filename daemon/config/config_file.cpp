@@ -155,6 +155,7 @@ Config Reader::read(const YAML::Node& document) {
         config.robots.push_back(read_robot(robot, context));
     if (needs_fleet_ && !config.fleet)
         faults_.add(*needs_fleet_, "needs fleet, by whose broker vehicles tell where they are");
+    if (!section.find("scene") && config.only_plays()) config.scene.clear();
     config.places = std::move(places_);
     config.warnings = faults_.warnings();
     return config;

@@ -9,6 +9,7 @@
 #include "daemon/config/mount.h"
 #include "daemon/config/numbers.h"
 #include "daemon/config/profile.h"
+#include "daemon/config/replay.h"
 #include "daemon/config/run_directory.h"
 #include "daemon/config/staring_optics.h"
 #include "daemon/config/values.h"
@@ -17,10 +18,10 @@
 namespace scipd::daemon {
 namespace {
 
-constexpr std::array<std::string_view, 20> sensor_keys{
+constexpr std::array<std::string_view, 21> sensor_keys{
     "model", "camera",   "ranger",  "mount",        "tcp",    "pty",    "backend",
     "depth", "accuracy", "echo",    "interference", "motion", "timing", "power_up",
-    "clock", "link",     "profile", "sees_body",    "noise",  "bias"};
+    "clock", "link",     "profile", "sees_body",    "noise",  "bias",   "replay"};
 constexpr std::array<std::string_view, 3> depth_keys{"between_pixels", "oversample",
                                                      "widest_pass_deg"};
 constexpr std::array<std::string_view, 3> clock_keys{"ppm", "start_ms", "phase_ms"};
@@ -123,7 +124,10 @@ void check_reach(const Field& field, const Section& section, Faults& faults) {
 void read_scanner(const Field& field, const Section& section, SensorConfig& sensor,
                   SensorContext& context) {
     Faults& faults = context.faults;
-    if (!section.find("model")) {
+    if (const Field* replay = section.find("replay")) {
+        sensor.replay = read_replay(*replay, context.base, faults);
+        sensor.replay->finds_model = !section.find("model");
+    } else if (!section.find("model")) {
         faults.add(field, "needs a model, a camera or a ranger; `scipd --list-models` lists them");
     }
     const std::optional<Model> model = read_model(section, context);

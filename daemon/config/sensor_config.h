@@ -14,6 +14,7 @@
 #include "daemon/config/address.h"
 #include "daemon/config/link_config.h"
 #include "daemon/config/named_mount.h"
+#include "daemon/config/replay_config.h"
 #include "daemon/models/model.h"
 #include "sim/backends/depth_options.h"
 #include "sim/sensor/error_model.h"
@@ -71,8 +72,9 @@ struct SensorConfig {
     /// Set for a camera or a ranger. It speaks no SCIP and has no wire: model, tcp, pty, timing,
     /// power_up, clock and link mean nothing then.
     std::optional<sim::StaringSpec> staring;
-    sim::Pose robot_from_sensor;      ///< of a named mount: known once the world is loaded
-    std::optional<NamedMount> mount;  ///< nothing: the user gave robot_from_sensor in numbers
+    std::optional<ReplayConfig> replay;  ///< it plays a recording, and looks at no world
+    sim::Pose robot_from_sensor;         ///< of a named mount: known once the world is loaded
+    std::optional<NamedMount> mount;     ///< nothing: the user gave robot_from_sensor in numbers
     std::optional<Address> tcp;
     std::optional<PtyConfig> pty;
     std::string backend{auto_backend};
@@ -97,7 +99,7 @@ struct SensorConfig {
 
     /// Whether the light that comes back decides what it reads.
     [[nodiscard]] bool sees_light() const {
-        return !staring && accuracy == sim::Accuracy::material;
+        return !staring && !replay && accuracy == sim::Accuracy::material;
     }
 };
 

@@ -93,4 +93,14 @@ WireScan to_wire(const sim::Scan& scan, const protocol::Turn& turn, const sim::S
     return wire;
 }
 
+void put_changed(std::span<const sim::Reading> before, std::span<const sim::Reading> now,
+                 const protocol::DeviceProfile& profile, WireScan& wire) {
+    for (std::size_t beam = 0; beam < before.size(); ++beam) {
+        if (now[beam] == before[beam]) continue;
+        wire.distance[beam] = on_wire(now[beam], profile);
+        wire.intensity[beam] = intensity_on_wire(now[beam]);
+        if (!wire.echoes.empty()) wire.echoes[beam] = on_wire(now.subspan(beam, 1), profile);
+    }
+}
+
 }  // namespace scipd::daemon

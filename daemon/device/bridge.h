@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "protocol/device_profile.h"
@@ -30,6 +31,10 @@ struct WireScan {
 [[nodiscard]] WireScan to_wire(const sim::Scan& scan, const protocol::Turn& turn,
                                const sim::SensorSpec& optics,
                                const protocol::DeviceProfile& profile);
+
+/// Puts into `wire` what a fault has made of readings, where it has changed them.
+void put_changed(std::span<const sim::Reading> before, std::span<const sim::Reading> now,
+                 const protocol::DeviceProfile& profile, WireScan& wire);
 
 /// Millimetres, or the model's code where there is no distance that it could report.
 [[nodiscard]] std::uint32_t distance_on_wire(float range_m, const protocol::DeviceProfile& profile);

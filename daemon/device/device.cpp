@@ -9,6 +9,7 @@
 #include <spdlog/spdlog.h>
 
 #include "daemon/device/powered_profile.h"
+#include "daemon/replay/played_scan.h"
 #include "protocol/reply_grid.h"
 #include "protocol/settings.h"
 #include "protocol/timestamp.h"
@@ -88,6 +89,15 @@ Device::Device(const std::string& robot, const SensorConfig& config, std::uint64
 
 Device::~Device() {
     world_.light().lamps().remove(*this);
+}
+
+void Device::play(SharedTape tape, const ReplayConfig& config) {
+    replay_.emplace(std::move(tape), config);
+    turn_as_recorded(0);
+}
+
+void Device::turn_as_recorded(std::int64_t next) {
+    timing_.turn_from(timing_.start(next), replay_->lasts(next));
 }
 
 void Device::read_as(const SensorConfig& config) {
@@ -174,6 +184,7 @@ bool Device::poses_known(std::int64_t revolution) const {
 
 // Its speed changes by CR, RS and boot.
 void Device::follow_motor() {
+    if (replay_) return;
     const protocol::Grid mirror = protocol::mirror_of(state_, profile_);
     timing_.turn_from(mirror.origin, mirror.tick);
 }
@@ -181,6 +192,7 @@ void Device::follow_motor() {
 // Faults may change what is to come.
 void Device::prepare(std::int64_t revolution) {
     if (hook_ != nullptr || !sweep_.stands_alone()) return;
+    if (!shows(revolution)) return;
     const protocol::Turn turn{.start = start_of(revolution)};
     const bool taken = std::ranges::any_of(
         clients_, [&](const auto* client) { return client->session().will_take(turn); });
@@ -192,6 +204,8 @@ void Device::turn_complete(std::int64_t revolution) {
         hook_->turn(revolution);
         if (hook_ != nullptr && !hook_->serves(revolution)) return tell_clients();
     }
+    if (replay_) turn_as_recorded(revolution + 1);
+    if (!shows(revolution)) return tell_clients();
     std::vector<ServedClient*> takers;
     for (ServedClient* client : clients_) {
         if (client->session().turn_complete({.start = start_of(revolution)}))
@@ -216,7 +230,8 @@ void Device::serve_latest(ServedClient& client) {
     protocol::Session& session = client.session();
     // Once a request is answered, the one behind it may want the latest scan as well.
     for (std::int64_t revolution = next_revolution() - 1;
-         revolution >= 0 && session.waits_for({.start = start_of(revolution)}) &&
+         revolution >= 0 && shows(revolution) &&
+         session.waits_for({.start = start_of(revolution)}) &&
          (patience_ == sim::Time::zero() || poses_known(revolution)) &&
          (hook_ == nullptr || hook_->serves(revolution));) {
         session.take(measure(revolution).sent.view(), uptime());
@@ -250,11 +265,10 @@ const ScanRecord& Device::measure(std::int64_t revolution) {
     if (const auto latest = log_.latest(); latest && latest->cast->revolution == revolution)
         return *latest;
     const sim::SensorSpec& optics = sweep_.optics();
-    const protocol::Turn now{.start = start_of(revolution)};
-    ScanRecord record{cast(revolution)};
-    record.sent = to_wire(*record.cast, now, optics, profile_);
+    const auto shown = replay_ ? replay_->at(revolution) : std::nullopt;
+    ScanRecord record = shown ? played(revolution, *shown) : cast(revolution);
     record.accuracy = sweep_.accuracy();
-    record.stamp_ms = protocol::timestamp_ms(now.start, state_.clock_zero());
+    record.stamp_ms = protocol::timestamp_ms(start_of(revolution), state_.clock_zero());
     record.front_step = optics.front_step;
     record.steps_per_turn = optics.steps_per_turn;
     const auto shared = std::make_shared<const ScanRecord>(std::move(record));
@@ -262,7 +276,7 @@ const ScanRecord& Device::measure(std::int64_t revolution) {
     return *shared;
 }
 
-Measurement Device::cast(std::int64_t revolution) {
+ScanRecord Device::cast(std::int64_t revolution) {
     const auto fired = [&](int step) {
         return device_clock_.world_time(timing_.fired(revolution, step));
     };
@@ -285,7 +299,30 @@ Measurement Device::cast(std::int64_t revolution) {
                                  .begin = begin,
                                  .end = clock_.now()});
     if (slow) spdlog::warn("{}: {}", sweep_.name(), *slow);
-    return made;
+    ScanRecord record{std::move(made)};
+    record.sent = to_wire(*record.cast, {.start = start_of(revolution)}, sweep_.optics(), profile_);
+    return record;
+}
+
+// What no fault has changed goes out as it was recorded, codes of other firmware too.
+ScanRecord Device::played(std::int64_t revolution, const Replay::Shown& shown) {
+    TapedScan taped = replay_->tape().scan(shown.scan);
+    state_.set_clock(start_of(revolution), std::chrono::milliseconds(shown.stamp_ms));
+    const sim::Time start = device_clock_.world_time(timing_.start(revolution));
+    sim::Scan scan = played_scan(taped, profile_, revolution, start, sweep_.pose_at(start));
+    ScanRecord record{sweep_.measurement_of(nullptr, clock_.origin())};
+    record.sent = {.turn = {.start = start_of(revolution)},
+                   .first_step = sweep_.optics().first_step,
+                   .distance = std::move(taped.distance),
+                   .intensity = std::move(taped.intensity),
+                   .echoes = std::move(taped.echoes)};
+    if (hook_ != nullptr) {
+        const std::vector<sim::Reading> before = scan.readings;
+        hook_->read(scan, sweep_.optics());
+        put_changed(before, scan.readings, profile_, record.sent);
+    }
+    record.cast = std::make_shared<const sim::Scan>(std::move(scan));
+    return record;
 }
 
 }  // namespace scipd::daemon

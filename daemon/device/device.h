@@ -28,6 +28,7 @@
 #include "daemon/device/unit.h"
 #include "daemon/device/watchers.h"
 #include "daemon/link/endpoint.h"
+#include "daemon/replay/replay.h"
 #include "daemon/world/world.h"
 #include "protocol/device_profile.h"
 #include "protocol/device_state.h"
@@ -42,6 +43,10 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     /// Powered up at this moment. `world` and `clock` must outlive it.
     Device(const std::string& robot, const SensorConfig& config, std::uint64_t seed, World& world,
            Clock& clock);
+    /// From now on it shows these scans, and no world. To be called before it has clients.
+    void play(SharedTape tape, const ReplayConfig& config);
+    /// Null: it looks at the world.
+    [[nodiscard]] Replay* replay() { return replay_ ? &*replay_ : nullptr; }
     ~Device() override;
 
     [[nodiscard]] std::unique_ptr<Client> connect(std::function<void()> on_actions,
@@ -115,7 +120,14 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     void follow_motor();
     /// Measures a revolution that is complete, if nobody has done so yet.
     const ScanRecord& measure(std::int64_t revolution);
-    [[nodiscard]] Measurement cast(std::int64_t revolution);
+    [[nodiscard]] ScanRecord cast(std::int64_t revolution);
+    [[nodiscard]] ScanRecord played(std::int64_t revolution, const Replay::Shown& shown);
+    /// Whether there is a scan of this revolution.
+    [[nodiscard]] bool shows(std::int64_t revolution) const {
+        return !replay_ || replay_->at(revolution);
+    }
+    /// Lets the mirror turn as it did when the next scan was recorded.
+    void turn_as_recorded(std::int64_t next);
 
     // Constant after construction.
     sim::ChanceKey chance_;
@@ -125,7 +137,8 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     Clock& clock_;
     World& world_;
     sim::DeviceClock device_clock_;
-    Sweep sweep_;             ///< but for where it is mounted
+    Sweep sweep_;  ///< but for where it is mounted
+    std::optional<Replay> replay_;
     sim::ScanTiming timing_;  ///< in device time: the crystal drives the mirror as well
     bool cold_start_;         ///< it was switched on when it was made; else long ago
 

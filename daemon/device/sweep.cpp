@@ -72,7 +72,11 @@ Measurement Sweep::measure(std::int64_t revolution, sim::Time start, const Fired
     cast(scan, beam_fired, conditions);
     if (disturbed_) look_at_lamps(scan, beam_fired);
     scanner_.read(scan, conditions);
-    return {.cast = sim::share(std::move(scan)),
+    return measurement_of(sim::share(std::move(scan)), origin);
+}
+
+Measurement Sweep::measurement_of(sim::SharedScan scan, sim::Time origin) const {
+    return {.cast = std::move(scan),
             .scene = world_.names(),
             .backend = world_.choice_of(name_),
             .optics = read_with_,

@@ -58,6 +58,9 @@ class Sweep {
                                       sim::Time origin,
                                       sim::Time on_for = sim::Conditions{}.on_for);
 
+    /// A measurement of this sensor, whoever made it.
+    [[nodiscard]] Measurement measurement_of(sim::SharedScan scan, sim::Time origin) const;
+
   private:
     /// When a beam is fired, counted from the first.
     using BeamFired = std::function<sim::Time(std::size_t beam)>;

@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include "daemon/plan/load_world.h"
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,8 @@ bool moves(const sim::Scene& scene, const std::string& name) {
 
 sim::LoadedScene load_scene(const Config& config, const sim::SharedMaterials& materials,
                             const std::stop_token& stop) {
+    // Whoever plays recordings alone looks at none.
+    if (config.scene.empty()) return {std::make_shared<const sim::Scene>(), {}};
     sim::SceneOptions options = scene_options(config, materials);
     options.limits.stop = stop;
     try {

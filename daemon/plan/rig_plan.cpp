@@ -110,6 +110,7 @@ RigPlan make_plan(Config config, const Running& running, const std::stop_token& 
                   const JoinWorld& join) {
     std::optional<Scenario> scenario = load_scenario(config);
     LoadedTrajectories trajectories = load_trajectories(config, running.played, stop);
+    Tapes tapes = load_tapes(config, stop);
     LoadedMaterials materials = load_materials(config);
     sim::LoadedScene loaded = load_world(config, materials.library, stop);
     Shared shared;
@@ -145,6 +146,7 @@ RigPlan make_plan(Config config, const Running& running, const std::stop_token& 
             .materials = std::move(materials.library),
             .scenario = std::move(scenario),
             .trajectories = std::move(trajectories),
+            .tapes = std::move(tapes),
             .added = std::move(shared.added),
             .unlike_the_others = std::move(shared.failed),
             .scripts_age = shared.age};

@@ -16,6 +16,7 @@
 #include "daemon/fleet/join_world.h"
 #include "daemon/plan/homes.h"
 #include "daemon/plan/known_sensors.h"
+#include "daemon/plan/load_tapes.h"
 #include "daemon/plan/load_trajectories.h"
 #include "daemon/world/edited_scene.h"
 #include "daemon/world/requested_backend.h"
@@ -41,6 +42,7 @@ struct RigPlan {
     sim::SharedMaterials materials;
     std::optional<Scenario> scenario;
     LoadedTrajectories trajectories;
+    Tapes tapes;
     AddedTriangles added;  ///< by daemons that share the world
     /// Why what they have changed could not be made here, by model.
     std::map<std::string, std::string> unlike_the_others;

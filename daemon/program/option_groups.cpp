@@ -13,6 +13,7 @@
 #include "daemon/config/doors.h"
 #include "daemon/config/mount.h"
 #include "daemon/config/numbers.h"
+#include "daemon/config/replay.h"
 #include "daemon/config/sensor.h"
 #include "daemon/config/values.h"
 #include "daemon/models/model_registry.h"
@@ -117,6 +118,24 @@ void add_scanner(CLI::App& app, OptionValues& said) {
                   said.model_given = true;
                   return put(parse_model(text), sensor.model);
               });
+    group.add("--replay", "FILE",
+              "play this recording in place of a world: MCAP, UBH, CSV, JSON lines, bags of ROS, "
+              "logs of CARMEN and Player, .npy or pcap; default: none",
+              [&](const auto& text) {
+                  if (!sensor.replay) sensor.replay.emplace();
+                  return put(parse_file(text, fs::current_path()), sensor.replay->file);
+              });
+    group
+        .add("--loop", "true|on|false",
+             "play it again at its end: each round has the recorded stamps, or the stamps go on; "
+             "default: false",
+             [&](const auto& text) {
+                 if (!sensor.replay) sensor.replay.emplace();
+                 return put(parse_loop(text), sensor.replay->loop);
+             })
+        ->expected(0, 1)
+        ->default_str("true")
+        ->needs("--replay");
     group.add("--mount", "X,Y,Z,R,P,Y",
               "where it sits on the robot, or the NAME of a link, frame or sensor of the world; "
               "default: 0.25 m up in the maze, else at the origin",

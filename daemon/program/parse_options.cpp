@@ -71,7 +71,9 @@ sim::Expected<> check_fleet(const Config& config) {
 /// Gives options that were left out the values that the help names.
 sim::Expected<> complete(OptionValues& said) {
     Config& config = said.options.config;
-    const bool demo = config.scene.empty();
+    auto& replay = said.sensor.replay;
+    if (replay) replay->finds_model = !said.model_given;
+    const bool demo = config.scene.empty() && !replay;
     if (demo) {
         const auto scene = demo_scene();
         if (!scene) return tl::unexpected(scene.error());
@@ -88,7 +90,7 @@ sim::Expected<> complete(OptionValues& said) {
     config.allow = {sim::folder_of_scene(config.scene), fs::current_path()};
     if (!said.sensor.tcp && !said.sensor.pty)
         return sim::refuse("--tcp none and --pty none: nobody could reach the scanner");
-    if (mount && mount->chooses_model) return {};
+    if ((mount && mount->chooses_model) || (replay && replay->finds_model)) return {};
     const auto good = check_power_up(said.sensor.power_up, said.sensor.model.profile);
     if (!good) return sim::refuse("--power-up: " + good.error().why);
     return {};

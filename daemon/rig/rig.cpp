@@ -100,7 +100,7 @@ void Rig::take_up(RigPlan&& plan, Ports ports, Feeds feeds) noexcept {
     retire(config, ports);
     replace_world(plan);
     homes_ = std::move(plan.homes);
-    const std::vector<Station*> fresh = start(config, ports);
+    const std::vector<Station*> fresh = start(config, plan.tapes, ports);
     (void)simulation_->remount();
     ports_ = std::move(ports);
     replace_feeds(std::move(feeds));
@@ -190,19 +190,23 @@ Rig::Feeds Rig::open_feeds(const RigPlan& plan) {
     return feeds;
 }
 
-std::vector<Station*> Rig::start(const Config& config, const Ports& ports) noexcept {
+std::vector<Station*> Rig::start(const Config& config, const Tapes& tapes,
+                                 const Ports& ports) noexcept {
     Simulation& simulation = *simulation_;
     Stations staying = std::exchange(simulation.stations, {});
     std::vector<Station*> fresh;
     for (const RobotConfig& robot : config.robots) {
         for (const SensorConfig& sensor : robot.sensors) {
             auto station = take_unchanged(staying, robot.name, sensor, config.seed);
-            const std::size_t home = homes_.sensors.at(sensor_name(robot.name, sensor.name));
+            const std::string name = sensor_name(robot.name, sensor.name);
+            const std::size_t home = homes_.sensors.at(name);
+            const auto tape = tapes.find(name);
             const StationContext context{.shard = simulation.shards.at(home),
                                          .stream = simulation.stream,
                                          .view = simulation.view,
                                          .wire = simulation.wire,
-                                         .lockstep = simulation.lockstep != nullptr};
+                                         .lockstep = simulation.lockstep != nullptr,
+                                         .tape = tape == tapes.end() ? nullptr : tape->second};
             SensorPorts served = ports_of(ports, robot.name, sensor);
             if (!station) {
                 station = make_station(context, robot.name, sensor, config.seed, served);

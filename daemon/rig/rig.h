@@ -23,6 +23,7 @@
 #include "daemon/faults/scenario.h"
 #include "daemon/plan/homes.h"
 #include "daemon/plan/known_sensors.h"
+#include "daemon/plan/load_tapes.h"
 #include "daemon/rig/ports.h"
 
 namespace scipd::daemon {
@@ -71,7 +72,8 @@ class Rig {
     void retire(const Config& config, const Ports& ports) noexcept;
     void replace_world(RigPlan& plan) noexcept;
     /// Returns those that are new.
-    std::vector<Station*> start(const Config& config, const Ports& ports) noexcept;
+    std::vector<Station*> start(const Config& config, const Tapes& tapes,
+                                const Ports& ports) noexcept;
     /// One that is the same goes on, also for new scanners.
     void replace_scenario(std::optional<Scenario> scenario,
                           const std::vector<Station*>& fresh) noexcept;

@@ -81,6 +81,20 @@ sim::Expected<> RigApi::set_errors(const std::string& sensor, const ReadingError
     return {};
 }
 
+std::optional<ReplayStatus> RigApi::replay(const std::string& sensor) const {
+    const Station* const station = find_station(simulation_.stations, sensor);
+    if (station == nullptr || !station->config.replay) return std::nullopt;
+    Device& device = *std::get<std::unique_ptr<Device>>(station->sensor);
+    return simulation_.shards.still(
+        [&] { return device.replay()->status(device.next_revolution()); });
+}
+
+void RigApi::steer_replay(const std::string& sensor, const ReplaySteering& steering) {
+    const Station& station = *find_station(simulation_.stations, sensor);
+    Device& device = *std::get<std::unique_ptr<Device>>(station.sensor);
+    simulation_.shards.still([&] { device.replay()->steer(steering, device.next_revolution()); });
+}
+
 void RigApi::ask_log(const std::string& sensor) {
     simulation_.shards.still([&] {
         std::visit([](const auto& made) { made->ask_log(); },

@@ -29,8 +29,9 @@ std::string named(const SensorReport& sensor) {
 
 std::string status_line(const RigReport& rig) {
     const std::size_t count = rig.sensors.size();
-    std::string line = std::to_string(count) + (count == 1 ? " sensor" : " sensors") + " in " +
-                       std::filesystem::path(rig.scene).filename().string();
+    std::string line = std::to_string(count) + (count == 1 ? " sensor" : " sensors");
+    const std::filesystem::path scene(rig.scene);
+    if (!scene.empty()) line += " in " + scene.filename().string();
     for (std::size_t i = 0; i < count && i < most_named; ++i)
         line += (i == 0 ? ": " : ", ") + named(rig.sensors[i]);
     if (count > most_named) line += " and " + std::to_string(count - most_named) + " more";

@@ -19,6 +19,7 @@
 #include "daemon/config/sensor_config.h"
 #include "daemon/device/scan_loop.h"
 #include "daemon/link/link_counts.h"
+#include "daemon/replay/tape.h"
 #include "daemon/rig/ports.h"
 
 namespace scipd::daemon {
@@ -69,6 +70,7 @@ struct StationContext {
     ViewStream& view;
     WireStream& wire;
     bool lockstep = false;
+    SharedTape tape = nullptr;  ///< that it plays; null: it looks at the world
 };
 
 /// Switches a sensor on, behind its ports. These have been prepared, and so it does not fail.

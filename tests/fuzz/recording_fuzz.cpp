@@ -11,8 +11,8 @@
 #include <string_view>
 #include <variant>
 
+#include "daemon/recording/decoded_recording.h"
 #include "sim/recording/open_recording.h"
-#include "tools/recording/decoded_recording.h"
 
 namespace {
 
@@ -70,6 +70,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     (void)check(**plain);
     auto again = open_recording(InputFile::of_bytes("FILE", bytes));
-    (void)check(*scipd::tools::scans_of(std::move(*again)));
+    (void)check(*scipd::daemon::scans_of(std::move(*again)));
     return 0;
 }

@@ -53,6 +53,10 @@ class EmptyApi : public daemon::Api {
     sim::Expected<> set_errors(const std::string&, const daemon::ReadingErrors&) override {
         return {};
     }
+    [[nodiscard]] std::optional<daemon::ReplayStatus> replay(const std::string&) const override {
+        return {};
+    }
+    void steer_replay(const std::string&, const daemon::ReplaySteering&) override {}
     void ask_log(const std::string&) override {}
     std::unique_ptr<daemon::Conversation> subscribe(const std::string& sensor,
                                                     daemon::WebSocket& socket) override {

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "daemon/recording/wire_decoder.h"
 #include "sim/recording/values/recording_writer.h"
-#include "tools/recording/wire_decoder.h"
 
 namespace scipd::tools {
 
@@ -44,7 +44,7 @@ class LiveRecording {
         std::vector<sim::RecordedScan> scans;  ///< that these bytes have completed
     };
 
-    WireDecoder decoder_;
+    daemon::WireDecoder decoder_;
     std::vector<Heard> heard_;
     std::unique_ptr<sim::RecordingWriter> writer_;
     std::uint64_t most_;

@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "daemon/recording/scip_values.h"
 #include "tools/options.h"
-#include "tools/recording/scip_values.h"
 #include "tools/scipcat/local_time.h"
 #include "tools/scipcat/recording_target.h"
 
@@ -36,8 +36,8 @@ PlotSubject subject_of(ConnectedScanner& scanner, const ScanOptions& options) {
     scanner.driver().start(request);
     const auto scan = scanner.driver().next_scan();
     scanner.driver().stop();
-    const auto identity = identity_of(scanner.version(), scanner.parameters());
-    return {recorded_scan(scan, identity, std::chrono::system_clock::now()), identity};
+    const auto identity = daemon::identity_of(scanner.version(), scanner.parameters());
+    return {daemon::recorded_scan(scan, identity, std::chrono::system_clock::now()), identity};
 }
 
 PlotSubject subject_of(const std::filesystem::path& file, std::uint64_t number) {

@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/options.h"
-#include "tools/recording/summary.h"
 #include "tools/scipcat/local_time.h"
+#include "tools/scipcat/recording_summary.h"
 #include "tools/scipcat/recording_target.h"
 
 namespace scipd::tools {

@@ -4,8 +4,8 @@
 
 #include <utility>
 
+#include "daemon/recording/decoded_recording.h"
 #include "tools/options.h"
-#include "tools/recording/decoded_recording.h"
 
 namespace scipd::tools {
 
@@ -16,7 +16,7 @@ bool is_recording(const std::filesystem::path& target) {
 }
 
 std::unique_ptr<sim::Recording> open_recorded(const std::filesystem::path& target) {
-    auto recording = open_scans(target);
+    auto recording = daemon::open_scans(target);
     if (!recording) throw WrongInput(recording.error().why);
     return std::move(*recording);
 }

@@ -32,6 +32,7 @@ scipd::daemon::MoreWords names_from_scipd() {
         {"/pose/set", robots},
         {"/pose/stream/--robot", robots},
         {"/reading", sensors},
+        {"/replay", sensors + "seek step pause play speed "},
         {"/scene/move", models},
         {"/scene/remove", models},
         {"/truth", sensors},
@@ -60,6 +61,7 @@ int main(int argc, char** argv) {
     add_fault_commands(program, control);
     add_scenario_command(program, control);
     add_reading_command(program, control);
+    add_replay_command(program, control);
     add_sensor_command(program, control);
     add_truth_command(program, control);
     add_completion_command(program, names_from_scipd());

@@ -38,6 +38,9 @@ void add_reading_command(CLI::App& program, const ControlOptions& control);
 /// `scipctl sensor set ROBOT/SENSOR KEY=VALUE...`
 void add_sensor_command(CLI::App& program, const ControlOptions& control);
 
+/// `scipctl replay ROBOT/SENSOR seek|step|pause|play|speed`
+void add_replay_command(CLI::App& program, const ControlOptions& control);
+
 /// `scipctl truth ROBOT/SENSOR`
 void add_truth_command(CLI::App& program, const ControlOptions& control);
 

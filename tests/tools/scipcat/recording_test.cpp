@@ -18,7 +18,7 @@
 #include "tests/support/temp_dir.h"
 #include "tests/tools/scipcat/room.h"
 #include "tests/tools/scipcat/scipcat.h"
-#include "tools/recording/wire_decoder.h"
+#include "daemon/recording/wire_decoder.h"
 
 namespace scipd::tests {
 namespace {
@@ -83,7 +83,7 @@ TEST(ScipcatRecording, KeepsTheConversationWithItsTimes) {
     const TempDir directory;
     const ReadBack back = read_back(record(directory, "UST-10LX", "room.mcap"));
     std::string to_scanner;
-    tools::WireDecoder decoder;
+    daemon::WireDecoder decoder;
     std::vector<sim::RecordedScan> scans;
     sim::HostTime last{};
     for (const auto& bytes : back.bytes()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/recording/summary.h"
+#include "tools/scipcat/recording_summary.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/recording/scip_values.h"
+#include "daemon/recording/scip_values.h"
 
 #include <cstddef>
 #include <string>
@@ -8,7 +8,7 @@
 #include <utility>
 #include <variant>
 
-namespace scipd::tools {
+namespace scipd::daemon {
 namespace {
 
 using protocol::client::Message;
@@ -104,4 +104,4 @@ sim::RecordedScan recorded_scan(const ScanMessage& scan, const sim::ScannerIdent
     return recorded;
 }
 
-}  // namespace scipd::tools
+}  // namespace scipd::daemon

@@ -12,7 +12,7 @@
 #include "sim/recording/values/recorded_scan.h"
 #include "sim/recording/values/scanner_identity.h"
 
-namespace scipd::tools {
+namespace scipd::daemon {
 
 class WireDecoder {
   public:
@@ -35,4 +35,4 @@ class WireDecoder {
     std::size_t damaged_scans_ = 0;
 };
 
-}  // namespace scipd::tools
+}  // namespace scipd::daemon

@@ -10,7 +10,7 @@
 #include "sim/recording/values/recorded_scan.h"
 #include "sim/recording/values/scanner_identity.h"
 
-namespace scipd::tools {
+namespace scipd::daemon {
 
 /// Takes over what an answer to VV, PP or II says. False: the message is another one, or damaged.
 bool learn_identity(const protocol::client::Message& message, sim::ScannerIdentity& identity);
@@ -25,4 +25,4 @@ bool learn_identity(const protocol::client::Message& message, sim::ScannerIdenti
                                               const sim::ScannerIdentity& identity,
                                               sim::HostTime received);
 
-}  // namespace scipd::tools
+}  // namespace scipd::daemon

@@ -11,7 +11,7 @@
 #include "sim/expected.h"
 #include "sim/recording/values/recording.h"
 
-namespace scipd::tools {
+namespace scipd::daemon {
 
 /// As sim::open_recording(), but all items are scans, and connections on which nobody spoke SCIP
 /// are no streams.
@@ -19,4 +19,4 @@ namespace scipd::tools {
     const std::filesystem::path& path);
 [[nodiscard]] std::unique_ptr<sim::Recording> scans_of(std::unique_ptr<sim::Recording> recording);
 
-}  // namespace scipd::tools
+}  // namespace scipd::daemon

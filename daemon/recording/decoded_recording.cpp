@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/recording/decoded_recording.h"
+#include "daemon/recording/decoded_recording.h"
 
 #include <deque>
 #include <map>
@@ -9,11 +9,11 @@
 #include <utility>
 #include <variant>
 
+#include "daemon/recording/wire_decoder.h"
 #include "sim/recording/open_recording.h"
 #include "sim/text/quote.h"
-#include "tools/recording/wire_decoder.h"
 
-namespace scipd::tools {
+namespace scipd::daemon {
 namespace {
 
 using sim::RecordedBytes;
@@ -100,4 +100,4 @@ std::unique_ptr<sim::Recording> scans_of(std::unique_ptr<sim::Recording> recordi
     return std::make_unique<DecodedRecording>(std::move(recording));
 }
 
-}  // namespace scipd::tools
+}  // namespace scipd::daemon

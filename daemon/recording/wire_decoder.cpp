@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/recording/wire_decoder.h"
+#include "daemon/recording/wire_decoder.h"
 
 #include <string_view>
 #include <variant>
 
+#include "daemon/recording/scip_values.h"
 #include "protocol/client/scan_message.h"
-#include "tools/recording/scip_values.h"
 
-namespace scipd::tools {
+namespace scipd::daemon {
 
 using protocol::client::Message;
 using protocol::client::ScanMessage;
@@ -37,4 +37,4 @@ void WireDecoder::take_message(const Message& message, sim::HostTime time,
     }
 }
 
-}  // namespace scipd::tools
+}  // namespace scipd::daemon

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/config/replay.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "daemon/config/numbers.h"
+#include "daemon/config/values.h"
+#include "sim/text/quote.h"
+
+namespace scipd::daemon {
+namespace {
+
+constexpr std::array<std::string_view, 5> replay_keys{"file", "stream", "loop", "speed", "from_s"};
+
+}  // namespace
+
+sim::Expected<ReplayLoop> parse_loop(std::string_view text) {
+    if (text == "on") return ReplayLoop::on;
+    if (text == "true" || text == "yes") return ReplayLoop::again;
+    if (text == "false" || text == "no") return ReplayLoop::none;
+    return sim::refuse(
+        "must be true (each round has the recorded stamps), on (stamps go on) or "
+        "false, not " +
+        sim::quote(text));
+}
+
+ReplayConfig read_replay(const Field& field, const std::filesystem::path& base, Faults& faults) {
+    ReplayConfig replay;
+    const auto parse = [&](const std::string& text) { return parse_file(text, base); };
+    if (!field.value.IsMap()) {
+        faults.take(field, text_of(field.value).and_then(parse), replay.file);
+        return replay;
+    }
+    const Section section{field, replay_keys, faults};
+    if (!section.find("file")) faults.add(field, "needs a file, which is a recording");
+    section.read("file", replay.file, parse);
+    section.read("stream", replay.stream);
+    section.read("loop", replay.loop, parse_loop);
+    section.read("speed", replay.speed, parse_speed);
+    section.read("from_s", replay.from, parse_span);
+    return replay;
+}
+
+}  // namespace scipd::daemon

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Reads the key `replay` of a sensor: a recording in place of a world. Any thread.
+#pragma once
+
+#include <filesystem>
+
+#include "daemon/config/replay_config.h"
+#include "daemon/config/section.h"
+
+namespace scipd::daemon {
+
+/// A file, or a map {file, stream, loop, speed, from_s}. Files are relative to `base`.
+[[nodiscard]] ReplayConfig read_replay(const Field& field, const std::filesystem::path& base,
+                                       Faults& faults);
+
+/// true, false, or on: the stamps go on from round to round.
+[[nodiscard]] sim::Expected<ReplayLoop> parse_loop(std::string_view text);
+
+}  // namespace scipd::daemon

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// A recording that a scanner plays in place of a world. A value; any thread.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+
+namespace scipd::daemon {
+
+enum class ReplayLoop {
+    none,   ///< after the last scan there are no more
+    again,  ///< each round has the recorded stamps
+    on,     ///< stamps go on from round to round
+};
+
+struct ReplayConfig {
+    std::filesystem::path file;
+    std::string stream;  ///< which of several scanners or topics of the file; empty: the only one
+    ReplayLoop loop = ReplayLoop::none;
+    double speed = 1.0;               ///< how many times as fast as it was recorded
+    std::chrono::nanoseconds from{};  ///< where it begins, since its first scan
+    bool finds_model = false;         ///< the recording says of which model the scanner is
+
+    bool operator==(const ReplayConfig&) const = default;
+};
+
+}  // namespace scipd::daemon

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/plan/read_tape.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "daemon/device/bridge.h"
+#include "daemon/models/best_fit.h"
+#include "daemon/models/model_registry.h"
+#include "daemon/plan/step_map.h"
+#include "daemon/recording/decoded_recording.h"
+#include "sim/loaders/file/load_error.h"
+#include "sim/recording/open_recording.h"
+#include "sim/text/quote.h"
+
+namespace scipd::daemon {
+namespace {
+
+using sim::RecordedScan;
+using namespace std::chrono_literals;
+
+constexpr std::uint32_t stamp_mask = (1U << 24U) - 1;
+/// A recorder that rested longer has begun anew.
+constexpr sim::Time longest_gap = 60s;
+
+[[noreturn]] void fail(const ReplayConfig& replay, const std::string& why) {
+    throw sim::LoadError({replay.file.string() + ": " + why});
+}
+
+/// Scan after scan of the stream that is wanted.
+class ScanReader {
+  public:
+    explicit ScanReader(const ReplayConfig& replay) : replay_(replay) {
+        auto opened = open_scans(replay.file);
+        if (!opened) throw sim::LoadError({opened.error().why});
+        recording_ = *std::move(opened);
+    }
+
+    /// Null at the end.
+    const RecordedScan* next() {
+        while (true) {
+            auto item = recording_->next();
+            if (!item) throw sim::LoadError({item.error().why});
+            if (!*item) return nullptr;
+            auto* const scan = std::get_if<RecordedScan>(&(**item).what);
+            if (scan == nullptr || !is_wanted((**item).stream)) continue;
+            scan_ = std::move(*scan);
+            return &scan_;
+        }
+    }
+
+    /// Of the stream that was read.
+    [[nodiscard]] const sim::ScannerIdentity& identity() const {
+        return recording_->streams()[stream_.value()].identity;
+    }
+
+    [[nodiscard]] std::string names() const {
+        std::string names;
+        for (const sim::RecordedStream& stream : recording_->streams())
+            names += (names.empty() ? "" : ", ") + sim::printable(stream.name);
+        return names;
+    }
+
+  private:
+    bool is_wanted(std::size_t stream) {
+        const std::string& name = recording_->streams()[stream].name;
+        if (!replay_.stream.empty() && name != replay_.stream) return false;
+        if (!stream_) stream_ = stream;
+        if (*stream_ == stream) return true;
+        fail(replay_, "has scans of several scanners, " + names() +
+                          "; say which with `stream` under `replay` in a configuration");
+    }
+
+    const ReplayConfig& replay_;
+    std::unique_ptr<sim::Recording> recording_;
+    std::optional<std::size_t> stream_;
+    RecordedScan scan_;
+};
+
+/// Nothing where the two stamps do not follow each other.
+std::optional<sim::Time> follows(sim::Time apart) {
+    if (apart > sim::Time::zero() && apart <= longest_gap) return apart;
+    return std::nullopt;
+}
+
+struct Moment {
+    std::optional<std::uint32_t> stamp_ms;
+    std::optional<std::uint64_t> stamp_us;
+    std::optional<sim::HostTime> host;
+
+    explicit Moment(const RecordedScan& scan)
+        : stamp_ms(scan.stamp_ms), stamp_us(scan.stamp_us), host(scan.host_time) {}
+};
+
+/// By the scanner's clock where it has one, else by the recorder's.
+sim::Time between(const Moment& a, const Moment& b, sim::Time period) {
+    std::optional<sim::Time> apart;
+    if (a.stamp_us && b.stamp_us && *b.stamp_us > *a.stamp_us) {
+        apart = follows(std::chrono::microseconds(static_cast<std::int64_t>(
+            std::min<std::uint64_t>(*b.stamp_us - *a.stamp_us, 1U << 30U))));
+    } else if (a.stamp_ms && b.stamp_ms) {
+        apart = follows(std::chrono::milliseconds((*b.stamp_ms - *a.stamp_ms) & stamp_mask));
+    }
+    if (!apart && a.host && b.host)
+        apart = follows(std::chrono::duration_cast<sim::Time>(*b.host - *a.host));
+    return apart.value_or(period);
+}
+
+/// What a driver would see as the stamp: the recorded one, or the time since the first scan.
+std::uint32_t stamp_of(const RecordedScan& scan, sim::Time begin) {
+    if (scan.stamp_ms) return *scan.stamp_ms & stamp_mask;
+    if (scan.stamp_us) return static_cast<std::uint32_t>(*scan.stamp_us / 1000) & stamp_mask;
+    const auto since = std::chrono::round<std::chrono::milliseconds>(begin);
+    return static_cast<std::uint32_t>(since.count()) & stamp_mask;
+}
+
+std::uint32_t distance_of(double range, sim::RangeUnit unit,
+                          const protocol::DeviceProfile& profile) {
+    if (unit == sim::RangeUnit::millimetres) {
+        const bool fits = range >= 0.0 && range < double{1U << 18U};
+        return fits ? static_cast<std::uint32_t>(std::lround(range)) : profile.codes.nothing;
+    }
+    if (!(range > 0.0)) return profile.codes.nothing;  // drivers write 0 or NaN for no distance
+    return distance_on_wire(static_cast<float>(range), profile);
+}
+
+std::uint32_t intensity_of(double intensity) {
+    constexpr double most = (1U << 18U) - 1;
+    if (!(intensity > 0.0)) return 0;
+    return static_cast<std::uint32_t>(std::lround(std::min(intensity, most)));
+}
+
+protocol::StepEchoes echoes_of(const RecordedScan& scan, std::size_t value,
+                               const protocol::DeviceProfile& profile) {
+    const auto ranges = scan.ranges_of(value);
+    const auto intensities = scan.intensities_of(value);
+    protocol::StepEchoes step;
+    step.echo[0].distance = profile.codes.nothing;
+    step.count = std::clamp(static_cast<int>(ranges.size()), 1, protocol::max_echoes);
+    for (std::size_t i = 0; i < ranges.size() && i < protocol::max_echoes; ++i) {
+        step.echo[i] = {distance_of(ranges[i], scan.unit, profile),
+                        intensities.empty() ? 0 : intensity_of(intensities[i])};
+    }
+    return step;
+}
+
+using Places = std::vector<std::optional<std::size_t>>;
+
+TapedScan taped(const RecordedScan& scan, const Places& places, bool with_echoes,
+                const protocol::DeviceProfile& profile) {
+    TapedScan taped;
+    for (const std::optional<std::size_t>& place : places) {
+        protocol::StepEchoes step;
+        step.echo[0].distance = profile.codes.nothing;
+        if (place) step = echoes_of(scan, *place, profile);
+        taped.distance.push_back(step.echo[0].distance);
+        taped.intensity.push_back(step.echo[0].intensity);
+        if (with_echoes) taped.echoes.push_back(step);
+    }
+    return taped;
+}
+
+Places places_of(const RecordedScan& scan, const Model& model, const ReplayConfig& replay) {
+    Places places = map_of_steps(scan, model.optics);
+    if (places.empty()) {
+        fail(replay, "does not say where its " + std::to_string(scan.steps()) +
+                         " values look, and " + model.profile.name + " has " +
+                         std::to_string(model.optics.beams()) +
+                         " steps; name the model that it was recorded from");
+    }
+    return places;
+}
+
+/// "UTM-30LX" in "SOKUIKI Sensor TOP-URG UTM-30LX(Hokuyo ..)": the longest name that is in it.
+std::optional<Model> named_in(const std::string& text) {
+    std::optional<Model> found;
+    std::size_t longest = 0;
+    for (const Model& model : models()) {
+        const std::string name = model.profile.name.substr(0, model.profile.name.find('@'));
+        if (name.size() <= longest || text.find(name) == text.npos) continue;
+        found = model;
+        longest = name.size();
+    }
+    return found;
+}
+
+sim::Lidar lidar_of(const RecordedScan& scan, const sim::ScannerIdentity& identity, double rate_hz) {
+    const double first_rad = *scan.directions.first_rad;
+    const double increment_rad = *scan.directions.increment_rad;
+    return {.samples = static_cast<int>(scan.steps()),
+            .min_angle_rad = first_rad,
+            .max_angle_rad = first_rad + increment_rad * (static_cast<double>(scan.steps()) - 1.0),
+            .min_range_m = identity.min_range_m.value_or(0.0),
+            .max_range_m = identity.max_range_m.value_or(0.0),
+            .rate_hz = rate_hz};
+}
+
+double rate_between(const Moment& a, const Moment& b) {
+    const auto apart = between(a, b, sim::Time::zero());
+    return apart > sim::Time::zero() ? 1.0 / std::chrono::duration<double>(apart).count() : 0.0;
+}
+
+}  // namespace
+
+RecordedScanner recorded_scanner(const ReplayConfig& replay) {
+    ScanReader reader(replay);
+    const RecordedScan* const first = reader.next();
+    if (first == nullptr) {
+        fail(replay, replay.stream.empty() ? "holds no scan"
+                                           : "has no scans of " + sim::quote(replay.stream) +
+                                                 "; it has those of " + reader.names());
+    }
+    const RecordedScan scan = *first;
+    const RecordedScan* const second = reader.next();
+    const double rate_hz = second == nullptr ? 0.0 : rate_between(Moment(scan), Moment(*second));
+    const sim::ScannerIdentity identity = reader.identity();
+    if (auto model = named_in(identity.model)) return {identity, *std::move(model)};
+    const bool has_angles = scan.directions.first_rad && scan.directions.increment_rad;
+    if (!has_angles) {
+        fail(replay,
+             "does not say of which scanner it is; name a model (--model, or `model` in a "
+             "configuration), one of `scipd --list-models`");
+    }
+    return {identity, best_fit(lidar_of(scan, identity, rate_hz))};
+}
+
+SharedTape read_tape(const ReplayConfig& replay, const Model& model, const std::stop_token& stop) {
+    ScanReader reader(replay);
+    const bool with_echoes = model.profile.multi_echo;
+    const auto period = std::chrono::duration_cast<sim::Time>(model.optics.scan_period);
+    const auto tape =
+        std::make_shared<Tape>(static_cast<std::size_t>(model.optics.beams()), with_echoes);
+    sim::Time begin{};
+    std::optional<Moment> before;
+    std::optional<std::pair<sim::Directions, std::size_t>> mapped;
+    Places places;
+    while (const RecordedScan* const scan = reader.next()) {
+        if (stop.stop_requested()) throw sim::LoadError({"scipd ends"});
+        const Moment now(*scan);
+        if (before) begin += between(*before, now, period);
+        before = now;
+        if (const std::pair is{scan->directions, scan->steps()}; mapped != is) {
+            places = places_of(*scan, model, replay);
+            mapped = is;
+        }
+        try {
+            tape->add(taped(*scan, places, with_echoes, model.profile), stamp_of(*scan, begin),
+                      begin);
+        } catch (const std::runtime_error& error) {
+            fail(replay, error.what());
+        }
+    }
+    if (tape->size() == 0) fail(replay, "holds no scan");
+    tape->end(period);
+    return tape;
+}
+
+}  // namespace scipd::daemon
