@@ -200,11 +200,11 @@ void Device::prepare(std::int64_t revolution) {
 }
 
 void Device::turn_complete(std::int64_t revolution) {
+    if (replay_) turn_as_recorded(revolution + 1);
     if (hook_ != nullptr) {
         hook_->turn(revolution);
         if (hook_ != nullptr && !hook_->serves(revolution)) return tell_clients();
     }
-    if (replay_) turn_as_recorded(revolution + 1);
     if (!shows(revolution)) return tell_clients();
     std::vector<ServedClient*> takers;
     for (ServedClient* client : clients_) {

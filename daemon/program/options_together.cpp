@@ -18,6 +18,7 @@ std::string key_of(const CLI::Option& option) {
     std::ranges::replace(name, '-', '_');
     if (name == "name") return sensor;
     if (name == "sensor_from") return sensor + ".mount.sensor";
+    if (name == "loop") return sensor + ".replay.loop";
     if (option.get_group() == robot_title) return robot + '.' + name;
     return option.get_group() == scanner_title ? sensor + '.' + name : "";
 }

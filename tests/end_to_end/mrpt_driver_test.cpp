@@ -12,10 +12,12 @@
 #include <numbers>
 #include <optional>
 #include <ostream>
+#include <set>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/end_to_end/square_room.h"
 #include "tests/support/daemon_process.h"
@@ -98,6 +100,53 @@ TEST_P(MrptDriverTest, TellsWhatReturnsNothing) {
         if (!meets_wall) continue;
         EXPECT_NEAR(scan.getScanRange(beam), 2.0 / std::cos(bearing_rad), tolerance_m);
     }
+}
+
+/// What the recorded scan of this number has at this beam, in mm.
+int recorded_mm(int scan, int beam) {
+    return 300 + (17 * beam + 401 * scan) % 3000;
+}
+
+std::string recording_of(const Product& product, int scans) {
+    std::string lines;
+    for (int scan = 0; scan < scans; ++scan) {
+        nlohmann::json line{{"model", product.name},
+                            {"stamp_ms", 16'777'000 + 100 * scan},
+                            {"first_step", product.first_step},
+                            {"cluster", 1}};
+        for (int beam = 0; beam < product.beams(); ++beam)
+            line["distances_mm"].push_back(recorded_mm(scan, beam));
+        lines += line.dump() + "\n";
+    }
+    return lines;
+}
+
+TEST_P(MrptDriverTest, ReadsARecordingAsItWas) {
+    constexpr int scans = 7;
+    const auto file = directory_.write("recorded.jsonl", recording_of(product(), scans));
+    DaemonProcess daemon(directory_, {"--replay", file, "--loop", "on", "--tcp",
+                                      link() == Link::tcp ? "127.0.0.1:0" : "none", "--pty",
+                                      link() == Link::tty ? "auto" : "none"});
+    ASSERT_NE(daemon.ready_line(), "") << daemon.standard_error();
+    MrptDriver driver(daemon, link());
+    std::set<int> seen;
+    for (int i = 0; i < 2 * scans; ++i) {
+        const Scan scan = driver.next_scan();
+        expect_shape(scan, product());
+        const auto is_scan = [&](int number) {
+            return std::lround(1000.0 * scan.getScanRange(0)) == recorded_mm(number, 0);
+        };
+        int number = 0;
+        while (number < scans && !is_scan(number))
+            ++number;
+        ASSERT_LT(number, scans) << scan.getScanRange(0);
+        seen.insert(number);
+        for (int beam = 0; beam < product().beams(); ++beam) {
+            ASSERT_EQ(std::lround(1000.0 * scan.getScanRange(beam)), recorded_mm(number, beam))
+                << "beam " << beam;
+        }
+    }
+    EXPECT_GT(seen.size(), 3U);
 }
 
 std::string name_of(const testing::TestParamInfo<Setup>& test) {

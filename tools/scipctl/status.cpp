@@ -52,7 +52,7 @@ void print_sensors(const Json& sensors) {
 
 void print_status(const Json& status) {
     const Json poses = status.value("poses", Json());
-    std::cout << "scene   " << text(status, "scene") << '\n'
+    std::cout << "scene   " << (status.at("scene") == "" ? "none" : text(status, "scene")) << '\n'
               << "clock   " << text(status, "clock") << ", " << text(status, "time_s")
               << " s; up for " << text(status, "uptime_s") << " s\n"
               << "poses   " << text(poses, "accepted") << " accepted, " << text(poses, "refused")
