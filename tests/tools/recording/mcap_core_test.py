@@ -37,8 +37,8 @@ class McapCore(unittest.TestCase):
 
     def record(self, *options):
         file = self.folder / "room.mcap"
-        with subprocess.Popen([SCIPD, "--tcp", "127.0.0.1:0", "--pty", "none", "--control", self.folder / "control.sock"],
-                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as scipd:
+        command = [SCIPD, "--tcp", "127.0.0.1:0", "--pty", "none", "--control", self.folder / "control.sock"]
+        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as scipd:
             try:
                 tcp = json.loads(scipd.stdout.readline())["sensors"][0]["tcp"]
                 run(SCIPCAT, "record", "tcp://" + tcp, "-o", file, "-n", 60, *options)

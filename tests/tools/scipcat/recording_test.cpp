@@ -13,7 +13,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "daemon/models/registry.h"
+#include "daemon/models/model_registry.h"
 #include "tests/sim/recording/recordings.h"
 #include "tests/support/temp_dir.h"
 #include "tests/tools/scipcat/room.h"
