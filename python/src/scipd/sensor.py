@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: Apache-2.0
+# Copyright The scipd authors
+"""A sensor of a running scipd: where it listens, what it sends, and what was true."""
+
+from __future__ import annotations
+
+import json
+import time
+from typing import Any, Dict, List, Optional, Tuple
+
+from .clock import Clock
+from .control import Control, quoted
+from .errors import NoScan, Refused, ScipdError
+from .line import Line, Meanwhile
+from .scan import Scan, Truth, angles_of
+from .scip import Parameters, parameters_of, scan_request, status_of, values_of
+from .websocket import WebSocket, WebSocketClosed
+
+# In lockstep time goes on so far at once, while somebody waits for a scan: less than a turn of any scanner.
+_TURN_S = 0.02
+# A scanner whose TCP port somebody else uses lets a second client wait.
+_IS_FREE_S = 1.0
+# Those of a second, of the fastest scanner.
+_MOST_TURNS_KEPT = 100
+
+
+class Sensor:
+    def __init__(self, control: Control, clock: Clock, told: Dict[str, Any]) -> None:
+        """`told`: of the ready line."""
+        self._control = control
+        self._clock = clock
+        self.name: str = told["name"]
+        self.model: str = told["model"]
+        host, _, port = (told.get("tcp") or "").rpartition(":")
+        self.host: Optional[str] = host or None
+        self.port: Optional[int] = int(port) if port else None
+        self.tty: Optional[str] = told.get("pty")
+        self._parameters: Optional[Parameters] = None
+        self._has_intensities = True  # until it has refused them
+        self._turn: Optional[Tuple[int, int]] = None  # the step that looks ahead, and how many there are in a turn
+
+    @property
+    def is_scanner(self) -> bool:
+        return self.port is not None or self.tty is not None
+
+    @property
+    def status(self) -> Dict[str, Any]:
+        """How it is doing, as the control API tells it."""
+        status: Dict[str, Any] = self._control.get(f"/sensors/{quoted(self.name)}")
+        return status
+
+    def scan(self, timeout_s: float = 10.0) -> Scan:
+        """The next whole turn, over the wire as a driver gets it, with whatever goes wrong on purpose."""
+        meanwhile = self._meanwhile()
+        with self._line(meanwhile) as line:
+            try:
+                return self._scan_by(line, timeout_s, meanwhile)
+            except NoScan as error:
+                raise self._explained(error) from None
+
+    def truth(self, of: Optional[Scan] = None, timeout_s: float = 10.0) -> Truth:
+        """Of the next turn; or of a scan, if that is less than a second old. No driver notices it."""
+        if of is not None:
+            return self._truth_of(of)
+        path = f"/stream?sensor={quoted(self.name)}"
+        try:
+            stream = WebSocket(self._control.path, path)
+        except (OSError, WebSocketClosed) as error:
+            raise self._control.why_gone() from error
+        try:
+            return self._truth(self._next_scan(stream, timeout_s))
+        finally:
+            stream.close()
+
+    def keep_scans(self) -> None:
+        """For a minute scipd keeps the truth of the last second."""
+        try:
+            self._control.get(self._truth_path())
+        except Refused as refused:
+            if refused.status != 404:
+                raise
+
+    # From here on: scans.
+
+    def _meanwhile(self) -> Optional[Meanwhile]:
+        return (lambda: self._clock.run(_TURN_S)) if self._clock.leads else None
+
+    def _line(self, meanwhile: Optional[Meanwhile]) -> Line:
+        """By TCP where that is free, else by the tty."""
+        if self.port is None and self.tty is None:
+            raise ScipdError(f"{self.name} is no scanner that can be reached: it has neither TCP nor a tty")
+        if self.host is not None and self.port is not None:
+            nobody = self.status["clients"] == 0
+            line = Line.tcp((self.host, self.port))
+            if nobody or self._is_free(line, meanwhile):
+                return line
+            line.close()
+        if self.tty is None:
+            raise NoScan(f"{self.name} serves one TCP client at a time, and another one is connected: give it a tty "
+                         "(pty: auto), or ask for truth()")
+        return Line.tty(self.tty)
+
+    def _is_free(self, line: Line, meanwhile: Optional[Meanwhile]) -> bool:
+        try:
+            line.ask("VV", _IS_FREE_S, meanwhile)
+            return True
+        except NoScan:
+            return False
+
+    def _scan_by(self, line: Line, timeout_s: float, meanwhile: Optional[Meanwhile]) -> Scan:
+        self.keep_scans()
+        if self._parameters is None:
+            self._parameters = parameters_of(line.ask("PP", timeout_s, meanwhile))
+            self._turn = (self._parameters.front_step, self._parameters.steps_per_turn)
+        request = scan_request(self._parameters, self._has_intensities)
+        status = status_of(line.ask(request, timeout_s, meanwhile))
+        if self._has_intensities and status in ("0E", "0F"):
+            self._has_intensities = False
+            request = scan_request(self._parameters, False)
+            status = status_of(line.ask(request, timeout_s, meanwhile))
+        if status != "00":
+            raise NoScan(f"the scanner has answered {request} with {status}")
+        # Of a counted stream the echo has the scans that remain.
+        message = line.message(request[:-2], timeout_s, meanwhile)
+        if status_of(message) != "99":
+            raise NoScan(f"in the place of a scan came {status_of(message)}")
+        return self._scan_of(message)
+
+    def _scan_of(self, message: bytes) -> Scan:
+        parameters = self._parameters
+        assert parameters is not None
+        stamp_ms, sent_mm, intensities = values_of(message, self._has_intensities)
+        nearest, farthest = parameters.dmin_mm, parameters.dmax_mm
+        steps = range(parameters.first_step, parameters.first_step + len(sent_mm))
+        return Scan(self.name, [mm / 1000 if nearest <= mm <= farthest else None for mm in sent_mm], intensities,
+                    stamp_ms, angles_of(steps, parameters.front_step, parameters.steps_per_turn), sent_mm)
+
+    def _explained(self, error: NoScan) -> NoScan:
+        faults = [fault["kind"] for fault in self._control.get(f"/sensors/{quoted(self.name)}/faults")
+                  if fault["state"] == "active"]
+        wrong = f"; on purpose it has: {', '.join(faults)}" if faults else ""
+        return NoScan(f"{self.name} ({self.model}) has sent no scan: {error}. Its state is "
+                      f"'{self.status['state']}'{wrong}")
+
+    # From here on: the truth.
+
+    def _truth_path(self, scan: Optional[int] = None) -> str:
+        return f"/sensors/{quoted(self.name)}/truth" + ("" if scan is None else f"?scan={scan}")
+
+    def _next_scan(self, stream: WebSocket, timeout_s: float) -> int:
+        """The number of the first scan that begins after now."""
+        begin_s = self._clock.time_s
+        end = time.monotonic() + timeout_s
+        while True:
+            try:
+                message = json.loads(stream.receive(0.01 if self._clock.leads else max(0.01, end - time.monotonic())))
+                if message.get("time_s", -1) >= begin_s:
+                    if "front_step" in message:
+                        self._turn = (message["front_step"], message["steps_per_turn"])
+                    return int(message["scan"])
+            except TimeoutError:
+                if time.monotonic() > end:
+                    raise NoScan(f"{self.name} has measured nothing within {timeout_s} s; its state is "
+                                 f"'{self.status['state']}'") from None
+                if self._clock.leads:
+                    self._clock.run(_TURN_S)
+            except WebSocketClosed as error:
+                raise self._control.why_gone() from error
+
+    def _truth_of(self, scan: Scan) -> Truth:
+        latest = self._truth()
+        if latest.raw.get("stamp_ms") == scan.stamp_ms:
+            return latest
+        # Of turns that nobody wanted there is none.
+        for number in range(latest.scan - 1, latest.scan - _MOST_TURNS_KEPT, -1):
+            try:
+                truth = self._truth(number)
+            except Refused:
+                continue
+            if truth.raw.get("stamp_ms") == scan.stamp_ms:
+                return truth
+        raise ScipdError(f"scipd keeps no truth of the scan with the stamp {scan.stamp_ms} ms: ask within a second")
+
+    def _truth(self, scan: Optional[int] = None) -> Truth:
+        raw = self._control.get(self._truth_path(scan))
+        return Truth(self.name, raw["true_m"], raw["object"], raw["material"], self._angles(raw), raw["scan"],
+                     raw["time_s"], raw)
+
+    def _angles(self, raw: Dict[str, Any]) -> List[float]:
+        return angles_of(raw["steps"], *self._turn) if "steps" in raw and self._turn else []
