@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# Debian packages: `cpack` in the build folder of the release preset makes scipd, scipd-tools and libscipd-dev. Each is
-# the component of its name, and PACKAGE-debian. packaging/README.md tells what lies there.
+# Debian packages: `cpack` in the build folder of the release preset makes scipd, scipd-tools, libscipd-dev and
+# python3-scipd. Each is the component of its name, and PACKAGE-debian. packaging/README.md tells what lies there.
 
 set(SCIPD_MAINTAINER "" CACHE STRING "Who makes the packages: NAME <ADDRESS>")
 set(SCIPD_HOMEPAGE "" CACHE STRING "Where people find the sources")
@@ -18,7 +18,8 @@ execute_process(COMMAND date --utc --rfc-email --date ${package_date} OUTPUT_VAR
                 OUTPUT_STRIP_TRAILING_WHITESPACE)
 cmake_host_system_information(RESULT DISTRIB QUERY DISTRIB_INFO)
 configure_file(${packaging}/changelog.Debian.in ${made}/changelog.Debian @ONLY)
-foreach(package scipd scipd-tools libscipd-dev)
+set(packages scipd scipd-tools libscipd-dev python3-scipd)
+foreach(package ${packages})
   install(FILES ${packaging}/copyright ${made}/changelog.Debian DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
           COMPONENT ${package}-debian EXCLUDE_FROM_ALL)
   install(FILES ${CMAKE_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
@@ -28,13 +29,14 @@ foreach(package scipd scipd-tools libscipd-dev)
 endforeach()
 install(FILES ${packaging}/scipd/scipd.yaml DESTINATION /etc/scipd COMPONENT scipd-debian EXCLUDE_FROM_ALL)
 
-install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libscipd-dev COMPONENT libscipd-dev)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libscipd-dev COMPONENT libscipd-dev
+        PATTERN ci EXCLUDE PATTERN ros2 EXCLUDE)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 set(CPACK_COMPONENTS_ALL "")
-foreach(package scipd scipd-tools libscipd-dev)
+foreach(package ${packages})
   foreach(component ${package} ${package}-debian)
     list(APPEND CPACK_COMPONENTS_ALL ${component})
     string(TOUPPER ${component} component)
@@ -99,5 +101,20 @@ endif()
 list(JOIN needed ", " CPACK_DEBIAN_LIBSCIPD-DEV_PACKAGE_DEPENDS)
 # scipd-read reads worlds for programs, too.
 set(CPACK_DEBIAN_LIBSCIPD-DEV_PACKAGE_RECOMMENDS scipd)
+
+set(CPACK_DEBIAN_PYTHON3-SCIPD_PACKAGE_NAME python3-scipd)
+set(CPACK_DEBIAN_PYTHON3-SCIPD_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON3-SCIPD_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_PYTHON3-SCIPD_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_PYTHON3-SCIPD_DESCRIPTION "scipd for tests in Python, with a plugin for pytest
+A test starts laser scanners of its own, puts the robot anywhere, moves the
+world, and has a scanner fail in the middle of the run. All ends with the test.
+A failed test keeps the log, the conversation and a recording.")
+set(CPACK_DEBIAN_PYTHON3-SCIPD_PACKAGE_DEPENDS "python3:any (>= 3.9)")
+# It can use a scipd that lies elsewhere.
+set(CPACK_DEBIAN_PYTHON3-SCIPD_PACKAGE_RECOMMENDS scipd)
+set(CPACK_DEBIAN_PYTHON3-SCIPD_PACKAGE_SUGGESTS python3-pytest)
+set(CPACK_DEBIAN_PYTHON3-SCIPD_PACKAGE_CONTROL_EXTRA
+    ${packaging}/python3-scipd/postinst ${packaging}/python3-scipd/prerm)
 
 include(CPack)

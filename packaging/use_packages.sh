@@ -39,16 +39,18 @@ prepare() {
         apt_get satisfy "$(dpkg-deb -f $first/${package}_*.deb Depends Recommends |
             sed -n 's/^[A-Za-z]*: //p' | paste -sd, | sed 's/, scipd\(-tools\)\?//')"
     done
-    apt_get satisfy --no-install-recommends "$(dpkg-deb -f $first/libscipd-dev_*.deb Depends)"
+    for package in libscipd-dev python3-scipd; do
+        apt_get satisfy --no-install-recommends "$(dpkg-deb -f $first/${package}_*.deb Depends)"
+    done
     # What this test uses beside them.
-    apt_get install --no-install-recommends cmake g++ make man-db bash-completion
+    apt_get install --no-install-recommends cmake g++ make man-db bash-completion python3-pytest
     files >/packages/before
     users >/packages/users-before
 }
 
 install() {
     apt_get install $first/*.deb
-    for package in scipd scipd-tools libscipd-dev; do
+    for package in scipd scipd-tools libscipd-dev python3-scipd; do
         [ "$(dpkg-query -W -f '${Status}' $package)" = 'install ok installed' ] || fail "$package is not installed"
     done
     for file in bash-completion/completions/scipctl zsh/vendor-completions/_scipcat fish/vendor_completions.d/scipd.fish; do
@@ -98,8 +100,19 @@ use() {
     scipctl --control /run/scipd/control.sock status | grep -q rescue/front || fail "scipctl status shows no scanner"
     page | grep -q '<title>scipd' || fail "there is no live page"
     stop_scipd
+    test_with_pytest
     scipbench compare --scene /usr/share/scipd/scenes/square_room.sdf --poses 3 --light | grep -q embree ||
         fail "scipbench compares nothing"
+}
+
+# As docs/testing.md has it, by the plugin that pytest finds itself.
+test_with_pytest() {
+    cat >/tmp/test_wall.py <<'END'
+def test_it_sees_the_walls(scipd):
+    daemon = scipd(world="/usr/share/scipd/scenes/square_room.sdf", accuracy="ideal")
+    assert daemon.scan().at(0) == 3.0
+END
+    pytest -q -p no:cacheprovider /tmp/test_wall.py >/tmp/pytest || fail "pytest fails: $(cat /tmp/pytest)"
 }
 
 build_example() {
@@ -128,7 +141,7 @@ purge() {
     gpasswd -a daemon scipd >/dev/null
     apt_get remove scipd
     grep -q 'model: UST-20LX' /etc/scipd/scipd.yaml || fail "removing it without purging takes the configuration away"
-    apt_get purge scipd scipd-tools libscipd-dev
+    apt_get purge scipd scipd-tools libscipd-dev python3-scipd
     files >/packages/after
     diff /packages/before /packages/after || fail "the packages leave files behind"
     users | diff /packages/users-before - || fail "the packages leave a user behind"
@@ -163,7 +176,7 @@ serve() {
     systemctl disable -q --now scipd.service
     apt_get install --reinstall $next/*.deb
     if systemctl is-active -q scipd.service; then fail "a service that was disabled runs after an upgrade"; fi
-    apt_get purge scipd scipd-tools libscipd-dev
+    apt_get purge scipd scipd-tools libscipd-dev python3-scipd
     left=$(
         find / -xdev \( -path /packages -o -path /var/cache \) -prune -o -name '*scipd*' -print
         find /run -name '*scipd*'

@@ -10,8 +10,8 @@ import shutil
 
 from .errors import ScipdNotFound
 
-# Where this file lies in the sources: ROOT/python/src/scipd/program.py.
-_ROOT = pathlib.Path(__file__).resolve().parents[3]
+# In the sources this file is ROOT/python/src/scipd/program.py.
+_ROOT = pathlib.Path(__file__).resolve().parent.parent.parent.parent
 # What a user would most likely mean comes first.
 _PRESETS = ("release", "ci", "dev")
 
