@@ -92,8 +92,12 @@ class Reader:
         for name in ("docs", "run", "tmp"):
             (folder / name).mkdir(mode=0o700)
         self.environment = {**os.environ, "PATH": f"{programs}:{os.environ['PATH']}", "HOME": str(folder),
-                            "XDG_RUNTIME_DIR": str(folder / "run")}
-        self.environment.pop("RUNTIME_DIRECTORY", None)
+                            "XDG_RUNTIME_DIR": str(folder / "run"),
+                            # The package for Python as if it were installed.
+                            "PYTHONPATH": str(sources / "python" / "src"), "PYTHONDONTWRITEBYTECODE": "1",
+                            "PYTEST_ADDOPTS": "-p scipd.pytest_plugin -p no:cacheprovider"}
+        for name in ("RUNTIME_DIRECTORY", "SCIPD"):
+            self.environment.pop(name, None)
 
     def start(self, command, errors, output):
         return subprocess.Popen(["bash", "-euo", "pipefail", "-c", command.replace("/tmp/", f"{self.folder}/tmp/")],
