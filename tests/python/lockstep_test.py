@@ -3,6 +3,7 @@
 #
 # Time that a test has go on.
 import hashlib
+import json
 import socket
 import threading
 import time
@@ -122,3 +123,12 @@ def test_a_simulator_leads_time_by_its_own_poses(scipd, room):
     finally:
         stopped.set()
         simulator.join()
+
+
+def test_time_waits_for_a_recording(scipd, room, tmp_path):
+    daemon = scipd(world=room, clock="poses")
+    with daemon.record(tmp_path / "run.jsonl") as recording:
+        daemon.clock.run(20)
+    numbers = [json.loads(line)["scan"] for line in (tmp_path / "run.jsonl").read_text().splitlines()]
+    assert numbers == list(range(numbers[0], numbers[0] + recording.scans)) and len(numbers) > 780
+    assert daemon.sensor().status["stream_lost"] == 0

@@ -8,7 +8,7 @@ Poses are set here too, since in lockstep they are the stamps.
 from __future__ import annotations
 
 import time
-from typing import Dict, List, Optional, Tuple
+from typing import Callable, Dict, List, Optional, Tuple
 
 from .control import Control, quoted
 from .drive import Drive, LockstepDrive, WallDrive
@@ -38,6 +38,7 @@ class Clock:
         self._control = control
         self._robots = robots
         self._drives: Dict[str, Drive] = {}
+        self._slow: List[Callable[[], None]] = []
 
     @property
     def time_s(self) -> float:
@@ -58,6 +59,10 @@ class Clock:
         self._end_drive(robot)
         self._drives[robot] = WallDrive(self._control.path, robot, trajectory)
         return self._drives[robot]
+
+    def go_with(self, catch_up: Callable[[], None]) -> None:
+        """In lockstep time waits for this at each step: a recording that falls behind would lose scans."""
+        self._slow.append(catch_up)
 
     def close(self) -> None:
         for robot in list(self._drives):
@@ -102,7 +107,7 @@ class LockstepClock(Clock):
             self._now_us = min(end_us, self._next_stop_us())
             self._say()
             steps += 1
-            if steps % _STEPS_AHEAD == 0 or self._now_us == end_us:
+            if self._slow or steps % _STEPS_AHEAD == 0 or self._now_us == end_us:
                 self._settle()
 
     def place(self, kind: str, name: str, pose: Pose) -> None:
@@ -161,6 +166,8 @@ class LockstepClock(Clock):
         self._say(1)
         wait_for_time(self, stamp_us / 1e6)
         self._stamps.check()
+        for catch_up in self._slow:
+            catch_up()
         for robot, (since_us, trajectory) in list(self._moving.items()):
             if (self._now_us - since_us) / 1e6 >= trajectory.seconds:
                 self._rest(robot)

@@ -183,12 +183,14 @@ class Scipd:
         """Writes all scans from now on into FILE.mcap or FILE.jsonl, until stop() or close()."""
         recording = Recording(self.control, path, None if sensor is None else self.sensor(sensor).name)
         self._recordings.append(recording)
+        self.clock.go_with(recording.catch_up)
         return recording
 
     def keep_last(self, seconds: float) -> None:
         """From now on save() has the scans of so many last seconds."""
         if self._last is None:
             self._last = LastScans(self.control, seconds)
+            self.clock.go_with(self._last.catch_up)
 
     def save(self, folder: PathLike) -> List[pathlib.Path]:
         """Writes log, wire and the last scans there, also after close()."""

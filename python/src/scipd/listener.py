@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import threading
+import time
 from typing import Callable
 
 from .websocket import WebSocket, WebSocketClosed
@@ -25,6 +26,12 @@ class Listener:
                 self._hear(self._socket.receive())
         except WebSocketClosed:
             pass
+
+    def catch_up(self) -> None:
+        """Returns when all that has come is heard."""
+        for _ in range(2):  # between coming and being heard a message is nowhere to be seen for a moment
+            while self._thread.is_alive() and not self._socket.is_idle:
+                time.sleep(0.0002)
 
     def send(self, text: str) -> None:
         """Raises WebSocketClosed."""

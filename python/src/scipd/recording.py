@@ -90,6 +90,9 @@ class Recording:
         """How many it has written."""
         return self._file.scans
 
+    def catch_up(self) -> None:
+        self._listener.catch_up()
+
     def stop(self) -> None:
         self._listener.close()
         with self._lock:
@@ -126,6 +129,9 @@ class LastScans:
         finally:
             file.close()
         return file.scans
+
+    def catch_up(self) -> None:
+        self._listener.catch_up()
 
     def close(self) -> None:
         self._listener.close()

@@ -68,7 +68,8 @@ class Sensor:
         except (OSError, WebSocketClosed) as error:
             raise self._control.why_gone() from error
         try:
-            return self._truth(self._next_scan(stream, timeout_s))
+            self._wait_for_scan(stream, timeout_s)
+            return self._truth()  # of that turn, or of one after it
         finally:
             stream.close()
 
@@ -147,8 +148,8 @@ class Sensor:
     def _truth_path(self, scan: Optional[int] = None) -> str:
         return f"/sensors/{quoted(self.name)}/truth" + ("" if scan is None else f"?scan={scan}")
 
-    def _next_scan(self, stream: WebSocket, timeout_s: float) -> int:
-        """The number of the first scan that begins after now."""
+    def _wait_for_scan(self, stream: WebSocket, timeout_s: float) -> None:
+        """Until there is one that begins after now."""
         begin_s = self._clock.time_s
         end = time.monotonic() + timeout_s
         while True:
@@ -157,7 +158,7 @@ class Sensor:
                 if message.get("time_s", -1) >= begin_s:
                     if "front_step" in message:
                         self._turn = (message["front_step"], message["steps_per_turn"])
-                    return int(message["scan"])
+                    return
             except TimeoutError:
                 if time.monotonic() > end:
                     raise NoScan(f"{self.name} has measured nothing within {timeout_s} s; its state is "

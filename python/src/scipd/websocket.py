@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import base64
 import os
+import select
 import socket
 import struct
 import threading
@@ -29,12 +30,21 @@ class WebSocket:
         self._socket = connect(path, _CONNECT_S)
         self._sending = threading.Lock()
         self._unread = b""
+        self._waits = False
         try:
             self._shake_hands(target)
         except BaseException:
             self._socket.close()
             raise
         self._socket.settimeout(None)
+
+    @property
+    def is_idle(self) -> bool:
+        """Whether whoever reads waits for something that has not come."""
+        try:
+            return self._waits and not select.select([self._socket], [], [], 0)[0]
+        except (OSError, ValueError):  # closed
+            return True
 
     def send(self, text: str) -> None:
         self._send(_TEXT, text.encode())
@@ -109,11 +119,14 @@ class WebSocket:
 
     def _read_more(self) -> None:
         try:
+            self._waits = True
             more = self._socket.recv(1 << 18)
         except socket.timeout as error:  # no TimeoutError before Python 3.10
             raise TimeoutError from error
         except OSError as error:
             raise WebSocketClosed(str(error)) from error
+        finally:
+            self._waits = False
         if not more:
             raise WebSocketClosed("the connection has ended")
         self._unread += more
