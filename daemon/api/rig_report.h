@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// How a rig is doing, which is all sensors of this daemon, and what it has counted: told as /status,
-// as metrics and to systemd. Values; any thread.
+// How a rig is doing, which is all sensors of this daemon, and what it has counted. It is told as
+// /status, as metrics and to systemd. Values; any thread.
 #pragma once
 
 #include <chrono>

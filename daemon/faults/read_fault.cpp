@@ -32,6 +32,7 @@ using sim::Expected;
 constexpr std::array<std::string_view, 7> keys_of_all{"kind",  "at",     "for", "until",
                                                       "every", "jitter", "seed"};
 constexpr std::size_t longest_fault = 16 << 10;
+constexpr const char* quoted = "!";  ///< the tag of a text in quotes
 constexpr int most_scans = 999'999'999;
 constexpr int most_requests = 1'000'000;
 
@@ -199,15 +200,10 @@ Json said_by(const YAML::Node& node) {
             said.push_back(said_by(item));
         return said;
     }
-    constexpr const char* quoted = "!";
     if (node.Tag() == quoted) return node.Scalar();
     said = Json::parse(node.Scalar(), nullptr, false);
     if (said.is_number() || said.is_boolean()) return said;
     return node.Scalar();
-}
-
-std::string text_of_json(const Json& json, bool ascii) {
-    return json.dump(-1, ' ', ascii, Json::error_handler_t::replace);
 }
 
 void require_an_end(const Section& section, const FaultPlan& plan, Faults& faults) {
@@ -218,19 +214,25 @@ void require_an_end(const Section& section, const FaultPlan& plan, Faults& fault
         faults.add(*every, "needs for or until: what does not end does not begin again");
 }
 
-/// A key that stands twice in one object. JSON leaves open which of its values counts.
-std::optional<std::string> repeated_key(const std::string& json) {
-    std::vector<std::set<std::string>> open;
-    std::optional<std::string> repeated;
-    const auto look = [&](int, Json::parse_event_t event, const Json& value) {
-        if (event == Json::parse_event_t::object_start) open.emplace_back();
-        if (event == Json::parse_event_t::object_end) open.pop_back();
-        if (event == Json::parse_event_t::key && !open.back().insert(value).second)
-            repeated = value.get<std::string>();
-        return true;
-    };
-    [[maybe_unused]] const Json parsed = Json::parse(json, look);
-    return repeated;
+/// As if it had been read from YAML, which tells "1" from 1 by its quotes.
+YAML::Node yaml_of(const Json& json) {
+    if (json.is_object()) {
+        YAML::Node map{YAML::NodeType::Map};
+        for (const auto& [key, value] : json.items())
+            map.force_insert(key, yaml_of(value));
+        return map;
+    }
+    if (json.is_array()) {
+        YAML::Node list{YAML::NodeType::Sequence};
+        for (const Json& item : json)
+            list.push_back(yaml_of(item));
+        return list;
+    }
+    if (json.is_null()) return YAML::Node{YAML::NodeType::Null};
+    if (!json.is_string()) return YAML::Node{json.dump()};
+    YAML::Node text{json.get_ref<const std::string&>()};
+    text.SetTag(quoted);
+    return text;
 }
 
 }  // namespace
@@ -252,26 +254,23 @@ std::optional<FaultPlan> read_fault(const Field& map, std::span<const std::strin
     for (const std::string_view key : also)
         said.erase(std::string(key));
     constexpr bool ascii = true;
-    plan.said = text_of_json(said, ascii);
+    plan.said = said.dump(-1, ' ', ascii, Json::error_handler_t::replace);
     return plan;
 }
 
 Expected<FaultPlan> parse_fault(const std::string& json, const FaultKinds& kinds) {
     if (json.size() > longest_fault) return sim::refuse("must be at most 16 KiB");
-    const auto object = sim::parse_small_json(json);
+    const auto object = sim::parse_ordered_json(json);
+    if (!object && !object.error().field.empty()) return tl::unexpected(object.error());
     if (!object) return sim::refuse("must be a JSON object: " + object.error().why);
     if (!object->is_object())
         return sim::refuse(R"(must be a JSON object such as {"kind":"reboot"})");
-    if (const auto key = repeated_key(json)) return sim::refuse(*key, "is given twice");
     Faults faults{"fault"};
     try {
-        // Written anew: YAML knows no pairs of surrogates, and its tabs are no blanks.
-        constexpr bool ascii = false;
-        const std::string yaml = text_of_json(Json::parse(json), ascii);
-        const Field whole{{}, {}, 1, parse_document(yaml, faults)};
-        if (auto plan = read_fault(whole, {}, faults, kinds)) return *std::move(plan);
+        if (auto plan = read_fault({{}, {}, 1, yaml_of(*object)}, {}, faults, kinds))
+            return *std::move(plan);
     } catch (const ConfigError&) {
-        // The faults have it: there were too many, or JSON that is no YAML.
+        // The faults have it: there were too many.
     }
     return tl::unexpected(*faults.first());
 }

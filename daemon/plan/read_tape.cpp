@@ -191,7 +191,8 @@ std::optional<Model> named_in(const std::string& text) {
     return found;
 }
 
-sim::Lidar lidar_of(const RecordedScan& scan, const sim::ScannerIdentity& identity, double rate_hz) {
+sim::Lidar lidar_of(const RecordedScan& scan, const sim::ScannerIdentity& identity,
+                    double rate_hz) {
     const double first_rad = *scan.directions.first_rad;
     const double increment_rad = *scan.directions.increment_rad;
     return {.samples = static_cast<int>(scan.steps()),

@@ -109,15 +109,7 @@ void add_robot(CLI::App& app, OptionValues& said) {
         });
 }
 
-void add_scanner(CLI::App& app, OptionValues& said) {
-    Group group{app, scanner_title};
-    SensorConfig& sensor = said.sensor;
-    group.add("--model", "MODEL",
-              "one of --list-models; default: UST-10LX, or the one that fits --sensor-from best",
-              [&](const auto& text) {
-                  said.model_given = true;
-                  return put(parse_model(text), sensor.model);
-              });
+void add_replay(Group& group, SensorConfig& sensor) {
     group.add("--replay", "FILE",
               "play this recording in place of a world: MCAP, UBH, CSV, JSON lines, bags of ROS, "
               "logs of CARMEN and Player, .npy or pcap; default: none",
@@ -136,6 +128,18 @@ void add_scanner(CLI::App& app, OptionValues& said) {
         ->expected(0, 1)
         ->default_str("true")
         ->needs("--replay");
+}
+
+void add_scanner(CLI::App& app, OptionValues& said) {
+    Group group{app, scanner_title};
+    SensorConfig& sensor = said.sensor;
+    group.add("--model", "MODEL",
+              "one of --list-models; default: UST-10LX, or the one that fits --sensor-from best",
+              [&](const auto& text) {
+                  said.model_given = true;
+                  return put(parse_model(text), sensor.model);
+              });
+    add_replay(group, sensor);
     group.add("--mount", "X,Y,Z,R,P,Y",
               "where it sits on the robot, or the NAME of a link, frame or sensor of the world; "
               "default: 0.25 m up in the maze, else at the origin",

@@ -14,21 +14,27 @@
 namespace scipd::sim {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr std::size_t deepest_json = 8;
 
 /// The library's own words, without its name and number in brackets.
-std::string words_of(const Json::exception& error) {
+std::string words_of(const nlohmann::detail::exception& error) {
     const std::string_view text = error.what();
     const auto bracket = text.find("] ");
     return printable(bracket == text.npos ? text : text.substr(bracket + 2));
 }
 
 /// Builds the document. Each function returns whether to read on.
+template <class Json>
 class SmallJsonReader : public nlohmann::json_sax<Json> {
   public:
-    explicit SmallJsonReader(int most_values) : most_values_(most_values) {}
+    SmallJsonReader(int most_values, bool each_key_once)
+        : most_values_(most_values), each_key_once_(each_key_once) {}
+
+    using typename nlohmann::json_sax<Json>::number_integer_t;
+    using typename nlohmann::json_sax<Json>::number_unsigned_t;
+    using typename nlohmann::json_sax<Json>::number_float_t;
+    using typename nlohmann::json_sax<Json>::string_t;
+    using typename nlohmann::json_sax<Json>::binary_t;
 
     bool null() override { return take(nullptr); }
     bool boolean(bool value) override { return take(value); }
@@ -44,26 +50,31 @@ class SmallJsonReader : public nlohmann::json_sax<Json> {
     bool end_array() override { return close(); }
     bool key(string_t& name) override {
         if (!fits()) return false;
+        if (each_key_once_ && open_.back()->contains(name)) {
+            fault_ = {name, "is given twice"};
+            return false;
+        }
         member_ = &(*open_.back())[name];
         return true;
     }
 
-    bool parse_error(std::size_t, const std::string&, const Json::exception& error) override {
-        why_ = "not JSON: " + words_of(error);
+    bool parse_error(std::size_t, const std::string&,
+                     const nlohmann::detail::exception& error) override {
+        fault_.why = "not JSON: " + words_of(error);
         return false;
     }
 
     [[nodiscard]] Json& document() { return document_; }
     /// Once it has stopped early.
-    [[nodiscard]] const std::string& why() const { return why_; }
+    [[nodiscard]] const Fault& fault() const { return fault_; }
 
   private:
     bool fits() {
         if (open_.size() > deepest_json)
-            why_ = "nests deeper than " + std::to_string(deepest_json) + " levels";
+            fault_.why = "nests deeper than " + std::to_string(deepest_json) + " levels";
         else if (++values_ > most_values_)
-            why_ = "has more than " + std::to_string(most_values_) + " keys and values";
-        return why_.empty();
+            fault_.why = "has more than " + std::to_string(most_values_) + " keys and values";
+        return fault_.why.empty();
     }
 
     bool take(Json&& value) {
@@ -90,19 +101,29 @@ class SmallJsonReader : public nlohmann::json_sax<Json> {
     }
 
     int most_values_;
+    bool each_key_once_;
     int values_ = 0;
     Json document_;
     std::vector<Json*> open_;  ///< objects and arrays that have not ended, each within the last
     Json* member_ = nullptr;   ///< of the innermost object: the next value is for it
-    std::string why_;
+    Fault fault_;
 };
+
+template <class Json>
+Expected<Json> parse(std::string_view text, int most_values, bool each_key_once) {
+    SmallJsonReader<Json> reader(most_values, each_key_once);
+    if (!Json::sax_parse(text, &reader)) return tl::unexpected(reader.fault());
+    return std::move(reader.document());
+}
 
 }  // namespace
 
-Expected<Json> parse_small_json(std::string_view text, int most_values) {
-    SmallJsonReader reader(most_values);
-    if (!Json::sax_parse(text, &reader)) return refuse(reader.why());
-    return std::move(reader.document());
+Expected<nlohmann::json> parse_small_json(std::string_view text, int most_values) {
+    return parse<nlohmann::json>(text, most_values, false);
+}
+
+Expected<nlohmann::ordered_json> parse_ordered_json(std::string_view text, int most_values) {
+    return parse<nlohmann::ordered_json>(text, most_values, true);
 }
 
 }  // namespace scipd::sim

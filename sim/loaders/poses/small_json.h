@@ -17,4 +17,8 @@ namespace scipd::sim {
 /// values than `most_values`, keys and ends of lists counted.
 Expected<nlohmann::json> parse_small_json(std::string_view text, int most_values = 256);
 
+/// As above, with members in the order of the text. Refuses a key that stands twice in one object,
+/// with its name as the field: JSON leaves open which of its values counts.
+Expected<nlohmann::ordered_json> parse_ordered_json(std::string_view text, int most_values = 256);
+
 }  // namespace scipd::sim

@@ -129,8 +129,11 @@ RigReport busy_report() {
     front.counts.casts = {{"embree", {4001, {}}}, {"depth", {2, {}}}};
     front.counts.lost = 2;
     front.stream_lost = 3;
-    for (const auto late : {20us, 20us, 20us, 20us, 20us, 20us, 20us, 100us, 100us, 100us, 140'000us})
-        front.counts.lateness.add(late);
+    for (int i = 0; i < 7; ++i)
+        front.counts.lateness.add(20us);
+    for (int i = 0; i < 3; ++i)
+        front.counts.lateness.add(100us);
+    front.counts.lateness.add(140ms);
     front.counts_before.scans = 5;
     SensorReport rear;
     rear.name = "rescue/rear";
