@@ -7,8 +7,8 @@
 
 #include "sim/loaders/file/load_error.h"
 #include "tools/options.h"
+#include "tools/output_file.h"
 #include "tools/scipbench/measure_capacity.h"
-#include "tools/scipbench/output_file.h"
 #include "tools/scipbench/setup_options.h"
 
 namespace scipd::tools {

@@ -11,8 +11,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/output_file.h"
 #include "tools/scipbench/free_port.h"
-#include "tools/scipbench/output_file.h"
 
 namespace scipd::tools {
 namespace {

@@ -22,6 +22,7 @@
 #include "sim/sensor/scanner.h"
 #include "tools/completion_command.h"
 #include "tools/options.h"
+#include "tools/output_file.h"
 #include "tools/scipbench/capacity_command.h"
 #include "tools/scipbench/chart.h"
 #include "tools/scipbench/compare.h"
@@ -29,7 +30,6 @@
 #include "tools/scipbench/load.h"
 #include "tools/scipbench/lockstep_command.h"
 #include "tools/scipbench/machine.h"
-#include "tools/scipbench/output_file.h"
 #include "tools/scipbench/table3.h"
 #include "tools/scipbench/table4.h"
 

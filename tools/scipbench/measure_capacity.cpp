@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "daemon/models/model_registry.h"
+#include "tools/output_file.h"
 #include "tools/scipbench/capacity.h"
 #include "tools/scipbench/capacity_chart.h"
 #include "tools/scipbench/capacity_report.h"
@@ -17,7 +18,6 @@
 #include "tools/scipbench/capacity_stages.h"
 #include "tools/scipbench/capacity_world.h"
 #include "tools/scipbench/machine.h"
-#include "tools/scipbench/output_file.h"
 
 namespace scipd::tools {
 namespace {

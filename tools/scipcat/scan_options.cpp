@@ -49,11 +49,14 @@ void ConnectionOptions::add_to(CLI::App& command, Targets targets) {
         ->capture_default_str();
 }
 
+std::chrono::milliseconds ConnectionOptions::patience() const {
+    return std::chrono::duration_cast<std::chrono::milliseconds>(
+        std::chrono::duration<double>(timeout_s));
+}
+
 // A scan may take a tenth of a second longer than an answer.
 ConnectedScanner ConnectionOptions::open(TappedTransport::Listener listener) const {
-    using std::chrono::duration;
-    using std::chrono::milliseconds;
-    const auto answer = std::chrono::duration_cast<milliseconds>(duration<double>(timeout_s));
+    const auto answer = patience();
     const OpenOptions open_options{.connect_timeout = 3 * answer, .baud = baud};
     return {parse_target(target),
             open_options,

@@ -5,6 +5,7 @@
 // of a scan to ask for.
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,8 @@ struct ConnectionOptions {
     double timeout_s = 1.0;
 
     void add_to(CLI::App& command, Targets targets = Targets::scanners);
+    /// How long to wait for an answer.
+    [[nodiscard]] std::chrono::milliseconds patience() const;
     [[nodiscard]] ConnectedScanner open(TappedTransport::Listener listener = {}) const;
 };
 

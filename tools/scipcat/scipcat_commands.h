@@ -15,4 +15,7 @@ void add_record_command(CLI::App& program);
 /// `scipcat plot TARGET [-o FILE.png|FILE.svg]`: draws one scan from above.
 void add_plot_command(CLI::App& program);
 
+/// `scipcat check TARGET`: holds a scanner to a numbered list of what SCIP promises.
+void add_check_command(CLI::App& program);
+
 }  // namespace scipd::tools

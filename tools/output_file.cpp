@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipbench/output_file.h"
+#include "tools/output_file.h"
 
 #include <filesystem>
 #include <system_error>
