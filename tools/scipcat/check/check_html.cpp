@@ -8,9 +8,9 @@ namespace scipd::tools::checks {
 namespace {
 
 constexpr std::string_view page_head = R"(<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="color-scheme" content="light dark">
+<html lang="en"><head><meta charset="utf-8"/>
+<meta name="viewport" content="width=device-width, initial-scale=1"/>
+<meta name="color-scheme" content="light dark"/>
 <style>
 :root { --ink: #1a212b; --paper: #fff; --faint: #616d7d; --rule: #c7cfd6; --shade: #f4f6f8;
         --pass: #1a7f37; --fail: #cf222e; --differs: #9a6700; }
@@ -23,7 +23,7 @@ table { border-collapse: collapse; width: 100%; }
 td { border-top: 1px solid var(--rule); padding: .3rem .6rem .3rem 0; vertical-align: top; }
 td:nth-child(1) { width: 3rem; } td:nth-child(2) { width: 8rem; font-weight: 600; }
 .pass { color: var(--pass); } .fail { color: var(--fail); } .differs { color: var(--differs); }
-.not, small { color: var(--faint); } small { display: block; }
+.not, small, summary { color: var(--faint); } small { display: block; } summary { font-size: .8rem; }
 pre { background: var(--shade); padding: .5rem; margin: .3rem 0; white-space: pre-wrap;
       overflow-wrap: anywhere; }
 </style>
@@ -35,10 +35,13 @@ std::string html_row(const Result& result) {
     std::string text = "<tr id=\"c" + std::string(result.check->id) + "\"><td>" +
                        std::string(result.check->id) + "</td><td class=\"" + verdict + "\">" +
                        verdict + "</td><td>" + entities(result.check->title);
-    if (!finding.why.empty()) text += "<br>" + entities(finding.why);
+    if (!finding.why.empty()) text += "<br/>" + entities(finding.why);
     text += "<small>" + entities(result.check->source) + "</small>";
-    if (finding.verdict == Verdict::fail || finding.verdict == Verdict::differs) {
-        text += "<pre>sent " + entities(result.sent) + "\ngot  " + entities(result.got) + "</pre>";
+    if (!result.sent.empty()) {
+        const bool open = finding.verdict == Verdict::fail;
+        text += std::string("<details") + (open ? " open=\"open\"" : "") +
+                "><summary>bytes</summary><pre>sent " + entities(result.sent) + "\ngot  " +
+                entities(result.got) + "</pre></details>";
     }
     return text + "</td></tr>\n";
 }
@@ -48,8 +51,8 @@ std::string html_row(const Result& result) {
 std::string as_html(const CheckReport& report) {
     std::string text(page_head);
     text += "<title>" + entities(report.device()) + "</title></head><body>\n<h1>" +
-            entities(report.device()) + "</h1>\n<p>" + entities(report.target) + "<br>" +
-            entities(report.summary()) + "<br>" + entities(report.nearness()) + "</p>\n";
+            entities(report.device()) + "</h1>\n<p>" + entities(report.target) + "<br/>" +
+            entities(report.summary()) + "<br/>" + entities(report.nearness()) + "</p>\n";
     const Chapter* chapter = nullptr;
     for (const Result& result : report.results) {
         if (result.chapter != chapter) {

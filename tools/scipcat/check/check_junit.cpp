@@ -2,7 +2,6 @@
 // Copyright The scipd authors
 //
 // The form that servers for builds read: a suite for each chapter, a case for each check.
-#include <algorithm>
 #include <cstdio>
 
 #include "tools/scipcat/check/check_report.h"
@@ -27,20 +26,13 @@ std::string case_of(const Result& result) {
         attribute("classname", "scipcat.check." + std::string(chapter_of(result.check->id))) +
         attribute("name", std::string(result.check->id) + " " + std::string(result.check->title)) +
         attribute("time", seconds) + ">";
-    switch (result.finding.verdict) {
-        case Verdict::pass:
-            break;
-        case Verdict::fail:
-            text += "<failure" + attribute("message", result.finding.why) + ">" + bytes_of(result) +
-                    "</failure>";
-            break;
-        case Verdict::differs:
-            text += "<system-out>" + entities(result.finding.why) + "</system-out>";
-            break;
-        case Verdict::not_applicable:
-            text += "<skipped" + attribute("message", result.finding.why) + "/>";
-            break;
-    }
+    const Finding& finding = result.finding;
+    if (finding.verdict == Verdict::not_applicable)
+        return text + "<skipped" + attribute("message", finding.why) + "/></testcase>\n";
+    if (finding.verdict == Verdict::fail)
+        text +=
+            "<failure" + attribute("message", finding.why) + ">" + bytes_of(result) + "</failure>";
+    text += "<system-out>" + entities(finding.why) + "\n" + bytes_of(result) + "</system-out>";
     return text + "</testcase>\n";
 }
 

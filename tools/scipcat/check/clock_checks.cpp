@@ -10,6 +10,7 @@
 
 #include "protocol/char_code.h"
 #include "tools/scipcat/check/check_table.h"
+#include "tools/scipcat/check/printable.h"
 
 namespace scipd::tools::checks {
 namespace {
@@ -69,9 +70,8 @@ Finding as_fast_as_ours(Subject& subject) {
                                 static_cast<std::uint32_t>(number_in(second)));
     const double least = ms_between(first.came_at, second.asked_at);
     const double most = ms_between(first.asked_at, second.came_at);
-    return require(
-        theirs >= least * (1 - share) - 6 && theirs <= most * (1 + share) + 6,
-        "its clock counts " + std::to_string(theirs) + " ms in " + std::to_string(most) + " ms");
+    return require(theirs >= least * (1 - share) - 6 && theirs <= most * (1 + share) + 6,
+                   "its clock counts " + tenths(theirs) + " ms in " + tenths(most) + " ms");
 }
 
 Finding stamps_on_clock(Subject& subject) {
@@ -122,8 +122,8 @@ Finding stamped_at_step_0(Subject& subject) {
     const double sweep =
         subject.facts().period_ms() * subject.facts().amax / std::max(subject.facts().ares, 1);
     return require(age >= 0.9 * sweep - 6 && age <= most_turns * subject.facts().period_ms() + 20,
-                   "a scan comes " + std::to_string(age) + " ms after its stamp; from step 0 to " +
-                       "its last step the mirror takes " + std::to_string(sweep) + " ms");
+                   "a scan comes " + tenths(age) + " ms after its stamp; from step 0 to " +
+                       "its last step the mirror takes " + tenths(sweep) + " ms");
 }
 
 Finding wraps(Subject& subject) {

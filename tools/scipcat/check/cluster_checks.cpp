@@ -54,9 +54,9 @@ Values medians(const std::vector<ScanMessage>& scans) {
 }
 
 Values distances(Subject& subject, const std::string& cluster) {
-    constexpr int count = 5;
+    constexpr int count = 3;
     subject.rest();
-    subject.stream("MD" + subject.all() + cluster + "0" + "05");
+    subject.stream("MD" + subject.all() + cluster + "003");
     return medians(subject.scans(count));
 }
 
@@ -65,20 +65,20 @@ struct Agreement {
     int kept = 0;  ///< of these, in how many the value is that
 };
 
-/// Looks at groups with an edge in them: there, the nearest is neither the first nor the mean.
+/// Looks at groups with an edge in them, where the mean is far from the nearest, and the first of
+/// the group as often as not.
 Agreement compare(const Values& steps, const Values& groups, std::size_t cluster,
                   std::uint32_t least, std::uint32_t most) {
     constexpr std::uint32_t noise_mm = 80;
     Agreement agreement;
     for (std::size_t i = 0; i < groups.size(); ++i) {
-        Values group(
-            steps.begin() + static_cast<std::ptrdiff_t>(i * cluster),
-            steps.begin() + static_cast<std::ptrdiff_t>(std::min((i + 1) * cluster, steps.size())));
-        const std::uint32_t first = group.front();
+        const std::size_t end = std::min((i + 1) * cluster, steps.size());
+        Values group(steps.begin() + static_cast<std::ptrdiff_t>(i * cluster),
+                     steps.begin() + static_cast<std::ptrdiff_t>(end));
         std::erase_if(group, [&](std::uint32_t v) { return v < least || v > most; });
         if (group.empty()) continue;
         const auto [nearest, farthest] = std::ranges::minmax(group);
-        if (first < nearest + 3 * noise_mm || farthest < nearest + 3 * noise_mm) continue;
+        if (farthest < nearest + 3 * noise_mm) continue;
         ++agreement.told;
         const std::uint32_t tolerance = noise_mm + nearest / 50;
         if (groups[i] + tolerance >= nearest && groups[i] <= nearest + tolerance) ++agreement.kept;
@@ -88,7 +88,7 @@ Agreement compare(const Values& steps, const Values& groups, std::size_t cluster
 
 Finding nearest_of_group(Subject& subject) {
     constexpr std::size_t cluster = 16;
-    constexpr int fewest = 3;
+    constexpr int fewest = 4;
     const auto limit = [&](const char* key) {
         return static_cast<std::uint32_t>(std::stoul("0" + subject.facts().text(key)));
     };

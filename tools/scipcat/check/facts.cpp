@@ -41,7 +41,9 @@ void take_texts(Facts& facts, std::string_view reply) {
         const std::string_view line = reply.substr(0, reply.find('\n'));
         reply.remove_prefix(std::min(line.size() + 1, reply.size()));
         const std::size_t colon = line.find(':');
-        const std::size_t end = line.rfind(';');  // TIME of a UST may contain one more
+        // TIME of a UST and the sum may be semicolons themselves.
+        const bool whole = line.size() >= 2 && line[line.size() - 2] == ';';
+        const std::size_t end = whole ? line.size() - 2 : line.rfind(';');
         if (colon == line.npos || end == line.npos || end < colon) continue;
         facts.texts[std::string(line.substr(0, colon))] =
             std::string(line.substr(colon + 1, end - colon - 1));

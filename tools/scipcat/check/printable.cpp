@@ -3,6 +3,7 @@
 #include "tools/scipcat/check/printable.h"
 
 #include <cstddef>
+#include <cstdio>
 
 namespace scipd::tools::checks {
 namespace {
@@ -37,6 +38,12 @@ std::string printable(std::string_view bytes) {
     return escaped(bytes.substr(0, head_size)) + " ... " +
            escaped(bytes.substr(bytes.size() - tail_size)) + " (" + std::to_string(bytes.size()) +
            " bytes)";
+}
+
+std::string tenths(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f", value);
+    return text;
 }
 
 }  // namespace scipd::tools::checks

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tools/scipcat/check/check_table.h"
+#include "tools/scipcat/check/printable.h"
 
 namespace scipd::tools::checks {
 namespace {
@@ -18,10 +19,6 @@ using std::chrono::milliseconds;
 
 constexpr std::string_view in_urg_library = "urg_library";
 
-std::string tenths(double ms) {
-    return std::to_string(std::round(ms * 10) / 10).substr(0, std::to_string(ms).find('.') + 2);
-}
-
 /// How far the stamps of neighbouring scans are apart.
 std::vector<double> stamp_periods(const std::vector<ScanMessage>& scans) {
     std::vector<double> periods;
@@ -30,8 +27,7 @@ std::vector<double> stamp_periods(const std::vector<ScanMessage>& scans) {
     return periods;
 }
 
-std::vector<ScanMessage> some_scans(Subject& subject, const std::string& window) {
-    constexpr int count = 16;
+std::vector<ScanMessage> some_scans(Subject& subject, const std::string& window, int count) {
     subject.rest();
     subject.stream("MD" + window + "01000");
     return subject.scans(count);
@@ -39,7 +35,7 @@ std::vector<ScanMessage> some_scans(Subject& subject, const std::string& window)
 
 Finding as_often_as_said(Subject& subject) {
     constexpr double share = 0.01;
-    const auto scans = some_scans(subject, subject.window());
+    const auto scans = some_scans(subject, subject.window(), 16);
     const double mean = since(scans.front().stamp_ms, scans.back().stamp_ms) /
                         static_cast<double>(scans.size() - 1);
     const double said = subject.facts().period_ms();
@@ -50,7 +46,7 @@ Finding as_often_as_said(Subject& subject) {
 
 Finding none_left_out(Subject& subject, const std::string& window) {
     constexpr double most = 1.5;
-    for (const double period : stamp_periods(some_scans(subject, window))) {
+    for (const double period : stamp_periods(some_scans(subject, window, 11))) {
         if (period > most * subject.facts().period_ms())
             return fail("two stamps are " + tenths(period) + " ms apart");
         if (period < subject.facts().period_ms() / 2)
@@ -60,7 +56,7 @@ Finding none_left_out(Subject& subject, const std::string& window) {
 }
 
 Finding as_often_here(Subject& subject) {
-    constexpr int count = 16;
+    constexpr int count = 12;
     constexpr double share = 0.15;
     subject.rest();
     subject.stream("MD" + subject.window() + "01000");

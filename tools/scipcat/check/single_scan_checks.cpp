@@ -66,7 +66,7 @@ Finding distances_or_codes(Subject& subject) {
 Finding fresh_scans(Subject& subject) {
     subject.measure();
     std::set<std::uint32_t> stamps;
-    constexpr int asked = 4;
+    constexpr int asked = 3;
     for (int i = 0; i < asked; ++i) {
         stamps.insert(scan_of(subject.ask("GD" + subject.window() + "01")).stamp_ms);
         std::this_thread::sleep_for(subject.turns(1.0));

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tools/scipcat/check/check_table.h"
+#include "tools/scipcat/check/printable.h"
 
 namespace scipd::tools::checks {
 namespace {
@@ -83,7 +84,7 @@ Finding skips(Subject& subject, int interval) {
         const double turns =
             since(scans[i - 1].stamp_ms, scans[i].stamp_ms) / subject.facts().period_ms();
         if (std::abs(turns - interval - 1) > tolerance + 0.01 * interval)
-            return fail("scans are " + std::to_string(turns) + " turns apart, not " +
+            return fail("scans are " + tenths(turns) + " turns apart, not " +
                         std::to_string(interval + 1));
     }
     return pass();

@@ -87,6 +87,10 @@ Finding rehearsal(Subject& subject) {
     return subject.expect("DB10", "03");
 }
 
+bool stands_by(Subject& subject) {
+    return subject.ask("%ST").message.lines == std::vector<std::string>{"000"};
+}
+
 Finding sleeps(Subject& subject) {
     if (!subject.facts().knows("%ST")) return not_applicable("it does not sleep");
     subject.rest();
@@ -97,7 +101,7 @@ Finding sleeps(Subject& subject) {
     constexpr int tries = 40;
     for (int i = 0; i < tries; ++i) {
         subject.rest();
-        if (subject.ask("%ST").message.lines == std::vector<std::string>{"000"}) return pass();
+        if (stands_by(subject)) return pass();
         std::this_thread::sleep_for(milliseconds(200));
     }
     return fail("QT does not wake it up");
@@ -113,12 +117,12 @@ Finding asked_once(Subject& subject) {
     return require(subject.ask("QT").status() == "00", "a single RB does more than nothing");
 }
 
-/// Waits until the scanner is up again. False: it is not within this time.
+/// Waits until the scanner is up again. False: it is not within this time. Some answer meanwhile.
 bool comes_back(Subject& subject, milliseconds within) {
     for (const auto end = Clock::now() + within; Clock::now() < end;) {
         try {
             subject.wire().reconnect();
-            if (subject.ask("QT").status() == "00") return true;
+            if (stands_by(subject)) return true;
         } catch (const protocol::client::Error&) {  // not yet
         }
         std::this_thread::sleep_for(milliseconds(200));
