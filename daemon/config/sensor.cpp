@@ -9,7 +9,7 @@
 #include "daemon/config/mount.h"
 #include "daemon/config/numbers.h"
 #include "daemon/config/profile.h"
-#include "daemon/config/replay.h"
+#include "daemon/config/read_replay.h"
 #include "daemon/config/run_directory.h"
 #include "daemon/config/staring_optics.h"
 #include "daemon/config/values.h"

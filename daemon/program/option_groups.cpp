@@ -13,7 +13,7 @@
 #include "daemon/config/doors.h"
 #include "daemon/config/mount.h"
 #include "daemon/config/numbers.h"
-#include "daemon/config/replay.h"
+#include "daemon/config/read_replay.h"
 #include "daemon/config/sensor.h"
 #include "daemon/config/values.h"
 #include "daemon/models/model_registry.h"

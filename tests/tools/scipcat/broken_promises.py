@@ -6,8 +6,9 @@ import itertools
 import re
 import time
 
-from wrong_scanner import (SCAN, Change, Chunk, Fault, Message, answers, answers_itself, decoded, encoded, lacks_a_value,
-                           late, of_texts, raw_changed, says, stamped)
+from wrong_scanner import (
+    SCAN, Change, Chunk, Fault, Message, answers, answers_itself, decoded, encoded, lacks_a_value, late,
+    of_texts, raw_changed, says, stamped)
 
 GD, MD = r"GD\d{10}", r"MD\d{13}"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "daemon/config/replay.h"
+#include "daemon/config/read_replay.h"
 
 #include <array>
 #include <string>
