@@ -6,6 +6,7 @@
 #include <deque>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include <pcap/pcap.h>
@@ -30,7 +31,9 @@ struct Ends {
     Endpoint scanner;
     Endpoint client;
 
-    auto operator<=>(const Ends&) const = default;
+    bool operator<(const Ends& other) const {
+        return std::tie(scanner, client) < std::tie(other.scanner, other.client);
+    }
 };
 
 /// Who asks to open is the client. In the middle of a connection the port tells, else that of a

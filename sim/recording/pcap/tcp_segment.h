@@ -4,11 +4,11 @@
 // The part of a TCP connection that a packet of a network carries. A value; any thread.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 
 namespace scipd::sim {
 
@@ -16,7 +16,9 @@ struct Endpoint {
     std::string address;  ///< "192.168.0.10" or "[fe80::1]"
     std::uint16_t port = 0;
 
-    auto operator<=>(const Endpoint&) const = default;
+    bool operator<(const Endpoint& other) const {
+        return std::tie(address, port) < std::tie(other.address, other.port);
+    }
 };
 
 [[nodiscard]] inline std::string text_of(const Endpoint& endpoint) {

@@ -4,11 +4,13 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "sim/recording/compression/compression.h"
 #include "sim/recording/file/byte_reader.h"
+#include "sim/recording/file/byte_writer.h"
 #include "sim/recording/ros/laser_topics.h"
 #include "sim/recording/values/left_out.h"
 #include "sim/text/quote.h"
@@ -56,6 +58,25 @@ HostTime bag_time(const BagFields& fields) {
     return host_time_at(both & 0xFFFFFFFF, both >> 32);
 }
 
+bool is_wanted(Operation operation) {
+    return operation == Operation::chunk || operation == Operation::connection ||
+           operation == Operation::message;
+}
+
+/// A record as it stands in the file.
+struct FileRecord {
+    std::string header;
+    std::uint64_t data_begin = 0;
+    std::uint32_t data_size = 0;
+};
+
+Expected<std::string> unpacked(const std::string& compression, std::string data) {
+    if (compression == "none") return data;
+    if (compression == "bz2") return unpack_bzip2(data);
+    if (compression == "lz4") return unpack_lz4(data);
+    return refuse("is packed by " + quote(compression) + ", which is unknown");
+}
+
 class Bag final : public Recording {
   public:
     explicit Bag(InputFile file) : Recording("bag"), file_(std::move(file)) {}
@@ -81,14 +102,14 @@ class Bag final : public Recording {
         const std::string_view data = records_.text();
         if (records_.too_short()) {
             records_ = ByteReader({});
-            return file_.refuse_byte(chunk_begin_, "the chunk that begins here is damaged");
+            return file_.refuse_byte(record_begin_, "the chunk that begins here is damaged");
         }
         if (fields.operation() == Operation::connection) add_connection(fields, data);
         const auto connection = fields.number<std::uint32_t>("conn");
         if (fields.operation() != Operation::message || !topics_.has(connection))
             return std::nullopt;
         auto item = topics_.item(connection, bag_time(fields), data);
-        if (!item) return file_.refuse_byte(chunk_begin_, item.error().why);
+        if (!item) return file_.refuse_byte(record_begin_, item.error().why);
         return std::move(*item);
     }
 
@@ -101,11 +122,14 @@ class Bag final : public Recording {
 
     /// Whether there was a record; what it has to say is in records_ then.
     Expected<bool> read_record();
-    Expected<> unpack(const BagFields& fields, const std::string& data);
+    /// Nothing where the file ends within it.
+    Expected<std::optional<FileRecord>> read_head();
+    Expected<> keep(const FileRecord& record, std::string data);
+    bool lose_rest();
 
     InputFile file_;
     std::uint64_t next_byte_ = bag_magic.size();
-    std::uint64_t chunk_begin_ = 0;  ///< where the record in block_ begins in the file
+    std::uint64_t record_begin_ = 0;  ///< of the one in block_, in the file
     std::string block_;
     ByteReader records_{{}};  ///< the rest of block_
     LeftOut left_out_;
@@ -114,60 +138,61 @@ class Bag final : public Recording {
 };
 
 Expected<bool> Bag::read_record() {
-    constexpr std::size_t longest_header = std::size_t{1} << 20;
-    chunk_begin_ = next_byte_;
+    record_begin_ = next_byte_;
     if (next_byte_ >= file_.size()) return false;
-    const auto lost = [&]() -> Expected<bool> {
-        warn(file_.name() + " ends within the record at byte " + std::to_string(chunk_begin_) +
-             ", which is lost: its recorder was stopped there");
-        next_byte_ = file_.size();
-        return false;
-    };
-    const auto beginning = file_.read(next_byte_, sizeof(std::uint32_t));
-    if (!beginning) return tl::unexpected(beginning.error());
-    const auto header_size = ByteReader(*beginning).number<std::uint32_t>();
-    if (beginning->size() < sizeof header_size) return lost();
-    if (header_size > longest_header) return file_.refuse_byte(next_byte_, "no record begins here");
-    // The header, and the size of the data.
-    const auto header = file_.read(next_byte_ + 4, header_size + sizeof(std::uint32_t));
-    if (!header) return tl::unexpected(header.error());
-    if (header->size() < header_size + sizeof(std::uint32_t)) return lost();
-    const BagFields fields(std::string_view(*header).substr(0, header_size));
-    const auto size =
-        ByteReader(std::string_view(*header).substr(header_size)).number<std::uint32_t>();
-    const std::uint64_t data_begin = next_byte_ + 8 + header_size;
-    next_byte_ = data_begin + size;
-    if (next_byte_ > file_.size()) return lost();
-    const Operation operation = fields.operation();
-    if (operation != Operation::chunk && operation != Operation::connection &&
-        operation != Operation::message)
-        return true;
-    if (size > largest_block) return file_.refuse_byte(chunk_begin_, "the record is too large");
-    const auto data = file_.read(data_begin, size);
+    const auto record = read_head();
+    if (!record) return tl::unexpected(record.error());
+    if (!*record || (*record)->data_begin + (*record)->data_size > file_.size()) return lose_rest();
+    next_byte_ = (*record)->data_begin + (*record)->data_size;
+    if (!is_wanted(BagFields((*record)->header).operation())) return true;
+    if ((*record)->data_size > largest_block)
+        return file_.refuse_byte(record_begin_, "the record is larger than any of a bag");
+    auto data = file_.read((*record)->data_begin, (*record)->data_size);
     if (!data) return tl::unexpected(data.error());
-    if (data->size() < size) return lost();
-    if (operation != Operation::chunk) {
-        block_ = *beginning + *header + *data;
-    } else if (const auto unpacked = unpack(fields, *data); !unpacked) {
-        return file_.refuse_byte(chunk_begin_, "the chunk " + unpacked.error().why);
-    }
-    records_ = ByteReader(block_);
+    if (const auto kept = keep(**record, std::move(*data)); !kept)
+        return file_.refuse_byte(record_begin_, "the chunk " + kept.error().why);
     return true;
 }
 
-Expected<> Bag::unpack(const BagFields& fields, const std::string& data) {
-    const std::string compression = fields.text("compression");
-    Expected<std::string> bytes = data;
-    if (compression == "bz2") {
-        bytes = unpack_bzip2(data);
-    } else if (compression == "lz4") {
-        bytes = unpack_lz4(data);
-    } else if (compression != "none") {
-        return refuse("is packed by " + quote(compression) + ", which is unknown");
+Expected<std::optional<FileRecord>> Bag::read_head() {
+    constexpr std::size_t longest_header = std::size_t{1} << 20;
+    constexpr std::size_t length = sizeof(std::uint32_t);
+    const auto beginning = file_.read(record_begin_, length);
+    if (!beginning) return tl::unexpected(beginning.error());
+    if (beginning->size() < length) return std::nullopt;
+    const auto header_size = ByteReader(*beginning).number<std::uint32_t>();
+    if (header_size > longest_header)
+        return file_.refuse_byte(record_begin_, "no record begins here");
+    const auto rest = file_.read(record_begin_ + length, header_size + length);
+    if (!rest) return tl::unexpected(rest.error());
+    if (rest->size() < header_size + length) return std::nullopt;
+    ByteReader reader(*rest);
+    FileRecord record;
+    record.header = reader.take(header_size);
+    record.data_size = reader.number<std::uint32_t>();
+    record.data_begin = record_begin_ + header_size + 2 * length;
+    return record;
+}
+
+/// Puts the records of a chunk, or this one, where they are taken from.
+Expected<> Bag::keep(const FileRecord& record, std::string data) {
+    const BagFields fields(record.header);
+    if (fields.operation() != Operation::chunk) {
+        block_ = ByteWriter{}.text(record.header).text(data).bytes();
+    } else {
+        auto bytes = unpacked(fields.text("compression"), std::move(data));
+        if (!bytes) return tl::unexpected(bytes.error());
+        block_ = std::move(*bytes);
     }
-    if (!bytes) return tl::unexpected(bytes.error());
-    block_ = std::move(*bytes);
+    records_ = ByteReader(block_);
     return {};
+}
+
+bool Bag::lose_rest() {
+    warn(file_.name() + " ends within the record at byte " + std::to_string(record_begin_) +
+         ", which is lost: its recorder was stopped there");
+    next_byte_ = file_.size();
+    return false;
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ using testing::ElementsAre;
 /// Writes messages as ROS does, told apart by an encoding and an order.
 class MessageWriter {
   public:
-    MessageWriter(RosEncoding encoding, std::endian order = std::endian::little)
+    explicit MessageWriter(RosEncoding encoding, std::endian order = std::endian::little)
         : cdr_(encoding == RosEncoding::cdr), order_(order) {}
 
     void word(std::uint32_t value) {

@@ -14,7 +14,6 @@ namespace scipd::tests {
 namespace {
 
 using sim::mcap::Compression;
-using sim::mcap::Opcode;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
