@@ -6,9 +6,8 @@ import itertools
 import re
 import time
 
-from wrong_scanner import (
-    SCAN, Change, Chunk, Fault, Message, answers, answers_itself, decoded, encoded, lacks_a_value, late,
-    of_texts, raw_changed, says, stamped)
+from wrong_scanner import (SCAN, Change, Chunk, Fault, Message, answers, answers_itself, decoded, encoded,
+                           lacks_a_value, late, of_texts, raw_changed, says, stamped)
 
 GD, MD = r"GD\d{10}", r"MD\d{13}"
 
@@ -268,6 +267,19 @@ class EveryFifth(Fault):
         return raw
 
 
+class LateStart(Fault):
+    """The first scan of a stream takes its time."""
+
+    def message(self, raw):
+        message = Message(raw)
+        if raw.startswith(b"MD") and message.status == "00":
+            self.begins = True
+        elif message.status == SCAN and self.begins:
+            self.begins = False
+            time.sleep(0.6)
+        return raw
+
+
 class Glued(Fault):
     """The acknowledgement of a stream waits for its first scan."""
 
@@ -478,7 +490,7 @@ PROMISES = {
     "13.6": ("ust", late("PP", 0.2)),
     "13.7": ("ust", late("TM1", 0.15)),
     "13.8": ("ust", late(GD, 0.6, "00")),
-    "13.9": ("ust", late(MD, 0.6, SCAN)),
+    "13.9": ("ust", LateStart()),
     "13.10": ("ust", Glued()),
 
     "14.1": ("ust", answers("RT", "00", "0L")),

@@ -23,8 +23,8 @@ table { border-collapse: collapse; width: 100%; }
 td { border-top: 1px solid var(--rule); padding: .3rem .6rem .3rem 0; vertical-align: top; }
 td:nth-child(1) { width: 3rem; } td:nth-child(2) { width: 8rem; font-weight: 600; }
 .pass { color: var(--pass); } .fail { color: var(--fail); } .differs { color: var(--differs); }
-.not, small, summary { color: var(--faint); } small { display: block; }
-summary { font-size: .8rem; }
+.not, small, summary { color: var(--faint); }
+small { display: block; } summary { font-size: .8rem; }
 pre { background: var(--shade); padding: .5rem; margin: .3rem 0; white-space: pre-wrap;
       overflow-wrap: anywhere; }
 </style>

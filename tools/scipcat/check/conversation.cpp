@@ -63,9 +63,14 @@ std::optional<std::string> Conversation::message(milliseconds patience) {
 }
 
 std::string Conversation::listen(milliseconds quiet) {
-    while (unread_.size() <= most_unread && read(quiet)) {
+    const auto end = Clock::now() + quiet + std::chrono::seconds(1);
+    while (unread_.size() <= most_unread && Clock::now() < end && read(quiet)) {
     }
     return std::exchange(unread_, {});
+}
+
+bool Conversation::quiet_for(milliseconds time) {
+    return unread_.empty() && !read(time);
 }
 
 bool Conversation::ends_within(milliseconds time) {

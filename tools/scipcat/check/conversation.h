@@ -39,8 +39,11 @@ class Conversation {
     /// The next message with the empty line that ends it. Nothing: it does not come in time.
     [[nodiscard]] std::optional<std::string> message();
     [[nodiscard]] std::optional<std::string> message(std::chrono::milliseconds patience);
-    /// All that comes until nothing has come for so long. It is taken off what message() would get.
+    /// All that comes until nothing has come for so long, or for a second more. message() does not
+    /// get it.
     std::string listen(std::chrono::milliseconds quiet);
+    /// True: nothing comes for so long.
+    [[nodiscard]] bool quiet_for(std::chrono::milliseconds time);
     /// True: the other end hangs up within this time. What comes before that is kept.
     [[nodiscard]] bool ends_within(std::chrono::milliseconds time);
 

@@ -98,8 +98,8 @@ Finding bare_refusal(Subject& subject) {
 Finding silence(Subject& subject) {
     subject.rest();
     (void)subject.ask("VV");
-    const std::string more = subject.wire().listen(std::chrono::milliseconds(250));
-    return require(more.empty(), "bytes come that nobody asked for");
+    return require(subject.wire().quiet_for(std::chrono::milliseconds(250)),
+                   "bytes come that nobody asked for");
 }
 
 constexpr Check table_of_framing[] = {

@@ -20,13 +20,13 @@ Finding gets_version(Subject& subject, std::string_view bytes) {
     const std::string version = subject.ask("VV").raw;
     subject.wire().send(bytes);
     if (subject.next().raw != version) return fail("it does not answer as to VV with an LF");
-    return require(subject.wire().listen(milliseconds(150)).empty(), "it answers more than once");
+    return require(subject.wire().quiet_for(milliseconds(150)), "it answers more than once");
 }
 
 Finding passes_over_empty_lines(Subject& subject) {
     subject.rest();
     subject.wire().send("\n\r\r\n\n");
-    return require(subject.wire().listen(milliseconds(250)).empty(), "it answers an empty line");
+    return require(subject.wire().quiet_for(milliseconds(250)), "it answers an empty line");
 }
 
 Finding takes_pieces(Subject& subject) {
@@ -43,7 +43,7 @@ Finding waits_for_end(Subject& subject) {
     subject.rest();
     const std::string version = subject.ask("VV").raw;
     subject.wire().send("VV");
-    if (!subject.wire().listen(milliseconds(250)).empty())
+    if (!subject.wire().quiet_for(milliseconds(250)))
         return fail("it answers before the request has ended");
     subject.wire().send("\n");
     return require(subject.next().raw == version, "it does not answer as to the request in one");

@@ -70,7 +70,7 @@ Finding quit_behind_stream(Subject& subject) {
     for (int i = 0; i < 2 && answer.message.echo == request; ++i)
         answer = subject.next_scan();
     if (answer.raw != "QT\n00P\n\n") return fail("QT right behind MD does not end the stream");
-    return require(subject.wire().listen(subject.turns(4)).empty(), "more comes after QT");
+    return require(subject.wire().quiet_for(subject.turns(4)), "more comes after QT");
 }
 
 constexpr Check table_of_pipelining[] = {

@@ -41,7 +41,7 @@ Finding over_after_count(Subject& subject) {
     subject.rest();
     subject.stream("MD" + subject.window() + "01002");
     (void)subject.scans(2);
-    if (!subject.wire().listen(subject.turns(4)).empty())
+    if (!subject.wire().quiet_for(subject.turns(4)))
         return fail("more comes after the last scan of a counted stream");
     return subject.expect("GD" + subject.window() + "01", "10");
 }
@@ -71,7 +71,7 @@ Finding quits(Subject& subject) {
     if (auto fine = has_status(answer, "00"); !fine.passed()) return fine;
     if (answer.before.size() > most_before)
         return fail(std::to_string(answer.before.size()) + " scans come before the reply to QT");
-    return require(subject.wire().listen(subject.turns(4)).empty(), "more comes after QT");
+    return require(subject.wire().quiet_for(subject.turns(4)), "more comes after QT");
 }
 
 /// Passes over so many turns between two scans.
@@ -166,7 +166,7 @@ Finding reset_ends(Subject& subject) {
     subject.stream(endless(subject));
     (void)subject.scans(1);
     if (auto fine = subject.expect("RS", "00"); !fine.passed()) return fine;
-    if (!subject.wire().listen(subject.turns(4)).empty()) return fail("more comes after RS");
+    if (!subject.wire().quiet_for(subject.turns(4))) return fail("more comes after RS");
     return subject.expect("GD" + subject.window() + "01", "10");
 }
 

@@ -82,7 +82,7 @@ Finding ends_with_client(Subject& subject) {
     subject.stream("MD" + subject.window() + "01000");
     (void)subject.scans(2);
     subject.wire().reconnect();
-    if (!subject.wire().listen(subject.turns(4)).empty())
+    if (!subject.wire().quiet_for(subject.turns(4)))
         return fail("the stream of a client who left goes on");
     return subject.expect("GD" + subject.window() + "01", "10");
 }
