@@ -9,6 +9,7 @@
 #include <spdlog/spdlog.h>
 
 #include "daemon/device/powered_profile.h"
+#include "daemon/device/served_client.h"
 #include "daemon/replay/played_scan.h"
 #include "protocol/reply_grid.h"
 #include "protocol/settings.h"
@@ -16,51 +17,6 @@
 #include "sim/fnv1a.h"
 
 namespace scipd::daemon {
-
-/// One client, known to the device for as long as it lives.
-class Device::ServedClient final : public Endpoint::Client {
-  public:
-    ServedClient(Device& device, std::function<void()> on_actions, protocol::LinkKind link)
-        : Client(device.profile_, device.state_, link),
-          on_actions_(std::move(on_actions)),
-          kind_(link == protocol::LinkKind::tty ? DeviceLog::By::tty_client
-                                                : DeviceLog::By::tcp_client),
-          device_(device) {
-        session().set_hook(device_.hook_);
-        device_.clients_.push_back(this);
-    }
-    ServedClient(const ServedClient&) = delete;
-    ServedClient& operator=(const ServedClient&) = delete;
-    ~ServedClient() override {
-        session().close();
-        device_.told_.laser(device_.state_.laser_on(), DeviceLog::By::leaving_client);
-        add(session().refused(), device_.counts_.refused);
-        std::erase(device_.clients_, this);
-    }
-
-    void receive(std::string_view bytes) override {
-        session().receive(bytes, device_.uptime());
-        device_.serve_latest(*this);
-    }
-    [[nodiscard]] std::optional<sim::Time> wake_at() const override {
-        const auto at = session().wake_at();
-        if (!at) return std::nullopt;
-        return device_.device_clock_.world_time(*at);
-    }
-    void wake() override {
-        session().advance(device_.uptime());
-        device_.serve_latest(*this);
-    }
-
-    /// Tells it that its session may have something to send.
-    void tell() const { on_actions_(); }
-    [[nodiscard]] DeviceLog::By kind() const { return kind_; }
-
-  private:
-    std::function<void()> on_actions_;
-    DeviceLog::By kind_;
-    Device& device_;
-};
 
 Device::Device(const std::string& robot, const SensorConfig& config, std::uint64_t seed,
                World& world, Clock& clock)
@@ -96,8 +52,16 @@ void Device::play(SharedTape tape, const ReplayConfig& config) {
     turn_as_recorded(0);
 }
 
-void Device::turn_as_recorded(std::int64_t next) {
-    timing_.turn_from(timing_.start(next), replay_->lasts(next));
+void Device::turn_as_recorded(std::int64_t revolution) {
+    timing_.turn_from(timing_.start(revolution), replay_->lasts(revolution));
+}
+
+bool Device::shows(std::int64_t revolution) const {
+    return !replay_ || replay_->at(revolution);
+}
+
+protocol::Uptime Device::uptime() const {
+    return device_clock_.device_time(clock_.now());
 }
 
 void Device::read_as(const SensorConfig& config) {

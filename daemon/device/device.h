@@ -16,23 +16,19 @@
 
 #include "daemon/clock/clock.h"
 #include "daemon/config/config.h"
-#include "daemon/device/bridge.h"
 #include "daemon/device/device_hook.h"
 #include "daemon/device/device_log.h"
 #include "daemon/device/pace.h"
 #include "daemon/device/scan_source.h"
 #include "daemon/device/sensor_counts.h"
 #include "daemon/device/sensor_log.h"
-#include "daemon/device/sensor_record.h"
 #include "daemon/device/sweep.h"
 #include "daemon/device/unit.h"
 #include "daemon/device/watchers.h"
 #include "daemon/link/endpoint.h"
 #include "daemon/replay/replay.h"
 #include "daemon/world/world.h"
-#include "protocol/device_profile.h"
 #include "protocol/device_state.h"
-#include "sim/random.h"
 #include "sim/sensor/device_clock.h"
 #include "sim/sensor/scan_timing.h"
 
@@ -56,9 +52,7 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     [[nodiscard]] const protocol::DeviceProfile& profile() const { return profile_; }
     [[nodiscard]] const protocol::DeviceState& state() const { return state_; }
     /// On its own clock.
-    [[nodiscard]] protocol::Uptime uptime() const {
-        return device_clock_.device_time(clock_.now());
-    }
+    [[nodiscard]] protocol::Uptime uptime() const;
 
     /// Changes the device from outside, and tells its clients. Not from within a client's call.
     using Change = std::function<void(protocol::DeviceState& state, protocol::Uptime now)>;
@@ -94,8 +88,6 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     void prepare(std::int64_t revolution) override;
     void turn_complete(std::int64_t revolution) override;
 
-    [[nodiscard]] std::uint64_t scans_sent() const { return counts_.scans; }
-    [[nodiscard]] const Lateness& lateness() const { return counts_.lateness; }
     /// But for what links and faults count.
     [[nodiscard]] SensorCounts counts() const;
     [[nodiscard]] sim::SharedScan latest_scan() const;
@@ -106,8 +98,8 @@ class Device : public ScanSource, public Endpoint, private Lamp {
   private:
     class ServedClient;
 
-    /// Answers this client's requests for the latest scan where that scan has been made by now.
-    /// Where a scan is still to come it sees to it that the scan is made.
+    /// Answers this client's requests for the latest scan if that has been made by now, else sees
+    /// to it that it is made.
     void serve_latest(ServedClient& client);
     /// Clients may be waiting for what has just happened. One of them may know already.
     void tell_clients(const ServedClient* knows = nullptr);
@@ -118,16 +110,14 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     /// Lets the mirror turn as the device's state says. To be called after whatever may have
     /// changed that.
     void follow_motor();
+    /// Lets it turn as it did when the scan of this revolution was recorded.
+    void turn_as_recorded(std::int64_t revolution);
     /// Measures a revolution that is complete, if nobody has done so yet.
     const ScanRecord& measure(std::int64_t revolution);
     [[nodiscard]] ScanRecord cast(std::int64_t revolution);
     [[nodiscard]] ScanRecord played(std::int64_t revolution, const Replay::Shown& shown);
     /// Whether there is a scan of this revolution.
-    [[nodiscard]] bool shows(std::int64_t revolution) const {
-        return !replay_ || replay_->at(revolution);
-    }
-    /// Lets the mirror turn as it did when the next scan was recorded.
-    void turn_as_recorded(std::int64_t next);
+    [[nodiscard]] bool shows(std::int64_t revolution) const;
 
     // Constant after construction.
     sim::ChanceKey chance_;

@@ -405,7 +405,7 @@ TEST_F(ConfigTest, AFaultIsALineThatCanBeShown) {
                 ElementsAre("rig.yaml:3: robots.r.sensors.s.a??: unknown key; known here are "
                             "model, camera, ranger, mount, tcp, pty, backend, depth, accuracy, "
                             "echo, interference, motion, timing, power_up, clock, link, profile, "
-                            "sees_body, noise, bias"));
+                            "sees_body, noise, bias, replay"));
     const auto told = faults(
         "scene: room.sdf\nrobots: {r: {sensors: {s: "
         "{pty: auto, model: \"UST\\n10\"}}}}");

@@ -64,7 +64,7 @@ TEST_F(DeviceTest, AnswersWithoutScanning) {
     EXPECT_TRUE(device_.state().laser_on());
     EXPECT_FALSE(device_.wanted());
     device_.turn_complete(revolution_);
-    EXPECT_EQ(device_.scans_sent(), 0U);
+    EXPECT_EQ(device_.counts().scans, 0U);
     EXPECT_EQ(device_.latest_scan(), nullptr);
 }
 
@@ -83,9 +83,9 @@ TEST_F(DeviceTest, ShowsTheSameScanToEveryone) {
     EXPECT_EQ(whole.distances_mm.size(), 1081U);
     EXPECT_EQ(whole.distances_mm[540], 4000U);
     EXPECT_EQ(whole.distances_mm[0], 65533U);
-    EXPECT_EQ(device_.scans_sent(), 1U);
+    EXPECT_EQ(device_.counts().scans, 1U);
     EXPECT_EQ(device_.latest_scan()->revolution, revolution_ - 1);
-    EXPECT_TRUE(device_.lateness().max());
+    EXPECT_TRUE(device_.counts().lateness.max());
 }
 
 TEST_F(DeviceTest, IsWantedAsLongAsSomeStreamRuns) {

@@ -38,7 +38,7 @@ TEST_F(ScanLoopTest, ServesEveryTurnOnceAndNoneTooEarly) {
     std::vector<std::int64_t> revolutions;
     const auto client = device_.connect(
         [&] {
-            if (device_.scans_sent() == revolutions.size()) return;  // a turn that nobody took
+            if (device_.counts().scans == revolutions.size()) return;  // a turn that nobody took
             EXPECT_GE(clock_.now(), device_.leaves(device_.latest_scan()->revolution));
             revolutions.push_back(device_.latest_scan()->revolution);
         },
@@ -46,7 +46,7 @@ TEST_F(ScanLoopTest, ServesEveryTurnOnceAndNoneTooEarly) {
     client->receive("MD0540054000008\n");
     ASSERT_TRUE(run_until(io_, [&] { return !device_.wanted(); }));
     // Nobody wants more: there is nothing to wait for.
-    EXPECT_EQ(device_.scans_sent(), 8U);
+    EXPECT_EQ(device_.counts().scans, 8U);
     ASSERT_EQ(revolutions.size(), 8U);
     for (std::size_t i = 1; i < revolutions.size(); ++i)
         EXPECT_EQ(revolutions[i], revolutions[i - 1] + 1);
@@ -58,12 +58,12 @@ TEST_F(ScanLoopTest, ServesEveryTurnOnceAndNoneTooEarly) {
 TEST_F(ScanLoopTest, ServesTurnsThatAreALittleLate) {
     const auto client = device_.connect([] {}, protocol::LinkKind::network);
     client->receive("MD0540054000000\n");
-    ASSERT_TRUE(run_until(io_, [&] { return device_.scans_sent() >= 1; }));
+    ASSERT_TRUE(run_until(io_, [&] { return device_.counts().scans >= 1; }));
     const std::int64_t first = device_.latest_scan()->revolution;
-    const auto sent = static_cast<std::int64_t>(device_.scans_sent());
+    const auto sent = static_cast<std::int64_t>(device_.counts().scans);
     std::this_thread::sleep_for(300ms);
     ASSERT_TRUE(run_until(io_, [&] { return device_.latest_scan()->revolution > first + 12; }));
-    EXPECT_EQ(static_cast<std::int64_t>(device_.scans_sent()) - sent,
+    EXPECT_EQ(static_cast<std::int64_t>(device_.counts().scans) - sent,
               device_.latest_scan()->revolution - first);
     EXPECT_EQ(loop_->missed(), 0U);
 }
@@ -71,14 +71,14 @@ TEST_F(ScanLoopTest, ServesTurnsThatAreALittleLate) {
 TEST_F(ScanLoopTest, CountsTurnsThatItSleptThrough) {
     const auto client = device_.connect([] {}, protocol::LinkKind::network);
     client->receive("MD0540054000000\n");
-    ASSERT_TRUE(run_until(io_, [&] { return device_.scans_sent() >= 1; }));
+    ASSERT_TRUE(run_until(io_, [&] { return device_.counts().scans >= 1; }));
     const std::int64_t first = device_.latest_scan()->revolution;
-    const auto sent = static_cast<std::int64_t>(device_.scans_sent());
+    const auto sent = static_cast<std::int64_t>(device_.counts().scans);
     std::this_thread::sleep_for(1300ms);
     ASSERT_TRUE(run_until(io_, [&] { return device_.latest_scan()->revolution > first + 50; }));
     EXPECT_GT(loop_->missed(), 35U);
     // What was not served was missed.
-    EXPECT_EQ(static_cast<std::int64_t>(device_.scans_sent()) - sent +
+    EXPECT_EQ(static_cast<std::int64_t>(device_.counts().scans) - sent +
                   static_cast<std::int64_t>(loop_->missed()),
               device_.latest_scan()->revolution - first);
 }
@@ -132,7 +132,7 @@ TEST_F(ScanLoopTest, IsNotOverdueWhereTimeStandsStill) {
         EXPECT_FALSE(loop.overdue());
         clock.advance_to(clock.now() + 25ms);
     }
-    EXPECT_GT(device.scans_sent(), 5U);
+    EXPECT_GT(device.counts().scans, 5U);
     EXPECT_FALSE(loop.overdue());
 }
 
@@ -141,7 +141,7 @@ TEST_F(ScanLoopTest, ServesNobodyOnceItIsGone) {
     client->receive("MD0540054000000\n");
     loop_.reset();
     io_.run_for(100ms);
-    EXPECT_EQ(device_.scans_sent(), 0U);
+    EXPECT_EQ(device_.counts().scans, 0U);
     client->receive("MD0540054000000\n");
     io_.restart();
     EXPECT_EQ(io_.run_for(100ms), 0U);
@@ -173,20 +173,20 @@ TEST_F(LatePoses, AreWaitedForUpToABound) {
     // The first turn fires its last step after 18.75 ms.
     place(19ms);
     clock_.advance_to(20ms);
-    const std::uint64_t before = device_.scans_sent();
+    const std::uint64_t before = device_.counts().scans;
     EXPECT_EQ(before, 1U);
     const sim::Time due = device_.leaves(device_.next_revolution());
     clock_.advance_to(due + 10ms);
-    EXPECT_EQ(device_.scans_sent(), before);
+    EXPECT_EQ(device_.counts().scans, before);
     place(due);
     clock_.advance_to(due + 10ms);
-    EXPECT_EQ(device_.scans_sent(), before + 1);
+    EXPECT_EQ(device_.counts().scans, before + 1);
 
     // The next one gets no pose in time.
     clock_.advance_to(due + 25ms + 29ms);
-    EXPECT_EQ(device_.scans_sent(), before + 1);
+    EXPECT_EQ(device_.counts().scans, before + 1);
     clock_.advance_to(due + 25ms + 30ms);
-    EXPECT_EQ(device_.scans_sent(), before + 2);
+    EXPECT_EQ(device_.counts().scans, before + 2);
     EXPECT_EQ(loop_.missed(), 0U);
 }
 
@@ -196,7 +196,7 @@ TEST_F(LatePoses, AreNotExpectedOfAStreamThatHasEnded) {
     client_->receive("MD0540054000000\n");
     const sim::Time due = device_.leaves(device_.next_revolution() + 1);
     clock_.advance_to(due);
-    EXPECT_GE(device_.scans_sent(), 1U);
+    EXPECT_GE(device_.counts().scans, 1U);
 }
 
 }  // namespace

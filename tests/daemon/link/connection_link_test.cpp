@@ -218,7 +218,7 @@ TEST_F(ConnectionLink, LosesScansForWhatIsUnderWay) {
     }
     EXPECT_EQ(connection_->lost(), 1U);
     // 3.4 kB each, in 256 KiB.
-    EXPECT_NEAR(static_cast<double>(device_->scans_sent()), 262144.0 / 3360, 3.0);
+    EXPECT_NEAR(static_cast<double>(device_->counts().scans), 262144.0 / 3360, 3.0);
 }
 
 class SerialLine : public ConnectionLink {

@@ -144,7 +144,7 @@ TEST_F(ConnectionTest, LosesScansThatDoNotFitAndNoReply) {
         io_.poll();
     }
     ASSERT_GE(connection_->lost(), 5U);
-    const std::uint64_t sent = device_.scans_sent();
+    const std::uint64_t sent = device_.counts().scans;
 
     write("QT\n");
     EXPECT_TRUE(run_until(io_, [&] { return read().ends_with("QT\n00P\n\n"); }));

@@ -311,10 +311,10 @@ TEST_F(PtyPortTest, DropsWhatIsSentWhileNobodyHasItOpen) {
         }
     }
     ASSERT_TRUE(run_until(io_, [&] { return !port->connected(); }));
-    const std::uint64_t before = device_.scans_sent();
+    const std::uint64_t before = device_.counts().scans;
     device_.turn_complete(revolution++);
     // The stream belongs to the session, which goes on.
-    EXPECT_EQ(device_.scans_sent(), before + 1);
+    EXPECT_EQ(device_.counts().scans, before + 1);
     let_things_end();
 
     ScannerWire wire = ScannerWire::tty(link_);

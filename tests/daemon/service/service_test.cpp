@@ -141,7 +141,7 @@ TEST(Service, FeedsTheWatchdogUntilAScanLoopIsStuck) {
     auto client = device.connect([] {}, protocol::LinkKind::network);
     client->receive("MD0540054000000\n");
     const auto is_fed = [&] { return systemd.meals() > 0; };
-    EXPECT_TRUE(run_until(io, [&] { return device.scans_sent() > 3; }));
+    EXPECT_TRUE(run_until(io, [&] { return device.counts().scans > 3; }));
     for (int meal = 0; meal < 5; ++meal)
         EXPECT_TRUE(run_until(io, is_fed));
 
