@@ -37,9 +37,13 @@ robots:
         camera: {columns: 8, rows: 6, fov_deg: [40, 30], rate_hz: 25, range_m: [0.1, 7.5]}
         mount: {xyz: [0, 0, 0.3]}
       sonar: {ranger: {cone_deg: 30, beams: 61, rate_hz: 20, range_m: [0.02, 4.0]}, mount: {xyz: [0, 0, 0.5]}}
+      played: {model: UST-10LX, tcp: "127.0.0.1:0", replay: {file: scans.jsonl, loop: on}}
 """
+SCANS = "".join(json.dumps({"stamp_ms": 25 * i, "first_step": 0, "distances_mm": [1000 + i] * 1081}) + "\n"
+                for i in range(8))
 TRUTH = "/sensors/{robot}/{sensor}/truth"
 READING = "/sensors/{robot}/{sensor}/reading"
+REPLAY = "/sensors/{robot}/{sensor}/replay"
 POSE = "/scene/models/{model}/pose"
 MATERIAL = "/scene/models/{model}/material"
 MEDIA = "/scene/media"
@@ -71,6 +75,14 @@ EXCHANGES = [
     ("GET", READING, "/sensors/robot/tof/reading", None, 200),
     ("GET", READING, "/sensors/robot/sonar/reading", None, 200),
     ("GET", READING, "/sensors/robot/scanner/reading", None, 404),
+    ("GET", REPLAY, "/sensors/robot/played/replay", None, 200),
+    ("GET", REPLAY, "/sensors/robot/scanner/replay", None, 409),
+    ("GET", REPLAY, "/sensors/robot/other/replay", None, 404),
+    ("PATCH", REPLAY, "/sensors/robot/played/replay", {"at_s": 0.1, "paused": True, "speed": 2}, 200),
+    ("PATCH", REPLAY, "/sensors/robot/played/replay", {"step": 3}, 200),
+    ("PATCH", REPLAY, "/sensors/robot/played/replay", {"step": 0}, 400),
+    ("PATCH", REPLAY, "/sensors/robot/tof/replay", {"step": 3}, 409),
+    ("PATCH", REPLAY, "/sensors/robot/other/replay", {"step": 3}, 404),
     ("GET", TRUTH, "/sensors/robot/scanner/truth", None, 200),
     ("GET", TRUTH, "/sensors/robot/multi/truth", None, 200),
     ("GET", TRUTH, "/sensors/robot/tof/truth", None, 200),
@@ -351,6 +363,7 @@ def main():
         control = folder + "/control.sock"
         rig = pathlib.Path(folder) / "rig.yaml"
         rig.write_text(RIG.replace("SCENE", scene))
+        (pathlib.Path(folder) / "scans.jsonl").write_text(SCANS)
         token = pathlib.Path(folder) / "token"
         token.write_text(TOKEN + "\n")
         token.chmod(0o600)
@@ -361,7 +374,7 @@ def main():
             check_stream(document, control, "multi", "StreamScan")
             check_stream(document, control, "tof", "CameraReading")
             check_stream(document, control, "sonar", "RangerReading")
-            check_view(document, control, ["scanner", "multi", "tof", "sonar"])
+            check_view(document, control, ["scanner", "multi", "tof", "sonar", "played"])
             check_wire(document, control, ready["sensors"][1]["tcp"])
             check_fault_stream(document, control)
             check_paths(document, control)
