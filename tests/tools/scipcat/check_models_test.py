@@ -51,6 +51,8 @@ def main():
     sensors = {f"m{i}": {"model": model, "tcp": "127.0.0.1:0", "mount": mount} for i, model in enumerate(models)}
     ttys = {f"t{i}": {"model": model, "pty": f"tty{i}", "mount": mount}
             for i, model in enumerate(models) if model in BY_TTY}
+    # As slow as serial lines are, which carry no whole scan in a turn.
+    ttys["line"] = {"model": "URG-04LX@3.3.00", "pty": "line", "mount": mount, "link": {"baud": 115200}}
     with Lab(SCIPD, SCENE, sensors={**sensors, **ttys}, lockstep=False) as lab:
         targets = [(keys["model"], "tcp://%s:%d" % lab.address(name)) for name, keys in sensors.items()]
         targets += [(keys["model"], lab.tty(name)) for name, keys in ttys.items()]

@@ -4,6 +4,7 @@
 """
 What `scipcat check` writes, in all its forms, and how it ends. check_report_test.py SCIPD SCIPCAT SCENE
 """
+import contextlib
 import json
 import os
 import pathlib
@@ -13,6 +14,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import xml.etree.ElementTree as xml
 
@@ -87,6 +89,25 @@ def looks_at_wrong_words(target, folder):
         assert done.returncode == 2 and "nothing answers QT" in done.stderr, done
 
 
+def looks_at_who_hangs_up():
+    """One that hangs up after each reply keeps no promise."""
+    def serve(listener):
+        with contextlib.suppress(OSError):
+            while True:
+                client, _ = listener.accept()
+                client.recv(100)
+                client.sendall(b"QT\n00P\n\n")
+                client.close()
+
+    with socket.create_server(("127.0.0.1", 0), backlog=20) as listener:
+        threading.Thread(target=serve, args=(listener,), daemon=True).start()
+        done = run("tcp://127.0.0.1:%d" % listener.getsockname()[1], "--json")
+        listener.shutdown(socket.SHUT_RDWR)
+    checks = json.loads(done.stdout)["checks"]
+    assert done.returncode == 1 and len(checks) > 160, done.stderr
+    assert {check["verdict"] for check in checks} == {"fail", "not applicable"}
+
+
 def looks_at_interruption(target, address, folder):
     """The report has what was checked so far, and the scanner is left at rest."""
     junit = folder / "half.xml"
@@ -122,6 +143,7 @@ def main():
         looks_at_json(target)
         looks_at_files(address, folder)
         looks_at_wrong_words(target, folder)
+        looks_at_who_hangs_up()
         looks_at_interruption(target, address, folder)
         looks_at_progress(target)
 

@@ -19,7 +19,8 @@ struct Answer {
     std::string raw;  ///< with the empty line at its end
     protocol::client::Message message;
     Clock::time_point asked_at{};
-    Clock::time_point came_at{};
+    Clock::time_point begun_at{};     ///< its first byte came
+    Clock::time_point came_at{};      ///< all of it has come
     std::vector<std::string> before;  ///< messages that came between the request and this
 
     [[nodiscard]] const std::string& status() const { return message.status; }

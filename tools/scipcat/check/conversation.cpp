@@ -97,6 +97,7 @@ bool Conversation::read(milliseconds patience) {
     const std::size_t count = transport_->read(buffer, std::clamp(left, milliseconds(0), patience));
     if (count == 0) return false;
     heard_at_ = Clock::now();
+    if (unread_.empty()) heard_from_ = heard_at_;
     unread_.append(buffer.data(), count);
     keep(got_, {buffer.data(), count});
     return true;

@@ -47,8 +47,9 @@ class Conversation {
     /// True: the other end hangs up within this time. What comes before that is kept.
     [[nodiscard]] bool ends_within(std::chrono::milliseconds time);
 
-    /// When the last bytes came.
+    /// When the last bytes came, and when the first of all that had not been taken by then.
     [[nodiscard]] Clock::time_point heard_at() const { return heard_at_; }
+    [[nodiscard]] Clock::time_point heard_from() const { return heard_from_; }
 
     /// From here on sent() and got() begin anew.
     void begin();
@@ -66,6 +67,7 @@ class Conversation {
     std::string sent_;
     std::string got_;
     Clock::time_point heard_at_{};
+    Clock::time_point heard_from_{};
 };
 
 }  // namespace scipd::tools::checks

@@ -133,6 +133,9 @@ void take_texts_of(const std::string& where, const char* request, const Ask& ask
     facts.texts.erase("SERI");
     if (const auto time = facts.texts.find("TIME"); time != facts.texts.end())
         time->second = std::to_string(time->second.size()) + " characters";
+    // The rate of a line is a setting.
+    if (const auto rate = facts.texts.find("SBPS"); rate != facts.texts.end())
+        rate->second.erase(0, rate->second.find_first_not_of("0123456789"));
     for (const auto& [key, text] : facts.texts)
         fingerprint[where + ": " + key + " of " + request] = text;
 }

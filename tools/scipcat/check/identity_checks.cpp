@@ -29,12 +29,11 @@ Finding has_keys(Subject& subject, const std::string& request,
     return pass();
 }
 
-/// The texts of fresh answers.
-Facts ask_texts(Subject& subject) {
+/// One text of a fresh answer.
+std::string ask_text(Subject& subject, const std::string& request, const std::string& key) {
     Facts facts;
-    for (const char* const request : {"VV", "PP", "II"})
-        take_texts(facts, subject.ask(request).raw);
-    return facts;
+    take_texts(facts, subject.ask(request).raw);
+    return facts.text(key);
 }
 
 Finding state_lines(Subject& subject) {
@@ -63,26 +62,23 @@ Finding sound_figures(Subject& subject) {
 
 Finding one_model(Subject& subject) {
     subject.rest();
-    Facts parameters;
-    Facts state;
-    take_texts(parameters, subject.ask("PP").raw);
-    take_texts(state, subject.ask("II").raw);
-    return require(parameters.text("MODL") == state.text("MODL"),
-                   "PP says " + parameters.text("MODL") + ", II says " + state.text("MODL"));
+    const std::string in_parameters = ask_text(subject, "PP", "MODL");
+    const std::string in_state = ask_text(subject, "II", "MODL");
+    return require(in_parameters == in_state, "PP says " + in_parameters + ", II says " + in_state);
 }
 
 Finding laser_text(Subject& subject) {
     subject.rest();
-    const std::string off = ask_texts(subject).text("LASR");
+    const std::string off = ask_text(subject, "II", "LASR");
     subject.measure();
-    const std::string on = ask_texts(subject).text("LASR");
+    const std::string on = ask_text(subject, "II", "LASR");
     if (off != "OFF") return fail("after QT it says LASR:" + off);
     return require(on == "ON", "after BM it says LASR:" + on);
 }
 
 Finding spelled_time(Subject& subject) {
     subject.rest();
-    const std::string time = ask_texts(subject).text("TIME");
+    const std::string time = ask_text(subject, "II", "TIME");
     const bool hexadecimal =
         time.size() == 6 && time.find_first_not_of("0123456789ABCDEF") == std::string::npos;
     const bool encoded = time.size() == 4 && protocol::decode(time).has_value();
@@ -92,7 +88,7 @@ Finding spelled_time(Subject& subject) {
 // They compare the beginning.
 Finding healthy_text(Subject& subject) {
     subject.rest();
-    const std::string health = ask_texts(subject).text("STAT");
+    const std::string health = ask_text(subject, "II", "STAT");
     const std::vector<std::string> fine = {"Stable 000 no error", "Sensor works well",
                                            "sensor is working normally", "failed to synchronize",
                                            "detected multiple master sensor"};
@@ -103,13 +99,13 @@ Finding healthy_text(Subject& subject) {
 
 Finding protocol_text(Subject& subject) {
     subject.rest();
-    const std::string protocol = ask_texts(subject).text("PROT");
+    const std::string protocol = ask_text(subject, "VV", "PROT");
     return require(protocol.starts_with("SCIP 2."), "PROT is \"" + protocol + "\"");
 }
 
 Finding serial_text(Subject& subject) {
     subject.rest();
-    const std::string serial = ask_texts(subject).text("SERI");
+    const std::string serial = ask_text(subject, "VV", "SERI");
     const bool plain = std::ranges::all_of(
         serial, [](unsigned char c) { return std::isalnum(c) != 0 || c == '-'; });
     return require(!serial.empty() && plain, "SERI is \"" + serial + "\"");
@@ -139,14 +135,14 @@ Finding same_words(Subject& subject) {
 
 Finding firmware_text(Subject& subject) {
     subject.rest();
-    const std::string firmware = ask_texts(subject).text("FIRM");
+    const std::string firmware = ask_text(subject, "VV", "FIRM");
     return require(!firmware.substr(0, firmware.find_first_of(" (")).empty(),
                    "FIRM is \"" + firmware + "\"");
 }
 
 Finding mode_text(Subject& subject) {
     subject.rest();
-    std::string mode = ask_texts(subject).text("MESM");
+    std::string mode = ask_text(subject, "II", "MESM");
     std::ranges::transform(mode, mode.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return require(

@@ -82,6 +82,15 @@ void leave_at_rest(Subject& subject) {
     }
 }
 
+/// Where that fails the checks go by what little is known, and fail as well.
+void introduce(Subject& subject) {
+    try {
+        subject.introduce();
+    } catch (const Error&) {
+        subject.wire().hang_up();
+    }
+}
+
 void make_all(Subject& subject, const Wanted& wanted, const Progress& progress,
               CheckReport& report) {
     const std::vector<Planned> planned = plan(wanted);
@@ -89,13 +98,17 @@ void make_all(Subject& subject, const Wanted& wanted, const Progress& progress,
     for (const Planned& next : planned) {
         // SCIP 1.1 comes first, before it is left.
         if (next.chapter != chapters().data() && !std::exchange(introduced, true))
-            subject.introduce();
+            introduce(subject);
         progress(report.results.size(), planned.size(), *next.check);
         report.results.push_back(make(next, subject, wanted));
     }
-    if (!introduced) subject.introduce();
-    if (wanted.sections.empty() && !subject.wire().over() && !subject.speaks_scip1())
-        report.nearest = nearest_firmware(subject);
+    if (!introduced) introduce(subject);
+    if (!wanted.sections.empty() || subject.wire().over() || subject.speaks_scip1()) return;
+    try {
+        const NearestFirmware nearest = nearest_firmware(subject);
+        if (!subject.wire().over()) report.nearest = nearest;
+    } catch (const Error&) {  // it is gone: then it is like none
+    }
 }
 
 }  // namespace
@@ -108,7 +121,6 @@ CheckReport run_checks(const Conversation::Place& place, const Wanted& wanted,
         make_all(subject, wanted, progress, report);
     } catch (const Interrupted&) {
         report.interrupted = true;
-    } catch (const Error&) {  // it is gone: what is missing of the report says so
     }
     leave_at_rest(subject);
     report.facts = subject.facts();

@@ -51,11 +51,22 @@ void Subject::introduce() {
         if (speaks_scip1_) return;
     }
     rest();
+    learn_texts();
+    learn_commands();
+}
+
+// The slowest of the replies tells how slow the line is: what comes by network or USB comes whole.
+void Subject::learn_texts() {
+    ms_per_byte_ = 0.0;
     for (const char* const request : {"VV", "PP", "II"}) {
-        if (const auto answer = try_ask(request)) take_texts(facts_, answer->raw);
+        const auto answer = try_ask(request);
+        if (!answer) continue;
+        take_texts(facts_, answer->raw);
+        const std::chrono::duration<double, std::milli> lasted = answer->came_at - answer->begun_at;
+        ms_per_byte_ =
+            std::max(ms_per_byte_, lasted.count() / static_cast<double>(answer->raw.size()));
     }
     conclude(facts_);
-    learn_commands();
 }
 
 // As UrgBenri does: a bare command is refused for its length or for the state where it is known.
@@ -134,6 +145,7 @@ std::optional<Answer> Subject::try_ask(std::string_view bytes, const std::string
         Answer answer = read_answer(*std::move(raw));
         if (answer.message.echo == echo && answer.status() != "99" && answer.lines().size() > 1) {
             answer.asked_at = asked_at;
+            answer.begun_at = wire_.heard_from();
             answer.came_at = wire_.heard_at();
             answer.before = std::move(before);
             return answer;
@@ -193,6 +205,10 @@ std::string Subject::window(int steps) const {
 }
 
 std::string Subject::all() const {
+    constexpr double bytes_per_step = 3.1;
+    constexpr double share = 0.85;
+    const double carried = share * facts_.period_ms() / bytes_per_step / ms_per_byte_;
+    if (carried < facts_.steps()) return window(std::max(static_cast<int>(carried), 1));
     char digits[16];
     std::snprintf(digits, sizeof digits, "%04d%04d", facts_.amin, facts_.amax);
     return digits;

@@ -63,8 +63,9 @@ class Subject {
     /// Whether a request is answered with this status.
     Finding expect(const std::string& request, std::string_view status);
 
-    /// The digits of so many steps around the front, and of all that it measures.
+    /// The digits of so many steps around the front.
     [[nodiscard]] std::string window(int steps = 1) const;
+    /// The digits of all that it measures, or of as many as its line carries in a turn.
     [[nodiscard]] std::string all() const;
     /// So many turns.
     [[nodiscard]] std::chrono::milliseconds turns(double count) const;
@@ -72,11 +73,13 @@ class Subject {
   private:
     [[nodiscard]] std::optional<Answer> try_ask(std::string_view bytes, const std::string& echo);
     [[nodiscard]] std::string status_of_quit();
+    void learn_texts();
     void learn_commands();
 
     Conversation wire_;
     Facts facts_;
     bool speaks_scip1_ = false;
+    double ms_per_byte_ = 0.0;
 };
 
 /// How much later `later` is, on a clock of 24 bits that wraps.
