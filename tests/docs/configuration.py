@@ -48,6 +48,7 @@ SECTIONS = {
     "robots.NAME.sensors.NAME.mount": (with_sensor("model: UST-10LX, pty: auto, mount: {@}", LIDAR), {}),
     "robots.NAME.sensors.NAME.depth": (with_sensor("model: UST-10LX, pty: auto, depth: {@}"), {}),
     "robots.NAME.sensors.NAME.clock": (with_sensor("model: UST-10LX, pty: auto, clock: {@}"), {}),
+    "robots.NAME.sensors.NAME.replay": (with_sensor("model: UST-10LX, pty: auto, replay: {@}"), {}),
     "robots.NAME.sensors.NAME.link": (with_sensor(f"{BOTH_LINKS}, link: {{@}}"), {}),
     "robots.NAME.sensors.NAME.camera": (with_sensor("camera: {@}"), CAMERA),
     "robots.NAME.sensors.NAME.ranger": (with_sensor("ranger: {@}"), RANGER),
@@ -159,6 +160,8 @@ def main():
         checker = Checker(scipd, pathlib.Path(folder))
         for name in ("scenes", "tests"):
             (checker.folder / name).symlink_to(sources / name)
+        for recording in ("lap.mcap", "drive.bag"):
+            (checker.folder / recording).write_text("nothing reads it here")
         (checker.folder / "kitti.txt").write_text("1 0 0 0 0 1 0 0 0 0 1 0\n" * 2)
         (checker.folder / "bad_day.yaml").write_text("steps: [{sensor: '*', kind: reboot}]\n")
         (checker.folder / "stamps.txt").write_text("0\n1\n")

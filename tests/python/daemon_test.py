@@ -78,7 +78,7 @@ def test_args_hold_in_place_of_what_would_be_chosen(room):
 
 
 def test_what_is_wrong_is_told_with_the_end_of_the_log(tmp_path):
-    with pytest.raises(ScipdNotReady, match="exit code 2(.|\n)*there is no file '.*nowhere.sdf'"):
+    with pytest.raises(ScipdNotReady, match="exit code 2(.|\n)*there is no file '.*nowhere"):
         Scipd(world="nowhere.sdf")
     with pytest.raises(ScipdNotReady, match="unknown model|UST-99"):
         Scipd(model="UST-99")
