@@ -9,7 +9,6 @@
 #include <spdlog/spdlog.h>
 
 #include "daemon/device/powered_profile.h"
-#include "daemon/device/sensor_record.h"
 #include "daemon/device/served_client.h"
 #include "daemon/replay/played_scan.h"
 #include "protocol/reply_grid.h"

@@ -22,6 +22,7 @@
 #include "daemon/device/scan_source.h"
 #include "daemon/device/sensor_counts.h"
 #include "daemon/device/sensor_log.h"
+#include "daemon/device/sensor_record.h"
 #include "daemon/device/sweep.h"
 #include "daemon/device/unit.h"
 #include "daemon/device/watchers.h"
@@ -87,7 +88,6 @@ class Device : public ScanSource, public Endpoint, private Lamp {
     [[nodiscard]] bool poses_known(std::int64_t revolution) const override;
     void prepare(std::int64_t revolution) override;
     void turn_complete(std::int64_t revolution) override;
-
     /// But for what links and faults count.
     [[nodiscard]] SensorCounts counts() const;
     [[nodiscard]] sim::SharedScan latest_scan() const;
