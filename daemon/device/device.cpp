@@ -3,20 +3,59 @@
 #include "daemon/device/device.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include <spdlog/spdlog.h>
-
 #include "daemon/device/powered_profile.h"
-#include "daemon/device/served_client.h"
-#include "daemon/replay/played_scan.h"
 #include "protocol/reply_grid.h"
 #include "protocol/settings.h"
-#include "protocol/timestamp.h"
 #include "sim/fnv1a.h"
 
 namespace scipd::daemon {
+
+/// One client, known to the device for as long as it lives.
+class Device::ServedClient final : public Endpoint::Client {
+  public:
+    ServedClient(Device& device, std::function<void()> on_actions, protocol::LinkKind link)
+        : Client(device.profile_, device.state_, link),
+          on_actions_(std::move(on_actions)),
+          kind_(link == protocol::LinkKind::tty ? DeviceLog::By::tty_client
+                                                : DeviceLog::By::tcp_client),
+          device_(device) {
+        session().set_hook(device_.hook_);
+        device_.clients_.push_back(this);
+    }
+    ServedClient(const ServedClient&) = delete;
+    ServedClient& operator=(const ServedClient&) = delete;
+    ~ServedClient() override {
+        session().close();
+        device_.told_.laser(device_.state_.laser_on(), DeviceLog::By::leaving_client);
+        add(session().refused(), device_.counts_.refused);
+        std::erase(device_.clients_, this);
+    }
+
+    void receive(std::string_view bytes) override {
+        session().receive(bytes, device_.uptime());
+        device_.serve_latest(*this);
+    }
+    [[nodiscard]] std::optional<sim::Time> wake_at() const override {
+        const auto at = session().wake_at();
+        if (!at) return std::nullopt;
+        return device_.device_clock_.world_time(*at);
+    }
+    void wake() override {
+        session().advance(device_.uptime());
+        device_.serve_latest(*this);
+    }
+
+    /// Tells it that its session may have something to send.
+    void tell() const { on_actions_(); }
+    [[nodiscard]] DeviceLog::By kind() const { return kind_; }
+
+  private:
+    std::function<void()> on_actions_;
+    DeviceLog::By kind_;
+    Device& device_;
+};
 
 Device::Device(const std::string& robot, const SensorConfig& config, std::uint64_t seed,
                World& world, Clock& clock)
@@ -45,19 +84,6 @@ Device::Device(const std::string& robot, const SensorConfig& config, std::uint64
 
 Device::~Device() {
     world_.light().lamps().remove(*this);
-}
-
-void Device::play(SharedTape tape, const ReplayConfig& config) {
-    replay_.emplace(std::move(tape), config);
-    turn_as_recorded(0);
-}
-
-void Device::turn_as_recorded(std::int64_t revolution) {
-    timing_.turn_from(timing_.start(revolution), replay_->lasts(revolution));
-}
-
-bool Device::shows(std::int64_t revolution) const {
-    return !replay_ || replay_->at(revolution);
 }
 
 protocol::Uptime Device::uptime() const {
@@ -223,70 +249,6 @@ void Device::tell_clients(const ServedClient* knows) {
         client->tell();
     }
     follow_motor();
-}
-
-const ScanRecord& Device::measure(std::int64_t revolution) {
-    if (const auto latest = log_.latest(); latest && latest->cast->revolution == revolution)
-        return *latest;
-    const sim::SensorSpec& optics = sweep_.optics();
-    const auto shown = replay_ ? replay_->at(revolution) : std::nullopt;
-    ScanRecord record = shown ? played(revolution, *shown) : cast(revolution);
-    record.accuracy = sweep_.accuracy();
-    record.stamp_ms = protocol::timestamp_ms(start_of(revolution), state_.clock_zero());
-    record.front_step = optics.front_step;
-    record.steps_per_turn = optics.steps_per_turn;
-    const auto shared = std::make_shared<const ScanRecord>(std::move(record));
-    log_.add(shared, clock_.now());
-    return *shared;
-}
-
-ScanRecord Device::cast(std::int64_t revolution) {
-    const auto fired = [&](int step) {
-        return device_clock_.world_time(timing_.fired(revolution, step));
-    };
-    const sim::Time begin = clock_.now();
-    const sim::Time start = timing_.start(revolution);
-    const CastWatch watch;
-    Measurement made =
-        sweep_.measure(revolution, device_clock_.world_time(start), fired, clock_.origin(),
-                       cold_start_ ? start : sim::Conditions{}.on_for);
-    watch.stop(made.backend->backend, counts_);
-    if (hook_ != nullptr) {
-        sim::Scan scan = *made.cast;
-        hook_->read(scan, sweep_.optics());
-        made.cast = std::make_shared<const sim::Scan>(std::move(scan));
-    }
-    const auto slow = pace_.add({.backend = made.backend->backend,
-                                 .period = timing_.start(revolution + 1) - start,
-                                 .many_poses = made.cast->world_from_sensor.size() > 1,
-                                 .due = leaves(revolution) + patience_,
-                                 .begin = begin,
-                                 .end = clock_.now()});
-    if (slow) spdlog::warn("{}: {}", sweep_.name(), *slow);
-    ScanRecord record{std::move(made)};
-    record.sent = to_wire(*record.cast, {.start = start_of(revolution)}, sweep_.optics(), profile_);
-    return record;
-}
-
-// What no fault has changed goes out as it was recorded, codes of other firmware too.
-ScanRecord Device::played(std::int64_t revolution, const Replay::Shown& shown) {
-    TapedScan taped = replay_->tape().scan(shown.scan);
-    state_.set_clock(start_of(revolution), std::chrono::milliseconds(shown.stamp_ms));
-    const sim::Time start = device_clock_.world_time(timing_.start(revolution));
-    sim::Scan scan = played_scan(taped, profile_, revolution, start, sweep_.pose_at(start));
-    ScanRecord record{sweep_.measurement_of(nullptr, clock_.origin())};
-    record.sent = {.turn = {.start = start_of(revolution)},
-                   .first_step = sweep_.optics().first_step,
-                   .distance = std::move(taped.distance),
-                   .intensity = std::move(taped.intensity),
-                   .echoes = std::move(taped.echoes)};
-    if (hook_ != nullptr) {
-        const std::vector<sim::Reading> before = scan.readings;
-        hook_->read(scan, sweep_.optics());
-        put_changed(before, scan.readings, profile_, record.sent);
-    }
-    record.cast = std::make_shared<const sim::Scan>(std::move(scan));
-    return record;
 }
 
 }  // namespace scipd::daemon

@@ -28,8 +28,6 @@ class Names {
                                   : "there is another " + kind + ' ' +
                                         (path.empty() ? "" : path + "::") + name) +
                     "; this one is called " + better);
-        taken_.insert(better);
-        seen_.insert(better);
         return better;
     }
 
@@ -44,9 +42,10 @@ class Names {
 
   private:
     [[nodiscard]] std::string free_name(const std::string& name) {
-        // Where many have one name, each begins to count where the last one stopped.
-        for (std::size_t& i = next_[name];; ++i) {
-            std::string candidate = name + '_' + std::to_string(i);
+        // Where many have one name, each begins to count where the last one stopped: so no two get
+        // the same, and nobody needs to keep what was given.
+        for (std::size_t& i = next_[name];;) {
+            std::string candidate = name + '_' + std::to_string(i++);
             if (!taken_.contains(candidate)) return candidate;
         }
     }

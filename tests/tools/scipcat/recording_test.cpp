@@ -14,11 +14,11 @@
 #include <nlohmann/json.hpp>
 
 #include "daemon/models/model_registry.h"
+#include "daemon/recording/wire_decoder.h"
 #include "tests/sim/recording/recordings.h"
 #include "tests/support/temp_dir.h"
 #include "tests/tools/scipcat/room.h"
 #include "tests/tools/scipcat/scipcat.h"
-#include "daemon/recording/wire_decoder.h"
 
 namespace scipd::tests {
 namespace {
