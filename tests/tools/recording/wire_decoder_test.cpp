@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/recording/wire_decoder.h"
+#include "daemon/recording/wire_decoder.h"
 
 #include <string>
 #include <string_view>
@@ -14,13 +14,13 @@
 namespace scipd::tests {
 namespace {
 
+using daemon::WireDecoder;
 using sim::RecordedScan;
 using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Optional;
 using testing::SizeIs;
-using tools::WireDecoder;
 
 std::string summed(const std::string& text) {
     return text + protocol::checksum(text) + "\n";
