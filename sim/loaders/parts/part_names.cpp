@@ -35,8 +35,8 @@ class Names {
     std::string of_road(const std::string& name) {
         const std::string wanted = name.empty() || name.starts_with("__") ? "road" : name;
         std::string free = wanted;
-        for (int count = 2; !taken_.insert(free).second; ++count)
-            free = wanted + '_' + std::to_string(count);
+        for (std::size_t& count = roads_[wanted]; !taken_.insert(free).second; ++count)
+            free = wanted + '_' + std::to_string(count + 2);
         return free;
     }
 
@@ -55,6 +55,7 @@ class Names {
     std::set<std::string, std::less<>> taken_;
     std::set<std::string, std::less<>> seen_;
     std::map<std::string, std::size_t> next_;
+    std::map<std::string, std::size_t> roads_;  ///< how many have this name
 };
 
 std::string kind_of(const SdfPart& part) {

@@ -3,7 +3,9 @@
 //
 // How the reader follows an <include>.
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "sim/loaders/file/xml_tree.h"
@@ -109,7 +111,10 @@ const SdfDocument* SdfReader::document_of(const XMLElement& include, const SdfSh
 
 bool SdfReader::enter(const SdfDocument& document, const std::string& place) {
     const auto same = [&](const SdfDocument* open) {
-        return *open->sheet.file == *document.sheet.file;
+        // By another way, too: over a symbolic link.
+        std::error_code none;
+        return *open->sheet.file == *document.sheet.file ||
+               std::filesystem::equivalent(*open->sheet.file, *document.sheet.file, none);
     };
     if (std::ranges::any_of(open_, same)) {
         draft_.leave_out(place + "includes itself" +

@@ -83,8 +83,9 @@ class Params {
     void apply(const XMLElement& param) {
         const std::string id = attribute(param, "element_id");
         const std::string action = attribute(param, "action");
+        const bool is_said = param.Attribute("element_id") != nullptr;
+        if (action == "add" && is_said) return add(param, id);
         if (id.empty()) return skipped_(param, "has no element_id");
-        if (action == "add") return add(param, id);
         auto* element = element_at(model_, id, param.Name());
         if (element == nullptr) {
             return skipped_(param, "the model has no <" + std::string{param.Name()} + "> " +
@@ -95,13 +96,20 @@ class Params {
     }
 
   private:
-    /// The last name of the id is that of the new element.
+    /// The id is that of the element around the new one, as in libsdformat (ParamPassing.cc). Where
+    /// the new one has no name, the last name of the id is taken for it.
     void add(const XMLElement& param, const std::string& id) {
-        const auto at = id.rfind(colons);
-        const std::string outer_id = at == id.npos ? "" : id.substr(0, at);
+        std::string name = attribute(param, "name");
+        std::string outer_id = id;
+        if (name.empty()) {
+            const auto at = id.rfind(colons);
+            outer_id = at == id.npos ? "" : id.substr(0, at);
+            name = id.substr(at == id.npos ? 0 : at + colons.size());
+        }
         auto* outer = element_at(model_, outer_id);
         if (outer == nullptr) return skipped_(param, "the model has no " + quote(outer_id));
-        add_copy(param, *outer).SetAttribute("name", id.substr(at == id.npos ? 0 : at + 2).c_str());
+        if (name.empty()) return skipped_(param, "has no name");
+        add_copy(param, *outer).SetAttribute("name", name.c_str());
     }
 
     void apply(const XMLElement& param, const std::string& action, XMLElement& element) {

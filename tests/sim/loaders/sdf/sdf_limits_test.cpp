@@ -44,6 +44,13 @@ TEST_F(SdfLimits, WhatIncludesItself) {
                 ElementsAre("c.sdf:3: includes itself, through others"));
 }
 
+TEST_F(SdfLimits, WhatIncludesItselfOverALink) {
+    std::filesystem::create_directory_symlink(".", folder_.path() / "d");
+    folder_.write("self.sdf", sdf("<model name='m'>" + include("d/self.sdf", "x") + "</model>"));
+    EXPECT_THAT(faults(world(include("self.sdf", "x"))),
+                ElementsAre(testing::HasSubstr("includes itself")));
+}
+
 TEST_F(SdfLimits, WhatIncludesTooDeeply) {
     for (int i = 0; i < 40; ++i)
         write_model(numbered("", i, ".sdf"), include(numbered("", i + 1, ".sdf"), "x"));

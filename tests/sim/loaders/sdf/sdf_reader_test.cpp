@@ -3,6 +3,7 @@
 //
 // What earlier readers refused, lost or misread, against places by hand.
 #include <algorithm>
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -145,6 +146,34 @@ TEST_F(SdfReading, ChangesWhatAnIncludeBringsAndKeepsTheRest) {
                             "a.sdf:6: <link> of experimental:params: cannot rename it to 'other'; "
                             "skipped"));
     expect_at("m::l::v", {2, 0, 0});
+}
+
+// As libsdformat does: the id is that of the element around the new one.
+TEST_F(SdfReading, AddsWhatAnIncludeNamesToWhatItsIdSays) {
+    folder_.write("m.sdf", sdf("<model name='m'><link name='l'><pose>1 0 0 0 0 0</pose>" +
+                               visual("v", unit_box) + "</link></model>"));
+    const std::string shape = "<geometry>" + unit_box + "</geometry>";
+    load(
+        world("<include><uri>m.sdf</uri><experimental:params>\n"
+              "<visual element_id='l' action='add' name='w'><pose>0 0 2 0 0 0</pose>" +
+              shape + "</visual><link element_id='' action='add' name='k'><visual name='v'>" +
+              shape + "</visual></link>\n<visual element_id='none' action='add' name='x'>" + shape +
+              "</visual></experimental:params></include>"));
+    EXPECT_THAT(warnings_, ElementsAre("a.sdf:6: <visual> of experimental:params: the model has no "
+                                       "'none'; skipped"));
+    ASSERT_EQ(scene_->objects.size(), 3U);
+    expect_at("m::l::w", {1, 0, 2});
+    expect_at("m::k::v", {0, 0, 0});
+}
+
+TEST_F(SdfReading, TakesManyRoadsOfOneName) {
+    std::string roads;
+    for (int i = 0; i < 20'000; ++i)
+        roads += "<road/>";
+    const auto begin = std::chrono::steady_clock::now();
+    load(world(roads + boxed_model("m")));
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+    expect_at("m::l::v", {0, 0, 0});
 }
 
 TEST_F(SdfReading, OffersALidarOfLessThanOneRow) {
