@@ -87,7 +87,15 @@ GivenPose SdfValues::pose() const {
     const bool is_origin = std::string_view{element->Name()} == "origin";
     const std::string text = is_origin ? attribute(*element, "pose") : text_of(element);
     if (trimmed(text).empty()) return given;
-    const bool is_quaternion = attribute(*element, "rotation_format") == "quat_xyzw";
+    const std::string format = attribute(*element, "rotation_format");
+    const bool is_quaternion = format == "quat_xyzw";
+    if (!format.empty() && !is_quaternion && format != "euler_rpy")
+        throw UnreadableValue("its pose has the rotation_format " + quote(format) +
+                              ", which must be euler_rpy or quat_xyzw");
+    bool in_degrees = false;
+    if (element->QueryBoolAttribute("degrees", &in_degrees) == tinyxml2::XML_WRONG_ATTRIBUTE_TYPE)
+        throw UnreadableValue("its pose has degrees " + quote(attribute(*element, "degrees")) +
+                              ", which must be true or false");
     const auto n = numbers_in("pose", text, is_quaternion ? 7 : 6);
     given.pose.translation_m = {n[0], n[1], n[2]};
     if (is_quaternion) {
@@ -96,7 +104,7 @@ GivenPose SdfValues::pose() const {
         if (glm::length(turn) > 0.0) given.pose.rotation = glm::normalize(turn);
         return given;
     }
-    const double unit_rad = element->BoolAttribute("degrees") ? std::numbers::pi / 180.0 : 1.0;
+    const double unit_rad = in_degrees ? std::numbers::pi / 180.0 : 1.0;
     given.pose = pose_from_rpy(given.pose.translation_m, unit_rad * glm::dvec3{n[3], n[4], n[5]});
     return given;
 }

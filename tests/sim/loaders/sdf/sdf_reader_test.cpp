@@ -166,6 +166,19 @@ TEST_F(SdfReading, AddsWhatAnIncludeNamesToWhatItsIdSays) {
     expect_at("m::k::v", {0, 0, 0});
 }
 
+// Else a scanner would see it elsewhere.
+TEST_F(SdfReading, LeavesOutWhatSaysItsAnglesInAWayThatNobodyKnows) {
+    load(world(boxed_model("a", "<pose degrees='maybe'>0 0 0 0 0 90</pose>") +
+               boxed_model("b", "<pose rotation_format='foo'>0 0 0 0 0 1</pose>") +
+               boxed_model("c",
+                           "<pose degrees='true' rotation_format='euler_rpy'>1 0 0 0 0 90"
+                           "</pose>")));
+    EXPECT_THAT(warnings_,
+                ElementsAre(HasSubstr("degrees 'maybe', which must be true or false; left out"),
+                            HasSubstr("'foo', which must be euler_rpy or quat_xyzw; left out")));
+    expect_at("c::l::v", {1, 0, 0});
+}
+
 TEST_F(SdfReading, TakesManyRoadsOfOneName) {
     std::string roads;
     for (int i = 0; i < 20'000; ++i)
