@@ -13,7 +13,6 @@
 #include "daemon/api/fault_text.h"
 #include "daemon/api/pose_routes.h"
 #include "daemon/api/route_handlers.h"
-#include "daemon/config/sensor_config.h"
 #include "daemon/faults/read_fault.h"
 #include "daemon/http/problem.h"
 #include "daemon/http/url.h"
@@ -32,25 +31,21 @@ std::optional<std::uint64_t> whole_number(std::string_view text) {
     return number;
 }
 
-std::string scanner_in(const Call& call) {
-    return sensor_name(call.names[0], call.names[1]);
-}
-
 /// Answers those who name no scanner. True: the path names one.
 bool names_scanner(const Call& call) {
-    const std::string sensor = scanner_in(call);
+    const std::string sensor = sensor_of(call);
     const auto scanners = call.api.faults().scanners();
     if (std::ranges::find(scanners, sensor) != scanners.end()) return true;
     const bool there = call.api.log(sensor).has_value();
     call.respond(there ? problem(409, "\"" + sensor +
                                           "\" is a camera or ranger, which speaks no SCIP: only "
                                           "scanners have faults")
-                       : problem(404, "there is no sensor \"" + sensor + "\""));
+                       : no_sensor(sensor));
     return false;
 }
 
 HttpResponse no_fault(const Call& call) {
-    return problem(404, "there is no fault \"" + call.names[2] + "\" at " + scanner_in(call));
+    return problem(404, "there is no fault \"" + call.names[2] + "\" at " + sensor_of(call));
 }
 
 bool is_full(const FaultsApi& faults, const std::string& scanner) {
@@ -73,7 +68,7 @@ void post_fault(Call&& call) {
     auto plan = parse_fault(call.request.body);
     if (!plan) return call.respond(bad_request(plan.error()));
     FaultsApi& faults = call.api.faults();
-    const std::string scanner = scanner_in(call);
+    const std::string scanner = sensor_of(call);
     if (is_full(faults, scanner)) {
         return call.respond(problem(409, std::to_string(most_faults) + " faults wait or act at " +
                                              scanner + ", and there cannot be more: stop some"));
@@ -87,21 +82,21 @@ void post_fault(Call&& call) {
 void get_faults(Call&& call) {
     if (!names_scanner(call)) return;
     Json list = Json::array();
-    for (const FaultStatus& fault : call.api.faults().list(scanner_in(call)))
+    for (const FaultStatus& fault : call.api.faults().list(sensor_of(call)))
         list.push_back(fault_document(fault));
     call.respond(ok(list));
 }
 
 void delete_faults(Call&& call) {
     if (!names_scanner(call)) return;
-    call.api.faults().stop_all(scanner_in(call));
+    call.api.faults().stop_all(sensor_of(call));
     call.respond(no_content());
 }
 
 void get_fault(Call&& call) {
     if (!names_scanner(call)) return;
     const auto id = whole_number(call.names[2]);
-    const auto list = call.api.faults().list(scanner_in(call));
+    const auto list = call.api.faults().list(sensor_of(call));
     const auto found =
         std::ranges::find_if(list, [&](const FaultStatus& fault) { return id && fault.id == *id; });
     call.respond(found == list.end() ? no_fault(call) : ok(fault_document(*found)));
@@ -110,7 +105,7 @@ void get_fault(Call&& call) {
 void delete_fault(Call&& call) {
     if (!names_scanner(call)) return;
     const auto id = whole_number(call.names[2]);
-    const bool stopped = id && call.api.faults().stop(scanner_in(call), *id);
+    const bool stopped = id && call.api.faults().stop(sensor_of(call), *id);
     call.respond(stopped ? no_content() : no_fault(call));
 }
 
@@ -123,7 +118,7 @@ void get_fault_log(Call&& call) {
         return call.respond(
             problem(400, "since must be the number of an entry, as this tells it as n", "since"));
     }
-    call.respond(ok(log_document(call.api.faults().log(scanner_in(call)), *since)));
+    call.respond(ok(log_document(call.api.faults().log(sensor_of(call)), *since)));
 }
 
 }  // namespace scipd::daemon

@@ -8,7 +8,6 @@
 
 #include "daemon/api/documents.h"
 #include "daemon/api/route_handlers.h"
-#include "daemon/config/sensor_config.h"
 #include "daemon/http/problem.h"
 #include "sim/loaders/poses/small_json.h"
 #include "sim/text/quote.h"
@@ -76,14 +75,14 @@ Json replay_document(const ReplayStatus& replay) {
 
 /// Nothing, and an answer: it plays none.
 std::optional<ReplayStatus> replay_in(const Call& call) {
-    const std::string sensor = sensor_name(call.names[0], call.names[1]);
+    const std::string sensor = sensor_of(call);
     auto replay = call.api.replay(sensor);
     if (replay) return replay;
     const bool there = call.api.log(sensor).has_value();
     call.respond(there ? problem(409, "\"" + sensor +
                                           "\" plays no recording: give it `replay` in the "
                                           "configuration, or start scipd with --replay FILE")
-                       : problem(404, "there is no sensor \"" + sensor + "\""));
+                       : no_sensor(sensor));
     return std::nullopt;
 }
 
@@ -97,7 +96,7 @@ void patch_replay(Call&& call) {
     if (!replay_in(call)) return;
     const auto steering = parse_steering(call.request.body);
     if (!steering) return call.respond(bad_request(steering.error()));
-    call.api.steer_replay(sensor_name(call.names[0], call.names[1]), *steering);
+    call.api.steer_replay(sensor_of(call), *steering);
     get_replay(std::move(call));
 }
 

@@ -22,6 +22,11 @@ struct Call {
     Respond respond;
 };
 
+/// The sensor of a path that begins with /sensors/{robot}/{sensor}.
+[[nodiscard]] std::string sensor_of(const Call& call);
+/// Answers that there is none of this name.
+[[nodiscard]] HttpResponse no_sensor(const std::string& sensor);
+
 // page_routes.cpp
 void get_page(Call&& call);
 void get_icon(Call&& call);
@@ -33,9 +38,11 @@ void get_sensors(Call&& call);
 void get_sensor(Call&& call);
 void patch_sensor(Call&& call);
 void get_reading(Call&& call);
+void get_truth(Call&& call);
+
+// replay_routes.cpp
 void get_replay(Call&& call);
 void patch_replay(Call&& call);
-void get_truth(Call&& call);
 
 // metrics_routes.cpp
 void get_metrics(Call&& call);

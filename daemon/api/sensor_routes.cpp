@@ -115,14 +115,6 @@ Json to_json(const RigReport& rig) {
             {"sensors", to_json(rig.sensors)}};
 }
 
-std::string sensor_of(const Call& call) {
-    return sensor_name(call.names[0], call.names[1]);
-}
-
-HttpResponse no_sensor(const Call& call) {
-    return problem(404, "there is no sensor \"" + sensor_of(call) + "\"");
-}
-
 HttpResponse no_scan_yet() {
     return problem(
         404,
@@ -163,6 +155,14 @@ HttpResponse truth(Api& api, const std::string& sensor, const std::string& query
 
 }  // namespace
 
+std::string sensor_of(const Call& call) {
+    return sensor_name(call.names[0], call.names[1]);
+}
+
+HttpResponse no_sensor(const std::string& sensor) {
+    return problem(404, "there is no sensor \"" + sensor + "\"");
+}
+
 void get_status(Call&& call) {
     call.respond(ok(to_json(call.api.report())));
 }
@@ -175,12 +175,12 @@ void get_sensor(Call&& call) {
     for (const SensorReport& candidate : call.api.report().sensors) {
         if (candidate.name == sensor_of(call)) return call.respond(ok(to_json(candidate)));
     }
-    call.respond(no_sensor(call));
+    call.respond(no_sensor(sensor_of(call)));
 }
 
 void patch_sensor(Call&& call) {
     const std::string sensor = sensor_of(call);
-    if (!call.api.log(sensor)) return call.respond(no_sensor(call));
+    if (!call.api.log(sensor)) return call.respond(no_sensor(sensor_of(call)));
     const auto now = call.api.errors(sensor);
     if (!now)
         return call.respond(problem(
@@ -196,7 +196,7 @@ void patch_sensor(Call&& call) {
 void get_reading(Call&& call) {
     const std::string sensor = sensor_of(call);
     const auto latest = call.api.latest(sensor);
-    if (!latest) return call.respond(no_sensor(call));
+    if (!latest) return call.respond(no_sensor(sensor_of(call)));
     if (const auto* const record = std::get_if<SharedStaringRecord>(&*latest))
         return call.respond(ok_text(reading_text(sensor, **record)));
     call.respond(problem(404, "\"" + sensor +
@@ -207,7 +207,7 @@ void get_reading(Call&& call) {
 void get_truth(Call&& call) {
     const std::string sensor = sensor_of(call);
     const auto latest = call.api.latest(sensor);
-    if (!latest) return call.respond(no_sensor(call));
+    if (!latest) return call.respond(no_sensor(sensor_of(call)));
     call.api.ask_log(sensor);
     call.respond(truth(call.api, sensor, call.request.query, *latest));
 }
