@@ -33,8 +33,6 @@ struct SensorReport {
     SensorCounts counts;
     SensorCounts counts_before;     ///< of its predecessors of the same name
     std::uint64_t stream_lost = 0;  ///< scans that clients of /stream did not get
-    std::int64_t turn = 0;          ///< that its scan loop is to end next
-    bool overdue = false;           ///< its scan loop should have ended that one by now
 };
 
 struct PosesReport {

@@ -61,9 +61,7 @@ SensorReport report_of(const Station& station, const Simulation& simulation) {
         .backend_reason = choice.reason.empty() ? std::optional<std::string>() : choice.reason,
         .warning = simulation.place_watch.warning(name),
         .counts = counts_of(station),
-        .stream_lost = station.loop->missed_by_watchers() + station.tap->lost(),
-        .turn = station.loop->turn(),
-        .overdue = station.loop->overdue()};
+        .stream_lost = station.loop->missed_by_watchers() + station.tap->lost()};
     std::visit(
         [&](const auto& sensor) {
             report.model = model_of(*sensor);

@@ -38,20 +38,22 @@ std::string status_line(const RigReport& rig) {
     return line;
 }
 
-std::vector<ScanWatch::Look> looks_at(const RigReport& rig) {
+// Not from a report: the watchdog looks often, and at nothing else.
+std::vector<ScanWatch::Look> looks_at(const Stations& stations) {
     std::vector<ScanWatch::Look> loops;
-    for (const SensorReport& sensor : rig.sensors)
-        loops.push_back({sensor.name, sensor.turn, sensor.overdue});
+    for (const auto& station : stations) {
+        const ScanLoop& loop = *station->loop;
+        loops.push_back({station->name(), loop.turn(), loop.overdue()});
+    }
     return loops;
 }
 
 }  // namespace
 
 Served served(Simulation& simulation) {
-    const auto report = [&] {
-        return simulation.shards.still([&] { return report_of(simulation); });
-    };
-    return {[report] { return status_line(report()); }, [report] { return looks_at(report()); }};
+    return {
+        [&] { return status_line(simulation.shards.still([&] { return report_of(simulation); })); },
+        [&] { return simulation.shards.still([&] { return looks_at(simulation.stations); }); }};
 }
 
 }  // namespace scipd::daemon
