@@ -124,7 +124,10 @@ class HelpFormatter : public CLI::Formatter {
         text +=
             listed("; with ", option->get_needs()) + listed("; not with ", option->get_excludes());
         const std::string& usual = option->get_default_str();
-        return usual.empty() ? text : text + "; default: " + usual;
+        if (usual.empty()) return text;
+        // Where an option may stand without a value, the library takes the default for that.
+        const bool may_stand_alone = option->get_items_expected_min() == 0;
+        return text + (may_stand_alone ? "; without a value: " : "; default: ") + usual;
     }
 
     std::string make_subcommand(const CLI::App* command) const override {

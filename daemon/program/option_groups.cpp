@@ -118,13 +118,14 @@ void add_replay(Group& group, SensorConfig& sensor) {
                   return put(parse_file(text, fs::current_path()), sensor.replay->file);
               });
     group
-        .add("--loop", "true|on|false",
-             "play it again at its end: each round has the recorded stamps, or the stamps go on; "
-             "default: false",
-             [&](const auto& text) {
-                 if (!sensor.replay) sensor.replay.emplace();
-                 return put(parse_loop(text), sensor.replay->loop);
-             })
+        .add(
+            "--loop", "true|on|false",
+            "play it again at its end: each round has the recorded stamps (true), or the stamps go "
+            "on (on); default: false",
+            [&](const auto& text) {
+                if (!sensor.replay) sensor.replay.emplace();
+                return put(parse_loop(text), sensor.replay->loop);
+            })
         ->expected(0, 1)
         ->default_str("true")
         ->needs("--replay");
