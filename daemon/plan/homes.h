@@ -23,9 +23,8 @@ struct Homes {
 
 /// For this configuration, with all sensors mounted, where those are that run now. A sensor goes
 /// where its tty is, or its TCP port, or its namesake; the others go where there is least to do, as
-/// far as is `known`. Where that leaves shards uneven, sensors go elsewhere that may move. What
-/// nobody has measured costs what the rays of the others cost. Throws std::runtime_error where
-/// sensors that live apart would have to live together.
+/// far as is `known`. What nobody has measured costs what the rays of the others cost. Throws
+/// std::runtime_error where sensors that live apart would have to live together.
 [[nodiscard]] Homes find_homes(const Config& config, const Homes& now,
                                const std::map<std::string, KnownSensor>& known);
 
