@@ -33,7 +33,7 @@ sim::Expected<std::string> check_token(const fs::path& file, std::string token) 
         std::ranges::all_of(token, is_visible)) {
         return token;
     }
-    return sim::refuse("the first line of " + sim::quote(file.native()) +
+    return sim::refuse("the first line of " + sim::quote(file.native(), sim::whole_path) +
                        " must be a token of 16 to 1024 letters, digits and signs of ASCII, "
                        "without spaces; `openssl rand -hex 32` makes one");
 }
@@ -57,7 +57,8 @@ sim::Expected<unsigned> parse_group(const std::string& name) {
 sim::Expected<fs::path> parse_folder(const std::string& text, const fs::path& base) {
     return parse_scene(text, base).and_then([](fs::path folder) -> sim::Expected<fs::path> {
         if (fs::is_directory(folder)) return folder;
-        return sim::refuse(sim::quote(folder.native()) + " is a file; name its folder");
+        return sim::refuse(sim::quote(folder.native(), sim::whole_path) +
+                           " is a file; name its folder");
     });
 }
 

@@ -264,9 +264,10 @@ Expected<fs::path> parse_file(std::string_view text, const fs::path& base) {
     auto file = absolute_path(text, base);
     if (!file) return file;
     std::error_code error;
-    if (!fs::exists(*file, error)) return refuse("there is no file " + quote(file->native()));
+    const std::string named = quote(file->native(), sim::whole_path);
+    if (!fs::exists(*file, error)) return refuse("there is no file " + named);
     const auto plain = sim::check_plain_file(*file);
-    if (!plain) return refuse(quote(file->native()) + ' ' + plain.error().why + "; name a file");
+    if (!plain) return refuse(named + ' ' + plain.error().why + "; name a file");
     return file;
 }
 

@@ -404,6 +404,8 @@ TEST(Options, AnswersQuestionsOnStandardOutput) {
 TEST(Options, SaysInOneSentenceWhatIsWrong) {
     const std::pair<const char*, std::string> table[] = {
         {"--scene /nowhere.sdf", "--scene: there is no file '/nowhere.sdf'"},
+        {"--scene /no/where/in/a/folder/with/a/long/name.sdf",
+         "--scene: there is no file '/no/where/in/a/folder/with/a/long/name.sdf'"},
         {"--materials /nowhere.yaml", "--materials: there is no file '/nowhere.yaml'"},
         {"--scenario /nowhere.yaml", "--scenario: there is no file '/nowhere.yaml'"},
         {"--poses /", "--poses: '/' is a directory; name a file"},
