@@ -34,11 +34,16 @@ struct SceneEditor::Next {
 using Result = EditOutcome::Result;
 
 void SceneEditor::edit(SceneEdit edit, EditDone done, std::stop_token withdrawn) {
-    auto begin = [this, edit = std::move(edit), done = std::move(done)]() -> Worker::Work {
+    auto begin = [this, edit = std::move(edit), done = std::move(done),
+                  withdrawn]() -> Worker::Work {
         PresentScene present{file_, world_.scene(), options_, allow_, added_, limits_->values()};
-        present.options.limits.stop = worker_.stopping();
-        return [this, edit, done, present = std::move(present),
-                requests = requests_()]() mutable -> Worker::Finish {
+        return [this, edit, done, present = std::move(present), requests = requests_(),
+                stopping = worker_.stopping(), withdrawn]() mutable -> Worker::Finish {
+            std::stop_source nobody_waits;
+            const auto stop = [&] { nobody_waits.request_stop(); };
+            const std::stop_callback when_stopping{stopping, stop};
+            const std::stop_callback when_withdrawn{withdrawn, stop};
+            present.options.limits.stop = nobody_waits.get_token();
             // `done` belongs to the I/O thread and is moved back there. If a copy stayed here, the
             // worker's thread might be the one that destroys it.
             const auto refused = [&](EditOutcome why) {

@@ -58,7 +58,8 @@ class SceneEditor {
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
     /// Takes effect after all edits that were asked for before. `done` is called when the edit is
-    /// in effect or refused; it is not called where the edit is withdrawn before it has begun.
+    /// in effect or refused; it is not called where the edit is withdrawn before it has begun. A
+    /// file that is being read then is not read to its end, so that later edits need not wait.
     void edit(SceneEdit edit, EditDone done, std::stop_token withdrawn = {});
 
   private:

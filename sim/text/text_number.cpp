@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <string>
 
 namespace scipd::sim {
@@ -75,7 +76,9 @@ std::optional<Time> parse_stamp(std::string_view text, int power) {
 std::optional<double> parse_number(std::string_view text) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return {};
+    if (end != text.data() + text.size() || error == std::errc::invalid_argument) return {};
+    // Too close to 0 or too large for a double: from_chars() does not say which.
+    if (error != std::errc{}) value = std::strtod(std::string{text}.c_str(), nullptr);
     if (!std::isfinite(value)) return {};
     return value;
 }

@@ -22,7 +22,8 @@ std::string_view trimmed(std::string_view text);
 /// rounded. Nothing if the text is no number or lies beyond `time_limit_s`.
 std::optional<Time> parse_stamp(std::string_view text, int power = 0);
 
-/// The finite number that the whole text is; nothing if it is none.
+/// The finite number that the whole text is; nothing if it is none. What is closer to 0 than any
+/// double becomes the nearest of them.
 std::optional<double> parse_number(std::string_view text);
 
 /// Exactly `count` finite numbers, separated by blanks, each with or without a +; nothing if the

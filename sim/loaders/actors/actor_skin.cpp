@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <memory>
 
 #include "sim/loaders/file/load_error.h"
 
@@ -20,8 +19,8 @@ constexpr double radius_m = 0.25;
 /// (1966).
 constexpr double hips_share = 0.53;
 
-SharedMesh capsule() {
-    return std::make_shared<const Mesh>(capsule_mesh(radius_m, height_m - 2.0 * radius_m));
+Mesh capsule() {
+    return capsule_mesh(radius_m, height_m - 2.0 * radius_m);
 }
 
 Bounds bounds_of_all(const std::vector<SharedPart>& parts) {
@@ -61,8 +60,7 @@ ActorSkin skin_of(const NamedFile& file, const MeshView& view, const Resources& 
     } catch (const LoadError& error) {
         skin.warning = std::string{error.what()} +
                        "; a capsule of a person's size, 1.75 m high and 0.5 m wide, stands in";
-        skin.parts = {{{}, capsule()}};
-        shelf.count(skin.parts.front().mesh);
+        skin.parts = {{{}, shelf.stand_in(capsule)}};
     }
     skin.lift_m = lift_m(bounds_of_all(skin.parts), actor_z_m);
     return skin;

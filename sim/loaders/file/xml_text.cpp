@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <string_view>
 
 #include "sim/loaders/file/mistaken_file.h"
@@ -20,7 +21,41 @@ struct Mark {
 constexpr std::array<Mark, 3> marks{
     {{"<!--", "-->", false}, {"<?", "?>", false}, {"<![CDATA[", "]]>", true}}};
 
+constexpr std::array<std::string_view, 4> latin_1{"iso-8859-1", "iso8859-1", "latin1", "latin-1"};
+
+/// In small letters; empty if the declaration names none.
+std::string declared_encoding(std::string_view text) {
+    text = without_blank_start(text);
+    if (!text.starts_with("<?xml")) return {};
+    text = text.substr(0, text.find("?>"));
+    const auto at = text.find("encoding");
+    const auto begin = at == text.npos ? at : text.find_first_of("'\"", at);
+    if (begin == text.npos) return {};
+    const auto named = text.substr(begin + 1, text.find(text[begin], begin + 1) - begin - 1);
+    std::string small{named};
+    std::ranges::transform(small, small.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return small;
+}
+
 }  // namespace
+
+std::string in_utf8(const std::string& text) {
+    const std::string encoding = declared_encoding(text);
+    if (std::ranges::find(latin_1, encoding) == latin_1.end()) return text;
+    std::string utf8;
+    utf8.reserve(text.size());
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x80U) {
+            utf8.push_back(c);
+        } else {
+            utf8.push_back(static_cast<char>(0xC0U | (byte >> 6U)));
+            utf8.push_back(static_cast<char>(0x80U | (byte & 0x3FU)));
+        }
+    }
+    return utf8;
+}
 
 bool blank_comments(std::string& text) {
     bool any = false;

@@ -127,6 +127,15 @@ const std::vector<SharedPart>& MeshShelf::parts_of(const std::filesystem::path& 
     return parts_.emplace(key, std::move(parts)).first->second;
 }
 
+const SharedMesh& MeshShelf::stand_in(const std::function<Mesh()>& make) {
+    if (stand_in_ == nullptr) {
+        auto made = std::make_shared<const Mesh>(make());
+        count(made);
+        stand_in_ = std::move(made);
+    }
+    return stand_in_;
+}
+
 void MeshShelf::count(const Shape& shape) {
     // Other shapes, and spheres of less than this radius, have few triangles.
     const auto* mesh = std::get_if<SharedMesh>(&shape);

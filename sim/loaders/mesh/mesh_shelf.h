@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -51,6 +52,9 @@ class MeshShelf {
     /// The parts of this file that `view` shows. Throws LoadError.
     const std::vector<SharedPart>& parts_of(const std::filesystem::path& file,
                                             const MeshView& view);
+    /// The mesh that stands in for all that cannot be shown, as `make` makes it the first time.
+    /// Throws LoadError as count().
+    const SharedMesh& stand_in(const std::function<Mesh()>& make);
     /// Adds the triangles of this shape. Throws LoadError if the world then has too many.
     void count(const Shape& shape);
 
@@ -77,6 +81,7 @@ class MeshShelf {
     std::size_t triangles_ = 0;
     std::map<MeshSource, InFile> in_file_;
     std::map<Key, std::vector<SharedPart>> parts_;
+    SharedMesh stand_in_;
 };
 
 }  // namespace scipd::sim

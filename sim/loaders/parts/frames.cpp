@@ -11,9 +11,6 @@ namespace scipd::sim {
 namespace {
 
 constexpr std::string_view colons = "::";
-constexpr const char* in_a_circle = "its pose leads in a circle";
-/// Each takes some of the stack.
-constexpr int deepest = 2000;
 
 /// What its pose is relative to where its element does not say; empty: to the model or the world.
 std::string_view reference_of(const SdfPart& part) {
@@ -49,7 +46,7 @@ Expected<Pose> Frames::pose_of(std::string_view name) {
     // A part may be called `world` itself.
     if (const SdfPart* part = find(name)) {
         auto pose = pose_of(*part);
-        if (pose || known_[part].is_open) return pose;
+        if (pose) return pose;
         return refuse(quote(name, whole_path) + ", which lies nowhere");
     }
     if (is_itself(name)) return Pose{};
@@ -57,7 +54,7 @@ Expected<Pose> Frames::pose_of(std::string_view name) {
     if (model == nullptr) return refuse(quote(name, whole_path) + ", which is no frame");
     const auto here = pose_of(*model);
     const auto inside = nested(*model).pose_of(rest);
-    if (!here) return here;
+    if (!here) return refuse(quote(name, whole_path) + ", which lies nowhere");
     if (!inside) return inside;
     return *here * *inside;
 }
@@ -86,18 +83,27 @@ bool Frames::is_there(std::string_view name) {
 
 Expected<Pose> Frames::pose_of(const SdfPart& part) {
     if (lies_right_in(part)) return part.pose.pose;  // as most do, and takes no memory
-    const auto [known, is_new] = known_.try_emplace(&part);
-    if (known->second.is_open) return refuse(in_a_circle);
-    if (!is_new) return known->second.pose;
-    if (depth_ >= deepest) return refuse("its pose leads through more than 2000 frames");
-    known->second.is_open = true;
-    ++depth_;
-    auto pose = found(part);
-    --depth_;
-    Known& entry = known_[&part];
-    entry.is_open = false;
-    entry.pose = pose;
-    return pose;
+    // From its far end: so no chain is too long for the stack.
+    std::vector<const SdfPart*> chain;
+    const auto is_circle = [&] { return chain.size() > outer_.parts.size(); };
+    for (const auto* at = &part; at != nullptr && !known_.contains(at) && !is_circle();
+         at = next_of(*at)) {
+        chain.push_back(at);
+    }
+    if (is_circle()) known_.emplace(chain.back(), refuse("its pose leads in a circle"));
+    for (; !chain.empty(); chain.pop_back()) {
+        if (known_.contains(chain.back())) continue;
+        auto pose = found(*chain.back());
+        known_.emplace(chain.back(), std::move(pose));
+    }
+    return known_.at(&part);
+}
+
+const SdfPart* Frames::next_of(const SdfPart& part) const {
+    if (lies_right_in(part)) return nullptr;
+    const std::string_view name = reference_of(part);
+    const SdfPart* next = find(name);
+    return next == nullptr ? into_model(name).first : next;
 }
 
 Expected<Pose> Frames::found(const SdfPart& part) {
@@ -109,7 +115,6 @@ Expected<Pose> Frames::found(const SdfPart& part) {
                       ", which is no frame");
     }
     const auto reference = pose_of(reference_of(part));
-    if (!reference && reference.error().why == in_a_circle) return reference;
     if (!reference) return refuse("its pose is relative to " + reference.error().why);
     const auto placed_in = placed(part);
     if (!placed_in) return placed_in;

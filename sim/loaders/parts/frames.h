@@ -32,25 +32,21 @@ class Frames {
     [[nodiscard]] const SdfPart* link_under(const SdfPart& frame) const;
 
   private:
-    struct Known {
-        bool is_open = false;  ///< somebody asks for it already
-        Expected<Pose> pose = Pose{};
-    };
-
     [[nodiscard]] const SdfPart* find(std::string_view name) const;
     /// The nested model that a name leads into, and the rest of the name; null if into none.
     [[nodiscard]] std::pair<const SdfPart*, std::string_view> into_model(
         std::string_view name) const;
     [[nodiscard]] Frames& nested(const SdfPart& model);
     [[nodiscard]] bool is_there(std::string_view name);
+    /// The part of its own that the pose of this one leads to first; null if to none.
+    [[nodiscard]] const SdfPart* next_of(const SdfPart& part) const;
     [[nodiscard]] Expected<Pose> found(const SdfPart& part);
     [[nodiscard]] Expected<Pose> placed(const SdfPart& part);
     [[nodiscard]] bool is_itself(std::string_view name) const;
 
     const SdfPart& outer_;
-    int depth_ = 0;
     std::unordered_map<std::string_view, const SdfPart*> parts_;
-    std::unordered_map<const SdfPart*, Known> known_;
+    std::unordered_map<const SdfPart*, Expected<Pose>> known_;
     std::map<const SdfPart*, std::unique_ptr<Frames>> nested_;
 };
 

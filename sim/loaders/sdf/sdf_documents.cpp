@@ -39,14 +39,38 @@ std::string warning_of_version(const tinyxml2::XMLElement& root) {
            ", which is newer than any known here; it is read as SDF 1.12";
 }
 
-/// The name that tinyxml2 gives to the error, without its prefix.
-std::string broken_xml(const tinyxml2::XMLDocument& parsed) {
-    std::string_view name = parsed.ErrorName();
-    for (const std::string_view prefix : {"XML_", "ERROR_"}) {
-        if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
+/// What is wrong at the line that the parser stopped at.
+std::string why_broken(tinyxml2::XMLError error) {
+    switch (error) {
+        case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
+            return "it is empty";
+        case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
+            return "an element begins here and has no end, or the end of another one";
+        case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+            return "an attribute must be NAME='VALUE'";
+        case tinyxml2::XML_ERROR_PARSING_ELEMENT:
+            return "an element does not end with > or />";
+        case tinyxml2::XML_ERROR_PARSING_COMMENT:
+            return "a comment does not end with -->";
+        case tinyxml2::XML_ERROR_PARSING_CDATA:
+            return "a <![CDATA[ does not end with ]]>";
+        case tinyxml2::XML_ERROR_PARSING_TEXT:
+            return "a text has no end";
+        case tinyxml2::XML_ERROR_PARSING_DECLARATION:
+            return "a declaration does not end with ?>, or stands in the middle";
+        case tinyxml2::XML_ERROR_PARSING_UNKNOWN:
+            return "a <! does not end with >";
+        case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
+            return "its elements lie in each other too deep";
+        default:
+            return "something is wrong here";
     }
+}
+
+std::string broken_xml(const tinyxml2::XMLDocument& parsed) {
     const int line = std::max(parsed.ErrorLineNum(), 1);
-    return ':' + std::to_string(line) + ": is no XML that can be read: " + std::string{name};
+    return ':' + std::to_string(line) +
+           ": is no XML that can be read: " + why_broken(parsed.ErrorID());
 }
 
 /// What kind of text this is; empty if unknown.
@@ -79,10 +103,10 @@ std::uintmax_t SdfDocuments::largest_file_bytes() const {
     return options_.most_memory_bytes / parts_of_memory;
 }
 
-const SdfDocument& SdfDocuments::add(const fs::path& file, const fs::path& folder,
-                                     const std::string& text) {
+SdfDocument& SdfDocuments::add(const fs::path& file, const fs::path& folder,
+                               const std::string& text) {
     auto document = std::make_unique<SdfDocument>();
-    std::string bare = text;
+    std::string bare = in_utf8(text);
     blank_comments(bare);
     document->xml.Parse(bare.c_str(), bare.size());
     if (const auto why = why_no_sdf(text, document->xml); !why.empty()) {
@@ -99,10 +123,14 @@ const SdfDocument& SdfDocuments::add(const fs::path& file, const fs::path& folde
 }
 
 const SdfDocument& SdfDocuments::open(const SdfSource& source) {
-    if (source.text) return add(source.file, resources_.folder(), *source.text);
-    now_doing("reading " + source.file.string());
-    return add(source.file, source.file.parent_path(),
-               read_text(source.file, largest_file_bytes(), "an SDF or URDF file is wanted here"));
+    return source.text ? add(source.file, resources_.folder(), *source.text)
+                       : open_file(source.file);
+}
+
+SdfDocument& SdfDocuments::open_file(const fs::path& file) {
+    now_doing("reading " + file.string());
+    return add(file, file.parent_path(),
+               read_text(file, largest_file_bytes(), "an SDF or URDF file is wanted here"));
 }
 
 const SdfDocument* SdfDocuments::included(const std::string& uri, const SdfSheet& sheet,
@@ -161,11 +189,11 @@ void SdfDocuments::leave_out_missing(const std::string& uri, const fs::path& fol
     draft_.leave_out(place + resources_.not_found(uri, folder));
 }
 
-SdfDocument& SdfDocuments::copy_of(const SdfDocument& document) {
-    auto copy = std::make_unique<SdfDocument>();
-    copy->sheet = document.sheet;
-    document.xml.DeepCopy(&copy->xml);
-    return *documents_.emplace_back(std::move(copy));
+SdfDocument& SdfDocuments::copy_of(const SdfDocument& document, const FilePlace& changed_at) {
+    // It is parsed again, since a copy that tinyxml2 makes does not know its lines.
+    SdfDocument& copy = open_file(*document.sheet.file);
+    copy.sheet.changed_at = changed_at;
+    return copy;
 }
 
 }  // namespace scipd::sim

@@ -52,15 +52,16 @@ class SdfDocuments {
     /// result is null.
     const SdfDocument* included(const std::string& uri, const SdfSheet& sheet,
                                 const std::string& place);
-    /// For one include that changes it.
-    SdfDocument& copy_of(const SdfDocument& document);
+    /// For one include that changes it, at this place. Throws LoadError if the file is gone.
+    SdfDocument& copy_of(const SdfDocument& document, const FilePlace& changed_at);
 
   private:
     const SdfDocument* found(const std::string& uri, const SdfSheet& sheet,
                              const std::string& place);
     const SdfDocument* read(const std::filesystem::path& file, const std::string& place);
-    const SdfDocument& add(const std::filesystem::path& file, const std::filesystem::path& folder,
-                           const std::string& text);
+    SdfDocument& add(const std::filesystem::path& file, const std::filesystem::path& folder,
+                     const std::string& text);
+    SdfDocument& open_file(const std::filesystem::path& file);
     void leave_out_missing(const std::string& uri, const std::filesystem::path& folder,
                            const std::string& place);
     [[nodiscard]] std::uintmax_t largest_file_bytes() const;

@@ -59,7 +59,7 @@ PlacedShape ellipsoid_of(const SdfValues& ellipsoid) {
 /// about its normal.
 glm::dquat turn_from_z(const glm::dvec3& normal) {
     const double length = glm::length(normal);
-    if (!(length > 0.0)) return glm::identity<glm::dquat>();
+    if (!(length > 0.0)) throw LoadError({"its <normal> is 0 0 0, which is no direction"});
     const double up = normal.z / length;
     if (up < -1.0 + 1e-12) return {0.0, 1.0, 0.0, 0.0};
     return glm::normalize(glm::dquat{1.0 + up, -normal.y / length, normal.x / length, 0.0});
@@ -71,6 +71,17 @@ PlacedShape plane_of(const SdfValues& plane, const XMLElement& element) {
     check_sizes({size_m.x, size_m.y});
     const glm::dvec3 normal = plane.vector("normal").value_or(glm::dvec3{0.0, 0.0, 1.0});
     return {Plane{size_m}, {{}, turn_from_z(normal)}};
+}
+
+/// It encloses nothing.
+bool is_line(const Outline& outline) {
+    const auto from_first = [&](const glm::dvec2& point) { return point - outline.front(); };
+    const glm::dvec2 along = from_first(std::ranges::max(
+        outline, {}, [&](const glm::dvec2& point) { return glm::length(from_first(point)); }));
+    return std::ranges::none_of(outline, [&](const glm::dvec2& point) {
+        const glm::dvec2 to = from_first(point);
+        return std::abs(along.x * to.y - along.y * to.x) > 1e-12 * glm::dot(along, along);
+    });
 }
 
 Outline outline_of(const XMLElement& polyline) {
@@ -85,6 +96,7 @@ Outline outline_of(const XMLElement& polyline) {
     }
     if (outline.size() > 1 && outline.front() == outline.back()) outline.pop_back();
     if (outline.size() < 3) throw LoadError({"a <polyline> needs three <point>s at least"});
+    if (is_line(outline)) throw LoadError({"all <point>s of a <polyline> lie on one line"});
     return outline;
 }
 
@@ -114,6 +126,7 @@ std::string uri_of(const SdfValues& values) {
 NamedMesh mesh_of(const SdfValues& values, const XMLElement& element, const SdfSheet& sheet) {
     NamedMesh mesh{{uri_of(values), sheet.folder}, {}};
     mesh.view.scale = values.vector("scale").value_or(glm::dvec3{1.0});
+    check_scale(mesh.view.scale);
     if (const auto* submesh = element.FirstChildElement("submesh")) {
         const SdfValues part(*submesh, sheet.dialect);
         mesh.view.submesh = part.text("name").value_or("");
@@ -172,6 +185,11 @@ Geometry read_or_why(const std::function<Geometry()>& read) {
     } catch (const LoadError& error) {
         return Unread{error.what()};
     }
+}
+
+void check_scale(const glm::dvec3& scale) {
+    if (scale.x * scale.y * scale.z == 0.0)
+        throw LoadError({"its <scale> has a 0, which leaves nothing of the mesh"});
 }
 
 void check_sizes(std::initializer_list<double> sizes_m) {

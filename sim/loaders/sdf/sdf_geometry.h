@@ -22,9 +22,11 @@ struct SdfSheet {
     std::shared_ptr<const std::filesystem::path> file;
     std::filesystem::path folder;  ///< where its relative URIs start
     Dialect dialect = {};
+    FilePlace changed_at = {};  ///< where elements are from that something has added, if any
 
     [[nodiscard]] FilePlace place(const tinyxml2::XMLElement& element) const {
-        return {file, element.GetLineNum()};
+        const int line = element.GetLineNum();
+        return line == 0 && changed_at.file != nullptr ? changed_at : FilePlace{file, line};
     }
 };
 
@@ -35,6 +37,9 @@ Geometry read_or_why(const std::function<Geometry()>& read);
 
 /// Throws LoadError if a size is not above 0 or beyond 1e7 m.
 void check_sizes(std::initializer_list<double> sizes_m);
+
+/// Throws LoadError if the scale of a mesh makes it flat.
+void check_scale(const glm::dvec3& scale);
 
 /// Scales a shape as Gazebo Classic does: round shapes stay round. Nothing for shapes that it does
 /// not scale. Throws LoadError if the result has a size of 0 or beyond 1e7 m.

@@ -99,7 +99,7 @@ const SdfDocument* SdfReader::document_of(const XMLElement& include, const SdfSh
     const auto* params = include.FirstChildElement("experimental:params");
     if (params == nullptr) return document;
     parts_ += document->sheet.file->string().size();
-    SdfDocument& changed = documents_.copy_of(*document);
+    SdfDocument& changed = documents_.copy_of(*document, sheet.place(*params));
     auto* model = changed.root().FirstChildElement("model");
     if (model == nullptr) return &changed;
     apply_params(*params, *model, [&](const XMLElement& param, const std::string& why) {

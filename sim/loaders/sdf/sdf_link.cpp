@@ -20,6 +20,15 @@ std::string place_of(const XMLElement& element, const SdfSheet& sheet,
     return text_of(sheet.place(element)) + ": " + (path.empty() ? "" : path + "::") + name + ": ";
 }
 
+namespace {
+
+bool is_shapeless(const SdfSurface& surface) {
+    const auto* none = std::get_if<NoShape>(&surface.geometry);
+    return none != nullptr && !none->is_meant;
+}
+
+}  // namespace
+
 std::optional<SdfPart> LinkReader::read(const XMLElement& element, const SdfSheet& sheet,
                                         SensorFrames& sensors) {
     SdfPart link{SdfPart::Kind::link, attribute(element, "name"), sheet.place(element)};
@@ -56,9 +65,12 @@ std::vector<SdfSurface> LinkReader::read_surfaces(const XMLElement& link, const 
             return place_of(element, sheet, outer, attribute(element, "name"));
         };
         try {
-            surfaces.push_back(surface_of(element, sheet, [&](const std::string& what) {
+            SdfSurface surface = surface_of(element, sheet, [&](const std::string& what) {
                 if (is_wanted) draft_.warn(place() + what + "; ignored");
-            }));
+            });
+            // Gazebo shows nothing here either. Only <empty> is meant to be empty.
+            if (is_shapeless(surface)) throw UnreadableValue("has no <geometry> with a shape");
+            surfaces.push_back(std::move(surface));
         } catch (const UnreadableValue& value) {
             if (is_wanted) draft_.leave_out(place() + value.what());
         }

@@ -131,6 +131,10 @@ std::optional<SdfPart> SdfReader::read_model(const XMLElement& element, const Sd
         draft_.leave_out(place() + "models lie in each other more than 200 deep");
         return std::nullopt;
     }
+    if (is(element, "actor") && element.NoChildren()) {
+        draft_.leave_out(place() + "an <actor> that holds nothing is nobody");
+        return std::nullopt;
+    }
     read_static(element, sheet, model);
     try {
         if (is(element, "actor")) read_actor(element, sheet, model);

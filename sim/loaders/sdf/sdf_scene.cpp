@@ -87,6 +87,8 @@ class SceneWalk {
         for (const SdfPart& model : tree_.root.parts) {
             if (model.kind == SdfPart::Kind::model) add_model(model, frames);
         }
+        for (const SdfPart& frame : tree_.root.parts)
+            check_frame_of_world(frame, frames);
         if (auto warning = tree_.state.unused(file); !warning.empty()) {
             draft_.warn(warning);
         }
@@ -105,6 +107,8 @@ class SceneWalk {
                      const Place& place, const std::string& link_name);
     void add_frame(const SdfPart& frame, Frames& frames, const Place& model,
                    const std::string& model_name);
+    /// Nobody mounts a scanner there, and a mistake in one is told all the same, as in a model.
+    void check_frame_of_world(const SdfPart& frame, Frames& world);
     void warn_of_unseen(const SdfPart& link, const std::string& name);
     /// The place at this pose in `outer`; nothing, with a warning, if it cannot be resolved or is
     /// too far.
@@ -206,12 +210,7 @@ void SceneWalk::add_surface(const SdfSurface& surface, const SdfPart& link, Fram
     object.name = link_name + "::" + surface.name;
     object.model = place.body;
     const auto where = text_of(surface.place) + ": " + object.name + ": ";
-    if (const auto* none = std::get_if<NoShape>(&surface.geometry)) {
-        // Gazebo shows nothing here either. Only <empty> is meant to be empty; all else gets a
-        // warning.
-        if (!none->is_meant) draft_.leave_out(where + "has no <geometry> with a shape");
-        return;
-    }
+    if (std::holds_alternative<NoShape>(surface.geometry)) return;
     const auto here =
         place_of(place, frames.in_link(link, surface.pose), surface.place, object.name);
     if (!here) return;
@@ -245,6 +244,13 @@ void SceneWalk::add_frame(const SdfPart& frame, Frames& frames, const Place& mod
         made.lidar = frame.sensor->lidar;
     }
     draft_.add(std::move(made));
+}
+
+void SceneWalk::check_frame_of_world(const SdfPart& frame, Frames& world) {
+    if (frame.kind != SdfPart::Kind::frame) return;
+    if (const auto pose = world.pose_of(frame); !pose)
+        draft_.warn(text_of(frame.place) + ": " + frame.name + ": " + pose.error().why +
+                    "; left out");
 }
 
 std::optional<Place> SceneWalk::place_of(const Place& outer, const Expected<Pose>& pose,

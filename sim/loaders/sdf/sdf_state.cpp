@@ -25,12 +25,13 @@ std::optional<Pose> pose_of(const XMLElement& element) {
     return pose_from_rpy({(*n)[0], (*n)[1], (*n)[2]}, {(*n)[3], (*n)[4], (*n)[5]});
 }
 
-/// Gazebo Classic ignores a scale below 0 and keeps the one that it has.
+/// Gazebo Classic ignores a scale below 0 and keeps the one that it has. One of 0 would leave
+/// nothing to see.
 std::optional<glm::dvec3> scale_of(const XMLElement& element) {
     const auto* scale = element.FirstChildElement("scale");
     if (scale == nullptr) return glm::dvec3{1.0};
     const auto n = parse_numbers(text_of(scale), 3);
-    if (!n) return std::nullopt;
+    if (!n || std::ranges::count(*n, 0.0) > 0) return std::nullopt;
     if (std::ranges::min(*n) < 0.0) return glm::dvec3{1.0};
     return glm::dvec3{(*n)[0], (*n)[1], (*n)[2]};
 }
@@ -70,7 +71,8 @@ class StateReader {
         }
         draft_.warn(file_.string() + ':' + std::to_string(part.GetLineNum()) + ": the <state> of " +
                     name + " has a " + (pose ? "scale" : "pose") +
-                    " that is not a row of finite numbers; its own pose and scale stay");
+                    " that is not a row of finite numbers" + (pose ? " other than 0" : "") +
+                    "; its own pose and scale stay");
     }
 
     const std::filesystem::path& file_;

@@ -55,6 +55,7 @@ Geometry urdf_shape_of(const XMLElement& shape, const SdfSheet& sheet) {
     if (shape.Attribute("scale") != nullptr) {
         const auto n = numbers_in(shape, "scale", 3);
         mesh.view.scale = {n[0], n[1], n[2]};
+        check_scale(mesh.view.scale);
     }
     return mesh;
 }
@@ -183,6 +184,7 @@ class RobotReader {
                 const std::string name = attribute(joint, "name");
                 draft_.warn(text_of_part("joint", name, sheet_.place(joint)) + what);
             });
+        std::erase_if(links, [&](const SdfPart& link) { return tree.is_lost(link.name); });
         const auto is_root = [&](const SdfPart& link) { return tree.above(link.name) == nullptr; };
         const bool has_world = std::ranges::any_of(
             links, [&](const SdfPart& link) { return is_root(link) && link.name == "world"; });

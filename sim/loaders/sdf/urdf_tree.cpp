@@ -48,9 +48,8 @@ UrdfTree::UrdfTree(const XMLElement& robot, const std::set<std::string>& links,
         }
         std::vector<std::string> faults;
         const Pose pose = pose_of_origin(joint.FirstChildElement("origin"), faults);
-        for (const std::string& fault : faults)
-            wrong(joint, fault + "; 0 0 0 is taken");
-        above_[link_of(joint, "child")] = {link_of(joint, "parent"), pose};
+        if (!faults.empty()) wrong(joint, faults.front() + "; what hangs on it is left out");
+        above_[link_of(joint, "child")] = {link_of(joint, "parent"), pose, !faults.empty()};
     }
 }
 
@@ -68,6 +67,14 @@ std::string UrdfTree::fault_of(const XMLElement& joint, const std::set<std::stri
     for (const Hung* hung = above(top); hung != nullptr && top != child; hung = above(top))
         top = hung->parent;
     return top == child ? "its parent hangs on its child" : "";
+}
+
+bool UrdfTree::is_lost(std::string link) const {
+    for (const Hung* hung = above(link); hung != nullptr; hung = above(link)) {
+        if (hung->is_lost) return true;
+        link = hung->parent;
+    }
+    return false;
 }
 
 const UrdfTree::Hung* UrdfTree::above(const std::string& link) const {

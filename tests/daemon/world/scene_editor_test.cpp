@@ -84,6 +84,36 @@ TEST(SceneEditor, ForgetsWhatIsWithdrawnBeforeItHasBegun) {
     EXPECT_NE(world.model("model 1"), nullptr);
 }
 
+// Somebody who has hung up shall not keep others waiting.
+TEST(SceneEditor, ReadsNoFileToItsEndWhenNobodyWaits) {
+    const tests::TempDir folder;
+    const auto sleeper = folder.write(
+        "sleeper", "#!/bin/sh\n: >" + (folder.path() / "runs").string() + "\nexec sleep 600\n");
+    std::filesystem::permissions(sleeper, std::filesystem::perms::owner_all);
+    const auto scene = folder.write("world.sdf", "<sdf version='1.9'><world name='w'/></sdf>");
+    ASSERT_EQ(setenv("SCIPD_READ", sleeper.c_str(), 1), 0);
+    boost::asio::io_context io;
+    World world = wall_world();
+    SteppedClock clock;
+    Worker worker(io.get_executor());
+    SceneEditor editor(world, worker, clock, [] { return std::vector<RequestedBackend>{}; });
+    editor.set_file(scene, {}, {folder.path()});
+    std::string answered;
+    std::stop_source goes;
+    editor.edit(
+        LoadWorld{scene},
+        [&](const EditOutcome& outcome) { answered += outcome.messages.at(0) + ' '; },
+        goes.get_token());
+    editor.edit(RemoveModel{"nobody"}, [&](const EditOutcome&) { answered += "next"; });
+    // What is withdrawn before it has begun would tell nothing here.
+    EXPECT_TRUE(run_until(io, [&] { return std::filesystem::exists(folder.path() / "runs"); }));
+    EXPECT_EQ(answered, "");
+    goes.request_stop();
+    EXPECT_TRUE(run_until(io, [&] { return answered.ends_with("next"); }));
+    EXPECT_THAT(answered, testing::HasSubstr("was not read to its end"));
+    unsetenv("SCIPD_READ");
+}
+
 class AddedWithinLimits : public testing::Test {
   protected:
     EditOutcome edit(const SceneEdit& wanted) {

@@ -39,6 +39,7 @@ TEST(Stamp, IsNothingWhereItIsNoNumberOrTooLarge) {
 TEST(Number, IsAllOfTheTextAndFinite) {
     EXPECT_EQ(parse_number("-1.5e2"), -150.0);
     EXPECT_EQ(parse_number("0.1"), 0.1);
+    EXPECT_EQ(parse_number("-1e-400"), 0.0);
     for (const char* text : {"", " 1", "1 ", "1x", "+1", "nan", "inf", "1e999", "0x10"})
         EXPECT_EQ(parse_number(text), std::nullopt) << text;
 }

@@ -35,5 +35,15 @@ TEST(XmlText, whatOnlyLooksLikeACommentStays) {
     EXPECT_EQ(blanked(""), "");
 }
 
+TEST(XmlText, isInUtf8WhateverWasDeclared) {
+    const std::string latin = "<?xml version='1.0' encoding=\"iso-8859-1\"?><a>\xE9\xFF</a>";
+    EXPECT_EQ(in_utf8(latin),
+              "<?xml version='1.0' encoding=\"iso-8859-1\"?><a>\xC3\xA9\xC3\xBF</a>");
+    for (const std::string text : {"<?xml encoding='UTF-8'?><a>\xC3\xA9</a>", "<a>\xE9</a>",
+                                   "<?xml version='1.0'?><a encoding='ISO-8859-1'>\xE9</a>"}) {
+        EXPECT_EQ(in_utf8(text), text);
+    }
+}
+
 }  // namespace
 }  // namespace scipd::sim

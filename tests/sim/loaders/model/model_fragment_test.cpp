@@ -194,7 +194,7 @@ TEST_F(ModelFragment, RefusesWhatIsNoModel) {
         ElementsAre("name: 'a::b': must not hold '::', which separates a model from its parts"));
     EXPECT_THAT(faults(world(box_ + "<model name='other'><link name='l'/></model>"), {"a"}),
                 ElementsAre("a: holds several models; one is wanted here"));
-    EXPECT_THAT(faults("", {"a"}), ElementsAre("a:1: is no XML that can be read: EMPTY_DOCUMENT"));
+    EXPECT_THAT(faults("", {"a"}), ElementsAre("a:1: is no XML that can be read: it is empty"));
     EXPECT_THAT(faults("<model name='m'/>", {"a"}),
                 ElementsAre("a: holds no <world>, and no <model> with a <link>"));
     const auto file = folder_.write("part.obj", triangle_obj);

@@ -81,7 +81,8 @@ TEST_F(ReaderProgram, TakesLittleMemoryForManyParts) {
         return most_of_children_bytes();
     };
     const double alone_bytes = read(box_world);
-    for (const char* element : {"<link/>", "<joint/>", "<frame/>", "<link name='a123'/>"}) {
+    for (const char* element : {"<link/>", "<joint/>", "<frame/>", "<actor/>",
+                                "<link name='a123'/>", "<link><visual/></link>"}) {
         const std::string text = thousands_of(element);
         EXPECT_LT(read(text) - alone_bytes, 40.0 * static_cast<double>(text.size())) << element;
     }

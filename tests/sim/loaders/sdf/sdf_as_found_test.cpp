@@ -206,8 +206,8 @@ TEST_F(SdfAsFound, aBrokenModelIsLeftOut) {
     EXPECT_THAT(
         objects(world("<include><uri>b.sdf</uri></include>" + model_of(visual("v", unit_box)))),
         ElementsAre("m::l::v"));
-    EXPECT_THAT(warnings_,
-                ElementsAre("b.sdf:2: is no XML that can be read: MISMATCHED_ELEMENT; left out"));
+    EXPECT_THAT(warnings_, ElementsAre("b.sdf:2: is no XML that can be read: an element begins "
+                                       "here and has no end, or the end of another one; left out"));
 }
 
 // Whatever was taken out before it, and wherever lines end.

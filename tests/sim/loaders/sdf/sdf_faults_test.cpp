@@ -63,7 +63,9 @@ TEST_F(SdfFaults, onlyWhatIsNotSupported) {
 TEST_F(SdfFaults, brokenXmlNamesItsLine) {
     const auto all = faults("<sdf version='1.9'>\n<world name='w'>\n<model\n");
     ASSERT_EQ(all.size(), 1U);
-    EXPECT_EQ(all[0], "a.sdf:3: is no XML that can be read: PARSING_ELEMENT");
+    EXPECT_EQ(all[0],
+              "a.sdf:3: is no XML that can be read: an element does not "
+              "end with > or />");
 }
 
 TEST_F(SdfFaults, textInUtf16IsCalledSo) {

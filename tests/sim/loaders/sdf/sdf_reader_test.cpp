@@ -179,6 +179,71 @@ TEST_F(SdfReading, LeavesOutWhatSaysItsAnglesInAWayThatNobodyKnows) {
     expect_at("c::l::v", {1, 0, 0});
 }
 
+// Nothing of it would be seen, or not what was meant.
+TEST_F(SdfReading, LeavesOutWhatHasNoDirectionOrNoArea) {
+    folder_.write("m.stl", "solid\nendsolid\n");
+    load(world(boxed_model("ok") + "<model name='m'><link name='l'>" +
+               visual("p", "<plane><normal>0 0 0</normal></plane>") +
+               visual("q",
+                      "<polyline><point>0.1 0.1</point><point>0.2 0.2</point><point>0.3 0.3</point>"
+                      "</polyline>") +
+               visual("r", "<mesh><uri>m.stl</uri><scale>1 0 1</scale></mesh>") +
+               "</link></model><actor/>"));
+    EXPECT_THAT(warnings_,
+                ElementsAre(HasSubstr("an <actor> that holds nothing is nobody; left out"),
+                            HasSubstr("m::l::p: its <normal> is 0 0 0, which is no direction"),
+                            HasSubstr("m::l::q: all <point>s of a <polyline> lie on one line"),
+                            HasSubstr("m::l::r: its <scale> has a 0, which leaves nothing")));
+    EXPECT_EQ(scene_->objects.size(), 1U);
+}
+
+TEST_F(SdfReading, FollowsReferencesHoweverManyThereAre) {
+    constexpr int count = 30'000;
+    std::string frames;
+    for (int i = 0; i < count; ++i) {
+        frames += "<frame name='f" + std::to_string(i) + "'><pose relative_to='f" +
+                  std::to_string(i + 1) + "'>1 0 0 0 0 0</pose></frame>";
+    }
+    frames += "<frame name='f" + std::to_string(count) + "'/>";
+    load(world("<model name='m'>" + frames + "<link name='l'><pose relative_to='f0'/>" +
+               visual("v", unit_box) + "</link></model>"));
+    EXPECT_THAT(warnings_, IsEmpty());
+    expect_at("m::l::v", {count, 0, 0});
+}
+
+TEST_F(SdfReading, TellsOfFramesThatLieNowhereInAWorldAsInAModel) {
+    const std::string frame = "<frame name='f' attached_to='nowhere'/>";
+    load(world(frame + "<model name='m'>" + frame + "<link name='l'>" + visual("v", unit_box) +
+               "</link></model>"));
+    const std::string why = "f: it is attached to 'nowhere', which is no frame; left out";
+    EXPECT_THAT(warnings_,
+                testing::UnorderedElementsAre(HasSubstr(": " + why), HasSubstr(": m::" + why)));
+}
+
+// A part that was added has the place of the params, and all else its own.
+TEST_F(SdfReading, NamesTheLinesOfWhatParamsHaveChanged) {
+    folder_.write("m.sdf", sdf("<model name='m'>\n<link name='l'>\n" + visual("u", "<box/>") +
+                               visual("v", "<box><size>a</size></box>") + "</link></model>"));
+    load(
+        world("<include><uri>m.sdf</uri>\n\n<experimental:params>\n"
+              "<visual element_id='l' action='add' name='w'><geometry><box><size>b</size></box>"
+              "</geometry></visual></experimental:params></include>"));
+    ASSERT_EQ(warnings_.size(), 2U);
+    EXPECT_THAT(warnings_[0], testing::MatchesRegex("m.sdf:[1-9].*m::l::v: its <size> 'a'.*"));
+    EXPECT_THAT(warnings_[1], testing::StartsWith("a.sdf:6: m::l::w: its <size> 'b'"));
+}
+
+TEST_F(SdfReading, TakesNamesInTheEncodingThatTheFileDeclares) {
+    load("<?xml version='1.0' encoding='ISO-8859-1'?>" +
+         world("<model name='Stra\xDF"
+               "e'><link name='l'>" +
+               visual("v", unit_box) + "</link></model>"));
+    ASSERT_EQ(scene_->models.size(), 1U);
+    EXPECT_EQ(scene_->models[0].name,
+              "Stra\xC3\x9F"
+              "e");
+}
+
 TEST_F(SdfReading, TakesManyRoadsOfOneName) {
     std::string roads;
     for (int i = 0; i < 20'000; ++i)

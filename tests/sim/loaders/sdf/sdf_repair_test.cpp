@@ -135,8 +135,8 @@ TEST_F(SdfRepair, FramesThatGoInCircles) {
                      model("n", link("l", box))),
                 ElementsAre("n::l::v"));
     EXPECT_THAT(warnings_,
-                ElementsAre(HasSubstr("m::k: its pose is relative to 'l', which lies nowhere"),
-                            HasSubstr("m::l: its pose leads in a circle")));
+                ElementsAre(HasSubstr("m::k: its pose leads in a circle"),
+                            HasSubstr("m::l: its pose is relative to 'k', which lies nowhere")));
     EXPECT_THAT(seen(model("m", link("k", "<pose relative_to='k'/>" + box) + link("l", box))),
                 ElementsAre("m::l::v"));
 }

@@ -185,7 +185,7 @@ TEST_F(Urdf, TellsFaultsOfARobotInAWorldUnderItsOwnName) {
                             HasSubstr("w.sdf: holds nothing that a scanner could see")));
 }
 
-// Whatever is wrong with a joint, every link with a name is seen.
+// Whatever is wrong with a joint, every link with a name is seen whose place is known.
 TEST_F(Urdf, LosesOnlyTheJointsThatHangOnNothing) {
     const std::string links = "<link name='a'>" + box_visual("1 1 1") + "</link><link name='b'>" +
                               box_visual("2 2 2") + "</link>\n";
@@ -218,15 +218,26 @@ TEST_F(Urdf, LosesOnlyTheJointsThatHangOnNothing) {
            {"joint j: has no <child link='..'>; left out", alone});
     expect(joint("<parent link='a'/><child link='c'/>"), 0,
            {"joint j: its <child> c is no link; left out", alone});
-    expect(joint(ends + "<origin xyz='0 up 3'/>"), 0,
-           {"joint j: its <origin xyz='0 up 3'> cannot be read; 0 0 0 is taken"});
-    expect(joint(ends + "<origin xyz='0 0 3' rpy='0'/>"), 3,
-           {"joint j: its <origin rpy='0'> cannot be read; 0 0 0 is taken"});
     expect(joint(ends + up) + joint(ends), 3, {"joint j: link b hangs on another joint; left out"});
     expect(joint(ends + up) + joint("<parent link='b'/><child link='a'/>", "name='k'"), 3,
            {"joint k: its parent hangs on its child; left out"});
     expect(joint(ends + up) + "<link/><link name='a'/>", 3,
            {"link: has no name; left out", "link a: there is another of this name; left out"});
+}
+
+// A scanner would see it elsewhere.
+TEST_F(Urdf, LosesWhatHangsWhereNobodyKnows) {
+    const std::string seen = box_visual("1 1 1") + "</link>";
+    const auto loaded =
+        load(robot("<link name='a'>" + seen + "<link name='b'>" + seen + "<link name='c'>" + seen +
+                   "\n<joint name='j' type='fixed'><parent link='a'/><child link='b'/>"
+                   "<origin xyz='0 up 3' rpy='0'/></joint>"
+                   "<joint name='k' type='fixed'><parent link='b'/><child link='c'/></joint>"));
+    ASSERT_EQ(loaded.scene->objects.size(), 1U);
+    EXPECT_EQ(loaded.scene->objects[0].name.substr(0, 4), "r::a");
+    EXPECT_THAT(loaded.warnings,
+                ElementsAre(HasSubstr("joint j: its <origin xyz='0 up 3'> cannot be read; what "
+                                      "hangs on it is left out")));
 }
 
 TEST_F(Urdf, StandsOnTheWorldIfItSaysSo) {
