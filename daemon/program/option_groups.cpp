@@ -219,6 +219,23 @@ void add_alone(CLI::App& app, OptionValues& said) {
         ->group(alone_title);
 }
 
+/// The world is that of the options or of the configuration.
+void add_map(CLI::App& app, OptionValues& said) {
+    Group group{app, map_title};
+    group.add("--map", "MAP.yaml",
+              "write a ROS map of the world, for AMCL, and end; the picture MAP.pgm lies beside it",
+              [&](const auto& text) -> sim::Expected<> {
+                  if (!text.ends_with(".yaml")) return sim::refuse("must end with .yaml");
+                  return put<fs::path>(text, said.map.file);
+              });
+    group.add("--map-z", "Z",
+              "the height of the scanner above z = 0 of the world in m, or LOW:HIGH",
+              [&](const auto& text) { return put(sim::parse_heights(text), said.map.heights); });
+    group.add(
+        "--map-resolution", "M", "the side of a cell in m; default: 0.05",
+        [&](const auto& text) { return put(sim::parse_cell_size(text), said.map.resolution_m); });
+}
+
 sim::Expected<unsigned> parse_threads(std::string_view text) {
     constexpr int most_threads = 1024;
     return parse_whole(text, 1, most_threads).map([](int threads) {
@@ -285,6 +302,7 @@ void add_options(CLI::App& app, OptionValues& said) {
     add_scanner(app, said);
     add_daemon(app, said);
     add_alone(app, said);
+    add_map(app, said);
     add_overrides(app, said);
     add_general(app, said);
 }

@@ -10,6 +10,7 @@
 
 #include <CLI/App.hpp>
 
+#include "daemon/program/map_answer.h"
 #include "daemon/program/run_options.h"
 #include "sim/expected.h"
 
@@ -20,6 +21,8 @@ inline constexpr const char* alone_title = "Instead of the above";
 /// The titles of the options that describe a robot and its scanner.
 inline constexpr const char* robot_title = "Robot";
 inline constexpr const char* scanner_title = "Scanner";
+/// The title of what is written of a world in place of running it.
+inline constexpr const char* map_title = "Instead of running, a map of the world";
 /// The title of the options that go with all others.
 inline constexpr const char* general_title = "General";
 
@@ -36,6 +39,7 @@ struct OptionValues {
     bool model_given = false;
     std::filesystem::path config;
     std::filesystem::path check;
+    MapRequest map;
     bool list_models = false;
     bool list_backends = false;
     bool probe = false;

@@ -111,6 +111,9 @@ std::variant<Options, Answer> act(OptionValues& said) {
         return check_fleet(config);
     });
     if (!good) return wrong_options(good.error().why);
+    if (!said.map.file.empty()) return write_map(config, said.map);
+    if (said.map.heights || said.map.resolution_m)
+        return wrong_options("--map-z and --map-resolution go with --map MAP.yaml");
     return std::move(said.options);
 }
 

@@ -32,7 +32,7 @@ SKIPPED = 77
 COMMAND_S = 60
 READY_S = 60
 INSIDE = "SCIPD_DOCS_NAMESPACE"
-SERVES = re.compile(r"(^|\|\s*)(\w+=\S+ )*scipd(?!.*--(check|list-models|list-backends|probe|help|version))\b")
+SERVES = re.compile(r"(^|\|\s*)(\w+=\S+ )*scipd(?!.*--(check|map|list-models|list-backends|probe|help|version))\b")
 DRIVE = re.compile(r"(?:pose play|--poses) (?:scenes/)?(\w+)\.tum")
 MARKER = re.compile(r"<!-- (not run|beside|ends with|file):? (.*?) -->")
 

@@ -32,6 +32,7 @@ CASES = [
     ("scipctl --control x pose play --sp", ["--speed"], ["--control"]),
     ("scipctl scene add --con", ["--control"], ["--scale"]),
     ("scipctl scene medium ", ["fog", "rain"], ["list"]),
+    ("scipctl scene map --", ["--output", "--resolution"], ["--replace"]),
     ("scipctl completion ", ["bash", "zsh", "fish"], ["status"]),
     ("scipbench com", ["compare", "completion"], ["table3"]),
     ("scipd --vers", ["--version"], ["--help"]),

@@ -241,6 +241,7 @@ void add_scene_commands(CLI::App& program, const ControlOptions& control) {
     remove_command->callback([&control, model] { remove(control, *model); });
 
     add_medium_command(*scene, control);
+    add_scene_file_commands(*scene, control);
 }
 
 }  // namespace scipd::tools

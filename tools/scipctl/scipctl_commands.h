@@ -25,9 +25,10 @@ void add_pose_commands(CLI::App& program, const ControlOptions& control);
 void add_pose_play_command(CLI::App& pose, const ControlOptions& control);
 void add_pose_stream_command(CLI::App& pose, const ControlOptions& control);
 
-/// `scipctl scene list|load|add|move|remove|medium`
+/// `scipctl scene list|load|add|move|remove|medium|map|export`
 void add_scene_commands(CLI::App& program, const ControlOptions& control);
 void add_medium_command(CLI::App& scene, const ControlOptions& control);
+void add_scene_file_commands(CLI::App& scene, const ControlOptions& control);
 
 /// `scipctl fleet status|add|move|remove|forget`
 void add_fleet_commands(CLI::App& program, const ControlOptions& control);
