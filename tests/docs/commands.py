@@ -183,7 +183,7 @@ def follow(page, programs, sources):
 
 
 def pages_of(sources):
-    folders = ["", "daemon", "docs", "protocol", "scenes", "scenes/faults", "sim", "tests/bench/results",
+    folders = ["", "daemon", "docs", "docs/howto", "protocol", "scenes", "scenes/faults", "sim", "tests/bench/results",
                "tests/protocol/dialogues", "tests/soak"]
     pages = [page for folder in folders for page in sorted((sources / folder).glob("*.md"))]
     return [page for page in pages if page.name != "CHANGELOG.md"]
