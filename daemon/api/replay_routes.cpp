@@ -18,8 +18,8 @@ namespace {
 using sim::Expected;
 
 constexpr double longest_s = 1e9;
-constexpr double slowest = 0.01;
-constexpr double fastest = 100.0;
+constexpr double slowest = 0.001;
+constexpr double fastest = 1000.0;
 
 Expected<double> number_within(const nlohmann::json& value, const std::string& key, double low,
                                double high, const std::string& otherwise) {
@@ -35,7 +35,7 @@ Expected<> read_steering(const std::string& key, const nlohmann::json& value,
             .map([&](double at_s) { steering.at = sim::Time(std::llround(at_s * 1e9)); });
     }
     if (key == "speed") {
-        return number_within(value, key, slowest, fastest, "a factor from 0.01 to 100")
+        return number_within(value, key, slowest, fastest, "a factor from 0.001 to 1000")
             .map([&](double speed) { steering.speed = speed; });
     }
     if (key == "step") {
