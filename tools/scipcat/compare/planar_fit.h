@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Where B stands, seen from A, if both look at one place: the small motion in the plane that brings
+// B's points onto A's lines. What does not fit, since it was moved, has no say in it. Functions of
+// numbers; any thread.
+#pragma once
+
+#include <optional>
+
+#include <glm/vec2.hpp>
+
+#include "tools/scipcat/compare/profile.h"
+
+namespace scipd::tools::comparing {
+
+/// From B's frame to A's.
+struct PlanarMotion {
+    glm::dvec2 shift_mm{};
+    double turn_rad = 0;
+
+    [[nodiscard]] glm::dvec2 operator()(glm::dvec2 point_mm) const;
+    /// From A's frame to B's.
+    [[nodiscard]] glm::dvec2 back(glm::dvec2 point_mm) const;
+    [[nodiscard]] WallLine operator()(const WallLine& line) const;
+};
+
+/// None where the scanners have too little in common. B may read all ranges too far or too near:
+/// where the place tells that from a motion, it is none.
+[[nodiscard]] std::optional<PlanarMotion> fit_motion(const Profile& a, const Profile& b);
+
+}  // namespace scipd::tools::comparing
