@@ -79,9 +79,9 @@ bool ticks_average_out(std::span<const Point> stamps, double tick_s) {
         steps.push_back(stamps[i].y - stamps[i - 1].y);
     const double usual_s = median_of(steps);
     if (!(usual_s > 0)) return false;
-    std::vector<Point> counted;
-    for (const Point& stamp : stamps)
-        counted.push_back({std::round((stamp.y - stamps[0].y) / usual_s), stamp.y});
+    std::vector<Point> counted{{0, stamps[0].y}};
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        counted.push_back({counted.back().x + std::round(steps[i] / usual_s), stamps[i + 1].y});
     const Line line = line_through(counted);
     int turns = 0;
     double before = 0;

@@ -53,15 +53,29 @@ double bearing_for_b(const Profile& a, std::size_t beam, const PlanarMotion& a_f
                                          : far_mm * direction_at(a.angle_rad(beam))));
 }
 
-/// How much nearer the line that B's beam meets is to B than to A.
+/// How much nearer the line that B's beam meets is to B than to A. If A's beam meets the line of
+/// another beam instead, that counts.
 double nearer_for_b(const Profile& a, const Profile& b, const PlanarMotion& a_from_b,
-                    const BeamPair& pair) {
-    if (b.lines[pair.b]) {
-        const double for_a_mm = range_to(a_from_b(*b.lines[pair.b]), a.angle_rad(pair.a));
+                    const BeamPair& pair, std::size_t line_of) {
+    if (b.lines[pair.b] && b.lines[line_of]) {
+        const double for_a_mm = range_to(a_from_b(*b.lines[line_of]), a.angle_rad(pair.a));
         return for_a_mm - range_to(*b.lines[pair.b], b.angle_rad(pair.b));
     }
     if (std::isnan(b.ranges_mm[pair.b])) return 0;
     return glm::length(a_from_b(b.point_mm(pair.b))) - b.ranges_mm[pair.b];
+}
+
+/// In a corner A's beam may meet the one wall and B's the other.
+bool in_corner(const Profile& a, const Profile& b, const PlanarMotion& a_from_b,
+               const BeamPair& pair) {
+    constexpr std::size_t beams = 2;
+    constexpr double most_mm = 2;
+    for (const std::size_t other : {pair.b - std::min(pair.b, beams),
+                                    std::min(pair.b + beams, b.ranges_mm.size() - 1)}) {
+        const double nearer_mm = nearer_for_b(a, b, a_from_b, pair, other);
+        if (std::abs(nearer_mm - pair.nearer_mm) > most_mm) return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -75,7 +89,8 @@ std::vector<BeamPair> pairs_by_angle(const Profile& a, const Profile& b,
         const auto of_b = b.beam_at(bearing_for_b(a, beam, a_from_b));
         if (!of_b) continue;
         BeamPair pair{.a = beam, .b = *of_b, .at_edge = edges_a[beam] || edges_b[*of_b]};
-        pair.nearer_mm = nearer_for_b(a, b, a_from_b, pair);
+        pair.nearer_mm = nearer_for_b(a, b, a_from_b, pair, pair.b);
+        pair.at_edge = pair.at_edge || in_corner(a, b, a_from_b, pair);
         pairs.push_back(pair);
     }
     leave_out_moved_edges(pairs, a, a_from_b);

@@ -45,7 +45,7 @@ double drift_of_correlation(const Noises& noises) {
 }
 
 void compare_neighbours(const Matter& matter, Comparison& comparison) {
-    constexpr double least = 0.03;
+    constexpr double least = 0.05;
     const Noises a = noise_of_blocks(matter.a, matter.beams_a, matter.blocks_a);
     const Noises b = noise_of_blocks(matter.b, matter.beams_b, matter.blocks_b);
     comparison.a.neighbours = correlation_of(a, Draw(a.size(), 1.0));

@@ -80,26 +80,50 @@ Mean mean_in(const RunningSums& sums, std::size_t first, std::size_t end) {
     return mean;
 }
 
-/// The variance below which none can be, whatever the blocks say: of a rounded reading, or of a
-/// share by H. Jeffreys' rule.
-double least_variance(const Mean& mean, Quantity quantity) {
+/// The variance of the difference of both means, and how many degrees of freedom it rests on.
+struct Uncertainty {
+    double variance = 0;
+    double freedom = 0;
+};
+
+Uncertainty of_blocks(const Mean& a, const Mean& b) {
+    const double both = a.variance + b.variance;
+    return {both, both * both / (a.variance * a.variance / (a.blocks - 1) +
+                                 b.variance * b.variance / (b.blocks - 1))};
+}
+
+/// A reading is rounded, so that its mean varies by no less than this, whatever the blocks say.
+void round_off(Mean& mean) {
     constexpr double of_one_reading = 0.05;
-    if (quantity == Quantity::deviations) return of_one_reading / mean.readings;
-    const double share = (mean.value * mean.readings + 0.5) / (mean.readings + 1);
-    return share * (1 - share) / mean.readings;
+    mean.variance = std::max(mean.variance, of_one_reading / mean.readings);
+}
+
+/// Of 0 and 1 the variance is known, if the blocks do not say that it is larger: then something
+/// lasted. The share is that of both, as it is if they do not differ, by H. Jeffreys' rule.
+Uncertainty of_shares(const Mean& a, const Mean& b) {
+    constexpr double many = 1e6;
+    constexpr double chance_of_blocks = 2;
+    const double readings = a.readings + b.readings;
+    const double share =
+        (a.value * a.readings + b.value * b.readings + 0.5) / (readings + 1);
+    const double expected = share * (1 - share) * (1 / a.readings + 1 / b.readings);
+    const double found = a.variance + b.variance;
+    if (found < chance_of_blocks * expected) return {std::max(found, expected), many};
+    return of_blocks(a, b);
 }
 
 /// 0, or the sign of the difference.
-int sign_of_difference(const Mean& a, const Mean& b, const WindowTest& test) {
+int sign_of_difference(Mean a, Mean b, const WindowTest& test) {
     constexpr double fewest_blocks = 4;
     if (std::min(a.blocks, b.blocks) < fewest_blocks) return 0;
-    const double of_a = std::max(a.variance, least_variance(a, test.quantity));
-    const double of_b = std::max(b.variance, least_variance(b, test.quantity));
-    const double both = of_a + of_b;
-    const double freedom =
-        both * both / (of_a * of_a / (a.blocks - 1) + of_b * of_b / (b.blocks - 1));
-    const double t = (b.value - a.value) / std::sqrt(both);
-    const boost::math::students_t distribution(freedom);
+    if (test.quantity == Quantity::deviations) {
+        round_off(a);
+        round_off(b);
+    }
+    const Uncertainty uncertainty =
+        test.quantity == Quantity::shares ? of_shares(a, b) : of_blocks(a, b);
+    const double t = (b.value - a.value) / std::sqrt(uncertainty.variance);
+    const boost::math::students_t distribution(uncertainty.freedom);
     const double chance = 2 * boost::math::cdf(boost::math::complement(distribution, std::abs(t)));
     return chance < test.chance ? (t > 0 ? 1 : -1) : 0;
 }
