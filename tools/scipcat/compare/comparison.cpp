@@ -27,6 +27,7 @@ Side side_of(const Taken& taken, std::vector<BeamStatistics> beams) {
     const ScanSeries& series = taken.series;
     Side side{.name = taken.name,
               .identity = series.identity(),
+              .directions = series.directions(),
               .scans = series.scans(),
               .steps = series.beams(),
               .doubles = series.doubles(),

@@ -24,6 +24,7 @@ namespace scipd::tools::comparing {
 struct Side {
     std::string name;  ///< as the user named it
     sim::ScannerIdentity identity;
+    sim::Directions directions;
     std::size_t scans = 0;
     std::size_t steps = 0;
     std::size_t doubles = 0;
