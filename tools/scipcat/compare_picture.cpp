@@ -35,10 +35,14 @@ constexpr Colour floor_band{0.55, 0.59, 0.64, 0.25};
 
 Colour colour_of(Mark mark) {
     switch (mark) {
-        case Mark::nearer: return {0.82, 0.14, 0.18};
-        case Mark::farther: return {0.51, 0.31, 0.87};
-        case Mark::otherwise: return {0.70, 0.35, 0.0};
-        case Mark::alike: break;
+        case Mark::nearer:
+            return {0.82, 0.14, 0.18};
+        case Mark::farther:
+            return {0.51, 0.31, 0.87};
+        case Mark::otherwise:
+            return {0.70, 0.35, 0.0};
+        case Mark::alike:
+            break;
     }
     return colours::wall;
 }
@@ -52,7 +56,8 @@ TopView view_of(const std::vector<SeenPoint>& a, const std::vector<SeenPoint>& b
             view.bounds.include(point.x_m, point.y_m);
         }
     }
-    view.bounds.widen(std::max(0.3, 0.04 * std::max(view.bounds.width_m(), view.bounds.height_m())));
+    view.bounds.widen(
+        std::max(0.3, 0.04 * std::max(view.bounds.width_m(), view.bounds.height_m())));
     return view;
 }
 

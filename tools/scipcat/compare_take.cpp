@@ -93,10 +93,10 @@ Taken take_live(const TakeOptions& options, const ScanOptions& scan, const std::
         }
     }
     if (!before) return taken;
-    taken.latency_ms =
-        latency_ms(taken.series, std::chrono::duration<double>(first->time_since_epoch()).count(),
-                   *before);
-    if (const auto after = read_clock(scanner.driver())) taken.clock = rate_between(*before, *after);
+    taken.latency_ms = latency_ms(
+        taken.series, std::chrono::duration<double>(first->time_since_epoch()).count(), *before);
+    if (const auto after = read_clock(scanner.driver()))
+        taken.clock = rate_between(*before, *after);
     return taken;
 }
 

@@ -76,8 +76,7 @@ std::vector<BeamStatistics> beam_statistics(const ScanSeries& series, ScanSpan s
 
 bool is_steady(const BeamStatistics& beam) {
     constexpr double rounded_mm = 1;
-    return beam.share >= 0.9 && beam.sd_mm > 0 &&
-           beam.sd_mm <= 2 * beam.quiet_sd_mm + rounded_mm;
+    return beam.share >= 0.9 && beam.sd_mm > 0 && beam.sd_mm <= 2 * beam.quiet_sd_mm + rounded_mm;
 }
 
 bool on_one_surface(double range_mm, double next_mm, double increment_rad) {
@@ -105,8 +104,7 @@ double mixed_share(const ScanSeries& series, std::span<const BeamStatistics> bea
     for (const BeamStatistics& beam : beams)
         distances += beam.distances;
     for (std::size_t i = 1; i + 1 < beams.size(); ++i) {
-        const auto [near_mm, far_mm] =
-            std::minmax(beams[i - 1].median_mm, beams[i + 1].median_mm);
+        const auto [near_mm, far_mm] = std::minmax(beams[i - 1].median_mm, beams[i + 1].median_mm);
         const double jump_mm = far_mm - near_mm;
         if (!(jump_mm > least_jump_mm)) continue;
         for (std::size_t scan = scans.first; scan < scans.end; ++scan) {

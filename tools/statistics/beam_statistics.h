@@ -32,7 +32,7 @@ struct BeamStatistics {
     double sd_mm = 0;
     double median_mm = 0;
     double quiet_sd_mm = 0;  ///< as the middle half spreads: what moves now and then has no part
-    double intensity = 0;     ///< mean; NaN where none were recorded
+    double intensity = 0;    ///< mean; NaN where none were recorded
     double intensity_sd = 0;
 };
 

@@ -24,13 +24,20 @@ double unwrapped_s(double before_s, std::uint32_t stamp_ms) {
 
 std::string name_of_code(Code code) {
     switch (code) {
-        case codes::no_echo: return "no echo";
-        case codes::nan: return "nan";
-        case codes::infinite: return "inf";
-        case codes::minus_infinite: return "-inf";
-        case codes::too_far: return "too far";
-        case codes::distance: return "a distance";
-        default: return std::to_string(code);
+        case codes::no_echo:
+            return "no echo";
+        case codes::nan:
+            return "nan";
+        case codes::infinite:
+            return "inf";
+        case codes::minus_infinite:
+            return "-inf";
+        case codes::too_far:
+            return "too far";
+        case codes::distance:
+            return "a distance";
+        default:
+            return std::to_string(code);
     }
 }
 
@@ -62,8 +69,7 @@ void ScanSeries::add(const sim::RecordedScan& scan) {
     if (times_.empty()) {
         directions_ = scan.directions;
         beams_ = scan.steps();
-    } else if (scan.steps() != beams_ ||
-               scan.directions.first_step != directions_.first_step ||
+    } else if (scan.steps() != beams_ || scan.directions.first_step != directions_.first_step ||
                scan.directions.cluster != directions_.cluster) {
         ++odd_ones_;
         return;
@@ -84,8 +90,8 @@ void ScanSeries::add_readings(const sim::RecordedScan& scan) {
         codes_.push_back(code);
         ranges_mm_.push_back(far ? static_cast<float>(ranges.front() * mm) : none);
         if (bright)
-            intensities_.push_back(
-                far ? static_cast<float>(scan.intensities_of(beam).front()) : none);
+            intensities_.push_back(far ? static_cast<float>(scan.intensities_of(beam).front())
+                                       : none);
     }
 }
 
@@ -100,8 +106,7 @@ void ScanSeries::add_time(const sim::RecordedScan& scan) {
     }
     if (scan.host_time) {
         if (!first_host_time_) first_host_time_ = scan.host_time;
-        time.host_s =
-            std::chrono::duration<double>(*scan.host_time - *first_host_time_).count();
+        time.host_s = std::chrono::duration<double>(*scan.host_time - *first_host_time_).count();
     }
     times_.push_back(time);
 }

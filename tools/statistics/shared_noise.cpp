@@ -13,8 +13,7 @@ SharedNoise noise_of_pair(const ScanSeries& series, std::span<const BeamStatisti
                           std::size_t beam, std::size_t next, ScanSpan scans) {
     SharedNoise noise;
     for (std::size_t scan = scans.first; scan < scans.end; ++scan) {
-        const double one =
-            (series.range_mm(scan, beam) - beams[beam].mean_mm) / beams[beam].sd_mm;
+        const double one = (series.range_mm(scan, beam) - beams[beam].mean_mm) / beams[beam].sd_mm;
         const double other =
             (series.range_mm(scan, next) - beams[next].mean_mm) / beams[next].sd_mm;
         if (std::isnan(one) || std::isnan(other)) continue;
@@ -38,8 +37,7 @@ double SharedNoise::correlation() const {
 }
 
 SharedNoise shared_noise(const ScanSeries& series, std::span<const BeamStatistics> beams,
-                         const std::vector<bool>& beside_edges, ScanSpan scans,
-                         std::size_t apart) {
+                         const std::vector<bool>& beside_edges, ScanSpan scans, std::size_t apart) {
     SharedNoise noise;
     for (std::size_t i = 0; i + apart < beams.size(); ++i) {
         const std::size_t next = i + apart;

@@ -101,9 +101,9 @@ std::vector<Point> soonest(std::span<const Point> stamps) {
     for (std::size_t part = 0; part < parts; ++part) {
         const auto first = part * stamps.size() / parts;
         const auto end = (part + 1) * stamps.size() / parts;
-        points.push_back(*std::ranges::min_element(
-            stamps.subspan(first, end - first), {},
-            [](const Point& point) { return point.x - point.y; }));
+        points.push_back(
+            *std::ranges::min_element(stamps.subspan(first, end - first), {},
+                                      [](const Point& point) { return point.x - point.y; }));
     }
     return points;
 }

@@ -139,7 +139,8 @@ TEST(Compare, NamesTwiceTheNoise) {
 }
 
 TEST(Compare, NamesALittleMoreNoise) {
-    EXPECT_THAT(of_kind(compare({.seed = 1}, {.seed = 2, .sigma_mm = 6}), What::sd), Not(IsEmpty()));
+    EXPECT_THAT(of_kind(compare({.seed = 1}, {.seed = 2, .sigma_mm = 6}), What::sd),
+                Not(IsEmpty()));
 }
 
 TEST(Compare, NamesACodeForAnother) {
@@ -193,8 +194,7 @@ TEST(Compare, NamesAClockWhoseStampsKeepStep) {
 }
 
 TEST(Compare, NamesAnotherRate) {
-    const auto found =
-        of_kind(compare({.seed = 1}, {.seed = 2, .period_s = 0.1}), What::rate);
+    const auto found = of_kind(compare({.seed = 1}, {.seed = 2, .period_s = 0.1}), What::rate);
     ASSERT_THAT(found, SizeIs(1));
     EXPECT_NEAR(found[0].a, 39.92, 0.05);
     EXPECT_NEAR(found[0].b, 10, 0.01);
@@ -217,11 +217,11 @@ TEST(Compare, FindsWhatMovedFromAnotherPlace) {
     const Comparison comparison =
         compare({.seed = 1}, {.seed = 2, .box_nearer_m = 0.2, .x_m = 0.03, .yaw_rad = 0.01});
     EXPECT_NEAR(comparison.motion->shift_mm.x, 30, 1.5);
-    EXPECT_THAT(of_kind(comparison, What::mean),
-                Contains(AllOf(Field(&Difference::a, testing::Gt(1400)),
-                               testing::ResultOf([](const Difference& one) {
-                                   return one.difference();
-                               }, testing::AllOf(testing::Lt(-180), testing::Gt(-260))))));
+    EXPECT_THAT(
+        of_kind(comparison, What::mean),
+        Contains(AllOf(Field(&Difference::a, testing::Gt(1400)),
+                       testing::ResultOf([](const Difference& one) { return one.difference(); },
+                                         testing::AllOf(testing::Lt(-180), testing::Gt(-260))))));
 }
 
 TEST(Compare, GoesByNumbersWhereAnglesAreNotKnown) {

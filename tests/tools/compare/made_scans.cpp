@@ -22,10 +22,9 @@ struct Segment {
 
 std::vector<Segment> room_of(const MadeScans& made) {
     const double face_m = 1.5 - made.box_nearer_m;
-    return {{-3, -2, 3, -2},          {3, -2, 3, 0.2},
-            {3, 0.2, 3, 0.8, true},   {3, 0.8, 3, 2},
-            {3, 2, -3, 2},            {-3, 2, -3, -2},
-            {face_m, -1.2, face_m, -0.6}, {face_m, -0.6, 2.2, -0.6}};
+    return {
+        {-3, -2, 3, -2}, {3, -2, 3, 0.2}, {3, 0.2, 3, 0.8, true},       {3, 0.8, 3, 2},
+        {3, 2, -3, 2},   {-3, 2, -3, -2}, {face_m, -1.2, face_m, -0.6}, {face_m, -0.6, 2.2, -0.6}};
 }
 
 /// Along the ray; 0 if it misses.
@@ -101,9 +100,9 @@ class Reader {
         const double device_s = 12.3456 + count_ * made_.period_s * (1 + 1e-6 * made_.ppm);
         scan.stamp_ms = static_cast<std::uint32_t>(std::floor(1e3 * device_s));
         const double late_s = 1e-3 * (20 - made_.jitter_ms * std::log(1 - even_(chance_)));
-        scan.host_time = sim::host_time_at(1'700'000'000) +
-                         std::chrono::nanoseconds(std::llround(
-                             1e9 * (count_ * made_.period_s + late_s)));
+        scan.host_time =
+            sim::host_time_at(1'700'000'000) +
+            std::chrono::nanoseconds(std::llround(1e9 * (count_ * made_.period_s + late_s)));
     }
 
     MadeScans made_;

@@ -16,11 +16,11 @@ struct MadeScans {
     int scans = 60;
     int steps = 1081;
     double sigma_mm = 5;
-    double shared = 0.5;     ///< the weight of either neighbour in the noise of a beam
+    double shared = 0.5;  ///< the weight of either neighbour in the noise of a beam
     double box_nearer_m = 0;
-    double too_far_mm = 0;   ///< at 2 m; at others in proportion to the root of the range
+    double too_far_mm = 0;  ///< at 2 m; at others in proportion to the root of the range
     double bright = 1;
-    int edge_code = 7;       ///< in a third of the scans, to both sides of the window
+    int edge_code = 7;  ///< in a third of the scans, to both sides of the window
     int window_code = 0;
     // Where the scanner stands.
     double x_m = 0;

@@ -49,8 +49,8 @@ void leave_out_moved_edges(std::vector<BeamPair>& pairs, const Profile& a,
 double bearing_for_b(const Profile& a, std::size_t beam, const PlanarMotion& a_from_b) {
     constexpr double far_mm = 1e7;
     const bool sees = !std::isnan(a.ranges_mm[beam]);
-    return bearing_of(a_from_b.back(sees ? a.point_mm(beam)
-                                         : far_mm * direction_at(a.angle_rad(beam))));
+    return bearing_of(
+        a_from_b.back(sees ? a.point_mm(beam) : far_mm * direction_at(a.angle_rad(beam))));
 }
 
 /// How much nearer the line that B's beam meets is to B than to A. If A's beam meets the line of
@@ -70,8 +70,8 @@ bool in_corner(const Profile& a, const Profile& b, const PlanarMotion& a_from_b,
                const BeamPair& pair) {
     constexpr std::size_t beams = 2;
     constexpr double most_mm = 2;
-    for (const std::size_t other : {pair.b - std::min(pair.b, beams),
-                                    std::min(pair.b + beams, b.ranges_mm.size() - 1)}) {
+    for (const std::size_t other :
+         {pair.b - std::min(pair.b, beams), std::min(pair.b + beams, b.ranges_mm.size() - 1)}) {
         const double nearer_mm = nearer_for_b(a, b, a_from_b, pair, other);
         if (std::abs(nearer_mm - pair.nearer_mm) > most_mm) return true;
     }
@@ -81,8 +81,7 @@ bool in_corner(const Profile& a, const Profile& b, const PlanarMotion& a_from_b,
 }  // namespace
 
 std::vector<BeamPair> pairs_by_angle(const Profile& a, const Profile& b,
-                                     const PlanarMotion& a_from_b,
-                                     const std::vector<bool>& edges_a,
+                                     const PlanarMotion& a_from_b, const std::vector<bool>& edges_a,
                                      const std::vector<bool>& edges_b) {
     std::vector<BeamPair> pairs;
     for (std::size_t beam = 0; beam < a.ranges_mm.size(); ++beam) {

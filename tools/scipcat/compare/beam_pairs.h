@@ -18,9 +18,9 @@ namespace scipd::tools::comparing {
 struct BeamPair {
     std::size_t a = 0;
     std::size_t b = 0;
-    double nearer_mm = 0;   ///< from B's place the same thing is so much nearer than from A's
-    bool at_edge = false;   ///< beside another surface, for A or for B
-    bool comparable = true; ///< false: since B stands elsewhere, it need not see the same thing
+    double nearer_mm = 0;    ///< from B's place the same thing is so much nearer than from A's
+    bool at_edge = false;    ///< beside another surface, for A or for B
+    bool comparable = true;  ///< false: since B stands elsewhere, it need not see the same thing
 };
 
 /// A and B with angles.

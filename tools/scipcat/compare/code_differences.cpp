@@ -93,14 +93,12 @@ void keep_what_differs(Difference& difference, const CodeShares& a, const CodeSh
 
 /// The code whose share changes most.
 Code most_changed(const CodeShares& a, const CodeShares& b, const std::vector<Code>& codes) {
-    return *std::ranges::max_element(codes, {}, [&](Code code) {
-        return std::abs(share_of(b, code) - share_of(a, code));
-    });
+    return *std::ranges::max_element(
+        codes, {}, [&](Code code) { return std::abs(share_of(b, code) - share_of(a, code)); });
 }
 
 std::optional<Difference> judge(const Matter& matter, const Run& run,
-                                const std::vector<Code>& codes,
-                                const std::vector<Tables>& tables) {
+                                const std::vector<Code>& codes, const std::vector<Tables>& tables) {
     const CodeShares a = code_shares(matter.a, beams_in(matter, run, true), all_scans(matter.a));
     const CodeShares b = code_shares(matter.b, beams_in(matter, run, false), all_scans(matter.b));
     const Code code = most_changed(a, b, codes);
@@ -114,9 +112,9 @@ std::optional<Difference> judge(const Matter& matter, const Run& run,
     for (const BeamPair& pair : matter.pairs)
         weights.push_back(pair.comparable ? 1 : 0);
     const auto at = static_cast<std::size_t>(std::ranges::find(codes, code) - codes.begin());
-    difference.by =
-        drawn_interval(tables[at], run, weights,
-                       [](const Drawn& one, const Drawn& other) { return other.mean() - one.mean(); });
+    difference.by = drawn_interval(
+        tables[at], run, weights,
+        [](const Drawn& one, const Drawn& other) { return other.mean() - one.mean(); });
     if (difference.by.holds(0)) return std::nullopt;
     keep_what_differs(difference, a, b);
     return difference;

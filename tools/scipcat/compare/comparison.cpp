@@ -113,13 +113,20 @@ sim::Expected<std::vector<BeamPair>> pair_up(const Matter& matter, bool fit,
 
 std::string_view name_of(What what) {
     switch (what) {
-        case What::mean: return "mean";
-        case What::sd: return "sd";
-        case What::codes: return "codes";
-        case What::intensity: return "intensity";
-        case What::neighbours: return "neighbours";
-        case What::rate: return "rate";
-        case What::clock: return "clock";
+        case What::mean:
+            return "mean";
+        case What::sd:
+            return "sd";
+        case What::codes:
+            return "codes";
+        case What::intensity:
+            return "intensity";
+        case What::neighbours:
+            return "neighbours";
+        case What::rate:
+            return "rate";
+        case What::clock:
+            return "clock";
     }
     return "";
 }

@@ -76,11 +76,12 @@ struct Comparison {
     std::optional<PlanarMotion> motion;  ///< where B stands; nothing was fitted, or it could not be
     std::vector<BeamPair> pairs;
     std::vector<int> steps;  ///< of A, pair by pair
-    std::vector<double> mean_differences_mm;  ///< B less A of each pair, NaN where there is no such thing
-    double mean_mm = 0;             ///< B less A over all quiet pairs
+    std::vector<double>
+        mean_differences_mm;  ///< B less A of each pair, NaN where there is no such thing
+    double mean_mm = 0;       ///< B less A over all quiet pairs
     Interval mean_within_mm;
-    Interval sd_within_mm;      ///< of the difference
-    Interval neighbours_within; ///< of the difference
+    Interval sd_within_mm;       ///< of the difference
+    Interval neighbours_within;  ///< of the difference
     Floor floor;
     std::vector<Difference> differ;
 

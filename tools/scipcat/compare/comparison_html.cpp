@@ -32,7 +32,8 @@ svg .middle, svg .label { text-anchor: middle; }
 svg .label { font-weight: 600; paint-order: stroke; stroke: var(--paper); stroke-width: 4px; }
 circle.a { fill: var(--a); } circle.b { fill: var(--b); }
 path.a { stroke: var(--a); fill: none; } path.b { stroke: var(--b); fill: none; }
-.nearer, svg text.nearer { fill: var(--nearer); } .farther, svg text.farther { fill: var(--farther); }
+.nearer, svg text.nearer { fill: var(--nearer); }
+.farther, svg text.farther { fill: var(--farther); }
 .otherwise, svg text.otherwise { fill: var(--otherwise); } .scanner { fill: var(--ink); }
 .grid { stroke: var(--rule); } .floor { fill: var(--a); opacity: .25; }
 </style>
@@ -83,7 +84,7 @@ std::string as_html(const Comparison& comparison) {
             in_markup(place_of(comparison)) + "</small></p>\n";
     text += lists_of(comparison);
     text += chart_of("From above, " + both, svg_from_above(comparison));
-    text += chart_of("How much farther B is, by step; the band is what A's halves differ by",
+    text += chart_of("How much farther B is in mm, by step; the band is what A's halves differ by",
                      svg_of_differences(comparison));
     text += chart_of("Standard deviation of " + both + " in mm, by step",
                      svg_of_curves(comparison, spreads_by_step(comparison)));

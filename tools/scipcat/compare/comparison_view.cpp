@@ -20,8 +20,7 @@ double angle_of(const Comparison& comparison, std::size_t pair) {
     const sim::Directions& directions = comparison.a.directions;
     const double middle = (directions.cluster - 1) / 2.0 / directions.cluster;
     return *directions.first_rad +
-           *directions.increment_rad *
-               (static_cast<double>(comparison.pairs[pair].a) + middle);
+           *directions.increment_rad * (static_cast<double>(comparison.pairs[pair].a) + middle);
 }
 
 std::string short_text(const Difference& difference) {
@@ -39,7 +38,8 @@ std::string short_text(const Difference& difference) {
         case What::intensity:
             std::snprintf(text, sizeof text, "light × %.2g", difference.b / difference.a);
             return text;
-        default: return "codes";
+        default:
+            return "codes";
     }
 }
 
@@ -82,8 +82,11 @@ std::vector<SeenPoint> points_of(const Comparison& comparison, bool of_a) {
 
 std::vector<RunLabel> labels_of(const Comparison& comparison) {
     constexpr std::size_t most = 8;
-    constexpr double apart_m = 0.15;
     const auto points = points_of(comparison, false);
+    double reach_m = 0;
+    for (const SeenPoint& point : points)
+        reach_m = std::max({reach_m, std::abs(point.x_m), std::abs(point.y_m)});
+    const double apart_m = 0.13 * reach_m;
     std::vector<RunLabel> labels;
     for (const Difference& difference : weightiest_first(comparison.differ)) {
         if (!difference.is_of_steps() || difference.what == What::neighbours) continue;
@@ -108,7 +111,7 @@ Curve intensities_by_step(const Comparison& comparison) {
 }
 
 double reach_of(const std::vector<double>& values) {
-    constexpr double most = 0.97;
+    constexpr double most = 0.9;
     std::vector<double> sizes;
     for (const double value : values) {
         if (std::isfinite(value)) sizes.push_back(std::abs(value));

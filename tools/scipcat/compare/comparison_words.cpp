@@ -100,7 +100,8 @@ std::string sentence_of(const Difference& difference) {
             return steps_text(difference) +
                    worded(" spread %.2g times as much: %.1f mm instead of %.1f mm",
                           difference.b / difference.a, difference.b, difference.a);
-        case What::codes: return steps_text(difference) + ": " + codes_text(difference);
+        case What::codes:
+            return steps_text(difference) + ": " + codes_text(difference);
         case What::intensity:
             return steps_text(difference) + (by < 0 ? " darker by " : " brighter by ") +
                    percent_text(std::abs(by / difference.a)) +
@@ -132,11 +133,12 @@ std::string place_of(const Comparison& comparison) {
         return "Not both say where their steps look, so that steps are compared by their numbers.";
     if (!comparison.motion) return "B is taken to stand where A does.";
     const auto& motion = *comparison.motion;
-    return worded("B stands %.1f mm %s and %.1f mm to the %s of A, turned by %+.2f°; that is "
-                  "allowed for.",
-                  std::abs(motion.shift_mm.x), motion.shift_mm.x < 0 ? "behind" : "ahead",
-                  std::abs(motion.shift_mm.y), motion.shift_mm.y < 0 ? "right" : "left",
-                  motion.turn_rad * 180 / std::numbers::pi);
+    return worded(
+        "B stands %.1f mm %s and %.1f mm to the %s of A, turned by %+.2f°; that is "
+        "allowed for.",
+        std::abs(motion.shift_mm.x), motion.shift_mm.x < 0 ? "behind" : "ahead",
+        std::abs(motion.shift_mm.y), motion.shift_mm.y < 0 ? "right" : "left",
+        motion.turn_rad * 180 / std::numbers::pi);
 }
 
 std::string scanner_of(const Side& side) {

@@ -19,18 +19,19 @@ struct Level {
     double (ScanSeries::*reading)(std::size_t scan, std::size_t beam) const;
     std::vector<bool> tested;
     std::vector<double> mean_a;
-    std::vector<double> mean_b;   ///< from A's place
-    std::vector<double> shift;    ///< from B's readings to those from A's place
-    std::vector<double> sd;       ///< of one reading
-    std::vector<double> drift;    ///< from A's first half to its second
+    std::vector<double> mean_b;       ///< from A's place
+    std::vector<double> shift;        ///< from B's readings to those from A's place
+    std::vector<double> sd;           ///< of one reading
+    std::vector<double> drift;        ///< from A's first half to its second
     std::vector<double> quiet_drift;  ///< the same where nothing moves
-    std::vector<double> least;    ///< smaller differences are none
+    std::vector<double> least;        ///< smaller differences are none
 };
 
 void add_pair(Level& level, const Matter& matter, double mean_a, double mean_b, double shift,
               double sd, double drift) {
     const std::size_t pair = level.tested.size();
-    const bool tested = matter.both_see(pair);
+    const bool tested =
+        level.what == What::mean ? matter.both_see(pair) : matter.see_the_same(pair);
     level.tested.push_back(tested);
     level.mean_a.push_back(tested ? mean_a : not_known);
     level.mean_b.push_back(tested ? mean_b + shift : not_known);
@@ -45,9 +46,8 @@ Level ranges_of(const Matter& matter) {
     Level level{.what = What::mean, .reading = &ScanSeries::range_mm};
     for (std::size_t pair = 0; pair < matter.pairs.size(); ++pair) {
         const std::size_t beam = matter.pairs[pair].a;
-        add_pair(level, matter, matter.of_a(pair).mean_mm,
-                 matter.of_b(pair).mean_mm, matter.pairs[pair].nearer_mm,
-                 matter.usual_sd_mm(pair),
+        add_pair(level, matter, matter.of_a(pair).mean_mm, matter.of_b(pair).mean_mm,
+                 matter.pairs[pair].nearer_mm, matter.usual_sd_mm(pair),
                  matter.second_half[beam].mean_mm - matter.first_half[beam].mean_mm);
     }
     level.least.assign(matter.pairs.size(), last_digit_mm);
@@ -91,8 +91,8 @@ Tables tables_of(const Matter& matter, const Level& level) {
 Effects effects_of(const Matter& matter, const Level& level) {
     Effects effects;
     for (std::size_t pair = 0; pair < matter.pairs.size(); ++pair) {
-        const auto readings = static_cast<double>(
-            std::min(matter.of_a(pair).distances, matter.of_b(pair).distances));
+        const auto readings =
+            static_cast<double>(std::min(matter.of_a(pair).distances, matter.of_b(pair).distances));
         effects.values.push_back(level.mean_b[pair] - level.mean_a[pair]);
         effects.deviations.push_back(level.sd[pair] * std::sqrt(2 / readings));
     }
@@ -113,9 +113,9 @@ std::vector<Difference> differences_of(const Matter& matter, const Level& level,
                                        floor_of_runs(level.quiet_drift, run));
         const double least = std::fmax(mean_in_run(level.least, run), drift);
         if (!(std::abs(difference.difference()) > least)) continue;
-        difference.by = drawn_interval(
-            tables, run, level.sd,
-            [](const Drawn& a, const Drawn& b) { return b.mean() - a.mean(); });
+        difference.by = drawn_interval(tables, run, level.sd, [](const Drawn& a, const Drawn& b) {
+            return b.mean() - a.mean();
+        });
         if (!difference.by.holds(0)) differences.push_back(difference);
     }
     return differences;

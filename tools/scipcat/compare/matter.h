@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "tools/scipcat/compare/beam_pairs.h"
@@ -36,6 +37,11 @@ struct Matter {
     /// Both mostly see something there, and the same thing if nothing was moved.
     [[nodiscard]] bool both_see(std::size_t pair) const {
         return pairs[pair].comparable && of_a(pair).share >= 0.5 && of_b(pair).share >= 0.5;
+    }
+    /// They even see one and the same thing, so that its brightness and their noise say something.
+    [[nodiscard]] bool see_the_same(std::size_t pair) const {
+        constexpr double another_mm = 100;
+        return both_see(pair) && std::abs(mean_difference_mm(pair)) < another_mm;
     }
     /// What noise is measured on: both look at one surface, and nothing moves there.
     [[nodiscard]] bool is_quiet(std::size_t pair) const {

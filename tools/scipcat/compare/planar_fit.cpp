@@ -53,8 +53,7 @@ const WallLine* line_near(const Profile& a, glm::dvec2 point) {
     return beam && a.lines[*beam] ? &*a.lines[*beam] : nullptr;
 }
 
-Residuals residuals_at(const Profile& a, const Profile& b, const Unknowns& state,
-                       double reach_mm) {
+Residuals residuals_at(const Profile& a, const Profile& b, const Unknowns& state, double reach_mm) {
     Residuals residuals;
     const PlanarMotion motion{{state[0], state[1]}, state[2]};
     for (std::size_t beam = 0; beam < b.ranges_mm.size(); ++beam) {
@@ -122,8 +121,8 @@ std::optional<PlanarMotion> fit_motion(const Profile& a, const Profile& b) {
         const Unknowns by = residuals.equations.solve();
         for (std::size_t i = 0; i < state.size(); ++i)
             state[i] += by[i];
-        reach_mm = std::clamp(std::max(0.8 * reach_mm, tukey * deviation_mm), narrowest_mm,
-                              widest_mm);
+        reach_mm =
+            std::clamp(std::max(0.8 * reach_mm, tukey * deviation_mm), narrowest_mm, widest_mm);
     }
     return PlanarMotion{{state[0], state[1]}, state[2]};
 }

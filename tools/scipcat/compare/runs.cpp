@@ -14,7 +14,8 @@ std::vector<Run> runs_of_one_sign(const std::vector<int>& signs) {
     int sign = 0;
     for (std::size_t i = 0; i < signs.size(); ++i) {
         if (signs[i] == 0) continue;
-        const bool goes_on = !runs.empty() && signs[i] == sign && i - runs.back().last <= bridged + 1;
+        const bool goes_on =
+            !runs.empty() && signs[i] == sign && i - runs.back().last <= bridged + 1;
         if (goes_on) {
             runs.back().last = i;
         } else {

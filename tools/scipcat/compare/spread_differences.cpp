@@ -50,7 +50,7 @@ Spreads spreads_of(const Matter& matter) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     Spreads spreads;
     for (std::size_t pair = 0; pair < matter.pairs.size(); ++pair) {
-        const bool tested = matter.both_see(pair);
+        const bool tested = matter.see_the_same(pair);
         const std::size_t beam = matter.pairs[pair].a;
         spreads.tested.push_back(tested);
         spreads.a.push_back(tested ? matter.of_a(pair).sd_mm : none);
@@ -65,8 +65,8 @@ Spreads spreads_of(const Matter& matter) {
 Effects effects_of_spread(const Matter& matter, const Spreads& spreads) {
     Effects effects;
     for (std::size_t pair = 0; pair < matter.pairs.size(); ++pair) {
-        const auto readings = static_cast<double>(
-            std::min(matter.of_a(pair).distances, matter.of_b(pair).distances));
+        const auto readings =
+            static_cast<double>(std::min(matter.of_a(pair).distances, matter.of_b(pair).distances));
         effects.values.push_back(spreads.b[pair] - spreads.a[pair]);
         // Of a standard deviation, by the normal distribution: sd / sqrt(2 n).
         effects.deviations.push_back(spreads.usual[pair] / std::sqrt(readings));

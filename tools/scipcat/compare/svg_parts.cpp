@@ -12,6 +12,7 @@ namespace {
 constexpr double svg_width = 960;
 constexpr double chart_height = 200;
 constexpr double left_rim = 60;
+constexpr double right_rim = 20;
 
 template <typename... Values>
 std::string markup(const char* pattern, Values... values) {
@@ -22,10 +23,14 @@ std::string markup(const char* pattern, Values... values) {
 
 const char* class_of(Mark mark) {
     switch (mark) {
-        case Mark::nearer: return "nearer";
-        case Mark::farther: return "farther";
-        case Mark::otherwise: return "otherwise";
-        case Mark::alike: break;
+        case Mark::nearer:
+            return "nearer";
+        case Mark::farther:
+            return "farther";
+        case Mark::otherwise:
+            return "otherwise";
+        case Mark::alike:
+            break;
     }
     return "b";
 }
@@ -43,7 +48,10 @@ struct Ground {
         min_y = std::min(min_y, point.y_m);
         max_y = std::max(max_y, point.y_m);
     }
-    [[nodiscard]] double scale() const { return std::min(svg_width / (max_y - min_y), 760 / (max_x - min_x)); }
+    [[nodiscard]] double scale() const {
+        constexpr double tallest = 760;
+        return std::min((svg_width - 40) / (max_y - min_y), tallest / (max_x - min_x));
+    }
     [[nodiscard]] double across(double y_m) const {
         return svg_width / 2 - scale() * (y_m - (min_y + max_y) / 2);
     }
@@ -64,21 +72,21 @@ std::string dots(const std::vector<SeenPoint>& points, const Ground& ground,
 
 /// A step of a chart, from left to right.
 double place_of_step(const Comparison& comparison, std::size_t pair) {
-    return left_rim + (svg_width - left_rim - 10) * static_cast<double>(pair) /
-                          static_cast<double>(std::max<std::size_t>(comparison.pairs.size(), 2) - 1);
+    return left_rim +
+           (svg_width - left_rim - right_rim) * static_cast<double>(pair) /
+               static_cast<double>(std::max<std::size_t>(comparison.pairs.size(), 2) - 1);
 }
 
-std::string chart_begins(const Comparison& comparison, double top, double bottom,
-                         const char* unit) {
-    std::string text = markup("<svg viewBox=\"0 0 %.0f %.0f\" role=\"img\">\n", svg_width,
-                              chart_height + 24);
+std::string chart_begins(const Comparison& comparison, double top, double bottom) {
+    std::string text =
+        markup("<svg viewBox=\"0 0 %.0f %.0f\" role=\"img\">\n", svg_width, chart_height + 24);
     const double reach = top - bottom;
     for (int i = 0; i <= 4; ++i) {
         const double y = 8 + (chart_height - 16) * i / 4;
         text += markup("<line class=\"grid\" x1=\"%.0f\" x2=\"%.0f\" y1=\"%.1f\" y2=\"%.1f\"/>",
-                       left_rim, svg_width - 10, y, y);
-        text += markup("<text x=\"%.0f\" y=\"%.1f\" class=\"right\">%.3g%s</text>\n", left_rim - 6,
-                       y + 4, top - reach * i / 4, i == 0 ? unit : "");
+                       left_rim, svg_width - right_rim, y, y);
+        text += markup("<text x=\"%.0f\" y=\"%.1f\" class=\"right\">%.4g</text>\n", left_rim - 6,
+                       y + 4, top - reach * i / 4);
     }
     const std::size_t pairs = comparison.pairs.size();
     for (std::size_t i = 0; i <= 6; ++i) {
@@ -138,13 +146,14 @@ std::string svg_of_differences(const Comparison& comparison) {
         std::fmax(reach_of(comparison.mean_differences_mm), 2 * comparison.floor.mean_mm);
     const double top = std::isfinite(reach) ? reach : 1;
     const auto marks = marks_of(comparison);
-    std::string text = chart_begins(comparison, top, -top, " mm");
+    std::string text = chart_begins(comparison, top, -top);
     if (std::isfinite(comparison.floor.mean_mm))
-        text += markup("<rect class=\"floor\" x=\"%.0f\" width=\"%.0f\" y=\"%.1f\" height=\"%.1f\"/>\n",
-                       left_rim, svg_width - left_rim - 10,
-                       height_of(comparison.floor.mean_mm, top, -top),
-                       height_of(-comparison.floor.mean_mm, top, -top) -
-                           height_of(comparison.floor.mean_mm, top, -top));
+        text +=
+            markup("<rect class=\"floor\" x=\"%.0f\" width=\"%.0f\" y=\"%.1f\" height=\"%.1f\"/>\n",
+                   left_rim, svg_width - left_rim - right_rim,
+                   height_of(comparison.floor.mean_mm, top, -top),
+                   height_of(-comparison.floor.mean_mm, top, -top) -
+                       height_of(comparison.floor.mean_mm, top, -top));
     for (std::size_t pair = 0; pair < marks.size(); ++pair) {
         const double value = comparison.mean_differences_mm[pair];
         if (!std::isfinite(value)) continue;
@@ -157,7 +166,7 @@ std::string svg_of_differences(const Comparison& comparison) {
 
 std::string svg_of_curves(const Comparison& comparison, const Curve& curve) {
     const double top = std::max(reach_of(curve.a), reach_of(curve.b));
-    return chart_begins(comparison, top, 0, "") + curve_path(comparison, curve.a, "a", top) +
+    return chart_begins(comparison, top, 0) + curve_path(comparison, curve.a, "a", top) +
            curve_path(comparison, curve.b, "b", top) + "</svg>\n";
 }
 
@@ -165,11 +174,20 @@ std::string in_markup(const std::string& text) {
     std::string escaped;
     for (const char letter : text) {
         switch (letter) {
-            case '&': escaped += "&amp;"; break;
-            case '<': escaped += "&lt;"; break;
-            case '>': escaped += "&gt;"; break;
-            case '"': escaped += "&quot;"; break;
-            default: escaped += letter;
+            case '&':
+                escaped += "&amp;";
+                break;
+            case '<':
+                escaped += "&lt;";
+                break;
+            case '>':
+                escaped += "&gt;";
+                break;
+            case '"':
+                escaped += "&quot;";
+                break;
+            default:
+                escaped += letter;
         }
     }
     return escaped;

@@ -82,8 +82,8 @@ void compare_rates(const Matter& matter, Comparison& comparison) {
     const Side& b = comparison.b;
     if (!a.stamps.rate_hz || !b.stamps.rate_hz) return;
     const double difference = *b.stamps.rate_hz - *a.stamps.rate_hz;
-    const double by = std::hypot(uncertainty_hz(a, matter.a.tick_s()),
-                                 uncertainty_hz(b, matter.b.tick_s()));
+    const double by =
+        std::hypot(uncertainty_hz(a, matter.a.tick_s()), uncertainty_hz(b, matter.b.tick_s()));
     if (!(std::abs(difference) > std::max(by, least_share * *a.stamps.rate_hz))) return;
     comparison.differ.push_back({.what = What::rate,
                                  .a = *a.stamps.rate_hz,
@@ -134,11 +134,10 @@ std::vector<Moments> moments_of_blocks(const Matter& matter, const std::vector<s
         Moments& moments = all.emplace_back();
         for (const std::size_t pair : pairs) {
             const BeamPair& at = matter.pairs[pair];
-            const double reference_mm =
-                matter.of_a(pair).mean_mm - (of_a ? 0 : at.nearer_mm);
+            const double reference_mm = matter.of_a(pair).mean_mm - (of_a ? 0 : at.nearer_mm);
             const double own_mm = of_a ? matter.of_a(pair).mean_mm : matter.of_b(pair).mean_mm;
-            const Moments here = moments_of(series, block, of_a ? at.a : at.b, reference_mm,
-                                            own_mm, matter.usual_sd_mm(pair));
+            const Moments here = moments_of(series, block, of_a ? at.a : at.b, reference_mm, own_mm,
+                                            matter.usual_sd_mm(pair));
             moments.count += here.count;
             moments.differences_mm += here.differences_mm;
             moments.squares += here.squares;

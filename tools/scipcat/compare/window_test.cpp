@@ -75,8 +75,8 @@ Mean mean_in(const RunningSums& sums, std::size_t first, std::size_t end) {
     }
     if (mean.blocks < 2) return mean;
     mean.value /= mean.blocks;
-    mean.variance = std::max(0.0, squares / mean.blocks - mean.value * mean.value) /
-                    (mean.blocks - 1);
+    mean.variance =
+        std::max(0.0, squares / mean.blocks - mean.value * mean.value) / (mean.blocks - 1);
     return mean;
 }
 
@@ -88,8 +88,9 @@ struct Uncertainty {
 
 Uncertainty of_blocks(const Mean& a, const Mean& b) {
     const double both = a.variance + b.variance;
-    return {both, both * both / (a.variance * a.variance / (a.blocks - 1) +
-                                 b.variance * b.variance / (b.blocks - 1))};
+    return {both, both * both /
+                      (a.variance * a.variance / (a.blocks - 1) +
+                       b.variance * b.variance / (b.blocks - 1))};
 }
 
 /// A reading is rounded, so that its mean varies by no less than this, whatever the blocks say.
@@ -104,8 +105,7 @@ Uncertainty of_shares(const Mean& a, const Mean& b) {
     constexpr double many = 1e6;
     constexpr double chance_of_blocks = 2;
     const double readings = a.readings + b.readings;
-    const double share =
-        (a.value * a.readings + b.value * b.readings + 0.5) / (readings + 1);
+    const double share = (a.value * a.readings + b.value * b.readings + 0.5) / (readings + 1);
     const double expected = share * (1 - share) * (1 / a.readings + 1 / b.readings);
     const double found = a.variance + b.variance;
     if (found < chance_of_blocks * expected) return {std::max(found, expected), many};
