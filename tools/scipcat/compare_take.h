@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include "tools/scipcat/compare/comparison.h"
+#include "tools/scipcat/compare/compare_series.h"
 #include "tools/scipcat/scan_options.h"
 
 namespace scipd::tools {

@@ -14,7 +14,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/tools/compare/made_scans.h"
-#include "tools/scipcat/compare/comparison.h"
+#include "tools/scipcat/compare/compare_series.h"
 #include "tools/scipcat/compare/comparison_words.h"
 
 namespace scipd::tests {

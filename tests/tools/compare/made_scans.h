@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "tools/scipcat/compare/comparison.h"
+#include "tools/scipcat/compare/compare_series.h"
 
 namespace scipd::tests {
 

@@ -12,7 +12,7 @@ namespace {
 
 /// How many beams an edge may have moved by, since B stands elsewhere: things before it and behind
 /// it move by other angles.
-std::size_t edge_moved_by(const Profile& a, const PlanarMotion& motion, double nearest_mm) {
+std::size_t edge_moved_by(const Outline& a, const PlanarMotion& motion, double nearest_mm) {
     constexpr double not_at_all = 0.05;
     const double increment_rad = std::abs(a.increment_rad);
     const double turned = motion.turn_rad / increment_rad;
@@ -23,14 +23,14 @@ std::size_t edge_moved_by(const Profile& a, const PlanarMotion& motion, double n
 }
 
 /// The nearer of what a beam and its neighbours see.
-double nearest_around(const Profile& a, std::size_t beam) {
+double nearest_around(const Outline& a, std::size_t beam) {
     double nearest_mm = 1e9;
     for (std::size_t i = beam == 0 ? 0 : beam - 1; i < a.ranges_mm.size() && i <= beam + 1; ++i)
         nearest_mm = std::fmin(nearest_mm, a.ranges_mm[i]);
     return nearest_mm;
 }
 
-void leave_out_moved_edges(std::vector<BeamPair>& pairs, const Profile& a,
+void leave_out_moved_edges(std::vector<BeamPair>& pairs, const Outline& a,
                            const PlanarMotion& motion) {
     std::vector<bool> left_out(pairs.size(), false);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -46,7 +46,7 @@ void leave_out_moved_edges(std::vector<BeamPair>& pairs, const Profile& a,
 }
 
 /// Where A's beam meets what it sees, as B has it; where it sees nothing, far away.
-double bearing_for_b(const Profile& a, std::size_t beam, const PlanarMotion& a_from_b) {
+double bearing_for_b(const Outline& a, std::size_t beam, const PlanarMotion& a_from_b) {
     constexpr double far_mm = 1e7;
     const bool sees = !std::isnan(a.ranges_mm[beam]);
     return bearing_of(
@@ -55,7 +55,7 @@ double bearing_for_b(const Profile& a, std::size_t beam, const PlanarMotion& a_f
 
 /// How much nearer the line that B's beam meets is to B than to A. If A's beam meets the line of
 /// another beam instead, that counts.
-double nearer_for_b(const Profile& a, const Profile& b, const PlanarMotion& a_from_b,
+double nearer_for_b(const Outline& a, const Outline& b, const PlanarMotion& a_from_b,
                     const BeamPair& pair, std::size_t line_of) {
     if (b.lines[pair.b] && b.lines[line_of]) {
         const double for_a_mm = range_to(a_from_b(*b.lines[line_of]), a.angle_rad(pair.a));
@@ -66,7 +66,7 @@ double nearer_for_b(const Profile& a, const Profile& b, const PlanarMotion& a_fr
 }
 
 /// In a corner A's beam may meet the one wall and B's the other.
-bool in_corner(const Profile& a, const Profile& b, const PlanarMotion& a_from_b,
+bool in_corner(const Outline& a, const Outline& b, const PlanarMotion& a_from_b,
                const BeamPair& pair) {
     constexpr std::size_t beams = 2;
     constexpr double most_mm = 2;
@@ -80,7 +80,7 @@ bool in_corner(const Profile& a, const Profile& b, const PlanarMotion& a_from_b,
 
 }  // namespace
 
-std::vector<BeamPair> pairs_by_angle(const Profile& a, const Profile& b,
+std::vector<BeamPair> pairs_by_angle(const Outline& a, const Outline& b,
                                      const PlanarMotion& a_from_b, const std::vector<bool>& edges_a,
                                      const std::vector<bool>& edges_b) {
     std::vector<BeamPair> pairs;

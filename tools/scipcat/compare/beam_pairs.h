@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "sim/expected.h"
+#include "tools/scipcat/compare/outline.h"
 #include "tools/scipcat/compare/planar_fit.h"
-#include "tools/scipcat/compare/profile.h"
 #include "tools/statistics/scan_series.h"
 
 namespace scipd::tools::comparing {
@@ -24,7 +24,7 @@ struct BeamPair {
 };
 
 /// A and B with angles.
-[[nodiscard]] std::vector<BeamPair> pairs_by_angle(const Profile& a, const Profile& b,
+[[nodiscard]] std::vector<BeamPair> pairs_by_angle(const Outline& a, const Outline& b,
                                                    const PlanarMotion& a_from_b,
                                                    const std::vector<bool>& edges_a,
                                                    const std::vector<bool>& edges_b);

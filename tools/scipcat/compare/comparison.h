@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "sim/expected.h"
 #include "tools/scipcat/compare/beam_pairs.h"
 #include "tools/scipcat/compare/planar_fit.h"
 #include "tools/statistics/beam_statistics.h"
@@ -40,7 +39,6 @@ struct Side {
 };
 
 enum class What { mean, sd, codes, intensity, neighbours, rate, clock };
-[[nodiscard]] std::string_view name_of(What what);
 
 /// One thing that is other in B, by more than chance and by more than A's halves differ.
 struct Difference {
@@ -87,17 +85,5 @@ struct Comparison {
 
     [[nodiscard]] bool alike() const { return differ.empty(); }
 };
-
-/// One of the two, before it is compared.
-struct Taken {
-    std::string name;
-    ScanSeries series;
-    // Of a scanner that was asked for its time; a recording has no such questions.
-    std::optional<ClockRate> clock;
-    std::optional<double> latency_ms;
-};
-
-/// Four scans of each are the fewest that say anything. The fault says why they cannot be compared.
-[[nodiscard]] sim::Expected<Comparison> compare(const Taken& a, const Taken& b, bool fit);
 
 }  // namespace scipd::tools::comparing

@@ -2,6 +2,7 @@
 // Copyright The scipd authors
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
@@ -58,6 +59,26 @@ Json side_json(const Side& side) {
         {"delay_ms", number(side.stamps.delay_ms)},
         {"clock", clock_json(side.stamps.clock)},
     };
+}
+
+std::string_view name_of(What what) {
+    switch (what) {
+        case What::mean:
+            return "mean";
+        case What::sd:
+            return "sd";
+        case What::codes:
+            return "codes";
+        case What::intensity:
+            return "intensity";
+        case What::neighbours:
+            return "neighbours";
+        case What::rate:
+            return "rate";
+        case What::clock:
+            return "clock";
+    }
+    return "";
 }
 
 Json difference_json(const Difference& difference) {

@@ -48,12 +48,12 @@ struct Residuals {
 };
 
 /// The line of A that this point of B belongs to.
-const WallLine* line_near(const Profile& a, glm::dvec2 point) {
+const WallLine* line_near(const Outline& a, glm::dvec2 point) {
     const auto beam = a.beam_at(bearing_of(point));
     return beam && a.lines[*beam] ? &*a.lines[*beam] : nullptr;
 }
 
-Residuals residuals_at(const Profile& a, const Profile& b, const Unknowns& state, double reach_mm) {
+Residuals residuals_at(const Outline& a, const Outline& b, const Unknowns& state, double reach_mm) {
     Residuals residuals;
     const PlanarMotion motion{{state[0], state[1]}, state[2]};
     for (std::size_t beam = 0; beam < b.ranges_mm.size(); ++beam) {
@@ -105,7 +105,7 @@ WallLine PlanarMotion::operator()(const WallLine& line) const {
     return {normal, line.distance_mm + glm::dot(normal, shift_mm)};
 }
 
-std::optional<PlanarMotion> fit_motion(const Profile& a, const Profile& b) {
+std::optional<PlanarMotion> fit_motion(const Outline& a, const Outline& b) {
     constexpr int steps = 30;
     constexpr std::size_t fewest = 30;
     constexpr double widest_mm = 300;

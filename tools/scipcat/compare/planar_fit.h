@@ -10,7 +10,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "tools/scipcat/compare/profile.h"
+#include "tools/scipcat/compare/outline.h"
 
 namespace scipd::tools::comparing {
 
@@ -27,6 +27,6 @@ struct PlanarMotion {
 
 /// None where the scanners have too little in common. B may read all ranges too far or too near:
 /// where the place tells that from a motion, it is none.
-[[nodiscard]] std::optional<PlanarMotion> fit_motion(const Profile& a, const Profile& b);
+[[nodiscard]] std::optional<PlanarMotion> fit_motion(const Outline& a, const Outline& b);
 
 }  // namespace scipd::tools::comparing

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipcat/compare/comparison.h"
+#include "tools/scipcat/compare/compare_series.h"
 
 #include <cmath>
 #include <utility>
@@ -100,8 +100,8 @@ sim::Expected<std::vector<BeamPair>> pair_up(const Matter& matter, bool fit,
                                              Comparison& comparison) {
     const auto edges_a = beside_edges(matter.beams_a);
     const auto edges_b = beside_edges(matter.beams_b);
-    const auto a = profile_of(matter.a.directions(), matter.beams_a);
-    const auto b = profile_of(matter.b.directions(), matter.beams_b);
+    const auto a = outline_of(matter.a.directions(), matter.beams_a);
+    const auto b = outline_of(matter.b.directions(), matter.beams_b);
     if (!a || !b) return pairs_by_number(matter.a, matter.b, edges_a, edges_b);
     comparison.by_angle = true;
     if (fit) comparison.motion = fit_motion(*a, *b);
@@ -110,26 +110,6 @@ sim::Expected<std::vector<BeamPair>> pair_up(const Matter& matter, bool fit,
 }
 
 }  // namespace
-
-std::string_view name_of(What what) {
-    switch (what) {
-        case What::mean:
-            return "mean";
-        case What::sd:
-            return "sd";
-        case What::codes:
-            return "codes";
-        case What::intensity:
-            return "intensity";
-        case What::neighbours:
-            return "neighbours";
-        case What::rate:
-            return "rate";
-        case What::clock:
-            return "clock";
-    }
-    return "";
-}
 
 sim::Expected<Comparison> compare(const Taken& taken_a, const Taken& taken_b, bool fit) {
     const ScanSeries& a = taken_a.series;

@@ -22,7 +22,7 @@ struct WallLine {
     double distance_mm = 0;
 };
 
-struct Profile {
+struct Outline {
     double first_rad = 0;
     double increment_rad = 0;
     std::vector<double> ranges_mm;  ///< medians; NaN where a beam mostly gives none
@@ -45,7 +45,7 @@ struct Profile {
 [[nodiscard]] double range_to(const WallLine& line, double angle_rad);
 
 /// None if the directions are not known.
-[[nodiscard]] std::optional<Profile> profile_of(const sim::Directions& directions,
+[[nodiscard]] std::optional<Outline> outline_of(const sim::Directions& directions,
                                                 std::span<const BeamStatistics> beams);
 
 }  // namespace scipd::tools::comparing

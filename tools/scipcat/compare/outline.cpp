@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipcat/compare/profile.h"
+#include "tools/scipcat/compare/outline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,11 +16,11 @@ namespace {
 constexpr std::size_t line_reach = 4;  ///< beams to either side
 constexpr double roughest_mm = 25;
 
-bool joins(const Profile& profile, std::size_t beam, std::size_t next) {
-    const double range_mm = profile.ranges_mm[beam];
-    const double next_mm = profile.ranges_mm[next];
+bool joins(const Outline& outline, std::size_t beam, std::size_t next) {
+    const double range_mm = outline.ranges_mm[beam];
+    const double next_mm = outline.ranges_mm[next];
     return !std::isnan(range_mm) && !std::isnan(next_mm) &&
-           on_one_surface(range_mm, next_mm, std::abs(profile.increment_rad));
+           on_one_surface(range_mm, next_mm, std::abs(outline.increment_rad));
 }
 
 /// Least squares of the distances from the line; what they are at the root of their mean square.
@@ -53,11 +53,11 @@ struct FittedLine {
 };
 
 /// Through the points of these beams, if they are on one surface.
-FittedLine line_through_beams(const Profile& profile, std::size_t first, std::size_t last) {
+FittedLine line_through_beams(const Outline& outline, std::size_t first, std::size_t last) {
     std::vector<glm::dvec2> points;
     for (std::size_t i = first; i <= last; ++i) {
-        if (i > first && !joins(profile, i - 1, i)) return {};
-        points.push_back(profile.point_mm(i));
+        if (i > first && !joins(outline, i - 1, i)) return {};
+        points.push_back(outline.point_mm(i));
     }
     FittedLine fitted;
     fitted.rough_mm = fit_line(points, fitted.line);
@@ -65,33 +65,33 @@ FittedLine line_through_beams(const Profile& profile, std::size_t first, std::si
 }
 
 /// Through the beams to both sides; where that is rough, as in a corner, to one side.
-std::optional<WallLine> line_at(const Profile& profile, std::size_t beam) {
+std::optional<WallLine> line_at(const Outline& outline, std::size_t beam) {
     constexpr double smooth_mm = 3;
     constexpr double most_grazing = 0.12;  // cosine of the incidence
     const std::size_t first = beam - std::min(beam, line_reach);
-    const std::size_t last = std::min(beam + line_reach, profile.ranges_mm.size() - 1);
+    const std::size_t last = std::min(beam + line_reach, outline.ranges_mm.size() - 1);
     if (last - first < line_reach) return std::nullopt;
-    FittedLine best = line_through_beams(profile, first, last);
+    FittedLine best = line_through_beams(outline, first, last);
     if (best.rough_mm > smooth_mm) {
         for (const auto& [from, to] : {std::pair(first, beam), std::pair(beam, last)}) {
             if (to - from < line_reach) continue;
-            const FittedLine side = line_through_beams(profile, from, to);
+            const FittedLine side = line_through_beams(outline, from, to);
             if (side.rough_mm < best.rough_mm) best = side;
         }
     }
     if (!(best.rough_mm < roughest_mm)) return std::nullopt;
-    const double incidence = glm::dot(best.line.normal, direction_at(profile.angle_rad(beam)));
+    const double incidence = glm::dot(best.line.normal, direction_at(outline.angle_rad(beam)));
     if (std::abs(incidence) < most_grazing) return std::nullopt;
     return best.line;
 }
 
 }  // namespace
 
-glm::dvec2 Profile::point_mm(std::size_t beam) const {
+glm::dvec2 Outline::point_mm(std::size_t beam) const {
     return ranges_mm[beam] * direction_at(angle_rad(beam));
 }
 
-std::optional<std::size_t> Profile::beam_at(double angle_rad) const {
+std::optional<std::size_t> Outline::beam_at(double angle_rad) const {
     const double from_first = std::remainder(
         angle_rad - first_rad - increment_rad * static_cast<double>(ranges_mm.size() - 1) / 2,
         2 * std::numbers::pi);
@@ -113,20 +113,20 @@ double range_to(const WallLine& line, double angle_rad) {
     return line.distance_mm / glm::dot(line.normal, direction_at(angle_rad));
 }
 
-std::optional<Profile> profile_of(const sim::Directions& directions,
+std::optional<Outline> outline_of(const sim::Directions& directions,
                                   std::span<const BeamStatistics> beams) {
     if (!directions.first_rad || !directions.increment_rad || *directions.increment_rad == 0)
         return std::nullopt;
     // A cluster looks where the middle of its steps does.
     const double step_rad = *directions.increment_rad / directions.cluster;
-    Profile profile{.first_rad = *directions.first_rad + (directions.cluster - 1) / 2.0 * step_rad,
+    Outline outline{.first_rad = *directions.first_rad + (directions.cluster - 1) / 2.0 * step_rad,
                     .increment_rad = *directions.increment_rad};
     for (const BeamStatistics& beam : beams)
-        profile.ranges_mm.push_back(beam.share >= 0.5 ? beam.median_mm
+        outline.ranges_mm.push_back(beam.share >= 0.5 ? beam.median_mm
                                                       : std::numeric_limits<double>::quiet_NaN());
     for (std::size_t beam = 0; beam < beams.size(); ++beam)
-        profile.lines.push_back(line_at(profile, beam));
-    return profile;
+        outline.lines.push_back(line_at(outline, beam));
+    return outline;
 }
 
 }  // namespace scipd::tools::comparing

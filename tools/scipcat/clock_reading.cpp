@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipcat/device_clock.h"
+#include "tools/scipcat/clock_reading.h"
 
 #include <chrono>
 #include <cmath>
