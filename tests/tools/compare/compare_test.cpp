@@ -79,6 +79,15 @@ TEST(Compare, FindsNothingBetweenTwoSeeds) {
     EXPECT_LE(wrong, pairs / 50);
 }
 
+// A place that hardly tells where one stands in it, as a piece of a wall.
+TEST(Compare, FindsNothingInANarrowView) {
+    for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+        const Comparison comparison =
+            compare({.seed = seed, .steps = 90}, {.seed = seed + 100, .steps = 90});
+        EXPECT_THAT(sentences(comparison), IsEmpty());
+    }
+}
+
 TEST(Compare, FindsNothingBetweenUnequalNumbersOfScans) {
     EXPECT_THAT(sentences(compare({.seed = 1, .scans = 100}, {.seed = 2, .scans = 12})), IsEmpty());
 }

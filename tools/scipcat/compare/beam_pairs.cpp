@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 namespace scipd::tools::comparing {
 namespace {
@@ -65,6 +66,19 @@ double nearer_for_b(const Outline& a, const Outline& b, const PlanarMotion& a_fr
     return glm::length(a_from_b(b.point_mm(pair.b))) - b.ranges_mm[pair.b];
 }
 
+/// How well that is known, as the motion is. 0 where there is no line to tell by.
+double uncertainty_mm(const Outline& a, const Outline& b, const FittedMotion& fitted,
+                      const BeamPair& pair) {
+    if (!b.lines[pair.b]) return 0;
+    const WallLine line = fitted.motion(*b.lines[pair.b]);
+    const glm::dvec2 out = direction_at(a.angle_rad(pair.a));
+    const glm::dvec2 arm = range_to(line, a.angle_rad(pair.a)) * out - fitted.motion.shift_mm;
+    const glm::dvec3 gradient =
+        glm::dvec3(line.normal, glm::dot(line.normal, glm::dvec2(-arm.y, arm.x))) /
+        glm::dot(line.normal, out);
+    return std::sqrt(glm::dot(gradient, fitted.covariance * gradient));
+}
+
 /// In a corner A's beam may meet the one wall and B's the other.
 bool in_corner(const Outline& a, const Outline& b, const PlanarMotion& a_from_b,
                const BeamPair& pair) {
@@ -80,15 +94,17 @@ bool in_corner(const Outline& a, const Outline& b, const PlanarMotion& a_from_b,
 
 }  // namespace
 
-std::vector<BeamPair> pairs_by_angle(const Outline& a, const Outline& b,
-                                     const PlanarMotion& a_from_b, const std::vector<bool>& edges_a,
+std::vector<BeamPair> pairs_by_angle(const Outline& a, const Outline& b, const FittedMotion& fitted,
+                                     const std::vector<bool>& edges_a,
                                      const std::vector<bool>& edges_b) {
+    const PlanarMotion& a_from_b = fitted.motion;
     std::vector<BeamPair> pairs;
     for (std::size_t beam = 0; beam < a.ranges_mm.size(); ++beam) {
         const auto of_b = b.beam_at(bearing_for_b(a, beam, a_from_b));
         if (!of_b) continue;
         BeamPair pair{.a = beam, .b = *of_b, .at_edge = edges_a[beam] || edges_b[*of_b]};
         pair.nearer_mm = nearer_for_b(a, b, a_from_b, pair, pair.b);
+        pair.uncertain_mm = uncertainty_mm(a, b, fitted, pair);
         pair.at_edge = pair.at_edge || in_corner(a, b, a_from_b, pair);
         pairs.push_back(pair);
     }

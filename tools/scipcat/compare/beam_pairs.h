@@ -18,14 +18,15 @@ namespace scipd::tools::comparing {
 struct BeamPair {
     std::size_t a = 0;
     std::size_t b = 0;
-    double nearer_mm = 0;    ///< from B's place the same thing is so much nearer than from A's
-    bool at_edge = false;    ///< beside another surface, for A or for B
-    bool comparable = true;  ///< false: since B stands elsewhere, it need not see the same thing
+    double nearer_mm = 0;     ///< from B's place the same thing is so much nearer than from A's
+    double uncertain_mm = 0;  ///< the standard deviation of that
+    bool at_edge = false;     ///< beside another surface, for A or for B
+    bool comparable = true;   ///< false: since B stands elsewhere, it need not see the same thing
 };
 
 /// A and B with angles.
 [[nodiscard]] std::vector<BeamPair> pairs_by_angle(const Outline& a, const Outline& b,
-                                                   const PlanarMotion& a_from_b,
+                                                   const FittedMotion& fitted,
                                                    const std::vector<bool>& edges_a,
                                                    const std::vector<bool>& edges_b);
 

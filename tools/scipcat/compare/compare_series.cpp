@@ -104,9 +104,9 @@ sim::Expected<std::vector<BeamPair>> pair_up(const Matter& matter, bool fit,
     const auto b = outline_of(matter.b.directions(), matter.beams_b);
     if (!a || !b) return pairs_by_number(matter.a, matter.b, edges_a, edges_b);
     comparison.by_angle = true;
-    if (fit) comparison.motion = fit_motion(*a, *b);
-    const PlanarMotion motion = comparison.motion.value_or(PlanarMotion{});
-    return pairs_by_angle(*a, *b, motion, edges_a, edges_b);
+    const auto fitted = fit ? fit_motion(*a, *b) : std::nullopt;
+    if (fitted) comparison.motion = fitted->motion;
+    return pairs_by_angle(*a, *b, fitted.value_or(FittedMotion{}), edges_a, edges_b);
 }
 
 }  // namespace

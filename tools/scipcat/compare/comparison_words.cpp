@@ -55,6 +55,15 @@ std::string codes_text(const Difference& difference) {
     return text;
 }
 
+/// Of nothing there is no multiple.
+std::string spread_text(const Difference& difference) {
+    constexpr double least_mm = 0.1;
+    if (difference.a < least_mm)
+        return worded(" spread by %.1f mm instead of %.1f mm", difference.b, difference.a);
+    return worded(" spread %.2g times as much: %.1f mm instead of %.1f mm",
+                  difference.b / difference.a, difference.b, difference.a);
+}
+
 std::string share_list(const CodeShares& shares) {
     constexpr std::size_t most = 4;
     std::vector<std::pair<double, Code>> sorted;
@@ -97,9 +106,7 @@ std::string sentence_of(const Difference& difference) {
             return steps_text(difference) + (by < 0 ? " nearer by " : " farther by ") +
                    length_text(by, difference.by);
         case What::sd:
-            return steps_text(difference) +
-                   worded(" spread %.2g times as much: %.1f mm instead of %.1f mm",
-                          difference.b / difference.a, difference.b, difference.a);
+            return steps_text(difference) + spread_text(difference);
         case What::codes:
             return steps_text(difference) + ": " + codes_text(difference);
         case What::intensity:
@@ -133,6 +140,7 @@ std::string place_of(const Comparison& comparison) {
         return "Not both say where their steps look, so that steps are compared by their numbers.";
     if (!comparison.motion) return "B is taken to stand where A does.";
     const auto& motion = *comparison.motion;
+    if (motion == PlanarMotion{}) return "B stands where A does, as far as the scans can tell.";
     return worded(
         "B stands %.1f mm %s and %.1f mm to the %s of A, turned by %+.2f°; that is "
         "allowed for.",

@@ -43,6 +43,7 @@ void add_pair(Level& level, const Matter& matter, double mean_a, double mean_b, 
 
 Level ranges_of(const Matter& matter) {
     constexpr double last_digit_mm = 1;
+    constexpr double surely = 3;  // standard deviations of B's place
     Level level{.what = What::mean, .reading = &ScanSeries::range_mm};
     for (std::size_t pair = 0; pair < matter.pairs.size(); ++pair) {
         const std::size_t beam = matter.pairs[pair].a;
@@ -50,7 +51,8 @@ Level ranges_of(const Matter& matter) {
                  matter.pairs[pair].nearer_mm, matter.usual_sd_mm(pair),
                  matter.second_half[beam].mean_mm - matter.first_half[beam].mean_mm);
     }
-    level.least.assign(matter.pairs.size(), last_digit_mm);
+    for (const BeamPair& pair : matter.pairs)
+        level.least.push_back(last_digit_mm + surely * pair.uncertain_mm);
     return level;
 }
 

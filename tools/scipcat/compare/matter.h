@@ -45,7 +45,7 @@ struct Matter {
     }
     /// What noise is measured on: both look at one surface, and nothing moves there.
     [[nodiscard]] bool is_quiet(std::size_t pair) const {
-        return both_see(pair) && !pairs[pair].at_edge && is_steady(of_a(pair)) &&
+        return see_the_same(pair) && !pairs[pair].at_edge && is_steady(of_a(pair)) &&
                is_steady(of_b(pair));
     }
     /// B less A, from A's place.

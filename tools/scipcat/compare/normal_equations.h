@@ -23,9 +23,28 @@ class NormalEquations {
         }
     }
 
-    /// By what to change the unknowns so that the residuals become least. By Cholesky: each unknown
-    /// must be in some residual.
+    /// By what to change the unknowns so that the residuals become least. Each unknown must be in
+    /// some residual.
     [[nodiscard]] Vector solve() const {
+        Vector wanted = sums_;
+        for (double& value : wanted)
+            value = -value;
+        return backward(forward(wanted));
+    }
+
+    /// How the unknowns vary together, if residuals have a deviation of 1.
+    [[nodiscard]] std::array<Vector, size> covariance() const {
+        std::array<Vector, size> columns{};
+        for (std::size_t i = 0; i < size; ++i) {
+            columns[i][i] = 1;
+            columns[i] = backward(forward(columns[i]));
+        }
+        return columns;
+    }
+
+  private:
+    /// By A.-L. Cholesky.
+    [[nodiscard]] std::array<Vector, size> root() const {
         std::array<Vector, size> root{};
         for (std::size_t row = 0; row < size; ++row) {
             for (std::size_t column = 0; column <= row; ++column) {
@@ -35,27 +54,25 @@ class NormalEquations {
                 root[row][column] = row == column ? std::sqrt(rest) : rest / root[column][column];
             }
         }
-        return backward(root, forward(root));
+        return root;
     }
-
-  private:
-    [[nodiscard]] Vector forward(const std::array<Vector, size>& root) const {
-        Vector solved{};
+    [[nodiscard]] Vector forward(Vector values) const {
+        const auto factors = root();
         for (std::size_t row = 0; row < size; ++row) {
-            solved[row] = -sums_[row];
             for (std::size_t k = 0; k < row; ++k)
-                solved[row] -= root[row][k] * solved[k];
-            solved[row] /= root[row][row];
+                values[row] -= factors[row][k] * values[k];
+            values[row] /= factors[row][row];
         }
-        return solved;
+        return values;
     }
-    static Vector backward(const std::array<Vector, size>& root, Vector solved) {
+    [[nodiscard]] Vector backward(Vector values) const {
+        const auto factors = root();
         for (std::size_t row = size; row-- > 0;) {
             for (std::size_t k = row + 1; k < size; ++k)
-                solved[row] -= root[k][row] * solved[k];
-            solved[row] /= root[row][row];
+                values[row] -= factors[k][row] * values[k];
+            values[row] /= factors[row][row];
         }
-        return solved;
+        return values;
     }
 
     std::array<Vector, size> squares_{};  ///< below the diagonal

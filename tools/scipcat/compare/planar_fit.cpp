@@ -4,8 +4,8 @@
 // Point to line (Y. Chen, G. Medioni, "Object modelling by registration of multiple range images",
 // 1992) with the weights of Tukey, whose reach shrinks from step to step. Beside the motion it has
 // the error of B's ranges against A's as a function of the range: two units of one model differ by
-// some 10 mm. Where a place does not tell the two apart, as a single wall ahead, what is found is
-// mostly motion: of that so much more is to be expected.
+// some 10 mm. A place may not tell the two apart, as a single wall ahead does not. Then the motion
+// is uncertain, and if it need not be one, it is taken for none.
 #include "tools/scipcat/compare/planar_fit.h"
 
 #include <algorithm>
@@ -13,6 +13,8 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec3.hpp>
 
 #include "tools/scipcat/compare/normal_equations.h"
 
@@ -89,6 +91,22 @@ void expect_little(Equations& equations, const Unknowns& state, double deviation
     }
 }
 
+/// The motion, or none if it may be chance.
+FittedMotion judged(const Unknowns& state, const Equations& equations, double deviation_mm) {
+    constexpr double surely = 20;      // of chi-squared with three degrees of freedom: 0.0002
+    constexpr double alike_beams = 9;  // a line is of so many, which therefore err together
+    const auto covariance = equations.covariance();
+    FittedMotion fitted{{{state[0], state[1]}, state[2]}};
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row)
+            fitted.covariance[column][row] =
+                alike_beams * deviation_mm * deviation_mm * covariance[column][row];
+    }
+    const glm::dvec3 motion{state[0], state[1], state[2]};
+    const double chi_squared = glm::dot(motion, glm::inverse(fitted.covariance) * motion);
+    return chi_squared > surely ? fitted : FittedMotion{};
+}
+
 }  // namespace
 
 glm::dvec2 PlanarMotion::operator()(glm::dvec2 point_mm) const {
@@ -105,7 +123,7 @@ WallLine PlanarMotion::operator()(const WallLine& line) const {
     return {normal, line.distance_mm + glm::dot(normal, shift_mm)};
 }
 
-std::optional<PlanarMotion> fit_motion(const Outline& a, const Outline& b) {
+std::optional<FittedMotion> fit_motion(const Outline& a, const Outline& b) {
     constexpr int steps = 30;
     constexpr std::size_t fewest = 30;
     constexpr double widest_mm = 300;
@@ -113,18 +131,18 @@ std::optional<PlanarMotion> fit_motion(const Outline& a, const Outline& b) {
     constexpr double tukey = 4.685;  // his reach, in standard deviations
     Unknowns state{};
     double reach_mm = widest_mm;
-    for (int step = 0; step < steps; ++step) {
+    for (int step = 0;; ++step) {
         Residuals residuals = residuals_at(a, b, state, reach_mm);
         if (residuals.sizes_mm.size() < fewest) return std::nullopt;
-        const double deviation_mm = 1.483 * median_of(residuals.sizes_mm);
-        expect_little(residuals.equations, state, std::max(deviation_mm, 1.0));
+        const double deviation_mm = std::max(1.0, 1.483 * median_of(residuals.sizes_mm));
+        expect_little(residuals.equations, state, deviation_mm);
+        if (step == steps) return judged(state, residuals.equations, deviation_mm);
         const Unknowns by = residuals.equations.solve();
         for (std::size_t i = 0; i < state.size(); ++i)
             state[i] += by[i];
         reach_mm =
             std::clamp(std::max(0.8 * reach_mm, tukey * deviation_mm), narrowest_mm, widest_mm);
     }
-    return PlanarMotion{{state[0], state[1]}, state[2]};
 }
 
 }  // namespace scipd::tools::comparing

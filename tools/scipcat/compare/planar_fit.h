@@ -8,6 +8,7 @@
 
 #include <optional>
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 
 #include "tools/scipcat/compare/outline.h"
@@ -23,10 +24,17 @@ struct PlanarMotion {
     /// From A's frame to B's.
     [[nodiscard]] glm::dvec2 back(glm::dvec2 point_mm) const;
     [[nodiscard]] WallLine operator()(const WallLine& line) const;
+
+    bool operator==(const PlanarMotion&) const = default;
+};
+
+struct FittedMotion {
+    PlanarMotion motion;
+    glm::dmat3 covariance{0.0};  ///< of forward, left (in millimetres) and the turn
 };
 
 /// None where the scanners have too little in common. B may read all ranges too far or too near:
-/// where the place tells that from a motion, it is none.
-[[nodiscard]] std::optional<PlanarMotion> fit_motion(const Outline& a, const Outline& b);
+/// where the place tells that from a motion, it is none. What may be chance is no motion either.
+[[nodiscard]] std::optional<FittedMotion> fit_motion(const Outline& a, const Outline& b);
 
 }  // namespace scipd::tools::comparing
