@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include <chrono>
 #include <cstdint>
 #include <exception>
 #include <iostream>
@@ -10,11 +9,11 @@
 
 #include "sim/recording/create_recording.h"
 #include "tools/options.h"
-#include "tools/safe_output.h"
 #include "tools/scipcat/live_recording.h"
+#include "tools/scipcat/running_stream.h"
 #include "tools/scipcat/scan_options.h"
+#include "tools/scipcat/scan_progress.h"
 #include "tools/scipcat/scipcat_commands.h"
-#include "tools/terminal.h"
 
 namespace scipd::tools {
 namespace {
@@ -29,54 +28,10 @@ struct RecordOptions {
     Compression compression = Compression::zstd;
 };
 
-/// Switches the scanner off even after an error: over a tty it would otherwise go on streaming.
-class RunningStream {
-  public:
-    RunningStream(protocol::client::Driver& driver, const protocol::client::ScanRequest& request)
-        : driver_(driver) {
-        driver_.start(request);
-    }
-    ~RunningStream() {
-        try {
-            driver_.stop();
-        } catch (const std::exception&) {  // it is gone; another exception tells why
-        }
-    }
-    RunningStream(const RunningStream&) = delete;
-    RunningStream& operator=(const RunningStream&) = delete;
-
-  private:
-    protocol::client::Driver& driver_;
-};
-
-/// Says on a terminal how far the recording is, five times a second.
-class Progress {
-  public:
-    void tell(std::uint64_t scans) {
-        const auto now = std::chrono::steady_clock::now();
-        if (!on_terminal_ || now < next_) return;
-        next_ = now + std::chrono::milliseconds(200);
-        shown_ = true;
-        SafeOutput::write_as_is(std::cerr, "\r" + std::to_string(scans) + " scans");
-        std::cerr.flush();
-    }
-    ~Progress() {
-        if (shown_) SafeOutput::write_as_is(std::cerr, "\r\x1b[K");
-    }
-    Progress() = default;
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
-
-  private:
-    bool on_terminal_ = stderr_is_terminal();
-    bool shown_ = false;
-    std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now();
-};
-
 /// Until there are enough scans, the user has enough, or the scanner is gone: then its Error is
 /// returned.
 std::exception_ptr copy_scans(ConnectedScanner& scanner, LiveRecording& recording) {
-    Progress progress;
+    ScanProgress progress;
     try {
         while (!recording.has_all()) {
             (void)scanner.driver().next_scan();

@@ -35,12 +35,15 @@ constexpr auto scanner = "the scanner: tcp://HOST:PORT, or a tty such as /dev/tt
 
 }  // namespace
 
-void ConnectionOptions::add_to(CLI::App& command, Targets targets) {
+void add_target(CLI::App& command, const std::string& name, std::string& target, Targets targets) {
     const bool recordings = targets == Targets::scanners_and_recordings;
-    command
-        .add_option("TARGET", target, scanner + std::string(recordings ? "; or a recording" : ""))
+    command.add_option(name, target, scanner + std::string(recordings ? "; or a recording" : ""))
         ->required()
         ->check(CLI::Validator(recordings ? why_no_target : why_no_scanner, "", "target"));
+}
+
+void ConnectionOptions::add_to(CLI::App& command, Targets targets, const std::string& name) {
+    add_target(command, name, target, targets);
     command.add_option("--baud", baud, "rate of a tty; means nothing to a USB scanner")
         ->check(whole_within(1200, 4'000'000))
         ->capture_default_str();

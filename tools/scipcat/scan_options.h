@@ -26,11 +26,15 @@ struct ConnectionOptions {
     int baud = 115200;
     double timeout_s = 1.0;
 
-    void add_to(CLI::App& command, Targets targets = Targets::scanners);
+    void add_to(CLI::App& command, Targets targets = Targets::scanners,
+                const std::string& name = "TARGET");
     /// How long to wait for an answer.
     [[nodiscard]] std::chrono::milliseconds patience() const;
     [[nodiscard]] ConnectedScanner open(TappedTransport::Listener listener = {}) const;
 };
+
+/// A target by itself, as each of two has it.
+void add_target(CLI::App& command, const std::string& name, std::string& target, Targets targets);
 
 struct ScanOptions {
     std::optional<int> start;

@@ -15,6 +15,9 @@ void add_record_command(CLI::App& program);
 /// `scipcat plot TARGET [-o FILE.png|FILE.svg]`: draws one scan from above.
 void add_plot_command(CLI::App& program);
 
+/// `scipcat compare A B`: tells how the scans of two scanners or recordings differ.
+void add_compare_command(CLI::App& program);
+
 /// `scipcat check TARGET`: holds a scanner to a numbered list of what SCIP promises.
 void add_check_command(CLI::App& program);
 

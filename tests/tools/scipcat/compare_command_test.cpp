@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// `scipcat compare` as a user calls it: scanners, recordings, reports, exit codes.
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "daemon/models/model_registry.h"
+#include "tests/support/temp_dir.h"
+#include "tests/tools/scipcat/room.h"
+#include "tests/tools/scipcat/scipcat.h"
+
+namespace scipd::tests {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+const protocol::DeviceProfile& ust() {
+    return daemon::find_model("UST-10LX").profile;
+}
+
+/// The room with its steps 500 to 520 so much nearer.
+LoopbackScanner changed_room(std::uint32_t nearer_mm) {
+    return LoopbackScanner(ust(), [=](int step) {
+        Reading reading = room_reading(ust(), step);
+        if (step >= 500 && step <= 520) reading.distance_mm -= nearer_mm;
+        return reading;
+    });
+}
+
+std::string text_of(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::filesystem::path record_room(const TempDir& directory, const char* name) {
+    const RoomScanner scanner(ust());
+    const auto file = directory.path() / name;
+    const Outcome outcome = run_scipcat({"record", scanner.tcp_target(), "-o", file, "-n", "12"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return file;
+}
+
+TEST(ScipcatCompare, FindsTheSameScannerAlike) {
+    const RoomScanner a(ust());
+    const RoomScanner b(ust());
+    const Outcome outcome =
+        run_scipcat({"compare", a.tcp_target(), b.tcp_target(), "-n", "10", "--intensity"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_THAT(outcome.out, HasSubstr("They are alike, as far as 10 scans can tell."));
+}
+
+TEST(ScipcatCompare, NamesWhatDiffersFromARecording) {
+    const TempDir directory;
+    const auto before = record_room(directory, "room.jsonl");
+    const LoopbackScanner after = changed_room(310);
+    const Outcome outcome =
+        run_scipcat({"compare", before, after.tcp_target(), "-n", "12", "--json"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.err, "scipcat: B differs from A\n");
+    const json document = json::parse(outcome.out);
+    EXPECT_EQ(document.at("verdict"), "differ");
+    EXPECT_EQ(document.at("a").at("scans"), 12);
+    EXPECT_EQ(document.at("b").at("model"), "UST-10LX");
+    ASSERT_EQ(document.at("differ").size(), 1U) << document.at("differ");
+    const json& difference = document.at("differ").at(0);
+    EXPECT_EQ(difference.at("what"), "mean");
+    EXPECT_EQ(difference.at("from"), 500);
+    EXPECT_EQ(difference.at("to"), 520);
+    EXPECT_NEAR(difference.at("b").get<double>() - difference.at("a").get<double>(), -310, 0.5);
+    for (const char* const member : {"mean_mm", "sd_a_mm", "sd_b_mm", "neighbours_a",
+                                     "neighbours_b", "codes_a", "codes_b", "floor"})
+        EXPECT_TRUE(document.contains(member)) << member;
+    EXPECT_TRUE(document.at("floor").contains("mean_mm"));
+    EXPECT_TRUE(document.at("floor").contains("sd_mm"));
+    const std::string nothing = std::to_string(ust().codes.nothing);
+    EXPECT_GT(document.at("codes_a").at(nothing).get<double>(), 0.04);
+}
+
+TEST(ScipcatCompare, WritesReports) {
+    const TempDir directory;
+    const auto before = record_room(directory, "room.mcap");
+    const LoopbackScanner after = changed_room(310);
+    for (const char* const name : {"report.html", "report.png", "report.json"}) {
+        const auto report = directory.path() / name;
+        const Outcome outcome =
+            run_scipcat({"compare", before, after.tcp_target(), "-n", "12", "-o", report});
+        EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+        EXPECT_THAT(outcome.out, HasSubstr("steps 500–520 nearer by 0.31 m"));
+    }
+    const std::string page = text_of(directory.path() / "report.html");
+    EXPECT_THAT(page, StartsWith("<!DOCTYPE html>"));
+    EXPECT_THAT(page, HasSubstr("steps 500–520 nearer by 0.31 m"));
+    EXPECT_THAT(page, HasSubstr("prefers-color-scheme: dark"));
+    EXPECT_THAT(page, Not(HasSubstr("http")));  // it needs nothing else
+    EXPECT_THAT(text_of(directory.path() / "report.png"), StartsWith("\x89PNG"));
+    EXPECT_EQ(json::parse(text_of(directory.path() / "report.json")).at("verdict"), "differ");
+}
+
+TEST(ScipcatCompare, RefusesWhatCannotBeCompared) {
+    const TempDir directory;
+    const auto room = record_room(directory, "room.csv");
+    const auto brief = directory.path() / "brief.jsonl";
+    std::ofstream(brief) << R"({"distances_mm": [1000, 2000]})" << '\n';
+    const Outcome few = run_scipcat({"compare", room, brief});
+    EXPECT_EQ(few.exit_code, 2);
+    EXPECT_EQ(few.err, "scipcat: " + brief.string() +
+                           " has 1 scans that differ; at least 4 are needed, and 100 are "
+                           "better\n");
+    const Outcome nobody = run_scipcat({"compare", room, "tcp://127.0.0.1:1"});
+    EXPECT_EQ(nobody.exit_code, 2);
+    EXPECT_THAT(nobody.err, StartsWith("scipcat: tcp://127.0.0.1:1: "));
+    const Outcome wrong = run_scipcat({"compare", room, room, "-o", "report.gif"});
+    EXPECT_EQ(wrong.exit_code, 2);
+    EXPECT_THAT(wrong.err, HasSubstr("ends in none of .html, .png and .json"));
+    const Outcome stream = run_scipcat({"compare", room, room, "--stream-b", "rear"});
+    EXPECT_EQ(stream.exit_code, 2);
+    EXPECT_THAT(stream.err, HasSubstr("has no stream \"rear\" with scans; it has "));
+}
+
+}  // namespace
+}  // namespace scipd::tests

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Statistics of scans against closed form, and against scans worked out by hand.
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "tools/statistics/beam_statistics.h"
+#include "tools/statistics/blocks.h"
+#include "tools/statistics/code_shares.h"
+#include "tools/statistics/scan_series.h"
+#include "tools/statistics/shared_noise.h"
+#include "tools/statistics/stamp_statistics.h"
+
+namespace scipd::tools {
+namespace {
+
+using testing::ElementsAre;
+using testing::Pair;
+
+sim::RecordedScan scan_of(std::vector<double> ranges, std::uint32_t stamp_ms) {
+    sim::RecordedScan scan;
+    scan.ranges = std::move(ranges);
+    scan.stamp_ms = stamp_ms;
+    return scan;
+}
+
+ScanSeries series_of(const std::vector<std::vector<double>>& scans,
+                     const sim::ScannerIdentity& identity = {}) {
+    ScanSeries series(identity);
+    std::uint32_t stamp_ms = 0;
+    for (const auto& ranges : scans)
+        series.add(scan_of(ranges, stamp_ms += 25));
+    return series;
+}
+
+TEST(ScanSeries, KeepsCodesApartFromDistances) {
+    const ScanSeries plain = series_of({{1000, 0, 19, 20, 65532, 65533}});
+    const std::vector<Code> codes{codes::distance, 0, 19, codes::distance, codes::distance, 65533};
+    for (std::size_t beam = 0; beam < codes.size(); ++beam)
+        EXPECT_EQ(plain.code(0, beam), codes[beam]) << beam;
+    EXPECT_TRUE(std::isnan(plain.range_mm(0, 1)));
+    EXPECT_EQ(plain.range_mm(0, 4), 65532);
+}
+
+TEST(ScanSeries, TakesTheLimitsOfTheScanner) {
+    sim::ScannerIdentity identity;
+    identity.min_range_m = 0.06;
+    identity.max_range_m = 30;
+    const ScanSeries series = series_of({{59, 60, 30'000, 30'001, 65533}}, identity);
+    EXPECT_EQ(series.code(0, 0), 59);
+    EXPECT_EQ(series.code(0, 1), codes::distance);
+    EXPECT_EQ(series.code(0, 2), codes::distance);
+    EXPECT_EQ(series.code(0, 3), codes::too_far);
+    EXPECT_EQ(series.code(0, 4), 65533);
+}
+
+TEST(ScanSeries, ReadsMetres) {
+    ScanSeries series{sim::ScannerIdentity{}};
+    sim::RecordedScan scan = scan_of({1.5, std::nan(""), INFINITY, -INFINITY, 65.532997F}, 1);
+    scan.unit = sim::RangeUnit::metres;
+    series.add(scan);
+    EXPECT_EQ(series.range_mm(0, 0), 1500);
+    EXPECT_EQ(name_of_code(series.code(0, 1)), "nan");
+    EXPECT_EQ(name_of_code(series.code(0, 2)), "inf");
+    EXPECT_EQ(name_of_code(series.code(0, 3)), "-inf");
+    EXPECT_EQ(name_of_code(series.code(0, 4)), "65533");
+}
+
+TEST(ScanSeries, LeavesOutDoublesAndOddOnes) {
+    ScanSeries series{sim::ScannerIdentity{}};
+    series.add(scan_of({1000, 1000}, 10));
+    series.add(scan_of({1000, 1000}, 10));
+    series.add(scan_of({1000, 1000}, 35));
+    series.add(scan_of({1000}, 60));
+    EXPECT_EQ(series.scans(), 2U);
+    EXPECT_EQ(series.doubles(), 1U);
+    EXPECT_EQ(series.odd_ones(), 1U);
+}
+
+TEST(ScanSeries, FollowsTheClockWhereItWraps) {
+    ScanSeries series{sim::ScannerIdentity{}};
+    series.add(scan_of({1000}, 0xFFFFF0));
+    series.add(scan_of({1001}, 9));
+    EXPECT_NEAR(*series.times()[1].stamp_s - *series.times()[0].stamp_s, 0.025, 1e-9);
+}
+
+TEST(BeamStatistics, AreThoseOfTheBook) {
+    const ScanSeries series = series_of({{1002, 5000}, {1004, 0}, {1004, 5000}, {1010, 0}});
+    const auto beams = beam_statistics(series, all_scans(series));
+    EXPECT_DOUBLE_EQ(beams[0].mean_mm, 1005);
+    EXPECT_DOUBLE_EQ(beams[0].sd_mm, std::sqrt(36.0 / 3));
+    EXPECT_DOUBLE_EQ(beams[0].median_mm, 1004);
+    EXPECT_DOUBLE_EQ(beams[0].quiet_sd_mm, 1.483);  // the middle of 2, 0, 0, 6 is 1
+    EXPECT_DOUBLE_EQ(beams[1].share, 0.5);
+    EXPECT_DOUBLE_EQ(beams[1].sd_mm, 0);
+    EXPECT_TRUE(std::isnan(beams[0].intensity));
+    EXPECT_THAT(code_shares(series), ElementsAre(Pair(0, 0.25)));
+}
+
+TEST(BeamStatistics, KnowEdgesAndMixedPixels) {
+    const ScanSeries series = series_of({{1000, 1000, 1500, 3000, 3000},  //
+                                         {1000, 1000, 1000, 3000, 3000},
+                                         {1000, 1000, 3000, 3000, 3000},
+                                         {1000, 1000, 2000, 3000, 3000}});
+    const auto beams = beam_statistics(series, all_scans(series));
+    EXPECT_THAT(beside_edges(beams), ElementsAre(false, true, true, true, false));
+    EXPECT_DOUBLE_EQ(mixed_share(series, beams, all_scans(series)), 2.0 / 20);
+}
+
+/// Noise of which each beam has a share in its neighbours': the mean of three by 1 : 2 : 1.
+ScanSeries smoothed_series(std::uint32_t seed) {
+    std::mt19937 chance(seed);
+    std::normal_distribution<double> normal(0, 20);
+    std::vector<std::vector<double>> scans;
+    for (int i = 0; i < 400; ++i) {
+        std::vector<double> white(102);
+        for (double& value : white)
+            value = normal(chance);
+        std::vector<double> ranges;
+        for (std::size_t k = 1; k + 1 < white.size(); ++k)
+            ranges.push_back(3000 + white[k - 1] / 4 + white[k] / 2 + white[k + 1] / 4);
+        scans.push_back(ranges);
+    }
+    return series_of(scans);
+}
+
+TEST(SharedNoise, IsTheCorrelationOfTheFilter) {
+    const ScanSeries series = smoothed_series(1);
+    const auto beams = beam_statistics(series, all_scans(series));
+    const std::vector<bool> smooth(beams.size(), false);
+    const auto of = [&](std::size_t apart) {
+        return shared_noise(series, beams, smooth, all_scans(series), apart).correlation();
+    };
+    EXPECT_NEAR(of(1), 4.0 / 6, 0.01);
+    EXPECT_NEAR(of(2), 1.0 / 6, 0.01);
+    EXPECT_NEAR(of(3), 0, 0.01);
+    EXPECT_NEAR(beams[50].sd_mm, 20 * std::sqrt(6.0 / 16), 0.6);
+}
+
+TEST(Blocks, HoldEachScanOnce) {
+    for (const std::size_t scans : {1U, 7U, 20U, 21U, 100U, 333U, 5000U}) {
+        std::size_t at = 3;
+        for (const ScanSpan& block : blocks_of({3, 3 + scans})) {
+            EXPECT_EQ(block.first, at);
+            EXPECT_GT(block.count(), 0U);
+            at = block.end;
+        }
+        EXPECT_EQ(at, 3 + scans);
+    }
+}
+
+TEST(Bootstrap, KnowsTheMeanAsWellAsTheBookDoes) {
+    std::mt19937 chance(5);
+    std::normal_distribution<double> normal(0, 3);
+    std::vector<double> values(40);
+    for (double& value : values)
+        value = normal(chance);
+    double sum = 0;
+    double squares = 0;
+    for (const double value : values) {
+        sum += value / 40;
+        squares += value * value / 40;
+    }
+    const double deviation = std::sqrt((squares - sum * sum) / 40);
+    const auto mean = [&](const Draw& draw, const Draw&) {
+        double drawn = 0;
+        for (std::size_t i = 0; i < draw.size(); ++i)
+            drawn += draw[i] * values[i] / 40;
+        return drawn;
+    };
+    const Interval interval = bootstrap(40, 1, mean);
+    EXPECT_NEAR(interval.low, sum - 1.96 * deviation, 0.25 * deviation);
+    EXPECT_NEAR(interval.high, sum + 1.96 * deviation, 0.25 * deviation);
+    EXPECT_EQ(bootstrap(40, 1, mean).low, interval.low) << "always the same";
+}
+
+/// Stamps in whole milliseconds of a clock that is this much too fast, and a host that is late by
+/// up to a millisecond.
+std::vector<ScanTime> times_of(double period_s, double ppm, int scans) {
+    std::mt19937 chance(3);
+    std::uniform_real_distribution<double> late_s(0, 0.001);
+    std::vector<ScanTime> times;
+    for (int i = 0; i < scans; ++i) {
+        const double stamp_s = 0.0004 + i * period_s * (1 + ppm / 1e6);
+        times.push_back({std::floor(1e3 * stamp_s) / 1e3, 5 + i * period_s + late_s(chance)});
+    }
+    return times;
+}
+
+TEST(StampStatistics, KnowTheRateAndTheJitter) {
+    std::vector<ScanTime> times = times_of(0.025, 0, 101);
+    times.erase(times.begin() + 40, times.begin() + 50);  // scans that are missing are no jitter
+    const StampStatistics statistics = stamp_statistics(times, 1e-3);
+    EXPECT_TRUE(statistics.by_scanner);
+    EXPECT_NEAR(*statistics.rate_hz, 40, 1e-6);
+    EXPECT_NEAR(*statistics.jitter_ms, 0, 1e-6);
+}
+
+TEST(StampStatistics, KnowTheClockWithinItsUncertainty) {
+    for (const double period_s : {0.025, 0.02505, 0.1}) {
+        for (const double ppm : {-200.0, 0.0, 30.0, 100.0}) {
+            for (const int scans : {60, 400, 2400}) {
+                const auto clock = stamp_statistics(times_of(period_s, ppm, scans), 1e-3).clock;
+                ASSERT_TRUE(clock);
+                EXPECT_NEAR(clock->ppm, ppm, clock->uncertainty_ppm)
+                    << period_s << " s, " << ppm << " ppm, " << scans << " scans";
+            }
+        }
+    }
+    EXPECT_LT(stamp_statistics(times_of(0.02505, 0, 2400), 1e-3).clock->uncertainty_ppm, 20);
+}
+
+TEST(StampStatistics, SayNothingOfWhatIsNotThere) {
+    const std::vector<ScanTime> none(100);
+    const StampStatistics statistics = stamp_statistics(none, 1e-3);
+    EXPECT_FALSE(statistics.rate_hz);
+    EXPECT_FALSE(statistics.clock);
+    EXPECT_FALSE(stamp_statistics({}, 1e-3).rate_hz);
+}
+
+}  // namespace
+}  // namespace scipd::tools

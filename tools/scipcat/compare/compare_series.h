@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Compares two series of scans. Functions of values; any thread.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim/expected.h"
+#include "tools/scipcat/compare/comparison.h"
+#include "tools/statistics/scan_series.h"
+#include "tools/statistics/stamp_statistics.h"
+
+namespace scipd::tools::comparing {
+
+/// One of the two, before it is compared.
+struct Taken {
+    std::string name;
+    ScanSeries series;
+    // Of a scanner that was asked for its time; a recording has no such questions.
+    std::optional<ClockRate> clock;
+    std::optional<double> latency_ms;
+};
+
+/// Four scans of each are the fewest that say anything. The fault says why they cannot be compared.
+[[nodiscard]] sim::Expected<Comparison> compare(const Taken& a, const Taken& b, bool fit);
+
+}  // namespace scipd::tools::comparing
