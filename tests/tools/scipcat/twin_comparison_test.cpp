@@ -110,7 +110,25 @@ TEST_F(TwinComparisonTest, TellsAnewWhatMoves) {
     EXPECT_THAT(run(18, at(100, 500.0)), SizeIs(1));
     EXPECT_THAT(run(18, at(104, 520.0)), IsEmpty());
     EXPECT_THAT(run(18, at(300, 500.0)), SizeIs(2));
-    EXPECT_THAT(run(18, at(300, 900.0)), SizeIs(2));
+    EXPECT_THAT(run(18, at(300, 900.0)), SizeIs(1));
+}
+
+TEST_F(TwinComparisonTest, SaysThatStepsAgreeOnlyWhereTheyDo) {
+    const auto by = [](std::size_t first, std::size_t last, double by_mm) {
+        return [=](sim::RecordedScan& scan) {
+            for (std::size_t i = first; i <= last; ++i)
+                scan.ranges[i] += by_mm;
+        };
+    };
+    EXPECT_THAT(run(9, by(100, 199, -500.0)), SizeIs(1));
+    const auto changes = run(9, by(150, 299, 500.0));
+    ASSERT_THAT(changes, SizeIs(2));
+    EXPECT_FALSE(changes[0].begins);
+    EXPECT_EQ(changes[0].difference.from, 100);
+    EXPECT_EQ(changes[0].difference.to, 149);
+    EXPECT_TRUE(changes[1].begins);
+    EXPECT_EQ(changes[1].difference.from, 150);
+    EXPECT_EQ(changes[1].difference.to, 299);
 }
 
 TEST_F(TwinComparisonTest, LeavesOtherStepsAlone) {

@@ -152,20 +152,42 @@ bool TwinComparison::alike(const TwinDifference& a, const TwinDifference& b) con
            (a.codes || std::abs(a.by_mm() - b.by_mm()) <= tolerance_mm_);
 }
 
-std::vector<TwinChange> TwinComparison::tell(std::vector<TwinDifference> now) {
+/// Of what was told and is no more, the steps that do not differ in another way now.
+std::vector<TwinDifference> TwinComparison::rest_of(const TwinDifference& old,
+                                                    const std::vector<TwinDifference>& now) const {
+    std::vector<TwinDifference> rest;
+    const auto add = [&](int from, int to) {
+        TwinDifference part = old;
+        part.from = from;
+        part.to = to;
+        part.scan = pairs_.front().scan;
+        part.time = pairs_.front().time;
+        if (to - from + 1 >= static_cast<int>(fewest_steps) * directions_.cluster)
+            rest.push_back(part);
+    };
+    int from = old.from;
+    for (const TwinDifference& other : now) {
+        if (other.to < from || other.from > old.to) continue;
+        add(from, other.from - 1);
+        from = other.to + 1;
+    }
+    add(from, old.to);
+    return rest;
+}
+
+std::vector<TwinChange> TwinComparison::tell(const std::vector<TwinDifference>& now) {
     std::vector<TwinChange> changes;
     const auto is_in = [this](const std::vector<TwinDifference>& list, const TwinDifference& one) {
         return std::ranges::any_of(list, [&](const auto& other) { return alike(one, other); });
     };
     std::vector<TwinDifference> stay;
-    for (TwinDifference& old : told_) {
+    for (const TwinDifference& old : told_) {
         if (is_in(now, old)) {
             stay.push_back(old);
             continue;
         }
-        old.scan = pairs_.front().scan;
-        old.time = pairs_.front().time;
-        changes.push_back({old, false});
+        for (const TwinDifference& part : rest_of(old, now))
+            changes.push_back({part, false});
     }
     for (const TwinDifference& one : now) {
         if (is_in(stay, one)) continue;

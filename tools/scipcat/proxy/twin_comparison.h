@@ -69,7 +69,9 @@ class TwinComparison {
     [[nodiscard]] TwinDifference difference_of(std::size_t begin, std::size_t end,
                                                bool codes) const;
     [[nodiscard]] std::span<const Pair> since_they_differ(std::size_t begin, std::size_t end) const;
-    [[nodiscard]] std::vector<TwinChange> tell(std::vector<TwinDifference> now);
+    [[nodiscard]] std::vector<TwinChange> tell(const std::vector<TwinDifference>& now);
+    [[nodiscard]] std::vector<TwinDifference> rest_of(const TwinDifference& old,
+                                                      const std::vector<TwinDifference>& now) const;
     [[nodiscard]] bool alike(const TwinDifference& a, const TwinDifference& b) const;
 
     double tolerance_mm_;
