@@ -25,32 +25,30 @@
 #include "protocol/request.h"
 #include "protocol/scan_view.h"
 #include "protocol/session_hook.h"
+#include "protocol/speaker.h"
 #include "protocol/status_counts.h"
 
 namespace scipd::protocol {
 
-class Session {
+class Session final : public Speaker {
   public:
     Session(const DeviceProfile& profile, DeviceState& device, LinkKind link = LinkKind::network);
-    Session(const Session&) = delete;
-    Session& operator=(const Session&) = delete;
     /// As close().
-    ~Session() { close(); }
+    ~Session() override { close(); }
 
-    /// To be called before any bytes come. Longer requests are refused, each after it was told.
-    void limit_lines(std::size_t longest, std::function<void()> on_overlong);
+    void limit_lines(std::size_t longest, std::function<void()> on_overlong) override;
 
     /// Takes bytes in any pieces. Answers what is due at `now`; the rest waits for advance().
     void receive(std::string_view bytes, Uptime now);
-    /// Too many requests wait for their answers: the shell must not read on until this is over.
-    [[nodiscard]] bool full() const { return requests_.size() >= max_waiting; }
+    [[nodiscard]] bool full() const override { return requests_.size() >= max_waiting; }
 
     /// When advance() is due. Nothing: only bytes or a scan can get this session on. What other
     /// sessions of the device do changes it.
     [[nodiscard]] std::optional<Uptime> wake_at() const;
     void advance(Uptime now);
 
-    [[nodiscard]] bool streaming() const { return acquisition_.streaming(); }
+    [[nodiscard]] bool streaming() const override { return acquisition_.streaming(); }
+    [[nodiscard]] bool owes() const override { return measuring() || wake_at().has_value(); }
     /// Scans are wanted now or later: somebody must tell this session of every turn.
     [[nodiscard]] bool measuring() const { return acquisition_.measuring(); }
     /// A turn has just fired its last step. To be told once for each turn while measuring(), in
@@ -63,8 +61,7 @@ class Session {
     [[nodiscard]] bool waits_for(const Turn& turn) const { return acquisition_.awaits(turn); }
     void take(const ScanView& scan, Uptime now);
 
-    /// The next thing to be done, in order. Nothing: there is none at present.
-    [[nodiscard]] std::optional<Action> next_action();
+    [[nodiscard]] std::optional<Action> next_action() override;
 
     /// Null: nobody stands between the session and its client. The hook must outlive the session.
     void set_hook(SessionHook* hook) { hook_ = hook; }
@@ -72,12 +69,8 @@ class Session {
     /// The requests that were not answered with 00 (0 in SCIP 1.1), in all its life.
     [[nodiscard]] const StatusCounts& refused() const { return refused_; }
 
-    /// The client is gone. What it began (stream, laser, adjust mode) ends as by QT and TM2. What
-    /// it asked and what was to be sent is forgotten. What other clients began stays.
-    void close();
-    /// What the client asked is forgotten, half a request too, and so is what was to be sent. What
-    /// the client began goes on.
-    void forget();
+    void close() override;
+    void forget() override;
 
   private:
     static constexpr std::size_t max_waiting = 64;

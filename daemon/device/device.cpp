@@ -7,6 +7,7 @@
 
 #include "daemon/device/powered_profile.h"
 #include "protocol/reply_grid.h"
+#include "protocol/session.h"
 #include "protocol/settings.h"
 #include "sim/fnv1a.h"
 
@@ -16,34 +17,37 @@ namespace scipd::daemon {
 class Device::ServedClient final : public Endpoint::Client {
   public:
     ServedClient(Device& device, std::function<void()> on_actions, protocol::LinkKind link)
-        : Client(device.profile_, device.state_, link),
+        : session_(device.profile_, device.state_, link),
           on_actions_(std::move(on_actions)),
           kind_(link == protocol::LinkKind::tty ? DeviceLog::By::tty_client
                                                 : DeviceLog::By::tcp_client),
           device_(device) {
-        session().set_hook(device_.hook_);
+        session_.set_hook(device_.hook_);
         device_.clients_.push_back(this);
     }
     ServedClient(const ServedClient&) = delete;
     ServedClient& operator=(const ServedClient&) = delete;
     ~ServedClient() override {
-        session().close();
+        session_.close();
         device_.told_.laser(device_.state_.laser_on(), DeviceLog::By::leaving_client);
-        add(session().refused(), device_.counts_.refused);
+        add(session_.refused(), device_.counts_.refused);
         std::erase(device_.clients_, this);
     }
 
+    [[nodiscard]] protocol::Session& session() override { return session_; }
+    [[nodiscard]] const protocol::Session& session() const { return session_; }
+
     void receive(std::string_view bytes) override {
-        session().receive(bytes, device_.uptime());
+        session_.receive(bytes, device_.uptime());
         device_.serve_latest(*this);
     }
     [[nodiscard]] std::optional<sim::Time> wake_at() const override {
-        const auto at = session().wake_at();
+        const auto at = session_.wake_at();
         if (!at) return std::nullopt;
         return device_.device_clock_.world_time(*at);
     }
     void wake() override {
-        session().advance(device_.uptime());
+        session_.advance(device_.uptime());
         device_.serve_latest(*this);
     }
 
@@ -52,6 +56,7 @@ class Device::ServedClient final : public Endpoint::Client {
     [[nodiscard]] DeviceLog::By kind() const { return kind_; }
 
   private:
+    protocol::Session session_;
     std::function<void()> on_actions_;
     DeviceLog::By kind_;
     Device& device_;

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "daemon/config/values.h"
-#include "daemon/device/device.h"
 #include "daemon/faults/fault_kind.h"
 #include "daemon/faults/fault_values.h"
 #include "daemon/link/port.h"
@@ -40,11 +39,8 @@ std::size_t cut_off(FaultScene& scene, Cut how) {
 
 /// Its cable carries power.
 void boot_device(FaultScene& scene) {
-    Device& device = scene.device();
-    const protocol::Uptime boot_time = device.profile().boot_time;
     scene.touched({.what = "the device boots"});
-    device.change(
-        [&](protocol::DeviceState& state, protocol::Uptime now) { state.boot(now, boot_time); });
+    scene.boot();
 }
 
 class CutLine final : public FaultEffect {

@@ -21,7 +21,7 @@
 #include "sim/sensor/sensor_spec.h"
 
 namespace scipd::protocol {
-class Session;
+class Speaker;
 }
 
 namespace scipd::daemon {
@@ -42,7 +42,10 @@ class FaultScene {
   public:
     virtual ~FaultScene() = default;
 
+    /// There is none behind a proxy, and the kinds of wire_kinds() do without.
     [[nodiscard]] virtual Device& device() = 0;
+    /// The scanner boots, as after its cable was out.
+    virtual void boot() = 0;
     /// The ports that reach it.
     [[nodiscard]] virtual std::span<Port* const> ports() = 0;
     /// The revolution that is being served, or the latest one.
@@ -83,11 +86,11 @@ class FaultEffect {
                                                    FaultScene& /*scene*/) {
         return std::nullopt;
     }
-    /// What is about to leave a session; it begins as one message.
-    virtual void messages(const protocol::Session& /*from*/,
+    /// What is about to leave for a client; it begins as one message.
+    virtual void messages(const protocol::Speaker& /*from*/,
                           std::vector<protocol::Send>& /*leaving*/, FaultScene& /*scene*/) {}
-    /// The client of this session is another one from here on, or there is none.
-    virtual void forget(const protocol::Session& /*session*/) {}
+    /// The client of this one is another one from here on, or there is none.
+    virtual void forget(const protocol::Speaker& /*from*/) {}
 
     /// Whether it keeps messages back. Until it lets them go messages() is called, also after its
     /// end.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "daemon/device/pose_shift.h"
+#include "protocol/session.h"
 
 namespace scipd::daemon {
 namespace {
@@ -41,7 +42,7 @@ FaultInjector::FaultInjector(Device& device, std::vector<Port*> ports, const Lin
                              Clock& clock)
     : link_(link),
       clock_(clock),
-      site_{device, std::move(ports), {}, {}, {}, {}, {}},
+      site_(device, std::move(ports)),
       condition_(device),
       line_{link},
       alarm_(clock.make_idle_alarm()),
@@ -61,7 +62,7 @@ std::uint64_t FaultInjector::start(FaultPlan plan, std::uint64_t seed, std::opti
     // steps of a scenario differ already, and are the same whenever it is run.
     const std::uint64_t said_seed = plan.seed.value_or(step ? seed : seed + last_id_);
     // Nor must two scanners that one step is for.
-    const std::uint64_t own_seed = said_seed ^ site_.device.chance(sim::Purpose::fault).sensor;
+    const std::uint64_t own_seed = said_seed ^ site_.device().chance(sim::Purpose::fault).sensor;
     runs_.push_back(std::make_unique<FaultRun>(site_, last_id_, std::move(plan), own_seed, step));
     advance();
     settle();
@@ -103,7 +104,7 @@ void FaultInjector::each_acting(Act act) {
 // Turns are told late where the machine is slow, and not at all where nobody asks for scans. So
 // while they are told the latest scan is the last one of them, whatever the time is.
 FaultMoment FaultInjector::moment() const {
-    const Device& device = site_.device;
+    const Device& device = site_.device();
     const sim::Time now = clock_.now();
     const bool told = device.wanted() && device.leaves(served_) + longest_lag > now;
     return {.scan = served_ >= 0 && told ? served_ : device.next_revolution() - 1,
@@ -115,7 +116,7 @@ void FaultInjector::look_at(const FaultMoment& now) {
     site_.now = now;
     site_.key = static_cast<std::uint64_t>(now.scan);
     site_.request.clear();
-    site_.stamped = site_.device.uptime();
+    site_.stamped = site_.device().uptime();
 }
 
 void FaultInjector::look_at(const protocol::Send& message, std::uint64_t& replies) {
@@ -129,7 +130,7 @@ std::optional<protocol::Status> FaultInjector::refuse(const protocol::Request& r
     site_.request = request.echo;
     advance();
     for (const auto& run : runs_)
-        run->meet_request(code_of(request, site_.device.state()));
+        run->meet_request(code_of(request, site_.device().state()));
     settle_soon();
     std::optional<protocol::Status> status;
     set_clock();
@@ -155,9 +156,9 @@ void FaultInjector::turn(std::int64_t revolution) {
     served_ = revolution;
     look_at({.scan = revolution,
              .serving = true,
-             .time = site_.device.leaves(revolution),
+             .time = site_.device().leaves(revolution),
              .origin = clock_.origin()});
-    site_.stamped = site_.device.start_of(revolution);
+    site_.stamped = site_.device().start_of(revolution);
     advance();
     settle();
     set_clock();
@@ -239,14 +240,14 @@ void FaultInjector::compose() {
         late += effect.late();
     });
     condition_.set(condition);
-    site_.device.set_late(late);
+    site_.device().set_late(late);
     set_clock();
     if (line != line_) {
         for (Port* const port : site_.ports)
             port->set_line(line);
     }
     line_ = line;
-    if (shift != shift_) site_.device.shift_poses(shift);
+    if (shift != shift_) site_.device().shift_poses(shift);
     shift_ = shift;
 }
 
@@ -256,7 +257,7 @@ bool FaultInjector::idle() const {
 
 void FaultInjector::tidy() {
     if (std::exchange(hooked_, !idle()) != hooked_) {
-        site_.device.set_hook(hooked_ ? this : nullptr);
+        site_.device().set_hook(hooked_ ? this : nullptr);
         for (Port* const port : site_.ports)
             port->set_hook(hooked_ ? this : nullptr);
     }
@@ -290,7 +291,7 @@ void FaultInjector::wait() {
 std::optional<sim::Time> FaultInjector::next_look(const FaultSchedule& schedule) const {
     const sim::Time now = clock_.now();
     if (const auto scan = schedule.next_scan())
-        return std::max(site_.device.leaves(*scan), now + look_again);
+        return std::max(site_.device().leaves(*scan), now + look_again);
     const sim::Time origin = clock_.origin();
     const auto time = schedule.next_time(origin);
     return time && origin == sim::Time{} ? std::min(*time, now + look_again) : time;

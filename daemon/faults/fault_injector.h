@@ -15,6 +15,7 @@
 #include "daemon/device/device.h"
 #include "daemon/device/device_hook.h"
 #include "daemon/faults/device_condition.h"
+#include "daemon/faults/device_site.h"
 #include "daemon/faults/fault_log.h"
 #include "daemon/faults/fault_plan.h"
 #include "daemon/faults/fault_run.h"
@@ -82,7 +83,7 @@ class FaultInjector : private DeviceHook, private LineHook {
 
     LinkConfig link_;
     Clock& clock_;
-    FaultSite site_;
+    DeviceSite site_;
     std::vector<std::unique_ptr<FaultRun>> runs_;
     std::uint64_t last_id_ = 0;
     bool hooked_ = false;

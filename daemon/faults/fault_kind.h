@@ -70,6 +70,8 @@ std::span<const FaultKind> pose_kinds();     ///< pose_effects.cpp
 
 /// All of them, in the order of the layers.
 std::vector<const FaultKind*> fault_kinds();
+/// Those that touch bytes and messages alone: a proxy has them as well.
+std::vector<const FaultKind*> wire_kinds();
 /// Null: there is none of that name.
 const FaultKind* find_fault_kind(std::string_view name);
 

@@ -4,7 +4,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include "daemon/device/device.h"
 #include "daemon/faults/fault_kind.h"
 #include "sim/random.h"
 
@@ -42,7 +41,7 @@ bool FaultRun::gone() const {
 
 void FaultRun::advance() {
     // Who waited for what is kept back has gone, or has got it.
-    if (last_ && (!last_->holds() || !site_.device.driven())) last_ = nullptr;
+    if (last_ && (!last_->holds() || !site_.driven())) last_ = nullptr;
     if (schedule_.over(site_.now)) end();
     if (schedule_.due(site_.now)) begin();
     if (schedule_.over(site_.now)) end();
@@ -69,7 +68,7 @@ void FaultRun::stop() {
 }
 
 void FaultRun::begin() {
-    drove_ = site_.device.driven();
+    drove_ = site_.driven();
     schedule_.begin(site_.now);
     acting_ = plan_.make();
     changes_.push_back({acting_, true});
@@ -112,8 +111,8 @@ void FaultRun::touched(FaultTouch touch) {
 }
 
 void FaultRun::log(spdlog::level::level_enum level, FaultTouch touch) {
-    spdlog::log(level, "{}: fault {}, {}, at scan {}: {}", site_.device.name(), id_,
-                plan_.kind->name, site_.now.scan, touch.what);
+    spdlog::log(level, "{}: fault {}, {}, at scan {}: {}", site_.name, id_, plan_.kind->name,
+                site_.now.scan, touch.what);
     site_.log.add({.id = id_,
                    .kind = std::string(plan_.kind->name),
                    .what = std::move(touch.what),

@@ -23,13 +23,25 @@ namespace scipd::daemon {
 
 /// What the faults of a scanner share.
 struct FaultSite {
-    Device& device;
+    FaultSite(std::string name, std::vector<Port*> ports)
+        : name(std::move(name)), ports(std::move(ports)) {}
+    FaultSite(const FaultSite&) = delete;
+    FaultSite& operator=(const FaultSite&) = delete;
+    virtual ~FaultSite() = default;
+
+    // As in FaultScene.
+    [[nodiscard]] virtual Device& device() = 0;
+    virtual void boot() = 0;
+    /// Whether a driver asks for scans.
+    [[nodiscard]] virtual bool driven() const = 0;
+
+    std::string name;  ///< of the scanner, for the log
     std::vector<Port*> ports;
     FaultLog log;
-    FaultMoment now;           ///< of what is looked at
-    std::string request;       ///< the request that is looked at; empty: none
-    std::uint64_t key = 0;     ///< of the chance of what is looked at
-    protocol::Uptime stamped;  ///< FaultScene::stamped()
+    FaultMoment now;             ///< of what is looked at
+    std::string request;         ///< the request that is looked at; empty: none
+    std::uint64_t key = 0;       ///< of the chance of what is looked at
+    protocol::Uptime stamped{};  ///< FaultScene::stamped()
 };
 
 class FaultRun final : private FaultScene {
@@ -68,7 +80,8 @@ class FaultRun final : private FaultScene {
     [[nodiscard]] bool unsettled() const { return !changes_.empty(); }
 
   private:
-    [[nodiscard]] Device& device() override { return site_.device; }
+    [[nodiscard]] Device& device() override { return site_.device(); }
+    void boot() override { site_.boot(); }
     [[nodiscard]] std::span<Port* const> ports() override { return site_.ports; }
     [[nodiscard]] std::int64_t scan() const override { return site_.now.scan; }
     [[nodiscard]] double chance(std::uint32_t n) const override;

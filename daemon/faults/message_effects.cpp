@@ -19,7 +19,7 @@ namespace scipd::daemon {
 namespace {
 
 using protocol::Send;
-using protocol::Session;
+using protocol::Speaker;
 
 /// The number of the chance that decides whether a message is chosen.
 constexpr std::uint32_t whether = 0xffff'ffff;
@@ -68,7 +68,7 @@ class WrongSums : public FaultEffect {
 
     explicit WrongSums(const Members& members) : members_(members) {}
 
-    void messages(const Session&, std::vector<Send>& leaving, FaultScene& scene) override {
+    void messages(const Speaker&, std::vector<Send>& leaving, FaultScene& scene) override {
         change_each(leaving, members_, scene, [&](std::string& bytes) {
             const auto sums = places_of_sums(bytes, members_.of);
             for (std::size_t i = 0; i < sums.size(); ++i) {
@@ -103,7 +103,7 @@ class Truncated : public FaultEffect {
 
     explicit Truncated(const Members& members) : members_(members) {}
 
-    void messages(const Session&, std::vector<Send>& leaving, FaultScene& scene) override {
+    void messages(const Speaker&, std::vector<Send>& leaving, FaultScene& scene) override {
         change_each(leaving, members_, scene, [&](std::string& bytes) {
             const std::size_t keep =
                 members_.keep ? static_cast<std::size_t>(*members_.keep) : bytes.size() / 2;
@@ -137,7 +137,7 @@ class MissingLineFeeds : public FaultEffect {
 
     explicit MissingLineFeeds(const Members& members) : members_(members) {}
 
-    void messages(const Session&, std::vector<Send>& leaving, FaultScene& scene) override {
+    void messages(const Speaker&, std::vector<Send>& leaving, FaultScene& scene) override {
         change_each(leaving, members_, scene, [&](std::string& bytes) {
             FaultTouch touch{.what = "line feeds of " + name_of(bytes) + " left out"};
             for (std::size_t i = bytes.size(); i-- > 0;) {
@@ -166,7 +166,7 @@ class WrongEcho : public FaultEffect {
 
     explicit WrongEcho(const Members& members) : members_(members) {}
 
-    void messages(const Session&, std::vector<Send>& leaving, FaultScene& scene) override {
+    void messages(const Speaker&, std::vector<Send>& leaving, FaultScene& scene) override {
         change_each(leaving, members_, scene, [&](std::string& bytes) {
             const std::size_t length = bytes.find('\n');
             if (length == std::string::npos || length == 0) return;
@@ -200,7 +200,7 @@ class Resent : public FaultEffect {
 
     explicit Resent(const Members& members) : members_(members) {}
 
-    void messages(const Session& from, std::vector<Send>& leaving, FaultScene& scene) override {
+    void messages(const Speaker& from, std::vector<Send>& leaving, FaultScene& scene) override {
         if (leaving.size() != 1 || leaving[0].kind != Send::Kind::reply) return;
         const std::string reply = leaving[0].bytes;
         const auto previous = std::exchange(previous_[&from], reply);
@@ -215,11 +215,11 @@ class Resent : public FaultEffect {
         }
     }
 
-    void forget(const Session& session) override { previous_.erase(&session); }
+    void forget(const Speaker& session) override { previous_.erase(&session); }
 
   private:
     Members members_;
-    std::map<const Session*, std::string> previous_;
+    std::map<const Speaker*, std::string> previous_;
 };
 
 class WrongStatus : public FaultEffect {

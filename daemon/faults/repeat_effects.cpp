@@ -13,7 +13,7 @@ namespace scipd::daemon {
 namespace {
 
 using protocol::Send;
-using protocol::Session;
+using protocol::Speaker;
 
 struct RateMembers {
     double rate = 1.0;
@@ -30,7 +30,7 @@ class RepeatedScans : public FaultEffect {
 
     explicit RepeatedScans(const Members& members) : members_(members) {}
 
-    void messages(const Session&, std::vector<Send>& leaving, FaultScene& scene) override {
+    void messages(const Speaker&, std::vector<Send>& leaving, FaultScene& scene) override {
         if (leaving.size() != 1 || leaving[0].kind != Send::Kind::scan) return;
         if (scene.chance(0) >= members_.rate) return;
         leaving.push_back(leaving[0]);
@@ -50,7 +50,7 @@ class ReorderedScans : public FaultEffect {
 
     explicit ReorderedScans(const Members& members) : members_(members) {}
 
-    void messages(const Session& from, std::vector<Send>& leaving, FaultScene& scene) override {
+    void messages(const Speaker& from, std::vector<Send>& leaving, FaultScene& scene) override {
         if (leaving.size() != 1) return;
         const auto held = held_.find(&from);
         if (held != held_.end()) {
@@ -66,13 +66,13 @@ class ReorderedScans : public FaultEffect {
         }
     }
 
-    void forget(const Session& session) override { held_.erase(&session); }
+    void forget(const Speaker& session) override { held_.erase(&session); }
     void end(FaultScene&) override { ended_ = true; }
     [[nodiscard]] bool holds() const override { return !held_.empty(); }
 
   private:
     Members members_;
-    std::map<const Session*, Send> held_;
+    std::map<const Speaker*, Send> held_;
     bool ended_ = false;
 };
 

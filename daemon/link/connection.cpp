@@ -21,18 +21,6 @@ namespace {
 // Requests are short: more under way than a tty's buffer holds is not read yet.
 constexpr std::size_t input_under_way_bytes = 4096;
 
-// A scanner passes over bytes that no request can have, where they come at a wrong rate. Deduced:
-// MRPT's driver, made for a URG-04LX on RS-232, sends QT at a wrong rate and then, without a line
-// break between, its next request at the right one.
-std::string heard_by_device(const LinkModel::Piece& piece, int device_rate) {
-    std::string bytes = heard(piece.bytes, piece.bits_per_second, device_rate);
-    if (piece.bits_per_second != device_rate) {
-        std::erase_if(bytes,
-                      [](char c) { return c == '\0' || static_cast<unsigned char>(c) > 127; });
-    }
-    return bytes;
-}
-
 LinkConfig to_device(LinkConfig link) {
     // The client cuts and joins its requests itself.
     link.split_bytes = 0;
@@ -161,7 +149,7 @@ void Connection::take_input(std::size_t count) {
 void Connection::flush() {
     const bool somebody_there = hooks_.somebody_there();
     deliver();
-    while (auto action = client_->session().next_action()) {
+    while (auto action = next_action()) {
         if (std::holds_alternative<protocol::DropLink>(*action)) return drop();
         perform(std::move(*action), somebody_there && !dead_);
     }
@@ -171,6 +159,11 @@ void Connection::flush() {
     // Where time can wait it does so before scans are lost to a client that reads too slowly.
     clock_.hold(this, writing_ && outbox_.half_full());
     end_if_done();
+}
+
+std::optional<protocol::Action> Connection::next_action() {
+    protocol::Speaker& session = client_->session();
+    return session.patient() && outbox_.half_full() ? std::nullopt : session.next_action();
 }
 
 // Who asks may be called by the client itself, or by flush().
@@ -187,7 +180,7 @@ void Connection::deliver() {
         if (device_rate_ == 0) {
             receive(piece->bytes);
         } else {
-            receive(heard_by_device(*piece, device_rate_));
+            receive(heard_by_scanner(piece->bytes, piece->bits_per_second, device_rate_));
         }
     }
 }
@@ -259,6 +252,7 @@ void Connection::wait() {
 
 void Connection::end_of_input() {
     input_ended_ = true;
+    client_->session().end_of_input();
     flush();
 }
 
@@ -274,12 +268,19 @@ void Connection::drop() {
 
 // A client that has closed its side still gets the answers that it asked for, but no stream.
 void Connection::end_if_done() {
+    const protocol::Speaker& session = client_->session();
+    const bool sends = !outbox_.line().empty() || !sending_.empty() || writing_;
+    if (session.ended() && !sends) {
+        if (!input_ended_) why_ended_ = Leaving::ended;
+        return end_soon();
+    }
     if (!input_ended_ || !inbox_.empty()) return;
-    const protocol::Session& session = client_->session();
-    const bool asked = session.measuring() || session.wake_at().has_value();
-    const bool answers = asked || !outbox_.line().empty() || writing_;
-    if (answers && !session.streaming()) return;
-    // Not at once: the client itself may be calling, and end() destroys it.
+    if ((session.owes() || sends) && !session.streaming()) return;
+    end_soon();
+}
+
+// Not at once: the client itself may be calling, and end() destroys it.
+void Connection::end_soon() {
     asio::post(descriptor_.get_executor(), [self = shared_from_this()] {
         if (self->client_) self->end();
     });

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -92,7 +93,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
     void end_of_input();
     void drop();
     void drop_under_way();
+    [[nodiscard]] std::optional<protocol::Action> next_action();
     void end_if_done();
+    void end_soon();
     void end();
 
     Descriptor descriptor_;

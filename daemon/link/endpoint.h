@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
 //
-// The scanner's end of a link, as the link sees it: it gives each client a session, and says what
-// time it is. daemon/device implements it, so that a link needs to know no world. Lives on the I/O
-// thread.
+// The scanner's end of a link, as the link sees it: it speaks to each client, and says what time it
+// is. daemon/device implements it, so that a link needs to know no world, and so does the proxy of
+// scipcat before a real scanner. Lives on the I/O thread.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,8 @@
 #include <string_view>
 
 #include "daemon/clock/clock.h"
-#include "protocol/session.h"
+#include "protocol/refusal.h"
+#include "protocol/speaker.h"
 #include "sim/random.h"
 #include "sim/time.h"
 
@@ -23,27 +24,19 @@ class Endpoint {
     /// One client at this end. It is gone when this is destroyed.
     class Client {
       public:
+        Client() = default;
         Client(const Client&) = delete;
         Client& operator=(const Client&) = delete;
         virtual ~Client() = default;
 
         /// Says what to send, and is told when the client leaves. Bytes and the time reach it by
         /// receive() and wake() alone: the device looks at what they have changed.
-        [[nodiscard]] protocol::Session& session() { return session_; }
-        [[nodiscard]] const protocol::Session& session() const { return session_; }
+        [[nodiscard]] virtual protocol::Speaker& session() = 0;
 
         virtual void receive(std::string_view bytes) = 0;
         /// When wake() is due; nothing: not before something else happens.
         [[nodiscard]] virtual std::optional<sim::Time> wake_at() const = 0;
         virtual void wake() = 0;
-
-      protected:
-        Client(const protocol::DeviceProfile& profile, protocol::DeviceState& state,
-               protocol::LinkKind link)
-            : session_(profile, state, link) {}
-
-      private:
-        protocol::Session session_;
     };
 
     Endpoint() = default;

@@ -67,4 +67,15 @@ std::string heard(std::string_view sent, int sent_at, int read_at) {
     return received;
 }
 
+// Deduced: MRPT's driver, made for a URG-04LX on RS-232, sends QT at a wrong rate and then, without
+// a line break between, its next request at the right one.
+std::string heard_by_scanner(std::string_view sent, int sent_at, int read_at) {
+    std::string bytes = heard(sent, sent_at, read_at);
+    if (sent_at != read_at) {
+        std::erase_if(bytes,
+                      [](char c) { return c == '\0' || static_cast<unsigned char>(c) > 127; });
+    }
+    return bytes;
+}
+
 }  // namespace scipd::daemon

@@ -18,5 +18,7 @@ namespace scipd::daemon {
 /// last. Rates are in bits per second, above 0. Two ends whose rates differ by less than about 5 %
 /// understand each other.
 [[nodiscard]] std::string heard(std::string_view sent, int sent_at, int read_at);
+/// As a scanner takes it, which passes over bytes that no request can have where the rates differ.
+[[nodiscard]] std::string heard_by_scanner(std::string_view sent, int sent_at, int read_at);
 
 }  // namespace scipd::daemon

@@ -246,6 +246,10 @@ sim::Expected<unsigned> parse_threads(std::string_view text) {
 /// Adds the options that hold whatever the configuration says.
 void add_overrides(CLI::App& app, OptionValues& said) {
     Group group{app, general_title};
+    app.add_flag("--free-ports", said.options.overrides.free_ports,
+                 "scanners listen on free ports of 127.0.0.1 and have no ttys, whatever the "
+                 "configuration says: beside another scipd with it")
+        ->group(general_title);
     group.add("--scenario", "FILE",
               "what goes wrong at the scanners, and when; default: what the configuration says",
               [&](const auto& text) {

@@ -27,6 +27,16 @@ void put_scene(const std::filesystem::path& scene, Config& read) {
     put_path(scene, read.scene, "scene", read);
 }
 
+void free_ports_of(Config& read) {
+    for (RobotConfig& robot : read.robots) {
+        for (SensorConfig& sensor : robot.sensors) {
+            if (!sensor.tcp && !sensor.pty) continue;
+            sensor.tcp = Address{"127.0.0.1", 0};
+            sensor.pty.reset();
+        }
+    }
+}
+
 }  // namespace
 
 void Overrides::put_into(Config& read) const {
@@ -38,6 +48,7 @@ void Overrides::put_into(Config& read) const {
     if (seed) read.seed = *seed;
     if (http) read.http = *http;
     read.strict |= strict;
+    if (free_ports) free_ports_of(read);
     if (broker.host.empty() && world.empty()) return;
     if (!read.fleet) read.fleet.emplace();
     if (!broker.host.empty()) read.fleet->broker = broker;

@@ -28,6 +28,8 @@ struct Overrides {
     /// Nothing in it: no control API on TCP.
     std::optional<std::optional<Address>> http = {};
     bool strict = false;
+    /// Each scanner listens on a free port of this machine alone, and has no tty.
+    bool free_ports = false;
 
     void put_into(Config& read) const;
 };

@@ -10,12 +10,26 @@
 namespace scipd::tests {
 
 MrptDriver::MrptDriver(const DaemonProcess& daemon, Link link, std::size_t sensor, bool intensity) {
-    urg_.setVerbosityLevel(mrpt::system::LVL_ERROR);
     if (link == Link::tcp) {
         urg_.setIPandPort("127.0.0.1", daemon.port(sensor));
     } else {
         urg_.setSerialPort(daemon.tty(sensor));
     }
+    begin(intensity);
+}
+
+MrptDriver::MrptDriver(std::uint16_t port) {
+    urg_.setIPandPort("127.0.0.1", port);
+    begin(false);
+}
+
+MrptDriver::MrptDriver(const std::filesystem::path& tty) {
+    urg_.setSerialPort(tty);
+    begin(false);
+}
+
+void MrptDriver::begin(bool intensity) {
+    urg_.setVerbosityLevel(mrpt::system::LVL_ERROR);
     urg_.setIntensityMode(intensity);
     // It is private in CHokuyoURG but public in its base.
     static_cast<mrpt::hwdrivers::CGenericSensor&>(urg_).initialize();

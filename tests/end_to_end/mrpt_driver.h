@@ -5,6 +5,7 @@
 // scenes/square_room.sdf through a scanner with a known data sheet.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <numbers>
 #include <optional>
@@ -54,6 +55,10 @@ class MrptDriver {
     MrptDriver(const DaemonProcess& daemon, Link link, std::size_t sensor = 0,
                bool intensity = false);
 
+    /// Of a scanner at this place: a port of 127.0.0.1, or a tty.
+    explicit MrptDriver(std::uint16_t port);
+    explicit MrptDriver(const std::filesystem::path& tty);
+
     /// What one call of the driver says.
     struct Look {
         std::optional<Scan> scan;
@@ -66,6 +71,8 @@ class MrptDriver {
     [[nodiscard]] Scan next_scan();
 
   private:
+    void begin(bool intensity);
+
     mrpt::hwdrivers::CHokuyoURG urg_;
 };
 

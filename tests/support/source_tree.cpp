@@ -33,7 +33,9 @@ constexpr std::array bans = {
         "the daemon is the scanner, not a host; only recordings have what hosts have heard"},
     Ban{"daemon/", "tools/", "-", "tools stand on the daemon's libraries, not under them"},
     Ban{"tools/", "daemon/device/", "-", "tools talk to the daemon from outside"},
-    Ban{"tools/", "daemon/link/", "-", "tools talk to the daemon from outside"},
+    Ban{"tools/", "daemon/link/", "tools/scipcat/proxy/",
+        "tools talk to the daemon from outside; to a driver, a proxy is a scanner as the daemon "
+        "is"},
     Ban{"tools/", "daemon/api/", "-", "tools talk to the daemon from outside"},
     Ban{"tools/", "daemon/program/", "-", "tools talk to the daemon from outside"},
     Ban{"tools/", "daemon/plan/", "-", "tools talk to the daemon from outside"},

@@ -12,9 +12,9 @@
 #include <sys/types.h>
 
 #include "sim/world/pose.h"
+#include "tools/child_program.h"
 #include "tools/control_client.h"
 #include "tools/scipbench/capacity_site.h"
-#include "tools/scipbench/child_program.h"
 
 namespace scipd::tools {
 

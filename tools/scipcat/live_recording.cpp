@@ -2,14 +2,13 @@
 // Copyright The scipd authors
 #include "tools/scipcat/live_recording.h"
 
-#include <chrono>
 #include <utility>
 
 namespace scipd::tools {
 
-void LiveRecording::hear(bool to_scanner, std::string_view bytes) {
-    sim::RecordedBytes heard{to_scanner ? sim::Way::to_scanner : sim::Way::from_scanner,
-                             std::chrono::system_clock::now(), std::string(bytes)};
+void LiveRecording::hear(bool to_scanner, std::string_view bytes, sim::HostTime time) {
+    sim::RecordedBytes heard{to_scanner ? sim::Way::to_scanner : sim::Way::from_scanner, time,
+                             std::string(bytes)};
     auto scans = decoder_.take(heard);
     heard_.push_back({std::move(heard), std::move(scans)});
 }

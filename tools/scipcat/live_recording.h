@@ -5,6 +5,7 @@
 // and writes both. One thread.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string_view>
@@ -20,8 +21,9 @@ class LiveRecording {
     /// Writes no more scans than `most`; 0: all.
     explicit LiveRecording(std::uint64_t most) : most_(most) {}
 
-    /// What has gone to the scanner or come from it, just now. Keeps it in mind.
-    void hear(bool to_scanner, std::string_view bytes);
+    /// What has gone to the scanner or come from it, and when. Keeps it in mind.
+    void hear(bool to_scanner, std::string_view bytes,
+              sim::HostTime time = std::chrono::system_clock::now());
 
     /// Whom it has heard, once the scanner has answered.
     [[nodiscard]] const sim::ScannerIdentity& identity() const { return decoder_.identity(); }

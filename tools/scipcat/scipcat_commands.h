@@ -21,4 +21,7 @@ void add_compare_command(CLI::App& program);
 /// `scipcat check TARGET`: holds a scanner to a numbered list of what SCIP promises.
 void add_check_command(CLI::App& program);
 
+/// `scipcat proxy TARGET --listen ADDR:PORT|--pty LINK`: stands between a driver and a scanner.
+void add_proxy_command(CLI::App& program);
+
 }  // namespace scipd::tools

@@ -23,10 +23,6 @@ struct FaultWords {
     std::string seed;
 };
 
-/// Adds KEY=VALUE to a map: the value is YAML, and dots in the key nest. Throws WrongInput, with
-/// `examples` of what is right.
-void add_member(ControlClient::Json& map, const std::string& text, const std::string& examples);
-
 /// The fault as the control API takes it. Throws WrongInput.
 [[nodiscard]] ControlClient::Json fault_of(const FaultWords& words);
 

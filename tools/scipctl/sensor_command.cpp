@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "tools/control_client.h"
+#include "tools/member_text.h"
 #include "tools/options.h"
-#include "tools/scipctl/fault_words.h"
 #include "tools/scipctl/scipctl_commands.h"
 #include "tools/scipctl/sensor_question.h"
 

@@ -25,6 +25,7 @@ class FakeScene : public FaultScene {
         : key_{.seed = seed}, device_(device), ports_(std::move(ports)) {}
 
     [[nodiscard]] Device& device() override { return *device_; }
+    void boot() override { ++boots; }
     [[nodiscard]] std::span<Port* const> ports() override { return ports_; }
     [[nodiscard]] std::int64_t scan() const override {
         return static_cast<std::int64_t>(key_.scan);
@@ -39,6 +40,7 @@ class FakeScene : public FaultScene {
     void go_on() { ++key_.scan; }
 
     std::vector<FaultTouch> touches;
+    int boots = 0;
 
   private:
     sim::ChanceKey key_;

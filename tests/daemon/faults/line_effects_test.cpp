@@ -222,11 +222,10 @@ TEST_F(CutEffects, AnswerNobodyAndGoOn) {
 
 TEST_F(CutEffects, BootTheDeviceAtTheEnd) {
     const auto cut = effect_of("cut", "{boot: true}");
-    const int boots = device_.state().boots();
     begin(*cut);
-    EXPECT_EQ(device_.state().boots(), boots);
+    EXPECT_EQ(scene_.boots, 0);
     end(*cut);
-    EXPECT_EQ(device_.state().boots(), boots + 1);
+    EXPECT_EQ(scene_.boots, 1);
 }
 
 TEST_F(CutEffects, HangUpTtysAlone) {

@@ -73,6 +73,21 @@ class OptionsTest : public testing::Test {
     tests::TempDir dir_;
 };
 
+TEST_F(OptionsTest, TakesFreePortsBesideAConfiguration) {
+    const std::string yaml = R"({scene: room.sdf, robots: {a: {sensors: {
+        both: {model: UST-10LX, tcp: "0.0.0.0:10940", pty: /tmp/urg},
+        tty: {model: URG-04LX, pty: auto},
+        ranger: {ranger: {cone_deg: 1, beams: 1, rate_hz: 1, range_m: [0.1, 1]}}}}}})";
+    const auto file = dir_.write("rig.yaml", yaml);
+    const auto sensors = run("--free-ports --config " + file.string()).config.robots.at(0).sensors;
+    ASSERT_EQ(sensors.size(), 3U);
+    for (const SensorConfig& one : sensors) {
+        EXPECT_EQ(one.tcp.has_value(), one.name != "ranger");
+        EXPECT_EQ(one.tcp.value_or(Address{"127.0.0.1", 0}), (Address{"127.0.0.1", 0}));
+        EXPECT_FALSE(one.pty);
+    }
+}
+
 TEST_F(OptionsTest, WithoutAnyIsAScannerInTheMaze) {
     const Options options = run("");
     const Config& config = options.config;

@@ -13,10 +13,10 @@
 #include <unistd.h>
 
 #include "tests/support/temp_dir.h"
+#include "tools/child_program.h"
 #include "tools/scipbench/bare_timer.h"
 #include "tools/scipbench/capacity.h"
 #include "tools/scipbench/capacity_report.h"
-#include "tools/scipbench/child_program.h"
 #include "tools/scipbench/processor_use.h"
 
 namespace scipd::tools {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipbench/child_program.h"
+#include "tools/child_program.h"
 
 #include <cerrno>
 #include <chrono>
