@@ -196,7 +196,7 @@ TEST_F(ScipctlScene, CompletesInBash) {
     EXPECT_EQ(complete("scipctl s", "1"), "status sensors scene scenario sensor\n");
     EXPECT_EQ(complete("scipctl --control x pose st", "4"), "stream\n");
     EXPECT_EQ(complete("scipctl scene ''", "2"),
-              "list load add move remove medium --help --control\n");
+              "list load add move remove medium map export --help --control\n");
     EXPECT_EQ(complete("scipctl scene add --sc", "3"), "--scale\n");
     EXPECT_EQ(complete("scipctl scene medium f", "3"), "fog\n");
     EXPECT_EQ(complete("scipctl scene medium fog --v", "4"), "--visibility\n");
@@ -214,7 +214,7 @@ TEST_F(ScipctlScene, CompletesInZsh) {
             .out;
     };
     EXPECT_EQ(complete("scipctl scene ''", "3"),
-              "-- list load add move remove medium --help --control\n");
+              "-- list load add move remove medium map export --help --control\n");
     EXPECT_THAT(complete("scipctl ''", "2"), HasSubstr("truth"));
 }
 
