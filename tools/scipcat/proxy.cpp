@@ -30,6 +30,7 @@ void run(ProxyOptions& options) {
     wanted.target = parse_target(wanted.scanner);
     wanted.open.baud = options.connection.baud;
     wanted.tolerance_mm = 1000.0 * options.tolerance_m;
+    if (options.file.empty()) return run_proxy(wanted, {});
     ProxyRecording recording(options.file);
     run_proxy(wanted, [&](bool to_scanner, sim::HostTime time, std::string_view bytes) {
         recording.hear(to_scanner, time, bytes);

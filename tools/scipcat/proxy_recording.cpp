@@ -20,7 +20,7 @@ constexpr std::size_t most_waiting_bytes = std::size_t{1} << 20U;
 }  // namespace
 
 void ProxyRecording::hear(bool to_scanner, sim::HostTime time, std::string_view bytes) {
-    if (file_.empty() || !trouble_.empty()) return;
+    if (!trouble_.empty()) return;
     if (!first_) first_ = time;
     waiting_bytes_ += bytes.size();
     live_.hear(to_scanner, bytes, time);
@@ -40,7 +40,6 @@ void ProxyRecording::begin() {
 }
 
 void ProxyRecording::finish() {
-    if (file_.empty()) return;
     if (trouble_.empty()) {
         if (!begun_) begin();
         live_.finish();

@@ -17,7 +17,7 @@ namespace scipd::tools {
 
 class ProxyRecording {
   public:
-    /// `file`: ends in .mcap; empty: nothing is recorded.
+    /// `file`: ends in .mcap.
     explicit ProxyRecording(std::string file) : file_(std::move(file)) {}
 
     void hear(bool to_scanner, sim::HostTime time, std::string_view bytes);

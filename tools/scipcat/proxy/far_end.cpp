@@ -113,14 +113,15 @@ void FarEnd::lose_soon(const std::string& why) {
     asio::post(stream_.get_executor(), [self = shared_from_this(), why] { self->lose(why); });
 }
 
+// It goes on only when what has been read was heard: until then, its bytes are in input_.
 void FarEnd::read() {
     if (reading_ || paused_ || closed_ || !stream_.is_open()) return;
     reading_ = true;
     stream_.async_read_some(asio::buffer(input_), [self = shared_from_this()](
                                                       const error_code& error, std::size_t count) {
-        self->reading_ = false;
         if (self->closed_) return;
         if (count > 0) self->hooks_.heard({self->input_.data(), count});
+        self->reading_ = false;
         if (error) return self->lose(why_gone(error));
         self->read();
     });

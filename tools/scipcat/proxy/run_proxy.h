@@ -31,7 +31,7 @@ struct ProxyWanted {
 };
 
 /// Gets what has gone to the scanner, or come from it, once it has been handed on, and when that
-/// was. On a thread of its own.
+/// was. On a thread of its own. Null: nobody listens.
 using ProxyEar = std::function<void(bool to_scanner, sim::HostTime time, std::string_view bytes)>;
 
 /// Returns when SIGINT or SIGTERM comes. Throws WrongInput, before it listens, for what it cannot

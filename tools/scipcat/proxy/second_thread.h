@@ -17,7 +17,7 @@ namespace scipd::tools {
 
 class SecondThread {
   public:
-    SecondThread() : thread_([this] { io_.run(); }) {}
+    SecondThread() : thread_([this] { run(); }) {}
     SecondThread(const SecondThread&) = delete;
     SecondThread& operator=(const SecondThread&) = delete;
     ~SecondThread() {
@@ -33,6 +33,8 @@ class SecondThread {
   private:
     /// At the pace of a UST-10LX, two minutes.
     static constexpr std::size_t most_bytes = std::size_t{16} << 20U;
+
+    void run();
 
     boost::asio::io_context io_{1};
     boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_{
