@@ -13,6 +13,7 @@ import pathlib
 import pty
 import random
 import select
+import shutil
 import signal
 import socket
 import subprocess
@@ -146,6 +147,8 @@ class Proxy:
 
     def __exit__(self, *_):
         self.end(signal.SIGKILL)
+        self.errors.close()
+        shutil.rmtree(self.folder)
 
     def said(self):
         return (self.folder / "stderr").read_text()
