@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copyright The scipd authors
 #
-# What other projects get from find_package(scipd): the targets scipd::protocol and scipd::sim, and the headers below.
-# Other headers may change at any time, and are not installed.
+# What other projects get from find_package(scipd): the targets scipd::protocol, scipd::sim and scipd::testing, and the
+# headers below. Other headers may change at any time, and are not installed.
 
 set(component libscipd-dev)
 set(headers_folder ${CMAKE_INSTALL_INCLUDEDIR}/scipd)
@@ -123,6 +123,16 @@ scipd_exports(
           sim/sensor/sensor_spec.h
           sim/sensor/spec_curves.h
           sim/sensor/staring.h)
+
+scipd_exports(
+  testing
+  PARTS scipd_testing scipd_control_client
+  HEADERS # a scipd for tests: begin with scipd.h, or with scipd_test.h, which needs GoogleTest
+          testing/scipd.h
+          testing/scipd_options.h
+          testing/scipd_parts.h
+          testing/scipd_test.h
+          testing/scipd_values.h)
 
 set(scipd_optional_modules "")
 if(depth_FOUND)

@@ -91,7 +91,7 @@ set(CPACK_DEBIAN_LIBSCIPD-DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBSCIPD-DEV_DESCRIPTION "SCIP protocol and range sensor simulation of scipd
 Static libraries and headers. scipd::protocol speaks SCIP as a scanner or as
 a host, without sockets and clocks. scipd::sim loads worlds and casts scans
-in them.")
+in them. scipd::testing starts a scipd for a test, and has it fail.")
 # What scipdConfig.cmake looks for.
 set(needed libembree-dev libexpected-dev libglm-dev libtinyxml2-dev libyaml-cpp-dev nlohmann-json3-dev
            "pkgconf | pkg-config")
@@ -101,6 +101,8 @@ endif()
 list(JOIN needed ", " CPACK_DEBIAN_LIBSCIPD-DEV_PACKAGE_DEPENDS)
 # scipd-read reads worlds for programs, too.
 set(CPACK_DEBIAN_LIBSCIPD-DEV_PACKAGE_RECOMMENDS scipd)
+# The fixture of scipd::testing.
+set(CPACK_DEBIAN_LIBSCIPD-DEV_PACKAGE_SUGGESTS libgtest-dev)
 
 set(CPACK_DEBIAN_PYTHON3-SCIPD_PACKAGE_NAME python3-scipd)
 set(CPACK_DEBIAN_PYTHON3-SCIPD_PACKAGE_SECTION python)

@@ -121,6 +121,12 @@ void ControlClient::remove(const std::string& path) {
     (void)exchange({http::verb::delete_, path, {}, true});
 }
 
+std::string ControlClient::ask(const std::string& method, const std::string& path,
+                               const std::string& body) {
+    const http::verb verb = http::string_to_verb(method);
+    return exchange({verb, path, body, verb != http::verb::get});
+}
+
 // scipd closes a connection that is idle for long. Then this opens a new one.
 std::string ControlClient::exchange(const Question& question) {
     Request request(question.method, question.path, http_1_1);

@@ -46,6 +46,9 @@ class ControlClient {
     Json post(const std::string& path, const Json& body);
     Json patch(const std::string& path, const Json& body);
     void remove(const std::string& path);
+    /// Any request, with the answer as it came. It may take long, unless the method is GET.
+    [[nodiscard]] std::string ask(const std::string& method, const std::string& path,
+                                  const std::string& body);
 
   private:
     struct Connection;

@@ -21,10 +21,11 @@ SOURCES, BUILD, SCIPD = (pathlib.Path(argument) for argument in sys.argv[1:4])
 USER = """
 cmake_minimum_required(VERSION 3.22)
 project(user LANGUAGES CXX)
-find_package(scipd {version} REQUIRED COMPONENTS protocol sim)
+find_package(scipd {version} REQUIRED COMPONENTS protocol sim testing)
+find_package(GTest REQUIRED)
 add_library(user OBJECT user.cpp)
 target_compile_options(user PRIVATE -Wall -Wextra -Werror)
-target_link_libraries(user PRIVATE scipd::protocol scipd::sim)
+target_link_libraries(user PRIVATE scipd::protocol scipd::sim scipd::testing GTest::gtest)
 """
 
 
@@ -83,6 +84,17 @@ def check_asking(program):
     assert "nobody listens there" in refused, refused
 
 
+def check_testing(program, scratch):
+    """The test of docs/testing.md, which is that of the example."""
+    code = (SOURCES / "examples/wall_test.cpp").read_text()
+    shown = re.search(r"```cpp\n(.*?)```", (SOURCES / "docs/testing.md").read_text(), re.S)[1]
+    assert shown in code, "docs/testing.md shows another test than examples/wall_test.cpp"
+    os.environ.update(SCIPD=str(SCIPD), SCIPD_KEEP=str(scratch / "kept"))
+    done = subprocess.run([program], cwd=SOURCES, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0 and "[  PASSED  ] 1 test." in done.stdout, done.stdout + done.stderr
+    assert not (scratch / "kept").exists(), "a test that has passed keeps something"
+
+
 def main():
     os.environ.pop("CMAKE_PREFIX_PATH", None)
     with tempfile.TemporaryDirectory() as folder:
@@ -97,6 +109,7 @@ def main():
         printed = run(scratch / "examples/scan_a_room", SOURCES / "scenes/square_room.sdf")
         assert "objects, 3.000 m straight ahead" in printed, printed
         check_asking(scratch / "examples/ask_scanner")
+        check_testing(scratch / "examples/wall_test", scratch)
 
 
 if __name__ == "__main__":

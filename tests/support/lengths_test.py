@@ -17,7 +17,8 @@ LONGEST_FUNCTION = 60
 SHORT_FUNCTION = 20
 SHORT_SHARE = 0.9
 
-FOLDERS = ("cmake", "daemon", "docs", "examples", "packaging", "protocol", "python", "scenes", "sim", "tests", "tools")
+FOLDERS = ("cmake", "daemon", "docs", "examples", "packaging", "protocol", "python", "scenes", "sim", "testing",
+           "tests", "tools")
 SOURCES = (".h", ".cpp")
 TEXTS = (".md", ".py", ".cmake", ".yaml", ".json", ".txt", ".js", ".css", ".html", "")
 # Data, which was recorded, measured or generated.

@@ -15,7 +15,8 @@
 namespace scipd::testing {
 namespace {
 
-constexpr std::array<std::string_view, 4> roots{"protocol/", "sim/", "daemon/", "tools/"};
+constexpr std::array<std::string_view, 5> roots{"protocol/", "sim/", "daemon/", "tools/",
+                                                "testing/"};
 
 /// An include that no folder's law may allow.
 struct Ban {

@@ -15,7 +15,7 @@ namespace scipd::testing {
 /// Sources and READMEs, by their path from the root.
 using SourceTree = std::map<std::string, std::string, std::less<>>;
 
-/// The sources of all four folders.
+/// The sources of all five folders.
 SourceTree tree_at(const std::filesystem::path& root);
 
 // Each returns one sentence for every fault. The sentence begins with the file or folder at fault.
@@ -32,7 +32,7 @@ std::vector<std::string> faults_of_reach(const SourceTree& tree);
 /// Files with too many lines.
 std::vector<std::string> faults_of_length(const SourceTree& tree);
 
-/// Headers that have the name of another one, anywhere in the four folders, and what lies right in
+/// Headers that have the name of another one, anywhere in the five folders, and what lies right in
 /// daemon/ but belongs into a folder of it.
 std::vector<std::string> faults_of_names(const SourceTree& tree);
 

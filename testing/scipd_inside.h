@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What a Scipd consists of, for its parts. One thread.
+#pragma once
+
+#include <memory>
+
+#include "testing/heard.h"
+#include "testing/running.h"
+#include "testing/test_clock.h"
+
+namespace scipd::testing {
+
+struct ScipdInside {
+    explicit ScipdInside(const Options& options);
+
+    Running running;
+    WireLog wire;
+    std::unique_ptr<LastScans> last;  ///< null: nobody wants them
+    TestClock clock;
+};
+
+}  // namespace scipd::testing

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "testing/scipd_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+
+#include "testing/pose_json.h"
+#include "testing/scipd_inside.h"
+
+namespace scipd::testing {
+namespace {
+
+/// Text as a part of XML.
+std::string escaped(const std::string& text) {
+    std::string xml;
+    for (const char c : text) {
+        switch (c) {
+            case '<':
+                xml += "&lt;";
+                break;
+            case '&':
+                xml += "&amp;";
+                break;
+            case '"':
+                xml += "&quot;";
+                break;
+            default:
+                xml += c;
+        }
+    }
+    return xml;
+}
+
+std::string sdf_of(const std::string& name, const Box& box) {
+    const auto [x, y, z] = box.size_m;
+    if (!(x > 0 && y > 0 && z > 0))
+        throw std::invalid_argument("a box has three lengths in metres above 0");
+    const auto text = [](double number) { return Json(number).dump(); };
+    const std::string material =
+        box.material.empty() ? ""
+                             : "<scipd:material>" + escaped(box.material) + "</scipd:material>";
+    return "<model name=\"" + escaped(name) +
+           "\" xmlns:scipd=\"urn:scipd:sdf\"><link name=\"body\"><visual name=\"box\"><pose>0 0 " +
+           text(z / 2) + " 0 0 0</pose>" + material + "<geometry><box><size>" + text(x) + " " +
+           text(y) + " " + text(z) + "</size></box></geometry></visual></link></model>";
+}
+
+/// Adds what is to be added to the request.
+struct Filling {
+    const std::string& name;
+    Json& request;
+
+    void operator()(const Box& box) const { request["sdf"] = sdf_of(name, box); }
+    void operator()(const Mesh& mesh) const {
+        request["mesh"] = std::filesystem::absolute(mesh.file).string();
+        request["scale"] = mesh.scale;
+        if (!mesh.material.empty()) request["material"] = mesh.material;
+    }
+    void operator()(const Sdf& sdf) const { request["sdf"] = sdf.text; }
+    void operator()(const ModelFile& model) const {
+        request["file"] = std::filesystem::absolute(model.file).string();
+    }
+};
+
+}  // namespace
+
+Pose Robot::pose() const {
+    return pose_in(inside_.running.get(robot_pose_path(name_)));
+}
+
+void Robot::set_pose(const Pose& pose) const {
+    inside_.clock.place(robot_pose_path(name_), json_of(pose));
+}
+
+void Robot::drive_to(const Pose& pose, std::chrono::duration<double> seconds) const {
+    const std::string path = robot_pose_path(name_);
+    const Json from = inside_.running.get(path);
+    const Json to = json_of(pose);
+    inside_.clock.move(path, seconds, [&](double share) { return between(from, to, share); });
+}
+
+std::vector<std::string> Scene::add(const std::string& name, const What& what,
+                                    const Pose& pose) const {
+    Json request{{"name", name}, {"pose", json_of(pose)}};
+    std::visit(Filling{name, request}, what);
+    return inside_.running.ask("POST", "/scene/models", request).at("warnings");
+}
+
+void Scene::move(const std::string& name, const Pose& pose) const {
+    inside_.clock.place(model_pose_path(name), json_of(pose));
+}
+
+void Scene::remove(const std::string& name) const {
+    (void)inside_.running.ask("DELETE", "/scene/models/" + tools::path_segment(name));
+}
+
+std::vector<std::string> Scene::load(const std::filesystem::path& world) const {
+    const Json request{{"file", std::filesystem::absolute(world).string()}};
+    return inside_.running.ask("PUT", "/scene", request).at("warnings");
+}
+
+Pose Scene::pose(const std::string& name) const {
+    return pose_in(inside_.running.get(model_pose_path(name)));
+}
+
+std::vector<std::string> Scene::models() const {
+    std::vector<std::string> names;
+    for (const Json& model : inside_.running.get("/scene").at("models"))
+        names.push_back(model.at("name"));
+    return names;
+}
+
+void Clock::run(std::chrono::duration<double> seconds) const {
+    inside_.clock.run(seconds);
+}
+
+double Clock::time_s() const {
+    return inside_.clock.now_s();
+}
+
+void Fault::stop() const try {
+    (void)inside_.running.ask("DELETE", path_ + "/" + std::to_string(id_));
+} catch (const Refused& refused) {
+    if (refused.status() != 404) throw;  // it has ended, and is forgotten
+}
+
+std::string Fault::state() const {
+    return status().at("state");
+}
+
+int Fault::hits() const {
+    return status().at("hits");
+}
+
+Json Fault::status() const {
+    return inside_.running.get(path_ + "/" + std::to_string(id_));
+}
+
+std::vector<WireMessage> Wire::messages() const {
+    return inside_.wire.messages();
+}
+
+std::string Wire::text() const {
+    std::string text;
+    for (const WireMessage& message : messages()) {
+        text += std::to_string(message.time_s) + " " + message.sensor + " " + message.client +
+                (message.from_client ? " > " : " < ") + message.line +
+                (message.status.empty() ? "" : " " + message.status) + ": " + message.means + "\n";
+    }
+    return text;
+}
+
+WireMessage Wire::wait_for(const std::string& request, std::chrono::milliseconds timeout) const {
+    return inside_.wire.wait_for(request, timeout);
+}
+
+}  // namespace scipd::testing

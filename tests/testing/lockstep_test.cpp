@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Time that a test has go on.
+#include <chrono>
+#include <future>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "testing/scipd_test.h"
+#include "tests/support/scanner_wire.h"
+
+namespace {
+
+using namespace scipd::testing;
+using namespace std::chrono_literals;
+using Lockstep = ScipdTest;
+using ::scipd::tests::ScannerWire;
+
+const std::filesystem::path room = SCENES "/square_room.sdf";
+
+TEST_F(Lockstep, GoesOnByWhatWasAskedFor) {
+    Scipd& scipd = start({.world = room, .clock = ClockKind::poses, .accuracy = "ideal"});
+    EXPECT_EQ(scipd.clock().time_s(), 0);
+    scipd.clock().run(20s);
+    EXPECT_NEAR(scipd.clock().time_s(), 20, 1e-5);
+    std::this_thread::sleep_for(100ms);
+    EXPECT_NEAR(scipd.clock().time_s(), 20, 1e-5);
+    scipd.robot().set_pose({1, 0, 0});
+    EXPECT_NEAR(scipd.robot().pose().x_m, 1, 1e-9);
+    EXPECT_EQ(scipd.scan().at(0), 2.0);
+    EXPECT_NEAR(scipd.truth().at(0)->range_m, 2.0, 1e-6);
+    EXPECT_LT(scipd.clock().time_s(), 21);
+}
+
+TEST_F(Lockstep, MovesRobotsAndModels) {
+    Scipd& scipd = start({.world = room, .clock = ClockKind::poses, .accuracy = "ideal"});
+    scipd.robot().set_pose({-1, 0, 0});
+    scipd.scene().move("box", {2, 0, 0});
+    EXPECT_NEAR(scipd.truth().at(0)->range_m, 2.7, 1e-6);
+    EXPECT_NEAR(scipd.robot().pose().x_m, -1, 1e-9) << "it stays there while others move";
+    scipd.scene().remove("box");
+    scipd.robot().drive_to({1, 0, 0}, 4s);
+    EXPECT_NEAR(scipd.clock().time_s(), 4, 0.5);
+    EXPECT_EQ(scipd.scan().at(0), 2.0);
+}
+
+/// What a driver gets in a drive with a fault and a crate.
+std::vector<std::uint32_t> bytes_of_a_drive() {
+    Scipd scipd({.world = room, .clock = ClockKind::poses, .seed = 5});
+    auto driver = ScannerWire::tcp(scipd.port());
+    driver.write("MD0000108001000\n");
+    scipd.wire().wait_for("MD");
+    std::vector<std::uint32_t> got;
+    const auto reader = std::async(std::launch::async, [&] {
+        EXPECT_EQ(driver.next_message()->status, "00");
+        for (int i = 0; i < 100; ++i) {
+            const auto scan = driver.next_scan();
+            got.push_back(scan.stamp_ms);
+            got.insert(got.end(), scan.distances_mm.begin(), scan.distances_mm.end());
+        }
+    });
+    scipd.clock().run(500ms);
+    scipd.robot().drive_to({1, 0, 1}, 1s);
+    scipd.fault("blind", {{"steps", {500, 580}}, {"after", 0.5}, {"seconds", 1}});
+    scipd.scene().add("crate", Box{{0.4, 0.4, 0.4}}, {2, 0.5, 0});
+    scipd.clock().run(2s);
+    reader.wait();
+    return got;
+}
+
+TEST(LockstepTwice, GivesTheSameBytes) {
+    const auto once = bytes_of_a_drive();
+    EXPECT_EQ(once.size(), 100U * 1082);
+    EXPECT_TRUE(once == bytes_of_a_drive());
+}
+
+TEST_F(Lockstep, IsLedByThePosesOfOthers) {
+    Scipd& scipd = start({.world = room,
+                          .poses = SCENES "/square_room.tum",
+                          .clock = ClockKind::poses,
+                          .accuracy = "ideal"});
+    // A trajectory goes on as long as somebody waits for scans.
+    const double before_s = scipd.clock().time_s();
+    scipd.clock().run(2s);
+    EXPECT_GE(scipd.clock().time_s(), before_s + 2);
+    EXPECT_THROW(scipd.robot().set_pose({0, 0, 0}), ScipdError);
+}
+
+TEST_F(Lockstep, IsNotWhatTheWallClockIs) {
+    Scipd& scipd = start({.world = room});
+    const double before_s = scipd.clock().time_s();
+    scipd.clock().run(200ms);
+    EXPECT_GE(scipd.clock().time_s(), before_s + 0.2);
+}
+
+}  // namespace
