@@ -33,6 +33,8 @@ CASES = [
     ("scipctl scene add --con", ["--control"], ["--scale"]),
     ("scipctl scene medium ", ["fog", "rain"], ["list"]),
     ("scipctl completion ", ["bash", "zsh", "fish"], ["status"]),
+    ("scipfit ro", ["room"], ["export"]),
+    ("scipfit export x --for ", ["amcl", "gz", "mvsim", "stage"], ["--for"]),
     ("scipbench com", ["compare", "completion"], ["table3"]),
     ("scipd --vers", ["--version"], ["--help"]),
     ("scipctl --vers", ["--version"], ["--help"]),
