@@ -25,6 +25,7 @@ pkg_check_modules(lz4 REQUIRED IMPORTED_TARGET liblz4)
 pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(sqlite3 REQUIRED IMPORTED_TARGET sqlite3)
 pkg_check_modules(pcap REQUIRED IMPORTED_TARGET libpcap)
+find_package(Ceres REQUIRED)
 find_path(stb_folder stb/stb_image.h REQUIRED) # headers only
 
 # Takes Embree 4 if there is one, else Embree 3 (Debian 12). sim/backends/embree.cpp builds with both.

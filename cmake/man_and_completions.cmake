@@ -49,7 +49,7 @@ macro(scipd_completions program component)
           COMPONENT ${component}-debian EXCLUDE_FROM_ALL RENAME _${program})
 endmacro()
 
-set(tools scipctl scipcat)
+set(tools scipctl scipcat scipfit)
 if(TARGET scipbench)
   list(APPEND tools scipbench)
 endif()

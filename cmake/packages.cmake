@@ -82,7 +82,8 @@ set(CPACK_DEBIAN_SCIPD-TOOLS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_SCIPD-TOOLS_DESCRIPTION "tools for SCIP laser scanners and for scipd
 scipcat records and draws the scans of any SCIP scanner, real or emulated.
 scipctl moves the robots and the world of a running scipd and shows what it
-does. scipbench compares how fast the ways to compute ranges are.")
+does. scipfit makes of a recording a model of the scanner that made it.
+scipbench compares how fast the ways to compute ranges are.")
 # scipbench has scipd-read, which is in scipd, read worlds.
 set(CPACK_DEBIAN_SCIPD-TOOLS_PACKAGE_RECOMMENDS "libegl1, libgl1-mesa-dri, libopengl0, scipd")
 

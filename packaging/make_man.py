@@ -17,7 +17,7 @@ import roff
 from help_text import read_help
 
 RUNNING = pathlib.Path(__file__).parents[1] / "docs/running.md"
-OTHERS = [("scipd", 1), ("scipctl", 1), ("scipcat", 1), ("scipbench", 1), ("scipd.yaml", 5)]
+OTHERS = [("scipd", 1), ("scipctl", 1), ("scipcat", 1), ("scipfit", 1), ("scipbench", 1), ("scipd.yaml", 5)]
 
 
 def see_also(name):

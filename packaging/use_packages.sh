@@ -56,7 +56,7 @@ install() {
     for file in bash-completion/completions/scipctl zsh/vendor-completions/_scipcat fish/vendor_completions.d/scipd.fish; do
         [ -s /usr/share/$file ] || fail "/usr/share/$file is missing"
     done
-    for page in scipd scipctl scipcat scipbench scipd.yaml; do
+    for page in scipd scipctl scipcat scipfit scipbench scipd.yaml; do
         man $page | grep -q 'SEE ALSO' || fail "man $page shows no page"
     done
     man -k scanner | grep -q '^scipd ' || fail "apropos does not find scipd"

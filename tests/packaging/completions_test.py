@@ -35,6 +35,8 @@ CASES = [
     ("scipctl scene medium ", ["fog", "rain"], ["list"]),
     ("scipctl scene map --", ["--output", "--resolution"], ["--replace"]),
     ("scipctl completion ", ["bash", "zsh", "fish"], ["status"]),
+    ("scipfit ro", ["room"], ["export"]),
+    ("scipfit export x --for ", ["amcl", "gz", "mvsim", "stage"], ["--for"]),
     ("scipbench com", ["compare", "completion"], ["table3"]),
     ("scipd --vers", ["--version"], ["--help"]),
     ("scipctl --vers", ["--version"], ["--help"]),

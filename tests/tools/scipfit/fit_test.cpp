@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Recordings that do not tell everything: what is said of them, and that no number is told for what
+// is not known.
+#include "tools/scipfit/fit.h"
+
+#include <cmath>
+#include <random>
+
+#include <gmock/gmock.h>
+
+#include "daemon/models/model_registry.h"
+#include "tests/tools/scipfit/synthetic_scanner.h"
+#include "tools/options.h"
+#include "tools/scipfit/fit_json.h"
+#include "tools/scipfit/known_length.h"
+
+namespace scipd::tests {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsSupersetOf;
+using testing::Not;
+using testing::ThrowsMessage;
+using tools::Fit;
+using tools::Readings;
+
+const daemon::Model& ust() {
+    return daemon::find_model("UST-10LX");
+}
+
+Fit fit(const Readings& readings, const std::vector<tools::Length>& lengths = {}) {
+    return tools::fit_scanner(readings, tools::kind_of(readings, ""), lengths);
+}
+
+std::vector<std::string> unknown_of(const Fit& fit) {
+    std::vector<std::string> names;
+    for (const tools::Unknown& one : fit.unknown) {
+        EXPECT_NE(one.why, "");
+        EXPECT_NE(one.would_tell, "");
+        names.push_back(one.parameter);
+    }
+    return names;
+}
+
+Readings standing(int scans, bool with_light = false, const Room& room = {},
+                  const Place& place = {}) {
+    SyntheticScanner scanner(ust(), room, with_light, 3);
+    Readings readings = scanner.begin();
+    scanner.stand(place, scans, readings);
+    end_recording(readings);
+    return readings;
+}
+
+/// Only what these steps see is left.
+Readings only(Readings readings, std::size_t first, std::size_t last) {
+    for (std::size_t i = 0; i < readings.mm.size(); ++i) {
+        const std::size_t step = i % readings.steps;
+        if (step < first || step > last) readings.mm[i] = tools::as_code(65533);
+    }
+    return readings;
+}
+
+TEST(Fit, DoesNotTellOffsetOrScaleOfOneRoom) {
+    const Fit found = fit(standing(100));
+    EXPECT_THAT(unknown_of(found), IsSupersetOf({"offset", "scale", "angle_offset", "warm_up"}));
+    EXPECT_THAT(unknown_of(found), Not(Contains("sigma")));
+    const auto json = tools::as_json(found);
+    EXPECT_TRUE(json["bias"].is_null());
+    EXPECT_FALSE(json["sigma"]["s0_mm"].is_null());
+}
+
+TEST(Fit, TellsNoiseButNoPlaceOfOnePlane) {
+    const Fit found = fit(only(standing(100), 480, 600));
+    EXPECT_THAT(unknown_of(found), IsSupersetOf({"offset", "scale", "mixed_beams"}));
+    ASSERT_TRUE(found.noise);
+    EXPECT_EQ(found.noise->model.steps.size(), 1U);
+}
+
+TEST(Fit, TellsNoiseButNoPlaceOfTwoParallelWalls) {
+    Room corridor{.length_m = 60.0, .width_m = 3.0};
+    const Fit found = fit(standing(100, false, corridor));
+    EXPECT_THAT(unknown_of(found), IsSupersetOf({"offset", "scale", "angle_offset"}));
+    EXPECT_TRUE(found.noise);
+}
+
+TEST(Fit, TellsNoLawOfLightWithoutIntensities) {
+    const Fit found = fit(standing(100));
+    EXPECT_THAT(unknown_of(found), Contains("i0"));
+    const auto json = tools::as_json(found);
+    EXPECT_EQ(json["sigma"]["law"], "range");
+    EXPECT_TRUE(json["sigma"]["i0"].is_null());
+    EXPECT_TRUE(json["intensity_noise"].empty());
+}
+
+// All faces are so bright that their noise is the floor's.
+TEST(Fit, TellsNoLawOfLightThatDoesNotMatter) {
+    daemon::Model model = ust();
+    model.optics.noise_law = {.floor_m = 0.006, .weak = 5.0};
+    SyntheticScanner scanner(model, {}, true, 5);
+    Readings readings = scanner.begin();
+    scanner.stand({}, 100, readings);
+    end_recording(readings);
+    const Fit found = fit(readings);
+    EXPECT_THAT(unknown_of(found), Contains("i0"));
+    ASSERT_TRUE(found.noise);
+    EXPECT_FALSE(found.noise->model.by_intensity);
+    EXPECT_NEAR(found.noise->s0_mm.value, 6.0, 0.1);
+}
+
+TEST(Fit, TellsNoNoiseOfTenScans) {
+    const Fit found = fit(standing(10));
+    EXPECT_THAT(unknown_of(found), IsSupersetOf({"sigma", "neighbours"}));
+    const auto json = tools::as_json(found);
+    EXPECT_TRUE(json["sigma"].is_null());
+    EXPECT_TRUE(json["neighbours"].is_null());
+    EXPECT_TRUE(json["next_scan"].is_null());
+    EXPECT_TRUE(json["held_out"].is_null());
+}
+
+TEST(Fit, TellsNoNoiseWhereEverythingMoves) {
+    SyntheticScanner scanner(ust(), {}, false, 3);
+    Readings readings = scanner.begin();
+    for (int i = 0; i < 120; ++i)
+        scanner.stand({-1.2 + 0.02 * i, 0.0, 0.01 * i}, 1, readings);
+    end_recording(readings);
+    const Fit found = fit(readings);
+    EXPECT_THAT(unknown_of(found), IsSupersetOf({"sigma", "neighbours", "drift"}));
+    EXPECT_TRUE(tools::as_json(found)["sigma"].is_null());
+    EXPECT_EQ(found.beams, 0U);
+}
+
+TEST(Fit, NamesAnotherKindOfScanner) {
+    Readings readings = standing(60);
+    readings.identity = {.model = "LMS100"};
+    const Fit found = fit(readings);
+    EXPECT_FALSE(found.kind.known);
+    EXPECT_THAT(found.kind.from, HasSubstr("the recording is of a LMS100"));
+    EXPECT_THAT(unknown_of(found), Contains("model"));
+}
+
+TEST(Fit, FindsMediansOfFiveBeams) {
+    SyntheticScanner scanner(daemon::find_model("UTM-30LX"), {}, false, 3);
+    Readings readings = scanner.begin();
+    scanner.stand({}, 100, readings);
+    end_recording(readings);
+    const Fit found = fit(readings);
+    ASSERT_TRUE(found.smoothing);
+    EXPECT_TRUE(found.smoothing->smoothing.median_of_five);
+    EXPECT_GT(found.smoothing->equal, 0.35);
+}
+
+TEST(Fit, CountsCodesByPlace) {
+    const Fit found = fit(only(standing(60), 200, 799));
+    ASSERT_TRUE(found.codes.codes.contains(65533));
+    EXPECT_EQ(found.codes.usual(), 65533U);
+    EXPECT_EQ(found.codes.codes.at(65533).all(), 60.0 * (200 + 281));
+    EXPECT_EQ(found.codes.codes.at(65533).beside, 60.0 * 2);
+}
+
+TEST(Fit, HoldsForScansThatItWasNotFittedTo) {
+    const Fit found = fit(standing(120));
+    ASSERT_TRUE(found.held_out);
+    EXPECT_NEAR(found.held_out->coverage_95, 0.95, 0.01);
+    EXPECT_LT(found.held_out->nll, found.held_out->nll_sheet - 0.5);
+    EXPECT_LT(found.held_out->nll, found.held_out->nll_per_beam + 0.05);
+}
+
+// Opposite walls of the room are 6 m apart, and the scanner reads 8 mm too far.
+TEST(Fit, TellsTheBiasByALength) {
+    daemon::Model model = ust();
+    model.optics.bias = {{1.0, 0.008}};
+    SyntheticScanner scanner(model, {}, false, 3);
+    Readings readings = scanner.begin();
+    scanner.stand({.yaw_rad = M_PI / 2}, 200, readings);
+    end_recording(readings);
+    const tools::Length across = tools::parse_length_between("180:900=6m");
+    const Fit found = fit(readings, {across});
+    ASSERT_EQ(found.bias.size(), 1U);
+    EXPECT_LE(found.bias[0].bias_mm.low, 8.0);
+    EXPECT_GE(found.bias[0].bias_mm.high, 8.0);
+    EXPECT_NEAR(found.bias[0].range_mm, 3000.0, 20.0);
+    EXPECT_THAT(unknown_of(found), Not(Contains("offset")));
+}
+
+TEST(Fit, RefusesLengthsThatCannotBe) {
+    const Readings readings = standing(60);
+    EXPECT_THAT(
+        [&] {
+            (void)fit(readings, {{180, 2000, 6.0}});
+        },
+        ThrowsMessage<tools::WrongInput>("--length: step 2000 is not recorded"));
+    EXPECT_THAT(
+        [&] {
+            (void)fit(readings, {{500, 501, 6.0}});
+        },
+        ThrowsMessage<tools::WrongInput>(HasSubstr("name two that are far apart")));
+    for (const char* text : {"", "180", "180:900", "a:900=3m", "180:900=-3m", "180:900=x"})
+        EXPECT_THAT([&] { (void)tools::parse_length_between(text); },
+                    ThrowsMessage<tools::WrongInput>(HasSubstr("must be STEP:STEP=METRES")))
+            << text;
+}
+
+}  // namespace
+}  // namespace scipd::tests

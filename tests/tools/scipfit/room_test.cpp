@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Rooms that are known come back from what a scanner sees of them.
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include <gmock/gmock.h>
+
+#include "daemon/models/model_registry.h"
+#include "tests/tools/scipfit/synthetic_scanner.h"
+#include "tools/scipfit/room_sdf.h"
+
+namespace scipd::tests {
+namespace {
+
+using testing::DoubleNear;
+using testing::HasSubstr;
+using tools::Readings;
+using tools::Station;
+using tools::Wall;
+
+struct Seen {
+    Readings readings;
+    Station station;
+    std::vector<Wall> walls;
+};
+
+Seen room_of(const Room& room, const Place& place) {
+    daemon::Model model = daemon::find_model("UST-10LX");
+    model.optics.bias = {{1.0, 0.0}};
+    SyntheticScanner scanner(model, room, false, 4);
+    Seen seen{.readings = scanner.begin(), .station = {}, .walls = {}};
+    scanner.stand(place, 100, seen.readings);
+    end_recording(seen.readings);
+    seen.station = tools::stations_of(seen.readings).at(0);
+    seen.walls = walls_of(seen.readings, seen.station);
+    return seen;
+}
+
+// The scanner stands 0.5 m right of the middle and sees 270 degrees: not the wall behind it.
+TEST(Room, HasItsWallsWhereTheyAre) {
+    const Seen seen = room_of({}, {.x_m = 0.5});
+    std::vector<double> distances;
+    for (const Wall& wall : seen.walls) {
+        distances.push_back(wall.distance_m);
+        EXPECT_LT(wall.deviation_mm, 2.0);
+    }
+    ASSERT_GE(distances.size(), 3U);
+    std::ranges::sort(distances);
+    EXPECT_THAT(distances[0], DoubleNear(2.0, 0.002));
+    EXPECT_THAT(distances[1], DoubleNear(2.0, 0.002));
+    EXPECT_THAT(distances[2], DoubleNear(2.5, 0.002));
+    const auto corner = std::ranges::find_if(
+        seen.walls, [](const Wall& wall) { return std::abs(wall.distance_m - 2.5) < 0.01; });
+    EXPECT_THAT(corner->begin.y_m, DoubleNear(-2.0, 0.005));
+    EXPECT_THAT(corner->end.y_m, DoubleNear(2.0, 0.005));
+}
+
+TEST(Room, ExplainsWhatIsSeen) {
+    Room room;
+    room.things = {{1.0, 1.2, 0.3}, {-0.5, -1.5, 0.2}};
+    const Seen seen = room_of(room, {.x_m = -0.4, .yaw_rad = 0.4});
+    const tools::RoomCheck check = check_room(seen.walls, seen.readings, seen.station);
+    EXPECT_GT(check.beams, 1000U);
+    EXPECT_GT(static_cast<double>(check.explained), 0.98 * static_cast<double>(check.beams));
+    EXPECT_LT(check.rms_mm, 2.5);
+}
+
+TEST(Room, IsAWorldWithAWallForEach) {
+    Seen seen = room_of({}, {});
+    seen.readings.files = "a--b.mcap";
+    std::ostringstream out;
+    write_room(seen.walls, seen.readings, out);
+    const std::string text = out.str();
+    EXPECT_THAT(text, HasSubstr("a- b.mcap"));
+    std::size_t models = 0;
+    for (auto at = text.find("<model "); at != text.npos; at = text.find("<model ", at + 1))
+        ++models;
+    EXPECT_EQ(models, seen.walls.size());
+}
+
+}  // namespace
+}  // namespace scipd::tests

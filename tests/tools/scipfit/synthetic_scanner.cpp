@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tests/tools/scipfit/synthetic_scanner.h"
+
+#include <cmath>
+#include <utility>
+
+#include "daemon/device/bridge.h"
+#include "sim/backends/embree.h"
+#include "tests/support/scene_builder.h"
+
+namespace scipd::tests {
+namespace {
+
+using sim::Box;
+using sim::MaterialId;
+using sim::Pose;
+
+constexpr double wall_m = 0.1;
+
+Pose at(double x_m, double y_m) {
+    return sim::pose_from_rpy({x_m, y_m, 0.0}, {0.0, 0.0, 0.0});
+}
+
+sim::SharedScene scene_of(const Room& room) {
+    const double x = 0.5 * (room.length_m + wall_m);
+    const double y = 0.5 * (room.width_m + wall_m);
+    sim::SceneBuilder scene;
+    scene.add(Box{{wall_m, room.width_m, 2.0}}, at(x, 0.0), 0);
+    scene.add(Box{{room.length_m, wall_m, 2.0}}, at(0.0, y), 1);
+    scene.add(Box{{wall_m, room.width_m, 2.0}}, at(-x, 0.0), 2);
+    scene.add(Box{{room.length_m, wall_m, 2.0}}, at(0.0, -y), 3);
+    MaterialId material = 4;
+    for (const Room::Thing& thing : room.things)
+        scene.add(Box{{2.0 * thing.half_m, 2.0 * thing.half_m, 2.0}}, at(thing.x_m, thing.y_m),
+                  material++);
+    return scene.build();
+}
+
+sim::SharedLitWorld light_of(const Room& room) {
+    std::vector<sim::Surface> surfaces;
+    for (const double reflectance : room.reflectances)
+        surfaces.push_back({.diffuse = static_cast<float>(reflectance)});
+    while (surfaces.size() < 4 + room.things.size())
+        surfaces.push_back(surfaces.back());
+    return std::make_shared<const sim::LitWorld>(surfaces, std::vector<sim::Medium>{});
+}
+
+sim::ErrorModel errors_of(const daemon::Model& model, bool with_light, std::uint64_t seed) {
+    return {.accuracy = with_light ? sim::Accuracy::material : sim::Accuracy::sensor,
+            .seed = seed,
+            .sensor = 1,
+            .codes_vary = !model.profile.rare_codes.empty()};
+}
+
+}  // namespace
+
+SyntheticScanner::SyntheticScanner(daemon::Model model, const Room& room, bool with_light,
+                                   std::uint64_t seed)
+    : model_(std::move(model)),
+      with_light_(with_light),
+      scanner_(model_.optics, errors_of(model_, with_light, seed)),
+      lit_(light_of(room)),
+      backend_(sim::make_embree_backend(scene_of(room))) {}
+
+tools::Readings SyntheticScanner::begin() const {
+    return {.files = "synthetic",
+            .identity = {.model = model_.profile.model, .firmware = model_.profile.firmware},
+            .steps = static_cast<std::size_t>(model_.optics.beams()),
+            .first_step = model_.optics.first_step,
+            .first_rad = model_.optics.angle_rad(model_.optics.first_step),
+            .beam_rad = model_.optics.beam_rad(),
+            .period_s = 0.025,
+            .has_codes = true,
+            .has_intensities = with_light_,
+            .whole_mm = true};
+}
+
+/// Nothing moves, so it is cast once, and each scan reads the same hits with other chances.
+void SyntheticScanner::stand(const Place& place, int scans, tools::Readings& readings) {
+    const Pose pose = sim::pose_from_rpy({place.x_m, place.y_m, 0.0}, {0.0, 0.0, place.yaw_rad});
+    const sim::Conditions conditions{.lit = with_light_ ? lit_.get() : nullptr};
+    const sim::Scan cast = [&] {
+        sim::Scan scan = scanner_.begin(0, {}, {pose});
+        scanner_.cast(*backend_, scan, {0, scan.beams()}, conditions);
+        return scan;
+    }();
+    for (int i = 0; i < scans; ++i) {
+        sim::Scan scan = cast;
+        scan.revolution = revolution_++;
+        scanner_.read(scan, conditions);
+        const auto wire = daemon::to_wire(scan, {}, model_.optics, model_.profile);
+        for (std::size_t beam = 0; beam < wire.distance.size(); ++beam) {
+            const auto value = static_cast<float>(wire.distance[beam]);
+            const bool distance = model_.profile.is_distance(wire.distance[beam]);
+            readings.mm.push_back(distance ? value : tools::as_code(value));
+            if (with_light_) readings.intensity.push_back(static_cast<float>(wire.intensity[beam]));
+        }
+    }
+}
+
+void end_recording(tools::Readings& readings) {
+    readings.begins.push_back(readings.scans());
+}
+
+}  // namespace scipd::tests

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tools/scipfit/code_shares.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scipd::tools {
+namespace {
+
+void count(const Readings& readings, std::size_t scan, std::size_t step, CodeCounts& counts) {
+    const bool before = step > 0 && is_distance(readings.at(scan, step - 1));
+    const bool after = step + 1 < readings.steps && is_distance(readings.at(scan, step + 1));
+    if (before && after)
+        counts.edge += 1.0;
+    else if (before || after)
+        counts.beside += 1.0;
+    else
+        counts.inside += 1.0;
+}
+
+}  // namespace
+
+std::uint32_t CodeShares::usual() const {
+    return std::ranges::max_element(codes, {}, [](const auto& one) { return one.second.all(); })
+        ->first;
+}
+
+CodeShares codes_of(const Readings& readings) {
+    CodeShares shares;
+    for (std::size_t scan = 0; scan < readings.scans(); ++scan) {
+        for (std::size_t step = 0; step < readings.steps; ++step) {
+            const float mm = readings.at(scan, step);
+            shares.readings += 1.0;
+            if (is_distance(mm)) continue;
+            count(readings, scan, step, shares.all);
+            if (!readings.has_codes || mm == no_value) continue;
+            CodeCounts& counts = shares.codes[code_of(mm)];
+            count(readings, scan, step, counts);
+            if (step > 0 && readings.at(scan, step - 1) == mm) counts.pairs += 1.0;
+        }
+    }
+    return shares;
+}
+
+LostBeams lost_beams(const Standing& standing) {
+    LostBeams lost;
+    double count = 0.0;
+    for (const Station& station : standing.stations) {
+        for (const Beam& beam : station.beams) {
+            if (!beam.inside) continue;
+            lost.readings += static_cast<double>(station.scans());
+            count += static_cast<double>(station.scans() - beam.count);
+        }
+    }
+    if (lost.readings == 0.0) return lost;
+    lost.share = count / lost.readings;
+    // Wilson's interval: it is not empty where none was lost.
+    constexpr double z = 1.96;
+    const double n = lost.readings;
+    const double middle = lost.share + z * z / (2.0 * n);
+    const double half = z * std::sqrt(lost.share * (1.0 - lost.share) / n + z * z / (4.0 * n * n));
+    lost.high = (middle + half) / (1.0 + z * z / n);
+    return lost;
+}
+
+}  // namespace scipd::tools

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Everything that recordings tell of the scanner that made them, and what they do not. Values; one
+// thread.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/scipfit/code_shares.h"
+#include "tools/scipfit/edge_fit.h"
+#include "tools/scipfit/held_out.h"
+#include "tools/scipfit/kind.h"
+#include "tools/scipfit/known_length.h"
+#include "tools/scipfit/lattice.h"
+#include "tools/scipfit/light_fit.h"
+#include "tools/scipfit/noise_fit.h"
+#include "tools/scipfit/smoothing_fit.h"
+
+namespace scipd::tools {
+
+struct Fit {
+    Kind kind;
+    std::string files;
+    std::size_t scans = 0;  ///< that stand still
+    std::size_t all_scans = 0;
+    std::size_t beams = 0;  ///< that see a smooth face, over all stations
+    std::size_t stations = 0;
+    std::size_t doubles = 0;
+    std::optional<SmoothingFit> smoothing;
+    Lattice lattice;
+    std::optional<NoiseFit> noise;
+    std::optional<HeldOut> held_out;
+    CodeShares codes;
+    LostBeams lost;
+    LightFit light;
+    std::optional<MixedBeams> mixed;
+    std::optional<Drift> drift;
+    std::vector<BiasAt> bias;
+    Unknowns unknown;
+};
+
+/// The readings must be complete (kind.h). Throws WrongInput where a length cannot be.
+[[nodiscard]] Fit fit_scanner(const Readings& readings, const Kind& kind,
+                              const std::vector<Length>& lengths);
+
+/// The parts of a recording that estimates need.
+[[nodiscard]] Standing look_at(const Readings& readings);
+
+}  // namespace scipd::tools

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tools/scipfit/fit_command.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tools/options.h"
+#include "tools/output_file.h"
+#include "tools/scipfit/fit_json.h"
+#include "tools/scipfit/fit_text.h"
+#include "tools/scipfit/known_length.h"
+#include "tools/scipfit/profile_yaml.h"
+#include "tools/scipfit/read_readings.h"
+
+namespace scipd::tools {
+namespace {
+
+struct FitOptions {
+    std::vector<std::filesystem::path> files;
+    std::string stream;
+    std::string model;
+    std::vector<std::string> lengths;
+    std::string output;
+    bool json = false;
+};
+
+void fit(const FitOptions& options) {
+    std::vector<Length> lengths;
+    for (const std::string& length : options.lengths)
+        lengths.push_back(parse_length_between(length));
+    Readings readings = read_readings(options.files, options.stream);
+    const Kind kind = kind_of(readings, options.model);
+    complete(*kind.model, readings);
+    const Fit found = fit_scanner(readings, kind, lengths);
+    write_to(options.output, [&](std::ostream& out) { write_profile(found, "", out); });
+    if (options.json)
+        std::cout << as_json(found).dump(2, ' ', true, nlohmann::json::error_handler_t::replace)
+                  << '\n';
+    else
+        show(found, std::cout);
+}
+
+}  // namespace
+
+void add_fit_options(CLI::App& program) {
+    const auto options = std::make_shared<FitOptions>();
+    program.add_option("RECORDING", options->files,
+                       "recordings of one scanner that stands still, in any format that scipcat "
+                       "info knows");
+    program
+        .add_option("-o,--output", options->output,
+                    "the profile: a configuration for scipd, with what each value is from")
+        ->type_name("FILE.yaml")
+        ->check(can_be_written);
+    program.add_option("--stream", options->stream,
+                       "which scanner, of recordings of several; default: the first");
+    program
+        .add_option("--model", options->model,
+                    "what the scanner is; default: what the recording says, or the nearest model")
+        ->type_name("MODEL");
+    program
+        .add_option("--length", options->lengths,
+                    "a length that was measured between what two steps see, such as 180:900=3.2m; "
+                    "it may be given several times")
+        ->type_name("STEP:STEP=METRES");
+    program.add_flag("--json", options->json, "as a JSON document");
+    program.callback([options, &program] {
+        if (!program.get_subcommands().empty()) return;
+        if (options->files.empty()) throw WrongInput("name a recording");
+        fit(*options);
+    });
+}
+
+}  // namespace scipd::tools

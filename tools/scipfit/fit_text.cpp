@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tools/scipfit/fit_text.h"
+
+#include <ostream>
+#include <string>
+
+#include "sim/text/quote.h"
+#include "tools/scipfit/formatted.h"
+
+namespace scipd::tools {
+namespace {
+
+std::string shown(const Interval& interval, const char* number) {
+    return formatted(number, interval.value) + " (" + formatted(number, interval.low) + " to " +
+           formatted(number, interval.high) + ")";
+}
+
+void line(std::ostream& out, const char* what, const std::string& text) {
+    out << formatted("  %-13s", what) << text << '\n';
+}
+
+void show_noise(const NoiseFit& noise, std::ostream& out) {
+    if (noise.model.by_intensity) {
+        line(out, "sigma",
+             "s0 sqrt(1 + (i0 / intensity)²), s0 " + shown(noise.s0_mm, "%.2f") + " mm, i0 " +
+                 shown(noise.i0, "%.0f"));
+        line(out, "",
+             formatted("intensities %.0f to %.0f, ranges %.2f to %.2f m, %zu beams", noise.dimmest,
+                       noise.brightest, noise.nearest.range_mm / 1000,
+                       noise.farthest.range_mm / 1000, noise.samples.size()));
+        return;
+    }
+    for (std::size_t i = 0; i < noise.steps.size(); ++i)
+        line(out, i == 0 ? "sigma" : "",
+             shown(noise.steps[i], "%.2f") +
+                 formatted(" mm from %g m on", noise.model.steps[i].from_mm / 1000));
+    line(out, "",
+         formatted("ranges %.2f to %.2f m, %zu beams", noise.nearest.range_mm / 1000,
+                   noise.farthest.range_mm / 1000, noise.samples.size()));
+}
+
+void show_smoothing(const SmoothingFit& fit, std::ostream& out) {
+    line(out, "neighbours",
+         shown(fit.beside[0], "%.3f") + ", then " + shown(fit.beside[1], "%.3f") +
+             formatted(", %.0f %% equal", 100.0 * fit.equal));
+    line(out, "smoothing",
+         fit.smoothing.median_of_five ? "median of five beams"
+                                      : formatted("next %.3f, after next %.3f", fit.smoothing.next,
+                                                  fit.smoothing.after_next));
+    line(out, "next scan", shown(fit.after, "%.3f"));
+}
+
+void show_codes(const CodeShares& codes, std::ostream& out) {
+    std::string text;
+    for (const auto& [code, counts] : codes.codes)
+        text += formatted("%s%u: %.2f %%", text.empty() ? "" : ", ", code,
+                          100.0 * counts.all() / codes.all.all());
+    if (!text.empty()) line(out, "codes", text);
+}
+
+void show_held_out(const HeldOut& held_out, std::ostream& out) {
+    line(out, "held out",
+         formatted("95 %% intervals hold %.1f %% of %zu readings", 100.0 * held_out.coverage_95,
+                   held_out.readings));
+    std::string nll = formatted("%.3f", held_out.nll);
+    if (held_out.nll_sheet > 0.0) nll += formatted("; data sheet %.3f", held_out.nll_sheet);
+    line(out, "",
+         "mean negative log-likelihood " + nll +
+             formatted(", one sigma %.3f, per beam %.3f", held_out.nll_constant,
+                       held_out.nll_per_beam));
+}
+
+}  // namespace
+
+void show(const Fit& fit, std::ostream& out) {
+    out << sim::printable(fit.files) << ": " << fit.kind.model->profile.name << ", "
+        << sim::printable(fit.kind.from) << '\n';
+    line(out, "stands",
+         formatted("%zu of %zu scans, %zu beams before walls, %zu doubles left out", fit.scans,
+                   fit.all_scans, fit.beams, fit.doubles));
+    if (fit.noise) show_noise(*fit.noise, out);
+    if (fit.smoothing) show_smoothing(*fit.smoothing, out);
+    if (fit.lattice.spacing_mm > 0.0)
+        line(out, "lattice", formatted("%.4g mm", fit.lattice.spacing_mm));
+    show_codes(fit.codes, out);
+    if (fit.lost.readings > 0.0)
+        line(out, "lost",
+             formatted("%.3g %% of the readings of walls, at most %.2g %%", 100.0 * fit.lost.share,
+                       100.0 * fit.lost.high));
+    for (const LightNoise& one : fit.light.noise)
+        line(out, &one == &fit.light.noise.front() ? "intensity" : "",
+             formatted("varies by %.2f %% at %.0f", 100.0 * one.share.value, one.intensity));
+    if (fit.mixed)
+        line(out, "mixed beams",
+             shown(fit.mixed->beams, "%.2f") +
+                 formatted(" an edge, of %zu edges", fit.mixed->edges));
+    if (fit.drift)
+        line(out, "drift",
+             shown(fit.drift->mm, "%.2f") + formatted(" mm in %.0f s", fit.drift->seconds));
+    for (const BiasAt& one : fit.bias)
+        line(out, "bias",
+             shown(one.bias_mm, "%.1f") + formatted(" mm at %.2f m", one.range_mm / 1000));
+    if (fit.held_out) show_held_out(*fit.held_out, out);
+    out << "not known:\n";
+    for (const Unknown& one : fit.unknown)
+        line(out, one.parameter.c_str(), one.why + "; would tell: " + one.would_tell);
+}
+
+}  // namespace scipd::tools

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Which of scipd's models made a recording, as far as the recording says. Values; one thread.
+#pragma once
+
+#include <string>
+
+#include "daemon/models/model.h"
+#include "tools/scipfit/readings.h"
+
+namespace scipd::tools {
+
+struct Kind {
+    const daemon::Model* model = nullptr;  ///< one of daemon::models()
+    bool known = false;  ///< the recording or the user names it; else it is the nearest one
+    std::string from;    ///< "measured (the recording says UST-10LX)"
+};
+
+/// `named`: what the user says; empty: what the recording says, else the model whose steps, angles,
+/// range and codes come closest. Throws WrongInput where there is no such model.
+[[nodiscard]] Kind kind_of(const Readings& readings, const std::string& named);
+
+/// Takes from the model what the recording does not say of its steps and limits, and makes codes of
+/// what is beyond the limits.
+void complete(const daemon::Model& model, Readings& readings);
+
+}  // namespace scipd::tools

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tools/scipfit/known_length.h"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "sim/text/quote.h"
+#include "sim/text/text_number.h"
+#include "tools/options.h"
+
+namespace scipd::tools {
+namespace {
+
+/// A tape that is read by hand.
+constexpr double tape_mm = 1.0;
+
+const Beam& beam_at(int step, const Readings& readings, const std::vector<Station>& stations) {
+    const int index = step - readings.first_step;
+    if (index < 0 || static_cast<std::size_t>(index) >= readings.steps)
+        throw WrongInput("--length: step " + std::to_string(step) + " is not recorded");
+    const Beam* const beam =
+        stations.empty() ? nullptr : &stations[0].beams[static_cast<std::size_t>(index)];
+    if (beam == nullptr || !beam->still)
+        throw WrongInput("--length: step " + std::to_string(step) +
+                         " sees nothing that stands still; name another");
+    return *beam;
+}
+
+std::optional<int> whole(std::string_view text) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+}  // namespace
+
+BiasAt bias_by(const Length& length, const Readings& readings,
+               const std::vector<Station>& stations) {
+    const Beam& a = beam_at(length.from_step, readings, stations);
+    const Beam& b = beam_at(length.to_step, readings, stations);
+    // The law of cosines in x, what both are read too far:
+    // L² = (a-x)² + (b-x)² - 2 (a-x)(b-x) cos w, which is a square equation.
+    const double w = readings.beam_rad * (length.to_step - length.from_step);
+    const double k = 2.0 * (1.0 - std::cos(w));
+    const double sum = a.mean_mm + b.mean_mm;
+    const double target = 1000.0 * length.metres;
+    const double c = a.mean_mm * a.mean_mm + b.mean_mm * b.mean_mm -
+                     2.0 * a.mean_mm * b.mean_mm * std::cos(w) - target * target;
+    const double root = 0.25 * sum * sum * k * k - k * c;
+    if (k < 0.01 || root < 0.0)
+        throw WrongInput("--length: steps " + std::to_string(length.from_step) + " and " +
+                         std::to_string(length.to_step) +
+                         " do not tell; name two that are far apart, and the length in metres");
+    const double bias_mm = (0.5 * sum * k - std::sqrt(root)) / k;
+    // dL/dx is 2 where the two look opposite ways.
+    const double per_mm = std::sqrt(root) / target;
+    const double noise2 = a.variance_mm2 / static_cast<double>(a.count) +
+                          b.variance_mm2 / static_cast<double>(b.count);
+    const double half = 1.96 * std::sqrt(tape_mm * tape_mm + noise2) / per_mm;
+    return {0.5 * sum, {bias_mm, bias_mm - half, bias_mm + half}, length};
+}
+
+Length parse_length_between(const std::string& text) {
+    const auto colon = text.find(':');
+    const auto equals = text.find('=');
+    if (colon != text.npos && equals != text.npos && colon < equals) {
+        std::string metres = text.substr(equals + 1);
+        if (metres.ends_with('m')) metres.pop_back();
+        const auto from = whole(text.substr(0, colon));
+        const auto to = whole(text.substr(colon + 1, equals - colon - 1));
+        const auto length = sim::parse_number(metres);
+        if (from && to && length && *length > 0.0) return {*from, *to, *length};
+    }
+    throw WrongInput("--length: must be STEP:STEP=METRES, such as 180:900=3.2m, not " +
+                     sim::quote(text));
+}
+
+}  // namespace scipd::tools

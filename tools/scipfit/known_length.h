@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// What a scanner reads too far, by a length that somebody has measured. Pure; any thread.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/scipfit/block_sums.h"
+
+namespace scipd::tools {
+
+/// A distance that somebody has measured between what two steps see.
+struct Length {
+    int from_step = 0;
+    int to_step = 0;
+    double metres = 0.0;
+};
+
+/// What the scanner reads too far, at the mean range of the two ends of a known length.
+struct BiasAt {
+    double range_mm = 0.0;
+    Interval bias_mm;
+    Length length;
+};
+
+/// One length tells one number: what both of its ends are read too far. Throws WrongInput where a
+/// step is not recorded or sees nothing that stands still, and where no bias makes it that long.
+[[nodiscard]] BiasAt bias_by(const Length& length, const Readings& readings,
+                             const std::vector<Station>& stations);
+
+/// "120:960=3.2m". Throws WrongInput.
+[[nodiscard]] Length parse_length_between(const std::string& text);
+
+}  // namespace scipd::tools

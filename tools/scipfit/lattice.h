@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// The lattice that a scanner's distances lie on, before it rounds them to millimetres. Pure.
+#pragma once
+
+#include <cstddef>
+
+#include "tools/scipfit/readings.h"
+
+namespace scipd::tools {
+
+struct Lattice {
+    double spacing_mm = 0.0;  ///< 0: none was found
+    std::size_t cells = 0;    ///< millimetres around which there are many distances
+    std::size_t missing = 0;  ///< of them those that never occur
+
+    /// The variance that rounding to this lattice and to whole millimetres adds.
+    [[nodiscard]] double rounding_mm2(bool whole_mm) const;
+};
+
+[[nodiscard]] Lattice lattice_of(const Readings& readings);
+
+}  // namespace scipd::tools

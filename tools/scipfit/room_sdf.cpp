@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "tools/scipfit/room_sdf.h"
+
+#include <cmath>
+#include <ostream>
+
+#include "sim/text/quote.h"
+#include "tools/scipfit/formatted.h"
+
+namespace scipd::tools {
+namespace {
+
+constexpr double thickness_m = 0.04;
+constexpr double height_m = 2.0;
+
+/// What XML would take for the end of the comment.
+std::string in_comment(std::string text) {
+    for (auto at = text.find("--"); at != text.npos; at = text.find("--"))
+        text.replace(at, 2, "- ");
+    return text;
+}
+
+void write_wall(const Wall& wall, std::size_t number, int first_step, std::ostream& out) {
+    const double dx = wall.end.x_m - wall.begin.x_m;
+    const double dy = wall.end.y_m - wall.begin.y_m;
+    const double yaw = std::atan2(dy, dx);
+    // The face is what was seen; the rest of the wall lies behind it.
+    const double x =
+        0.5 * (wall.begin.x_m + wall.end.x_m) + 0.5 * thickness_m * std::cos(wall.normal_rad);
+    const double y =
+        0.5 * (wall.begin.y_m + wall.end.y_m) + 0.5 * thickness_m * std::sin(wall.normal_rad);
+    const std::string box = formatted("<geometry><box><size>%.5f %.3f %.1f</size></box></geometry>",
+                                      std::hypot(dx, dy), thickness_m, height_m);
+    out << formatted("    <!-- measured: steps %d to %d, %.1f mm around the plane -->\n",
+                     first_step + static_cast<int>(wall.first),
+                     first_step + static_cast<int>(wall.last), wall.deviation_mm)
+        << formatted("    <model name=\"wall_%zu\">\n", number) << "      <static>true</static>\n"
+        << formatted("      <pose>%.5f %.5f 0 0 0 %.6f</pose>\n", x, y, yaw)
+        << "      <link name=\"link\"><visual name=\"face\">" << box << "</visual></link>\n"
+        << "    </model>\n";
+}
+
+}  // namespace
+
+void write_room(const std::vector<Wall>& walls, const Readings& readings, std::ostream& out) {
+    out << "<?xml version=\"1.0\"?>\n"
+        << "<!-- Made by scipfit room from " << in_comment(sim::printable(readings.files))
+        << ". The scanner is at the origin and looks along x.\n"
+        << formatted("     assumed: walls are %g m high and %g m thick. -->\n", height_m,
+                     thickness_m)
+        << "<sdf version=\"1.9\">\n  <world name=\"room\">\n";
+    for (std::size_t i = 0; i < walls.size(); ++i)
+        write_wall(walls[i], i, readings.first_step, out);
+    out << "  </world>\n</sdf>\n";
+}
+
+}  // namespace scipd::tools
