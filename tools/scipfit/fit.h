@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/scipfit/code_shares.h"
+#include "tools/scipfit/code_places.h"
 #include "tools/scipfit/edge_fit.h"
 #include "tools/scipfit/held_out.h"
 #include "tools/scipfit/kind.h"

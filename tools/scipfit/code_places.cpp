@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "tools/scipfit/code_shares.h"
+#include "tools/scipfit/code_places.h"
 
 #include <algorithm>
 #include <cmath>
