@@ -47,6 +47,7 @@ scipd_exports(
           protocol/session.h
           protocol/session_hook.h
           protocol/settings.h
+          protocol/speaker.h
           protocol/state.h
           protocol/status.h
           protocol/status_counts.h
