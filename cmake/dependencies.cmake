@@ -44,6 +44,9 @@ endif()
 # GDAL is large, so it is optional. Without it scipd leaves elevation models out of worlds, and says so.
 pkg_check_modules(gdal IMPORTED_TARGET gdal)
 
+# What poses of other programs come by. Without one of these scipd tells what is missing where somebody asks for it.
+pkg_check_modules(cyclonedds IMPORTED_TARGET CycloneDDS>=0.10) # ROS 2
+
 # Without these headers the depth backend is not built, and scipd says so. Programs look for EGL itself when they run,
 # so that a machine without it still has the other backends.
 pkg_check_modules(epoxy IMPORTED_TARGET epoxy)

@@ -15,6 +15,7 @@
 #include "daemon/api/shared_status.h"
 #include "daemon/config/reading_errors.h"
 #include "daemon/device/sensor_counts.h"
+#include "daemon/poses/source_report.h"
 #include "sim/time.h"
 
 namespace scipd::daemon {
@@ -39,6 +40,7 @@ struct PosesReport {
     std::uint64_t accepted = 0;
     std::uint64_t refused = 0;
     std::optional<std::string> last_refusal;
+    std::vector<SourceReport> sources;
 };
 
 struct RigReport {

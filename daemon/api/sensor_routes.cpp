@@ -101,6 +101,27 @@ Json to_json(const SharedStatus& shared) {
             {"frames_dropped", shared.frames_dropped}};
 }
 
+Json to_json(const SourceReport& source) {
+    return {{"robot", source.robot},
+            {"source", source.source},
+            {"type", or_null(source.type)},
+            {"messages", source.messages},
+            {"refused", source.refused},
+            {"lost", source.lost},
+            {"rate_hz", source.rate_hz},
+            {"age_s", or_null(source.age_s)},
+            {"late_ms", or_null(source.late_ms)},
+            {"most_late_ms", or_null(source.most_late_ms)},
+            {"troubles", source.troubles}};
+}
+
+Json to_json(const std::vector<SourceReport>& sources) {
+    Json list = Json::array();
+    for (const SourceReport& source : sources)
+        list.push_back(to_json(source));
+    return list;
+}
+
 Json to_json(const RigReport& rig) {
     return {{"uptime_s", rig.uptime.count()},
             {"clock", rig.clock},
@@ -110,7 +131,8 @@ Json to_json(const RigReport& rig) {
             {"poses",
              {{"accepted", rig.poses.accepted},
               {"refused", rig.poses.refused},
-              {"last_refusal", or_null(rig.poses.last_refusal)}}},
+              {"last_refusal", or_null(rig.poses.last_refusal)},
+              {"sources", to_json(rig.poses.sources)}}},
             {"fleet", rig.fleet ? to_json(*rig.fleet) : Json()},
             {"sensors", to_json(rig.sensors)}};
 }

@@ -27,9 +27,17 @@
 
 namespace scipd::daemon {
 
+/// Which frame of ROS the robot is, and in which one it moves; empty: not said.
+struct RosFrames {
+    std::string parent = {};
+    std::string child = {};
+
+    bool operator==(const RosFrames&) const = default;
+};
+
 /// Where a robot's live poses come from.
 struct PoseSource {
-    enum class Kind { udp, file, standard_input, vda5050 };
+    enum class Kind { udp, file, standard_input, vda5050, ros2 };
     Kind kind = Kind::udp;
     Address address;             ///< of udp
     std::filesystem::path file;  ///< a trajectory; its first stamp is the start of the daemon
@@ -39,6 +47,8 @@ struct PoseSource {
     bool loop = false;   ///< of a trajectory: begins anew where it has ended
     /// For vda5050: MANUFACTURER/SERIAL, or MANUFACTURER of one that is called as the robot is.
     std::string vehicle = {};
+    std::string topic = {};  ///< of ros2
+    RosFrames frames = {};   ///< of ros2
 
     bool operator==(const PoseSource&) const = default;
 };

@@ -7,15 +7,17 @@
 #include <string>
 
 #include "daemon/config/numbers.h"
+#include "daemon/config/pose_source.h"
 #include "daemon/config/values.h"
 #include "sim/text/likely_unit.h"
 
 namespace scipd::daemon {
 namespace {
 
-constexpr std::array<std::string_view, 10> poses_keys{"from",     "before",  "after", "stale_s",
+constexpr std::array<std::string_view, 11> poses_keys{"from",     "before",  "after", "stale_s",
                                                       "jump_mps", "wait_ms", "speed", "loop",
-                                                      "format",   "times"};
+                                                      "format",   "times",   "ros2"};
+constexpr std::array<std::string_view, 3> ros_keys{"topic", "parent", "child"};
 
 using After = sim::PosePolicy::After;
 
@@ -58,6 +60,30 @@ void read_of_trajectory(const Section& section, const std::filesystem::path& bas
                  [&](const std::string& text) { return parse_file(text, base); });
 }
 
+sim::Expected<std::string> parse_frame(std::string_view text) {
+    if (!text.empty() && text.size() <= 255) return std::string(text);
+    return sim::refuse("must be the name of a frame, such as base_link");
+}
+
+/// `ros2: {topic: /tf, parent: odom, child: base_link}`; the topic may stand under from, too.
+void read_ros(const Section& section, std::optional<PoseSource>& source, Faults& faults) {
+    const Field* field = section.find("ros2");
+    if (!field) return;
+    const bool other = source && source->kind != PoseSource::Kind::ros2;
+    if (other) return faults.add(*field, "goes with from: ros2:/TOPIC");
+    const Section keys{*field, ros_keys, faults};
+    if (const Field* topic = keys.find("topic"))
+        faults.take(*topic, text_of(topic->value).and_then([](const std::string& text) {
+            return parse_pose_source("ros2:" + text, {});
+        }),
+                    source);
+    if (!source && !section.find("from") && !keys.find("topic"))
+        return faults.add(*field, "needs topic: /TOPIC");
+    if (!source) return;
+    keys.read("parent", source->frames.parent, parse_frame);
+    keys.read("child", source->frames.child, parse_frame);
+}
+
 }  // namespace
 
 sim::Pose pose_in(const Section& section, Faults& faults) {
@@ -86,9 +112,11 @@ void read_poses(const Field& field, RobotConfig& robot, const std::filesystem::p
     if (field.value.IsMap()) {
         section.emplace(field, poses_keys, faults);
         source = section->find("from");
-        if (!source) return faults.add(field, "needs from: udp:ADDR:PORT, a trajectory or -");
+        if (!source && !section->find("ros2"))
+            return faults.add(field, "needs from: udp:ADDR:PORT, a trajectory or -");
     }
-    faults.take(*source, text_of(source->value).and_then(parse), robot.poses);
+    if (source) faults.take(*source, text_of(source->value).and_then(parse), robot.poses);
+    if (section) read_ros(*section, robot.poses, faults);
     if (robot.poses && robot.poses->kind == PoseSource::Kind::standard_input)
         claims.claim(source, "standard input");
     if (robot.poses && robot.poses->kind == PoseSource::Kind::udp)

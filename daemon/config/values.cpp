@@ -68,18 +68,6 @@ Expected<fs::path> absolute_path(std::string_view text, const fs::path& base) {
     return (fs::absolute(base) / fs::path{text}).lexically_normal();
 }
 
-/// What a topic of VDA 5050 may hold.
-Expected<std::string> parse_vehicle(std::string_view text) {
-    const auto slash = text.find('/');
-    const std::string_view maker = text.substr(0, slash);
-    const std::string_view serial = slash == text.npos ? "any" : text.substr(slash + 1);
-    if (parse_name(maker) && parse_name(serial)) return std::string{text};
-    return refuse(
-        "must be vda5050:MANUFACTURER/SERIAL, or vda5050:MANUFACTURER of a robot that is "
-        "called as the vehicle is, not " +
-        quote(text));
-}
-
 }  // namespace
 
 Expected<std::string> parse_name(std::string_view text) {
@@ -238,26 +226,6 @@ Expected<std::optional<PtyConfig>> parse_pty(std::string_view text, const fs::pa
     if (text == "none") return std::nullopt;
     if (text == "auto") return PtyConfig{};
     return absolute_path(text, base).map([](const fs::path& link) { return PtyConfig{link}; });
-}
-
-Expected<PoseSource> parse_pose_source(std::string_view text, const fs::path& base) {
-    using Kind = PoseSource::Kind;
-    if (text == "-") return PoseSource{.kind = Kind::standard_input, .address = {}, .file = {}};
-    if (text.starts_with("udp:")) {
-        const auto address = parse_address(text.substr(4));
-        if (!address)
-            return refuse("must be udp:ADDRESS:PORT such as udp:127.0.0.1:14550, not " +
-                          quote(text));
-        return PoseSource{.kind = Kind::udp, .address = *address, .file = {}};
-    }
-    if (text.starts_with("vda5050:")) {
-        return parse_vehicle(text.substr(8)).map([](const std::string& vehicle) {
-            return PoseSource{.kind = Kind::vda5050, .address = {}, .file = {}, .vehicle = vehicle};
-        });
-    }
-    return parse_file(text, base).map([](const fs::path& file) {
-        return PoseSource{.kind = Kind::file, .address = {}, .file = file};
-    });
 }
 
 Expected<fs::path> parse_file(std::string_view text, const fs::path& base) {

@@ -72,10 +72,6 @@ sim::Expected<std::optional<Address>> parse_listener(std::string_view text);
 sim::Expected<std::optional<PtyConfig>> parse_pty(std::string_view text,
                                                   const std::filesystem::path& base);
 
-/// udp:ADDR:PORT, vda5050:MANUFACTURER[/SERIAL], - or a file that exists.
-sim::Expected<PoseSource> parse_pose_source(std::string_view text,
-                                            const std::filesystem::path& base);
-
 /// A file that exists.
 sim::Expected<std::filesystem::path> parse_file(std::string_view text,
                                                 const std::filesystem::path& base);

@@ -21,6 +21,7 @@
 
 #include "daemon/limits/rate.h"
 #include "daemon/limits/throttle.h"
+#include "daemon/poses/arrivals.h"
 #include "daemon/poses/sender_rates.h"
 #include "daemon/poses/some_lines.h"
 #include "sim/loaders/poses/pose_line.h"
@@ -67,7 +68,16 @@ class LineSink {
     void take(std::string_view line) {
         if (sim::says_nothing(line) || !context_.intake.admit(*rate_)) return;
         const auto taken = context_.intake.take_line(line, robot_, sender_, context_.clock.now());
-        if (!taken) tell(taken.error().why);
+        arrivals_.note(std::chrono::steady_clock::now(), sender_.last_lateness());
+        if (taken) return;
+        arrivals_.note_refused();
+        tell(taken.error().why);
+    }
+
+    [[nodiscard]] SourceReport report(const PoseSource& source) const {
+        SourceReport report{.robot = robot_, .source = text_of(source)};
+        arrivals_.tell(std::chrono::steady_clock::now(), report);
+        return report;
     }
 
     [[nodiscard]] const FeedContext& context() const { return context_; }
@@ -90,6 +100,7 @@ class LineSink {
     Rate* rate_ = &only_rate_;
     bool ended_ = false;
     Throttle throttle_;
+    Arrivals arrivals_;
 };
 
 bool is_regular_file(int descriptor) {
@@ -124,6 +135,10 @@ class UdpFeed : public PoseFeed, public std::enable_shared_from_this<UdpFeed> {
     [[nodiscard]] std::optional<Address> address() const override {
         const asio::ip::udp::endpoint taken = socket_.local_endpoint();
         return Address{taken.address().to_string(), taken.port()};
+    }
+
+    [[nodiscard]] SourceReport report() const override {
+        return sink_.report({.kind = PoseSource::Kind::udp, .address = *address()});
     }
 
   private:
@@ -174,6 +189,10 @@ class StandardInputFeed : public PoseFeed, public std::enable_shared_from_this<S
     void stop() override {
         sink_.end();
         input_.close();
+    }
+
+    [[nodiscard]] SourceReport report() const override {
+        return sink_.report({.kind = PoseSource::Kind::standard_input});
     }
 
   private:
@@ -232,6 +251,8 @@ std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const PoseSource
             return std::make_shared<UdpFeed>(context, source.address);
         case PoseSource::Kind::standard_input:
             return std::make_shared<StandardInputFeed>(context);
+        case PoseSource::Kind::ros2:
+            return make_bus_feed(context, source);
         case PoseSource::Kind::vda5050:
             assert(false);  // daemon/fleet takes these
             break;

@@ -2,8 +2,8 @@
 // Copyright The scipd authors
 //
 // A source of live poses for one robot, as its configuration names it: UDP datagrams, standard
-// input or a trajectory that is played. In lockstep it reads on when what has come has been worked
-// off. Lives on the I/O thread.
+// input, the bus of another program, or a trajectory that is played. In lockstep it reads on when
+// what has come has been worked off. Lives on the I/O thread.
 #pragma once
 
 #include <functional>
@@ -19,8 +19,13 @@
 #include "daemon/poses/lockstep.h"
 #include "daemon/poses/pose_intake.h"
 #include "daemon/poses/read_trajectory.h"
+#include "daemon/poses/source_report.h"
 
 namespace scipd::daemon {
+
+class Bus;
+class BusListener;
+class HeardMeaning;
 
 class PoseFeed {
   public:
@@ -34,6 +39,8 @@ class PoseFeed {
     virtual void stop() = 0;
     /// Where poses are to be sent, with the port that was really taken; nothing: not by a network.
     [[nodiscard]] virtual std::optional<Address> address() const { return std::nullopt; }
+    /// What has come.
+    [[nodiscard]] virtual SourceReport report() const = 0;
 
   protected:
     [[nodiscard]] const std::string& robot() const { return robot_; }
@@ -58,6 +65,13 @@ struct FeedContext {
 /// A trajectory, which read_trajectory() has read from the source.
 std::shared_ptr<PoseFeed> make_trajectory_feed(const FeedContext& context, const PoseSource& source,
                                                PlayedPoses poses);
+
+/// The bus that the source names. Throws std::runtime_error where it cannot be listened to.
+std::shared_ptr<PoseFeed> make_bus_feed(const FeedContext& context, const PoseSource& source);
+/// Any bus.
+using OpenBus = std::function<std::unique_ptr<Bus>(BusListener& listener)>;
+std::shared_ptr<PoseFeed> make_bus_feed(const FeedContext& context, const PoseSource& source,
+                                        std::unique_ptr<HeardMeaning> meaning, const OpenBus& open);
 
 /// Opens the source. `poses` are those of a trajectory. Throws std::runtime_error.
 std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const PoseSource& source,

@@ -40,6 +40,12 @@ class SenderClock {
   public:
     [[nodiscard]] sim::Time world_time(std::optional<sim::Time> stamp, sim::Time arrival);
 
+    /// How much later the latest stamp came than its moment in world time. Nothing: none came.
+    [[nodiscard]] std::optional<sim::Time> last_lateness() const {
+        if (!world_minus_sender_) return std::nullopt;
+        return last_arrival_ - last_stamp_ - *world_minus_sender_;
+    }
+
     /// In lockstep, where all senders share the time: the leaps of this one away from it.
     [[nodiscard]] StampLeap& leap() { return leap_; }
 
@@ -100,6 +106,7 @@ class PoseIntake {
         std::function<void(const sim::PoseLine& line, std::string_view robot, sim::Time time)>;
     void on_taken(Taken callback) { on_taken_ = std::move(callback); }
 
+    [[nodiscard]] const World& world() const { return world_; }
     [[nodiscard]] std::uint64_t accepted() const { return accepted_; }
     [[nodiscard]] std::uint64_t refused() const { return refused_; }
     [[nodiscard]] const std::optional<std::string>& last_refusal() const { return last_refusal_; }

@@ -22,6 +22,7 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
         : context_(context),
           shared_(std::move(poses)),
           poses_(*shared_),
+          source_(source),
           speed_(source.speed),
           loop_(source.loop),
           alarm_(context.clock.make_alarm()) {}
@@ -31,6 +32,12 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
         alarm_->cancel();
         next_ = poses_.size();
         if (context_.lockstep != nullptr) context_.lockstep->remove(this);
+    }
+
+    [[nodiscard]] SourceReport report() const override {
+        SourceReport report{.robot = robot(), .source = text_of(source_)};
+        report.messages = handed_on_;
+        return report;
     }
 
   private:
@@ -86,6 +93,7 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
         const sim::TimedPose& pose = poses_[next_];
         (void)context_.intake.take_at(next_time(), {.time = pose.time, .pose = pose.pose}, robot());
         ++next_;
+        ++handed_on_;
         if (next_ == poses_.size() && loop_ && poses_.size() > 1) begin_lap();
     }
 
@@ -97,6 +105,8 @@ class TrajectoryFeed : public PoseFeed, public std::enable_shared_from_this<Traj
     FeedContext context_;
     PlayedPoses shared_;
     const std::vector<sim::TimedPose>& poses_;  ///< *shared_
+    PoseSource source_;
+    std::uint64_t handed_on_ = 0;
     double speed_;
     bool loop_;
     std::unique_ptr<Clock::Alarm> alarm_;

@@ -13,6 +13,7 @@
 #include "daemon/config/doors.h"
 #include "daemon/config/mount.h"
 #include "daemon/config/numbers.h"
+#include "daemon/config/pose_source.h"
 #include "daemon/config/read_replay.h"
 #include "daemon/config/sensor.h"
 #include "daemon/config/values.h"
@@ -73,9 +74,9 @@ void add_robot(CLI::App& app, OptionValues& said) {
         });
     group.add(
         "--poses", "SOURCE",
-        "live poses: udp:ADDR:PORT, - for stdin, vda5050:MANUFACTURER/SERIAL for a vehicle at "
-        "the broker, or a file that is played in real time: TUM, EuRoC, KITTI or CSV with a "
-        "header",
+        "live poses: udp:ADDR:PORT, - for stdin, ros2:/TOPIC, vda5050:MANUFACTURER/SERIAL for a "
+        "vehicle at the broker, or a file that is played in real time: TUM, EuRoC, KITTI or CSV "
+        "with a header",
         [&](const auto& text) {
             return put(parse_pose_source(text, fs::current_path()), said.robot.poses);
         });

@@ -85,7 +85,9 @@ RigReport report_of(const Simulation& simulation) {
                      .time = simulation.clock.origin() + simulation.clock.now(),
                      .scene = simulation.editor.file(),
                      .warnings = simulation.editor.warnings(),
-                     .poses = {intake.accepted(), intake.refused(), intake.last_refusal()}};
+                     .poses = {intake.accepted(), intake.refused(), intake.last_refusal(), {}}};
+    for (const auto& feed : simulation.feeds)
+        report.poses.sources.push_back(feed->report());
     for (std::size_t i = 0; i < limit_table.size(); ++i) {
         report.limited[std::string(limit_table[i].key)] =
             simulation.limits->refused(static_cast<Limit>(i));

@@ -261,8 +261,11 @@ void Rig::replace_feeds(Feeds feeds) noexcept {
     for (const Feed& old : feeds_) {
         if (!in(feeds, old)) old.feed->stop();
     }
-    for (const Feed& feed : feeds)
+    simulation_->feeds.clear();
+    for (const Feed& feed : feeds) {
         feed.feed->serve(feed.robot);
+        simulation_->feeds.push_back(feed.feed);
+    }
     feeds_ = std::move(feeds);
 }
 

@@ -23,6 +23,7 @@
 #include "daemon/limits/limits.h"
 #include "daemon/plan/rig_plan.h"
 #include "daemon/poses/lockstep.h"
+#include "daemon/poses/pose_feed.h"
 #include "daemon/poses/pose_intake.h"
 #include "daemon/rig/stations.h"
 #include "daemon/shards/shards.h"
@@ -61,6 +62,7 @@ struct Simulation {
     World world;
     Shards shards;
     PoseIntake intake{world, lockstep.get(), limits};
+    std::vector<std::shared_ptr<const PoseFeed>> feeds;  ///< what brings it poses
     SceneEditor editor;
     BackendChooser chooser;
     PlaceWatch place_watch{world, worker};

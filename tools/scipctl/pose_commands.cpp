@@ -76,6 +76,7 @@ void add_pose_commands(CLI::App& program, const ControlOptions& control) {
     add_get_command(*pose, control);
     add_set_command(*pose, control);
     add_pose_play_command(*pose, control);
+    add_pose_sources_command(*pose, control);
     add_pose_stream_command(*pose, control);
 }
 

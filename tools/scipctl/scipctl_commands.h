@@ -20,9 +20,10 @@ void add_status_commands(CLI::App& program, const ControlOptions& control);
 /// `scipctl top`
 void add_top_command(CLI::App& program, const ControlOptions& control);
 
-/// `scipctl pose get|set|play|stream`
+/// `scipctl pose get|set|play|sources|stream`
 void add_pose_commands(CLI::App& program, const ControlOptions& control);
 void add_pose_play_command(CLI::App& pose, const ControlOptions& control);
+void add_pose_sources_command(CLI::App& pose, const ControlOptions& control);
 void add_pose_stream_command(CLI::App& pose, const ControlOptions& control);
 
 /// `scipctl scene list|load|add|move|remove|medium|map|export`

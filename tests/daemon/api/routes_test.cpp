@@ -183,7 +183,8 @@ TEST_F(RoutesTest, StatusIsTheWholeDocument) {
         std::string{R"({"uptime_s":100.5,"clock":"wall","time_s":100.25,)"
                     R"("scene":"/scenes/room.sdf","warnings":["room.sdf: a wall is missing"],)"
                     R"("poses":{"accepted":7,"refused":1,)"
-                    R"("last_refusal":"q must be a quaternion"},"fleet":null,"sensors":[)"} +
+                    R"("last_refusal":"q must be a quaternion","sources":[]},)"
+                    R"("fleet":null,"sensors":[)"} +
             front_text + "," + rear_text + "]}\n");
 }
 

@@ -86,6 +86,18 @@ daemon::RigReport ControlStandIn::report() const {
     report.time = std::chrono::milliseconds(12345);
     report.scene = "maze.sdf";
     report.poses = {.accepted = 7, .refused = 1, .last_refusal = "xyz is missing"};
+    report.poses.sources = {{.robot = "rescue",
+                             .source = "ros2:/odm",
+                             .type = "nav_msgs/Odometry",
+                             .messages = 1200,
+                             .refused = 3,
+                             .lost = 0,
+                             .rate_hz = 50.04,
+                             .age_s = 0.012,
+                             .late_ms = 4.26,
+                             .most_late_ms = 11.5,
+                             .troubles = {"nobody publishes /odm; did you mean '/odom'?"}},
+                            {.robot = "other", .source = "udp:127.0.0.1:14550"}};
     for (const auto& [robot, pose] : poses_) {
         report.sensors.push_back({.name = robot + "/front",
                                   .model = "UST-10LX",

@@ -18,6 +18,7 @@ namespace scipd::tests {
 namespace {
 
 using namespace std::chrono_literals;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 std::vector<std::string> scipctl(const ControlStandIn& daemon, std::vector<std::string> words) {
@@ -139,6 +140,19 @@ TEST(Scipctl, ReadsAllSixNumbersAndWritesThemBack) {
     EXPECT_NEAR(q.y, cr * sp * cy + sr * cp * sy, 1e-12);
     EXPECT_NEAR(q.z, cr * cp * sy - sr * sp * cy, 1e-12);
     EXPECT_EQ(run_scipctl(daemon, {"pose", "get", "rescue"}).out, "1,2,3,0.2,0.4,0.6\n");
+}
+
+TEST(Scipctl, TellsWhatComesFromEachSourceOfPoses) {
+    const ControlStandIn daemon({"rescue"});
+    const Outcome outcome = run_scipctl(daemon, {"pose", "sources"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, ContainsRegex("rescue +ros2:/odm +nav_msgs/Odometry +1200 +3 +0 +50.0 "
+                                           "+0.0 s ago +4.3 / 11.5"));
+    EXPECT_THAT(outcome.out, ContainsRegex("other +udp:127.0.0.1:14550 +- +0 +0 +0 +0.0 +- +-"));
+    EXPECT_THAT(outcome.out,
+                HasSubstr("warning: rescue: nobody publishes /odm; did you mean '/odom'?\n"));
+    const auto said = nlohmann::json::parse(run_scipctl(daemon, {"pose", "sources", "--json"}).out);
+    EXPECT_EQ(said.at("sources").at(0).at("messages"), 1200);
 }
 
 TEST(Scipctl, AsksWhichRobotWhereThereAreSeveral) {

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/bridges/ros_cdr.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <string>
+
+#include "daemon/bridges/cdr.h"
+#include "daemon/bridges/checked_pose.h"
+
+namespace scipd::daemon {
+namespace {
+
+// A message of all frames of a robot has tens of them.
+constexpr std::uint32_t most_transforms = 10'000;
+
+struct Header {
+    std::optional<sim::Time> time;
+    std::string frame;
+};
+
+/// Zero stands for no time: nobody has set it.
+std::optional<sim::Time> read_time(CdrReader& reader) {
+    const std::int32_t whole_s = reader.int32();
+    const std::uint32_t rest_ns = reader.uint32();
+    if (whole_s == 0 && rest_ns == 0) return std::nullopt;
+    return std::chrono::seconds(whole_s) + sim::Time(rest_ns);
+}
+
+Header read_header(CdrReader& reader) {
+    Header header{.time = read_time(reader), .frame = {}};
+    header.frame = reader.text();
+    return header;
+}
+
+sim::Expected<sim::Pose> read_pose(CdrReader& reader, const std::string& what) {
+    const auto xyz_m = reader.float64s<3>();
+    const auto q = reader.float64s<4>();
+    if (!reader.good()) return sim::refuse("the message ends too early, or is no plain CDR");
+    return checked_pose(what, xyz_m, q);
+}
+
+/// As the robot sees it, in the frame of its parent.
+sim::Velocity read_twist(CdrReader& reader, const glm::dquat& parent_from_child) {
+    const auto linear = reader.float64s<3>();
+    const auto angular = reader.float64s<3>();
+    return {parent_from_child * glm::dvec3{linear[0], linear[1], linear[2]},
+            parent_from_child * glm::dvec3{angular[0], angular[1], angular[2]}};
+}
+
+/// Numbers that no robot has are none.
+std::optional<sim::Velocity> plausible(const sim::Velocity& velocity) {
+    constexpr double fastest = 1e6;
+    const double most =
+        std::max(glm::length(velocity.linear_mps), glm::length(velocity.angular_radps));
+    return most <= fastest ? std::optional(velocity) : std::nullopt;
+}
+
+sim::Expected<HeardPose> read_stamped(CdrReader& reader, bool names_child) {
+    const Header header = read_header(reader);
+    const std::string child = names_child ? reader.text() : std::string();
+    return read_pose(reader, "pose").map([&](const sim::Pose& pose) {
+        return HeardPose{
+            .parent = header.frame, .child = child, .time = header.time, .parent_from_child = pose};
+    });
+}
+
+sim::Expected<> read_pose_stamped(CdrReader& reader, Heard& heard) {
+    return read_stamped(reader, false).map([&](const HeardPose& pose) {
+        heard.poses.push_back(pose);
+    });
+}
+
+sim::Expected<> read_transform(CdrReader& reader, Heard& heard) {
+    return read_stamped(reader, true).map([&](const HeardPose& pose) {
+        heard.poses.push_back(pose);
+    });
+}
+
+sim::Expected<> read_odometry(CdrReader& reader, Heard& heard) {
+    return read_stamped(reader, true).and_then([&](HeardPose pose) -> sim::Expected<> {
+        (void)reader.float64s<36>();  // the covariance
+        const auto velocity = read_twist(reader, pose.parent_from_child.rotation);
+        if (!reader.good()) return sim::refuse("the message ends too early");
+        pose.velocity = plausible(velocity);
+        heard.poses.push_back(pose);
+        return {};
+    });
+}
+
+sim::Expected<> read_transforms(CdrReader& reader, Heard& heard) {
+    const std::uint32_t count = reader.uint32();
+    if (count > most_transforms) return sim::refuse("transforms are too many");
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (auto read = read_transform(reader, heard); !read) return read;
+    }
+    if (!reader.good()) return sim::refuse("the message ends too early");
+    return {};
+}
+
+sim::Expected<> read_clock(CdrReader& reader, Heard& heard) {
+    heard.clock = read_time(reader).value_or(sim::Time{});
+    if (!reader.good()) return sim::refuse("the message ends too early");
+    return {};
+}
+
+struct Reading {
+    std::string_view type;
+    sim::Expected<> (*read)(CdrReader& reader, Heard& heard);
+};
+
+// What follows a pose in PoseWithCovarianceStamped moves nothing.
+constexpr std::array readings{
+    Reading{"nav_msgs/Odometry", read_odometry},
+    Reading{"geometry_msgs/PoseStamped", read_pose_stamped},
+    Reading{"geometry_msgs/PoseWithCovarianceStamped", read_pose_stamped},
+    Reading{"geometry_msgs/TransformStamped", read_transform},
+    Reading{"tf2_msgs/TFMessage", read_transforms},
+    Reading{"rosgraph_msgs/Clock", read_clock},
+};
+
+constexpr auto type_names = [] {
+    std::array<std::string_view, readings.size()> names;
+    std::ranges::transform(readings, names.begin(), &Reading::type);
+    return names;
+}();
+
+}  // namespace
+
+std::span<const std::string_view> readable_ros_types() {
+    return type_names;
+}
+
+std::string ros_type_of(std::string_view dds_type) {
+    constexpr std::string_view middle = "::msg::dds_::";
+    const auto at = dds_type.find(middle);
+    if (at == dds_type.npos || !dds_type.ends_with('_')) return std::string(dds_type);
+    const std::string_view name = dds_type.substr(at + middle.size());
+    return std::string(dds_type.substr(0, at)) + '/' + std::string(name.substr(0, name.size() - 1));
+}
+
+sim::Expected<Heard> read_ros_message(std::string_view type, std::string_view bytes) {
+    const auto reading = std::ranges::find(readings, type, &Reading::type);
+    if (reading == readings.end())
+        return sim::refuse(std::string(type) + " tells of no place that scipd could read");
+    CdrReader reader(bytes);
+    Heard heard{.type = std::string(type), .poses = {}};
+    const auto read = reading->read(reader, heard);
+    if (!read) return sim::refuse(heard.type + ": " + read.error().why);
+    return heard;
+}
+
+}  // namespace scipd::daemon

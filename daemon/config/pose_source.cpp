@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+#include "daemon/config/pose_source.h"
+
+#include <string>
+#include <utility>
+
+#include "daemon/bridges/available.h"
+#include "daemon/config/values.h"
+#include "sim/text/quote.h"
+
+namespace scipd::daemon {
+namespace {
+
+namespace fs = std::filesystem;
+
+using sim::Expected;
+using sim::quote;
+using sim::refuse;
+
+/// What a topic of VDA 5050 may hold.
+Expected<std::string> parse_vehicle(std::string_view text) {
+    const auto slash = text.find('/');
+    const std::string_view maker = text.substr(0, slash);
+    const std::string_view serial = slash == text.npos ? "any" : text.substr(slash + 1);
+    if (parse_name(maker) && parse_name(serial)) return std::string{text};
+    return refuse(
+        "must be vda5050:MANUFACTURER/SERIAL, or vda5050:MANUFACTURER of a robot that is "
+        "called as the vehicle is, not " +
+        quote(text));
+}
+
+/// What a name of a topic may be, by the design of ROS ("Topic and Service Names").
+Expected<std::string> parse_ros_topic(std::string_view text) {
+    constexpr std::string_view legal =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_/";
+    if (text.size() > 1 && text.size() <= 255 && text.front() == '/' && text.back() != '/' &&
+        text.find("//") == text.npos && text.find_first_not_of(legal) == text.npos)
+        return std::string{text};
+    return refuse("must be a topic of ROS such as /odom, not " + quote(text));
+}
+
+Expected<PoseSource> parse_ros2(std::string_view text) {
+    return check_ros2_is_built()
+        .and_then([&] { return parse_ros_topic(text); })
+        .map([](auto topic) {
+            return PoseSource{.kind = PoseSource::Kind::ros2,
+                              .address = {},
+                              .file = {},
+                              .topic = std::move(topic)};
+        });
+}
+
+}  // namespace
+
+Expected<PoseSource> parse_pose_source(std::string_view text, const fs::path& base) {
+    using Kind = PoseSource::Kind;
+    if (text == "-") return PoseSource{.kind = Kind::standard_input, .address = {}, .file = {}};
+    if (text.starts_with("udp:")) {
+        const auto address = parse_address(text.substr(4));
+        if (!address)
+            return refuse("must be udp:ADDRESS:PORT such as udp:127.0.0.1:14550, not " +
+                          quote(text));
+        return PoseSource{.kind = Kind::udp, .address = *address, .file = {}};
+    }
+    if (text.starts_with("vda5050:")) {
+        return parse_vehicle(text.substr(8)).map([](const std::string& vehicle) {
+            return PoseSource{.kind = Kind::vda5050, .address = {}, .file = {}, .vehicle = vehicle};
+        });
+    }
+    if (text.starts_with("ros2:")) return parse_ros2(text.substr(5));
+    return parse_file(text, base).map([](const fs::path& file) {
+        return PoseSource{.kind = Kind::file, .address = {}, .file = file};
+    });
+}
+
+}  // namespace scipd::daemon

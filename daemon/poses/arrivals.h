@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Counts what comes from a source of poses, how often and how late. One thread.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+#include "daemon/poses/source_report.h"
+#include "sim/time.h"
+
+namespace scipd::daemon {
+
+class Arrivals {
+  public:
+    using Moment = std::chrono::steady_clock::time_point;
+
+    /// One came, this much later than its moment; nothing: it said no time, or time waits for it.
+    void note(Moment now, std::optional<sim::Time> lateness);
+    void note_refused() { ++refused_; }
+
+    /// Adds what it knows.
+    void tell(Moment now, SourceReport& report) const;
+
+  private:
+    struct Second {
+        std::int64_t number = -1;  ///< since the epoch of the clock
+        std::uint64_t came = 0;
+        std::uint64_t stamped = 0;
+        double late_ms = 0.0;  ///< of all together
+        double most_late_ms = 0.0;
+    };
+
+    std::uint64_t messages_ = 0;
+    std::uint64_t refused_ = 0;
+    std::optional<Moment> first_;
+    Moment last_{};
+    std::array<Second, 6> seconds_;  ///< the last ones, by their number: the present and five
+};
+
+}  // namespace scipd::daemon

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Poses that come by the bus of another program, as a configuration names them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "daemon/bridges/available.h"
+#include "daemon/config/config_file.h"
+#include "tests/daemon/config/config_fixture.h"
+
+namespace scipd::daemon {
+namespace {
+
+using testing::ElementsAre;
+using PoseSourceTest = ConfigFixture;
+
+TEST_F(PoseSourceTest, ReadsWhichTopicAndFramesOfRos2MoveARobot) {
+    if (!check_ros2_is_built()) GTEST_SKIP() << check_ros2_is_built().error().why;
+    const auto source = [&](const std::string& poses) {
+        return *parse("robots: {r: {poses: " + poses +
+                      ", sensors: {s: {model: UST-10LX, tcp: '127.0.0.1:0'}}}}")
+                    .robots[0]
+                    .poses;
+    };
+    EXPECT_EQ(source("'ros2:/odom'").topic, "/odom");
+    const PoseSource tf = source("{ros2: {topic: /tf, parent: map, child: base}}");
+    EXPECT_EQ(tf.kind, PoseSource::Kind::ros2);
+    EXPECT_EQ(tf.topic, "/tf");
+    EXPECT_EQ(tf.frames, (RosFrames{"map", "base"}));
+    EXPECT_EQ(source("{from: 'ros2:/tf', ros2: {child: base}}").frames.child, "base");
+}
+
+TEST_F(PoseSourceTest, RefusesTopicsAndFramesOfNothing) {
+    if (!check_ros2_is_built()) GTEST_SKIP() << check_ros2_is_built().error().why;
+    const auto faults_of = [&](const std::string& poses) {
+        return faults("robots: {r: {poses: " + poses +
+                      ", sensors: {s: {model: UST-10LX, tcp: '127.0.0.1:0'}}}}");
+    };
+    const std::string place = "rig.yaml:1: robots.r.poses";
+    EXPECT_THAT(faults_of("'ros2:odom'"),
+                ElementsAre(place + ": must be a topic of ROS such as /odom, not 'odom'"));
+    EXPECT_THAT(faults_of("{ros2: {child: base}}"),
+                ElementsAre(place + ".ros2: needs topic: /TOPIC"));
+    EXPECT_THAT(faults_of("{from: 'udp:127.0.0.1:1', ros2: {child: base}}"),
+                ElementsAre(place + ".ros2: goes with from: ros2:/TOPIC"));
+}
+
+}  // namespace
+}  // namespace scipd::daemon

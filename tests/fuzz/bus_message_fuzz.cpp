@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copyright The scipd authors
+//
+// Any bytes as a message of a bus, its type in the first line: what is understood is finite, and
+// nothing throws or reads beyond the end.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "daemon/bridges/frame_tree.h"
+#include "daemon/bridges/ros_cdr.h"
+#include "sim/world/reach.h"
+
+namespace {
+
+using namespace scipd::daemon;
+
+void require(bool holds) {
+    if (!holds) std::abort();
+}
+
+void check(const Heard& heard) {
+    FrameTree tree;
+    for (const HeardPose& pose : heard.poses) {
+        require(scipd::sim::plausible_position(pose.parent_from_child.translation_m));
+        require(std::abs(glm::length(pose.parent_from_child.rotation) - 1.0) < 1e-9);
+        if (pose.velocity) require(std::isfinite(pose.velocity->linear_mps.x));
+        tree.put(pose, heard.for_good);
+    }
+    for (const HeardPose& pose : heard.poses)
+        (void)tree.find(heard.poses.front().parent, pose.child);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view all{reinterpret_cast<const char*>(data), size};
+    const auto end = all.find('\n');
+    if (end == all.npos) return 0;
+    if (const auto heard = read_ros_message(all.substr(0, end), all.substr(end + 1))) check(*heard);
+    return 0;
+}
