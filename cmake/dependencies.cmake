@@ -46,6 +46,16 @@ pkg_check_modules(gdal IMPORTED_TARGET gdal)
 
 # What poses of other programs come by. Without one of these scipd tells what is missing where somebody asks for it.
 pkg_check_modules(cyclonedds IMPORTED_TARGET CycloneDDS>=0.10) # ROS 2
+set(gz_transport "") # Gazebo, whichever generation there is
+foreach(generation gz-transport14 gz-transport13 gz-transport12 ignition-transport11)
+  if(NOT gz_transport)
+    find_package(${generation} QUIET)
+    if(${generation}_FOUND)
+      set(gz_transport ${generation}::${generation})
+      message(STATUS "Gazebo's transport: ${generation}")
+    endif()
+  endif()
+endforeach()
 
 # Without these headers the depth backend is not built, and scipd says so. Programs look for EGL itself when they run,
 # so that a machine without it still has the other backends.

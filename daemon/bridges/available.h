@@ -9,6 +9,7 @@
 namespace scipd::daemon {
 
 /// Refused with what is missing, and the package that it comes with.
+sim::Expected<> check_gz_is_built();
 sim::Expected<> check_ros2_is_built();
 
 }  // namespace scipd::daemon

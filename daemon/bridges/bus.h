@@ -46,4 +46,8 @@ struct RosTopics {
 /// `listener` must outlive the bus. Throws std::runtime_error where there is no network.
 std::unique_ptr<Bus> listen_to_ros2(const RosTopics& topics, BusListener& listener);
 
+/// Topics of Gazebo. `listener` must outlive the bus. Throws std::runtime_error where a name can be
+/// that of no topic.
+std::unique_ptr<Bus> listen_to_gz(const std::vector<std::string>& topics, BusListener& listener);
+
 }  // namespace scipd::daemon

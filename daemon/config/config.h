@@ -37,7 +37,7 @@ struct RosFrames {
 
 /// Where a robot's live poses come from.
 struct PoseSource {
-    enum class Kind { udp, file, standard_input, vda5050, ros2 };
+    enum class Kind { udp, file, standard_input, vda5050, gz, ros2 };
     Kind kind = Kind::udp;
     Address address;             ///< of udp
     std::filesystem::path file;  ///< a trajectory; its first stamp is the start of the daemon
@@ -47,8 +47,9 @@ struct PoseSource {
     bool loop = false;   ///< of a trajectory: begins anew where it has ended
     /// For vda5050: MANUFACTURER/SERIAL, or MANUFACTURER of one that is called as the robot is.
     std::string vehicle = {};
-    std::string topic = {};  ///< of ros2
-    RosFrames frames = {};   ///< of ros2
+    std::string topic = {};   ///< of gz or ros2; empty: that of gz for the world which is loaded
+    std::string called = {};  ///< what gz calls the robot; empty: as its body, else as itself
+    RosFrames frames = {};    ///< of ros2
 
     bool operator==(const PoseSource&) const = default;
 };

@@ -40,6 +40,22 @@ Expected<std::string> parse_ros_topic(std::string_view text) {
     return refuse("must be a topic of ROS such as /odom, not " + quote(text));
 }
 
+/// Gazebo itself takes more; no world has it.
+Expected<PoseSource> parse_gz(std::string_view text) {
+    if (const auto built = check_gz_is_built(); !built) return tl::unexpected(built.error());
+    const bool legal =
+        text.empty() ||
+        (text.size() > 1 && text.size() <= 255 && text.front() == '/' && text.back() != '/' &&
+         text.find("//") == text.npos && text.find_first_of(" @~:=") == text.npos);
+    if (!legal)
+        return refuse("must be gz:/TOPIC, or gz: for the poses of the world that is loaded, not " +
+                      quote(text));
+    PoseSource source;
+    source.kind = PoseSource::Kind::gz;
+    source.topic = text;
+    return source;
+}
+
 Expected<PoseSource> parse_ros2(std::string_view text) {
     return check_ros2_is_built()
         .and_then([&] { return parse_ros_topic(text); })
@@ -68,6 +84,7 @@ Expected<PoseSource> parse_pose_source(std::string_view text, const fs::path& ba
             return PoseSource{.kind = Kind::vda5050, .address = {}, .file = {}, .vehicle = vehicle};
         });
     }
+    if (text.starts_with("gz:")) return parse_gz(text.substr(3));
     if (text.starts_with("ros2:")) return parse_ros2(text.substr(5));
     return parse_file(text, base).map([](const fs::path& file) {
         return PoseSource{.kind = Kind::file, .address = {}, .file = file};

@@ -14,9 +14,10 @@
 namespace scipd::daemon {
 namespace {
 
-constexpr std::array<std::string_view, 11> poses_keys{"from",     "before",  "after", "stale_s",
+constexpr std::array<std::string_view, 12> poses_keys{"from",     "before",  "after", "stale_s",
                                                       "jump_mps", "wait_ms", "speed", "loop",
-                                                      "format",   "times",   "ros2"};
+                                                      "format",   "times",   "gz",    "ros2"};
+constexpr std::array<std::string_view, 1> gz_keys{"robot"};
 constexpr std::array<std::string_view, 3> ros_keys{"topic", "parent", "child"};
 
 using After = sim::PosePolicy::After;
@@ -63,6 +64,20 @@ void read_of_trajectory(const Section& section, const std::filesystem::path& bas
 sim::Expected<std::string> parse_frame(std::string_view text) {
     if (!text.empty() && text.size() <= 255) return std::string(text);
     return sim::refuse("must be the name of a frame, such as base_link");
+}
+
+sim::Expected<std::string> parse_called(std::string_view text) {
+    if (!text.empty() && text.size() <= 255) return std::string(text);
+    return sim::refuse("must be a name of Gazebo, such as rescue or rescue::base_link");
+}
+
+/// `gz: {robot: rescue::base_link}`
+void read_gz(const Section& section, std::optional<PoseSource>& source, Faults& faults) {
+    const Field* field = section.find("gz");
+    if (!field || !source) return;
+    if (source->kind != PoseSource::Kind::gz) return faults.add(*field, "goes with from: gz:");
+    const Section keys{*field, gz_keys, faults};
+    keys.read("robot", source->called, parse_called);
 }
 
 /// `ros2: {topic: /tf, parent: odom, child: base_link}`; the topic may stand under from, too.
@@ -116,7 +131,10 @@ void read_poses(const Field& field, RobotConfig& robot, const std::filesystem::p
             return faults.add(field, "needs from: udp:ADDR:PORT, a trajectory or -");
     }
     if (source) faults.take(*source, text_of(source->value).and_then(parse), robot.poses);
-    if (section) read_ros(*section, robot.poses, faults);
+    if (section) {
+        read_gz(*section, robot.poses, faults);
+        read_ros(*section, robot.poses, faults);
+    }
     if (robot.poses && robot.poses->kind == PoseSource::Kind::standard_input)
         claims.claim(source, "standard input");
     if (robot.poses && robot.poses->kind == PoseSource::Kind::udp)

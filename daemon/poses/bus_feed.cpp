@@ -47,6 +47,8 @@ class BusFeed : public PoseFeed, public std::enable_shared_from_this<BusFeed> {
         if (context_.lockstep != nullptr) context_.lockstep->remove(&sender_);
     }
 
+    void move_models(bool yes) override { meaning_->move_models(yes); }
+
     [[nodiscard]] SourceReport report() const override {
         SourceReport report{.robot = robot(), .source = text_of(source_), .type = type_};
         arrivals_.tell(std::chrono::steady_clock::now(), report);
@@ -193,6 +195,12 @@ RosTopics topics_of(const PoseSource& source, bool in_lockstep) {
 }  // namespace
 
 std::shared_ptr<PoseFeed> make_bus_feed(const FeedContext& context, const PoseSource& source) {
+    if (source.kind == PoseSource::Kind::gz) {
+        std::vector<std::string> topics{source.topic};
+        if (context.lockstep != nullptr) topics.emplace_back("/clock");
+        return make_bus_feed(context, source, make_gz_meaning(source.called),
+                             [&](BusListener& listener) { return listen_to_gz(topics, listener); });
+    }
     const RosTopics topics = topics_of(source, context.lockstep != nullptr);
     return make_bus_feed(context, source, make_ros_meaning(source.frames),
                          [&](BusListener& listener) { return listen_to_ros2(topics, listener); });

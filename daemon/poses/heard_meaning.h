@@ -34,7 +34,13 @@ class HeardMeaning {
     /// each.
     [[nodiscard]] virtual std::vector<std::string> troubles(const std::string& robot,
                                                             const World& world) const = 0;
+    /// Whether the models of the world are moved, too.
+    virtual void move_models(bool /*yes*/) {}
 };
+
+/// The robot, and all models if it moves them, by their names in Gazebo. What Gazebo calls the
+/// robot: empty: as its body, else as itself.
+std::unique_ptr<HeardMeaning> make_gz_meaning(const std::string& called);
 
 /// A robot is one frame of ROS, or what the only pose of each message is of.
 std::unique_ptr<HeardMeaning> make_ros_meaning(const RosFrames& frames);

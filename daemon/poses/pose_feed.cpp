@@ -251,6 +251,7 @@ std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const PoseSource
             return std::make_shared<UdpFeed>(context, source.address);
         case PoseSource::Kind::standard_input:
             return std::make_shared<StandardInputFeed>(context);
+        case PoseSource::Kind::gz:
         case PoseSource::Kind::ros2:
             return make_bus_feed(context, source);
         case PoseSource::Kind::vda5050:

@@ -14,6 +14,8 @@ std::string text_of(const PoseSource& source) {
             return "-";
         case PoseSource::Kind::vda5050:
             return "vda5050:" + source.vehicle;
+        case PoseSource::Kind::gz:
+            return "gz:" + source.topic;
         case PoseSource::Kind::ros2:
             break;
     }

@@ -3,6 +3,9 @@
 #include "daemon/rig/rig.h"
 
 #include <algorithm>
+#include <set>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include <spdlog/spdlog.h>
@@ -26,6 +29,14 @@ bool can_serve(const std::string& robot, const PoseSource& source, const RobotCo
     const bool changes_hands = source.kind == PoseSource::Kind::standard_input ||
                                (source.kind == PoseSource::Kind::udp && source.address.port != 0);
     return source == *other.poses && (changes_hands || robot == other.name);
+}
+
+/// Gazebo tells of the models of a world by a topic that has the world's name.
+void name_topic(PoseSource& source, const RigPlan& plan) {
+    if (source.kind != PoseSource::Kind::gz || !source.topic.empty()) return;
+    if (!plan.loaded.scene || plan.loaded.scene->name.empty())
+        throw std::runtime_error("poses from gz: need a world that has a name; say gz:/TOPIC");
+    source.topic = "/world/" + plan.loaded.scene->name + "/dynamic_pose/info";
 }
 
 /// Those that the configuration still has.
@@ -173,9 +184,10 @@ Rig::Feeds Rig::open_feeds(const RigPlan& plan) {
         .lockstep = simulation_->lockstep.get(),
         .report = [](const std::string& message) { spdlog::warn("{}", message); }};
     Feeds feeds;
-    for (const RobotConfig& robot : plan.config.robots) {
+    for (RobotConfig robot : plan.config.robots) {
         // Vehicles come by the broker of the world that is shared.
         if (!robot.poses || robot.poses->kind == PoseSource::Kind::vda5050) continue;
+        name_topic(*robot.poses, plan);
         const auto open = std::ranges::find_if(
             feeds_, [&](const Feed& feed) { return can_serve(feed.robot, feed.source, robot); });
         if (open != feeds_.end()) {
@@ -262,7 +274,9 @@ void Rig::replace_feeds(Feeds feeds) noexcept {
         if (!in(feeds, old)) old.feed->stop();
     }
     simulation_->feeds.clear();
+    std::set<std::string> sources;
     for (const Feed& feed : feeds) {
+        feed.feed->move_models(sources.insert(text_of(feed.source)).second);
         feed.feed->serve(feed.robot);
         simulation_->feeds.push_back(feed.feed);
     }

@@ -8,8 +8,10 @@
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
+#include <utility>
 
 #include "daemon/bridges/frame_tree.h"
+#include "daemon/bridges/gz_message.h"
 #include "daemon/bridges/ros_cdr.h"
 #include "sim/world/reach.h"
 
@@ -39,6 +41,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string_view all{reinterpret_cast<const char*>(data), size};
     const auto end = all.find('\n');
     if (end == all.npos) return 0;
-    if (const auto heard = read_ros_message(all.substr(0, end), all.substr(end + 1))) check(*heard);
+    const auto [type, bytes] = std::pair(all.substr(0, end), all.substr(end + 1));
+    if (const auto heard = read_ros_message(type, bytes)) check(*heard);
+    if (const auto heard = read_gz_message(type, bytes)) check(*heard);
     return 0;
 }

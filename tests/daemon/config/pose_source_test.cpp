@@ -46,5 +46,20 @@ TEST_F(PoseSourceTest, RefusesTopicsAndFramesOfNothing) {
                 ElementsAre(place + ".ros2: goes with from: ros2:/TOPIC"));
 }
 
+TEST_F(PoseSourceTest, ReadsWhichTopicAndNameOfGazeboMoveARobot) {
+    if (!check_gz_is_built()) GTEST_SKIP() << check_gz_is_built().error().why;
+    const std::string rest = ", sensors: {s: {model: UST-10LX, tcp: '127.0.0.1:0'}}}}";
+    const auto source = [&](const std::string& poses) {
+        return *parse("robots: {r: {poses: " + poses + rest).robots[0].poses;
+    };
+    EXPECT_EQ(source("'gz:'").kind, PoseSource::Kind::gz);
+    EXPECT_EQ(source("'gz:'").topic, "");
+    EXPECT_EQ(source("{from: 'gz:/poses', gz: {robot: rescue::base_link}}").called,
+              "rescue::base_link");
+    EXPECT_THAT(faults("robots: {r: {poses: 'gz:poses'" + rest),
+                ElementsAre("rig.yaml:1: robots.r.poses: must be gz:/TOPIC, or gz: for the poses "
+                            "of the world that is loaded, not 'poses'"));
+}
+
 }  // namespace
 }  // namespace scipd::daemon
