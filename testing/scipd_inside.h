@@ -6,9 +6,9 @@
 
 #include <memory>
 
-#include "testing/heard.h"
 #include "testing/running.h"
 #include "testing/test_clock.h"
+#include "testing/wire_heard.h"
 
 namespace scipd::testing {
 

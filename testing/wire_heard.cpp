@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Copyright The scipd authors
-#include "testing/heard.h"
+#include "testing/wire_heard.h"
 
 #include <algorithm>
 #include <numbers>
