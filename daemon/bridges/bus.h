@@ -5,6 +5,7 @@
 // listener on them.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,6 +46,10 @@ struct RosTopics {
 
 /// `listener` must outlive the bus. Throws std::runtime_error where there is no network.
 std::unique_ptr<Bus> listen_to_ros2(const RosTopics& topics, BusListener& listener);
+
+/// The same by rosbridge, of ROS 1, too. It need not be there yet.
+std::unique_ptr<Bus> listen_to_rosbridge(const std::string& host, std::uint16_t port,
+                                         const RosTopics& topics, BusListener& listener);
 
 /// Topics of Gazebo. `listener` must outlive the bus. Throws std::runtime_error where a name can be
 /// that of no topic.

@@ -42,22 +42,6 @@ sim::Expected<sim::Pose> read_pose(CdrReader& reader, const std::string& what) {
     return checked_pose(what, xyz_m, q);
 }
 
-/// As the robot sees it, in the frame of its parent.
-sim::Velocity read_twist(CdrReader& reader, const glm::dquat& parent_from_child) {
-    const auto linear = reader.float64s<3>();
-    const auto angular = reader.float64s<3>();
-    return {parent_from_child * glm::dvec3{linear[0], linear[1], linear[2]},
-            parent_from_child * glm::dvec3{angular[0], angular[1], angular[2]}};
-}
-
-/// Numbers that no robot has are none.
-std::optional<sim::Velocity> plausible(const sim::Velocity& velocity) {
-    constexpr double fastest = 1e6;
-    const double most =
-        std::max(glm::length(velocity.linear_mps), glm::length(velocity.angular_radps));
-    return most <= fastest ? std::optional(velocity) : std::nullopt;
-}
-
 sim::Expected<HeardPose> read_stamped(CdrReader& reader, bool names_child) {
     const Header header = read_header(reader);
     const std::string child = names_child ? reader.text() : std::string();
@@ -82,9 +66,10 @@ sim::Expected<> read_transform(CdrReader& reader, Heard& heard) {
 sim::Expected<> read_odometry(CdrReader& reader, Heard& heard) {
     return read_stamped(reader, true).and_then([&](HeardPose pose) -> sim::Expected<> {
         (void)reader.float64s<36>();  // the covariance
-        const auto velocity = read_twist(reader, pose.parent_from_child.rotation);
+        const auto linear = reader.float64s<3>();
+        const auto angular = reader.float64s<3>();
         if (!reader.good()) return sim::refuse("the message ends too early");
-        pose.velocity = plausible(velocity);
+        pose.velocity = velocity_in_parent(pose.parent_from_child.rotation, linear, angular);
         heard.poses.push_back(pose);
         return {};
     });

@@ -37,9 +37,9 @@ struct RosFrames {
 
 /// Where a robot's live poses come from.
 struct PoseSource {
-    enum class Kind { udp, file, standard_input, vda5050, gz, ros2 };
+    enum class Kind { udp, file, standard_input, vda5050, gz, ros2, rosbridge };
     Kind kind = Kind::udp;
-    Address address;             ///< of udp
+    Address address;             ///< of udp; of rosbridge, whose host may be a name
     std::filesystem::path file;  ///< a trajectory; its first stamp is the start of the daemon
     sim::TrajectoryFormat format = sim::TrajectoryFormat::guess;
     std::filesystem::path times = {};  ///< of a KITTI trajectory; empty: beside it, or 10 Hz
@@ -47,9 +47,10 @@ struct PoseSource {
     bool loop = false;   ///< of a trajectory: begins anew where it has ended
     /// For vda5050: MANUFACTURER/SERIAL, or MANUFACTURER of one that is called as the robot is.
     std::string vehicle = {};
-    std::string topic = {};   ///< of gz or ros2; empty: that of gz for the world which is loaded
+    std::string topic =
+        {};  ///< of gz, ros2 or rosbridge; empty: that of gz for the world which is loaded
     std::string called = {};  ///< what gz calls the robot; empty: as its body, else as itself
-    RosFrames frames = {};    ///< of ros2
+    RosFrames frames = {};    ///< of ros2 or rosbridge
 
     bool operator==(const PoseSource&) const = default;
 };

@@ -2,10 +2,12 @@
 // Copyright The scipd authors
 #include "daemon/config/pose_source.h"
 
+#include <cstdint>
 #include <string>
 #include <utility>
 
 #include "daemon/bridges/available.h"
+#include "daemon/config/numbers.h"
 #include "daemon/config/values.h"
 #include "sim/text/quote.h"
 
@@ -67,6 +69,32 @@ Expected<PoseSource> parse_ros2(std::string_view text) {
         });
 }
 
+/// ws://HOST:PORT/TOPIC
+Expected<PoseSource> parse_rosbridge(std::string_view text) {
+    constexpr std::string_view scheme = "ws://";
+    const auto wrong = refuse(
+        "must be rosbridge:ws://HOST:PORT/TOPIC such as "
+        "rosbridge:ws://127.0.0.1:9090/odom, not " +
+        quote(text));
+    if (!text.starts_with(scheme)) return wrong;
+    const std::string_view rest = text.substr(scheme.size());
+    const auto slash = rest.find('/');
+    const std::string_view where = rest.substr(0, slash);
+    const auto colon = where.rfind(':');
+    if (slash == rest.npos || colon == where.npos) return wrong;
+    std::string_view host = where.substr(0, colon);
+    if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
+    const auto port = parse_integer<std::uint16_t>(where.substr(colon + 1));
+    const auto topic = parse_ros_topic(rest.substr(slash));
+    if (host.empty() || !port || *port == 0) return wrong;
+    if (!topic) return tl::unexpected(topic.error());
+    PoseSource source;
+    source.kind = PoseSource::Kind::rosbridge;
+    source.address = {std::string(host), *port};
+    source.topic = *topic;
+    return source;
+}
+
 }  // namespace
 
 Expected<PoseSource> parse_pose_source(std::string_view text, const fs::path& base) {
@@ -85,6 +113,7 @@ Expected<PoseSource> parse_pose_source(std::string_view text, const fs::path& ba
         });
     }
     if (text.starts_with("gz:")) return parse_gz(text.substr(3));
+    if (text.starts_with("rosbridge:")) return parse_rosbridge(text.substr(10));
     if (text.starts_with("ros2:")) return parse_ros2(text.substr(5));
     return parse_file(text, base).map([](const fs::path& file) {
         return PoseSource{.kind = Kind::file, .address = {}, .file = file};

@@ -13,7 +13,8 @@
 
 namespace scipd::daemon {
 
-/// udp:ADDR:PORT, gz:[/TOPIC], ros2:/TOPIC, vda5050:MANUFACTURER[/SERIAL], - or a file that exists.
+/// udp:ADDR:PORT, gz:[/TOPIC], ros2:/TOPIC, rosbridge:ws://HOST:PORT/TOPIC,
+/// vda5050:MANUFACTURER[/SERIAL], - or a file that exists.
 sim::Expected<PoseSource> parse_pose_source(std::string_view text,
                                             const std::filesystem::path& base);
 

@@ -84,10 +84,14 @@ void read_gz(const Section& section, std::optional<PoseSource>& source, Faults& 
 void read_ros(const Section& section, std::optional<PoseSource>& source, Faults& faults) {
     const Field* field = section.find("ros2");
     if (!field) return;
-    const bool other = source && source->kind != PoseSource::Kind::ros2;
-    if (other) return faults.add(*field, "goes with from: ros2:/TOPIC");
+    const bool other = source && source->kind != PoseSource::Kind::ros2 &&
+                       source->kind != PoseSource::Kind::rosbridge;
+    if (other) return faults.add(*field, "goes with from: ros2:/TOPIC, or rosbridge:");
     const Section keys{*field, ros_keys, faults};
-    if (const Field* topic = keys.find("topic"))
+    const bool bridged = source && source->kind == PoseSource::Kind::rosbridge;
+    if (const Field* topic = keys.find("topic"); topic && bridged)
+        faults.add(*topic, "stands in from already");
+    else if (topic)
         faults.take(*topic, text_of(topic->value).and_then([](const std::string& text) {
             return parse_pose_source("ros2:" + text, {});
         }),

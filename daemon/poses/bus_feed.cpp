@@ -203,7 +203,12 @@ std::shared_ptr<PoseFeed> make_bus_feed(const FeedContext& context, const PoseSo
     }
     const RosTopics topics = topics_of(source, context.lockstep != nullptr);
     return make_bus_feed(context, source, make_ros_meaning(source.frames),
-                         [&](BusListener& listener) { return listen_to_ros2(topics, listener); });
+                         [&](BusListener& listener) {
+                             const Address& at = source.address;
+                             return source.kind == PoseSource::Kind::ros2
+                                        ? listen_to_ros2(topics, listener)
+                                        : listen_to_rosbridge(at.host, at.port, topics, listener);
+                         });
 }
 
 std::shared_ptr<PoseFeed> make_bus_feed(const FeedContext& context, const PoseSource& source,

@@ -253,6 +253,7 @@ std::shared_ptr<PoseFeed> make_feed(const FeedContext& context, const PoseSource
             return std::make_shared<StandardInputFeed>(context);
         case PoseSource::Kind::gz:
         case PoseSource::Kind::ros2:
+        case PoseSource::Kind::rosbridge:
             return make_bus_feed(context, source);
         case PoseSource::Kind::vda5050:
             assert(false);  // daemon/fleet takes these

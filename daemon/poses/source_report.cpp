@@ -17,9 +17,11 @@ std::string text_of(const PoseSource& source) {
         case PoseSource::Kind::gz:
             return "gz:" + source.topic;
         case PoseSource::Kind::ros2:
+            return "ros2:" + source.topic;
+        case PoseSource::Kind::rosbridge:
             break;
     }
-    return "ros2:" + source.topic;
+    return "rosbridge:ws://" + text_of(source.address) + source.topic;
 }
 
 }  // namespace scipd::daemon

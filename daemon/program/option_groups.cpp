@@ -75,8 +75,8 @@ void add_robot(CLI::App& app, OptionValues& said) {
     group.add(
         "--poses", "SOURCE",
         "live poses: udp:ADDR:PORT, - for stdin, gz:[/TOPIC], ros2:/TOPIC, "
-        "vda5050:MANUFACTURER/SERIAL for a vehicle at the broker, or a file that is played in real "
-        "time: TUM, EuRoC, KITTI or CSV with a header",
+        "rosbridge:ws://HOST:PORT/TOPIC, vda5050:MANUFACTURER/SERIAL for a vehicle at the broker, "
+        "or a file that is played in real time: TUM, EuRoC, KITTI or CSV with a header",
         [&](const auto& text) {
             return put(parse_pose_source(text, fs::current_path()), said.robot.poses);
         });

@@ -104,6 +104,26 @@ TEST_F(Ros2Poses, GiveTheSameBytesTwiceInLockstep) {
     EXPECT_EQ(first, second);
 }
 
+TEST_F(Ros2Poses, CostNoScanAtAThousandMessagesASecond) {
+    FastDdsPublisher publisher(domain_, "/odom", "nav_msgs/Odometry");
+    const DaemonProcess daemon(directory_, on_tcp({"--poses", "ros2:/odom"}));
+    ScannerWire wire = ScannerWire::tcp(daemon.port());
+    EXPECT_EQ(wire.ask(stream_of_one_beam), "00");
+    wait_for_subscriber(publisher);
+    std::thread sender([&] {
+        for (int i = 1; i <= 2000; ++i) {
+            publisher.write(odometry_bytes(at(100s + i * 1ms, i * 1e-4), std::vector<double>(6)));
+            std::this_thread::sleep_for(1ms);
+        }
+    });
+    for (int i = 0; i < 80; ++i)
+        (void)wire.next_scan();
+    sender.join();
+    EXPECT_TRUE(eventually([&] { return source_of(daemon).at("messages") == 2000; }));
+    EXPECT_EQ(source_of(daemon).at("lost"), 0);
+    EXPECT_EQ(daemon.sensor_status().at("lost"), 0);
+}
+
 TEST_F(Ros2Poses, TellWhatIsNotThere) {
     FastDdsPublisher publisher(domain_, "/odom", "nav_msgs/Odometry");
     const DaemonProcess daemon(directory_, on_tcp({"--poses", "ros2:/odm"}));

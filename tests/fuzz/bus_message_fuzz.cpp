@@ -9,10 +9,12 @@
 #include <cstdlib>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include "daemon/bridges/frame_tree.h"
 #include "daemon/bridges/gz_message.h"
 #include "daemon/bridges/ros_cdr.h"
+#include "daemon/bridges/ros_json.h"
 #include "sim/world/reach.h"
 
 namespace {
@@ -28,7 +30,8 @@ void check(const Heard& heard) {
     for (const HeardPose& pose : heard.poses) {
         require(scipd::sim::plausible_position(pose.parent_from_child.translation_m));
         require(std::abs(glm::length(pose.parent_from_child.rotation) - 1.0) < 1e-9);
-        if (pose.velocity) require(std::isfinite(pose.velocity->linear_mps.x));
+        if (pose.velocity)
+            require(std::isfinite(pose.velocity->linear_mps.x + pose.velocity->angular_radps.z));
         tree.put(pose, heard.for_good);
     }
     for (const HeardPose& pose : heard.poses)
@@ -44,5 +47,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto [type, bytes] = std::pair(all.substr(0, end), all.substr(end + 1));
     if (const auto heard = read_ros_message(type, bytes)) check(*heard);
     if (const auto heard = read_gz_message(type, bytes)) check(*heard);
+    if (const auto said = read_rosbridge(bytes)) {
+        if (const auto* const published = std::get_if<RosbridgePublish>(&*said))
+            check(published->heard);
+    }
     return 0;
 }

@@ -43,7 +43,7 @@ TEST_F(PoseSourceTest, RefusesTopicsAndFramesOfNothing) {
     EXPECT_THAT(faults_of("{ros2: {child: base}}"),
                 ElementsAre(place + ".ros2: needs topic: /TOPIC"));
     EXPECT_THAT(faults_of("{from: 'udp:127.0.0.1:1', ros2: {child: base}}"),
-                ElementsAre(place + ".ros2: goes with from: ros2:/TOPIC"));
+                ElementsAre(place + ".ros2: goes with from: ros2:/TOPIC, or rosbridge:"));
 }
 
 TEST_F(PoseSourceTest, ReadsWhichTopicAndNameOfGazeboMoveARobot) {
@@ -59,6 +59,22 @@ TEST_F(PoseSourceTest, ReadsWhichTopicAndNameOfGazeboMoveARobot) {
     EXPECT_THAT(faults("robots: {r: {poses: 'gz:poses'" + rest),
                 ElementsAre("rig.yaml:1: robots.r.poses: must be gz:/TOPIC, or gz: for the poses "
                             "of the world that is loaded, not 'poses'"));
+}
+
+TEST_F(PoseSourceTest, ReadsWhereRosbridgeIs) {
+    const std::string rest = ", sensors: {s: {model: UST-10LX, tcp: '127.0.0.1:0'}}}}";
+    const auto config = parse(
+        "robots: {r: {poses: {from: 'rosbridge:ws://robot.lan:9090/a/odom', "
+        "ros2: {child: base}}" +
+        rest);
+    const PoseSource& source = *config.robots[0].poses;
+    EXPECT_EQ(source.kind, PoseSource::Kind::rosbridge);
+    EXPECT_EQ(source.address, (Address{"robot.lan", 9090}));
+    EXPECT_EQ(source.topic, "/a/odom");
+    EXPECT_EQ(source.frames.child, "base");
+    EXPECT_THAT(faults("robots: {r: {poses: 'rosbridge:robot.lan/odom'" + rest),
+                ElementsAre("rig.yaml:1: robots.r.poses: must be rosbridge:ws://HOST:PORT/TOPIC "
+                            "such as rosbridge:ws://127.0.0.1:9090/odom, not 'robot.lan/odom'"));
 }
 
 }  // namespace
