@@ -111,17 +111,10 @@ sim::Expected<> read_poses(std::string_view bytes, Heard& heard) {
     return {};
 }
 
+/// Its header and its pose have the numbers that those of a Pose_V have.
 sim::Expected<> read_odometry(std::string_view bytes, Heard& heard) {
-    Header header;
-    ProtobufReader reader(bytes);
-    while (reader.next()) {
-        if (reader.field() == 1) header = read_header(reader.bytes());
-        if (reader.field() != 2) continue;
-        if (auto read = read_pose(reader.bytes(), heard); !read) return read;
-    }
-    if (!reader.good()) return damaged();
+    if (auto read = read_poses(bytes, heard); !read) return read;
     if (heard.poses.size() != 1) return sim::refuse("the message has no pose");
-    stamp(heard, header.time);
     // It is of whoever the topic is of.
     heard.poses[0].child.clear();
     return {};

@@ -43,7 +43,7 @@ Polygon cut(const Polygon& polygon, int axis, double from, double sign) {
     return kept;
 }
 
-/// A rectangle of coordinates, of one axis or of both.
+/// The smallest box around points.
 struct Span {
     glm::dvec3 low_m{std::numeric_limits<double>::infinity()};
     glm::dvec3 high_m{-std::numeric_limits<double>::infinity()};

@@ -93,10 +93,8 @@ Tables tables_of(const Matter& matter, const Level& level) {
 Effects effects_of(const Matter& matter, const Level& level) {
     Effects effects;
     for (std::size_t pair = 0; pair < matter.pairs.size(); ++pair) {
-        const auto readings =
-            static_cast<double>(std::min(matter.of_a(pair).distances, matter.of_b(pair).distances));
         effects.values.push_back(level.mean_b[pair] - level.mean_a[pair]);
-        effects.deviations.push_back(level.sd[pair] * std::sqrt(2 / readings));
+        effects.deviations.push_back(level.sd[pair] * std::sqrt(2 / matter.fewer_distances(pair)));
     }
     return effects;
 }

@@ -34,6 +34,10 @@ struct Matter {
     [[nodiscard]] const BeamStatistics& of_b(std::size_t pair) const {
         return beams_b[pairs[pair].b];
     }
+    /// How many readings of the one that has fewer are distances.
+    [[nodiscard]] double fewer_distances(std::size_t pair) const {
+        return static_cast<double>(std::min(of_a(pair).distances, of_b(pair).distances));
+    }
     /// Both mostly see something there, and the same thing if nothing was moved.
     [[nodiscard]] bool both_see(std::size_t pair) const {
         return pairs[pair].comparable && of_a(pair).share >= 0.5 && of_b(pair).share >= 0.5;

@@ -65,11 +65,9 @@ Spreads spreads_of(const Matter& matter) {
 Effects effects_of_spread(const Matter& matter, const Spreads& spreads) {
     Effects effects;
     for (std::size_t pair = 0; pair < matter.pairs.size(); ++pair) {
-        const auto readings =
-            static_cast<double>(std::min(matter.of_a(pair).distances, matter.of_b(pair).distances));
         effects.values.push_back(spreads.b[pair] - spreads.a[pair]);
         // Of a standard deviation, by the normal distribution: sd / sqrt(2 n).
-        effects.deviations.push_back(spreads.usual[pair] / std::sqrt(readings));
+        effects.deviations.push_back(spreads.usual[pair] / std::sqrt(matter.fewer_distances(pair)));
     }
     return effects;
 }
