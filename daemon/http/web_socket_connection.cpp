@@ -63,12 +63,19 @@ void WebSocketConnection<Protocol>::open(const Request& request, Converse conver
             answer.set(boost::beast::http::field::sec_websocket_protocol, own_subprotocol);
         }));
     }
-    socket_.async_accept(request, [self = this->shared_from_this(),
-                                   converse = std::move(converse)](const Error& error) {
-        if (error || self->service_->closed) return;
-        self->conversation_ = converse(*self);
-        self->read();
-    });
+    // The conversation begins first: who has the answer misses nothing that happens afterwards.
+    conversation_ = converse(*this);
+    socket_.async_accept(
+        request, [self = this->shared_from_this()](const Error& error) { self->accepted(error); });
+}
+
+template <class Protocol>
+void WebSocketConnection<Protocol>::accepted(const Error& error) {
+    if (error || service_->closed) return conversation_.reset();
+    accepted_ = true;
+    if (refused_) return tell_why();
+    if (!queue_.empty()) write();
+    read();
 }
 
 template <class Protocol>
@@ -122,7 +129,7 @@ void WebSocketConnection<Protocol>::enqueue(Message message) {
         return refuse(Limit::websocket_queue_bytes);
     queue_bytes_ = bytes;
     queue_.push_back(std::move(message));
-    if (queue_.size() == 1) write();
+    if (accepted_ && queue_.size() == 1) write();
 }
 
 template <class Protocol>
@@ -145,20 +152,25 @@ void WebSocketConnection<Protocol>::written(const Error& error) {
     if (waits_for_room_) read();
 }
 
-// In another turn, since the conversation itself may be sending.
 template <class Protocol>
-void WebSocketConnection<Protocol>::refuse(Limit limit, boost::beast::websocket::close_code code) {
+void WebSocketConnection<Protocol>::refuse(Limit limit, websocket::close_code code) {
     refused_ = true;
     const std::string why = service_->limits->refuse(limit, door_->name);
-    asio::post(socket_.get_executor(), [self = this->shared_from_this(), why, code] {
-        self->conversation_.reset();
-        websocket::close_reason reason(code);
-        reason.reason.assign(why.data(), std::min(why.size(), reason.reason.max_size()));
-        self->socket_.async_close(reason, [self](const Error&) { self->patience_.cancel(); });
-        self->patience_.expires_after(last_words);
-        self->patience_.async_wait([self](const Error& error) {
-            if (!error) self->close();
-        });
+    reason_.code = code;
+    reason_.reason.assign(why.data(), std::min(why.size(), reason_.reason.max_size()));
+    // In another turn, since the conversation itself may be sending.
+    if (accepted_)
+        asio::post(socket_.get_executor(), [self = this->shared_from_this()] { self->tell_why(); });
+}
+
+template <class Protocol>
+void WebSocketConnection<Protocol>::tell_why() {
+    conversation_.reset();
+    socket_.async_close(
+        reason_, [self = this->shared_from_this()](const Error&) { self->patience_.cancel(); });
+    patience_.expires_after(last_words);
+    patience_.async_wait([self = this->shared_from_this()](const Error& error) {
+        if (!error) self->close();
     });
 }
 

@@ -31,7 +31,7 @@ class WebSocketConnection : public HttpClient,
     WebSocketConnection(Stream stream, std::shared_ptr<HttpService> service, SharedDoor door);
     ~WebSocketConnection() override;
 
-    /// Accepts the request and begins the conversation.
+    /// Begins the conversation and accepts the request.
     void open(const Request& request, Converse converse);
 
     void send(std::shared_ptr<const std::string> message) override {
@@ -50,6 +50,7 @@ class WebSocketConnection : public HttpClient,
         bool binary;
     };
 
+    void accepted(const Error& error);
     void enqueue(Message message);
     void read();
     void read_more();
@@ -62,6 +63,7 @@ class WebSocketConnection : public HttpClient,
     /// Closes, and tells the client why.
     void refuse(Limit limit, boost::beast::websocket::close_code code =
                                  boost::beast::websocket::close_code::policy_error);
+    void tell_why();
 
     std::shared_ptr<HttpService> service_;
     SharedDoor door_;
@@ -70,7 +72,9 @@ class WebSocketConnection : public HttpClient,
     std::deque<Message> queue_;
     std::size_t queue_bytes_ = 0;
     Rate rate_;  ///< of what comes
+    bool accepted_ = false;  ///< whether the client has its answer
     bool refused_ = false;
+    boost::beast::websocket::close_reason reason_;  ///< why it is refused
     boost::asio::steady_timer patience_;  ///< with a client that is refused and does not read
     bool waits_for_room_ = false;         ///< whether it reads on once the queue is shorter
     std::unique_ptr<Conversation> conversation_;

@@ -11,7 +11,6 @@ import socket
 import subprocess
 import sys
 import tempfile
-import time
 
 import jsonschema
 import yaml
@@ -273,7 +272,6 @@ def check_view(document, path, sensors):
 
 def check_wire(document, path, tcp):
     connection = connect(path, "/wire?sensor=robot/multi")
-    time.sleep(0.5)  # the scanner's thread hears of the listener after the listener has its answer
     host, _, port = tcp.rpartition(":")
     with socket.create_connection((host, int(port)), 60) as driver:
         driver.sendall(b"VV\nGD0000001000\n")

@@ -4,6 +4,7 @@
 // The HTTP server over real sockets, against clients that behave and clients that do not.
 #include "daemon/http/http_server.h"
 
+#include <atomic>
 #include <chrono>
 #include <future>
 #include <memory>
@@ -103,11 +104,24 @@ class Cutter : public Conversation {
     WebSocket& socket_;
 };
 
+/// Takes a while to begin.
+class Sleeper : public Conversation {
+  public:
+    Sleeper() {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        awake = true;
+    }
+    std::size_t take(std::string_view rest) override { return rest.size(); }
+
+    inline static std::atomic<bool> awake = false;
+};
+
 std::variant<HttpResponse, Converse> parrots(const HttpRequest& request) {
     const std::string path = request.path;
     return [path](WebSocket& socket) -> std::unique_ptr<Conversation> {
         if (path == "/nibble") return std::make_unique<Nibbler>(socket);
         if (path == "/cut") return std::make_unique<Cutter>(socket);
+        if (path == "/sleep") return std::make_unique<Sleeper>();
         return std::make_unique<Parrot>(socket);
     };
 }
@@ -592,9 +606,9 @@ TEST_F(HttpServerTest, OutlivesAClientThatTalksOverAWebSocketAndVanishes) {
 /// A WebSocket by hand, from after its handshake on.
 class RawWebSocketTest : public HttpServerTest {
   protected:
-    Local::socket open() {
+    Local::socket open(const std::string& path = "/talk") {
         auto socket = connect_local();
-        asio::write(socket, asio::buffer(request_));
+        asio::write(socket, asio::buffer("GET " + path + upgrade_));
         std::string head;
         asio::read_until(socket, asio::dynamic_buffer(head), "\r\n\r\n");
         EXPECT_THAT(head, StartsWith("HTTP/1.1 101 "));
@@ -621,11 +635,27 @@ class RawWebSocketTest : public HttpServerTest {
         return text;
     }
 
-    const std::string request_ =
-        "GET /talk HTTP/1.1\r\nHost: x\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
+    const std::string upgrade_ =
+        " HTTP/1.1\r\nHost: x\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
         "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n";
+    const std::string request_ = "GET /talk" + upgrade_;
     const std::string policy_ = "\x03\xf0";  ///< code 1008
 };
+
+// Who listens by it hears all that happens once the answer is there.
+TEST_F(RawWebSocketTest, AnswersOnceTheConversationHasBegun) {
+    start();
+    open("/sleep");
+    EXPECT_TRUE(Sleeper::awake);
+}
+
+TEST_F(RawWebSocketTest, EndsWithTheReasonWhenItsFirstMessagesAreTooMany) {
+    LimitValues values;
+    values[Limit::websocket_queue_bytes] = 1;
+    start(values);
+    auto socket = open("/cut");
+    EXPECT_THAT(up_to(socket, "websocket_queue_bytes under limits"), HasSubstr(policy_));
+}
 
 // The gate has not seen it, and a proxy in front takes the connection for one of HTTP.
 TEST_F(RawWebSocketTest, BeginsByNoTrailer) {
