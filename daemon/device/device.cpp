@@ -76,9 +76,11 @@ Device::Device(const std::string& robot, const SensorConfig& config, std::uint64
       cold_start_(config.power_up == PowerUp::boot),
       told_(sweep_.name()),
       bit_rate_told_(protocol::bit_rate_of(state_.settings(), profile_)) {
-    if (config.power_up == PowerUp::scip1) state_.power_up_in_scip1(uptime());
-    if (config.power_up == PowerUp::boot) state_.boot(uptime(), profile_.boot_time);
-    state_.set_clock(uptime(), std::chrono::milliseconds(config.clock.start_ms));
+    // The wall clock goes on meanwhile. What it reads by now would move stamps against the mirror.
+    constexpr protocol::Uptime at_power_up{};
+    if (config.power_up == PowerUp::scip1) state_.power_up_in_scip1(at_power_up);
+    if (config.power_up == PowerUp::boot) state_.boot(at_power_up, profile_.boot_time);
+    state_.set_clock(at_power_up, std::chrono::milliseconds(config.clock.start_ms));
     boots_told_ = state_.boots();
     told_.know(state_.laser_on());
     state_.set_mirror_origin(timing_.start(0));

@@ -40,5 +40,27 @@ TEST(Phase, HoldsForAScannerThatBoots) {
     EXPECT_EQ((device.start_of(device.next_revolution()) - 7ms) % 25ms, 0ms);
 }
 
+/// Goes on with each look at it, as the wall clock does on a machine that is busy.
+class HastyClock : public SteppedClock {
+  public:
+    [[nodiscard]] sim::Time now() const override { return now_ += 9ms; }
+
+  private:
+    mutable sim::Time now_{};
+};
+
+TEST(Phase, DoesNotDependOnHowLongTheDaemonTakesToMakeTheScanner) {
+    for (const PowerUp power_up : {PowerUp::scip2, PowerUp::boot}) {
+        World world = wall_world();
+        SteppedClock calm;
+        const Device expected("robot", in_phase(7ms, power_up), 1, world, calm);
+        HastyClock hasty;
+        const Device device("robot", in_phase(7ms, power_up), 1, world, hasty);
+        EXPECT_EQ(device.start_of(0), expected.start_of(0));
+        EXPECT_EQ(device.state().clock_zero(), expected.state().clock_zero());
+        EXPECT_EQ(device.state().booted_at(), expected.state().booted_at());
+    }
+}
+
 }  // namespace
 }  // namespace scipd::daemon
