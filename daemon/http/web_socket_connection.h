@@ -71,7 +71,7 @@ class WebSocketConnection : public HttpClient,
     boost::beast::flat_buffer buffer_;
     std::deque<Message> queue_;
     std::size_t queue_bytes_ = 0;
-    Rate rate_;  ///< of what comes
+    Rate rate_;              ///< of what comes
     bool accepted_ = false;  ///< whether the client has its answer
     bool refused_ = false;
     boost::beast::websocket::close_reason reason_;  ///< why it is refused
